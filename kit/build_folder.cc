@@ -200,8 +200,9 @@ bool FolderBuild::HasFailure(const ObjectFolder& object) const {
   });
 }
 
-// Returns the objects of which this build has no image.  Leaves out objects with sources that do
-// not compile, because these sources would not compile in another way of building either.
+// Returns the objects of which this build has no image yet, although no source of theirs has
+// failed.  Objects with a failure are left out, because the source would fail in another way of
+// building too.
 std::vector<ObjectFolder> FolderBuild::NotBuilt() const {
   const KitLog log = ReadKitLog(make_.log);
   std::vector<ObjectFolder> objects;
@@ -223,8 +224,8 @@ void FolderBuild::Build() {
   }
   MakeOutcome outcome = RunMake(plan, make_);
   RemoveOldImages(outcome.is_good);
-  // A rule with a loop over folders ends at the first folder that fails, so make runs here in each
-  // object's folder that has no image yet.
+  // The rule of a top Makefile often loops over the folders of objects, and ends at the first one
+  // that fails.  So make runs here in the folder of each object that has no image yet.
   if (!outcome.is_good) {
     for (const ObjectFolder& object : NotBuilt()) {
       const bool has_makefile =
@@ -248,8 +249,8 @@ void FolderBuild::Build() {
   TryConvention(rest, plan);
 }
 
-// Returns whether a part of `image` could not be made in this build.  Then the image is one of an
-// earlier build.
+// Returns whether a part of `image` could not be made in this build.  The file of the image is then
+// left from an earlier build.
 bool IsOutOfDate(const KitLog::Image& image, const std::vector<KitLog::Failure>& failures) {
   return std::any_of(failures.begin(), failures.end(), [&](const KitLog::Failure& failure) {
     if (failure.file == image.ocf || failure.output == image.file) return true;
@@ -286,8 +287,8 @@ void FolderBuild::RemoveOldImages(bool is_made) {
   WriteKitLog(make_.log, log);
 }
 
-// Returns whether the build lacks an image that an OBJECT.CFG names.  Without OBJECT.CFG, an image
-// is missing unless make has succeeded.
+// Returns whether the build lacks an image that an OBJECT.CFG names.  Without OBJECT.CFG nothing
+// lists the images, so one counts as missing unless make has succeeded.
 bool FolderBuild::SomeImageIsMissing() const {
   const KitLog log = ReadKitLog(make_.log);
   bool has_list = false;
@@ -352,7 +353,8 @@ void FolderBuild::Deliver() {
   WriteText(work_ / "placed.txt", placed);
 }
 
-// Returns whether some object does not compile or link, or its build could not begin.
+// Returns whether the build of some object has failed or could not begin.  If make succeeded, a
+// failure counts only if it is in an object's folder.
 bool FolderBuild::HasFailed() const {
   const std::vector<KitLog::Failure> failures = ReadKitLog(make_.log).failures;
   return !hurdles_.empty() ||
@@ -379,15 +381,15 @@ void FolderBuild::TellFailures() {
   }
   const std::vector<std::string> libraries = LeftOutAndMissed();
   problems_.insert(problems_.end(), libraries.begin(), libraries.end());
-  // The cause is not printed if make has only repeated the message of a compiler, which was printed
-  // before.
+  // If the cause is only that a rule failed, and the log has the failure of the compiler or linker,
+  // the cause is not printed, because the failure says more and was printed before.
   if (!is_made_ && (log.failures.empty() || make_cause_.find("the rule for") != 0) &&
       !make_cause_.empty())
     problems_.push_back("make failed: " + make_cause_);
 }
 
-// Returns the object files and libraries for another processor that Makefiles name and that the
-// build has not made anew.
+// Returns an error message for each object file or library that was not copied, because it is for
+// another processor, that the Makefiles name, and that the build has not made anew.
 std::vector<std::string> FolderBuild::LeftOutAndMissed() const {
   std::string makefiles;
   for (const fs::path& file : project_.makefiles) makefiles += ReadText(file).value_or("");

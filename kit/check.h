@@ -39,8 +39,9 @@ class Remarks {
 
   void Add(Remark::Kind kind, const FilePosition& place, std::string text);
 
-  // Adds a remark that `cause` (any text) leads to.  If the file already has a remark of this kind
-  // with the same cause, only adds the place to that remark, so that one mistake gives one remark.
+  // Adds a remark that has the cause `cause`, a text that is only compared with other causes.  If
+  // the file already has a remark of this kind with the same cause, only adds the place to that
+  // remark, so that one mistake gives one remark.
   void AddConsequence(Remark::Kind kind, const FilePosition& place, std::string cause,
                       std::string text);
 

@@ -31,7 +31,8 @@ std::string MembersOf(std::string body) {
   return body;
 }
 
-// Returns the reason why a value with these members cannot be sent as bytes; "" if it can.
+// Returns the reason why values of a type cannot be sent as bytes; "" if they can.  `members` is
+// the text of the type's members.
 std::string TroubleIn(const std::string& members) {
   static const std::regex kContainer(
       "\\b(string|vector|list|deque|map|multimap|set|multiset|queue|stack)\\b[ \t]*(<[^;]*>)?"
@@ -76,8 +77,8 @@ class DataCheck {
       if (close == std::string::npos) continue;
       const std::string name = (*it)[1];
       const std::string trouble = TroubleIn(MembersOf(code.substr(open + 1, close - open - 1)));
-      // If two types have one name, the check does not know which type a call means, so nothing is
-      // reported about this name.
+      // If the program has two types of one name, the check does not know which of them a call
+      // means.  So it reports nothing about this name.
       if (!seen_.insert(name).second) {
         troubles_.erase(name);
       } else if (!trouble.empty()) {
@@ -86,8 +87,9 @@ class DataCheck {
     }
   }
 
-  // Returns the type that a call of SetData() sends, if it is in `troubles_`: the type `measured`,
-  // which is the word after sizeof, or the type of `variable`.  Returns "" for other types.
+  // Returns the type of the data in a call SetData(&variable, sizeof measured), if such data cannot
+  // be sent (`troubles_`); "" for other types.  `measured` is the name of the type, or `variable`
+  // again.
   std::string TypeOf(const std::string& code, const std::string& variable,
                      const std::string& measured) const {
     if (troubles_.contains(measured)) return measured;

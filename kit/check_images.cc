@@ -22,7 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The services of the robot's own objects.
+// The services of the robot's own objects, which CONNECT.CFG may name although no image on the
+// stick has them.
 const char* const kRobotServices[] = {ovrcommSENSOR, ovrcommEFFECTOR, ovrcommFBK,
                                       ovrcommMIC,    ovrcommSPEAKER,  ovrcommALERT};
 
@@ -154,9 +155,9 @@ void ImageCheck::CheckImage(const ObjectRecord& record, const ImageFile& image) 
   for (const ObjectFolder* object : objects_) {
     if (HasOcfName(*object, name)) namesakes.push_back(object);
   }
-  // Several objects may have this name, because objects for different robots often share one.
-  // Their services then decide which of them is in the image.  A single object with the name is
-  // taken even if its stub.cfg has changed since the build.
+  // If several objects have this name, their services decide which of them are in the image,
+  // because objects for different robots often share a name.  A single object is taken without this
+  // check, because its stub.cfg may have changed since the build.
   if (namesakes.size() > 1)
     std::erase_if(namesakes,
                   [&](const ObjectFolder* object) { return !HasServicesIn(*object, record); });
@@ -198,8 +199,9 @@ std::vector<std::string> ImageCheck::NamesOf(const ObjectFolder& object) const {
   return names;
 }
 
-// Returns for each missing image the index of its object in the project, or -1 if none is found.
-// Lines of several robots that name the same image count once.
+// Returns, for each image in `missing_`, the index in `objects_` of the object that a build will
+// make it from, or -1 if no object has a similar name.  Lines for different robots may name the
+// same image, so each file name is matched only once.
 std::vector<int> ImageCheck::MatchMissing() const {
   std::vector<std::string> wanted;
   std::vector<size_t> index_of;
@@ -253,8 +255,8 @@ void ImageCheck::ExpectFromProject() {
     ReportMissing(*image, is_made);
     is_some_made = is_some_made || is_made;
   }
-  // If a rule of a Makefile makes one of the missing images, any remaining object may be in it, so
-  // the services of all these objects count as known.
+  // If a rule of a Makefile makes a missing image, it is not known from which of the remaining
+  // objects.  So the services of all of them count as known, and connections to them get no error.
   for (size_t i = 0; is_some_made && i < free.size(); ++i) AddServices(*free[i], "");
 }
 

@@ -26,8 +26,8 @@ struct StickImages {
   bool knows_all = true;              // false: some image is missing, so its services are unknown
 };
 
-// Adds a remark for each image that is missing and that no build will make, that cannot be loaded,
-// or whose object has the same name as another object.  Returns the services of all images.
+// Adds a remark for each faulty image: it is missing and no build will make it, or it cannot be
+// loaded, or its object has the same name as another object.  Returns the services of all images.
 StickImages CheckImages(const StickFolder& stick, const Project& project, const ObjectParts& parts,
                         Remarks* remarks);
 

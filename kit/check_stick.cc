@@ -22,8 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The robot's address in the samples of Sony's SDK.  A robot that openr runs on this computer has
-// another address, so this one is worth a note.
+// The robot's address in the samples of Sony's SDK.  A robot that openr runs on this computer is
+// 127.0.0.1, so a line with the old address gets a note.
 constexpr char kRobotOfThatTime[] = "10.0.1.100";
 
 constexpr char kWlanFile[] = "WLANCONF.TXT";
@@ -96,8 +96,8 @@ void StickCheck::CheckService(const ServiceName& name, const std::string& sectio
 
 void StickCheck::ReportUnknown(const ServiceName& name, const FilePosition& place) {
   const std::string full = Compose(name);
-  // If an object is missing, the remarks about its services get the same cause, so they become one
-  // remark.  A service that an object lacks is a cause of its own.
+  // If the object itself is missing, the remarks about all its services get the same cause, so they
+  // become one remark.  If only a service of it is missing, the cause is that service.
   std::string cause = name.object + ".";
   std::vector<std::string> known;
   for (const auto& [service, owner] : images_.services) {

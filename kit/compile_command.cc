@@ -95,10 +95,10 @@ Language LanguageOf(const CompileCommand& command, const std::string& given, boo
                                                                            : Language::kCxx;
 }
 
-// Returns the flags for `name`, the language level of a -std flag; none if the level is one of the
-// other language.  Strict levels become those with GNU extensions, because the headers of the SDK's
-// compiler hid nothing in strict levels.  C99 gets -fgnu89-inline, because gcc took `inline` in the
-// meaning of GNU C until version 4.3.
+// Returns the flags for `name`, the value of a -std flag such as "c99"; none if it is a level of
+// another language than `language`.  A strict level becomes the one with GNU extensions, because
+// the headers of the SDK's compiler declared the same in both.  C99 gets -fgnu89-inline, because
+// gcc took `inline` in the meaning of GNU C until version 4.3.
 std::vector<std::string> StandardFlags(const std::string& name, Language language) {
   const bool is_cxx = name.find("++") != std::string::npos;
   if (name.empty() || is_cxx != (language == Language::kCxx)) return {};

@@ -40,8 +40,8 @@ constexpr char kPrintVariables[] =
     "$(if $(filter file,$(origin $(v))),$(info = $($(v)))))\n"
     "openr-nothing:;\n";
 
-// Returns an error message with the place where `list` (its content is `text`) contains `word`, or
-// else with its first line.
+// Returns the error `message` for the place in the file `list`, whose content is `text`, at which
+// `word` first occurs.  If `word` does not occur, the error names the first line.
 Diagnostic AtWord(const fs::path& list, const std::string& text, const std::string& word,
                   std::string message) {
   std::vector<Diagnostic> ignored;

@@ -21,7 +21,8 @@ namespace {
 namespace fs = std::filesystem;
 using Paths = std::vector<fs::path>;
 
-// Returns the headers that lie in the folders of these sources, by name in lower case.
+// Returns the headers that lie in the same folders as `sources` and `shared`.  The key is the file
+// name in lower case, because #include lines may write it in another case.
 std::multimap<std::string, fs::path> HeadersByName(const Paths& sources, const Paths& shared) {
   std::set<fs::path> folders;
   for (const fs::path& file : sources) folders.insert(file.parent_path());
@@ -50,8 +51,9 @@ std::string Joined(const Paths& paths) {
   return text;
 }
 
-// Returns the .ocf file of an object.  If the object has several, returns the one whose name is
-// like its own.  If no file can be chosen, returns "" and sets `problem` to the error message.
+// Returns the .ocf file of an object.  If the object has several, returns the one with the name
+// that is most like the object's class or folder.  If there is none that fits, returns "" and sets
+// `problem` to the error message.
 fs::path ChooseOcf(const ObjectFolder& object, std::string* problem) {
   if (object.ocfs.size() == 1) return object.ocfs[0];
   if (object.ocfs.empty()) {
@@ -184,7 +186,8 @@ class ConventionBuild {
     return RunMakeIn(build_, {}, options_).is_good;
   }
 
-  // Returns whether the last build failed only because of undefined names.
+  // Returns whether undefined names are the only failures of the last build, so that more sources
+  // may help.
   bool LinksOnly() const {
     const std::vector<KitLog::Failure> failures = log().failures;
     return !failures.empty() &&
@@ -211,7 +214,8 @@ class ConventionBuild {
   }
 
   // Returns the flags for the compiler.  Header folders from the object's Makefile come first,
-  // because they are known to be right; other folders of the project come last.
+  // because the Makefile names the right ones.  Other folders of the project come last, because
+  // they may have other headers of the same names.
   std::string CompilerFlags() const {
     std::string flags = "-O2";
     for (const std::string& flag : flags_) flags += " " + InMakefile(ShellWord(flag));

@@ -13,10 +13,10 @@ struct EndlessLoop {
   bool waits = false;  // true: the loop waits for a device; false: its condition is always true
 };
 
-// Returns the loops of `code`, a text without comments, that never end: the condition is always
-// true, or reads only a value that cannot change while the loop runs, and no break, return, goto or
-// exit() leaves the loop.  `is_true` returns whether a word is a number other than 0, or a macro
-// for such a number.
+// Returns the loops of `code`, a text without comments, that never end.  The condition of such a
+// loop is always true, or waits for a value of a device, which does not change while the loop runs.
+// No break, return, goto or exit() leaves it.  `is_true` returns whether a word is a number other
+// than 0, or a macro for such a number.
 std::vector<EndlessLoop> FindEndlessLoops(const std::string& code,
                                           const std::function<bool(std::string_view)>& is_true);
 

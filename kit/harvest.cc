@@ -19,8 +19,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// An image of this build.  `names` are the names under which OBJECT.CFG may mention the image:
-// those of its object, its class, its files and its folder.
+// An image of this build: its entry in the log, the content of its file, and the names under which
+// OBJECT.CFG may mention it.  These are the names of its object, its class, its files and its
+// folder.
 struct BuiltImage {
   KitLog::Image log;
   std::string bytes;
@@ -39,7 +40,8 @@ std::vector<fs::path> InstalledFiles(const StickFolder& stick) {
 
 std::vector<BuiltImage> ReadBuiltImages(const KitLog& log, const Project& project) {
   std::vector<BuiltImage> images;
-  // File name and content of the files on sticks.
+  // File names and contents of the files on sticks.  An image with the same content may have
+  // another name there, by which OBJECT.CFG names it.
   std::vector<std::pair<std::string, std::string>> installed;
   for (const StickFolder& stick : project.sticks) {
     for (const fs::path& file : InstalledFiles(stick))
@@ -123,7 +125,8 @@ class StickCompletion {
     return record.path.size() < 4 ? fs::path() : FindBelow(stick_.root, record.path.substr(4));
   }
 
-  // Returns whether no other stick is nearer to the image's .ocf file in the tree of folders.
+  // Returns whether no other stick is nearer to the image's .ocf file.  The nearest stick is in the
+  // deepest folder that has both a stick in it and the .ocf file below it.
   bool IsOfThisStick(const BuiltImage& image) const {
     const auto depth = [&image](const StickFolder& stick) {
       const fs::path around = stick.root.parent_path();
@@ -196,8 +199,9 @@ class StickCompletion {
         fmt::format("OBJECT.CFG:{}: {} was not built: {}", record.place.line, record.path, why));
   }
 
-  // Puts all images on this stick for which it is the nearest stick, and writes an OBJECT.CFG that
-  // names them.
+  // Puts all images on this stick to which no other stick is nearer (IsOfThisStick()), and writes
+  // an OBJECT.CFG that names them.  Called when the stick has no OBJECT.CFG, so nothing says which
+  // images it needs.
   void ListEverything() {
     std::string text;
     for (size_t i = 0; i < built_.size(); ++i) {

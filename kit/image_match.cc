@@ -64,8 +64,8 @@ class Matcher {
     }
   }
 
-  // Pairs each wanted name that fits exactly one free candidate with that candidate, unless another
-  // wanted name without a candidate fits it too.
+  // Applies one rule, `fits`, to the wanted names that have no candidate yet.  Pairs a name with a
+  // free candidate if the name fits no other one and no other of these names fits the candidate.
   void Pair(const std::function<bool(const std::string& wanted, const std::string& name)>& fits) {
     for (size_t w = 0; w < wanted_.size(); ++w) {
       const int only = OnlyCandidate(w, fits);

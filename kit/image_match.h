@@ -1,4 +1,5 @@
-// Finds the built image that a line of OBJECT.CFG means, if no Makefile says it.
+// Finds, by comparing names, the built image that a line of OBJECT.CFG means.  Needed when no rule
+// of a Makefile copies an image to the name in that line.
 #pragma once
 
 #include <string>

@@ -7,7 +7,7 @@
 namespace openr_host {
 
 // Returns the source for an image whose .ocf file has the text `ocf`.  The source is valid C and
-// C++, and must be the last part that is linked.
+// C++; it is compiled and linked into the image.
 std::string MakeImageSource(const std::string& ocf);
 
 }  // namespace openr_host

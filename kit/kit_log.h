@@ -44,7 +44,8 @@ void LogImage(const KitLog::Image& image);
 void LogFailure(const KitLog::Failure& failure);
 void LogCompile(const KitLog::Compile& compile);
 
-// Notes that `output` was made, so that earlier failures to make it no longer count.
+// Notes in the log that the file `output` was made, so that earlier failures to make it no longer
+// count.
 void LogSuccess(const std::string& output);
 void LogRepair(const KitLog::Repair& repair);
 

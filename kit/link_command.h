@@ -17,8 +17,9 @@ struct LinkCommand {
   bool is_verbose = false;             // -v
 };
 
-// Translates `arguments`.  `exists` tells whether a file exists.  A library (-l) that is in no -L
-// folder is one of the SDK's.  It is left out, because the runtime has its functions.
+// Translates `arguments`, those of mkbin.  `exists` returns whether a file exists.  A library (-l)
+// that is in no folder of -L is one of the SDK's, and is left out, because the runtime has its
+// functions.
 LinkCommand TranslateMkbin(const std::vector<std::string>& arguments,
                            const std::function<bool(const std::string& file)>& exists);
 

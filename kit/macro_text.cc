@@ -29,8 +29,8 @@ std::string_view WithoutBrackets(std::string_view body) {
   return body;
 }
 
-// Returns the end of the line that begins at `at`.  If the line ends in a backslash, the next line
-// belongs to it.
+// Returns the end of the line that begins at `at`, as the preprocessor sees it: if the line ends in
+// a backslash, the next line belongs to it.
 size_t EndOfDirective(std::string_view code, size_t at) {
   for (size_t i = at; i < code.size(); ++i) {
     if (code[i] == '\n' && (i == 0 || code[i - 1] != '\\')) return i;
@@ -170,8 +170,10 @@ ExpandedText MacroTable::Expand(const std::string& source) const {
   return result;
 }
 
-// Adds the expansion of the macro that is used at `at` to `result`, and returns the position after
-// its use.  Returns `at` if no macro is used there.
+// If a macro is used at `at`, adds its expansion to `result`, and returns the position after its
+// use.  Otherwise returns `at`.  All new characters get the offset `origin`
+// (ExpandedText::origins).  Macros in `hidden` are not expanded, because `text` is a part of their
+// own expansion.
 size_t MacroTable::PutMacro(std::string_view text, size_t at, size_t origin, const Names& hidden,
                             ExpandedText* result) const {
   const std::string_view word = WordAt(text, at);
@@ -191,8 +193,9 @@ size_t MacroTable::PutMacro(std::string_view text, size_t at, size_t origin, con
   return close + 1;
 }
 
-// Adds `text` with macros expanded to `result`.  `fixed` is the origin of all characters of `text`;
-// kNone means that the origin of each character is its own position.
+// Adds `text` with macros expanded to `result`.  If `text` comes from a macro, all its characters
+// get the offset `fixed` (ExpandedText::origins).  If `text` is the source itself, `fixed` is
+// kNone, and each character gets its own position.  Macros in `hidden` are not expanded.
 void MacroTable::Put(std::string_view text, size_t fixed, const Names& hidden,
                      ExpandedText* result) const {
   for (size_t at = 0; at < text.size() && result->text.size() < kExpandedMax;) {

@@ -75,8 +75,8 @@ std::vector<fs::path> TopFolders(const Project& project) {
   return folders;
 }
 
-// Returns whether users had to set the variable for their own computers: its value is a path
-// outside of the working copy, or the Makefiles give it no value.  `makefiles` is the text of all
+// Returns whether users had to set the variable for their own computers: the Makefiles give it no
+// value, or a value that leads to a path outside of the project.  `makefiles` is the text of all
 // Makefiles.
 bool LeadsElsewhere(const MakefileVariable& variable, const std::string& makefiles) {
   if (!variable.is_defined) return true;
@@ -106,10 +106,9 @@ bool HasInstallRule(const fs::path& folder, const std::vector<std::string>& vari
   return said.find("make: *** No rule to make target 'install'") == std::string::npos;
 }
 
-// Returns the value for variables that name a Memory Stick outside of the project: a stick of the
-// project.  With several sticks the value is an expression for make, because each folder may have
-// its own stick: the one beside the folder in which make runs, or else beside the nearest folder
-// around it.
+// Returns the value for variables of Makefiles that name a Memory Stick outside of the project: the
+// path of a stick of the project.  With several sticks the value is an expression for make.  It
+// yields the stick in the folder in which make runs, or else in the nearest folder around it.
 std::string StickValue(const Project& project) {
   if (project.sticks.empty()) return project.root / "MS";
   std::vector<fs::path> roots;
@@ -158,8 +157,9 @@ std::string CauseOf(const std::string& output) {
     if (complaint.starts_with("Waiting for") || complaint.starts_with("Deleting file")) continue;
     std::smatch match;
     if (!std::regex_match(complaint, match, kFailedRule)) return complaint;
-    // If a program is missing (Error 127), that explains more than a program that failed.  The
-    // first rule that failed explains more than the rules that depend on it.
+    // A missing program (Error 127) explains more than a program that failed, so it is the cause if
+    // there is one.  Of several failed rules the first is the cause, because others may depend on
+    // it.
     std::string* const cause = match[3] == "Error 127" ? &tool : &rule;
     if (!cause->empty()) continue;
     *cause = fmt::format("the rule for '{}'{} failed: {}", match[2].str(),
@@ -243,8 +243,9 @@ MakeOutcome RunMakeTargets(const fs::path& folder, const MakePlan& plan,
   arguments.insert(arguments.end(), variables.begin(), variables.end());
   const size_t failures = ReadKitLog(options.log).failures.size();
   MakeOptions install = options;
-  // A step that failed in the first run fails here again, after the first run has shown its
-  // messages.  So the output of a failing run is shown only if the log has new failures.
+  // The target `install` often repeats the steps of the first target.  A step that has failed there
+  // fails here again, and its messages have been shown.  So if this run fails, its output is shown
+  // only if the log has new failures.
   if (!outcome.is_good || failures > 0) {
     install.says = MakeOptions::Says::kIfGood;
     install.jobs = 1;

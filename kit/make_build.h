@@ -16,7 +16,7 @@ struct MakeOptions {
   std::string copies;  // list of private copies, for the tools (source_copies.h)
   int jobs = 1;
   bool is_verbose = false;
-  // When the output of make is printed.
+  // When the output of make is printed: always, only if make succeeds, or never.
   enum class Says { kAlways, kIfGood, kNever } says = Says::kAlways;
 };
 
@@ -24,9 +24,10 @@ struct MakeOptions {
 struct MakePlan {
   // Folders in which make runs, for the first target and for `install`.
   std::vector<std::filesystem::path> folders;
-  // Name and value, for the command line of make.
+  // Variables for the command line of make, as pairs of name and value.
   std::vector<std::pair<std::string, std::string>> variables;
-  // Folders that rules write into; created before make runs.
+  // Folders that rules of Makefiles write into and may not create, so they are created before make
+  // runs.
   std::vector<std::filesystem::path> needed_folders;
 };
 

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
 // Adds to `all` the flags that it does not have yet.  A flag of two words ("-include FILE") is
-// added even if `all` has it.
+// always added, because the comparison is by single words.
 void AddFlags(const Words& flags, Words* all) {
   for (size_t i = 0; i < flags.size(); ++i) {
     const bool is_pair = flags[i].starts_with("-i") && i + 1 < flags.size();

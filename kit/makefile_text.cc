@@ -45,8 +45,9 @@ MakefileVariable Describe(const std::string& name, const std::string& text) {
   return variable;
 }
 
-// The ways in which Makefiles use variables that stand for the SDK.  The text after the variable
-// shows which folder of the SDK is meant.  The first entry that fits counts.
+// A way in which Makefiles use a variable that stands for the SDK or a folder in it.  The text
+// after the variable, `rest`, shows which folder is meant.  Of several entries of kSdkUses that
+// fit, the first counts.
 struct SdkUse {
   const char* rest;  // text after the variable, as a regular expression
   const char* folder;

@@ -6,10 +6,12 @@
 
 namespace openr_host {
 
-// Returns the Makefile with other paths.  Absolute paths of an SDK ("/usr/local/OPEN_R_SDK" in
-// ".../bin/mipsel-linux-g++" or ".../OPEN_R/include", or standing alone) become `sdk_root`.  Paths
-// of a Memory Stick ("/mnt/ms" in "/mnt/ms/OPEN-R", but not the robot's own "/MS") become
-// ${OPENR_KIT_STICK}.  CR LF becomes LF.
+// Returns the Makefile `text`, adapted to this computer:
+//   - a path of an SDK ("/usr/local/OPEN_R_SDK" in ".../bin/mipsel-linux-g++" or in
+//     ".../OPEN_R/include", or alone) becomes `sdk_root`;
+//   - a path of a Memory Stick ("/mnt/ms" in "/mnt/ms/OPEN-R", but not the robot's own "/MS")
+//     becomes ${OPENR_KIT_STICK};
+//   - CR LF becomes LF.
 std::string AdaptMakefile(const std::string& text, const std::string& sdk_root);
 
 struct MakefileVariable {

@@ -11,7 +11,8 @@ namespace openr_host {
 // Returns the reason why `name` cannot be the name of a controller and its C file; "" if it can.
 std::string WhyNoControllerName(const std::string& name);
 
-// Returns NAME.c, Makefile.sources and Makefile.openr.  WriteNewObject() writes them.
+// Returns the files of a new controller: NAME.c, Makefile.sources and Makefile.openr.
+// WriteNewObject() can write them.
 std::vector<NewFile> MakeNewController(const std::string& name);
 
 }  // namespace openr_host

@@ -30,8 +30,8 @@ bool HasWord(const std::string& text, const std::string& word) {
   return false;
 }
 
-// Returns the relative paths that a Makefile names: the paths with "../", and all other words with
-// a slash.
+// Returns the relative paths that a Makefile names: the paths with "../", and all other words that
+// contain a slash and do not begin with one.
 std::vector<std::string> PathsIn(const std::string& makefile) {
   std::vector<std::string> paths = UpwardPaths(makefile);
   std::string word;
@@ -76,9 +76,9 @@ const std::string& ObjectParts::TextOf(const fs::path& file) const {
   return entry->second;
 }
 
-// Returns whether `file` belongs to another object than `object`: the nearest folder of an object
-// above the file is not that of `object`.  A folder that contains the folder of `object` does not
-// count.
+// Returns whether `file` belongs to another object: the nearest folder of an object above the file
+// is not that of `object`.  A folder of an object that contains the folder of `object` is no such
+// other.
 bool ObjectParts::IsOfOther(const fs::path& file, const ObjectFolder& object) const {
   for (fs::path folder = file.parent_path(); folder.has_relative_path();
        folder = folder.parent_path()) {
@@ -88,8 +88,8 @@ bool ObjectParts::IsOfOther(const fs::path& file, const ObjectFolder& object) co
   return false;
 }
 
-// Returns the Makefiles in the folder of `object`, and those elsewhere that name this folder and
-// the folder of no other object.
+// Returns the Makefiles that build `object`: those in its folder, and those elsewhere that name
+// this folder and the folder of no other object.
 std::vector<fs::path> ObjectParts::MakefilesOf(const ObjectFolder& object) const {
   Paths found;
   for (const fs::path& file : makefiles_) {

@@ -25,9 +25,9 @@ class ObjectParts {
   // Makefile names that folder.  Files made by stubgen2 are left out.
   const std::vector<std::filesystem::path>& CodeOf(const ObjectFolder& object) const;
 
-  // Returns the .ocf files in the object's folder.  If there are none, returns those that its
-  // Makefiles name.  If there are none either, returns the one outside of all objects' folders
-  // whose name is like the object's.
+  // Returns the object's .ocf files: those in its folder.  If there are none, those that its
+  // Makefiles name.  If there are none either, the one outside of all objects' folders whose name
+  // is most like the object's.
   std::vector<std::filesystem::path> OcfsOf(const ObjectFolder& object) const;
 
   // Returns whether the object's Makefiles compile it for the PC.  Such objects are a part of
@@ -72,7 +72,7 @@ class ObjectParts {
   // `by_stem_` has only the sources, by names without extension.
   std::multimap<std::string, std::filesystem::path> by_name_, by_stem_;
   mutable std::map<std::filesystem::path, std::string> texts_;
-  // Results of CodeOf(), by folder of the object.
+  // Cache of CodeOf(): its results by the folder of the object.
   mutable std::map<std::filesystem::path, Paths> code_;
 };
 

@@ -47,7 +47,7 @@ ObjectFolder DescribeObject(const fs::path& folder, const std::vector<fs::path>&
 }
 
 // Returns whether `files`, the files of one folder, make it the folder of an object.  It must have
-// a stub.cfg, or an .ocf file and a source with an entry table.
+// a stub.cfg, or an .ocf file and a source with a table of the object's handlers (entry table).
 bool IsObjectFolder(const std::vector<fs::path>& files) {
   bool has_ocf = false, has_table = false;
   for (const fs::path& file : files) {
@@ -65,8 +65,8 @@ StickFolder DescribeStick(const fs::path& root) {
   if (stick.object_config.empty()) return stick;
   const std::string text = ReadText(stick.object_config).value_or("");
   stick.objects = ParseObjectConfig("OBJECT.CFG", text, kEveryDesign).objects;
-  // Only the first line of each image is kept, because lines for different robots may name the same
-  // image.
+  // Keeps only the first line of each image, because the sections for different robots may name the
+  // same image.
   std::set<std::string> seen;
   std::erase_if(stick.objects, [&](const ObjectRecord& record) {
     return !seen.insert(LowerCase(record.path)).second;

@@ -9,8 +9,8 @@
 
 namespace openr_host {
 
-// The folder of an object.  It has a stub.cfg, or a source with an entry table (stub) written by
-// hand.
+// The folder of an object.  It has a stub.cfg, from which stubgen2 makes the stub (the table of the
+// object's handlers), or a source with a stub written by hand.
 struct ObjectFolder {
   std::filesystem::path folder;
   std::filesystem::path stub;  // path of stub.cfg; empty: the stub is written by hand
@@ -39,12 +39,14 @@ struct Project {
   std::vector<StickFolder> sticks;
   std::vector<std::filesystem::path> makefiles;  // all, including Makefiles that others include
   std::vector<std::filesystem::path> shared_sources;  // sources in folders of no object
-  // Folders that have headers and belong to no object.
+  // Folders that have headers and belong to no object.  The compiler searches them for every
+  // object.
   std::vector<std::filesystem::path> header_folders;
 };
 
-// Reads `folders`.  The first is the root of the project.  The others are folders that it refers
-// to; their objects and sticks count only if the root has none.
+// Finds the parts of a program in `folders`.  The first folder is the root of the project.  The
+// others are folders outside that its files name; objects and sticks there are used only if the
+// root has none.
 Project ScanProject(const std::vector<std::filesystem::path>& folders);
 
 // Returns whether the text of a def.h was written by stubgen2, of any version.

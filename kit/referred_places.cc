@@ -17,20 +17,21 @@ namespace fs = std::filesystem;
 
 constexpr size_t kOutsideFilesMax = 20'000;  // folders outside with more files are not used
 
-// Returns whether the file may be a part of a program.  In a folder around the program, other files
-// are not used.
+// Returns whether the file, by its name, may be a part of a program.  Of a folder around the
+// program only such files are used, because it may hold much else.
 bool IsPartOfPrograms(const fs::path& file) {
   return IsSourceName(file) || IsHeaderName(file) || IsMakefileName(file) ||
          LowerCase(file.extension()) == ".ocf" || LowerCase(file.extension()) == ".cfg";
 }
 
-// Limit for nested includes of Makefiles, and for variables in values of variables.
+// The deepest nesting that is followed, of Makefiles that include others and of variables in the
+// values of variables.  The limit ends the search if a variable contains itself.
 constexpr int kDepthMax = 8;
 
 using Variables = std::map<std::string, std::string>;
 
-// Returns the variables of a Makefile that stand for one path, each with its first value.  A value
-// may contain other variables.
+// Returns the variables of a Makefile whose value is a single path, each with the value of its
+// first assignment.  The value may contain other variables.
 Variables PathVariables(const std::string& makefile) {
   static const std::regex kDefinition(
       "(?:^|\n)[ \t]*(?:export[ \t]+)?(\\w+)[ \t]*[:?]?=[ \t]*([\\w./+(){}$-]+)[ \t\r]*(?=\n|#|$)");
@@ -115,8 +116,9 @@ class PlaceSearch {
     }
   }
 
-  // Adds a file or folder that a path in a file of the program names.  `is_above` says that the
-  // path ends in ".." and not in a name.
+  // Adds the file or folder `target`, to which a path in a file of the program leads.  `is_above`
+  // says that the path ends in "..".  Such a folder may hold more than the program, so if it
+  // contains a known folder of the program, only the files directly in it are added.
   void AddTarget(const fs::path& target, bool is_above) {
     std::error_code error;
     if (!fs::exists(target, error) || IsCovered(target)) return;

@@ -190,9 +190,9 @@ Edits GlobalName(const Spot& place) {
 
 // A for loop that declares a variable, which the program also uses after the loop.
 struct Loop {
-  size_t begin = kNone;  // position of the word "for"
-  size_t declaration = 0;
-  size_t semicolon = 0;
+  size_t begin = kNone;    // position of the word "for"
+  size_t declaration = 0;  // position after the opening bracket
+  size_t semicolon = 0;    // end of the declaration
 };
 
 // Returns the for loop that begins at `at`, if it declares a variable `name`.
@@ -258,17 +258,16 @@ Edits LoopVariable(const Spot& place) {
   return edits;
 }
 
-// Returns whether a block that follows the text `head` may use names that a template inherits.
-// Such a block is a class whose base depends on a template parameter, or a member function that is
-// defined outside of its class template.
+// Returns whether the block after the text `head` may use names that a template inherits, before
+// which today's g++ wants "this->".  Such a block is a class whose base depends on a template
+// parameter, or a member function that is defined outside of its class template.
 bool MayInheritNames(const std::string& head) {
   static const std::regex kDerived("template\\s*<[^]*(?:class|struct)\\s+\\w+\\s*:[^]*<");
   static const std::regex kMember("template\\s*<[^]*\\w\\s*<[^()]*>\\s*::\\s*~?\\w+\\s*\\(");
   return std::regex_search(head, kDerived) || std::regex_search(head, kMember);
 }
 
-// Returns whether one of the blocks around `at` may use names that a template inherits
-// (MayInheritNames).
+// Returns whether the position `at` lies in a block for which MayInheritNames() is true.
 bool IsInInheritingTemplate(const std::string& code, size_t at) {
   int depth = 0;
   while (at-- > 0) {

@@ -13,16 +13,18 @@ class RobotSdk {
   // is missing, or if the SDK is this project's own tree, which builds for the host.
   static RobotSdk FromEnvironment();
 
-  // Uses the SDK in `root`.  Throws as FromEnvironment() does.  After set_verbose(true), every
-  // command that is run is printed.
+  // Uses the SDK in the folder `root`.  Throws std::runtime_error if the folder or a tool is
+  // missing, or if the SDK is this project's own tree.  After set_verbose(true), every command is
+  // printed when it is run.
   explicit RobotSdk(const std::filesystem::path& root);
   void set_verbose(bool is_verbose) { is_verbose_ = is_verbose; }
 
   const std::filesystem::path& root() const { return root_; }
 
-  // Returns the folder with the base of a Memory Stick for `model` ("MS_ERS200") and `flavour`:
-  // BASIC, WLAN or WCONSOLE.  If there is no such folder, throws std::runtime_error that lists the
-  // bases of this model.
+  // Returns the folder of the SDK with the base of a Memory Stick, the system files to which
+  // objects are added.  `model` is a folder such as "MS_ERS200"; `flavour` is BASIC, WLAN or
+  // WCONSOLE; `is_protected` asks for memory protection.  If there is no such base, throws
+  // std::runtime_error that lists the bases of this model.
   std::filesystem::path BaseStick(const std::string& model, const std::string& flavour,
                                   bool is_protected) const;
 

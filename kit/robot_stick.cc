@@ -25,7 +25,8 @@ namespace {
 namespace fs = std::filesystem;
 
 // A temporary folder beside the output, in which the stick is made.  Finish() renames the finished
-// stick to the output.  The destructor removes the rest, so that a failure leaves nothing.
+// stick to the output.  The destructor removes the temporary folder, so that a failure leaves
+// nothing.
 class Draft {
  public:
   explicit Draft(const std::string& output)
@@ -197,8 +198,8 @@ class RobotStick {
     }
   }
 
-  // Compiles the controller.  Its main() is renamed to controller_main(), which
-  // CallControllerMain() calls.
+  // Compiles the controller.  Its main() gets the name controller_main(), because the generated
+  // function CallControllerMain() calls it by that name.
   void CompileController() {
     ControllerSources sources;
     if (options_.controller.empty()) {

@@ -19,7 +19,7 @@ int RunCompiler(const Arguments& arguments, bool is_cxx);
 int RunMkbin(const Arguments& arguments);
 
 // image-info OCF OUT: writes to OUT the source that brings the text of the .ocf file into an image.
-// It must be compiled, and be the last part that is linked.
+// A build system compiles it and links it into the image.
 int RunImageInfo(const Arguments& arguments);
 
 // controller-main NM OUT [OBJECT...]: writes the source that calls main() of a controller, for

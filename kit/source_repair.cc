@@ -109,8 +109,8 @@ RepairSession::~RepairSession() {
   if (lock_ >= 0) close(lock_);
 }
 
-// Adds edits for headers to `edits_of`.  The assembly that `complaint` is about may come from a
-// macro of a header that the line of the source uses.
+// Adds to `edits_of` edits of headers that remove assembly from macros.  Called for a complaint
+// about assembly in a line of `text` that has none itself, so a macro of a header brings it there.
 void RepairSession::AddMacroEdits(const Complaint& complaint, const std::string& text,
                                   std::map<std::string, std::vector<Edit>>* edits_of) {
   const size_t begin = OffsetOf(text, complaint.line, 1);

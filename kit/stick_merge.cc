@@ -15,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The lines of a configuration file: those before its first [design], which are for all robots, and
-// the sections from there on.
+// The lines of a configuration file.  `common` has those before the first line such as [ERS-210],
+// which are for all robots.  `sections` has the rest: sections for one design of robot each.
 struct Parts {
   std::vector<std::string> common, sections;
 };

@@ -9,10 +9,10 @@
 
 namespace openr_host {
 
-// Merges the OBJECT.CFG, CONNECT.CFG or DESIGNDB.CFG of a base and of an application.  A file has a
-// part for all robots and, from the first [design] on, sections for one design each.  In both parts
-// the lines of the base come first.  In the part for all robots, a line that both files have is
-// kept once; blanks do not matter.
+// Merges the OBJECT.CFG, CONNECT.CFG or DESIGNDB.CFG of a base stick with that of an application,
+// `ours`.  The lines before the first section, such as [ERS-210], are for all robots; a section is
+// for one design of robot.  In both parts the lines of the base come first.  A line for all robots
+// that both files have is kept once; blanks do not matter.
 std::string MergeConfig(const std::string& base, const std::string& ours);
 
 // Returns the reason why a Memory Stick of the robot cannot have a file `name`; "" if it can.  A

@@ -15,21 +15,22 @@ std::string WriteText(const std::filesystem::path& file, const std::string& text
 
 std::string LowerCase(std::string text);
 
-// Returns `path` with '_' in place of every character that has a meaning for make or the shell.
+// Returns `path` with '_' in place of every character that has a meaning for make or the shell, so
+// that old Makefiles work in a folder of this name.
 std::string WithoutOddCharacters(std::string path);
 
 // Returns the file or folder in `folder` that is called `name`, in upper or lower case; an empty
 // path if there is none.
 std::filesystem::path FindEntry(const std::filesystem::path& folder, const std::string& name);
 
-// Does what FindEntry() does, for a path of several parts such as OPEN-R/MW/CONF.
+// Returns the file or folder `path` below `folder`, such as OPEN-R/MW/CONF, with each part in upper
+// or lower case; an empty path if there is none.
 std::filesystem::path FindBelow(std::filesystem::path folder, const std::string& path);
 
 // Returns `path` below `folder`.  Parts that exist, in any case, are written as on the disk.
 std::filesystem::path SpeltBelow(std::filesystem::path folder, const std::string& path);
 
-// These functions return whether a file of this name is a C or C++ source, a header, or a file with
-// rules for make.
+// Return whether a file of this name is a C or C++ source, a header, or a file with rules for make.
 bool IsSourceName(const std::filesystem::path& file);
 bool IsHeaderName(const std::filesystem::path& file);
 bool IsMakefileName(const std::filesystem::path& file);

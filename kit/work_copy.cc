@@ -34,7 +34,7 @@ bool IsBuiltImage(const fs::path& file) {
 }
 
 // Returns whether the file is a list of dependencies for make.  The copy of such a file is empty,
-// because the list names headers of the robot's compiler, which are not here.
+// because the list names headers of the robot's compiler, and make would fail without them.
 bool IsDependencyList(const fs::path& file) {
   const std::string name = file.filename();
   return file.extension() == ".d" || name == ".depend" || name == ".depends" || name == ".dep";
@@ -183,8 +183,9 @@ void WorkCopy::CopyFile(const fs::path& original) {
   }
 }
 
-// Makes the copied stubs again, because other versions of stubgen2 may have made the originals.  A
-// Makefile may use a stub without a rule that makes it in time.
+// Makes the copied stubs again with our stubgen2, because other versions of stubgen2 may have made
+// the originals.  We do not leave that to make, because a Makefile may have no rule for the stub,
+// or use it before that rule has run.
 void WorkCopy::MakeStubsAnew() const {
   std::set<fs::path> folders;
   for (const fs::path& file : left_stubs_) folders.insert(file.parent_path());

@@ -42,7 +42,8 @@ class WorkCopy {
   // made by the build.
   bool IsOriginal(const std::filesystem::path& file) const;
 
-  // Writes a list of the copied files to disk, for the next build.  Add() does this at its end.
+  // Writes a list of the copied files to disk, so that the next build finds out which have changed.
+  // Add() does this at its end.
   void Save() const;
 
  private:
@@ -62,7 +63,7 @@ class WorkCopy {
   const std::filesystem::path work_;
   const std::string sdk_root_;
   std::vector<SourceCopy> copies_;
-  // Copied files that stubgen2 has made; see MakeStubsAnew().
+  // Copied files that stubgen2 had made in the user's folder; MakeStubsAnew() replaces them.
   std::vector<std::filesystem::path> left_stubs_;
   std::map<std::string, std::string> left_out_, former_left_out_;
   // Size and time of the copied files at the last build, by the path of the original.
