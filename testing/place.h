@@ -1,4 +1,5 @@
-// Place, a line of a test.  A failure points to the line that made the call.
+// Place, a line in the source of a test.  A function that can fail takes one, so that its failure
+// points to the line that called it.
 #pragma once
 
 #include <functional>

@@ -1,11 +1,12 @@
-// TcpClient, a network client on another computer.  It follows a script of the test.
+// TcpClient, a network client on another computer.  It does the steps of a script that the test
+// writes.
 //
 //   bench.AddClient().Connect(54000).Send("PING\n").Hear("PONG\n").Close();
 //   bench.RunFor(1s);
 //
 // The client acts only at frame boundaries of the virtual time (every 8 ms), where all input from
-// outside enters a robot.  So a run with clients repeats itself, too.  A script that has not ended
-// makes the test fail when the bench is verified.
+// outside enters a robot.  So a run with clients repeats itself, too.  Bench::Verify() makes the
+// test fail if a script has not ended.
 #pragma once
 
 #include <cstdint>
@@ -35,8 +36,8 @@ class TcpClient : public openr_host::CodeObject {
   TcpClient& HearBytes(size_t count, Place place = Place::Here());
   // Waits until the robot has ended the connection.
   TcpClient& HearEnd(Place place = Place::Here());
-  // Close() ends the connection as TCP does normally.  Reset() breaks it off, as when the client's
-  // computer is switched off.
+  // Close() ends the connection as TCP does normally.  Reset() breaks it off with a TCP reset, so
+  // that the robot's next calls on the connection fail.
   TcpClient& Close(Place place = Place::Here());
   TcpClient& Reset(Place place = Place::Here());
 
