@@ -143,8 +143,9 @@ int LineOf(const std::string& text, size_t at) {
   return static_cast<int>(std::count(text.begin(), text.begin() + static_cast<long>(at), '\n')) + 1;
 }
 
-// Returns the last line that a message of the assembler may name for `use`.  The assembler counts
-// the line ends in the instructions too, so this line may be after the end of the statement.
+// Returns the last line that a message of the assembler about the asm statement `use` may name.
+// This line may be after the end of the statement, because the assembler counts the line ends in
+// its instructions too.
 int LastLineOf(const AsmUse& use, const std::string& text) {
   const std::string assembly =
       TemplateOf(std::string_view(text).substr(use.begin, use.end - use.begin));

@@ -243,8 +243,8 @@ class ControllerCheck {
   const ControllerCode code_;
   const std::vector<std::string>& locators_;  // names of all devices of all robots
   const std::set<std::string> run_functions_;
-  // Names of the functions passed to robot_run() (in_run_) or to robot_die() (in_die_), and of the
-  // functions that these call, directly or not.
+  // Names of the functions that are passed to robot_run() (in_run_) or to robot_die() (in_die_),
+  // and of all functions that these call, directly or not.
   const std::set<std::string> in_run_, in_die_;
   const std::set<std::string> steps_;  // functions that call robot_step(), directly or not
   Remarks* const remarks_;

@@ -103,7 +103,8 @@ class ImageCheck {
   StickImages images_;
   std::vector<PlacedObject> placed_;
   std::vector<MissingImage> missing_;
-  // The lines of OBJECT.CFG, by the name of the object in their image.
+  // The lines of OBJECT.CFG by the name of the object in their image, to find two objects of one
+  // name.
   std::map<std::string, std::vector<ObjectRecord>> lines_by_name_;
 };
 

@@ -23,7 +23,7 @@ constexpr int64_t kStackBytesMin = 1024;
 // MB: a second step of this size would not fit.
 constexpr int64_t kHeapBytesMax = 16 << 20;
 
-// Returns the text of these files without comments.
+// Returns the text of all `files` in one string, without comments.
 std::string CodeIn(const std::vector<fs::path>& files, const ObjectParts& parts) {
   std::string code;
   for (const fs::path& file : files) code += WithoutComments(parts.TextOf(file)) + "\n";

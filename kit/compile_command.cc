@@ -59,7 +59,7 @@ bool TakesNextWord(const std::string& flag) {
 // Returns whether the host's compiler does not get this flag, because it is for the robot's
 // processor or because the kit sets it itself.
 bool IsRobotFlag(const std::string& flag) {
-  // All flags for the processor begin with -m.
+  // Beginnings of flags.  All flags for the processor begin with -m.
   static const char* const kStarts[] = {"-m",    "-Werror", "-pedantic", "-fpic",   "-fPIC",
                                         "-fpie", "-fPIE",   "-fno-pic",  "-fno-PIC"};
   if (IsOneOf(flag, {"-EL", "-EB", "-ansi", "-Wno-return-type", "-nostdinc", "-nostdinc++", "-w",

@@ -164,8 +164,7 @@ class ConventionBuild {
     const Paths included = SourcesIncluded(object_.sources, shared_);
     WriteMakefile(included, {});
     // The first attempt links only the shared sources whose headers are included.  If there are
-    // others, its failure is not shown, because the second attempt may find undefined names in the
-    // others.
+    // others, its failure is not shown, because the second attempt links them too and may succeed.
     const bool has_more = included.size() < shared_.size();
     if (Make(has_more ? MakeOptions::Says::kIfGood : MakeOptions::Says::kAlways) || !has_more)
       return "";

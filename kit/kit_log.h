@@ -58,7 +58,7 @@ void AppendKitLog(const std::string& file, const KitLog& log);
 void WriteKitLog(const std::string& file, const KitLog& log);
 
 // Removes from the log all failures and repairs, and each image whose file no longer exists.
-// Called at the beginning of a build, so that results of earlier builds do not count.
+// Called at the beginning of a build, so that failures of earlier builds do not count.
 void CleanKitLog(const std::string& file);
 
 }  // namespace openr_host

@@ -21,7 +21,7 @@ struct ExpandedText {
 
 class MacroTable {
  public:
-  // Adds the macros that a source defines.
+  // Adds the macros that the text `source` defines.
   void Read(const std::string& source);
 
   // Returns the value of a number, or of a macro that stands for a number; -1 for other words.

@@ -60,7 +60,7 @@ ProcessResult Make(const fs::path& folder, const std::vector<std::string>& argum
   return RunProcess(all, {environment, folder, true, true, echoes, true});
 }
 
-// Returns the folders in which make must run: those that have a Makefile, but not those below
+// Returns the folders in which make must run: those with a Makefile.  Leaves out folders below
 // another such folder, because the Makefile above usually calls the ones below.
 std::vector<fs::path> TopFolders(const Project& project) {
   std::vector<fs::path> folders;

@@ -44,8 +44,8 @@ class ObjectParts {
   // Returns whether a Makefile of the project contains this file name, in any case.
   bool MakefilesName(const std::string& file_name) const;
 
-  // Returns whether a rule puts an image on a stick under a name that only make can work out,
-  // because the name is made of variables.
+  // Returns whether a rule puts an image on a stick under a name made of variables, which only make
+  // can work out.
   bool HasUnreadableInstall() const;
 
   // Finds a file by its name, in any case, outside of sticks.  Returns an empty path if there is

@@ -20,7 +20,8 @@ std::string ToEnvironment(const std::vector<SourceCopy>& copies);
 // Returns `text` with paths of copies replaced by those of the originals.
 std::string InTermsOfOriginals(std::string text, const std::vector<SourceCopy>& copies);
 
-// Returns the original of `file`, an absolute path; "" when the file is in no private copy.
+// Returns the user's file of which `file`, an absolute path, is the private copy; "" when `file` is
+// in no private copy.
 std::string OriginalOf(const std::string& file, const std::vector<SourceCopy>& copies);
 
 }  // namespace openr_host

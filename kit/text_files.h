@@ -47,8 +47,8 @@ bool IsBelow(const std::filesystem::path& path, const std::filesystem::path& fol
 // links, but not to a folder that contains the link.
 std::vector<std::filesystem::path> FilesBelow(const std::filesystem::path& folder);
 
-// Returns "" or a reason such as "cannot be read: Permission denied" for an existing file or
-// folder.
+// Returns the reason why the existing file or folder `path` cannot be read, such as "cannot be
+// read: Permission denied"; "" if it can.
 std::string WhyUnreadable(const std::filesystem::path& path);
 
 // Returns the paths that exist and cannot be read: `folder`, or files and folders below it.

@@ -18,8 +18,8 @@ namespace openr_host {
 
 class WorkCopy {
  public:
-  // Opens or creates the copy in `work`, a folder of the kit.  `sdk_root` replaces the paths of
-  // other SDKs in Makefiles.
+  // Opens or creates the copy in the folder `work`.  In copied Makefiles, `sdk_root`, the SDK tree
+  // of this project, replaces the paths of other SDKs.
   WorkCopy(std::filesystem::path work, std::string sdk_root);
 
   // Brings the copy of `original`, an absolute folder, up to date, and copies everything outside of
@@ -66,7 +66,8 @@ class WorkCopy {
   // Copied files that stubgen2 had made in the user's folder; MakeStubsAnew() replaces them.
   std::vector<std::filesystem::path> left_stubs_;
   std::map<std::string, std::string> left_out_, former_left_out_;
-  // Size and time of the copied files at the last build, by the path of the original.
+  // Size and time of the copied files at the last build, by the path of the original.  A file with
+  // the same size and time is not copied again.
   std::map<std::string, Stamp> former_;
   // Size and time of the files at this build, by the path of the original.
   std::map<std::string, Stamp> present_;
