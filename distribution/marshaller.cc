@@ -101,8 +101,9 @@ void Marshaller::EncodeNotify(const Message& message, const PeerHasMemory& peer_
     part.region = data.memID;
     part.offset = data.offset;
     part.size = static_cast<uint32_t>(data.size);
-    // SizeOf() is 0 for a region that has been deleted.  The receiver refuses data beyond
-    // region_bytes, so the value is at least the end of the data.
+    // Sends the size of the whole region, because the receiver may have to make a copy of it.
+    // SizeOf() is 0 for a deleted region; then we send the end of the data, because the receiver
+    // refuses data beyond region_bytes.
     part.region_bytes = static_cast<uint32_t>(
         std::max(system_->regions().SizeOf(data.memID), data.offset + data.size));
     if (!peer_has || !peer_has(data.memID))
@@ -112,9 +113,9 @@ void Marshaller::EncodeNotify(const Message& message, const PeerHasMemory& peer_
   out->parts = arena->Sequence<decltype(out->parts)>(parts);
 }
 
-// Compares the region with what was received.  Most observers give a region back in the handler
-// that received it; then the bytes of the sample are still valid and we compare with them, which
-// needs no hash.  After that handler we compare hashes.
+// Compares the region with the bytes that were received.  Most observers give a region back in the
+// handler that received it.  Then the sample is still there, and comparing with its bytes is faster
+// than computing a hash.  After that handler we compare hashes.
 bool Marshaller::IsChanged(const RCRegion& region, const ImportedRegion& imported) {
   if (imported.bytes != nullptr)
     return std::memcmp(region.Base(), imported.bytes, region.Size()) != 0;
@@ -124,8 +125,8 @@ bool Marshaller::IsChanged(const RCRegion& region, const ImportedRegion& importe
 void Marshaller::ReleaseSample() {
   for (RCRegion* const region : sample_regions_) {
     const auto found = imported_.find(region);
-    // Skips a region that an observer has given back during the handler, so that nothing is left to
-    // compare later.
+    // Skips a region that an observer has given back during the handler.  It is not imported any
+    // more, so its hash is not needed.
     if (found == imported_.end() || found->second.bytes == nullptr) continue;
     ImportedRegion& imported = found->second;
     imported.hash = HashBytes(std::exchange(imported.bytes, nullptr), region->Size());
@@ -142,8 +143,8 @@ void Marshaller::EncodeReady(const Message& message, WireArena* arena, openr_wir
   std::vector<openr_wire_ReturnedRegion> regions;
   for (int i = 0; i < ready.numOfData; ++i) {
     const auto found = imported_.find(ready.rcRegion[i]);
-    // Skips a region that nobody expects back.  It is unknown or has token 0 if its subject was
-    // replaced or the subject's process was lost.
+    // Skips a region that no process expects back, because the object that sent it was replaced or
+    // its process was lost.  Such a region is not in imported_, or its token is 0.
     if (found == imported_.end() || found->second.token == 0) continue;
     const RCRegion& region = *found->first;
     openr_wire_ReturnedRegion returned{found->second.token, {}};
@@ -175,8 +176,8 @@ std::vector<RCRegion*> Marshaller::TakeExportedBy(ObjectId subject) {
 std::vector<uint64_t> Marshaller::TakeDroppedTokens() {
   std::vector<uint64_t> tokens;
   std::erase_if(dropped_, [&](const auto& entry) {
-    // Keeps the token as long as the region table has the memory, because an object may still pass
-    // the region on.
+    // Keeps the token while the memory of the region is still here.  An object may still pass the
+    // region on, and the peer refuses a region whose token it has forgotten.
     if (system_->regions().BaseOf(entry.second) != nullptr) return false;
     tokens.push_back(entry.first);
     return true;
@@ -296,8 +297,9 @@ std::string Marshaller::DecodeNotify(const openr_wire_Notify& in, Message* out) 
   return "";
 }
 
-// Returns the memory for the bytes of `in`, null if the region or the range is not acceptable.  A
-// range is computed in 64 bits, because offset plus size overflows 32 bits in a forged message.
+// Returns the memory to which the bytes of `in` are to be copied.  Returns null if the region is
+// unknown and cannot be added, or if the bytes do not fit into it.  Their end is computed in 64
+// bits, because offset plus size overflows 32 bits in a forged message.
 char* Marshaller::MemoryFor(const openr_wire_NotifiedRegion& in) {
   RegionTable& regions = system_->regions();
   const uint64_t end = uint64_t{in.offset} + in.size;
@@ -315,7 +317,8 @@ std::string Marshaller::DecodePart(const openr_wire_NotifiedRegion& in, RCRegion
   if (in.bytes._length != 0 && in.bytes._length != in.size) return "a part of another size";
   if (in.bytes._length != 0) std::memcpy(memory, in.bytes._buffer, in.size);
   *region = new RCRegion(in.region, in.offset, memory, in.size);
-  // Keeps the memory until the region is given back, even if its owner deletes it meanwhile.
+  // Keeps the memory until the region is given back, even if the object that owns the region
+  // deletes it meanwhile.
   system_->regions().KeepCopy(in.region);
   if (in.bytes._length != 0) {
     imported_[*region] = {in.token, in.bytes._buffer, 0};
@@ -338,8 +341,8 @@ std::string Marshaller::DecodeReady(const openr_wire_Ready& in, Message* out) {
   out->kind = PayloadKind::kReady;
   for (uint32_t i = 0; i < in.regions._length; ++i) {
     const openr_wire_ReturnedRegion& returned = in.regions._buffer[i];
-    // Skips a region that has gone back to its subject already, because the subject was replaced.
-    // Only the token is removed.
+    // Ignores a region that TakeExportedBy() has released already, because the object of its
+    // subject was replaced.  Only its token is removed.
     const auto found = exported_.find(returned.token);
     if (withdrawn_.erase(returned.token) > 0) continue;
     if (found == exported_.end()) return "a ready with an unknown region";
@@ -364,8 +367,8 @@ std::string Marshaller::DecodeAnt(const openr_wire_Ant& in, Message* out) {
   if (out->size < AntMessageSize(*ant)) return "";
   const AntBuffer buffer = BufferOf(ant);
   if (buffer.pointer == nullptr) return "";
-  // Replaces the received pointer, which is an address in the sender's process.  The pointer is
-  // cleared if the region is unknown.
+  // Replaces the received pointer, which is an address in the sender's process, by the address of
+  // the same data here.  The pointer becomes null if the region is unknown.
   *buffer.pointer = nullptr;
   char* const base = in.region == 0 ? nullptr : system_->regions().BaseOf(in.region);
   const size_t size = system_->regions().SizeOf(in.region);

@@ -28,8 +28,8 @@ class System;
 
 class Marshaller {
  public:
-  // Returns whether the peer has the region in memory; the bytes of such a region are not sent.  A
-  // null function means that the peer has none.
+  // A function that returns whether the peer has a region in memory; the bytes of such a region are
+  // not sent.  A null function means that the peer has none.
   using PeerHasMemory = std::function<bool(uint32_t region)>;
 
   // `makes_copies` is true in workers: a received region may be new to their region table, so the
@@ -39,21 +39,26 @@ class Marshaller {
   Marshaller(const Marshaller&) = delete;
   Marshaller& operator=(const Marshaller&) = delete;
 
-  // Encodes `message`.  `out` points into `arena` and into the memory of regions.
+  // Encodes `message`.  `peer_has` tells for which regions no bytes need to be sent.  `out` points
+  // into `arena` and into the memory of regions, so both must stay unchanged until `out` has been
+  // written.
   void Encode(const Message& message, const PeerHasMemory& peer_has, WireArena* arena,
               openr_wire_Message* out);
 
-  // To be called when the peer has accepted `message`.  If it is a ready message, releases the
-  // received regions that it gives back.
+  // Releases the received regions that `message` gives back, if it is a ready message.  To be
+  // called only when the peer has accepted the message, because after a refusal the observer keeps
+  // its regions.
   void CompleteSend(const Message& message);
 
-  // Decodes `in` into the new message `out`, except for its class and due time, which the caller
-  // sets.  Returns "" or what is wrong with `in`.  `in` must stay valid until ReleaseSample().
+  // Decodes `in` into the new message `out`.  Does not set the class and the due time, because a
+  // sample has neither; the caller sets them.  Returns "" or what is wrong with `in`.  `in` must
+  // stay valid until ReleaseSample(), because changed regions are found by comparing them with its
+  // bytes.
   std::string Decode(const openr_wire_Message& in, Message* out);
   void ReleaseSample();
 
-  // Returns whether data of `region` were received from the peer and not given back.  If so, the
-  // copy of the region in this process is newer than the memory in the peer.
+  // Returns whether data of `region` were received from the peer and not given back.  If so,
+  // observers may have changed the copy here, so it may be newer than the memory in the peer.
   bool HasImported(uint32_t region) const;
 
   // Returns whether `region` was sent to the peer, which may still use it.
@@ -68,26 +73,30 @@ class Marshaller {
     int32_t observer;  // object and selector of the receiving observer
     uint32_t observer_selector;
   };
-  // Returns all regions that were sent to the peer and not given back, and forgets them.
+  // Returns all regions that were sent to the peer and not given back, and forgets them.  To be
+  // called when the peer is lost, because it gives nothing back any more.
   std::vector<ExportedRegion> TakeExported();
   // Returns the regions that the subjects of object `subject` have sent and that were not given
-  // back, and forgets them.  To be called when this object was replaced.  The peer may still use
-  // the regions.
+  // back.  To be called when this object was replaced: its regions are then released without
+  // waiting for the peer.  The peer may still use them, so its later ready messages for them are
+  // accepted and ignored.
   std::vector<RCRegion*> TakeExportedBy(ObjectId subject);
 
-  // Returns the tokens of received regions that no ready message will give back, so that the peer
-  // can forget these tokens.  The regions were released here without such a message, and their
-  // memory is not used any more.
+  // Returns the tokens of the regions that ReleaseImported() has released and whose memory is not
+  // used here any more.  No ready message will give these regions back, so the peer can forget
+  // their tokens (PeerDropped()).
   std::vector<uint64_t> TakeDroppedTokens();
-  // Forgets regions that the peer will not give back.  `tokens` is the result of
-  // TakeDroppedTokens() in the peer.
+  // Forgets regions of replaced objects (TakeExportedBy()) that the peer does not use any more.
+  // `tokens` is the result of TakeDroppedTokens() in the peer.
   void PeerDropped(const std::vector<uint64_t>& tokens);
 
-  // Handles the loss of the peer.  Regions received from it have no sender any more, so ready
-  // messages do not give them back.
+  // Handles the loss of the peer: forgets its tokens, because no ready message can give a region
+  // back to it any more.
   void PeerIsLost();
 
-  // Releases a region that was received from the peer, without giving it back in a ready message.
+  // Releases a region that was received from the peer, without a ready message.  To be called when
+  // the object that sent the region was lost or replaced, because then no subject waits for the
+  // region.
   void ReleaseImported(RCRegion* region);
 
  private:
@@ -106,23 +115,25 @@ class Marshaller {
   const bool makes_copies_;
   struct ImportedRegion {
     uint64_t token;  // the peer's token for the region; 0: the peer is lost
-    // The received bytes, with which IsChanged() compares the region: `bytes` while the sample is
-    // valid, afterwards only their hash.
+    // The received bytes, with which IsChanged() compares the region.  `bytes` points to them while
+    // the sample is valid; afterwards it is null and we compare with their hash.
     const uint8_t* bytes;
     uint64_t hash;
   };
 
-  // Returns whether the observer has written into the region since the region was received.
+  // Returns whether the observer has written into the region since the region was received.  Only
+  // then does the ready message send the bytes back.
   static bool IsChanged(const RCRegion& region, const ImportedRegion& imported);
 
   uint64_t last_token_ = 0;
   std::map<uint64_t, ExportedRegion> exported_;  // by the token that this process gave
-  // Regions that TakeExportedBy() has forgotten but that the peer may still give back, by token.
+  // Memory ids of regions that TakeExportedBy() has returned and that the peer may still use, by
+  // token.  They are kept so that a late ready message for them is not taken for an error.
   std::map<uint64_t, uint32_t> withdrawn_;
-  // Imported regions, by their RCRegion.  The map is never iterated where the order matters,
-  // because the order of pointers differs from run to run.
+  // Imported regions, by their RCRegion.  The order of pointers differs from run to run, so we
+  // iterate over the map only where the order does not matter.
   std::map<RCRegion*, ImportedRegion> imported_;
-  std::map<uint64_t, uint32_t> dropped_;   // by token; see TakeDroppedTokens()
+  std::map<uint64_t, uint32_t> dropped_;   // memory ids by token; see TakeDroppedTokens()
   std::vector<RCRegion*> sample_regions_;  // received regions whose ImportedRegion::bytes is set
 };
 

@@ -18,7 +18,8 @@
 namespace openr_host {
 namespace {
 
-// The interval at which a free run checks that its workers still exist.
+// The interval at which a free run checks that its workers still exist.  Each check costs system
+// calls, so we do not check in every call of Pump().
 constexpr int64_t kHealthIntervalNs = 10'000'000;
 constexpr int64_t kExitWaitMs = 5'000;  // time for a worker to end after it was told to end
 // The time for a worker to end after a second Ctrl-C, when the user does not want to wait.
@@ -97,8 +98,8 @@ StandIns WorkerGroup::StandInsFor(System* system, int robot) {
       member->process->Add(object.get());
       placed_.push_back(name);
       system_->object_table().Adopt(std::move(object));
-      // The object is loaded at once, so that objects of all processes are loaded in the order of
-      // OBJECT.CFG.
+      // Lets the worker load the object now and not in Connect(), so that the objects of all
+      // processes are loaded in the order of OBJECT.CFG.
       LoadNewObjects(member);
     };
   }
@@ -180,8 +181,8 @@ openr_wire_Load WorkerGroup::NextLoadFor(Member* member, WireArena* arena) {
                        object.is_system, object.name == IpStack::kName,
                        member->objects.contains(object.id), object.boxes.last});
   }
-  // Heap use is sent for all robots each time, because the heap use of other processes changes all
-  // the time.
+  // Sends the heap use of all robots with every load, not only that of new robots.  Objects in
+  // other processes may have used more heap since the last load.
   std::vector<uint64_t> heap_elsewhere;
   for (int i = 0; i < system_->robot_count(); ++i)
     heap_elsewhere.push_back(member->process->HeapElsewhere(system_, i));
@@ -225,8 +226,8 @@ void WorkerGroup::LoadNewObjects(Member* member) {
   }
 }
 
-// Lets another process join in place of a worker that has refused the run, because its stick was
-// wrong for instance: the user may start a worker with the right stick.
+// Lets another process join in place of a worker that has refused the run, for instance because its
+// stick was wrong.  The user may then start a worker with the right stick.
 void WorkerGroup::WaitForAnotherWorker(Member* member, const std::string& why) {
   options_.say(fmt::format("{}; the run waits for another one", why));
   member->process->slot().Abandon();
@@ -253,7 +254,8 @@ void WorkerGroup::HandleLoss(const RemoteObject* about, RemoteObject::Loss loss,
   member->lost = why;
   member->crashed = loss == RemoteObject::Loss::kCrashed;
   ++member->losses;
-  // Cleans up and restarts nothing if the run is over.
+  // Ends here if the loss was noticed after the run.  Then nothing has to be cleaned up or
+  // restarted.
   if (loss == RemoteObject::Loss::kAtEnd) {
     process.set_lost();
     system_->AddFindingAbout(about, Severity::kError, why);
@@ -298,7 +300,8 @@ bool WorkerGroup::HandleReceived() {
 }
 
 void WorkerGroup::Pump(int64_t timeout_us) {
-  // Sends the samples that were kept to share a packet, because workers may wait for them.
+  // Sends the samples that SendBatched() has kept to share a packet, because workers may be idle
+  // until they have them.
   for (auto& [name, member] : members_) member.process->FlushBatch();
   if (!HandleReceived()) {
     bus_.Wait(timeout_us);
@@ -386,8 +389,8 @@ void WorkerGroup::End() {
   // All workers are told first, so that they end at the same time.
   for (auto& [name, member] : members_) member.process->End(why);
   for (auto& [name, member] : members_) {
-    // A worker that has not joined has not been told that the run is over, so it is killed without
-    // waiting.
+    // Gives a worker that has not joined no time to end by itself.  It was not told that the run is
+    // over, so WaitForEnd() kills it at once.
     const bool has_come = member.process->identity().pid != 0;
     const int64_t limit_ms = IsInterrupted() ? kInterruptedExitWaitMs : kExitWaitMs;
     if (member.child != nullptr) member.child->WaitForEnd(has_come ? limit_ms : 0);

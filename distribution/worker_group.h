@@ -26,7 +26,7 @@ struct WorkerGroupOptions {
   std::vector<std::string> command;
   // Command line that is put before `command`, for a debugger or Valgrind.
   std::vector<std::string> wrapper;
-  std::string stick;  // folder of the master's stick
+  std::string stick;  // folder of the run's Memory Stick, as a path on the master's host
   // True: a free run, in which the master does not wait for handlers (RemoteProcess::RunFree()).
   bool is_free = false;
   int64_t wait_ms = 60'000;                          // time limit for a worker to join
@@ -56,8 +56,8 @@ class WorkerGroup {
   std::string UnknownObjects() const;
 
   // Sends all workers the entries of the master's tables of robots and objects that they do not
-  // have yet.  Returns "" or the first error, which may be of an earlier load.  REQUIRES: all
-  // robots are loaded, Boot() has not been called.
+  // have yet.  Returns "" or the first error of a worker.  That error may have come earlier, while
+  // LoadStick() loaded the objects.  REQUIRES: all robots are loaded, Boot() has not been called.
   std::string Connect();
 
   // The figures of one worker in the report of the run.
@@ -90,8 +90,9 @@ class WorkerGroup {
     loss_listener_ = std::move(listener);
   }
 
-  // Checks in a lockstep run whether workers without work still exist, and advances restarts of
-  // lost workers.  Must not be called from a handler.
+  // Checks in a lockstep run whether workers that run no handler still exist, and advances restarts
+  // of lost workers.  A worker that runs a handler is checked while the master waits for it.  Must
+  // not be called from a handler.
   void CheckWorkers();
 
   // Waits in a free run for samples of the workers, at most `timeout_us`, and handles them.  Must
@@ -99,7 +100,7 @@ class WorkerGroup {
   void Pump(int64_t timeout_us);
 
   // Shortens the time after which a worker that does not answer is given up.  To be called when the
-  // run is brought down.
+  // run ends, so that a stuck worker does not delay the end.
   void ShortenTimeouts();
 
   // Adds warnings to the report about messages that came for lost workers.
@@ -127,10 +128,11 @@ class WorkerGroup {
     std::string lost;
     bool is_external = false;  // a user starts it with openr join
     bool is_welcomed = false;
-    // Numbers of robots and objects of the master that were sent to the worker.
+    // The worker has received the first `robots` robots and the first `known` objects of the
+    // master's tables.
     size_t robots = 0;
     size_t known = 0;
-    // State of the loss and the restart of this worker.
+    // From here on: the state of the loss and the restart of this worker.
     Stage stage = Stage::kRunning;
     bool crashed = false;
     bool is_cleaned_up = false;
@@ -141,8 +143,8 @@ class WorkerGroup {
     int losses = 0;
     int returns = 0;
     uint64_t undelivered_before = 0;  // undelivered messages before the loss
-    // The master's stand-ins for the objects of the restarted worker; `new_objects` owns them until
-    // they replace the old ones.
+    // The master's new stand-ins for the objects of a restarted worker; `successors` has them by
+    // id.  `new_objects` owns them until they replace the old ones.
     std::vector<std::unique_ptr<RemoteObject>> new_objects;
     std::map<ObjectId, RemoteObject*> successors;
   };

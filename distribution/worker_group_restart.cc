@@ -20,7 +20,8 @@ namespace {
 constexpr int64_t kCrashRecordMs = 5'000;   // time for a crashed process to write its crash record
 constexpr int64_t kRetryPauseMs = 1'000;    // pause after a failed restart
 constexpr int64_t kReturnNoticeMs = 2'000;  // the user is told of a restart that takes longer
-// The pause between two steps of restarts while the run stands still and waits for them.
+// The pause between two steps of restarts in lockstep.  It is short, because the run stands still
+// until the restarts are complete.
 constexpr int kReturnPollUs = 1'000;
 
 }  // namespace
@@ -33,8 +34,8 @@ bool WorkerGroup::MayRestart(const Member& member) const {
 }
 
 void WorkerGroup::EnterStage(Member* member, Stage stage) {
-  // Each stage may follow only one other stage, except that kCleaningUp may follow any stage,
-  // because an attempt can fail in each of them.
+  // Checks the order of the stages: each may follow only one other stage.  Only kCleaningUp may
+  // follow any stage, because the worker can be lost in each of them.
   const Stage before = member->stage;
   ASSERT(stage == Stage::kCleaningUp || (stage == Stage::kRunning && before == Stage::kReplacing) ||
              (stage == Stage::kNotRestarted && before == Stage::kCleaningUp) ||
@@ -48,9 +49,10 @@ void WorkerGroup::EnterStage(Member* member, Stage stage) {
   member->is_reported = false;
 }
 
-// Posts a task that ends everything the objects of a lost worker had.  The System runs the task
-// when no message is due, so messages to these objects that are due now are first counted as
-// undelivered.
+// Posts a task that removes what the objects of a lost worker still have in the master: time
+// events, network connections, registered names and regions (System::EndAllOf()).  The System runs
+// the task when no message is due.  So messages to these objects that are due now come first, and
+// are counted as undelivered.
 void WorkerGroup::CleanUp(Member* member) {
   member->is_cleaned_up = false;
   member->undelivered_before = 0;
@@ -63,9 +65,10 @@ void WorkerGroup::CleanUp(Member* member) {
   });
 }
 
-// Advances the restart of one worker by a step.  If `may_load` is false, a worker that has joined
-// must still wait before it loads its images.  In lockstep a run that is ending restarts nothing,
-// because it would have to wait for the worker.
+// Advances the restart of one worker by a step.  `may_load`: whether the worker may load its images
+// now.  AdvanceRestarts() lets only one worker load at a time, so that the order is the same in
+// every run.  In lockstep a run that is ending restarts nothing, because it would have to wait for
+// the worker.
 void WorkerGroup::AdvanceRestart(Member* member, bool may_load) {
   RemoteProcess& process = *member->process;
   if (IsEnding() && !options_.is_free && member->stage != Stage::kRunning) return;
@@ -94,7 +97,8 @@ void WorkerGroup::AdvanceRestart(Member* member, bool may_load) {
   }
 }
 
-// Throws ProcessLost if the restarted process has ended or has taken longer than it may.
+// Throws ProcessLost if the restarted process has ended or has not finished its present stage in
+// time (--join-wait).  Tells the user if the stage takes long.
 void WorkerGroup::CheckRestart(Member* member) {
   if (member->child != nullptr && !member->child->HowItEnded().empty())
     throw ProcessLost(member->child->HowItEnded());
@@ -113,7 +117,7 @@ void WorkerGroup::CheckRestart(Member* member) {
 }
 
 // Gives up this attempt to restart the worker, because of `why`.  Goes back to stage kCleaningUp,
-// which begins the next attempt.
+// so that Restart() tries again or gives the worker up.
 void WorkerGroup::FailAttempt(Member* member, const std::string& why) {
   options_.say(why);
   member->lost = why;
@@ -123,13 +127,15 @@ void WorkerGroup::FailAttempt(Member* member, const std::string& why) {
   EnterStage(member, Stage::kCleaningUp);
 }
 
-// Starts a new process for the lost worker when the old process has ended.  If the worker may not
-// be restarted, closes its slot instead.
+// Ends the old process of the lost worker if it still runs, and starts a new one; a new external
+// worker is started by a user.  If the worker may not be restarted, closes its slot instead, so
+// that no process can join.
 void WorkerGroup::Restart(Member* member) {
   if (!member->is_cleaned_up || !system_->booted()) return;
   if (member->attempt_failed && WallClockMs() - member->since_ms < kRetryPauseMs) return;
   if (member->child != nullptr && member->child->HowItEnded().empty()) {
-    // Gives a crashed process time to write its crash record on the Memory Stick.
+    // Gives a crashed process time to write its crash record on the Memory Stick, before it is
+    // killed below.
     if (member->crashed && WallClockMs() - member->since_ms < kCrashRecordMs) return;
     member->child.reset();  // kills the old process, which was unreachable or stopped
   }
@@ -148,10 +154,11 @@ void WorkerGroup::Restart(Member* member) {
   EnterStage(member, Stage::kJoining);
 }
 
-// Sends a restarted worker that has joined all entries of the master's tables at once.  At the
-// beginning of a run they are sent object by object.
+// Sends a restarted worker, which has joined, the settings of the run and all entries of the
+// master's tables of robots and objects.  All entries go in one sample, because the tables are
+// complete; at the beginning of a run they grow object by object.
 void WorkerGroup::BeginLoading(Member* member) {
-  // Sets the counts of sent entries to 0, because the new process has received none.
+  // Sets the counts of sent robots and objects to 0, because the new process has received none.
   member->robots = member->known = 0;
   member->new_objects.clear();
   member->successors.clear();
@@ -165,7 +172,8 @@ void WorkerGroup::BeginLoading(Member* member) {
   EnterStage(member, Stage::kLoading);
 }
 
-// Replaces the master's old stand-ins for the worker's objects by the new ones.
+// Posts the replacement of the master's old stand-ins for the worker's objects by the new ones.
+// OnReplaced() is called for each of them.
 void WorkerGroup::ReplaceObjects(Member* member) {
   std::vector<std::unique_ptr<Object>> new_objects;
   for (auto& object : member->new_objects) new_objects.push_back(std::move(object));
@@ -174,13 +182,13 @@ void WorkerGroup::ReplaceObjects(Member* member) {
   system_->object_table().Return(std::move(new_objects));
 }
 
-// Called for each object `id` that is replaced.  First the other workers disconnect their objects
-// from the old object.  A restarted worker counts as running when the last of its objects was
-// replaced.
+// Handles the replacement of object `id`.  First the other workers disconnect their objects from
+// the old object.  If `id` was the last object of a restarted worker, the worker counts as running
+// again.
 void WorkerGroup::OnReplaced(ObjectId id) {
   for (auto& [name, member] : members_) {
-    // Skips the worker of the object itself, which knows only the new object, and lost workers,
-    // which have no connections.
+    // Skips two kinds of workers: the worker of the object itself, which knows only the new object,
+    // and lost workers, which have no connections.
     if (member.objects.contains(id) || !member.is_welcomed || member.process->is_lost()) continue;
     try {
       member.process->Forget(id);
@@ -190,15 +198,17 @@ void WorkerGroup::OnReplaced(ObjectId id) {
   }
   for (auto& [name, member] : members_) {
     for (const auto& [other, object] : member.objects) {
-      // Skips stand-ins that are destroyed already: objects are replaced in the order of their ids,
-      // so these are the worker's old stand-ins with smaller ids.
+      // Skips old stand-ins that are destroyed already.  In stage kReplacing, member.objects still
+      // has the old ones.  Objects are replaced in the order of their ids, so those with ids below
+      // `id` are gone.
       if (other >= id || member.stage != Stage::kReplacing) object->ForgetObserver(id);
     }
     if (member.stage != Stage::kReplacing || !member.successors.contains(id)) continue;
-    // Copies the count again, because messages may have arrived for the old stand-in after the new
-    // one was made.
+    // Copies the count of undelivered messages to the new stand-in.  NewInstance() has copied it
+    // already, but messages may have come for the old stand-in since then.
     member.successors[id]->undelivered_count = member.objects[id]->undelivered_count;
-    // Objects are replaced in the order of their ids, so the largest id is the last one.
+    // Continues only when `id` was the last object of the worker.  Objects are replaced in the
+    // order of their ids, so the last one has the largest id.
     if (member.successors.rbegin()->first != id) continue;
     uint64_t undelivered = 0;
     for (const auto& [new_id, object] : member.successors) undelivered += object->undelivered_count;
@@ -236,8 +246,8 @@ bool WorkerGroup::AdvanceRestarts() {
 }
 
 // Waits in lockstep until all restarts are complete or given up.  We sleep between two steps and do
-// not wait for DDS samples: samples of running workers stay unread here, so such a wait would end
-// at once each time.
+// not wait for DDS samples, because samples of running workers stay unread here.  A wait for
+// samples would therefore end at once each time.
 void WorkerGroup::WaitForRestarts() {
   while (system_->booted() && !IsEnding() && AdvanceRestarts()) usleep(kReturnPollUs);
   for (const auto& [name, member] : members_) {
