@@ -18,10 +18,12 @@
 namespace openr_host {
 namespace {
 
-// Limit of delays and timeouts in microseconds; longer ones are refused.
+// Limit of delays and timeouts in microseconds.  No program can ask for a longer time
+// (RelativeTime), so a longer one is an error of the worker and is refused.
 constexpr int64_t kDelayMaxUs = int64_t{1} << 53;
 
-// Selects the object on which a function of WorkerCallList is called, by the class of the function.
+// Selects the C++ object on which a function of WorkerCallList is called.  The argument is always a
+// null pointer; only its type counts, which is the class of the function.
 struct CallTargets {
   System* system;
   CheckedCalls* calls;
@@ -33,8 +35,9 @@ struct CallTargets {
   }
 };
 
-// Returns whether the function may be called without a calling object, because it is called while
-// objects are loaded.
+// Returns whether the function may be called while no handler runs, that is, without a current
+// object.  Objects call these functions also while they are loaded.  Other calls without a current
+// object are ignored.
 bool MayLackCaller(uint32_t function) {
   constexpr uint32_t kFunctions[] = {
       WorkerCallList::NumberOf<&SystemCalls::DeleteRegion>(),
@@ -49,8 +52,8 @@ bool MayLackCaller(uint32_t function) {
 
 }  // namespace
 
-// Handles a sample that a worker sends in the middle of a handler.  Returns false if the sample is
-// of another kind.
+// Handles a sample that a worker sends in the middle of a handler: console text, a question, or a
+// message.  Returns false if the sample is of another kind, such as the end of the handler.
 bool RemoteProcess::HandleRequest(const openr_wire_ToMaster& to_master) {
   switch (to_master.body._d) {
     case openr_wire_TO_MASTER_CONSOLE:
@@ -113,7 +116,7 @@ void RemoteProcess::Apply(const openr_wire_ToMaster& to_master, Object* self) {
 }
 
 // Returns whether `message` answers the request that the handler of `self` is serving, or forwards
-// that request to another object.
+// that request to another object.  In both cases the object owes no answer any more.
 bool RemoteProcess::Answers(const Message& message, const Object* self) {
   const Message* const request = self == nullptr ? nullptr : self->handler.running.get();
   return request != nullptr && message.reply_box != 0 && message.reply_box == request->reply_box &&
@@ -137,8 +140,8 @@ void RemoteProcess::CheckEnds(const openr_wire_Message& in, const Object* self) 
   const bool is_forwarded = request != nullptr && !in.is_reply && in.reply_box != 0 &&
                             in.reply_box == request->reply_box && in.sender == request->sender;
   if (!is_own(in.sender) && !is_forwarded) Refuse("a message in the name of another object");
-  // Accepts an id that no object has, because a subject or observer without an entry sends such
-  // ids.
+  // Accepts an id that no object has.  It is sent by a subject or an observer for which the program
+  // has set no entry (SetReadyEntry(), SetNotifyEntry()).
   const auto is_others = [&](ObjectId id) { return !is_own(id) && system_->object(id) != nullptr; };
   if (in.payload._d == openr_wire_PAYLOAD_NOTIFY && is_others(in.payload._u.notify.subject))
     Refuse("a notification of another object's subject");
@@ -162,22 +165,22 @@ int32_t RemoteProcess::Post(const openr_wire_PostedMessage& posted, Object* self
   Check(posted.message, self);
   const CurrentScope scope(system_, self);
   OwnedMessage message = system_->NewMessage(posted.message.target, posted.message.selector);
-  // Remembers the class and the cause that the System has given: those from the worker do not
-  // count.
+  // Keeps the class and the cause (the number of the message whose handler sends this one) that
+  // NewMessage() has set.  The worker's values are not used.
   const MessageClass message_class = message->message_class;
   const uint64_t cause = message->cause;
   const std::string problem = marshaller_->Decode(posted.message, message.get());
   marshaller_->ReleaseSample();
   if (!problem.empty()) Refuse(problem);
   if (posted.delay_us < 0 || posted.delay_us > kDelayMaxUs) Refuse("a message for another time");
-  // Restores the values of the master's System, so that the message is the same as from an object
-  // in the master's process.  Post() replaces the number 0 by the next number.
+  // Restores the master's values, so that the message is the same as in a run with one process.
+  // The message gets its number from System::Post().
   message->number = 0;
   message->cause = cause;
   message->message_class = message_class;
   if (message->is_reply) {
-    // Refuses a reply if the object that asked has closed its reply box meanwhile, as in a run with
-    // one process.
+    // Refuses a reply if the object that asked has closed its reply box meanwhile; a run with one
+    // process does so too.
     const Object* const asker = system_->object(message->target);
     if (asker == nullptr || !asker->boxes.open.contains(message->reply_box)) return sRBOXWASCLEANED;
   }
@@ -186,8 +189,8 @@ int32_t RemoteProcess::Post(const openr_wire_PostedMessage& posted, Object* self
                               message->target, message->selector};
   const bool answers = Answers(*message, self);
   const int32_t error = system_->Post(std::move(message), posted.delay_us);
-  // Marks the request as answered.  Else the master would send an empty answer in the name of the
-  // object if the worker is lost later.
+  // Marks the request as answered.  Without this mark the master would answer it again if the
+  // worker is lost before the handler ends (RemoteObject::SendEmptyReply()).
   if (answers && error == sSUCCESS) self->handler.running->reply_box = 0;
   // Notes that the observer is not ready any more: it has got a notification, and must assert ready
   // again before the next one.
@@ -195,8 +198,8 @@ int32_t RemoteProcess::Post(const openr_wire_PostedMessage& posted, Object* self
   return error;
 }
 
-// Calls function number `function` of WorkerCallList in the name of the current object.  There is
-// no current object while objects are loaded.
+// Calls function number `function` of WorkerCallList in the name of the current object (none while
+// objects are loaded).  If there is no such function, the status is oNOT_SUPPORTED.
 CallResult RemoteProcess::Call(uint32_t function, const CallArguments& arguments) {
   if (function >= WorkerCallList::kSize) return {oNOT_SUPPORTED};
   return WorkerCallList::Call(function, CallTargets{system_, calls_.get()}, arguments);

@@ -12,12 +12,13 @@
 
 namespace openr_host {
 
-// Gives the regions that were sent to the lost worker back to the subjects that sent them.  They go
-// back in deasserts ("not ready") in the name of the worker's observers, because these observers
-// are lost.
+// Gives the regions that were sent to the lost worker back to the subjects that sent them.  Its
+// observers cannot do this any more.  So the master sends deasserts ("not ready"), which give the
+// regions back, in the name of these observers.
 void RemoteProcess::ReturnExported() {
   using Entry = std::pair<ObjectId, uint32_t>;
-  // The regions to give back, by observer and subject.
+  // The regions to give back, by observer and subject, because a deassert goes from one observer to
+  // one subject.
   std::map<std::pair<Entry, Entry>, std::vector<RCRegion*>> regions;
   for (const Marshaller::ExportedRegion& exported : marshaller_->TakeExported())
     regions[{{exported.observer, exported.observer_selector},
@@ -55,12 +56,13 @@ void RemoteProcess::ReleaseAll() {
   ReturnExported();
   marshaller_->PeerIsLost();
   for (const auto& [id, object] : objects_) {
-    // Ends the wait of an object in the master whose handler in the worker had not returned,
-    // because the lost worker will never report the end of the handler.
+    // Ends the wait of a stand-in whose handler in the worker had not returned, because the lost
+    // worker will never report the end of the handler.
     if (object->handler.blocked != nullptr) WakeHandler(id, object->handler.blocked_box);
   }
   calls_->ReleasePins();
-  // Clears counters and heap use, because they begin anew with the next process.
+  // Removes the dropped counts and the heap use of the lost process, because those of the next
+  // process begin at 0.
   dropped_.clear();
   for (const auto& [robot, bytes] : std::exchange(heap_by_robot_, {}))
     system_->robot(robot).memory.used_bytes -= bytes;
@@ -72,8 +74,8 @@ void RemoteProcess::ReleaseAll() {
 
 void RemoteProcess::Rejoin(const std::map<ObjectId, RemoteObject*>& objects) {
   objects_ = objects;
-  // Changes the number by which functions that still wait for the old process see that it has
-  // ended.
+  // Changes the number of the session.  Functions that still wait for the old process compare it
+  // and see that this process has ended.
   ++session_;
   is_lost_ = false;
   loss_.clear();

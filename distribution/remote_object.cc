@@ -44,7 +44,8 @@ bool RemoteObject::Dispatch(uint32_t, void*) {
   return true;
 }
 
-// Lets the worker run the handler of the present message; returns false if the worker was lost.
+// Lets the worker run the handler of the message that is being delivered.  Returns false if the
+// worker was lost.
 bool RemoteObject::Run() {
   try {
     return process_->RunHandler(this, *handler.running);
@@ -57,8 +58,8 @@ bool RemoteObject::Run() {
 }
 
 void RemoteObject::RecordReady() {
-  // Records in the master which observers are ready, because a restarted worker must be told: its
-  // predecessor, which knew them, is lost.
+  // Records in the master which observers are ready.  A restarted worker must be told this, because
+  // only its predecessor knew it.
   const auto& ready = *reinterpret_cast<const OReadyMessage*>(handler.running->payload);
   const StandingReady standing = {handler.running->selector, ObjectIdOf(ready.observerID.GetOID()),
                                   ready.observerID.GetSelector()};
@@ -81,9 +82,9 @@ void RemoteObject::ReturnRegion(RCRegion* region) { process_->ReturnRegion(regio
 
 bool RemoteObject::IsLost() const { return process_->is_lost(); }
 
-// Returns whether a handler of the object runs in its worker, which may take any time in a free
-// run.  DoStop and DoDestroy do not count, because the end of a run has a time limit that no worker
-// may extend.
+// Returns whether a handler of the object runs in its worker, in a free run.  The caller then
+// ignores a time-out, because the worker takes wall time and not virtual time.  DoStop and
+// DoDestroy do not count, because the end of a run has a time limit that no worker may extend.
 bool RemoteObject::IsAtWorkElsewhere() const {
   return process_->IsAtWork(id) && handler.running->selector != oentrySTOP &&
          handler.running->selector != oentryDESTROY;
@@ -96,8 +97,8 @@ void RemoteObject::HandleUndelivered(const Message& message) {
   SendEmptyReply(message);
 }
 
-// Sends an empty reply in place of the lost worker, so that no object waits for ever.  The object
-// manager, which sends DoInit to DoDestroy, gets the status oSUCCESS.
+// Answers `request` with an empty reply in place of the lost worker, so that no object waits for
+// ever.  The object manager, which sends DoInit to DoDestroy, gets the status oSUCCESS.
 void RemoteObject::SendEmptyReply(const Message& request) {
   if (request.reply_box == 0) return;
   const CurrentScope scope(system, this);

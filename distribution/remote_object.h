@@ -24,7 +24,8 @@ class RemoteObject : public Object {
   // The ways to lose a worker: it has ended or cannot be reached, a handler has crashed, or it was
   // lost after the run, when the master asked only for the state of its objects.
   enum class Loss { kGone, kCrashed, kAtEnd };
-  // A function that is called when a handler finds that its worker is lost.
+  // A function that is called when a stand-in finds that its worker is lost.  `why` is a text for
+  // the user.
   using LossListener = std::function<void(const RemoteObject*, Loss, const std::string& why)>;
 
   RemoteObject(System* system, ObjectId id, int robot, RemoteProcess* process, LossListener lost)
@@ -35,17 +36,20 @@ class RemoteObject : public Object {
   // Copies the properties that the worker reports after it has loaded the object.
   void SetDescription(const openr_wire_LoadedObject& loaded);
 
-  // Number of messages that were delivered to the object while or after its worker was lost.
+  // Number of messages that were to be delivered to the object after its worker was lost.  No
+  // handler ran for them.
   uint64_t undelivered_count = 0;
-  // Number of notifications that waited in the object's subjects when its last handler ended.
+  // Number of notifications that waited in the object's subjects, for observers that were not
+  // ready, when its last handler ended.  They are lost with the worker; the report tells their
+  // number.
   uint64_t pending_count = 0;
   uint64_t heap_max = 0;  // the most bytes of heap that the object has used
 
   // Makes the RemoteObject that replaces this one when the worker is restarted.
   std::unique_ptr<RemoteObject> NewInstance() const;
 
-  // Notes that a subject of this object has notified the observer `ready`.  The observer is not
-  // ready any more until it asserts ready again.
+  // Notes that a subject of this object has notified the observer `ready`.  From then on this
+  // observer is not ready until it asserts ready again.
   void UseReady(const StandingReady& ready) { readies_.erase(ready); }
 
   // Forgets that observers of object `observer` are ready, because that object has been replaced.
@@ -70,7 +74,7 @@ class RemoteObject : public Object {
   const LossListener lost_;
   std::set<uint32_t> selectors_;
   // Observers that have asserted ready to a subject of this object and were not notified since
-  // then.
+  // then.  A restarted worker gets these asserts again, because its predecessor knew them alone.
   std::set<StandingReady> readies_;
 };
 

@@ -22,7 +22,8 @@ constexpr int kWorkerPollMs = 10;
 // Time after which the user is told to start an external worker.  A worker that has been started
 // already joins in less time, so then nothing is printed.
 constexpr int64_t kJoinNoticeMs = 300;
-// Time for samples to arrive that the worker sent before its end.
+// Time to wait for the last samples of a worker that has ended.  They are on their way already; a
+// goodbye among them has the reason of the end.
 constexpr int kGoodbyeWaitMs = 50;
 constexpr int64_t kShortTimeoutMs = 500;  // limit for an answer while the run is brought down
 constexpr int kEndFlushMs = 1'000;        // time for the worker to receive the end of the run
@@ -69,9 +70,9 @@ void RemoteProcess::FlushBatch() {
   if (slot_.channel() != nullptr) slot_.channel()->FlushBatch();
 }
 
-// Returns whether the next message to be delivered also goes to a worker.  If so, the present
-// sample may wait and share a packet with that message.  If not, the sample must be sent now,
-// because no other sample follows soon.
+// Returns whether the next message to be delivered goes to an object in a worker too.  If so, the
+// present sample may wait, to share a packet with the next one.  If not, no other sample follows
+// soon, so the present one must be sent now.
 bool RemoteProcess::WillSendMore() const {
   const Message* const next = system_->queue().First();
   if (next == nullptr || next->is_reply) return false;
@@ -238,9 +239,9 @@ bool RemoteProcess::RunHandler(RemoteObject* object, const Message& message) {
     openr_wire_Deliver& deliver = to_worker.body._u.deliver;
     deliver.now_us = system_->now_us();
     deliver.heap_elsewhere = HeapElsewhere(system_, object->robot);
-    // The bytes of a region are in the process of the object that made it, even if another object
-    // owns it now.  A restarted worker does not have the bytes of the lost process; MakerOf() then
-    // returns kNoObject, because the makers are unloaded.
+    // Tells which regions' bytes the worker has: those of regions that its objects have made, even
+    // if another object owns them now.  A restarted worker does not have the bytes of the lost
+    // process.  MakerOf() then returns kNoObject, because the old makers are unloaded.
     const auto is_there = [this](uint32_t region) {
       return objects_.contains(system_->regions().MakerOf(region));
     };
@@ -257,7 +258,7 @@ bool RemoteProcess::RunHandler(RemoteObject* object, const Message& message) {
     } else {
       ResumeWithReply(object, *stop, session);
     }
-    // While this function waited, the worker may have been lost, or lost and restarted.
+    // While the stand-in waited, the worker may have been lost, or lost and restarted.
     if (is_lost_ || session != session_) return false;
   }
 }
@@ -296,8 +297,8 @@ uint64_t RemoteProcess::HeapElsewhere(System* system, int robot) const {
 }
 
 void RemoteProcess::RecordHeap(int robot, uint64_t bytes) {
-  // Largest number of heap bytes that is accepted; a larger one is taken for an error of the
-  // worker.
+  // Largest number of heap bytes that is accepted.  A robot has 32 MB of memory, so a number above
+  // this limit must be an error of the worker.
   constexpr uint64_t kHeapMaxBytes = uint64_t{1} << 40;
   if (bytes > kHeapMaxBytes) Refuse("a heap that is too large");
   system_->robot(robot).memory.used_bytes += bytes - std::exchange(heap_by_robot_[robot], bytes);
@@ -309,8 +310,7 @@ std::optional<RemoteProcess::Stop> RemoteProcess::WaitForStopInFreeRun(RemoteObj
   const uint64_t session = session_;
   const uint64_t box = kFirstWakeBox + ++wake_box_count_;
   object->boxes.open.insert(box);
-  // Begins to measure the worker's silence only now if it was idle, because an idle worker sends
-  // nothing.
+  // An idle worker sends nothing, so the time of its silence begins only now, when it gets work.
   if (running_.empty()) last_heard_ms_ = WallClockMs();
   const bool is_new = running_.emplace(object->id, box).second;
   ASSERT(is_new, "{} runs a handler already", object->name);
@@ -323,7 +323,7 @@ std::optional<RemoteProcess::Stop> RemoteProcess::WaitForStopInFreeRun(RemoteObj
 }
 
 // Calls `action`.  If it throws ProcessLost, keeps the reason in loss_ and does not pass the
-// exception on.  The callers are not in a handler, so they read loss() later.
+// exception on.  WorkerGroup reads loss() later and handles the loss.
 template <typename Action>
 void RemoteProcess::RecordLoss(const Action& action) {
   try {
@@ -398,8 +398,8 @@ void RemoteProcess::WakeHandler(ObjectId object, uint64_t box) {
   system_->Post(std::move(wake));
 }
 
-// Waits for the reply in the master, in place of the handler in the worker, so that other objects
-// run meanwhile.  Then sends the reply to the worker, where the handler goes on.
+// Makes the stand-in wait in the master for the reply that `stop` names, so that other objects run
+// meanwhile.  Then sends the reply to the worker, where the handler goes on.
 void RemoteProcess::ResumeWithReply(RemoteObject* object, const Stop& stop, uint64_t session) {
   openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_RESUME);
   openr_wire_Resume& resume = to_worker.body._u.resume;
@@ -467,8 +467,8 @@ std::string RemoteProcess::FetchState(ObjectId object) {
 }
 
 void RemoteProcess::End(const std::string& why) {
-  // The marshaller is destroyed before the System, because received regions are in the System's
-  // table.
+  // Destroys the marshaller while the System still exists, because the memory of received regions
+  // is in the System's region table.
   marshaller_.reset();
   if (!slot_.has_joined()) return;  // there is no worker, or a restarted one has not joined yet
   openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_END);

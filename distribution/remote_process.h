@@ -64,6 +64,7 @@ class RemoteProcess {
                    const std::function<bool()>& is_ending);
 
   // Returns the bytes of heap used on `robot`, without the bytes that this worker's objects use.
+  // They are sent to the worker, because all objects of a robot share its memory.
   uint64_t HeapElsewhere(System* system, int robot) const;
 
   // Sends the worker the settings of the run, such as seed and stick.
@@ -75,16 +76,17 @@ class RemoteProcess {
   // Adds `object`, the master's stand-in for an object that the worker will load.
   void Add(RemoteObject* object);
 
-  // Load() in two steps, for a restarted worker and without waiting: BeginLoad() sends the entries,
-  // HasLoaded() returns true when the worker has loaded them.  The worker counts as lost until
-  // Rejoin().
+  // Load() in two steps, for a restarted worker and without waiting.  BeginLoad() sends the
+  // entries; HasLoaded() returns true when the worker has loaded them.  The worker counts as lost
+  // until Rejoin().  `objects` are its new stand-ins.
   void BeginLoad(const openr_wire_Load& load);
   bool HasLoaded(const std::map<ObjectId, RemoteObject*>& objects);
-  // Ends a restart.  `objects` are the new stand-ins in the master, which have replaced the old
-  // ones.
+  // Ends a restart: the worker does not count as lost any more.  `objects` are its new stand-ins in
+  // the master, which have replaced the old ones.
   void Rejoin(const std::map<ObjectId, RemoteObject*>& objects);
 
-  // Makes the worker drop its connections to object `id`, which has been replaced.
+  // Makes the worker drop its connections to object `id` of another process.  This object has been
+  // replaced, and the new one is connected anew.
   void Forget(ObjectId id);
 
   // Switches to free running: the master does not wait while a handler runs in the worker.  Only
@@ -101,7 +103,7 @@ class RemoteProcess {
   // handler crashed the worker is not counted either.
   size_t CountUndelivered() const;
 
-  // Sends the samples to the worker that were kept to share a packet.
+  // Sends the samples to the worker that Channel::SendBatched() has kept to share a packet.
   void FlushBatch();
 
   // Handles the samples that the worker has sent; returns true if there were any.  Must not be
@@ -126,11 +128,12 @@ class RemoteProcess {
   void ShortenTimeouts() { has_short_timeout_ = true; }
 
   // Asks the worker for the state of `object` and returns it, for the state hash of the run.  Also
-  // copies the bytes of the object's memory regions to the master.
+  // copies the bytes of the object's memory regions to the master, because that hash covers the
+  // master's copies.
   std::string FetchState(ObjectId object);
 
-  // Releases everything that belongs to the lost worker while the run goes on: regions sent to it
-  // go back to their subjects, and waiting handlers of its objects end.
+  // Releases everything that belongs to the lost worker while the run goes on.  Regions that were
+  // sent to it go back to their subjects, and handlers of its objects that wait in the master end.
   void ReleaseAll();
 
   // The reason of a loss that HandleReceived() or CheckHealth() has found; "" if there was none.
@@ -140,19 +143,19 @@ class RemoteProcess {
   bool has_crashed() const { return crashed_; }
   ObjectId crashed_object() const { return crashed_object_; }
 
-  // Releases a memory region that was received from the worker.  To be called when the object that
-  // sent the region is lost: the region is not given back in a ready message, because nobody
-  // expects that.
+  // Releases a memory region that was received from the worker, without a ready message.  To be
+  // called when the object that sent the region was lost or replaced, because then no subject waits
+  // for the region.
   void ReturnRegion(RCRegion* region);
-  // Releases the regions that the ready message `message` gives back.  The lost worker did not
-  // receive the message.  Messages of other kinds are ignored.
+  // Handles a message that the lost worker did not receive.  If it is a ready message, releases the
+  // regions that it gives back.  Messages of other kinds are ignored.
   void HandleUndelivered(const Message& message);
 
-  // Returns what is wrong with the worker, or "".  Does not need an answer of the worker, so the
-  // worker may be idle.
+  // Returns what is wrong with the worker, or "".  Needs no answer of the worker, so it also finds
+  // the loss of a worker that has nothing to do.
   std::string FindProblem() const;
   // Returns what FindProblem() does, but prefers the reason in the worker's goodbye, if one has
-  // arrived.
+  // arrived.  A goodbye is the sample by which a worker tells that it ends.
   std::string FindLoss();
 
   // Ends the worker and tells it why the run ended (DescribeEnd(), or "").  REQUIRES: the System
@@ -217,18 +220,19 @@ class RemoteProcess {
   std::map<ObjectId, RemoteObject*> objects_;
   std::set<ObjectId> awaited_objects_;  // objects that the worker is loading
   uint64_t session_ = 0;                // number of restarts of the worker so far
-  // The number of dropped messages that the worker has reported last, by object.
+  // Object::dropped_count of the worker's objects, as the worker has reported it last.  The master
+  // adds only the increase to its own count.
   std::map<ObjectId, uint64_t> dropped_;
   std::map<int, uint64_t> heap_by_robot_;  // bytes used by the worker's objects, by robot
   bool is_lost_ = false;
   Latency latency_;
   std::map<ObjectId, Latency> latency_of_;
-  // ---- For free runs.  The master's stand-in waits by a reply box of its own until the handler in
-  // the worker has stopped.
+  // ---- For free runs.  While a handler runs in the worker, the object's stand-in waits in the
+  // master for a reply.  HandleFreeSample() posts this reply when the handler has stopped.
   bool is_free_ = false;
-  uint64_t wake_box_count_ = 0;  // number of these boxes so far
-  std::map<ObjectId, uint64_t> running_;
-  std::map<ObjectId, Stop> stops_;
+  uint64_t wake_box_count_ = 0;           // number of reply boxes made for these waits
+  std::map<ObjectId, uint64_t> running_;  // the box of each such wait, by object
+  std::map<ObjectId, Stop> stops_;  // handlers that have stopped, until their stand-in goes on
   // The time of the worker's last sample, or the time when an idle worker was given work.
   int64_t last_heard_ms_ = 0;
   bool has_short_timeout_ = false;
