@@ -6,8 +6,8 @@
 
 namespace openr_host {
 
-// Calls `kFunction` in the master, waits for the answer, and returns the function's result.  The
-// argument for an output parameter is a pointer.
+// Calls `kFunction`, a function of WorkerCallList, in the master, waits for the answer, and returns
+// the function's result.  The argument for an output parameter is a pointer.
 template <auto kFunction, typename... Arguments>
 auto AskMaster(MasterLink* master, const Arguments&... arguments) {
   using Function = call_codec::Signature<decltype(kFunction)>;

@@ -60,8 +60,8 @@ void KeepFreedMemory() {
   mallopt(M_MMAP_THRESHOLD, kMmapThresholdBytes);
 }
 
-// Prints a message of Cyclone DDS.  A failed send is printed only the first time, because an
-// address that cannot be reached would be reported with every packet to it.
+// Prints a message of Cyclone DDS.  Messages about a failed send (conn_write) are printed only
+// once, because an address that cannot be reached would cause one with every packet to it.
 void Log(void*, const dds_log_data_t* data) {
   static std::atomic<bool> told = false;
   std::string_view text(data->message, data->size);
@@ -220,7 +220,8 @@ void* ChannelBase::ReceiveUntyped(int timeout_ms) {
       received_.pop_front();
       return sample;
     }
-    // The kept samples are sent before this end waits, because the other end may wait for them.
+    // Sends the samples that SendBatched() has kept before this end waits, because the other end
+    // may be waiting for them.
     FlushBatch();
     if (timeout_ms == 0) return nullptr;
     if (dds_waitset_wait(waitset_, nullptr, 0, DDS_MSECS(timeout_ms)) <= 0) return nullptr;
@@ -235,7 +236,7 @@ void ChannelBase::ReceiveMore() {
   void* samples[kSamplesPerPacketMax];
   dds_sample_info_t infos[kSamplesPerPacketMax];
   std::copy_n(free_samples_.rbegin(), kSamplesPerPacketMax, samples);
-  // After a large sample the next one is received alone (see kBulkBytes).
+  // Receives the next sample alone after a large one (see kBulkBytes).
   const uint32_t wanted = last_bulk_bytes_ < kBulkBytes ? kSamplesPerPacketMax : 1;
   const int count = Check(dds_take(reader_, samples, infos, kSamplesPerPacketMax, wanted), "take");
   free_samples_.resize(free_samples_.size() - static_cast<size_t>(count));

@@ -41,8 +41,7 @@ struct BusOptions {
   std::vector<std::string> peers;     // addresses of other hosts; `address` need not be repeated
   std::string config_file;            // additional settings of Cyclone DDS, such as DDS Security
   int participants_max = 120;         // limit of processes on one host
-  // Time without a sign of life after which other processes take this one for dead; 0 means
-  // kLease_s.
+  // Lease of this process in seconds, such as kWatchedLease_s; 0 means kLease_s.
   int lease_s = 0;
   // True: many sent samples are kept, so writes do not block while a receiving process is stopped.
   bool has_large_history = false;
@@ -130,8 +129,8 @@ class ChannelBase {
   // `timeout_ms`.
   void* ReceiveUntyped(int timeout_ms);
   void Return(void* sample);
-  // Notes how many bytes of memory regions the last received sample had.  After a large sample the
-  // next one is received alone.
+  // Notes how many bytes of memory regions the last received sample had.  After a large sample
+  // (kBulkBytes) the next one is received alone.
   void set_last_bulk_bytes(size_t bytes) { last_bulk_bytes_ = bytes; }
 
  private:

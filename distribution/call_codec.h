@@ -30,14 +30,14 @@
 
 namespace openr_host {
 
-// The arguments of a call.
+// The arguments of a call, converted by the rules above.
 struct CallArguments {
   std::vector<uint64_t> numbers = {};
   std::string text = {};
   std::string bytes = {};
 };
 
-// The result of a call and its output parameters.
+// The result of a call (`status`) and its output parameters.
 struct CallResult {
   int64_t status = 0;
   std::vector<uint64_t> numbers = {};
@@ -94,7 +94,7 @@ struct Parameter {
   T value;
 };
 
-// The base of all parameters that pass no value back to the caller.
+// The base class of Parameter for parameters that pass no value back to the caller.
 struct InputParameter {
   template <typename T>
   static void TakeResult(const T&, const CallResult&, NumberReader*) {}
@@ -166,8 +166,8 @@ struct Parameter<const RunEnd&> : InputParameter {
   RunEnd value;
 };
 
-// Converts a letter, the message that a time event posts.  Its owner is not sent: the owner is the
-// calling object, which the master knows.
+// Converts a letter, the message that TimeEvents posts at a certain time or when a reply arrives.
+// The member `owner` is not sent, because it is the calling object, which the master knows.
 template <>
 struct Parameter<const TimeEvents::Letter&> : InputParameter {
   static void Put(const TimeEvents::Letter& value, CallArguments* to) {
@@ -281,7 +281,8 @@ struct Signature<Result_ (Class_::*)(Parameters...)> {
   static CallResult Call(Result (Class::*function)(Parameters...), Class* target,
                          const CallArguments& arguments) {
     NumberReader numbers(arguments.numbers);
-    // With braces the parameters are constructed from left to right, in the order of the numbers.
+    // Uses braces, because they construct the parameters from left to right, in the order in which
+    // the numbers were encoded.
     std::tuple<Parameter<Parameters>...> parameters{Parameter<Parameters>(arguments, &numbers)...};
     CallResult result;
     std::apply(

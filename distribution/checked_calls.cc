@@ -16,7 +16,8 @@
 namespace openr_host {
 namespace {
 
-// Limit of times in microseconds.  Longer times are refused, because no RelativeTime can hold them.
+// Limit of times in microseconds.  No program can give a longer time (RelativeTime, two 32-bit
+// numbers), so a longer one is an error of the worker and is refused.
 constexpr int64_t kTimeMaxUs = int64_t{1} << 53;
 
 constexpr uint64_t kResultMax = 1024;  // in bytes; no request of ControlPrimitive() returns more
@@ -75,8 +76,8 @@ bool CheckedCalls::PinRegion(uint32_t region) {
 
 bool CheckedCalls::UnpinRegion(uint32_t region) {
   const auto pins = pins_.find(region);
-  // Refuses an unpin without a pin, because a faulty worker could otherwise free regions of other
-  // objects.
+  // Refuses to unpin a region that the worker has not pinned.  A pin keeps the memory of a region,
+  // so a faulty worker could otherwise free regions of other objects.
   if (pins == pins_.end()) refuse_("a region given back twice");
   ASSERT(pins->second > 0, "{} pins of region {:#x}", pins->second, region);
   if (--pins->second == 0) pins_.erase(pins);

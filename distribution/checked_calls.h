@@ -17,7 +17,8 @@ namespace openr_host {
 
 class CheckedCalls : public LocalCalls {
  public:
-  // A function that returns whether an object runs in the worker.
+  // A function that returns whether an object runs in the worker, so that the worker may act for
+  // it.
   using IsOwn = std::function<bool(ObjectId)>;
   // A function that throws ProcessLost.  The message says that the worker has sent `what`, which is
   // not allowed.
@@ -52,11 +53,11 @@ class CheckedCalls : public LocalCalls {
   OStatus SetColourTable(uint32_t region, const std::string& bytes);
 
   // Returns whether an object of the worker owns the region or has made it.  Both are tested,
-  // because an object may make a region and give it to another object.
+  // because an object may make a region and give it to an object in another process.
   bool HasRegion(uint32_t region) const;
 
-  // Removes all pins of the worker's objects after the worker was lost, because the memory of a
-  // pinned region is never freed.
+  // Removes all pins of the worker's objects after the worker was lost.  A pin keeps the memory of
+  // a region, so a pin that stayed would keep it for ever.
   void ReleasePins();
 
  private:

@@ -11,7 +11,7 @@ namespace openr_host {
 class Latency {
  public:
   // Measures the time from its construction to its destruction, and adds that time to two
-  // histograms.
+  // histograms, such as one for a worker and one for an object of it.
   class Timer {
    public:
     Timer(Latency* first, Latency* second)

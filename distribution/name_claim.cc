@@ -17,10 +17,11 @@ constexpr char kClaimTopic[] = "openr_run";  // no sample is ever sent on it
 // Number of digits of the time in a claim: nanoseconds since 1970 with leading zeros, so that
 // comparing claims as text compares their times.
 constexpr size_t kSinceDigits = 20;
-constexpr size_t kClaimsMax = 64;  // limit of other runs' claims that are compared
+constexpr size_t kClaimsMax = 64;  // number of claims of other runs that are compared at most
 
-// Makes a claim "TIME pid PID on HOST".  Two runs of the same name compare the same two texts, so
-// they agree which one gives way, even if the clocks of their hosts differ.
+// Makes a claim "TIME pid PID on HOST".  The run with the earlier claim keeps the name.  Both runs
+// compare the same two texts, so they agree which one gives way, even if the clocks of their hosts
+// differ.
 std::string NewClaim() {
   const auto since =
       std::chrono::system_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
@@ -79,8 +80,8 @@ void NameClaim::Announce(const std::string& claim) {
 
 void NameClaim::MakePermanent() {
   if (std::exchange(is_permanent_, true)) return;
-  // The earliest claim wins.  A time of zeros sorts before every real time, so this run now wins
-  // against every other one that has not made its claim permanent.
+  // The earliest claim wins.  A time of zeros comes before every real time, so this run now wins
+  // against every run whose claim is not permanent.
   Announce(std::string(kSinceDigits, '0') + own_.substr(kSinceDigits));
 }
 

@@ -38,8 +38,9 @@ struct Placement {
 Placement ParsePlacement(const std::string& file, std::string_view text,
                          std::vector<Diagnostic>* diagnostics);
 
-// Returns errors about the hosts: a host that is not found, or one that cannot reach a run at
-// `own_address` (--dds-address).  Queries the name service.
+// Returns errors about the hosts of the placement.  A host is wrong if its address is not found.
+// It is also wrong if it is another machine and `own_address` (--dds-address), the address of the
+// run, is a loopback address.  Queries the name service.
 std::vector<Diagnostic> WrongHosts(const Placement& placement, const std::string& own_address);
 
 // Adds an object and its process, given on the command line as "RCServer=network".  Returns "" or

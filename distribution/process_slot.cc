@@ -16,11 +16,12 @@ namespace {
 // Time for a process to join after it has got a session.  After this time another process that asks
 // to join gets a new session in its place.
 constexpr int64_t kSessionClaimMs = 5'000;
-// Limit of the length of a requester's id.  Requests with longer ids are ignored, because they come
-// from the network and may be forged.
+// Limit of the length of a requester's id, far above that of a real one ("host-1234-5").  Requests
+// with longer ids are ignored, because they come from the network and may be forged.
 constexpr size_t kRequesterIdMax = 256;
 constexpr int64_t kLivenessIntervalMs = 100;  // interval of liveness checks
-// Limit of abandoned workers that are remembered; the oldest one is forgotten first.
+// Limit of abandoned workers that are remembered; the oldest one is forgotten first.  Each keeps
+// its channel, so without a limit many losses would keep many channels.
 constexpr size_t kAbandonedMax = 4;
 
 }  // namespace

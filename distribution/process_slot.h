@@ -76,8 +76,8 @@ class ProcessSlot {
   // The channel to the joined or joining worker; null if there is none.
   MasterChannel* channel() const { return channel_.get(); }
   const Identity& identity() const { return identity_; }
-  // The host and process id of the present worker.  Until that worker has sent its Hello, those of
-  // the worker before it.
+  // The host and process id of the present worker, for reports.  Until that worker has sent its
+  // Hello, those of the worker before it.
   const Identity& last_identity() const { return identity_.pid == 0 ? previous_ : identity_; }
 
  private:

@@ -28,9 +28,10 @@ class StatusReader {
   // Creates a reader of the status of the bus's run, or of all runs if the bus's run is "*".
   explicit StatusReader(Bus* bus);
 
-  // Returns what has arrived since the last call, the newest status of each run.  A run that has
-  // gone without notice is reported as ended.  Texts are made printable and are at most as long as
-  // in openr_status.idl.
+  // Returns what has arrived since the last call, the newest status of each run.  A run whose
+  // process has ended without a final status is reported as ended.  Texts are made printable,
+  // because they come from the network and are shown on terminals; they are at most as long as in
+  // openr_status.idl.
   std::vector<RunStatus> Take();
 
  private:

@@ -74,13 +74,15 @@ inline std::string StringOf(const openr_wire_Bytes& bytes) {
 // Converts a string member of a sample; a null pointer becomes "".
 inline std::string StringOf(const char* text) { return text == nullptr ? "" : text; }
 
-// Returns how many bytes of memory regions a sample contains; 0 for kinds that never contain any.
+// Returns how many bytes of memory regions a sample contains; 0 for types of samples that never
+// contain any.  Channel uses the number to find large samples (kBulkBytes).
 template <typename Sample>
 size_t BulkBytesOf(const Sample&) {
   return 0;
 }
 inline size_t BulkBytesOf(const openr_wire_Answer& answer) { return answer.bytes._length; }
-// Returns the sum of the lengths of the member `bytes` of all items.
+// Returns how many bytes of memory regions the items of a sequence contain, each in its member
+// `bytes`.
 template <typename Seq>
 size_t BytesIn(const Seq& items) {
   return std::accumulate(items._buffer, items._buffer + items._length, size_t{0},

@@ -26,8 +26,9 @@ constexpr int kGoodbyeFlushMs = 1'000;  // time for the master to receive a good
 // Time that a crashed process waits until the master has received its report.  The limit is long,
 // because the process ends then and cannot repeat the report.
 constexpr int kCrashFlushMs = 3'000;
-// A handler that takes less time than this is fast.  Effects of earlier handlers may wait until a
-// fast handler has ended, and are then sent in the same packet.
+// In a free run, effects of earlier handlers are kept while a fast handler runs, to share a packet
+// with its own effects.  A handler is fast if it takes less than this time, so that no effect is
+// kept for long.
 constexpr int64_t kFastHandlerNs = 50'000;
 constexpr int kJoinRetryMs = 1'000;  // interval of join requests
 
@@ -73,7 +74,8 @@ Worker::ReceivedSample Worker::Next(bool answer) {
       continue;
     }
     if (!answer || sample->body._d == openr_wire_TO_WORKER_ANSWER) return sample;
-    // A handler waits for the answer and cannot go on without it, so the process ends at once.
+    // Ends this process at once when the master tells it to end, because a handler waits here for
+    // an answer that will not come.
     if (sample->body._d == openr_wire_TO_WORKER_END) {
       const openr_wire_End& end = sample->body._u.ended;
       ReportRunEnded(end);
@@ -274,8 +276,8 @@ void Worker::Deliver(const openr_wire_Deliver& deliver, bool timed_out) {
   CheckRobot(object->robot);
   SetHeapElsewhere(object->robot, deliver.heap_elsewhere);
   TrackSharedBuffers(*object, *message);
-  // Marks the message as the end of a wait that has timed out.  Requests::Await() recognises this
-  // mark: the kind kHashed, with the waiting object itself as the sender.
+  // Marks the message as the end of a wait that has timed out.  Requests::Await() recognises such a
+  // message: it is of kind kHashed, and its sender is the object that waits.
   if (timed_out) {
     message->kind = PayloadKind::kHashed;
     message->sender = message->target;
@@ -283,8 +285,8 @@ void Worker::Deliver(const openr_wire_Deliver& deliver, bool timed_out) {
   // Makes the message due at once, because the master sends it only when it is due.
   message->due_us = system_->now_us();
   if (!message->is_reply) ++object->waiting;
-  // Removes the wait of a handler that continues now.  If the handler waits again, Waits() adds a
-  // new entry.
+  // Removes the wait of the handler that continues with this message.  If the handler waits again,
+  // Waits() notes the new wait.
   waits_.erase(object->id);
   system_->queue().Push(std::move(message), object->limits.priority);
   if (is_free_) {
@@ -296,8 +298,9 @@ void Worker::Deliver(const openr_wire_Deliver& deliver, bool timed_out) {
   SendStopped(object);
 }
 
-// Runs a handler in a free run.  Effects of earlier handlers are sent in one packet with those of
-// this handler.  If this handler may take long, they are sent first, so that they need not wait.
+// Runs a handler in a free run, and measures whether it is fast.  If the last handler of this
+// object was fast, kept effects of earlier handlers are sent together with those of this handler.
+// If not, they are sent first, so that they do not wait for a slow handler.
 void Worker::RunTimed(ObjectId id) {
   if (!fast_objects_.contains(id)) channel_->FlushBatch();
   const int64_t begin_ns = WallClockNs();
@@ -338,7 +341,8 @@ void Worker::SendStopped(Object* object) {
   stopped.object = object->id;
   stopped.kind = openr_wire_STOP_DONE;
   stopped.timeout_us = -1;
-  // An entry in waits_ means that the handler has not returned.
+  // An element of waits_ means that the handler has not returned, but waits for a reply or a line.
+  // The sample tells the master for which.
   if (const auto found = waits_.find(object->id); found != waits_.end()) {
     stopped.kind = found->second.kind;
     stopped.box = found->second.box;
@@ -394,10 +398,10 @@ void Worker::SendState(ObjectId id) {
 }
 
 // Disconnects the objects of this worker from object `id` of another process, which has been
-// replaced.  They connect with the new object as with any other.
+// replaced.  The object manager in the master connects them with the new object later.
 void Worker::Forget(ObjectId id) {
   if (system_->object(id) != nullptr) system_->object_table().Forget(id);
-  // Forgets which entries the old object had, because the new one may have others.
+  // Forgets which entries the old object had, because the new object may have others.
   std::erase_if(known_entries_, [id](const auto& entry) { return entry.first == id; });
   openr_wire_ToMaster to_master = NewToMaster(openr_wire_TO_MASTER_FORGOTTEN);
   to_master.body._u.forgotten = {id, arena_.Numbers(marshaller_->TakeDroppedTokens())};

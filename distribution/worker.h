@@ -29,7 +29,7 @@ struct WorkerOptions {
   BusOptions bus;
   std::string process;                 // name of this process in the placement
   std::string session;                 // session given by the run; "": the worker requests one
-  std::string stick;                   // folder of the stick here; "": the path that the master has
+  std::string stick;                   // folder of the Memory Stick here; "": the master's path
   int64_t master_wait_ms = 60'000;     // time limit for finding the master
   bool waits_for_predecessor = false;  // true: wait for the end of an earlier process of this name
   std::function<bool()> is_ended;      // returns true once the user ends this process; may be null
@@ -38,8 +38,8 @@ struct WorkerOptions {
   // "".  The worker uses the folder only if its files are the same as in the run's folder.  The
   // function itself may be null.
   std::function<std::string()> own_stick;
-  // A function that is called with the folder of the Memory Stick before objects are loaded; may be
-  // null.
+  // A function that is called once, with the folder of the Memory Stick, before objects are loaded;
+  // may be null.  The caller then knows where to write crash records.
   std::function<void(const std::string& stick)> begins;
 };
 
@@ -55,9 +55,10 @@ class Worker : public MasterLink {
   // protocol, the wrong stick, or was given no session.
   bool is_refused() const { return is_refused_; }
 
-  // Tells the master that the present handler ends this process, by a crash for instance.  A signal
-  // handler calls this function in the middle of the object's code, but never inside of an
-  // Indivisible section, which may hold locks of Cyclone DDS.
+  // Tells the master that the present handler ends this process, for instance by a crash.  Called
+  // by a signal handler in the middle of the object's code.  A signal that comes in an Indivisible
+  // section is put off until the end of the section, because the section may hold locks of Cyclone
+  // DDS.
   void ReportCrash(std::string_view text);
 
   // ---- MasterLink
@@ -139,7 +140,8 @@ class Worker : public MasterLink {
   bool is_free_ = false;                    // the master does not wait for handlers
   std::set<ObjectId> fast_objects_;  // objects whose last handler took less than kFastHandlerNs
   bool is_shutting_down_ = false;    // no handler runs any more; objects are being unloaded
-  // Entries of objects in other processes; the master has answered that they exist.
+  // Entries of objects in other processes that exist, as the master has answered.  A message to
+  // such an entry needs no further question.
   std::set<std::pair<ObjectId, uint32_t>> known_entries_;
   std::deque<ReceivedSample> deferred_;  // samples that arrived while an answer was awaited
   // The effects of the present handler that have not been sent, and the memory that they point to.

@@ -27,8 +27,9 @@ struct CallList {
     return is_found ? number : throw "the function is not in the list";
   }
 
-  // Calls function `number`.  `target_of` gets a null pointer to the class of the function and
-  // returns the object on which the function is called.  REQUIRES: number < kSize.
+  // Calls function `number` of the list with `arguments`.  `target_of` returns the C++ object on
+  // which the function is called.  It gets a null pointer, whose type tells the class of the
+  // function.  REQUIRES: number < kSize.
   template <typename TargetOf>
   static CallResult Call(uint32_t number, TargetOf&& target_of, const CallArguments& arguments) {
     ASSERT(number < kSize, "function {}", number);

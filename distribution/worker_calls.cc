@@ -25,8 +25,8 @@ void WorkerCalls::CloseBox(uint64_t box) {
   TellMaster<&SystemCalls::CloseBox>(master_, box);
 }
 
-// Returns true for every reply box, because boxes of objects in other processes are not known
-// here.  The master checks the box when the reply is posted.
+// Returns true for every reply box, because this process does not know which boxes of objects in
+// other processes are open.  The master checks the box when the reply is posted.
 bool WorkerCalls::AcceptsReply(ObjectId, uint64_t) const { return true; }
 
 const Message* WorkerCalls::BeginWait(uint64_t box, int64_t timeout_us, std::string_view why) {

@@ -91,8 +91,8 @@ bool Worker::MayBeRefused(const Message& message) {
   openr_wire_ToMaster to_master = NewToMaster(openr_wire_TO_MASTER_ENTRY);
   to_master.body._u.entry = {message.target, message.selector};
   Send(to_master);
-  // Remembers the answer, so only the first message to an entry costs a question.  The entry stays
-  // until its object is replaced, see Forget().
+  // Remembers that the entry exists, so that only the first message to an entry costs a question.
+  // Forget() removes the entries of an object that is replaced.
   if (WaitForAnswer().status != 1) return true;
   known_entries_.insert(entry);
   return false;
@@ -119,22 +119,23 @@ int32_t Worker::Post(OwnedMessage message, int64_t delay_us) {
     effect._u.posted = posted;
     effects_.push_back(effect);
   }
-  // Does nothing after a refusal: a refused ready message has given nothing back, so the observer
-  // keeps its regions.
+  // Releases nothing after a refusal.  A refused ready message has given nothing back, so the
+  // observer keeps its regions.
   if (error == sSUCCESS) marshaller_->CompleteSend(*message);
   return error;
 }
 
-// Removes the latest call PinRegion() for `region` from the effects that are not sent yet.  The
-// call UnpinRegion() that is about to be sent would undo that call, so neither is sent.  Returns
-// false if the first one was sent already.  Most observers take a region and give it back in one
-// handler, so this saves most of these calls.
+// Removes the latest call PinRegion() for `region` from the effects that are not sent yet, because
+// the call UnpinRegion() that is about to be sent would undo it.  Then neither call is sent.
+// Returns false if there is no such PinRegion().  Most observers take a region and give it back in
+// one handler, so most of these calls are never sent.
 bool Worker::CancelPendingPin(uint64_t region) {
   const auto is_pin = [region](const openr_wire_Effect& effect) {
     return effect._d == openr_wire_EFFECT_NOTE && effect._u.note.kind == kPinRegion &&
            effect._u.note.numbers._buffer[0] == region;
   };
-  // Searches for the latest pin, because earlier ones may belong to other references to the region.
+  // Searches for the latest pin, because an earlier one may belong to another observer that still
+  // has the region.
   const auto found = std::find_if(effects_.rbegin(), effects_.rend(), is_pin);
   if (found == effects_.rend()) return false;
   effects_.erase(std::next(found).base());
@@ -183,7 +184,8 @@ CallResult Worker::WaitForAnswer() {
 
 void Worker::Waits(uint64_t box, int64_t timeout_us, std::string_view why) {
   ASSERT(t_current.object != nullptr);
-  // Only notes the wait.  SendStopped() reports it when the dispatcher has left the handler.
+  // Only notes the wait, because the handler has not stopped yet.  When it has, SendStopped() tells
+  // the master.
   waits_[t_current.object->id] = {openr_wire_STOP_WAITS, box, timeout_us, 0, std::string(why)};
 }
 

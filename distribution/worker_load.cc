@@ -20,7 +20,8 @@ bool IsFolder(const std::string& path) {
   return std::filesystem::is_directory(path, error);
 }
 
-// Represents an object of another process in the tables of this one.
+// Represents an object of another process in the tables of this one.  It runs no handler, because
+// messages to it go to the master.
 class AbsentObject : public Object {
  public:
   AbsentObject(System* system, ObjectId id, int robot, Marshaller* marshaller)
@@ -56,8 +57,9 @@ std::string Worker::LoadObjects(const openr_wire_Load& load) {
   return "";
 }
 
-// Uses another folder of this host as the Memory Stick if the run's folder is not on this host and
-// the other one has the same files.
+// Uses another folder of this host (WorkerOptions::own_stick) as the Memory Stick if the run's
+// folder is not on this host.  `hash` is the hash of the files in the run's folder; the other
+// folder must have the same files.
 void Worker::FindStick(uint64_t hash) {
   if (IsFolder(stick_) || !options_.own_stick) return;
   const std::string own = options_.own_stick();
@@ -99,8 +101,8 @@ void Worker::AddObject(const openr_wire_ObjectEntry& entry,
   if (entry.id < next) return;  // skips the object manager, which every System has
   if (entry.id > next) throw std::runtime_error("an object before those that come first");
   CheckRobot(entry.robot);
-  // Gives the network stack of this process no peers, because it serves only the shared buffers.
-  // The stack in the master uses the network.
+  // Gives the network stack of this process an empty network.  It serves only the shared buffers of
+  // objects here; only the stack in the master uses the real network.
   if (entry.is_stack) {
     AddIpStack(system_.get(), entry.robot, std::make_unique<LoopbackNetwork>());
     return;

@@ -91,10 +91,11 @@ struct Ros2JointCommand {
   std::vector<double> velocity_rad_s;
 };
 
-// Receives sensor_msgs/JointState.
+// Receives sensor_msgs/JointState as commands for joints.  Messages come from the network and may
+// be of any size, so there are limits.
 class Ros2JointCommands {
  public:
-  static constexpr int kWaitingMax = 32;     // limit of messages that wait; the oldest go first
+  static constexpr int kWaitingMax = 32;     // limit of messages not taken yet; the oldest are lost
   static constexpr size_t kJointsMax = 256;  // joints in a message; further ones are ignored
   static constexpr size_t kNameMax = 256;    // characters of a name; the rest is cut off
 
