@@ -21,8 +21,8 @@ namespace {
 // Limit of samples that are sent in one packet and received in one call.  With a larger limit, the
 // receiver would be idle while the sender still produces samples.
 constexpr int kSamplesPerPacketMax = 4;
-// Thresholds of malloc(): it keeps up to 64 MB of freed memory, and takes blocks below 4 MB from
-// its heap.
+// Thresholds of malloc() that KeepFreedMemory() sets: malloc() keeps up to 64 MB of freed memory,
+// and takes blocks below 4 MB from its heap.
 constexpr int kTrimThresholdBytes = 64 << 20;
 constexpr int kMmapThresholdBytes = 4 << 20;
 
@@ -95,7 +95,9 @@ std::string SettingsXml(const BusOptions& options) {
   return text;
 }
 
-// The quality of service of all channels: reliable, in order, with all history.
+// Returns the quality of service of all channels: reliable, in order, and without replacing old
+// samples by newer ones, because a run must not lose a message.  A write that is blocked for 10 s
+// fails.
 dds_qos_t* ChannelQos(const std::string& partition) {
   dds_qos_t* const qos = dds_create_qos();
   dds_qset_reliability(qos, DDS_RELIABILITY_RELIABLE, DDS_SECS(10));

@@ -87,7 +87,8 @@ struct ChannelTopics {
 constexpr ChannelTopics kRunTopics = {&openr_wire_ToWorker_desc, "openr_to_worker",
                                       &openr_wire_ToMaster_desc, "openr_to_master"};
 
-// Limit of the size of a sample, in MB.  DDS does not accept a larger one, so Send() throws.
+// Limit of the size of a sample, in MB.  Send() throws for a larger one, because Cyclone DDS then
+// refuses it (MaxSampleSize).
 constexpr size_t kSampleMax_MB = 64;
 
 // A sample with this many bytes of data of shared memory regions, or more, is large.  Large samples
@@ -98,8 +99,8 @@ constexpr size_t kBulkBytes = 16 << 10;
 // The part of Channel that does not depend on its sample types.
 class ChannelBase {
  public:
-  // Opens one end of a channel.  `place` is the last part of the partition name: PROCESS or
-  // PROCESS/SESSION.
+  // Opens one end of a channel.  `place` is the last part of the partition name: PROCESS/SESSION,
+  // or only PROCESS for join requests.
   ChannelBase(Bus* bus, const std::string& place, ChannelEnd end,
               const ChannelTopics& topics = kRunTopics);
   ~ChannelBase();

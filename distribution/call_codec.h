@@ -254,7 +254,8 @@ struct Parameter<T*> {
   T value;
 };
 
-// The class, the parameters and the result of a member function, taken from its type.
+// The class, the parameters and the result of a member function, taken from its type.  They decide
+// how its calls are converted.
 template <typename Function>
 struct Signature;
 template <typename Result_, typename Class_, typename... Parameters>

@@ -363,7 +363,8 @@ std::string Marshaller::DecodeAnt(const openr_wire_Ant& in, Message* out) {
   std::memcpy(out->payload, in.message._buffer, in.message._length);
   out->size = in.message._length;
   auto* const ant = reinterpret_cast<antEnvMsg*>(out->payload);
-  // A message that is too short is not refused here, because the network stack reports it.
+  // Accepts a message that is too short, because the network stack, which receives it, reports the
+  // error.
   if (out->size < AntMessageSize(*ant)) return "";
   const AntBuffer buffer = BufferOf(ant);
   if (buffer.pointer == nullptr) return "";

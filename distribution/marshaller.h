@@ -4,11 +4,11 @@
 // refer to RCRegions, which are sent as a token and the bytes of the memory.  Messages of the
 // network stack point into shared buffers; the pointer is sent as region id and offset.
 //
-// Each process has a Marshaller for its peer.  A region that it sends is exported until a ready
-// message of the peer gives it back.  For a region that it receives (imported), it creates an
-// RCRegion with the same memory id; the region stays imported until a ready message of this process
-// gives it back.  Tokens are numbers that are looked up in a table, so data from the network are
-// never used as an address.
+// A Marshaller exchanges messages with one other process, its peer.  A region that it sends is
+// exported until a ready message of the peer gives it back.  For a region that it receives
+// (imported), it creates an RCRegion with the same memory id; the region stays imported until a
+// ready message of this process gives it back.  Tokens are numbers that are looked up in a table,
+// so data from the network are never used as an address.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// The interface by which code in a worker reaches the master.
+// The interface by which code in a worker reaches the master.  Worker implements it.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// The placement of a run: which object is in which process.  CONNECT.CFG does not contain it, and
-// objects do not know it.
+// The placement of a run: which object is in which process.  CONNECT.CFG does not contain it and
+// objects do not know it, so the same stick runs in one process or in several.
 #pragma once
 
 #include <map>
@@ -38,9 +38,9 @@ struct Placement {
 Placement ParsePlacement(const std::string& file, std::string_view text,
                          std::vector<Diagnostic>* diagnostics);
 
-// Returns errors about the hosts of the placement.  A host is wrong if its address is not found.
-// It is also wrong if it is another machine and `own_address` (--dds-address), the address of the
-// run, is a loopback address.  Queries the name service.
+// Returns errors about the hosts of the placement: a host whose address is not found, or a host on
+// another machine if `own_address` (--dds-address) is a loopback address, which no other machine
+// can reach.  Queries the name service.
 std::vector<Diagnostic> WrongHosts(const Placement& placement, const std::string& own_address);
 
 // Adds an object and its process, given on the command line as "RCServer=network".  Returns "" or

@@ -14,7 +14,7 @@ namespace openr_host {
 namespace {
 
 // Time for a process to join after it has got a session.  After this time another process that asks
-// to join gets a new session in its place.
+// to join gets a new session in its place.  So a process that never joins does not keep the slot.
 constexpr int64_t kSessionClaimMs = 5'000;
 // Limit of the length of a requester's id, far above that of a real one ("host-1234-5").  Requests
 // with longer ids are ignored, because they come from the network and may be forged.
@@ -139,7 +139,8 @@ void ProcessSlot::AnswerJoinRequest(const openr_wire_JoinRequest& request) {
              WallClockMs() - session_opened_ms_ < kSessionClaimMs) {
     return;  // another requester has the session; this one asks again
   } else {
-    // A repeated request of the same requester gets the same session again.
+    // Gives the same session again to a repeated request of the same requester, so that it does not
+    // matter which answer it receives.
     if (channel_ == nullptr || requester_id_ != id) {
       session_ = NewSessionName();
       OpenSession(session_);

@@ -1,10 +1,10 @@
 // The master's place for one worker process: which process may join, and which one has joined.
 //
-// Each process that joins gets a session, a new name.  Its Channel is in the partition
-// RUN/PROCESS/SESSION, so samples for a lost process never reach the next one.  A worker that the
-// master has started gets the session on its command line.  An external worker, which a user starts
-// with openr join, sends a JoinRequest on two topics in the partition RUN/PROCESS.  The JoinAnswer
-// has the session, or the reason why there is none.
+// Each process that joins gets a session, which has a name of its own.  Its Channel is in the
+// partition RUN/PROCESS/SESSION, so samples for a lost process never reach the next one.  A worker
+// that the master has started gets the session on its command line.  An external worker, which a
+// user starts with openr join, sends a JoinRequest on two topics in the partition RUN/PROCESS.  The
+// JoinAnswer has the session, or the reason why there is none.
 #pragma once
 
 #include <cstdint>
@@ -81,7 +81,7 @@ class ProcessSlot {
   const Identity& last_identity() const { return identity_.pid == 0 ? previous_ : identity_; }
 
  private:
-  // The functions from here on are steps of AwaitJoin() and RefuseOtherRequests().
+  // The next three functions are steps of AwaitJoin() and RefuseOtherRequests().
   bool ReceiveHello(int timeout_ms);
   void NotifyAbandoned();
   void AnswerJoinRequest(const openr_wire_JoinRequest& request);

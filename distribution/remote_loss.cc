@@ -1,5 +1,5 @@
-// The part of RemoteProcess that handles regions, messages and connections when a worker was lost
-// or one of its peers was replaced.
+// The part of RemoteProcess that releases regions, messages and connections when a worker was lost,
+// or when an object of another process was replaced.
 #include <algorithm>
 #include <utility>
 #include <vector>

@@ -1,4 +1,5 @@
-// The stand-in, the master's object in place of an object whose code runs in a worker.
+// RemoteObject, the stand-in: the master's object in place of an object whose code runs in a
+// worker.
 #pragma once
 
 #include <OPENR/ObjcommTypes.h>
@@ -33,7 +34,8 @@ class RemoteObject : public Object {
 
   RemoteProcess* process() const { return process_; }
   void set_selectors(std::set<uint32_t> selectors) { selectors_ = std::move(selectors); }
-  // Copies the properties that the worker reports after it has loaded the object.
+  // Copies the properties (limits, entries and their names) that the worker reports after it has
+  // loaded the object.
   void SetDescription(const openr_wire_LoadedObject& loaded);
 
   // Number of messages that were to be delivered to the object after its worker was lost.  No

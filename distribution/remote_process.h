@@ -31,8 +31,8 @@ class Object;
 class RemoteObject;
 class System;
 
-// The exception that is thrown if the handler of one of the worker's objects has brought the worker
-// down.
+// The exception that is thrown if a handler of the worker's objects has ended the worker process,
+// for instance by a crash.
 struct ProcessCrashed : ProcessLost {
   using ProcessLost::ProcessLost;
 };
@@ -124,7 +124,8 @@ class RemoteProcess {
   // worker was lost before the handler ended.
   bool RunHandler(RemoteObject* object, const Message& message);
 
-  // Shortens the time after which the worker is given up if it does not answer.
+  // Shortens the time after which the worker is given up if it does not answer.  To be called when
+  // the run ends.
   void ShortenTimeouts() { has_short_timeout_ = true; }
 
   // Asks the worker for the state of `object` and returns it, for the state hash of the run.  Also
@@ -234,6 +235,7 @@ class RemoteProcess {
   std::map<ObjectId, uint64_t> running_;  // the box of each such wait, by object
   std::map<ObjectId, Stop> stops_;  // handlers that have stopped, until their stand-in goes on
   // The time of the worker's last sample, or the time when an idle worker was given work.
+  // ReportSilence() compares it with the present time.
   int64_t last_heard_ms_ = 0;
   bool has_short_timeout_ = false;
   bool is_silent_ = false;  // the user has been told that the worker is silent

@@ -26,8 +26,8 @@ using NewGroup = dds_entity_t (*)(dds_entity_t, const dds_qos_t*, const dds_list
 using NewEnd = dds_entity_t (*)(dds_entity_t, dds_entity_t, const dds_qos_t*,
                                 const dds_listener_t*);
 
-// Creates a reader or writer of the status topic.  In DDS a publisher or subscriber has the
-// partition, so `new_group` creates one of these first.
+// Creates a reader or writer of the status topic with `new_end`.  In DDS it has no partition of its
+// own, but that of its publisher or subscriber, which `new_group` creates first.
 dds_entity_t Open(Bus* bus, NewGroup new_group, NewEnd new_end) {
   const dds_entity_t topic = dds_create_topic(bus->participant(), &openr_status_Status_desc,
                                               kStatusTopic, nullptr, nullptr);
@@ -138,7 +138,7 @@ RunStatus Decode(const openr_status_Status& in) {
   return out;
 }
 
-// Makes `sequence` point to `items`, without a copy.
+// Makes `sequence` point to `items`, without a copy.  So `items` must outlive the sample.
 template <typename Seq, typename T>
 void SetSequence(std::vector<T>* items, Seq* sequence) {
   const auto count = static_cast<uint32_t>(items->size());

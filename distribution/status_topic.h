@@ -25,7 +25,8 @@ class StatusWriter {
 
 class StatusReader {
  public:
-  // Creates a reader of the status of the bus's run, or of all runs if the bus's run is "*".
+  // Creates a reader of the status of the bus's run.  If the name of this run is "*", a wildcard in
+  // DDS, creates a reader of the status of all runs.
   explicit StatusReader(Bus* bus);
 
   // Returns what has arrived since the last call, the newest status of each run.  A run whose

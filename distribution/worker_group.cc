@@ -235,15 +235,17 @@ void WorkerGroup::WaitForAnotherWorker(Member* member, const std::string& why) {
   member->robots = member->known = 0;
 }
 
-// Handles the loss of a worker.  After a crash the run goes on without the worker, because a
-// handler crashes at the same message in every run.  After any other loss a lockstep run stops,
-// because it would wait for the worker for ever, unless the worker may be restarted.
+// Handles the loss of a worker.  After a crash the run goes on without the worker; this is the same
+// in every run, because a handler crashes at the same message each time.  After any other loss a
+// lockstep run stops, because it would wait for the worker for ever, unless the worker may be
+// restarted.
 void WorkerGroup::HandleLoss(const RemoteObject* about, RemoteObject::Loss loss,
                              const std::string& why) {
   RemoteProcess& process = *about->process();
   if (process.is_lost()) return;
   Member* const member = &members_[process.name()];
-  // Calls the listener before anything changes, so that a recording has the loss at this instant.
+  // Calls the listener before anything changes, so that a recording of the run has the loss before
+  // its consequences.
   if (loss_listener_ && loss != RemoteObject::Loss::kAtEnd) loss_listener_(member->name);
   // Reports no loss after a second Ctrl-C, because then workers may end at any time.
   if (IsInterrupted() && loss != RemoteObject::Loss::kCrashed) {

@@ -106,7 +106,8 @@ class WorkerGroup {
   // Adds warnings to the report about messages that came for lost workers.
   void ReportLosses();
 
-  // Ends the workers.  REQUIRES: the System still exists.
+  // Tells the workers that the run has ended, and kills those of this host that do not end in time.
+  // REQUIRES: the System still exists.
   void End();
 
  private:

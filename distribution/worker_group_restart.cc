@@ -227,7 +227,8 @@ void WorkerGroup::OnReplaced(ObjectId id) {
   }
 }
 
-// Returns whether the worker is being restarted and its restart needs another step.
+// Returns whether the worker is being restarted and its restart needs another step.  In stage
+// kReplacing it needs none, because the System completes the replacement.
 bool WorkerGroup::IsRestarting(const Member& member) const {
   return member.stage == Stage::kJoining || member.stage == Stage::kLoading ||
          (member.stage == Stage::kCleaningUp && member.is_cleaned_up);

@@ -39,8 +39,8 @@ void Worker::Send(const openr_wire_ToMaster& to_master, bool batched) {
   }
 }
 
-// Ends this process in the middle of a handler, because the effects of the handler are lost and the
-// handler cannot go on.
+// Ends this process in the middle of a handler.  The effects of the handler cannot be sent to the
+// master, so it must not go on.
 void Worker::ExitWithError(const std::string& why) {
   options_.say(why);
   SayGoodbye(why);

@@ -14,8 +14,8 @@
 namespace openr_host {
 namespace {
 
-// Number of messages kept for a slow reader. 5 is the depth of ROS 2 for sensor data; large
-// messages get a smaller number.
+// Numbers of messages that are kept for a slow reader: 5 for sensor data, as in ROS 2, and fewer
+// for large messages.  Of the clock only the newest message matters.
 constexpr int kSensorDepth = 5;
 constexpr int kImageDepth = 2;
 constexpr int kClockDepth = 1;

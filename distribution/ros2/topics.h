@@ -16,7 +16,7 @@
 
 namespace openr_host {
 
-// Publishes rosgraph_msgs/Clock.
+// Publishes rosgraph_msgs/Clock, the virtual time of the run.
 class Ros2Clock {
  public:
   Ros2Clock(Bus* bus, const std::string& topic);
@@ -26,11 +26,12 @@ class Ros2Clock {
   Ros2Writer writer_;
 };
 
-// Publishes sensor_msgs/JointState; efforts are left out, because they are not known.
+// Publishes sensor_msgs/JointState.  The joints' efforts (torques) are left out, because they are
+// not known.
 class Ros2JointStates {
  public:
   Ros2JointStates(Bus* bus, const std::string& topic, std::vector<std::string> joints);
-  // Publishes one state.  The values are in the order of the joint names.
+  // Publishes one state.  The values are in the order of the `joints` that the constructor got.
   void Publish(int64_t time_us, const std::vector<double>& position_rad,
                const std::vector<double>& velocity_rad_s);
 
