@@ -77,9 +77,9 @@ class Marshaller {
   // called when the peer is lost, because it gives nothing back any more.
   std::vector<ExportedRegion> TakeExported();
   // Returns the regions that the subjects of object `subject` have sent and that were not given
-  // back.  To be called when this object was replaced: its regions are then released without
-  // waiting for the peer.  The peer may still use them, so its later ready messages for them are
-  // accepted and ignored.
+  // back, and forgets them.  To be called when this object was replaced: its regions are then
+  // released without waiting for the peer.  The peer may still use them, so later ready messages of
+  // the peer for them are accepted and ignored.
   std::vector<RCRegion*> TakeExportedBy(ObjectId subject);
 
   // Returns the tokens of the regions that ReleaseImported() has released and whose memory is not

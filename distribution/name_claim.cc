@@ -69,7 +69,7 @@ NameClaim::NameClaim(Bus* bus) : bus_(bus), own_(NewClaim()) {
 
 // Announces a claim: creates a writer with the claim as its user data, which DDS sends to all
 // participants, so no sample is needed.  Earlier claims of this run stay announced.  They do no
-// harm, because of several claims the earliest one counts.
+// harm, because only the earliest claim of a run counts.
 void NameClaim::Announce(const std::string& claim) {
   dds_qos_t* const qos = ClaimQos(*bus_);
   dds_qset_userdata(qos, claim.data(), claim.size());

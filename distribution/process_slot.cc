@@ -34,7 +34,8 @@ std::string HostName() {
 std::string NewSessionName() {
   static int count = 0;
   std::string host = HostName();
-  // In a partition name '*' and '?' are wildcards, so only harmless characters are kept.
+  // Removes all characters but letters, digits, '-', '.' and '_' from the host name, because '*'
+  // and '?' are wildcards in the name of a DDS partition.
   std::erase_if(host, [](unsigned char c) {
     return std::isalnum(c) == 0 && c != '-' && c != '.' && c != '_';
   });

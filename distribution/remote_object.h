@@ -76,7 +76,7 @@ class RemoteObject : public Object {
   const LossListener lost_;
   std::set<uint32_t> selectors_;
   // Observers that have asserted ready to a subject of this object and were not notified since
-  // then.  A restarted worker gets these asserts again, because its predecessor knew them alone.
+  // then.  A restarted worker gets these asserts again, because only the lost process knew them.
   std::set<StandingReady> readies_;
 };
 

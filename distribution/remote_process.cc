@@ -239,9 +239,10 @@ bool RemoteProcess::RunHandler(RemoteObject* object, const Message& message) {
     openr_wire_Deliver& deliver = to_worker.body._u.deliver;
     deliver.now_us = system_->now_us();
     deliver.heap_elsewhere = HeapElsewhere(system_, object->robot);
-    // Tells which regions' bytes the worker has: those of regions that its objects have made, even
-    // if another object owns them now.  A restarted worker does not have the bytes of the lost
-    // process.  MakerOf() then returns kNoObject, because the old makers are unloaded.
+    // Tells which regions' bytes the worker has and need not be sent: regions that its objects have
+    // made, even if another object owns them now.  A restarted worker does not have the bytes of
+    // the lost process.  MakerOf() then returns kNoObject, because the objects that made the
+    // regions were unloaded.
     const auto is_there = [this](uint32_t region) {
       return objects_.contains(system_->regions().MakerOf(region));
     };
@@ -453,8 +454,8 @@ std::string RemoteProcess::FetchState(ObjectId object) {
   const openr_wire_State& state = to_master->body._u.state;
   for (uint32_t i = 0; i < state.regions._length; ++i) {
     const openr_wire_RegionBytes& in = state.regions._buffer[i];
-    // Skips data that were received in a notification and not given back: the receiver may have
-    // changed them, so the master's copy is newer than the worker's.
+    // Skips a region that was received in a notification and not given back.  The observer may have
+    // changed it, so the master's copy is newer than the worker's.
     if (marshaller_->HasImported(in.region)) continue;
     char* const base = system_->regions().BaseOf(in.region);
     if (base == nullptr || in.bytes._length != system_->regions().SizeOf(in.region))

@@ -167,8 +167,9 @@ openr_wire_Load WorkerGroup::NextLoadFor(Member* member, WireArena* arena) {
     for (const auto& [keyword, path] : robot.design_data)
       designs.push_back({i, arena->Text(keyword), arena->Text(path)});
     if (static_cast<size_t>(i) < member->robots) continue;
-    // Sends 0 at a restart, so that the worker does not compare the hash of its stick: objects may
-    // have written files since, and the user may have replaced an image in order to try new code.
+    // Sends 0 as the hash at a restart, so that the worker does not compare it with the hash of its
+    // stick.  Objects may have written files since, and the user may have replaced an image in
+    // order to try new code.
     const uint64_t stick_hash = member->stage == Stage::kRunning ? robot.stick_hash : 0;
     robots.push_back({arena->Text(robot.design), robot.stick != nullptr,
                       robot.stick != nullptr && robot.stick->writable(), stick_hash});
@@ -388,7 +389,8 @@ std::map<ObjectId, uint64_t> WorkerGroup::HeapMax() const {
 
 void WorkerGroup::End() {
   const std::string why = system_ != nullptr && system_->end() ? DescribeEnd(*system_->end()) : "";
-  // All workers are told first, so that they end at the same time.
+  // Tells all workers that the run is over before it waits for one of them, so that they end at the
+  // same time.
   for (auto& [name, member] : members_) member.process->End(why);
   for (auto& [name, member] : members_) {
     // Gives a worker that has not joined no time to end by itself.  It was not told that the run is

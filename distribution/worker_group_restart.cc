@@ -207,8 +207,8 @@ void WorkerGroup::OnReplaced(ObjectId id) {
     // Copies the count of undelivered messages to the new stand-in.  NewInstance() has copied it
     // already, but messages may have come for the old stand-in since then.
     member.successors[id]->undelivered_count = member.objects[id]->undelivered_count;
-    // Continues only when `id` was the last object of the worker.  Objects are replaced in the
-    // order of their ids, so the last one has the largest id.
+    // Finishes the restart only when `id` was the last object of the worker.  Objects are replaced
+    // in the order of their ids, so the last one has the largest id.
     if (member.successors.rbegin()->first != id) continue;
     uint64_t undelivered = 0;
     for (const auto& [new_id, object] : member.successors) undelivered += object->undelivered_count;
