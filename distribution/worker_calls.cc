@@ -11,7 +11,7 @@
 
 namespace openr_host {
 
-int32_t WorkerCalls::Post(OwnedMessage message, int64_t delay_us) {
+int32_t WorkerCalls::Post(OwnedMessage&& message, int64_t delay_us) {
   return master_->Post(std::move(message), delay_us);
 }
 

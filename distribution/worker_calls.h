@@ -12,7 +12,7 @@ class WorkerCalls : public LocalCalls {
   // `system` and `master` must outlive this object.
   WorkerCalls(System* system, MasterLink* master) : LocalCalls(system), master_(master) {}
 
-  int32_t Post(OwnedMessage message, int64_t delay_us) override;
+  int32_t Post(OwnedMessage&& message, int64_t delay_us) override;
   void OpenBox(uint64_t box) override;
   void CloseBox(uint64_t box) override;
   bool AcceptsReply(ObjectId asker, uint64_t box) const override;

@@ -106,7 +106,7 @@ void Dispatcher::AdvanceTo(int64_t time_us) {
   system_->now_us_ = time_us;
 }
 
-void Dispatcher::Deliver(OwnedMessage message) {
+void Dispatcher::Deliver(OwnedMessage&& message) {
   Object* const object = system_->object(message->target);
   if (object == nullptr || object->is_off) return;
   // A handler runs to its end before the next handler of its object begins, and a boot begins with
@@ -154,7 +154,7 @@ bool Dispatcher::MayRun(Object* object, const Message& message) {
   return true;
 }
 
-void Dispatcher::DeliverReply(Object* object, OwnedMessage message) {
+void Dispatcher::DeliverReply(Object* object, OwnedMessage&& message) {
   ++delivered_;
   system_->trace_.Deliver(*message, system_->now_us_);
   const uint64_t box = message->reply_box;
@@ -172,7 +172,7 @@ void Dispatcher::DeliverReply(Object* object, OwnedMessage message) {
   SwitchTo(waiting);
 }
 
-void Dispatcher::RunHandler(Object* object, OwnedMessage owned) {
+void Dispatcher::RunHandler(Object* object, OwnedMessage&& owned) {
   Message* const message = owned.get();
   ASSERT(object->handler.running == nullptr, "{} runs one handler at a time", object->name);
   system_->trace_.Deliver(*message, system_->now_us_);

@@ -48,10 +48,10 @@ class Dispatcher {
   bool MayContinue() const;
   void ToCaller();
   void AdvanceTo(int64_t time_us);
-  void Deliver(OwnedMessage message);
+  void Deliver(OwnedMessage&& message);
   bool MayRun(Object* object, const Message& message);
-  void DeliverReply(Object* object, OwnedMessage message);
-  void RunHandler(Object* object, OwnedMessage owned);
+  void DeliverReply(Object* object, OwnedMessage&& message);
+  void RunHandler(Object* object, OwnedMessage&& owned);
   void FinishHandler(Object* object);
   Fiber* TakeFiber();
   void SwitchTo(Fiber* fiber);

@@ -16,7 +16,7 @@ Robot& RobotOfCaller(System* system) { return system->robot(t_current.object->ro
 
 }  // namespace
 
-int32_t LocalCalls::Post(OwnedMessage message, int64_t delay_us) {
+int32_t LocalCalls::Post(OwnedMessage&& message, int64_t delay_us) {
   return system_->Enqueue(std::move(message), delay_us);
 }
 

@@ -13,7 +13,7 @@ class LocalCalls : public SystemCalls {
   // `system` must outlive the calls.
   explicit LocalCalls(System* system) : system_(system) {}
 
-  int32_t Post(OwnedMessage message, int64_t delay_us) override;
+  int32_t Post(OwnedMessage&& message, int64_t delay_us) override;
   void OpenBox(uint64_t box) override;
   void CloseBox(uint64_t box) override;
   bool AcceptsReply(ObjectId asker, uint64_t box) const override;

@@ -24,18 +24,18 @@ MessageQueue::MessageQueue() : levels_(kLevels) {}
 
 MessageQueue::~MessageQueue() {
   const size_t count = kChunk * chunks_.size();
-  ASSERT(free_.size() + size() == count, "{} of {} messages outlive their pool",
-         count - free_.size() - size(), count);
+  size_t here = size();
+  for (const Message* message = free_; message != nullptr; message = message->next) ++here;
+  ASSERT(here == count, "{} of {} messages outlive their pool", count - here, count);
 }
 
 OwnedMessage MessageQueue::Allocate() {
-  if (free_.empty()) {
+  if (free_ == nullptr) {
     chunks_.emplace_back(new Message[kChunk]);
-    free_.reserve(kChunk * chunks_.size());  // because Release() must not fail
-    for (size_t i = kChunk; i > 0; --i) free_.push_back(&chunks_.back()[i - 1]);
+    for (size_t i = kChunk; i > 0; --i) Release(&chunks_.back()[i - 1]);
   }
-  OwnedMessage message(free_.back());
-  free_.pop_back();
+  OwnedMessage message(free_);
+  free_ = free_->next;
   message->pool = this;
   message->number = 0;
   message->cause = 0;
@@ -49,7 +49,7 @@ OwnedMessage MessageQueue::Allocate() {
   return message;
 }
 
-void MessageQueue::Push(OwnedMessage message, int priority) {
+void MessageQueue::Push(OwnedMessage&& message, int priority) {
   ASSERT(message->due_us >= now_us_, "message {} is due at {} us, now is {} us", message->number,
          message->due_us, now_us_);
   const int level = LevelOf(*message, priority);

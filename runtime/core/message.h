@@ -85,7 +85,7 @@ class MessageQueue {
 
   // Queues `message`, whose due time, class and number are set.  `priority` is the priority of the
   // receiver, 0 to 255.  REQUIRES: message->due_us is not before the clock.
-  void Push(OwnedMessage message, int priority);
+  void Push(OwnedMessage&& message, int priority);
 
   // Queues `message`, which is due now, in front of the other messages of its class and priority.
   // To put back several messages in their order, begin with the last of them.
@@ -138,8 +138,12 @@ class MessageQueue {
   static int LevelOf(const Message& message, int priority) {
     return static_cast<int>(message.message_class) * kPriorities + (kPriorities - 1 - priority);
   }
-  // Gives `message`, which is in no list, back to the pool.  Allocates no memory.
-  void Release(Message* message) { free_.push_back(message); }
+  // Gives `message`, which is in no list, back to the pool.  Small enough for a compiler to inline
+  // the destructors of all OwnedMessages, of which a notification has many.
+  void Release(Message* message) {
+    message->next = free_;
+    free_ = message;
+  }
   void Append(Message* message, int level);
   int FirstLevel() const;
   Message* TakeFirst(int level, ObjectId target);
@@ -150,7 +154,7 @@ class MessageQueue {
   std::vector<List> levels_;              // messages that are due now
   uint64_t occupied_[kLevels / 64] = {};  // bit i is 1 if the list of level i is not empty
   std::vector<Later> later_;              // messages that are not due yet; a heap
-  std::vector<Message*> free_;            // the pool; has room for all its messages
+  Message* free_ = nullptr;               // the first free message; Message::next has the others
   // the arrays in which the messages of the pool lie
   std::vector<std::unique_ptr<Message[]>> chunks_;
   // the receivers among which ChooseTarget() lets a schedule choose

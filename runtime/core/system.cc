@@ -202,7 +202,7 @@ int32_t System::Post(OwnedMessage message, int64_t delay_us) {
   return calls_->Post(std::move(message), delay_us);
 }
 
-int32_t System::Enqueue(OwnedMessage message, int64_t delay_us) {
+int32_t System::Enqueue(OwnedMessage&& message, int64_t delay_us) {
   Object* const target = object(message->target);
   ASSERT(target != nullptr && delay_us >= 0, "message to object {} in {} us", message->target,
          delay_us);

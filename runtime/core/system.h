@@ -200,7 +200,7 @@ class System {
 
   // Queues a message in the queue of this process; LocalCalls::Post() calls it.
   // REQUIRES: the target exists and delay_us >= 0.
-  int32_t Enqueue(OwnedMessage message, int64_t delay_us);
+  int32_t Enqueue(OwnedMessage&& message, int64_t delay_us);
 
   // Ends the running handler without returning to it.  REQUIRES: called in a handler.
   [[noreturn]] void AbandonHandler();
