@@ -123,13 +123,14 @@ Bus::Bus(const BusOptions& options) : run_(options.run), number_(options.domain)
   AnnounceLiveliness(LeaseOf(options));
 }
 
-// Makes this participant announce itself at least five times within its lease.
+// Makes this participant announce itself at least five times within its lease, so that other
+// processes do not take it for dead after a short network failure.
 //
-// Cyclone DDS by itself announces a participant when four fifths of its lease are over, so a quiet
-// process would be taken for dead after a network failure of two seconds.  The interval follows
-// from the shortest liveliness lease of a participant's writers; so we create a writer whose
-// liveliness lease is a fifth of `lease_s`, on a topic that nobody reads.  We do not make the
-// interval shorter, because every participant receives each announcement.
+// Cyclone DDS by itself announces a participant only when four fifths of its lease are over.  With
+// a lease of 10 s, a network failure in the last 2 s would then be enough.  A writer with a shorter
+// liveliness lease makes its participant announce itself more often.  So we create a writer whose
+// liveliness lease is a fifth of `lease_s`, on a topic that nobody reads.  We choose no shorter
+// lease, because every participant receives each announcement.
 void Bus::AnnounceLiveliness(int lease_s) {
   dds_qos_t* const qos = dds_create_qos();
   dds_qset_liveliness(qos, DDS_LIVELINESS_AUTOMATIC, DDS_MSECS(lease_s * 200));

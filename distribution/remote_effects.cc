@@ -18,12 +18,14 @@
 namespace openr_host {
 namespace {
 
-// Limit of delays and timeouts in microseconds.  No program can ask for a longer time
-// (RelativeTime), so a longer one is an error of the worker and is refused.
+// The longest delay or timeout in microseconds that a worker may ask for.  The time that a program
+// gives (RelativeTime) is always shorter, so a longer one is an error of the worker and is refused.
 constexpr int64_t kDelayMaxUs = int64_t{1} << 53;
 
-// Selects the C++ object on which a function of WorkerCallList is called.  The argument is always a
-// null pointer; only its type counts, which is the class of the function.
+// Returns the C++ object on which WorkerCallList::Call() calls a function of the list.  The class
+// of the function selects the overload: Call() passes a null pointer to this class.  For
+// RobotServices that is the robot of the current object; for the other classes it is the
+// CheckedCalls, which check what the worker asks for.
 struct CallTargets {
   System* system;
   CheckedCalls* calls;
@@ -35,9 +37,9 @@ struct CallTargets {
   }
 };
 
-// Returns whether the function may be called while no handler runs, that is, without a current
-// object.  Objects call these functions also while they are loaded.  Other calls without a current
-// object are ignored.
+// Returns whether a worker may call the function while no handler runs, so without a current
+// object.  Workers call the functions of this list also while they load their objects.  All other
+// calls without a current object are ignored.
 bool MayLackCaller(uint32_t function) {
   constexpr uint32_t kFunctions[] = {
       WorkerCallList::NumberOf<&SystemCalls::DeleteRegion>(),
@@ -198,8 +200,9 @@ int32_t RemoteProcess::Post(const openr_wire_PostedMessage& posted, Object* self
   return error;
 }
 
-// Calls function number `function` of WorkerCallList in the name of the current object (none while
-// objects are loaded).  If there is no such function, the status is oNOT_SUPPORTED.
+// Calls function number `function` of WorkerCallList, as a worker has asked, in the name of the
+// current object.  There is no current object while the worker loads its objects.  For a number
+// that is not in the list, returns the status oNOT_SUPPORTED.
 CallResult RemoteProcess::Call(uint32_t function, const CallArguments& arguments) {
   if (function >= WorkerCallList::kSize) return {oNOT_SUPPORTED};
   return WorkerCallList::Call(function, CallTargets{system_, calls_.get()}, arguments);

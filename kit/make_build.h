@@ -20,14 +20,15 @@ struct MakeOptions {
   enum class Says { kAlways, kIfGood, kNever } says = Says::kAlways;
 };
 
-// How make is called for a project.
+// How make is called for a project.  Made by PlanMake(), used by RunMake().
 struct MakePlan {
-  // Folders in which make runs, for the first target and for `install`.
+  // Folders in which make runs, for the first target of the Makefile and for `install`.
   std::vector<std::filesystem::path> folders;
-  // Variables for the command line of make, as pairs of name and value.
+  // Variables that are set on the command line of make, and so override those of the Makefiles, as
+  // pairs of name and value.
   std::vector<std::pair<std::string, std::string>> variables;
-  // Folders that rules of Makefiles write into and may not create, so they are created before make
-  // runs.
+  // Folders into which rules of the Makefiles write.  Some Makefiles do not create them, so
+  // RunMake() creates them first.
   std::vector<std::filesystem::path> needed_folders;
 };
 

@@ -76,9 +76,10 @@ const std::string& ObjectParts::TextOf(const fs::path& file) const {
   return entry->second;
 }
 
-// Returns whether `file` belongs to another object: the nearest folder of an object above the file
-// is not that of `object`.  A folder of an object that contains the folder of `object` is no such
-// other.
+// Returns whether `file` belongs to another object than `object`.  The folders above the file
+// decide, from the innermost to the outermost: the file is the other object's if they reach a
+// folder of another object before the folder of `object`.  A folder that also contains the folder
+// of `object` does not count, because files in it may be for both objects.
 bool ObjectParts::IsOfOther(const fs::path& file, const ObjectFolder& object) const {
   for (fs::path folder = file.parent_path(); folder.has_relative_path();
        folder = folder.parent_path()) {

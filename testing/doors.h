@@ -42,8 +42,9 @@ class HeldMessages {
 
  private:
   friend class Doors;
-  // Takes `*message` and holds it if it fits and holding has not ended.  Returns whether the
-  // message is held now.
+  // Moves `*message` into `messages_`, which holds it back, and returns true.  Returns false and
+  // leaves the message alone if it does not match `spec_`, if Release() or ReleaseInOrder() was
+  // called, or if ReleaseOne() has released this message.
   bool Take(openr_host::OwnedMessage* message);
 
   openr_host::System* const system_;

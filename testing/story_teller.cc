@@ -12,15 +12,17 @@
 namespace openr::testing {
 namespace {
 
-// The first words of the last line of a story.  A failure that contains them has a story already.
+// The first words of the last line of a story, the text about a bench that is added to a failure
+// (Bench::Story()).  The text of a failure with these words has a story already.
 constexpr char kMark[] = "To see it again: ";
 
 StoryTeller* g_newest = nullptr;
 // The running test.  Stored here, because GoogleTest holds a lock while it reports a failure; a
-// call that asks for the test would then wait for ever.
+// call that asks GoogleTest for the test would then wait for ever.
 const ::testing::TestInfo* g_test = nullptr;
 
-// Prints the story of the bench after the first failure of each test.
+// Prints the story of the running test's bench after the first failure of the test.  Later failures
+// of the same test get no story, because it would be almost the same text.
 class Listener : public ::testing::EmptyTestEventListener {
  public:
   void OnTestStart(const ::testing::TestInfo& test) override {

@@ -12,7 +12,8 @@ class TestInfo;
 
 namespace openr::testing {
 
-// The part of a bench that adds its story (last messages, who waits for what) to failures.
+// The part of a bench that adds the story to failures: a text with the last messages, the objects
+// that wait, and what they wait for.
 class StoryTeller {
  public:
   // The function `story` returns Bench::Story().  It must not call GoogleTest, which holds a lock
@@ -28,9 +29,9 @@ class StoryTeller {
   // another test.
   void OnCopied();
 
-  // Returns `failure` followed by the story of the newest bench of the running test.  Returns
-  // `failure` unchanged if it has a story already, or if the test has no bench.  In a copy of the
-  // process, the bench of a Snapshot belongs to the test that runs in the copy.
+  // Returns `failure`, the text of a failure, followed by the story of the running test's newest
+  // bench.  Returns `failure` unchanged if it has a story already, or if the test has no bench.  In
+  // a copy of the process, the bench that was copied belongs to the test that runs in the copy.
   static std::string WithStory(const std::string& failure);
 
  private:

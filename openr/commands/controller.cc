@@ -25,8 +25,9 @@ struct ControllerFlags {
   std::string folder;
 };
 
-// Builds for the robot.  That makes a whole stick, because the robot's CONTROLL.BIN is the
-// controller linked with the object Controller.
+// Builds the controller for the robot.  The build for the host adds only CONTROLL.BIN to a stick of
+// compiled objects.  For the robot there is no such stick, so MakeRobotStick() compiles the
+// controller and all other objects with the robot's SDK and makes a whole new stick.
 int BuildForRobot(const ControllerBuildOptions& build) {
   if (build.output.empty()) {
     throw std::runtime_error("--robot makes a whole stick: name a new folder for it with -o");

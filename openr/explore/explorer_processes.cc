@@ -58,7 +58,8 @@ void MoveMemory() {
   UseOtherAddresses();
   constexpr size_t kHoleBytes = (96 << 20) + 7 * 4096;
   mmap(nullptr, kHoleBytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-  // Leaves a hole in the heap, so that malloc() takes memory behind the hole from now on.
+  // Takes memory at the end of the heap that malloc() does not know of.  malloc() gets its next
+  // memory behind it, so later blocks have other addresses than in a process without this hole.
   if (sbrk(13 * 4096 + 16) == reinterpret_cast<void*>(-1))
     return;  // sbrk() has failed: the heap stays where it is
   static void* volatile hole = malloc(4099);

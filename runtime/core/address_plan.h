@@ -41,9 +41,10 @@ class AddressPlace {
   static constexpr size_t kStackBytes = size_t{1} << 20;  // for the stacks of stack_memory.h
   static constexpr size_t kCopyBytes = size_t{128} << 20;
 
-  // Takes a place for object `id`, which has two places of its own.  The second is used while the
-  // first is taken: by an object that this object replaces, or by an object of another System in
-  // this process.  If both are taken, takes the last free place of the plan.
+  // Takes a place of the plan for object `id`.  Two places belong to each object.  The object takes
+  // the first; it takes the second while another object uses the first, which is an object that
+  // this one replaces, or one of another System in this process.  If both are in use, the object
+  // takes the free place with the highest number.
   explicit AddressPlace(ObjectId id);
   ~AddressPlace();  // REQUIRES: nothing is mapped at this place any more
   AddressPlace(const AddressPlace&) = delete;

@@ -39,8 +39,9 @@ void ConsoleInput::EnterDue() {
   }
 }
 
-// Wakes the first object that still waits for a line.  Skips objects that were reloaded meanwhile,
-// because these no longer wait.
+// Wakes the handler that has waited longest for a line from `terminal`.  The list of readers may
+// still name objects that were reloaded while they waited.  Their handlers have ended, so they are
+// skipped.
 void ConsoleInput::WakeNext(Terminal* terminal) {
   while (!terminal->readers.empty()) {
     const auto [id, box] = terminal->readers.front();

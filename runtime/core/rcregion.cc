@@ -140,12 +140,12 @@ void RCRegion::AddReference() { ++count_; }
 
 // Removes one reference and deletes a region that has none left.  Too many calls are a mistake of
 // the object, so they become a finding and not a failed assertion.
-
 void RCRegion::RemoveReference() {
   if (--count_ > 0) return;
   const ApiScope scope;
-  // A received region is not deleted here.  The observer keeps it until its next ready gives the
-  // region back.
+  // The last reference to a received region (one with a source_) belongs to the runtime, which
+  // deletes the region when the observer's next ready gives it back.  An object that removes this
+  // reference has made one call too many, so the region is not deleted here.
   const bool received = source_ != nullptr;
   if ((received || count_ < 0) && t_current.system != nullptr) {
     t_current.system->AddFinding(

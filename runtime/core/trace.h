@@ -65,9 +65,10 @@ class Trace {
 // For the kind kHashed returns the hash that the sender has set.
 uint64_t PayloadHash(const Message& message, uint32_t* size);
 
-// Returns the content of `message` for recordings: of a notification the bytes of its regions, of a
-// ready its command and the number of regions that it gives back, of any other message its bytes.
-// Returns "" for the kind kHashed, because its bytes hold addresses.
+// Returns the content of `message`, which a trace file stores and a replay compares.  The content
+// of a notification is the bytes of its regions; of a ready, its command and the number of regions
+// that it gives back; of any other message, its bytes.  Returns "" for the kind kHashed: its bytes
+// hold addresses, which differ from run to run, so comparing them would be useless.
 std::string PayloadBytes(const Message& message);
 
 }  // namespace openr_host
