@@ -74,8 +74,8 @@ void Cpu::End(int64_t now_us) {
   for (ProcessorState::Outgoing& outgoing : std::exchange(object->processor.outbox, {})) {
     system_->Post(std::move(outgoing.message), outgoing.delay_us);
   }
-  // Messages that wait are older than messages due now, so they go to the front of the queue.  The
-  // newest of them is put there first, so that the oldest comes out first.
+  // Held and waiting messages are older than all messages due now, so they go to the front of the
+  // queue.  The newest is put there first, so that the oldest is delivered first.
   object->ReturnHeld();
   while (!waiting_.empty()) {
     system_->Readmit(std::move(waiting_.back()));

@@ -1,10 +1,11 @@
-// The processor of a robot: handlers that take time.
+// Cpu: the processor of a robot, for runs in which handlers take time.
 //
 // Without a CostModel, handlers take no time.  With a CostModel, one handler at a time has the
 // processor; a handler of higher priority interrupts it, a handler of equal or lower priority
-// waits.  The code of a handler runs when the handler gets the processor.  Its object is busy until
-// the cost of the handler has passed: messages that the handler posts leave at that time, and
-// messages to the object are held until then.  Objects of the system run without the processor.
+// waits.  The code of a handler runs at the moment when the handler gets the processor.  After that
+// its object is busy until the cost of the handler has passed: messages that the handler posts
+// leave at that time, and messages to the object are held until then.  Objects of the system run
+// without the processor.
 #pragma once
 
 #include <cstdint>
@@ -18,6 +19,7 @@ class Hasher;
 class Object;
 class System;
 
+// Says how much processor time handlers take.
 class CostModel {
  public:
   virtual ~CostModel() = default;
@@ -39,20 +41,23 @@ class Cpu {
   // Returns whether `object` may run a handler now.  REQUIRES: `object` belongs to this robot.
   bool IsFreeFor(const Object& object) const;
 
-  // The longest wait for the processor that is normal; a longer wait becomes a finding.
+  // The longest wait for the processor that is normal; a longer wait becomes a finding.  The value
+  // is our choice.
   static constexpr int64_t kStarvedUs = 1'000'000;
 
   // The longest time of a handler that is normal.  A longer handler becomes a finding, because it
   // takes more than the time between two sensor vectors (field-notes.md, 1.12).
   static constexpr int64_t kLongHandlerUs = 32'000;
 
-  // Keeps `message`, which is for `object`, until the processor is free.
+  // Keeps `message` to `object` until a handler has given up the processor.  Notes `now_us` as the
+  // time since which the object waits.
   void Wait(Object* object, OwnedMessage message, int64_t now_us);
 
   // Takes the messages that wait here for object `id`, oldest first.
   std::vector<OwnedMessage> TakeMessagesTo(ObjectId id);
 
-  // Ends the wait of `object` for the processor.  Adds a finding if the wait was long.
+  // Called when `object` gets the processor.  Adds a finding if the object has waited longer than
+  // kStarvedUs.
   void Grant(Object* object, int64_t now_us);
 
   // Starts a handler of entry `selector` that takes `cost_us`.  REQUIRES: cost_us > 0 and

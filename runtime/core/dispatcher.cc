@@ -45,7 +45,8 @@ Fiber* Dispatcher::TakeFiber() {
 
 void Dispatcher::FiberMain(void* dispatcher) { static_cast<Dispatcher*>(dispatcher)->Loop(); }
 
-// Leaves the running fiber for `fiber`; returns when the fiber that was left is continued.
+// Leaves the running fiber and continues `fiber`.  Returns when another fiber continues the one
+// that was left.
 void Dispatcher::SwitchTo(Fiber* fiber) {
   Fiber* const from = running_;
   running_ = fiber;
@@ -53,7 +54,7 @@ void Dispatcher::SwitchTo(Fiber* fiber) {
   Recycle();
 }
 
-// Makes Run() return to its caller.  A later Run() may continue this fiber.
+// Makes Run() return to its caller.  Returns itself when a later Run() continues this fiber.
 void Dispatcher::ToCaller() {
   Fiber* const from = running_;
   idle_.push_back(from);
@@ -100,7 +101,8 @@ void Dispatcher::Loop() {
 }
 
 void Dispatcher::AdvanceTo(int64_t time_us) {
-  // A step of 1 us may come from creep_us(), so it counts as the same instant.
+  // A step of 1 us may come from creep_us(), which slows down objects that answer each other
+  // without waiting.  So it does not reset the count of messages at one instant.
   if (time_us > system_->now_us_ + 1) deliveries_at_instant_ = 0;
   system_->queue_.Advance(time_us);
   system_->now_us_ = time_us;
@@ -109,13 +111,15 @@ void Dispatcher::AdvanceTo(int64_t time_us) {
 void Dispatcher::Deliver(OwnedMessage&& message) {
   Object* const object = system_->object(message->target);
   if (object == nullptr || object->is_off) return;
-  // A handler runs to its end before the next handler of its object begins, and a boot begins with
-  // DoInit.  Replies are never held, because the handler that waits needs them.
+  // Holds the message if the receiver cannot handle it now: its last handler waits or still has the
+  // processor, or it is still in its boot.  A reply is never held, because the handler that waits
+  // needs it.
   if (!message->is_reply && (object->handler.blocked != nullptr || object->processor.is_busy ||
                              system_->manager_->IsTooEarly(*message))) {
     object->handler.held.push_back(std::move(message));
     return;
   }
+  // The gate of a test may keep the message and put it back into the queue later.
   if (system_->gate_ != nullptr) {
     message = system_->gate_->Admit(std::move(message));
     if (message == nullptr) return;
@@ -158,9 +162,11 @@ void Dispatcher::DeliverReply(Object* object, OwnedMessage&& message) {
   ++delivered_;
   system_->trace_.Deliver(*message, system_->now_us_);
   const uint64_t box = message->reply_box;
-  // The box is already closed if `message` is a time-out and the reply came before it.
+  // The box is closed if its reply has come before and was received, and `message` is a time-out.
   if (!object->boxes.open.contains(box)) return;
   object->boxes.arrived[box] = std::move(message);
+  // If the handler does not wait for this reply, the reply stays in its box until the object asks
+  // for it.  Reply events post their messages now.
   if (object->handler.blocked == nullptr || object->handler.blocked_box != box) {
     system_->time_events_.ReplyArrived(object->id, box);
     return;
@@ -178,11 +184,12 @@ void Dispatcher::RunHandler(Object* object, OwnedMessage&& owned) {
   system_->trace_.Deliver(*message, system_->now_us_);
   ++object->message_count;
   if (message->selector == oentryINIT) system_->manager_->Begins(object->id);
-  // The state of the object owns the message, because this stack is lost if the handler is
-  // abandoned.
+  // The message belongs to the object's state and not to a local variable, because this stack is
+  // given up if the handler is abandoned.
   object->handler.running = std::move(owned);
   object->handler.time_calls = 0;
-  ClearUpperRegisters();  // because the code of handlers is SSE code
+  // Handlers are SSE code, which is slow while the upper halves of registers are in use.
+  ClearUpperRegisters();
   ArithmeticWatch watch;
   const bool is_watched = object->is_image && ArithmeticWatch::Catches();
   t_current = {system_, object, object->is_image, is_watched ? &watch : nullptr};
@@ -208,7 +215,7 @@ void Dispatcher::RunHandler(Object* object, OwnedMessage&& owned) {
                                     object->EntryName(message->selector)));
   }
   if (clock != nullptr) {
-    const ApiScope scope;  // because code of an image sees the clock of the robot
+    const ApiScope scope;  // without it, clock() would return the time of the robot
     object->handler_ns_max = std::max(object->handler_ns_max, clock() - begin_ns);
   }
   FinishHandler(object);

@@ -1,4 +1,8 @@
-// Delivers messages: one thread, one handler at a time, a total order.
+// Dispatcher: takes messages from the queue and calls the handlers of their receivers.  It uses one
+// thread and runs one handler at a time.
+//
+// A handler that waits for a reply keeps its stack, a fiber (fiber.h).  The dispatcher then goes on
+// with other messages on another fiber.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +26,7 @@ class Dispatcher {
   struct Limits {
     int64_t time_us = INT64_MAX;     // no message that is due later is delivered
     uint64_t messages = UINT64_MAX;  // the largest number of messages to deliver
-    // delivery stops as soon as this function returns true
+    // if not null, no more messages are delivered once this function returns true
     const std::function<bool()>* until = nullptr;
   };
 
@@ -58,13 +62,14 @@ class Dispatcher {
   void Recycle();
 
   System* const system_;
+  // the stack of the thread, on which Run() was called
   MainFiber caller_;
   std::vector<std::unique_ptr<Fiber>> fibers_;
   std::vector<Fiber*> idle_;  // free fibers, each stopped in Loop() or prepared to enter Loop()
   Fiber* running_ = nullptr;
   Fiber* abandoned_ = nullptr;  // the fiber that Abandon() left; the next fiber puts it into idle_
   Limits limits_;
-  uint64_t delivered_ = 0;
+  uint64_t delivered_ = 0;  // messages delivered in the current Run()
   const int64_t free_deliveries_;
   int64_t deliveries_at_instant_ = 0;
 };

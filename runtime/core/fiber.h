@@ -1,8 +1,8 @@
 // Fiber: a stack on which handlers run, and the switch from one stack to another.
 //
-// The dispatcher runs on a fiber and calls handlers directly, so a handler that
-// does not wait costs no switch.  A handler that waits keeps its fiber; the
-// dispatcher continues on another fiber (architecture.md, "Settled" 2).
+// The dispatcher runs on a fiber and calls handlers directly, so a handler that does not wait costs
+// no switch.  A handler that waits keeps its fiber; the dispatcher continues on another fiber
+// (docs/architecture.md, "How a handler waits").
 #pragma once
 
 #include <cstddef>

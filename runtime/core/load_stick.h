@@ -10,24 +10,26 @@ namespace openr_host {
 
 class System;
 
-// Functions that are called instead of loading an image, for objects that run in a worker process
+// Functions that are called instead of loading an image: for objects that run in a worker process,
 // and for objects that a test replaces.  The key is the name of the object in the image
-// ("JointMover") or of the file ("JOINTMOV.BIN").  A function gets the path of the image and may
-// add another object in its place.
+// ("JointMover") or the name of the file ("JOINTMOV.BIN").  A function gets the path of the image
+// and may add another object to the system instead.
 using StandIns = std::map<std::string, std::function<void(const std::string& path)>>;
 
-// A part of the system that is an image on a robot and part of the runtime here.
+// A part of the system that is an image on the robot and is built into the runtime here, such as
+// the network gateway.
 struct SystemImage {
   std::string file;           // the name of the image in OBJECT.CFG: "TCPGW.BIN"
   std::function<void()> add;  // adds the object; called instead of loading the image
-  // compares the part with the rest of the stick; called after everything else was loaded
+  // adds findings if the rest of the stick does not fit to this part; called when all is loaded
   std::function<void()> check;
 };
 
 // Loads the images that OBJECT.CFG names, and adds the connections of CONNECT.CFG and the keywords
-// of DESIGNDB.CFG to the system.  Each problem becomes a finding with file:line.  A stand-in for
-// the file of a system image is called in place of its `add`.  Returns false if the robot would not
-// boot, because an image is missing or cannot be loaded.  REQUIRES: before System::Boot().
+// of DESIGNDB.CFG to the system.  Each problem becomes a finding with file:line.  If `stand_ins`
+// has a function for the file of a system image, this function is called and not SystemImage::add.
+// Returns false if the robot would not boot, because an image is missing or cannot be loaded.
+// REQUIRES: before System::Boot().
 bool LoadStick(System* system, int robot, StandIns stand_ins = {},
                const std::vector<SystemImage>& system_images = {});
 

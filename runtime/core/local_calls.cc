@@ -38,7 +38,8 @@ bool LocalCalls::AcceptsReply(ObjectId asker, uint64_t box) const {
 
 const Message* LocalCalls::BeginWait(uint64_t box, int64_t timeout_us, std::string_view) {
   if (timeout_us < 0) return nullptr;
-  // The caller sends itself an empty reply that arrives after `timeout_us`.
+  // The caller sends itself an empty reply that arrives after `timeout_us`.  Requests::Await()
+  // knows it by its sender and its kind.
   OwnedMessage message = system_->NewMessage(t_current.object->id, 0);
   Message* const wake = message.get();
   wake->is_reply = true;

@@ -1,5 +1,5 @@
-// LocalCalls: the SystemCalls (what a handler can ask of its System) for a System in the same
-// process.
+// LocalCalls: the SystemCalls (the functions of a System that handlers call) if the System is in
+// the same process as the handlers.
 #pragma once
 
 #include "runtime/core/system_calls.h"

@@ -158,7 +158,7 @@ std::vector<OwnedMessage> MessageQueue::TakeIf(const std::function<bool(const Me
   for (int level = 0; level < kLevels; ++level) {
     List old = levels_[level];
     if (old.head == nullptr) continue;
-    // Empties the list, then appends the messages that stay in their old order.
+    // Empties the list, then appends the messages that stay, which keeps their order.
     levels_[level] = {};
     occupied_[level / 64] &= ~(uint64_t{1} << (level % 64));
     for (Message* message = old.head; message != nullptr;) {

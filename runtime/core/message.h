@@ -1,7 +1,8 @@
-// Messages and their total order.
+// Message, and MessageQueue, which delivers messages in a total order, so that a run can be
+// repeated exactly.
 //
 // Messages are ordered by due time; then by class; then by the receiver's priority from its .ocf
-// file, higher first; then by number (architecture.md, "Settled" 1).
+// file, higher first; then by number (docs/architecture.md, "The determinism contract").
 #pragma once
 
 #include <cstddef>
@@ -15,24 +16,26 @@ namespace openr_host {
 class MessageQueue;
 class Schedule;
 
-// Index of an object in its System; -1 is the system itself.
+// Index of an object in its System; -1 (kNoObject) is the System itself.
 using ObjectId = int32_t;
 constexpr ObjectId kNoObject = -1;
 
+// In order of delivery: of messages that are due at the same time, those of class kFrame are
+// delivered first.
 enum class MessageClass : uint8_t {
-  kFrame = 0,   // the begin of a frame of a robot's body
+  kFrame = 0,   // begins a frame, a step of 8 ms of a robot's body
   kInput = 1,   // input from outside
-  kVector = 2,  // messages of the robot's devices: sensor vectors, sounds, readies for commands
-  kObject = 3,  // messages of objects
+  kVector = 2,  // from the robot's devices: sensor vectors, sounds, readies for commands
+  kObject = 3,  // all other messages of objects
 };
 constexpr int kMessageClasses = 4;
 
-// How the payload is hashed for the trace; see PayloadHash() in trace.h.
+// What the payload consists of, which decides how PayloadHash() (trace.h) hashes it.
 enum class PayloadKind : uint8_t {
   kBytes,   // plain initialised bytes
-  kNotify,  // ONotifyMessage: the bytes of its regions
-  kReady,   // OReadyMessage: command and counts
-  kHashed,  // bytes that hold addresses: Message::payload_hash is used, which the sender has set
+  kNotify,  // ONotifyMessage, hashed as its counts and the bytes of its regions
+  kReady,   // OReadyMessage, hashed as its command and the number of regions given back
+  kHashed,  // bytes that hold addresses; the sender has set Message::payload_hash instead
 };
 
 struct Message {
@@ -41,23 +44,24 @@ struct Message {
   uint64_t cause = 0;   // number of the message whose handler posted this message; 0 at boot
   ObjectId sender = kNoObject;
   ObjectId target = kNoObject;
-  uint32_t selector = 0;
-  uint32_t size = 0;          // bytes of payload
-  uint64_t reply_box = 0;     // the box that receives the reply; 0: no reply is expected
-  uint64_t payload_hash = 0;  // the hash that is used for kHashed
+  uint32_t selector = 0;  // number of the receiver's entry, the function that handles the message
+  uint32_t size = 0;      // bytes of payload
+  // A request has the sender's reply box (requests.h), a reply the target's; 0: none.
+  uint64_t reply_box = 0;
+  uint64_t payload_hash = 0;  // hash of the payload; used only if `kind` is kHashed
   Message* next = nullptr;    // the next message in a list of MessageQueue
   MessageClass message_class = MessageClass::kObject;
   PayloadKind kind = PayloadKind::kBytes;
-  bool is_reply = false;  // a reply to `reply_box` of the target, which calls no entry
-  // the queue whose pool the message is from, set by Allocate(); null: from no pool
+  bool is_reply = false;  // a reply goes into `reply_box` of the target and calls no entry
+  // the queue to whose pool the message goes back, set by Allocate(); null: none
   MessageQueue* pool = nullptr;
 
-  // The largest number of bytes that a message can carry.  An ONotifyMessage of a 64-bit host needs
-  // less.
+  // The largest number of bytes that a message can carry.  The robot's limit is 256; an
+  // ONotifyMessage of a 64-bit host needs more, because its pointers have 8 bytes.
   static constexpr size_t kPayloadMax = 384;
   alignas(16) unsigned char payload[kPayloadMax];
 };
-// A handler's time depends on the cache lines that a message takes, so a new field must fit into
+// A message that takes more cache lines makes every delivery slower.  So a new field must fit into
 // the padding before the payload.
 static_assert(sizeof(void*) != 8 || sizeof(Message) == 80 + Message::kPayloadMax);
 
@@ -66,34 +70,34 @@ struct ReturnToPool {
   void operator()(Message* message) const;
 };
 
-// A message that is in no queue.  Its pool must outlive it.  Because the objects on the stack of an
-// abandoned handler are never destroyed, the message that a handler runs for belongs to the state
-// of its object (HandlerState::running).
+// Owns a message that is in no queue, and gives it back to its pool, which must outlive it.  The
+// message that a handler runs for is owned by HandlerState::running and by no local variable,
+// because destructors on the stack of an abandoned handler never run.
 using OwnedMessage = std::unique_ptr<Message, ReturnToPool>;
 
 // The queue of all messages of one System, and the pool from which messages are allocated.
 class MessageQueue {
  public:
   MessageQueue();
-  ~MessageQueue();  // REQUIRES: all messages of the pool are queued or back
+  ~MessageQueue();  // REQUIRES: each message of the pool is queued or was given back
   MessageQueue(const MessageQueue&) = delete;
   MessageQueue& operator=(const MessageQueue&) = delete;
 
-  // Returns a message from the pool.  All fields are reset except the payload, sender, target,
-  // selector and due time.
+  // Returns a message from the pool.  The caller must set payload, sender, target, selector and due
+  // time; all other fields have their default values.
   OwnedMessage Allocate();
 
   // Queues `message`, whose due time, class and number are set.  `priority` is the priority of the
-  // receiver, 0 to 255.  REQUIRES: message->due_us is not before the clock.
+  // receiver, 0 to 255.  REQUIRES: message->due_us is not before the queue's clock (Advance()).
   void Push(OwnedMessage&& message, int priority);
 
   // Queues `message`, which is due now, in front of the other messages of its class and priority.
   // To put back several messages in their order, begin with the last of them.
   void PushFront(OwnedMessage message, int priority);
 
-  // Takes the first message that is due now, or returns null if none is due.  A `schedule` may
-  // choose another receiver instead, which must have a message of the same class and priority as
-  // the first message.
+  // Takes the first message that is due now, or returns null if none is due.  A `schedule`
+  // (schedule.h) may choose another receiver instead, which must have a message of the same class
+  // and priority as the first message.
   OwnedMessage Pop(Schedule* schedule = nullptr);
   bool HasDue() const { return due_count_ > 0; }
   // Returns the message that Pop() without a schedule would take; null if none is due.
@@ -102,8 +106,8 @@ class MessageQueue {
   // Returns the due time of the first message that is not due yet; INT64_MAX if there is none.
   int64_t NextTime() const { return later_.empty() ? INT64_MAX : later_.front().due_us; }
 
-  // Sets the clock to `time_us`.  REQUIRES: !HasDue(), time_us <= NextTime(), and `time_us` is not
-  // before the clock.
+  // Sets the queue's clock to `time_us`.  REQUIRES: !HasDue(), time_us <= NextTime(), and `time_us`
+  // is not before the clock.
   void Advance(int64_t time_us);
 
   size_t size() const { return due_count_ + later_.size(); }
@@ -130,7 +134,8 @@ class MessageQueue {
     int level;
     uint64_t number;
     Message* message;
-    // true if `other` is due first, as the functions for heaps need it
+    // Returns true if `other` is due first, because std::push_heap() and the like put the greatest
+    // element first.
     bool operator<(const Later& other) const;
   };
 
@@ -151,13 +156,13 @@ class MessageQueue {
 
   int64_t now_us_ = 0;
   size_t due_count_ = 0;
-  std::vector<List> levels_;              // messages that are due now
+  std::vector<List> levels_;              // messages that are due now, by level (LevelOf())
   uint64_t occupied_[kLevels / 64] = {};  // bit i is 1 if the list of level i is not empty
   std::vector<Later> later_;              // messages that are not due yet; a heap
   Message* free_ = nullptr;               // the first free message; Message::next has the others
   // the arrays in which the messages of the pool lie
   std::vector<std::unique_ptr<Message[]>> chunks_;
-  // the receivers among which ChooseTarget() lets a schedule choose
+  // receivers among which ChooseTarget() lets a schedule choose; a member, to use its memory again
   std::vector<ObjectId> candidates_;
 };
 

@@ -1,4 +1,4 @@
-// The system's side of one OPEN-R object.
+// Object: what a System knows about one OPEN-R object, which is a program of the robot.
 #pragma once
 
 #include <compare>
@@ -25,21 +25,21 @@ class System;
 struct ObserverState;
 struct SubjectState;
 
-// The values of an .ocf file that the host uses.
+// Values of an object's .ocf file, the file with its name, priority and memory sizes.
 struct ObjectLimits {
   int priority = 128;        // 0 to 255; the upper four bits are the priority class
   uint32_t stack_bytes = 0;  // 0: unknown
-  uint32_t heap_bytes = 0;
+  uint32_t heap_bytes = 0;   // step by which its heap grows on the robot
 };
 
-// the largest number of entries that an object can have on the robot
+// The largest number of entries that an object can have on the robot.
 constexpr uint32_t kSelectorMax = 64;
 
-// An observer that is ready for a subject of some other object.
+// An observer that is ready for a subject of another object.
 struct StandingReady {
   uint32_t ready_selector;  // selector of the subject's entry for readies
   ObjectId observer;
-  uint32_t notify_selector;
+  uint32_t notify_selector;  // selector of the observer's entry for notifications
 
   auto operator<=>(const StandingReady&) const = default;
 };
@@ -47,29 +47,31 @@ struct StandingReady {
 // The handler of an object that runs or waits.
 struct HandlerState {
   OwnedMessage running;  // the message being handled; null: no handler runs
-  // calls of GetSystemTime() in this handler; each call adds 1 us to the time
+  // Calls of GetSystemTime() in this handler.  Each call adds 1 us to the time, so that a loop
+  // which waits for a certain time comes to its end.
   uint64_t time_calls = 0;
   Fiber* blocked = nullptr;      // the stack of the handler while it waits; null: it does not wait
   uint64_t blocked_box = 0;      // the reply box for which the handler waits
   int64_t blocked_since_us = 0;  // virtual time when the wait began
   // what the handler waits for, in words: "the answer of IPStack (Send)"
   std::string blocked_why;
-  // Messages that the object cannot handle yet, oldest first.  The reason is that its handler waits
-  // or has the processor, or the boot (ObjectManager::IsTooEarly()).
+  // Messages that the object cannot handle yet, oldest first, because its handler waits or has the
+  // processor, or because it is in its boot (ObjectManager::IsTooEarly()).
   std::deque<OwnedMessage> held;
-  // The memory for the reply when an object calls an entry of its own (self connection).
+  // Where the reply is stored when an object calls an entry of its own, because a subject and an
+  // observer of the object are connected with each other.
   struct SelfReply {
     void* data;
     size_t size;
     uint32_t selector;  // the entry that is called
   };
-  SelfReply* self_reply = nullptr;
+  SelfReply* self_reply = nullptr;  // null: no such call runs
 };
 
 // The numbered boxes in which an object receives replies; see requests.h.
 struct ReplyBoxes {
   uint64_t last = 0;                         // the number of the newest box
-  std::set<uint64_t> open;                   // boxes whose reply may come or has come
+  std::set<uint64_t> open;                   // boxes in which a reply may arrive, or has arrived
   std::map<uint64_t, OwnedMessage> arrived;  // replies that no handler has received yet
 };
 
@@ -82,7 +84,7 @@ struct ProcessorState {
     OwnedMessage message;
     int64_t delay_us;
   };
-  std::vector<Outgoing> outbox;  // messages that are sent when the time of the handler is over
+  std::vector<Outgoing> outbox;  // messages of the handler; posted when its time is over
 };
 
 // The files of the stick that the code of one image has open.
@@ -95,11 +97,11 @@ class OpenFiles {
 
   void CloseAll();
 
-  // The keys are addresses, which differ from run to run, so the order of `streams` must not decide
-  // anything.
+  // The keys are addresses, which differ from run to run, so nothing may depend on the order of
+  // `streams`.
   std::map<std::FILE*, File> streams;
   std::map<int, File> descriptors;
-  // standard input, after the object has read from the console; null before
+  // the standard input of the object; null until the object reads from the console
   std::FILE* terminal = nullptr;
 };
 
@@ -115,8 +117,8 @@ class Object {
   virtual bool Dispatch(uint32_t selector, void* payload) = 0;
 
   // Adds to the hash all state of the object that can change what happens later in the run, except
-  // regions, queues and ready flags, which System::state_hash() adds.  Images add nothing, because
-  // their memory is never hashed.
+  // regions, queues and ready flags, which System::state_hash() adds.  Images add nothing: their
+  // memory is never hashed, because it may hold addresses.
   virtual void HashState(Hasher*) const {}
 
   // Returns the name of entry `selector` for traces and messages: "DoStart", "Mover (Notify)".
@@ -126,24 +128,25 @@ class Object {
   // replaced, their readies are sent again to its successor.
   virtual std::vector<StandingReady> StandingReadies() const;
 
-  // Takes back a region that a subject of this object had sent to an observer.  Called while this
-  // object is being replaced.
+  // Gives up `region`, which a subject of this object had sent to an observer and the observer
+  // cannot give back with a ready.  Called while this object is being replaced.  Only the master's
+  // object in place of one in a worker process has something to do.
   virtual void ReturnRegion(RCRegion*) {}
 
-  // Counts a queued `message` to this object that will not be delivered.  If it is a notification,
-  // gives its regions back to the subject.
+  // Counts a `message` to this object that will not be delivered.  If it is a notification, gives
+  // its regions back to the subject.
   virtual void HandleUndelivered(const Message& message);
 
   // Puts the held messages back at the front of the queue, because they are older than all messages
   // due now.
   void ReturnHeld();
 
-  // Returns whether the object's code was in a worker process that has ended.  That end is a
-  // finding already, so its consequences are not reported too.
+  // Returns whether the object's code was in a worker process that has ended.  The end is a finding
+  // already, so the failures that follow from it are not reported too.
   virtual bool IsLost() const { return false; }
 
-  // Returns whether a handler of the object runs in another process now.  That process takes wall
-  // time, so virtual time does not tell how long the handler takes.
+  // Returns whether a handler of the object runs in another process now.  Such a handler takes wall
+  // time, so virtual time does not tell how long it takes.
   virtual bool IsAtWorkElsewhere() const { return false; }
 
   // Returns whether `address` is an instruction of the object's image.
@@ -152,8 +155,9 @@ class Object {
   // Returns whether the object has an entry `selector`.
   virtual bool HasEntry(uint32_t selector) const = 0;
 
-  // Names entry `selector` after the service and `kind` ("Ready" or "Notify"), and returns the full
-  // name of the service.  Called in the Control or Connect entry of a service.
+  // Gives entry `selector` a name for traces: the name of a service and `kind`, "Ready" or
+  // "Notify".  Returns the full name of the service.  REQUIRES: called in the Control or Connect
+  // entry of this service, because the selector of that entry tells which service it is.
   std::string NameService(uint32_t selector, const char* kind);
 
   System* const system;
@@ -173,24 +177,24 @@ class Object {
   std::string state;           // text after "state: " of its last OSYSLOG1 INFO line
   uint64_t message_count = 0;  // messages delivered
   uint64_t dropped_count = 0;  // data replaced before they were read, and messages refused
-  // number of messages to the object that are not delivered yet, without replies
+  // messages to the object that are not delivered yet, without replies
   int waiting = 0;
-  int queue_max = 32;          // limit of `waiting` (field-notes.md, 2.3); see SetResourceValue()
-  int waiting_max = 0;         // the highest value of `waiting` so far
+  int queue_max = 32;   // limit of `waiting` (field-notes.md, 2.3), set with SetResourceValue()
+  int waiting_max = 0;  // the highest value of `waiting` so far
   int64_t handler_ns_max = 0;  // longest handler, wall time; 0 without SystemOptions::wall_clock_ns
-  size_t stack_max = 0;        // most bytes that a handler used; see SystemOptions::measure_stacks
+  size_t stack_max = 0;  // most stack bytes that a handler used; see SystemOptions::measure_stacks
 
-  // The blocks that NewRegion() has returned to this object.  The order of the set must not decide
-  // anything, because addresses differ from run to run.
+  // The memory blocks that NewRegion() (MCOOP.h) has returned to this object.  Nothing may depend
+  // on the order of the set, because addresses differ from run to run.
   std::set<void*> private_regions;
 
-  uint32_t random_state = 1;  // the state of rand()
+  uint32_t random_state = 1;  // state of the object's own rand()
 
-  // For each FpFlag (index: bit number of the flag), the instruction that first raised the flag,
-  // set by CrashLog.  Null: no instruction raised the flag, or the instruction is not known.
+  // For each floating-point flag, by its bit number (fp_flags.h), the instruction that first raised
+  // it, set by CrashLog.  Null: no instruction raised the flag, or the instruction is not known.
   const void* number_faults[kFpKinds] = {};
-  // True if checked_code.cc has reported, in the running handler, the conversion of a number that
-  // is too large for its integer type.
+  // True if checked_code.cc has reported, in the running handler, a floating-point number that is
+  // too large for the integer type to which it is converted.
   bool has_reported_cast = false;
 
   OpenFiles files;
@@ -198,13 +202,16 @@ class Object {
   ReplyBoxes boxes;
   ProcessorState processor;
 
-  // Set only for images, and only where addresses are planned.
+  // The part of the address plan that belongs to the object, and its heap there.  Null for objects
+  // that are no images, and where addresses are not planned (address_plan.h).
   std::unique_ptr<AddressPlace> place;
   std::unique_ptr<Arena> arena;
   std::vector<std::unique_ptr<SubjectState>> subjects;
   std::vector<std::unique_ptr<ObserverState>> observers;
+  // selector -> name of the entry, for traces and messages to users
   std::map<uint32_t, std::string> entry_names;
-  std::map<uint32_t, std::string> services;  // selector registered -> full service name
+  // selector of the entry registered -> full service name
+  std::map<uint32_t, std::string> services;
 };
 
 }  // namespace openr_host

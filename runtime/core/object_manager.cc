@@ -18,8 +18,9 @@
 namespace openr_host {
 namespace {
 
-// Returns the message that calls DoInit, DoStart, DoStop or DoDestroy of `object`.  No document
-// says which parameters belong to which reason; this is inferred from their names (core.md, 1.4).
+// Returns the message that calls DoInit, DoStart, DoStop or DoDestroy of `object`.  A message with
+// the reason boot carries the state of the Memory Stick, one with another reason an OShutdownParam.
+// No document says so; we infer it from the names of these types (core.md, 1.4).
 OReasonMessage MessageOf(const Object& object, OReason reason) {
   if (reason != oreasonBOOT) {
     const OShutdownParam param(true);
@@ -137,8 +138,8 @@ void ObjectManager::RunBoot() {
 }
 
 // Switches all robots off during the boot.  Called with --strict if there is an error, for example
-// a connection to an unknown service.  Services are known only after all objects have run DoInit,
-// so the error is not found earlier.
+// a connection to an unknown service.  Objects have run DoInit already, because only DoInit
+// registers their services.
 void ObjectManager::RefuseToStart() {
   for (int robot = 0; robot < system().robot_count(); ++robot) {
     system().PowerOff(robot,
@@ -257,9 +258,9 @@ void ObjectManager::Send(Object* object, Selector entry, OReason reason) {
 }
 
 // Returns whether `service` may be unknown only because the process of its object is lost.  The
-// object of a service is not known for sure.  First it is looked up by the first part of the
-// service's name, which is usually the object's name.  Otherwise a registered service with the same
-// first part gives the object.  If neither is found, it may be any lost object of the robot.
+// name of a service does not tell its object for sure.  If an object is called like the first part
+// of the name, it is that object.  Otherwise it is the object of a registered service with the same
+// first part.  If there is none either, it may be any lost object of the robot.
 bool ObjectManager::MayBeLost(int robot, const std::string& service) const {
   const std::string prefix = service.substr(0, service.find('.') + 1);
   bool has_lost = false;

@@ -4,8 +4,8 @@
 // The object manager boots objects one after the other: it sends DoInit or DoStart to an object and
 // waits for the reply.  It has the lowest priority, so it continues only when no message of another
 // object is due.  Therefore, if a system service asserts ready in its DoStart, the connected
-// subject gets this ready before the first DoStart of the application (architecture.md, "Settled"
-// 5).
+// subject gets this ready before the first DoStart of the application.  On the robot, too, readies
+// can come before DoStart (core.md 1.5).
 #pragma once
 
 #include <deque>
@@ -25,8 +25,8 @@ class ObjectManager : public CodeObject {
  public:
   ObjectManager();
 
-  // Post a message of the object manager to itself, so that it does the work of Boot(), Shutdown()
-  // or PostTask() of System, or of ObjectTable::Reload(), in a handler, where it can wait for
+  // Post a message of the object manager to itself.  So the work of Boot(), Shutdown() and
+  // PostTask() of System, and of ObjectTable::Reload(), is done in a handler, which can wait for
   // replies.
   void PostBoot();
   void PostShutdown(int robot);
@@ -94,6 +94,7 @@ class ObjectManager : public CodeObject {
   // selector and the value in it (a robot or an object id).  IsDue() uses them to refuse such a
   // message from another object.
   std::multiset<std::pair<Selector, int>> due_;
+  // tasks of PostTask() that were not called yet, oldest first
   std::deque<std::function<void()>> tasks_;
   std::set<int> shutting_down_;  // indices of robots whose shutdown has begun
   // objects to which DoInit could not be sent; they get no DoStart, DoStop or DoDestroy either
@@ -103,10 +104,10 @@ class ObjectManager : public CodeObject {
   std::map<ObjectId, bool> starting_;
   bool are_connected_ = true;  // false while the connections of this boot are not made yet
   // Services that were not registered when their connection was to be made, each with this
-  // connection.  They are not reported yet, because a worker process was lost at that time, and its
-  // objects may register them after the restart of the process.  If they do not, the services
-  // become findings then.  The keys are addresses, so the code never iterates over this set: the
-  // order would differ from run to run.
+  // connection.  They are not reported yet, because a worker process was lost (had ended or could
+  // not be reached), and its objects may register them after a restart of the process.  If they do
+  // not, the services become findings then.  The keys are addresses, so the code never iterates
+  // over this set: the order would differ from run to run.
   std::set<std::pair<const struct Connection*, std::string>> unreported_;
 };
 

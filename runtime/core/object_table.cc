@@ -16,9 +16,9 @@ namespace {
 
 bool IsOf(const OServiceEntry& entry, ObjectId id) { return ObjectIdOf(entry.GetOID()) == id; }
 
-// Gives up the regions that `observer` has received from the subjects for which `ends` is true.
-// The regions cannot go back with a ready, because either the observer's or the subject's object is
-// being replaced.  So `release` is called with the subject's region.
+// Gives up the regions that `observer` has received from the subjects for which `ends` returns
+// true.  Calls `release` with the subject's RCRegion of each, because a ready cannot give them
+// back: the observer's or the subject's object is being replaced.
 void ReleaseHeld(ObserverState* observer, const std::function<bool(const SubjectID&)>& ends,
                  const std::function<void(RCRegion*)>& release) {
   for (ObserverState::Held& held : observer->held) {
@@ -32,7 +32,7 @@ void ReleaseHeld(ObserverState* observer, const std::function<bool(const Subject
   }
 }
 
-// Ends every connection of `other` with `gone`.
+// Ends every connection between `other` and `gone`, an object that is being replaced.
 void Disconnect(Object* other, Object* gone) {
   const ObjectId id = gone->id;
   const CurrentScope scope(other->system, other);
@@ -55,7 +55,8 @@ void Disconnect(Object* other, Object* gone) {
   }
 }
 
-// Moves the messages to object `id` in the outbox of `sender`, except replies, to `messages`.
+// Moves the messages to object `id`, except replies, from the outbox of `sender` to `messages`.
+// The outbox has messages of a handler whose processor time is not over.
 void TakeOutgoing(Object* sender, ObjectId id, std::vector<OwnedMessage>* messages) {
   if (sender == nullptr) return;
   auto& outbox = sender->processor.outbox;
@@ -112,8 +113,8 @@ void ObjectTable::Return(std::vector<std::unique_ptr<Object>> fresh) {
 }
 
 // Takes and returns all messages to `object`: messages that are held, that wait for the processor,
-// that are due now or later, and those in outboxes of objects whose handler's time is not over.
-// Replies in the queue are released, because the handler that waits for them ends.
+// that are due now or later, and those in outboxes.  Replies in the queue are released, because the
+// handler that waits for them ends with its object.
 std::vector<OwnedMessage> ObjectTable::TakeMessagesTo(Object* object) {
   std::vector<OwnedMessage> messages;
   for (OwnedMessage& message : object->handler.held) messages.push_back(std::move(message));
@@ -128,8 +129,8 @@ std::vector<OwnedMessage> ObjectTable::TakeMessagesTo(Object* object) {
   for (OwnedMessage& message : system_->queue().TakeIf(is_to_object)) {
     if (!message->is_reply) messages.push_back(std::move(message));
   }
-  // This subtraction comes before the outboxes are searched, because messages in an outbox do not
-  // count as waiting.
+  // The messages taken so far were counted as waiting.  Those in outboxes, which are taken below,
+  // were not.
   object->waiting -= static_cast<int>(messages.size());
   ASSERT(object->waiting >= 0, "{} has {} waiting messages", object->name, object->waiting);
   for (const auto& sender : objects_) TakeOutgoing(sender.get(), object->id, &messages);
@@ -174,9 +175,10 @@ void ObjectTable::Place(std::unique_ptr<Object> fresh) {
   fresh->message_count = old->message_count;
   fresh->dropped_count = old->dropped_count;
   fresh->is_off = old->is_off;
-  fresh->waiting = old->waiting;  // messages that a gate keeps will reach `fresh`
-  // A handler that waits, or that still has the processor, ends later and needs its object until
-  // then.
+  // The count still has the messages that a gate keeps, because `fresh` will receive them.
+  fresh->waiting = old->waiting;
+  // An old object whose handler waits, or still has the processor, is kept: that handler ends later
+  // and needs its object until then.
   if (old->handler.running != nullptr || old->processor.is_busy)
     outlived_.push_back(std::move(objects_[static_cast<size_t>(id)]));
   objects_[static_cast<size_t>(id)] = std::move(fresh);
@@ -184,8 +186,9 @@ void ObjectTable::Place(std::unique_ptr<Object> fresh) {
 
 ObjectTable::Readies ObjectTable::Replace(std::vector<std::unique_ptr<Object>> fresh) {
   Readies readies;
-  // All old objects are marked first, so that messages which one of them leaves behind are not sent
-  // to another.
+  // Marks all old objects before any message is taken.  If one of them has not received a
+  // notification from another, its regions then go back to the other by a direct call, because a
+  // message to the other would be lost (SendDeassert()).
   for (const auto& object : fresh) Get(object->id)->is_leaving = true;
   for (const auto& object : fresh) readies[object->id] = EndMessagesTo(Get(object->id));
   for (auto& object : fresh) Place(std::move(object));

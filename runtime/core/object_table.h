@@ -1,4 +1,4 @@
-// The objects of one System: adds, finds, ends and replaces them.
+// ObjectTable: the objects of one System.  Adds, finds, ends and replaces them.
 #pragma once
 
 #include <functional>
@@ -18,7 +18,7 @@ class System;
 class ObjectTable {
  public:
   using Listener = std::function<void(ObjectId)>;
-  // object -> the observers that are ready for its subjects
+  // object -> the observers that are ready for subjects of this object
   using Readies = std::map<ObjectId, std::vector<StandingReady>>;
 
   // `system` must outlive the table.
@@ -31,7 +31,7 @@ class ObjectTable {
   Object* Adopt(std::unique_ptr<Object> object);
   ObjectId NextId() const { return static_cast<ObjectId>(objects_.size()); }
 
-  // Return null if there is no such object.
+  // Get() and Find() return null if there is no such object.
   Object* Get(ObjectId id) const {
     const auto index = static_cast<size_t>(id);  // a negative id becomes a very large index
     return index < objects_.size() ? objects_[index].get() : nullptr;
@@ -42,9 +42,11 @@ class ObjectTable {
   // ---- Ends of objects
 
   // Ends time events, network connections and registered names of object `id`, and deletes its
-  // regions.  To be called in a task, because messages that are due may point into regions.
+  // regions.  To be called in a task (System::PostTask()), because while other messages are due
+  // they may point into these regions.
   void EndAllOf(ObjectId id);
-  // Registers a `listener` that EndAllOf() calls.
+  // Registers a `listener` that EndAllOf() calls, so that parts of the system end what they do for
+  // the object.
   void OnEnd(Listener listener) { end_listeners_.push_back(std::move(listener)); }
 
   // Ends every connection of the other objects with object `id`.  A worker calls this when an
@@ -60,9 +62,9 @@ class ObjectTable {
   // added and nothing changes.  REQUIRES: System::booted(), and `id` names an image.
   void Reload(ObjectId id);
 
-  // Posts the replacement of objects whose worker was lost; EndAllOf() was called for them.  The
-  // objects of `fresh` have the same ids.  All of them are in place before the first DoInit.
-  // REQUIRES: System::booted().
+  // Posts the replacement of objects whose worker process was lost, that is, has ended or cannot be
+  // reached.  EndAllOf() was called for them.  The new objects in `fresh` have the same ids.  All
+  // of them are in place before the first DoInit.  REQUIRES: System::booted().
   void Return(std::vector<std::unique_ptr<Object>> fresh);
 
   // Registers a `listener` that is called for every object that is replaced, before its successor
@@ -70,8 +72,8 @@ class ObjectTable {
   void OnReplace(Listener listener) { replace_listeners_.push_back(std::move(listener)); }
 
   // Replace() and AssertAgain() are steps of a replacement; ObjectManager::Begin() calls them.
-  // Replace() puts the objects of `fresh` in place of the objects with their ids.  Messages to the
-  // old objects are lost.  Returns the observers that were ready for the old objects.
+  // Replace() puts the objects of `fresh` in place of the objects with the same ids.  Messages to
+  // the old objects are lost.  Returns the observers that were ready for the old objects.
   Readies Replace(std::vector<std::unique_ptr<Object>> fresh);
   // Posts `readies` to the new object `id`, in the name of their observers.  An observer does not
   // know of the replacement, so it would not assert again itself.

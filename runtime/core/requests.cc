@@ -37,6 +37,8 @@ OwnedMessage Requests::Await(uint64_t box, int64_t timeout_us, std::string_view 
   const Message* const wake = system_->calls().BeginWait(box, timeout_us, why);
   OwnedMessage message = system_->dispatcher().WaitFor(box);
   self->handler.blocked_why.clear();
+  // A wait that reaches its limit ends with an empty reply from the object itself
+  // (LocalCalls::BeginWait()).
   *timed_out = message->kind == PayloadKind::kHashed && message->sender == self->id;
   if (*timed_out) return message;  // the box stays open, because the reply may still come
   // The reply came before the time-out, so the message that would end the wait is removed.
@@ -67,9 +69,9 @@ int32_t Requests::Call(ObjectId target, uint32_t selector, const void* data, siz
   if (error != sSUCCESS) return error;
   const std::string why =
       fmt::format("the answer of {} ({})", callee->name, callee->EntryName(selector));
-  // A time-out is measured in virtual time.  If the callee's handler runs in another process,
-  // virtual time does not tell how long it takes, so a time-out is ignored and the wait begins
-  // again.
+  // The time-out is in virtual time.  If the callee's handler runs in another process, it takes
+  // wall time, of which virtual time knows nothing.  So a time-out is then ignored, and the wait
+  // begins again.
   for (;;) {
     const int32_t result = Wait(box, reply, reply_size, nullptr, timeout_us, why);
     if (result != sTIMEOUT || !system_->object(target)->IsAtWorkElsewhere()) return result;

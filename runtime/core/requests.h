@@ -1,7 +1,7 @@
-// Requests of handlers and their replies.
+// Requests: sends requests and receives their replies.
 //
 // A reply arrives in a numbered box of the object that sent the request.  While a handler waits for
-// its box, other objects go on.
+// the reply in a box, other objects go on.
 #pragma once
 
 #include <cstddef>
@@ -43,17 +43,18 @@ class Requests {
   // they have received a reply.
   uint64_t OpenBox();
 
-  // Waits for the reply to `box` and returns the reply.  After `timeout_us`, returns an empty
-  // message and sets `*timed_out`.  `why` describes for users what the handler waits for: "the
-  // answer of IPStack (Send)".
+  // Waits for the reply to `box` and returns the reply.  If none comes within `timeout_us`, returns
+  // an empty message and sets `*timed_out`.  `why` describes for users what the handler waits for:
+  // "the answer of IPStack (Send)".
   OwnedMessage Await(uint64_t box, int64_t timeout_us, std::string_view why, bool* timed_out);
 
   // Takes the right to reply to the request that the caller handles.  Returns an empty ticket if
-  // the message is no request, or if its ticket was already taken.
+  // the message is no request, or if its ticket was already taken, because each request gets one
+  // reply.
   ReplyTicket TakeTicket();
 
-  // Sends a reply with the `size` bytes at `data`.  `payload_hash` is the hash of these bytes for
-  // the trace.  If it is 0, the hash is computed.
+  // Sends a reply with the `size` bytes at `data`.  `payload_hash` is given if these bytes hold
+  // addresses: it stands for them in the trace of the run.  If it is 0, the bytes are hashed.
   int32_t Reply(const ReplyTicket& ticket, const void* data, size_t size,
                 uint64_t payload_hash = 0);
 

@@ -30,7 +30,8 @@ static_assert(sizeof(OReadyMessage) <= Message::kPayloadMax);
 
 namespace {
 
-// Returns the state of the run for the message of a failed assertion.
+// Returns the state of the run for the message of a failed assertion.  Clears t_current, so that
+// printing the message uses the host's heap and files and not those of the object.
 std::string RunContext() {
   const System* const system = t_current.system;
   const Object* const object = t_current.object;
@@ -44,7 +45,7 @@ std::string RunContext() {
 }
 
 // Makes the C library allocate the buffer of stdout now.  Otherwise it would do so at the first
-// print, on the heap of the object that prints, and the buffer would go with that object.
+// print, on the heap of the object that prints, and the buffer would be freed with that object.
 void AllocateStandardOutput() {
   if (__fbufsize(stdout) > 0) return;
   setvbuf(stdout, nullptr, _IOFBF, 0);
@@ -185,8 +186,9 @@ OwnedMessage System::NewMessage(ObjectId target, uint32_t selector) {
   return message;
 }
 
-// Refuses a message to an entry that the target does not have.  Such messages come from old objects
-// whose stub was made from another stub.cfg than their sources.
+// Refuses a message to an entry that the target does not have.  Such messages come from objects
+// whose stub (the generated code with their entries) was made from another stub.cfg than their
+// sources.
 int32_t System::RefuseSelector(const Message& message, const Object& target) {
   AddFindingAbout(&target, Severity::kError,
                   fmt::format("MCOOPMailer::intraDeliver selector is out of range: sel={}, "
@@ -206,14 +208,16 @@ int32_t System::Enqueue(OwnedMessage&& message, int64_t delay_us) {
   Object* const target = object(message->target);
   ASSERT(target != nullptr && delay_us >= 0, "message to object {} in {} us", message->target,
          delay_us);
-  // The message leaves when the time of the running handler is over (cpu.h).
+  // While the sender's handler still takes processor time, the message waits in the outbox.
+  // Cpu::End() posts it when that time is over.
   if (Object* const self = t_current.object; self != nullptr && self->processor.is_busy) {
     self->processor.outbox.push_back({std::move(message), delay_us});
     return sSUCCESS;
   }
   if (!message->is_reply) {
     if (!target->HasEntry(message->selector)) return RefuseSelector(*message, *target);
-    // A part of the system uses messages to itself as a clock, so a schedule must not refuse them.
+    // Parts of the system post messages to themselves to be called again later, so a schedule must
+    // not refuse these.
     const bool is_clock =
         target->is_system && (message->sender == target->id || message->sender == kNoObject);
     if (schedule_ != nullptr && !is_clock && schedule_->Refuses(*message)) {

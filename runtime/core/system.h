@@ -1,7 +1,7 @@
 // System: the clock, the message queue, the table of objects and everything that they share.
 //
 // One System is one deterministic run.  One process may have several Systems, each used from one
-// thread.  Virtual robots and the IPStack are objects too.
+// thread.  The simulated robots and the network stack (IPStack) are objects of the System too.
 //
 //   System system({.seed = 1});
 //   const int dog = system.AddRobot("ERS-210", stick);
@@ -50,60 +50,63 @@ class ObjectManager;
 class RobotServices;
 class RunFolder;
 
-// A frame: the robot's sensors and joints work in steps of 8 ms.
+// Length of a frame, the step in which the robot's sensors and joints work: 8 ms.
 constexpr int64_t kFrameUs = 8000;
 
 // RAM of the robot, for the system and all objects (field-notes.md 3.10).
 constexpr size_t kRobotMemoryBytes = size_t{32} << 20;
 
 struct SystemOptions {
-  // The seed of everything that is random.  With 1, messages have the canonical order; with any
-  // other seed, the order is drawn from those that the robot allows (schedule.h).
+  // The seed of everything that is random.  With 1, messages have the canonical order (schedule.h);
+  // with any other seed, the order is drawn from those that the robot allows.
   uint64_t seed = 1;
   // If true, mistakes of programs that stop a real robot stop the robot here too.  If false, they
-  // are only findings.  Also makes objects receive read-only copies of data (guard_pages.h).
+  // are only findings.  Also makes objects receive read-only copies of data (guard_pages.h),
+  // because on a real robot writing to received data is such a mistake.
   bool strict = false;
   // Receives what objects print; null: standard output.
   std::function<void(std::string_view text)> console = {};
-  // OSYSLOG lines of a priority above this are not printed (1 error, 2 warning, 3 info).
+  // OSYSLOG lines with a priority above this are not printed (1 error, 2 warning, 3 info).  Debug
+  // lines are always printed.
   uint32_t log_level = 3;
-  // The number of messages that take no time at one instant; each further one takes 1 us. Otherwise
-  // objects that answer each other without waiting would stop the clock.
+  // The number of messages that may be delivered at one instant of virtual time; each further one
+  // takes 1 us.  Otherwise objects that answer each other without waiting would stop the clock.
   int64_t free_deliveries = 10'000;
-  // Wall clock in nanoseconds for Object::handler_ns_max; null: not measured.  Nothing else may
-  // depend on this clock.
+  // Wall clock in nanoseconds, which measures Object::handler_ns_max; null: not measured.  Nothing
+  // else may depend on this clock, because it differs from run to run.
   int64_t (*wall_clock_ns)() = nullptr;
-  // The processor time of handlers; null: handlers take no time.
+  // The model of how much processor time handlers take (cpu.h); null: they take none.
   std::shared_ptr<CostModel> cost = {};
-  // Whether Object::stack_max is measured for images.
+  // Whether Object::stack_max is measured for images (objects that were loaded from files).
   bool measure_stacks = false;
   // Whether objects receive read-only copies that are unmapped when they assert ready
-  // (guard_pages.h).  Data that a subject changes before they are received become an error finding.
-  // Costs some microseconds per notification.
+  // (guard_pages.h), so that every later access is a fault.  Data that a subject changes before
+  // they are received become an error finding.  Costs some microseconds per notification.
   bool guard_regions = false;
-  // Makes the SystemCalls of this System; null: LocalCalls.
+  // Makes the SystemCalls of this System, the functions that handlers call; null: LocalCalls.
   std::function<std::unique_ptr<SystemCalls>(System*)> make_calls = {};
 };
 
 // A connection of CONNECT.CFG, or one made in code.
 struct Connection {
   int robot = 0;
-  std::string subject;  // four-part service names
+  std::string subject;  // full service names: "RCServer.Move.MoveCommand.S"
   std::string observer;
-  std::string where;  // "CONNECT.CFG:4" for messages
+  std::string where;  // the place of its line, for messages to users: "CONNECT.CFG:4"
 };
 
-// A robot: its stick, its design, and the services of its objects.
+// A robot: its model, its Memory Stick, its devices, and what its objects have registered.
 struct Robot {
   int index = 0;
-  std::string design;                  // "ERS-210"
-  std::shared_ptr<MemoryStick> stick;  // null: the robot has no stick
-  std::unique_ptr<RobotServices> services;
-  std::map<std::string, std::pair<ObjectId, uint32_t>> directory;  // service name -> entry
-  std::map<std::string, std::string> design_data;                  // keyword -> /MS/ path
-  std::map<std::string, ObjectId> names;                           // set by Register() (MCOOP.h)
-  MemoryBudget memory;      // limited only with SystemOptions::strict
-  uint64_t stick_hash = 0;  // hash of the stick when LoadStick() was called
+  std::string design;                       // "ERS-210"
+  std::shared_ptr<MemoryStick> stick;       // null: the robot has no stick
+  std::unique_ptr<RobotServices> services;  // its simulated devices (robot_services.h)
+  // registered services: name -> object, selector
+  std::map<std::string, std::pair<ObjectId, uint32_t>> directory;
+  std::map<std::string, std::string> design_data;  // of DESIGNDB.CFG: keyword -> path of a file
+  std::map<std::string, ObjectId> names;           // of Register() (MCOOP.h): name -> object
+  MemoryBudget memory;      // memory that its objects use; limited only with SystemOptions::strict
+  uint64_t stick_hash = 0;  // hash of the stick's content when LoadStick() was called
   bool powered_off = false;
   std::optional<RunEnd> end;  // the reason for the shutdown or the power-off; none: still on
 };
@@ -117,32 +120,35 @@ class System {
 
   // ---- Building, before Boot() ----
 
-  // Returns the robot's index.
+  // Adds a robot of the model `design` and returns its index.  `stick` is null if it has none.
   int AddRobot(const std::string& design, std::shared_ptr<MemoryStick> stick);
   Robot& robot(int index) { return *robots_.at(static_cast<size_t>(index)); }
   int robot_count() const { return static_cast<int>(robots_.size()); }
 
-  // Makes an object of class T (a CodeObject) with the arguments given.  Its
-  // constructor runs as code of the new object.
+  // Makes an object of class T, a CodeObject, with the arguments given.  Its constructor runs with
+  // the new object as the current object (current.h).
   template <typename T, typename... Args>
   T* AddObject(int robot, const std::string& name, Args&&... args);
 
-  // Returns the folder for copies of images.  It exists as long as the System.
+  // Returns the temporary folder for copies of images, because each object is loaded from a copy of
+  // its own (image.h).  The folder exists as long as the System.
   RunFolder* run_folder();
 
   // Adds a connection that the boot will make.  REQUIRES: before Boot().
   void Connect(Connection connection) { connections_.push_back(std::move(connection)); }
   const std::vector<Connection>& connections() const { return connections_; }
 
-  // Sets the state of all random generators to that of a System with this seed.  The order of
-  // messages does not change: it stays that of set_schedule().  REQUIRES: before Boot().
+  // Sets the state of all random generators to that of a System with this seed.  Does not change
+  // the order of messages, which the first seed or set_schedule() has decided.  REQUIRES: before
+  // Boot().
   void Reseed(uint64_t seed);
 
   // Posts the message that begins the boot: DoInit of all objects, then their connections, then
   // DoStart of all objects.
   void Boot();
 
-  // Posts a call of `task`, which is made as soon as no message of an object is due.
+  // Posts a message whose handler calls `task`.  It has the lowest priority, so `task` is called as
+  // soon as no message of an object is due.
   void PostTask(std::function<void()> task);
 
   // Posts the shutdown of one robot: DoStop of its objects, then DoDestroy, then the robot is off.
@@ -195,30 +201,35 @@ class System {
   OwnedMessage NewMessage(ObjectId target, uint32_t selector);
 
   // Queues a message of NewMessage(), due `delay_us` from now.  Returns an sError: sSUCCESS,
-  // sINVALIDOID, or sFULLMSGQENTRY if the receiver's queue is full (only with --strict).
+  // sINVALIDOID, or sFULLMSGQENTRY if the receiver's queue is full (only with
+  // SystemOptions::strict) or if the schedule lets the post fail.
   int32_t Post(OwnedMessage message, int64_t delay_us = 0);
 
   // Queues a message in the queue of this process; LocalCalls::Post() calls it.
   // REQUIRES: the target exists and delay_us >= 0.
   int32_t Enqueue(OwnedMessage&& message, int64_t delay_us);
 
-  // Ends the running handler without returning to it.  REQUIRES: called in a handler.
+  // Ends the running handler without returning to it, as exit() and Exit() do.  REQUIRES: called in
+  // a handler.
   [[noreturn]] void AbandonHandler();
 
   // ---- Schedule and gate, for tests and tools that explore orders; null: none.  Both must outlive
   //      their use here.
 
-  // Replaces the schedule that the seed gives.  REQUIRES: before Boot().
+  // Replaces the schedule that the seed gives, which decides the order of messages.  REQUIRES:
+  // before Boot().
   void set_schedule(Schedule* schedule) { schedule_ = schedule; }
+  // Sets the gate, which decides for each message whether it may be delivered now.
   void set_gate(Gate* gate) { gate_ = gate; }
-  // Puts a message that a gate or the processor has kept back into the queue, due now and before
-  // all others of its class and priority.
+  // Puts a message that a gate or the processor (cpu.h) has kept back into the queue again, due now
+  // and before all others of its class and priority.
   void Readmit(OwnedMessage message);
 
   // Adds typed text, which objects can read from the next frame boundary on.  REQUIRES: not called
   // in a handler.
   void FeedConsole(int robot, std::string_view text) { console_input_.Feed(robot, text); }
-  // Registers a `listener` that FeedConsole() calls at once, for recordings.
+  // Registers a `listener` for recordings.  FeedConsole() calls it when the text is typed, and not
+  // at the frame boundary.
   void OnConsoleInput(ConsoleInput::Listener listener) {
     console_input_.OnFeed(std::move(listener));
   }
@@ -237,7 +248,8 @@ class System {
   RegionTable& regions() { return regions_; }
   RegionShares& region_shares() { return region_shares_; }
   GuardPages* guard_pages() { return guard_pages_.get(); }  // null: received data are not copied
-  // Returns how long a frame of the robot's devices lasts by this clock.
+  // Returns how long a frame of the robot's devices lasts in virtual time: kFrameUs, or the length
+  // that the cost model gives.
   int64_t frame_us() const { return options_.cost ? options_.cost->FrameUs() : kFrameUs; }
   Trace& trace() { return trace_; }
   const Findings& findings() const { return findings_; }
@@ -246,7 +258,7 @@ class System {
   SystemCalls& calls() { return *calls_; }
   Dispatcher& dispatcher() { return *dispatcher_; }
   ObjectManager& manager() { return *manager_; }
-  // Returns the processors by robot; none without a cost model.
+  // Returns the processors, by index of the robot; empty without a cost model.
   const std::vector<std::unique_ptr<Cpu>>& cpus() const { return cpus_; }
 
   uint64_t trace_hash() const { return trace_.hash(); }
@@ -290,7 +302,7 @@ class System {
   bool powered_off_ = false;
   std::optional<RunEnd> end_;
 
-  MessageQueue queue_;  // outlives all members below, which may own messages
+  MessageQueue queue_;  // destroyed after the members below, which may own its messages
   RegionTable regions_;
   RegionShares region_shares_{&regions_};
   std::unique_ptr<GuardPages> guard_pages_;
@@ -309,7 +321,8 @@ class System {
   Schedule* schedule_ = nullptr;
   Gate* gate_ = nullptr;
   ObjectManager* manager_ = nullptr;
-  // The table is the last member, because objects use the other members until they are destroyed.
+  // The table is the last member, so it is destroyed first: objects use the other members until
+  // they are destroyed.
   ObjectTable table_{this};
 };
 
