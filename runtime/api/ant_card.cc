@@ -16,14 +16,14 @@ using openr_host::WlanConfig;
 
 namespace {
 
-// The frame sizes above which the card asks for permission to send (RTS) or splits the frame, with
-// the default values of 802.11b.  No frame is longer, so a card with these values never does
-// either.
+// Two settings of the card: a longer frame is sent only after a request for permission (RTS), or is
+// sent in parts.  These are the default values of 802.11b.  No frame is longer, so a card with
+// these values never does either.
 constexpr int32 kRtsThreshold = 2347;
 constexpr int32 kFragmentationThreshold = 2346;
 
-// Implements a function that asks the card: clears `msg`, calls `fill` to set its fields if the
-// robot has a card with a driver, and stores the status in `msg` and returns it.
+// Implements a function that asks the card.  Clears `msg`.  If the robot has a card with a driver,
+// calls `fill` to set the fields of `msg`.  Stores the status in `msg` and returns it.
 template <typename Msg, typename Fill>
 EtherStatus Ask(Msg* msg, Fill fill) {
   const ApiScope scope;
@@ -52,8 +52,9 @@ extern "C" {
 
 EtherStatus ERA201D1_GetMACAddress(EtherDriverGetMACAddressMsg* msg) {
   return Ask(msg, [msg](const IpStack& stack) {
-    // The first octet, 0x02, marks a locally administered address, which no real card has.  The
-    // last octets are the number of the robot, so each robot has an address of its own.
+    // The first octet, 0x02, marks an address that was chosen by a user, so no real card has it
+    // (IEEE 802, locally administered).  The last octets are the number of the robot, so each robot
+    // has an address of its own.
     const int robot = stack.host().robot + 1;
     const byte octets[6] = {0x02,
                             0x00,

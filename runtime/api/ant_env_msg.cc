@@ -1,5 +1,5 @@
-// The functions of antEnvMsg, the base of all messages to the network stack: they send a message,
-// wait for its answer, or answer it.
+// The functions of antEnvMsg, the base class of all messages to the network stack (IPStack).  They
+// send a message, wait for its answer, or answer it.
 #include <antEnvMsg.h>
 #include <fmt/format.h>
 
@@ -15,15 +15,16 @@ using namespace openr_host;
 
 namespace {
 
-// Returns the network stack that `target` names, or null if the robot has no such stack or no
-// object runs.  Sets the error field of `message` to "failed", because the program may read the
-// field although Send() or Call() fails and no answer arrives.
+// Returns the network stack that `target` names.  Returns null if the robot has no such stack, or
+// if no object runs.  Sets the error field of `message` to "failed" first, because a program may
+// read this field although Send() or Call() has failed and no answer comes.
 IpStack* StackFor(const antStackRef& target, antEnvMsg* message) {
   SetAntError(message, ANT_FAIL);  // the value 1, which means "failed" in every protocol
   IpStack* const stack = IpStack::OfCurrent();
   return stack != nullptr && target.get_oid() == OidOf(stack->host().id) ? stack : nullptr;
 }
 
+// Makes a message to the object of `stack` with a copy of `message`.
 OwnedMessage NewRequest(IpStack* stack, const antEnvMsg& message) {
   const size_t size = AntMessageSize(message);
   OwnedMessage request =
@@ -32,9 +33,9 @@ OwnedMessage NewRequest(IpStack* stack, const antEnvMsg& message) {
   std::memcpy(request->payload, static_cast<const void*>(&message), size);
   request->size = static_cast<uint32_t>(size);
   request->kind = PayloadKind::kHashed;
-  // The hash stands for the message in the trace of the run.  Data that the message points to are
-  // hashed only if they are in a mapped shared buffer.  An address elsewhere may be invalid, so it
-  // is not read.
+  // The trace of the run has a hash in place of this message, because the message holds addresses.
+  // Data to which it points are hashed too, but only if they lie in a mapped shared buffer: an
+  // address elsewhere may be invalid, so it is not read.
   const AntData data = DataToSend(message);
   const bool known = stack->buffers().Contains(data.begin, data.size);
   request->payload_hash = AntMessageHash(message, known ? data.begin : nullptr,
@@ -61,6 +62,7 @@ antError antEnvMsg::Send(antStackRef target, OID& oid, int32 entry, int size) {
   if (stack == nullptr || dstSelector > Entry_antEnv_External) return ANT_FAIL;
   sender = OidOf(t_current.object->id);
   msgSize = size;
+  // The stack sends its answer to this entry of the object `oid`.
   invocationType = ANTENVMSG_SEND;
   contInfo.oid = oid;
   contInfo.selector = static_cast<Selector>(entry);
@@ -92,9 +94,9 @@ antError antEnvMsg::Call(antStackRef target, int size) {
 
 antEnvMsg* antEnvMsg::Receive(ANTENVMSG msg) { return static_cast<antEnvMsg*>(msg); }
 
-// Answers the request that the running handler has received.  Only objects of a program that play
-// the role of a network stack call this function.  IPStack uses IpStack::Answer() instead, because
-// it often answers in a later handler, when the network has delivered data.
+// Answers the request that the running handler has received.  Called only by objects of a program
+// that act as a network stack.  IPStack uses IpStack::Answer() instead, because it often answers in
+// a later handler, when the network has delivered data.
 antError antEnvMsg::Reply() {
   const ApiScope scope;
   if (t_current.object == nullptr) return ANT_FAIL;

@@ -1,5 +1,6 @@
-// Constructors of the messages that set parameters of the network stack or ask the DNS, and the
-// functions that print an antModuleRef, the reference of a program to a TCP, UDP or DNS endpoint.
+// Constructors of the messages that set parameters of the network stack or ask for names and
+// addresses (DNS).  Functions that print an antModuleRef, a program's reference to a TCP, UDP or
+// DNS endpoint.
 #include <DNSEndpointMsg.h>
 #include <OPENR/OSyslog.h>
 #include <antEnvMsg.h>
@@ -10,8 +11,8 @@
 
 namespace {
 
-// Copies the text `from` into the array `to`.  A text that is too long is cut; the rest of the
-// array becomes NUL, at least one character.
+// Copies the text `from` into the array `to`, cut to N - 1 characters.  The rest of the array, at
+// least one character, becomes NUL.
 template <size_t N>
 void CopyText(char (&to)[N], const char* from) {
   std::memset(to, 0, N);

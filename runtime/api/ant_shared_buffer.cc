@@ -1,3 +1,5 @@
+// antSharedBuffer: shared memory through which a program and the network stack pass data.  A
+// program must map a buffer before it sends data in it.
 #include <antSharedBuffer.h>
 
 #include "runtime/core/system.h"
@@ -8,6 +10,8 @@ using openr_host::IpStack;
 
 namespace {
 
+// Tells the master process of a distributed run that this object has mapped or unmapped `buffer`,
+// because the network stack runs there (SystemCalls::NoteMapping()).
 void NoteMapping(const antSharedBuffer& buffer, bool mapped) {
   openr_host::t_current.system->calls().NoteMapping(buffer.GetCookie(), buffer.GetRegion(), mapped);
 }

@@ -8,6 +8,8 @@ namespace {
 constexpr int64_t kDaysIn400Years = 146097;
 constexpr int kSaturday = 6;
 
+// Divides and rounds down, also if `dividend` is negative.  The operator / would round such a
+// quotient up.
 int64_t FloorDiv(int64_t dividend, int64_t divisor) {
   const int64_t quotient = dividend / divisor;
   return dividend % divisor < 0 ? quotient - 1 : quotient;
@@ -15,10 +17,10 @@ int64_t FloorDiv(int64_t dividend, int64_t divisor) {
 
 bool IsLeap(int64_t year) { return year % 4 == 0 && (year % 100 != 0 || year % 400 == 0); }
 
-// Returns the number of days from 2000-01-01 to January 1 of `year`, negative before 2000: 365 for
-// each year between, and one more for each leap year.
+// Returns the number of days from 2000-01-01 to January 1 of `year`: 365 for each year in between,
+// and one more for each leap year.  The number is negative before 2000.
 int64_t DaysToYear(int64_t year) {
-  const int64_t last = year - 1;  // the last year that counts: the one before `year`
+  const int64_t last = year - 1;  // the last year whose days count: the one before `year`
   const int64_t leap_years = FloorDiv(last, 4) - FloorDiv(last, 100) + FloorDiv(last, 400);
   constexpr int64_t kLeapYearsBefore2000 = 1999 / 4 - 1999 / 100 + 1999 / 400;
   return (year - 2000) * 365 + leap_years - kLeapYearsBefore2000;
@@ -42,8 +44,8 @@ int64_t DaysToMonth(int64_t year, int64_t month) {
 
 CivilDate DateOfDay(int64_t days) {
   CivilDate date;
-  // The first guess counts every year as 366 days, so the guessed year may be too early but never
-  // too late.  The loop after it moves on to the right year.
+  // The first guess takes every year for 366 days long, so the guessed year may be too early but
+  // never too late.  The loop then goes forward to the right year.
   date.year = 2000 + FloorDiv(days, kDaysIn400Years) * 400;
   date.year += (days - DaysToYear(date.year)) / 366;
   while (days >= DaysToYear(date.year + 1)) ++date.year;

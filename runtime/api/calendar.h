@@ -1,4 +1,5 @@
-// Days and dates of the Gregorian calendar, counted from 2000-01-01.
+// Days and dates of the Gregorian calendar.  Days are counted from 2000-01-01, where the clock of
+// the robot (OTime) begins.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +7,7 @@
 namespace openr_host {
 
 struct CivilDate {
-  int64_t year = 2000;  // all digits: 2000, not 0
+  int64_t year = 2000;  // the full year: 2000, not 0
   int month = 1;        // 1..12
   int day = 1;          // 1..31
 };

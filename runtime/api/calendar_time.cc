@@ -1,3 +1,4 @@
+// OCalendarTime: the time of an OTime as local date, time of day and time zone.
 #include <OPENR/OCalendarTime.h>
 #include <OPENR/OSyslog.h>
 #include <fmt/format.h>
@@ -14,16 +15,17 @@ namespace {
 constexpr const char* kDayNames[] = {"Sun", "Mon", "Tue", "Wed", "Thu", "Fri", "Sat"};
 constexpr const char* kMonthNames[] = {"Jan", "Feb", "Mar", "Apr", "May", "Jun",
                                        "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
-constexpr int kYearMax = 9999 - otimeSTART_YEAR;  // because texts have four digits for the year
+constexpr int kYearMax = 9999 - otimeSTART_YEAR;  // because texts have four digits for it
 
+// Returns the number of days from 2000-01-01 to the date of `t`.
 int64_t DayOf(const OCalendarTime& t) {
   return openr_host::DaysToMonth(int64_t{otimeSTART_YEAR} + t.year_, t.month_) + t.day_ - 1;
 }
 
 bool InRange(int value, int least, int most) { return value >= least && value <= most; }
 
-// Returns the name of the weekday.  The weekday is computed from the date, because a program may
-// set dow_, the stored weekday, to any value.
+// Returns the name of the weekday, computed from the date.  The stored weekday, dow_, is not used,
+// because a program may set it to any value.
 const char* DayName(const OCalendarTime& t) {
   return kDayNames[openr_host::WeekdayOfDay(DayOf(t))];
 }
@@ -102,7 +104,7 @@ void OCalendarTime::Sprint(char* text) const {
 
 void OCalendarTime::RFC2822(char* text) const {
   if (!ProperDate()) return Write(text, "improper date");
-  // The zone "-0000" says that the zone is unknown (RFC 2822, 3.3).
+  // "-0000" means that the zone is unknown (RFC 2822, 3.3).
   const std::string zone =
       timeDif_ == otimeTIME_DIF_UNDEF
           ? "-0000"

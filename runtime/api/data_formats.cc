@@ -1,4 +1,5 @@
-// The functions of OCdtInfo, the tables of colour detection.
+// The functions of OCdtInfo, a table of colour detection: for each of 32 segments of brightness,
+// the colours that the camera shall detect.
 #include <OPENR/ODataFormats.h>
 
 void OCdtInfo::Init(OPrimitiveID id, OCdtChannel chan) {
@@ -9,6 +10,7 @@ void OCdtInfo::Init(OPrimitiveID id, OCdtChannel chan) {
   padding[0] = 0;
 }
 
+// Sets the colours of segment `y_segment`: the limits of Cr and Cb.
 void OCdtInfo::Set(int y_segment, byte cr_max, byte cr_min, byte cb_max, byte cb_min) {
   if (y_segment < 0 || y_segment >= static_cast<int>(ocdtMAX_Y_SEGMENT)) return;
   table[y_segment] =

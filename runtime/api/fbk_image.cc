@@ -1,14 +1,17 @@
+// OFbkImage: gives programs the pixels of one band of a camera image, and the information that the
+// camera stores in the image.
 #include <OPENR/OFbkImage.h>
 
 #include <bit>
 
 namespace {
 
-// The place of a band in an image.  A band holds one value for each pixel: the brightness Y, the
-// colours Cr and Cb, the high-frequency parts LH, HL and HH of Y, or the colour detection CDT.  The
-// bands share the image row by row: row 0 of each band, then row 1 of each band, and so on.
+// The position of a band in an image.  A band has one value for each pixel: the brightness Y, the
+// colours Cr and Cb, the high-frequency parts LH, HL and HH of Y, or the result of colour
+// detection, CDT.  An image stores its bands row by row: row 0 of each band, then row 1 of each
+// band, and so on.
 struct BandPlace {
-  int index;  // place of the band among the bands; -1: an image of this type has no such band
+  int index;  // number of the band in this order; -1: images of this type have no such band
   int bands;  // number of bands of the image
 };
 
@@ -21,8 +24,8 @@ BandPlace PlaceOf(ODataType type, OFbkImageBand band) {
       return band <= ofbkimageBAND_Cb ? BandPlace{static_cast<int>(band), 3} : kNone;
     case odataFBK_YCrCb_HPF:
       if (band <= ofbkimageBAND_Cb) return {static_cast<int>(band), 6};
-      // The image has the bands LH, HL and HH directly after Cb.  OFbkImageBand has the constant of
-      // CDT between them, so the index in the image is one less than the constant.
+      // In the image, LH, HL and HH follow Cb.  In OFbkImageBand the constant of CDT is between
+      // them, so the index in the image is one less than the constant.
       if (band >= ofbkimageBAND_Y_LH && band <= ofbkimageBAND_Y_HH) {
         return {static_cast<int>(band) - 1, 6};
       }
@@ -32,10 +35,10 @@ BandPlace PlaceOf(ODataType type, OFbkImageBand band) {
   }
 }
 
-// The size of the tag and the offsets of two of its parts.  The tag is information about the image
-// and replaces the first pixels of its last row.  It has the field counter, then for channels 4 to
-// 7 and then 0 to 3 of the colour detection the frequency: the number of detected pixels divided by
-// 16 (robot.md, 11.2).
+// The camera overwrites the first 16 pixels of the last row with a tag, information about the
+// image.  At byte 0 it has the field counter.  At byte 4 it has the frequencies of channels 4 to 7
+// of colour detection, at byte 8 those of channels 0 to 3.  A frequency is the number of detected
+// pixels divided by 16 (robot.md, 11.2).
 constexpr int kTagSize = 16;
 constexpr int kFrequencies4To7 = 4;
 constexpr int kFrequencies0To3 = 8;
@@ -51,8 +54,8 @@ OFbkImage::OFbkImage(OFbkImageInfo* info, byte* data, OFbkImageBand band)
   height_ = static_cast<int>(info->height);
   skip_ = width_ * (place.bands - 1);
   pointer_ = data + place.index * width_;
-  // The tag is in the last row of the first band of the image (Y, or the only band).  So every
-  // OFbkImage of one image finds the same tag, whichever `band` it shows.
+  // The tag is in the first band of the image (Y, or the only band).  So every OFbkImage of one
+  // image finds the same tag, whichever `band` it shows.
   if (width_ >= kTagSize && height_ > 0) tag_ = data + (width_ + skip_) * (height_ - 1);
 }
 
@@ -60,6 +63,8 @@ byte OFbkImage::Pixel(int x, int y) const {
   return IsValid() ? pointer_[(width_ + skip_) * y + x] : byte{0};
 }
 
+// Returns the first four bytes of the tag as a number, low byte first.  The byte order is our
+// choice.
 longword OFbkImage::GetTagInfo() const {
   if (tag_ == nullptr) return 0;
   return longword{tag_[0]} | longword{tag_[1]} << 8 | longword{tag_[2]} << 16 |

@@ -1,3 +1,4 @@
+// IPAddress: an IPv4 address, stored as a number of 32 bits with the first octet highest.
 #include <IPAddress.h>
 #include <IPv4Types.h>
 #include <OPENR/OSyslog.h>
@@ -13,8 +14,8 @@ const IPAddress IP_ADDR_BROADCAST(0xffffffffu);
 
 namespace {
 
-// Parses four numbers of 0 to 255 with dots between them.  Returns nullopt if `text` is anything
-// else.
+// Parses a text such as "192.168.0.1": four numbers of 0 to 255 with dots between them.  Returns
+// nullopt if `text` is anything else.
 std::optional<uint32> Parse(const char* text) {
   const char* const end = text + std::strlen(text);
   uint32 address = 0;
@@ -47,7 +48,7 @@ bool IPAddress::InLoop() const { return address_ >> 24 == 127; }
 bool IPAddress::AllHostsGroup() const { return address_ == 0xe0000001u; }
 
 char* IPAddress::GetAsString(char* text) const {
-  return std::strcpy(text, Text(address_).c_str());  // at most 15 characters
+  return std::strcpy(text, Text(address_).c_str());  // at most 15 characters and the NUL
 }
 
 void IPAddress::print() const { osysprint("%s\n", Text(address_).c_str()); }

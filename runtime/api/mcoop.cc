@@ -1,5 +1,5 @@
-// The functions of MCOOP.h that send messages, wait and answer.  MCOOP.h is the interface of
-// Aperios, the robot's operating system.
+// The functions of MCOOP.h that send messages, wait for replies, reply, and find objects.  MCOOP.h
+// is the interface of Aperios, the robot's operating system.
 #include <MCOOP.h>
 
 #include <algorithm>
@@ -15,8 +15,10 @@ using namespace openr_host;
 
 namespace {
 
-constexpr uint64_t kTimeCallsMax = 1'000'000;  // this many calls in a handler mean a busy loop
+// A handler with so many calls of GetSystemTime() is reported as a busy loop.
+constexpr uint64_t kTimeCallsMax = 1'000'000;
 
+// Makes a message to entry `selector` of object `oid` with a copy of the bytes at `msg`.
 OwnedMessage NewBytes(const OID& oid, Selector selector, const void* msg, size_t size) {
   OwnedMessage message = t_current.system->NewMessage(ObjectIdOf(oid), selector);
   if (size > 0) std::memcpy(message->payload, msg, size);
@@ -24,9 +26,9 @@ OwnedMessage NewBytes(const OID& oid, Selector selector, const void* msg, size_t
   return message;
 }
 
-// Returns sSUCCESS if `rbox` names an open reply box of the current object, otherwise an error.  A
-// reply box is the place where the reply to one request arrives; only the object that sent the
-// request may wait at the box or close it.
+// Returns sSUCCESS if `rbox` names an open reply box of the current object, otherwise an error.
+// The reply to one request arrives in a reply box.  Only the object that sent the request may wait
+// for it or close the box.
 sError CheckBox(const RID& rbox) {
   const openr_host::Object* const self = t_current.object;
   if (self == nullptr || !rbox.IsValid()) return sINVALIDRID;
@@ -48,6 +50,8 @@ sError GetSystemTime(SystemTime* time) {
         "1000000 calls of GetSystemTime() in one handler: a busy loop holds up "
         "every object of this robot");
   }
+  // Virtual time stands still while a handler runs.  So each call adds 1 us, or a loop that waits
+  // for a certain time would never end.
   const int64_t now = t_current.system->now_us() + static_cast<int64_t>(object->handler.time_calls);
   time->seconds = static_cast<longword>(now / 1'000'000);
   time->useconds = static_cast<longword>(now % 1'000'000);
@@ -84,9 +88,9 @@ sError Unregister(const char* name) {
   return t_current.system->calls().UnregisterName(name);
 }
 
-// Finds the selector of an entry of the calling object by its name.  Only extra entries (the Extra
-// lines of stub.cfg) are searched.  This is our choice, because no source says which names the
-// robot searches.
+// Finds the selector of an entry of the calling object by the entry's name.  Searches only the
+// entries of the Extra lines of stub.cfg.  This is our choice, because no source says which names
+// the robot searches.
 sError FindSelector(const char* name, Selector* selector) {
   const ApiScope scope;
   if (t_current.object == nullptr || name == nullptr || selector == nullptr) return sINVALIDARG;
@@ -137,6 +141,8 @@ sError Reply(void* msg, size_t size) {
   openr_host::Object* const object = t_current.object;
   if (object == nullptr) return sFAIL;
   if (size > kMessageMax) return sEXCEEDEDSIZEOFMSG;
+  // If an object has called this handler of its own directly, to connect two of its services, there
+  // is no request to reply to.  So the reply is copied to the caller.
   if (object->handler.self_reply != nullptr) {
     std::memcpy(object->handler.self_reply->data, msg,
                 std::min(size, object->handler.self_reply->size));
@@ -145,9 +151,9 @@ sError Reply(void* msg, size_t size) {
   return t_current.system->requests().Reply(t_current.system->requests().TakeTicket(), msg, size);
 }
 
-// Sends a message to the object `oid` and lets that object reply to the request that the running
-// handler has received.  The reply goes directly to the object that sent the request, because the
-// new message carries the sender and the reply box of the request.
+// Passes the request that the running handler has received on to object `oid`, which replies to it
+// in place of this object.  The reply goes directly to the object that sent the request, because
+// the new message carries the sender and the reply box of the request.
 sError Delegate(OID oid, Selector selector, void* msg, size_t size) {
   const ApiScope scope;
   if (t_current.object == nullptr) return sFAIL;
@@ -169,11 +175,13 @@ sError CleanRBox(RID rbox) {
   return sSUCCESS;
 }
 
+// Replies and ends the handler; does not return.
 void Return(void* msg, size_t size) {
   Reply(msg, size);
   Exit();
 }
 
+// Ends the running handler and does not return.  Outside of a handler does nothing.
 void Exit() {
   if (t_current.object != nullptr && t_current.object->handler.running != nullptr) {
     t_current.image_code = false;
@@ -181,8 +189,11 @@ void Exit() {
   }
 }
 
+// Does nothing.  On the robot it ends Prologue(), which does nothing on the host.
 void ExitFromPrologue() {}
 
+// Waits for `nanosec`.  Virtual time stands still while a handler runs, so the wait shows only in
+// later calls of GetSystemTime() in this handler.
 sError Wait(longword nanosec) {
   if (t_current.object == nullptr) return sFAIL;
   t_current.object->handler.time_calls += nanosec / 1000;
@@ -191,6 +202,6 @@ sError Wait(longword nanosec) {
 
 }  // extern "C"
 
-// Does nothing.  The robot runs this entry to construct global objects; on the host the loader has
-// done that.
+// Does nothing.  On the robot this entry runs the constructors of global variables.  On the host
+// the loader has run them already.
 extern "C" void Prologue(InitInfo*) {}

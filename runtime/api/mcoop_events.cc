@@ -1,5 +1,5 @@
-// The functions of MCOOP.h that order messages for a later time (events), and those that read and
-// set limits of an object.  MCOOP.h is the interface of Aperios, the robot's operating system.
+// The functions of MCOOP.h that order messages for later (events), and those that read and set
+// limits of an object.  MCOOP.h is the interface of Aperios, the robot's operating system.
 #include <MCOOP.h>
 
 #include "runtime/api/mcoop_limits.h"
@@ -10,9 +10,9 @@ using namespace openr_host;
 
 namespace {
 
-// Checks whether the current object may order one more event.  An event sends a letter, a message
-// of `size` bytes to the object `oid`, at a later time or when a reply arrives.  Returns sSUCCESS,
-// or the error that the SDK's function returns.
+// Checks whether the current object may order one more event: a message of `size` bytes, the
+// letter, which is sent to object `oid` at a certain time or when a reply arrives.  Returns
+// sSUCCESS or the error for the program.
 sError CheckLetter(const OID& oid, size_t size) {
   if (t_current.object == nullptr) return sFAIL;
   if (size > kMessageMax) return sEXCEEDEDSIZEOFMSG;
@@ -63,7 +63,7 @@ sError CancelEvent(EventID event) {
   return t_current.system->calls().CancelEvent(event.value) ? sSUCCESS : sINVALIDEVENTID;
 }
 
-// Changes a limit; only the length of the message queue can be changed.
+// Changes a limit of the current object.  Only the length of its message queue can be changed.
 sError SetResourceValue(sResource resource, slongword value) {
   if (t_current.object == nullptr) return sFAIL;
   if (resource < rMAXMESSAGESIZE || resource > rMAXENTRIES) return sINVALIDRESOURCE;
@@ -91,6 +91,7 @@ sError GetResourceValue(sResource resource, slongword* current, slongword* max, 
     default:
       return sINVALIDRESOURCE;
   }
+  // The maximum is the current value, also for the queue, whose length has no other maximum here.
   if (max != nullptr) *max = *current;
   if (min != nullptr) *min = 1;
   return sSUCCESS;

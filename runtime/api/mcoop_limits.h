@@ -1,5 +1,5 @@
-// Limits, and the conversion of a RelativeTime to microseconds, for the functions of MCOOP.h.
-// MCOOP.h is the interface of the robot's operating system.
+// Limits of the functions of MCOOP.h, the interface of the robot's operating system, and the
+// conversion of its RelativeTime to microseconds.
 #pragma once
 
 #include <Time_a.h>
@@ -9,10 +9,11 @@
 
 namespace openr_host {
 
-constexpr size_t kMessageMax = 256;    // size of AperiosMessage; longer messages are refused
-constexpr size_t kObjectNameMax = 63;  // value of oobjectNAME_MAX in the SDK
+// largest message, the size of AperiosMessage; longer ones are refused
+constexpr size_t kMessageMax = 256;
+constexpr size_t kObjectNameMax = 63;  // longest name of Register(): oobjectNAME_MAX of the SDK
 constexpr int kEventsMax = 32;         // pending events of one object; our choice
-constexpr int kEntriesMax = 64;        // number of selectors of an object
+constexpr int kEntriesMax = 64;        // entries, and so selectors, of one object
 
 inline int64_t Microseconds(const RelativeTime& time) {
   return int64_t{time.sec} * 1'000'000 + int64_t{time.msec} * 1000;

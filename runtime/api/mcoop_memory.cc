@@ -15,11 +15,12 @@ using namespace openr_host;
 
 namespace {
 
-constexpr size_t kPageBytes = 4096;  // page size of a robot with memory protection
+// page size of a robot with memory protection, for GetPageSize()
+constexpr size_t kPageBytes = 4096;
 
-// Changes the size of a region that the current object owns.  For GrowMemoryRegion() `grows` is
-// true, and the new size must not be smaller.  For ShrinkMemoryRegion() `grows` is false, and the
-// new size must be smaller.
+// Changes the size of a region that the current object owns to `size`.  GrowMemoryRegion() sets
+// `grows`, and the new size must then not be smaller than the old one.  ShrinkMemoryRegion() does
+// not, and the new size must be smaller.
 sError Resize(MemoryRegionID id, size_t size, bool grows) {
   if (t_current.object == nullptr) return sFAIL;
   RegionTable& regions = t_current.system->regions();
@@ -38,7 +39,8 @@ sError NewRegion(size_t size, void** base) {
   if (t_current.object == nullptr || base == nullptr) return sINVALIDARG;
   *base = nullptr;
   if (size > kRobotMemoryBytes) return sNOMEMORY;
-  // The memory comes from the object's heap, where addresses are the same in every run.
+  // The memory comes from the object's heap, where addresses are the same in every run, or from
+  // the host's heap if the object has none because addresses are not planned.
   Arena* const arena = t_current.object->arena.get();
   *base = arena == nullptr ? std::calloc(1, std::max<size_t>(size, 1)) : arena->Allocate(size);
   if (*base == nullptr) return sNOMEMORY;
@@ -116,8 +118,8 @@ sError GetPageSize(size_t* size) {
   return sSUCCESS;
 }
 
-// Sets `*size` to the number of bytes of the robot's memory that the heaps of its objects do not
-// use.
+// Sets `*size` to the free part of the robot's memory.  Only the heaps of the robot's objects count
+// as used.
 sError GetFreeMemorySize(size_t* size) {
   if (t_current.object == nullptr || size == nullptr) return sINVALIDARG;
   const size_t used = t_current.system->robot(t_current.object->robot).memory.used_bytes;

@@ -1,4 +1,4 @@
-// OObject, the base of the C++ class of every object.
+// OObject, from which the C++ class of every object of a program is derived.
 #include <OPENR/OObject.h>
 
 #include <cstring>

@@ -1,6 +1,6 @@
-// The functions of namespace OPENR.  Functions about devices call the RobotServices of the robot,
-// the interface to its simulated devices; the other functions do their work here.  Functions that
-// make and delete vectors are in vectors.cc.
+// The functions of namespace OPENR, but for those that make and delete vectors (vectors.cc).
+// Functions about devices call the RobotServices of the robot, the interface to its simulated
+// devices.  The other functions do their work here.
 #include <OPENR/OPENRAPI.h>
 #include <fmt/format.h>
 
@@ -128,6 +128,7 @@ OStatus SetMotorPower(OPower power) {
 OStatus Shutdown(const OBootCondition& bootCondition) {
   const ApiScope scope;
   const OStatus status = Services().Shutdown(bootCondition);
+  // A robot without devices returns oNOT_SUPPORTED.  It can be shut down too.
   if (status == oSUCCESS || status == oNOT_SUPPORTED)
     t_current.system->Shutdown(
         t_current.object->robot,
@@ -184,7 +185,7 @@ OStatus FindDesignData(const char* keyword, ODesignDataID* id, byte** dataAddr, 
   if (found == robot.design_data.end() || robot.stick == nullptr) return oNOT_FOUND;
   auto content = robot.stick->ReadFile(found->second);
   if (!content) return oNOT_FOUND;
-  if (IsGzip(*content)) {  // the robot decompresses such files too
+  if (IsGzip(*content)) {  // programs get such files decompressed, as on the robot
     std::string packed = std::move(*content);
     content->clear();
     if (Gunzip(packed, &*content) != GzipResult::kWhole) return oFAIL;
@@ -250,6 +251,8 @@ OStatus GetVolumeSwitch(OVolumeSwitch* volume) {
   return Services().GetVolumeSwitch(volume);
 }
 
+// The functions about MWInfo belong to level 1 of the interface, for which there is no document
+// (core.md 6.1).
 OStatus RequireMWInfo(MWIID) { return oNOT_SUPPORTED; }
 OStatus CancelMWInfo(MWIID) { return oNOT_SUPPORTED; }
 OStatus IsMWInfoRequired(MWIID, bool* required) {

@@ -1,4 +1,5 @@
-// The console output of objects, osyslog() and osysprint(), with the robot's printf formats.
+// The console output of objects: osyslog() and osysprint(), with the meaning that printf formats
+// have on the robot.
 #include <OPENR/OSyslog.h>
 
 #include <cstdarg>
@@ -13,8 +14,9 @@ using namespace openr_host;
 
 namespace {
 
-// Removes the 'l' before an integer conversion, except in "ll".  On the robot long has 32 bits, so
-// programs print 32-bit values with "%ld".  On this host "%ld" would read 64 bits.
+// Converts `format` from the robot's meaning to the host's: removes the 'l' before an integer
+// conversion, except in "ll".  On the robot long has 32 bits, so programs print 32-bit values with
+// "%ld", which would read 64 bits on this host.
 std::string HostFormat(const char* format) {
   std::string result;
   for (const char* p = format; *p != '\0';) {
@@ -40,8 +42,8 @@ std::string Format(const char* format, va_list arguments) {
   return text;
 }
 
-// Stores the state of an object for the panel and for properties of a run.  An object reports its
-// state with a message of level info that begins with "state: ".
+// Stores the state that an object reports with a message of level info that begins with "state: ".
+// The panel shows the state, and the properties that `openr explore` checks can ask for it.
 void NoteState(openr_host::Object* object, OSyslogPriority priority, const std::string& text) {
   constexpr char kPrefix[] = "state: ";
   if (priority != osyslogINFO || object == nullptr || !text.starts_with(kPrefix)) return;
@@ -60,6 +62,8 @@ OStatus osyslog(OSyslogPriority priority, const char* format, ...) {
   openr_host::Object* const object = t_current.object;
   NoteState(object, priority, text);
   if (system == nullptr) return oFAIL;
+  // The log level decides about errors, warnings and infos.  Debug lines, whose priorities are the
+  // largest numbers, are always printed.
   if (priority > system->options().log_level && priority <= osyslogINFO) return oSUCCESS;
   char line[osyslogMAX_SIZE + 40];
   std::snprintf(line, sizeof line, "[oid:%08x,prio:%d] %s%s",

@@ -1,4 +1,5 @@
-// The functions of OPowerStatus and OBootCondition.
+// The functions of OPowerStatus (the state of robot and battery) and of OBootCondition (what makes
+// the robot boot again after OPENR::Shutdown()).
 #include <OPENR/OPower.h>
 #include <OPENR/OSyslog.h>
 #include <fmt/format.h>
@@ -7,6 +8,7 @@
 
 namespace {
 
+// A bit of a status word and the name of its constant, which PowerDetails() shows.
 struct NamedBit {
   longword bit;
   const char* name;
@@ -69,6 +71,7 @@ void AppendNames(longword bits, const NamedBit (&names)[N], std::vector<std::str
 // Converts a temperature in units of 0.1 kelvin to degrees Celsius; 0 degrees are 273.15 kelvin.
 double Celsius(word temperature) { return (int{temperature} - 2731.5) / 10; }
 
+// Describes the time zone.  The value 0x7f, otimeTIME_DIF_UNDEF, means that the zone is unknown.
 std::string Zone(sbyte time_dif) {
   return time_dif == 0x7f ? "zone unknown" : fmt::format("UTC{:+}", int{time_dif});
 }

@@ -1,4 +1,4 @@
-// Makes shared memory for the object that calls a function of the SDK.
+// NewSharedMemory(): makes shared memory for the object that calls a function of the SDK.
 #pragma once
 
 #include <MemoryRegion.h>

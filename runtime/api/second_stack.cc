@@ -18,8 +18,9 @@ using openr_host::ArithmeticWatch;
 using openr_host::t_current;
 
 // A stack on which an object runs a function, the body, that may leave in the middle and be
-// continued later.  The functions that switch stacks make no ApiScope.  An ApiScope would make the
-// body count as code of the runtime, which uses the heap and files of the host.
+// continued later.  A controller's endless loop is such a body (kit/controller).  The functions
+// that switch stacks make no ApiScope, because with an ApiScope the body would count as code of the
+// runtime and would use the heap and files of the host.
 struct OpenrSecondStack {
   // Like the stack of handlers, this stack lies at addresses that are planned for the object
   // (core/address_plan.h) and is cleared after use, so that its content is the same in every run.
@@ -28,9 +29,11 @@ struct OpenrSecondStack {
   openr_host::MainFiber home;  // the handler that switched to `stack`
   void (*body)(void*) = nullptr;
   void* argument = nullptr;
-  std::optional<ArithmeticWatch> watch;  // finds NaN and the like in code on `stack`
-  // The floating-point exception flags that code on `stack` has raised, stored by GoHome() for
-  // GoThere().
+  // Finds floating-point operations in the body that would stop the robot, such as 0 / 0.
+  std::optional<ArithmeticWatch> watch;
+  // The floating-point flags (NaN, overflow ...) that the body has raised.  The switch back to the
+  // handler would lose them, so GoHome() stores them and GoThere() adds them to the handler's
+  // flags.
   unsigned fp_flags = 0;
   bool has_left = false;  // true while the body waits to be continued
 
@@ -48,9 +51,9 @@ struct OpenrSecondStack {
     __builtin_unreachable();  // nothing switches back to a body that has ended
   }
 
-  // Switches from `stack` back to the handler.  The switch restores the floating-point flags of the
-  // handler, so the flags that code on `stack` has raised would be lost.  They are stored here, and
-  // GoThere() adds them to those of the handler, which is checked for floating-point errors.
+  // Switches from `stack` back to the handler.  The switch restores the handler's floating-point
+  // flags.  So the flags that the body has raised are stored in `fp_flags` before, because the
+  // object is checked for them when the handler ends.
   void GoHome() {
     fp_flags = openr_host::FpFlags();
     if (fp_flags != 0) openr_host::ClearFpFlags();

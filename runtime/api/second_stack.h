@@ -1,7 +1,8 @@
 /*
- * Functions of the host that robots do not have: a second stack, and findings in the report of the
- * run.  The part of an image that the kit adds calls them (kit/controller); sources of objects do
- * not know them.
+ * Functions that only the host has: a second stack, on which a controller's endless loop runs, and
+ * findings, which appear in the report of the run.  They are called by the code that the kit adds
+ * to the image of a controller (kit/controller), and not by the sources of objects, which must also
+ * compile for the robot.
  *
  * A stack belongs to one object and is used in its handlers only.
  */
@@ -17,16 +18,22 @@ struct OpenrSecondStack;
 struct OpenrSecondStack* openr_second_stack_new(void);
 void openr_second_stack_delete(struct OpenrSecondStack* stack);
 
-/* Empties the stack and calls body(argument) on it; returns when body has ended or left. */
+/*
+ * Empties the stack and calls body(argument) on it.  Returns when body has ended or has called
+ * openr_second_stack_leave().
+ */
 void openr_second_stack_run(struct OpenrSecondStack* stack, void (*body)(void*), void* argument);
 
-/* Goes back to the handler; called by body.  Returns when body is continued. */
+/*
+ * Called by body: goes back to the handler.  Returns when a handler calls
+ * openr_second_stack_continue().
+ */
 void openr_second_stack_leave(struct OpenrSecondStack* stack);
 
-/* Continues body where it left; returns when body has ended or left.  REQUIRES: body has left. */
+/* Continues body where it has left.  Returns when body has ended or has left again. */
 void openr_second_stack_continue(struct OpenrSecondStack* stack);
 
-/* Adds a warning about the running object. */
+/* Adds the warning `text` about the running object to the findings. */
 void openr_finding(const char* text);
 
 /* Adds the same warning with "did you mean" if one of the `count` known names is near to `name`. */

@@ -1,4 +1,5 @@
-// The functions of OTime and SystemTime.
+// The functions of OTime, the clock with its time zone, and of SystemTime, the time that
+// GetSystemTime() returns.
 #include <OPENR/OTime.h>
 #include <SystemTime.h>
 
@@ -9,8 +10,11 @@ namespace {
 constexpr int kSecondsPerHour = 3600;
 constexpr uint32_t kMicrosecondsPerSecond = 1000000;
 
+// Returns whether `dif` is a time difference: hours by which local time is ahead of UTC, or
+// unknown.
 bool IsTimeDif(sbyte dif) { return dif == otimeTIME_DIF_UNDEF || (dif >= -12 && dif <= 12); }
 
+// Returns the time difference in seconds.  With an unknown difference, local time is UTC.
 time_t SecondsOf(sbyte dif) { return dif == otimeTIME_DIF_UNDEF ? 0 : dif * kSecondsPerHour; }
 
 }  // namespace

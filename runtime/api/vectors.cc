@@ -14,14 +14,15 @@ using namespace openr_host;
 
 namespace {
 
-// The number of regions at which a real robot stopped.  Its program had made a new vector for every
-// command (field-notes.md, 3.4).
+// The number of regions at which a real robot stopped, whose program had made a new vector for
+// every command (field-notes.md, 3.4).
 constexpr int kRegionsOfRobot = 0x1cb;
 // The number of regions of one object above which a warning is given.  The number is our choice:
 // sample programs need two regions per service, so an object with more than 64 probably makes new
 // ones again and again.
 constexpr int kRegionsOfObject = 64;
 
+// Returns the number of regions that the objects of `robot` own together.
 int RegionsOfRobot(const System& system, const RegionTable& regions, int robot) {
   int count = 0;
   for (const auto& object : system.objects()) {
@@ -31,8 +32,8 @@ int RegionsOfRobot(const System& system, const RegionTable& regions, int robot) 
 }
 
 // Warns if the current object has more than kRegionsOfObject regions, because its program seems to
-// make a vector for every command instead of once.  With --strict, also shuts the robot down when
-// all its objects together have more than kRegionsOfRobot regions, as the real robot did.
+// make a new vector for every command.  With --strict, also shuts the robot down when all its
+// objects together have more than kRegionsOfRobot regions, because the real robot stopped then.
 void WatchForLeak() {
   System& system = *t_current.system;
   const Object& self = *t_current.object;
@@ -55,8 +56,9 @@ void WatchForLeak() {
   system.Shutdown(self.robot, {EndKind::kStrict, self.name + " had too much shared memory"});
 }
 
-// Makes a vector of `bytes` bytes with a header for `count` elements.  If there is no memory,
-// `*base` becomes null.
+// Makes a vector: shared memory of `bytes` bytes with a header for `count` elements, each described
+// by an info of `info_size` bytes.  If there is no memory, sets `*base` to null and returns
+// oNO_MEMORY.
 template <typename Vector>
 OStatus NewVector(ODataType type, size_t info_size, size_t bytes, size_t count, MemoryRegionID* id,
                   Vector** base) {
@@ -85,8 +87,8 @@ OStatus DeleteVector(MemoryRegionID id, ODataType type, OStatus unknown) {
 }
 
 // Returns the size of `count` elements of `each` bytes, but at most kRobotMemoryBytes, so that the
-// multiplication cannot overflow.  The caller adds the size of the header.  The sum is then more
-// than the robot has, and NewVector() returns oNO_MEMORY.
+// multiplication cannot overflow.  With the size of the header, which the caller adds, such a size
+// is more than the robot has, and NewVector() returns oNO_MEMORY.
 size_t BytesOf(size_t count, size_t each) {
   return each != 0 && count > kRobotMemoryBytes / each ? kRobotMemoryBytes : count * each;
 }
@@ -114,6 +116,8 @@ OStatus NewCommandVectorData(size_t numCommands, MemoryRegionID* memID,
     info->dataOffset = static_cast<longword>(kHeader + numCommands * kInfo + i * kData);
     info->dataSize = kData;
     OCommandData* const data = (*baseAddr)->GetData(static_cast<int>(i));
+    // Marks the commands as not set, so that the simulated robot knows which of them the program
+    // has set (fresh_command.h).
     for (OCommandValue& value : data->value) value.value[0] = kNeverFilled;
   }
   return oSUCCESS;

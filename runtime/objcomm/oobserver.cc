@@ -1,3 +1,5 @@
+// OObserver, the receiving end of connections.  The runtime keeps the state of each OObserver in an
+// ObserverState (connection_state.h).
 #include <OPENR/OObserver.h>
 #include <fmt/format.h>
 
@@ -26,7 +28,7 @@ OObserver::OObserver() {
           .get();
 }
 
-OObserver::~OObserver() = default;  // the Object owns *state_ and deletes it
+OObserver::~OObserver() = default;  // the openr_host::Object owns *state_ and deletes it
 
 OStatus OObserver::SetNotifyEntry(const OServiceEntry& entry) {
   state_->id = ENTRY2OBSERVERID(entry);
@@ -88,9 +90,9 @@ SubjectID OObserver::FindSender(RCRegion* region) const {
 
 namespace {
 
-// Asks the subject at `entry` to add or remove this observer, and waits for its reply.  If the
-// subject is in the same object, its entry is called directly.  A message to it would wait until
-// this handler ends, and this handler would wait for the reply.
+// Asks the subject at `entry` to add or remove this observer, as `control` says, and waits for its
+// reply.  If the subject is in the same object, calls its entry directly: a message to it would
+// wait until this handler ends, while this handler waits for the reply.
 OControlReplyMessage AskSubject(ObserverState* state, const OServiceEntry& entry,
                                 OControlMessage* control) {
   System* const system = state->system;
@@ -108,8 +110,8 @@ OControlReplyMessage AskSubject(ObserverState* state, const OServiceEntry& entry
                          : objcommCMD_REMOVEOBSERVER_SELF;
   openr_host::HandlerState::SelfReply self{&reply, sizeof reply, entry.GetSelector()};
   state->object->handler.self_reply = &self;
-  // Until the entry returns, code of the object runs.  With image_code set, that code uses the heap
-  // and files of its object and not those of the host.
+  // The entry is code of the object, so it must use the heap and files of its object and not those
+  // of the host.  That is what image_code switches.
   t_current.image_code = state->object->is_image;
   state->object->Dispatch(entry.GetSelector(), control);
   t_current.image_code = false;
@@ -122,9 +124,8 @@ OControlReplyMessage AskSubject(ObserverState* state, const OServiceEntry& entry
 OStatus OObserver::ConnectHandler(const OConnectMessage& msg, OStatus status) {
   const ApiScope scope;
   const bool connect = msg.command == oconnectcmdCONNECT;
-  // Stores the full name of the service, with which findings name this observer.  The name is found
-  // by the selector of the entry that handles connect messages, so it is found here, while this
-  // entry runs.
+  // Stores the name of the service, by which findings name this observer.  NameService() finds the
+  // name by the entry that runs now, so this is the only time when it can be found.
   state_->service = state_->object->NameService(state_->id.GetSelector(), "Notify");
   OStatusMessage answer(status);
   if (status == oSUCCESS) {
@@ -155,8 +156,9 @@ OStatus OObserver::ConnectHandler(const OConnectMessage& msg, OStatus status) {
 
 namespace {
 
-// Adds an error finding if the data in `notify` are not those that the subject sent, because the
-// subject wrote into a region after NotifyObservers().  Used with SystemOptions::guard_regions.
+// Adds an error finding if the data of `notify` are not those that the subject sent: their hash
+// differs from the hash that was stored when they were sent.  The cause is a subject that wrote
+// into a region after NotifyObservers().  Used with SystemOptions::guard_regions.
 void CheckUnchanged(ObserverState* state, const ONotifyMessage& notify) {
   const Message* const message = state->object->handler.running.get();
   uint32_t size = 0;
@@ -176,10 +178,13 @@ OStatus OObserver::NotifyHandler(const ONotifyMessage& msg, ONotifyEvent* event)
   const ApiScope scope;
   if (!IsRunningMessage(*state_->object, PayloadKind::kNotify)) return oUNKNOWN_COMMAND;
   if (state_->system->options().guard_regions) CheckUnchanged(state_, msg);
-  // The observer counts the readies that it asserts without getting a notification, because too
-  // many are probably a mistake.  A notification of any subject starts the count anew, because
-  // AssertReady() without argument asserts to all subjects each time.
+  // Starts the count of readies anew.  It counts how often the observer asserts ready without
+  // getting a notification, because too many such readies are probably a mistake.  A notification
+  // of any subject starts it anew for all subjects, because AssertReady() without argument asserts
+  // to all of them.
   state_->asserted.clear();
+  // Notes which subject the regions came from, because the next ready to that subject gives them
+  // back.
   auto entry = std::find_if(state_->held.begin(), state_->held.end(),
                             [&](const auto& each) { return each.subject == msg.subjectID; });
   if (entry == state_->held.end()) {

@@ -1,3 +1,5 @@
+// OSubject, the sending end of connections.  The runtime keeps the state of each OSubject in a
+// SubjectState, which has an ObserverLink for each observer (connection_state.h).
 #include <OPENR/OSubject.h>
 
 #include <algorithm>
@@ -12,9 +14,10 @@ using namespace openr_host;
 
 namespace {
 
-// Calls `set` with an RCRegion for `size` bytes at `offset` in `memory`, the shared memory that a
-// program has made.  The bytes are not copied.  Returns oINVALID_ARG if there is no such memory or
-// the bytes do not fit into it.
+// Calls `set` with an RCRegion, a counted reference, for `size` bytes at `offset` of the region
+// `memory`, shared memory that a program has made with NewSharedMemoryRegion() or the like.  The
+// bytes are not copied.  Returns oINVALID_ARG if there is no such region or the bytes do not lie in
+// it.
 template <typename Set>
 OStatus WithRegion(MemoryRegionID memory, size_t offset, size_t size, Set set) {
   const ApiScope scope;
@@ -30,8 +33,8 @@ OStatus WithRegion(MemoryRegionID memory, size_t offset, size_t size, Set set) {
   return status;
 }
 
-// Returns the number of bytes from the place that `locator` names to the end of its shared memory,
-// or 0 if there is no such memory.
+// Returns the number of bytes from the byte that `locator` names to the end of its region, or 0 if
+// there is no such region.
 size_t SizeFrom(const OMemoryLocator& locator) {
   const ApiScope scope;
   if (t_current.system == nullptr) return 0;
@@ -49,7 +52,7 @@ OSubject::OSubject() {
                .get();
 }
 
-OSubject::~OSubject() = default;  // the Object owns *state_ and deletes it
+OSubject::~OSubject() = default;  // the openr_host::Object owns *state_ and deletes it
 
 OStatus OSubject::SetReadyEntry(const OServiceEntry& entry) {
   const ApiScope scope;
@@ -82,8 +85,8 @@ size_t OSubject::GetNotifyUnitSize() const { return state_->unit_size; }
 
 OStatus OSubject::SetData(const void* buf, size_t size) {
   const ApiScope scope;
-  // Without observers nobody would take a reference on the region, so it would be deleted at once.
-  // It is not made at all.
+  // Makes no region if there are no observers: nobody would take a reference on it, so it would be
+  // deleted at once.
   if (state_->links.empty()) return oSUCCESS;
   RCRegion* const region = new RCRegion(size);
   if (region->Base() == nullptr) return oNO_MEMORY;
@@ -178,7 +181,8 @@ namespace {
 // buffer.
 size_t Remain(const SubjectState& state, const ObserverLink& link) {
   const size_t used = link.fresh.size() + link.pending.size();
-  // Like the robot's ring buffer, the buffer holds one entry less than its size.
+  // The buffer holds one entry less than its size, because the robot's buffer is a ring buffer,
+  // which is full with one entry less.
   const size_t room = std::max<size_t>(state.buffer_size, 1) - 1;
   return used >= room ? 0 : room - used;
 }
@@ -264,9 +268,9 @@ OStatus OSubject::ControlHandler(const OControlMessage& msg, OStatus status) {
 OStatus OSubject::ReadyHandler(const OReadyMessage& msg) {
   const ApiScope scope;
   if (!IsRunningMessage(*state_->object, PayloadKind::kReady)) return oUNKNOWN_COMMAND;
-  // A ready also lists the regions of earlier notifications that the observer no longer uses.  The
-  // subject has held a reference on each of them, which is removed here so that the subject can
-  // write into them again.
+  // A ready also lists the regions of earlier notifications that the observer no longer uses.
+  // Removes the reference that the subject has held on each of them, so that the subject can write
+  // into them again.
   for (int i = 0; i < msg.numOfData; ++i) msg.rcRegion[i]->RemoveReference();
   ObserverLink* const link = state_->Find(msg.observerID);
   if (link == nullptr) return oNOT_FOUND;
@@ -298,6 +302,8 @@ int OSubject::IsAnyReady() const {
 
 int OSubject::IsAllReady() const {
   for (const auto& link : state_->links) {
+    // An observer that has deasserted ready (-1) does not count, because it wants no data (core.md
+    // 2.2).
     if (link->ready == 0) return 0;
   }
   return IsAnyReady();
