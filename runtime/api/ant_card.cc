@@ -16,9 +16,9 @@ using openr_host::WlanConfig;
 
 namespace {
 
-// Two settings of the card: a longer frame is sent only after a request for permission (RTS), or is
-// sent in parts.  These are the default values of 802.11b.  No frame is longer, so a card with
-// these values never does either.
+// The card asks for permission (RTS) before it sends a frame longer than kRtsThreshold, and splits
+// one longer than kFragmentationThreshold.  These are the default values of 802.11b.  No frame is
+// longer, so a card with these values does neither.
 constexpr int32 kRtsThreshold = 2347;
 constexpr int32 kFragmentationThreshold = 2346;
 

@@ -62,8 +62,8 @@ antError antEnvMsg::Send(antStackRef target, OID& oid, int32 entry, int size) {
   if (stack == nullptr || dstSelector > Entry_antEnv_External) return ANT_FAIL;
   sender = OidOf(t_current.object->id);
   msgSize = size;
-  // The stack sends its answer to this entry of the object `oid`.
   invocationType = ANTENVMSG_SEND;
+  // The stack sends its answer later, as a message to entry `entry` of object `oid`.
   contInfo.oid = oid;
   contInfo.selector = static_cast<Selector>(entry);
   return AntErrorOf(t_current.system->Post(NewRequest(stack, *this)));

@@ -192,8 +192,8 @@ void Exit() {
 // Does nothing.  On the robot it ends Prologue(), which does nothing on the host.
 void ExitFromPrologue() {}
 
-// Waits for `nanosec`.  Virtual time stands still while a handler runs, so the wait shows only in
-// later calls of GetSystemTime() in this handler.
+// Adds `nanosec` to the times that later calls of GetSystemTime() in this handler return.  Virtual
+// time itself stands still while a handler runs.
 sError Wait(longword nanosec) {
   if (t_current.object == nullptr) return sFAIL;
   t_current.object->handler.time_calls += nanosec / 1000;

@@ -9,7 +9,7 @@
 
 namespace openr_host {
 
-// largest message, the size of AperiosMessage; longer ones are refused
+// Largest message in bytes, the size of AperiosMessage.  Longer messages are refused.
 constexpr size_t kMessageMax = 256;
 constexpr size_t kObjectNameMax = 63;  // longest name of Register(): oobjectNAME_MAX of the SDK
 constexpr int kEventsMax = 32;         // pending events of one object; our choice

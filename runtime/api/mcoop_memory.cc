@@ -15,7 +15,7 @@ using namespace openr_host;
 
 namespace {
 
-// page size of a robot with memory protection, for GetPageSize()
+// Page size of a robot with memory protection, which GetPageSize() returns.
 constexpr size_t kPageBytes = 4096;
 
 // Changes the size of a region that the current object owns to `size`.  GrowMemoryRegion() sets

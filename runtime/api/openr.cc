@@ -128,7 +128,8 @@ OStatus SetMotorPower(OPower power) {
 OStatus Shutdown(const OBootCondition& bootCondition) {
   const ApiScope scope;
   const OStatus status = Services().Shutdown(bootCondition);
-  // A robot without devices returns oNOT_SUPPORTED.  It can be shut down too.
+  // The RobotServices of a robot without devices return oNOT_SUPPORTED.  Such a robot shuts down
+  // too.
   if (status == oSUCCESS || status == oNOT_SUPPORTED)
     t_current.system->Shutdown(
         t_current.object->robot,
@@ -252,7 +253,7 @@ OStatus GetVolumeSwitch(OVolumeSwitch* volume) {
 }
 
 // The functions about MWInfo belong to level 1 of the interface, for which there is no document
-// (core.md 6.1).
+// (core.md 6.1).  So they do nothing.
 OStatus RequireMWInfo(MWIID) { return oNOT_SUPPORTED; }
 OStatus CancelMWInfo(MWIID) { return oNOT_SUPPORTED; }
 OStatus IsMWInfoRequired(MWIID, bool* required) {

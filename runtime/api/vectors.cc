@@ -14,7 +14,7 @@ using namespace openr_host;
 
 namespace {
 
-// The number of regions at which a real robot stopped, whose program had made a new vector for
+// A real robot stopped when it had this number of regions.  Its program had made a new vector for
 // every command (field-notes.md, 3.4).
 constexpr int kRegionsOfRobot = 0x1cb;
 // The number of regions of one object above which a warning is given.  The number is our choice:

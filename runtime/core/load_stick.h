@@ -1,4 +1,5 @@
-// Loads the objects, connections and design data that the Memory Stick of a robot names.
+// LoadStick(): loads what the configuration files on a robot's Memory Stick name: objects,
+// connections and design data (files that programs find by keywords).
 #pragma once
 
 #include <functional>

@@ -83,7 +83,7 @@ void MessageQueue::PushFront(OwnedMessage message, int priority) {
   ++due_count_;
 }
 
-// Returns the first level with a message, or -1 if no message is due.
+// Returns the first level (a class and a priority) with a message, or -1 if no message is due.
 int MessageQueue::FirstLevel() const {
   for (int word = 0; word < kLevels / 64; ++word) {
     if (occupied_[word] != 0) return word * 64 + std::countr_zero(occupied_[word]);

@@ -44,7 +44,7 @@ struct StandingReady {
   auto operator<=>(const StandingReady&) const = default;
 };
 
-// The handler of an object that runs or waits.
+// The state of an object's handler while the handler runs or waits.
 struct HandlerState {
   OwnedMessage running;  // the message being handled; null: no handler runs
   // Calls of GetSystemTime() in this handler.  Each call adds 1 us to the time, so that a loop
@@ -128,9 +128,9 @@ class Object {
   // replaced, their readies are sent again to its successor.
   virtual std::vector<StandingReady> StandingReadies() const;
 
-  // Gives up `region`, which a subject of this object had sent to an observer and the observer
-  // cannot give back with a ready.  Called while this object is being replaced.  Only the master's
-  // object in place of one in a worker process has something to do.
+  // Gives up a region that a subject of this object had sent to an observer and that the observer
+  // cannot give back with a ready.  Called while this object is being replaced.  Does something
+  // only in the master process, for an object whose code is in a worker process.
   virtual void ReturnRegion(RCRegion*) {}
 
   // Counts a `message` to this object that will not be delivered.  If it is a notification, gives
@@ -210,7 +210,7 @@ class Object {
   std::vector<std::unique_ptr<ObserverState>> observers;
   // selector -> name of the entry, for traces and messages to users
   std::map<uint32_t, std::string> entry_names;
-  // selector of the entry registered -> full service name
+  // selector of an entry -> full name of the service that was registered for this entry
   std::map<uint32_t, std::string> services;
 };
 

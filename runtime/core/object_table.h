@@ -57,9 +57,10 @@ class ObjectTable {
 
   // Posts the replacement of an image by a new load of its file: DoStop and DoDestroy of the old
   // object, then DoInit, connections and DoStart of the new one.  The new object has the same OID,
-  // initial statics and an empty heap.  Messages to the old object are lost, and regions that it
-  // had received go back to their subjects.  If the image cannot be loaded, an error finding is
-  // added and nothing changes.  REQUIRES: System::booted(), and `id` names an image.
+  // static variables with their initial values, and an empty heap.  Messages to the old object are
+  // lost, and regions that it had received go back to their subjects.  If the image cannot be
+  // loaded, an error finding is added and nothing changes.  REQUIRES: System::booted(), and `id`
+  // names an image.
   void Reload(ObjectId id);
 
   // Posts the replacement of objects whose worker process was lost, that is, has ended or cannot be
@@ -75,8 +76,9 @@ class ObjectTable {
   // Replace() puts the objects of `fresh` in place of the objects with the same ids.  Messages to
   // the old objects are lost.  Returns the observers that were ready for the old objects.
   Readies Replace(std::vector<std::unique_ptr<Object>> fresh);
-  // Posts `readies` to the new object `id`, in the name of their observers.  An observer does not
-  // know of the replacement, so it would not assert again itself.
+  // Posts `readies`, which observers had sent to the old object, to the new object `id` in the name
+  // of these observers.  They do not know of the replacement, so they would not assert ready again
+  // themselves.
   void AssertAgain(ObjectId id, const std::vector<StandingReady>& readies);
 
  private:

@@ -34,7 +34,7 @@ class Requests {
 
   // Send() posts the request `message` and sets `*box` to a new box for the reply.  Wait() then
   // waits for the reply as Call() does.  If `got` is not null, Wait() sets `*got` to the number of
-  // copied bytes.
+  // copied bytes.  `why` is a text for users, as in Await().
   int32_t Send(OwnedMessage message, uint64_t* box);
   int32_t Wait(uint64_t box, void* reply, size_t reply_size, size_t* got, int64_t timeout_us,
                std::string_view why);

@@ -61,8 +61,9 @@ struct SystemOptions {
   // with any other seed, the order is drawn from those that the robot allows.
   uint64_t seed = 1;
   // If true, mistakes of programs that stop a real robot stop the robot here too.  If false, they
-  // are only findings.  Also makes objects receive read-only copies of data (guard_pages.h),
-  // because on a real robot writing to received data is such a mistake.
+  // only become findings, which are lines in the report of the run.  Also makes objects receive
+  // read-only copies of data (guard_pages.h), because on a real robot writing to received data is
+  // such a mistake.
   bool strict = false;
   // Receives what objects print; null: standard output.
   std::function<void(std::string_view text)> console = {};
@@ -240,7 +241,7 @@ class System {
   // ---- State of the run ----
 
   ObjectTable& object_table() { return table_; }
-  // Short forms for functions of the table.
+  // Short forms for functions of object_table().
   Object* object(ObjectId id) const { return table_.Get(id); }
   Object* FindObject(int robot, std::string_view name) const { return table_.Find(robot, name); }
   const std::vector<std::unique_ptr<Object>>& objects() const { return table_.all(); }

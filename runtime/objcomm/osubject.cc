@@ -302,8 +302,8 @@ int OSubject::IsAnyReady() const {
 
 int OSubject::IsAllReady() const {
   for (const auto& link : state_->links) {
-    // An observer that has deasserted ready (-1) does not count, because it wants no data (core.md
-    // 2.2).
+    // 0 means that the observer has not asserted ready since the last notification.  One that has
+    // deasserted ready (-1) does not count, because it wants no data (core.md 2.2).
     if (link->ready == 0) return 0;
   }
   return IsAnyReady();
