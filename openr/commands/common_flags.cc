@@ -4,9 +4,9 @@
 
 #include <charconv>
 
-#include "cli/duration.h"
 #include "cli/install_paths.h"
 #include "cli/output_file.h"
+#include "runtime/base/duration.h"
 
 namespace openr_host {
 

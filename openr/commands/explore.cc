@@ -17,7 +17,6 @@
 #include <vector>
 
 #include "cli/counted.h"
-#include "cli/duration.h"
 #include "cli/exit_code.h"
 #include "cli/json_text.h"
 #include "cli/output_file.h"
@@ -29,6 +28,7 @@
 #include "openr/explore/schedule_file.h"
 #include "openr/simulation/cost_file.h"
 #include "openr/simulation/pacing.h"
+#include "runtime/base/duration.h"
 #include "runtime/base/wall_clock.h"
 
 namespace openr_host {

@@ -15,7 +15,6 @@
 
 #include "cli/console.h"
 #include "cli/counted.h"
-#include "cli/duration.h"
 #include "cli/exit_code.h"
 #include "cli/json_text.h"
 #include "cli/output_file.h"
@@ -34,6 +33,7 @@
 #include "openr/simulation/network_setup.h"
 #include "openr/simulation/run_stick.h"
 #include "openr/simulation/simulation.h"
+#include "runtime/base/duration.h"
 
 namespace openr_host {
 namespace {

@@ -6,12 +6,12 @@
 #include <stdexcept>
 #include <string>
 
-#include "cli/duration.h"
 #include "cli/exit_code.h"
 #include "cli/standard_streams.h"
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
 #include "openr/inspect/trace_text.h"
+#include "runtime/base/duration.h"
 
 namespace openr_host {
 namespace {

@@ -12,8 +12,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "cli/duration.h"
 #include "openr/explore/quantity.h"
+#include "runtime/base/duration.h"
 #include "runtime/base/read_file.h"
 #include "runtime/base/spelling.h"
 #include "runtime/config/line_file.h"

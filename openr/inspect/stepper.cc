@@ -15,9 +15,9 @@
 #include <sstream>
 
 #include "cli/counted.h"
-#include "cli/duration.h"
 #include "openr/inspect/breakpoints.h"
 #include "openr/inspect/trace_text.h"
+#include "runtime/base/duration.h"
 #include "runtime/base/spelling.h"
 #include "virtualrobot/det_math.h"
 

@@ -5,9 +5,9 @@
 
 #include <cstdio>
 
-#include "cli/duration.h"
 #include "cli/install_paths.h"
 #include "cli/output_file.h"
+#include "runtime/base/duration.h"
 #include "virtualrobot/virtual_robot.h"
 
 namespace openr_host {

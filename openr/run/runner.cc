@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "cli/duration.h"
 #include "openr/inspect/recorder.h"
 #include "openr/run/console_feed.h"
 #include "openr/run/interrupt.h"
@@ -13,6 +12,7 @@
 #include "openr/simulation/pacing.h"
 #include "openr/simulation/simulation.h"
 #include "runtime/base/assert.h"
+#include "runtime/base/duration.h"
 #include "runtime/base/wall_clock.h"
 #include "runtime/core/stack_report.h"
 #include "runtime/core/stalls.h"
