@@ -9,6 +9,7 @@
 
 #include <Eigen/Geometry>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "virtualrobot/model/robot_model.h"
@@ -54,6 +55,18 @@ class Body {
   virtual void Advance(const std::vector<JointCommand>& commands) = 0;
 
   virtual const BodyState& state() const = 0;
+
+  // Returns whether forces move this body, so that it can be pushed.
+  virtual bool IsPhysical() const { return false; }
+
+  // Pushes part `part` (an index of RobotModel::bodies) with `force_W`, in N, at the point `p_W`
+  // during the next Advance() only.  A body that is not physical does not move.
+  virtual void Push(int /*part*/, const Eigen::Vector3d& /*force_W*/,
+                    const Eigen::Vector3d& /*p_W*/) {}
+
+  // Lets a hand hold the robot from the next frame on: the hand moves B towards `X_WB` with a
+  // limited force.  nullopt: the hand lets go.
+  virtual void Hold(const std::optional<Eigen::Isometry3d>& /*X_WB*/) {}
 
   // Returns the distance in metres from `p_W` along the unit vector `direction_W` to the first
   // thing that is not the robot itself; `max_m` when nothing is nearer.

@@ -37,12 +37,27 @@ void IdealBody::Advance(const std::vector<JointCommand>& commands) {
 
 void IdealBody::Place() const {
   X_WL_ = LinkPoses(model_, Angles());
-  const RestingPose pose = PlaceOnFloor(model_, X_WL_);
+  const RestingPose pose = held_at_ ? HeldPose() : PlaceOnFloor(model_, X_WL_);
   state_.X_WB = pose.X_WB;
   state_.paws = pose.paws;
   state_.gravity_B = pose.X_WB.linear().transpose() * Vector3d(0, 0, -kGravity_m_s2);
   for (Isometry3d& X : X_WL_) X = pose.X_WB * X;
   placed_ = true;
+}
+
+// Returns the pose in the hand.  The paws touch nothing there.
+RestingPose IdealBody::HeldPose() const {
+  RestingPose pose;
+  pose.X_WB = *held_at_;
+  pose.paws.assign(model_.paws.size(), false);
+  const double lowest_m = LowestPoint(model_, Angles(), pose.X_WB);
+  if (lowest_m < 0) pose.X_WB.translation().z() -= lowest_m;
+  return pose;
+}
+
+void IdealBody::Hold(const std::optional<Isometry3d>& X_WB) {
+  held_at_ = X_WB;
+  placed_ = false;
 }
 
 const BodyState& IdealBody::state() const {
@@ -66,6 +81,7 @@ void IdealBody::HashState(Hasher* hasher) const {
     hasher->Add(joint.angle_rad);
     hasher->Add(joint.speed_rad_s);
   }
+  if (held_at_) hasher->AddBytes(held_at_->data(), 16 * sizeof(double));
 }
 
 std::vector<double> IdealBody::Angles() const {

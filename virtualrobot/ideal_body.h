@@ -7,8 +7,11 @@
 // The body never walks, turns, slides or falls over: x, y and yaw stay 0.  It ignores gains,
 // torques and speed limits, and its drives are always 0.  It does not touch the boxes of its world,
 // but its distance sensor sees them.  The velocity of its base is 0, and its accelerometer measures
-// gravity only.
+// gravity only.  It cannot be pushed, but a hand can lift it.
 #pragma once
+
+#include <optional>
+#include <vector>
 
 #include "virtualrobot/body.h"
 #include "virtualrobot/kinematics.h"
@@ -29,14 +32,18 @@ class IdealBody : public Body {
   double RayDistance(const Eigen::Vector3d& p_W, const Eigen::Vector3d& direction_W,
                      double max_m) const override;
   std::vector<Eigen::Isometry3d> BodyPoses() const override;
+  // The pose of the base follows the hand exactly, but no part of the robot goes below the floor.
+  void Hold(const std::optional<Eigen::Isometry3d>& X_WB) override;
   void HashState(Hasher* hasher) const override;
 
  private:
   std::vector<double> Angles() const;
   void Place() const;
+  RestingPose HeldPose() const;
 
   const RobotModel& model_;
   const World world_;
+  std::optional<Eigen::Isometry3d> held_at_;  // the pose that a hand gives to the base
   mutable BodyState state_;
   mutable std::vector<Eigen::Isometry3d> X_WL_;  // result of BodyPoses()
   // True when X_WL_, and the base and paws in state_, are computed for the present joint angles.

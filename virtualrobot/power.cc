@@ -7,6 +7,7 @@
 #include <new>
 #include <utility>
 
+#include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
 #include "runtime/core/api.h"
 #include "runtime/core/system.h"
@@ -20,6 +21,7 @@ constexpr word kVoltageMv = 7400;        // two lithium cells; our choice
 // The battery current that is always reported.  It is negative, because the battery discharges.
 // The sign is inferred; the number is our choice.
 constexpr sword kCurrentMa = -1300;
+constexpr sword kChargingMa = 1000;  // on the charging station; our choice
 
 // Returns whether `filter` asks to be notified of the change from `before` to `now`.
 bool Asks(const OPowerStatus& filter, const OPowerStatus& before, const OPowerStatus& now) {
@@ -46,7 +48,9 @@ Power::Power(System* system, Battery battery) : system_(system), battery_(batter
 }
 
 word Power::RemainingCapacity() const {
-  return static_cast<word>(battery_.PercentAt(system_->now_us()));
+  const int64_t time_us = system_->now_us() - capacity_since_us_;
+  if (!charging_) return static_cast<word>(battery_.PercentAt(time_us));
+  return static_cast<word>(std::min<int64_t>(battery_.percent + time_us / kChargeUs, 100));
 }
 
 bool Power::is_battery_low() const { return RemainingCapacity() < kLowCapacityPercent; }
@@ -57,9 +61,16 @@ OPowerStatus Power::Status() const {
   if (motor_power_) robot |= orsbMOTOR_POWER;
   if (pause_) robot |= orsbPAUSE;
   if (is_battery_low()) robot |= orsbBATTERY_CAPACITY_LOW;
-  const word battery = static_cast<word>(obsbINITIALIZED | obsbDISCHARGING);
+  word battery = obsbINITIALIZED;
+  if (charging_) {
+    const bool is_full = remaining == 100;
+    robot |= orsbSTATION_CONNECTED | (is_full ? orsbBATTERY_CAPACITY_FULL : orsbBATTERY_CHARGING);
+    if (is_full) battery |= obsbFULLY_CHARGED;
+  } else {
+    battery |= obsbDISCHARGING;
+  }
   return OPowerStatus(robot, battery, remaining, kTemperature, kFullCapacityMah, kVoltageMv,
-                      kCurrentMa, time_difference_, volume_);
+                      charging_ ? kChargingMa : kCurrentMa, time_difference_, volume_);
 }
 
 void Power::SetMotorPower(bool on) {
@@ -71,6 +82,19 @@ void Power::SetMotorPower(bool on) {
 void Power::PressPause() {
   pause_ = true;
   motor_power_ = false;
+  NotifyChange();
+}
+
+void Power::SetCapacity(int percent) {
+  ASSERT(percent >= 0 && percent <= 100, "{} %", percent);
+  battery_.percent = percent;
+  capacity_since_us_ = system_->now_us();
+  NotifyChange();
+}
+
+void Power::SetCharging(bool on) {
+  SetCapacity(RemainingCapacity());  // the capacity changes at another speed from now on
+  charging_ = on;
   NotifyChange();
 }
 
@@ -136,6 +160,10 @@ void Power::HashState(Hasher* hasher) const {
   hasher->Add(volume_);
   hasher->Add(clock_offset_s_);
   hasher->Add(static_cast<uint64_t>(watchers_.size()));
+  if (capacity_since_us_ == 0 && !charging_) return;
+  hasher->Add(battery_.percent);
+  hasher->Add(capacity_since_us_);
+  hasher->Add(charging_);
 }
 
 }  // namespace openr_host

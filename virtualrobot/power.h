@@ -26,6 +26,15 @@ class Power {
   // robot's hardware does (field-notes.md, 7.12).
   void PressPause();
 
+  // Sets the remaining capacity, 0 to 100 percent of a full battery.  A battery that drains goes on
+  // draining from there.
+  void SetCapacity(int percent);
+
+  // Puts the robot on its charging station, or takes it away.  On the station the battery gains 1 %
+  // every kChargeUs.
+  void SetCharging(bool on);
+  bool charging() const { return charging_; }
+
   OPowerStatus Status() const;
 
   bool is_battery_low() const;  // whether the status bit orsbBATTERY_CAPACITY_LOW is set
@@ -63,7 +72,13 @@ class Power {
   void NotifyChange();
 
   System* const system_;
-  const Battery battery_;
+  // Time in which the battery gains 1 % on the station: a full charge takes two hours.  The number
+  // is our choice.
+  static constexpr int64_t kChargeUs = 72'000'000;
+
+  Battery battery_;  // at capacity_since_us_
+  int64_t capacity_since_us_ = 0;
+  bool charging_ = false;
   bool motor_power_ = false;
   bool pause_ = false;
   sbyte time_difference_ = 0;

@@ -65,6 +65,7 @@ SensorSource::SensorSource(const RobotModel& model, const PrimitiveTable& primit
       primitives_(primitives),
       noise_(noise),
       latest_(model.sensors.size()),
+      held_(model.sensors.size()),
       frames_(model.sensors.size() * kFramesPerVector) {
   // Padding is set to 0 as well, because all bytes of the samples are hashed.
   std::memset(static_cast<void*>(latest_.data()), 0, latest_.size() * sizeof latest_[0]);
@@ -107,7 +108,8 @@ slongword SensorSource::DistanceOf(const Sensor& sensor, const Body& body) {
   return ToMicro(value * (1.0 + noise * (2.0 * noise_.NextDouble() - 1.0)));
 }
 
-OSensorValue SensorSource::ValueOf(const Sensor& sensor, const Body& body, const Devices& devices) {
+OSensorValue SensorSource::ValueOf(size_t index, const Body& body, const Devices& devices) {
+  const Sensor& sensor = model_.sensors[index];
   if (sensor.kind == SensorKind::kJoint && sensor.joint >= 0) {
     return JointValueOf(sensor.joint, body, devices);
   }
@@ -128,14 +130,15 @@ OSensorValue SensorSource::ValueOf(const Sensor& sensor, const Body& body, const
       sample.value = kTemperatureMicroC;
       break;
     default:
-      break;  // touch sensors stay 0, because no person touches the robot
+      break;  // touch sensors are 0 unless a hand presses them
   }
+  // The value is computed first in any case, so that the noise of the other sensors stays the same.
+  if (held_[index]) sample.value = *held_[index];
   return sample;
 }
 
 void SensorSource::SampleNow(const Body& body, const Devices& devices) {
-  for (size_t i = 0; i < latest_.size(); ++i)
-    latest_[i] = ValueOf(model_.sensors[i], body, devices);
+  for (size_t i = 0; i < latest_.size(); ++i) latest_[i] = ValueOf(i, body, devices);
 }
 
 bool SensorSource::Sample(int64_t frame, const Body& body, const Devices& devices) {
@@ -143,7 +146,7 @@ bool SensorSource::Sample(int64_t frame, const Body& body, const Devices& device
   if (collected_ == 0) first_frame_ = frame;
   const size_t count = latest_.size();
   for (size_t i = 0; i < count; ++i) {
-    latest_[i] = ValueOf(model_.sensors[i], body, devices);
+    latest_[i] = ValueOf(i, body, devices);
     frames_[static_cast<size_t>(collected_) * count + i] = latest_[i];
   }
   if (++collected_ < kFramesPerVector) return false;
@@ -192,6 +195,11 @@ void SensorSource::HashState(Hasher* hasher) const {
   hasher->Add(collected_);
   hasher->AddBytes(latest_.data(), latest_.size() * sizeof latest_[0]);
   hasher->AddBytes(frames_.data(), frames_.size() * sizeof frames_[0]);
+  for (size_t i = 0; i < held_.size(); ++i) {
+    if (!held_[i]) continue;
+    hasher->Add(static_cast<uint64_t>(i));
+    hasher->Add(*held_[i]);
+  }
 }
 
 }  // namespace openr_host

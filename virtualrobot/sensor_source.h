@@ -6,6 +6,7 @@
 #include <OPENR/RCRegion.h>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "runtime/base/rng.h"
@@ -46,10 +47,15 @@ class SensorSource {
   // returned true; called in a handler of an object, because RCRegion counts references per object.
   RCRegion* MakeVector(const OptionalBytes& optional);
 
+  // Makes sensor `sensor` read `value`, in its OPEN-R unit, until Release().  REQUIRES: it is not
+  // the sensor of a joint.
+  void Hold(int sensor, slongword value) { held_[static_cast<size_t>(sensor)] = value; }
+  void Release(int sensor) { held_[static_cast<size_t>(sensor)].reset(); }
+
   void HashState(Hasher* hasher) const;
 
  private:
-  OSensorValue ValueOf(const Sensor& sensor, const Body& body, const Devices& devices);
+  OSensorValue ValueOf(size_t index, const Body& body, const Devices& devices);
   OSensorValue JointValueOf(int joint, const Body& body, const Devices& devices) const;
   slongword DistanceOf(const Sensor& sensor, const Body& body);
   RCRegion* FreeVector();
@@ -58,6 +64,7 @@ class SensorSource {
   const PrimitiveTable& primitives_;
   Rng noise_;
   std::vector<OSensorValue> latest_;
+  std::vector<std::optional<slongword>> held_;  // [sensor]: see Hold()
   std::vector<OSensorValue> frames_;  // [frame][sensor]: samples of kFramesPerVector frames
   int64_t first_frame_ = 0;           // number of the first frame in frames_
   // Number of frames of the next vector whose samples are in frames_; below kFramesPerVector.

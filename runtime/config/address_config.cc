@@ -11,7 +11,7 @@
 namespace openr_host {
 namespace {
 
-constexpr char kForm[] = "write ROBOT=HOST, such as 10.0.1.2=127.0.0.1";
+constexpr char kAddressForm[] = "write ROBOT=HOST, such as 10.0.1.2=127.0.0.1";
 
 // Parses four numbers of 0 to 255 with dots between them.  Returns nullopt if `text` is anything
 // else.
@@ -68,9 +68,9 @@ std::string AddressText(uint32_t ip) {
 std::string ParseAddressPair(std::string_view text, AddressPair* pair) {
   const size_t at = text.find('=');
   if (at == std::string_view::npos)
-    return fmt::format("'{}' is no pair of addresses; {}", text, kForm);
+    return fmt::format("'{}' is no pair of addresses; {}", text, kAddressForm);
   const std::string problem = ReadPair(text.substr(0, at), text.substr(at + 1), pair);
-  return problem.empty() ? "" : fmt::format("{}; {}", problem, kForm);
+  return problem.empty() ? "" : fmt::format("{}; {}", problem, kAddressForm);
 }
 
 std::string AddAddressPair(const AddressPair& pair, std::vector<AddressPair>* pairs) {

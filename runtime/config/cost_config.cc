@@ -13,7 +13,7 @@ namespace {
 constexpr int64_t kCostMaxUs = 10'000'000;  // our limit; more is taken for a typing error
 constexpr int64_t kFrameMinUs = 1'000, kFrameMaxUs = 1'000'000;
 
-constexpr char kForm[] = "write: OBJECT ENTRY MICROSECONDS [+-JITTER%]";
+constexpr char kCostForm[] = "write: OBJECT ENTRY MICROSECONDS [+-JITTER%]";
 
 // Parses a whole number.  Returns nullopt if `text` is no number or not within `min` to `max`.
 std::optional<int64_t> NumberOf(std::string_view text, int64_t min, int64_t max) {
@@ -72,13 +72,14 @@ class Parser {
     }
     if (count < 3) {
       return Refuse(line, line.words.back(),
-                    fmt::format("object, entry or time missing; {}", kForm));
+                    fmt::format("object, entry or time missing; {}", kCostForm));
     }
     const Word& last = line.words[count - 1];
     const auto cost_us = NumberOf(last.text, 0, kCostMaxUs);
     if (!cost_us) {
-      return Refuse(line, last,
-                    fmt::format("'{}' is no time of 0 to {} us; {}", last.text, kCostMaxUs, kForm));
+      return Refuse(
+          line, last,
+          fmt::format("'{}' is no time of 0 to {} us; {}", last.text, kCostMaxUs, kCostForm));
     }
     rule.cost_us = *cost_us;
     rule.object = line.words[0].text;

@@ -135,9 +135,15 @@ std::vector<DistanceRow> ReadLookup(const JsonReader& table) {
 }
 
 void ReadSensor(const JsonReader& row, RobotModel* model) {
-  row.AllowOnly({"name", "locator", "kind", "range", "body", "place", "direction", "lookup"});
+  row.AllowOnly(
+      {"name", "short", "locator", "kind", "range", "body", "place", "direction", "lookup"});
   Sensor sensor;
   sensor.name = row.At("name").Text();
+  if (row.Has("short")) {
+    sensor.short_name = row.At("short").Text();
+    if (!model->SensorsNamed(sensor.short_name).empty())
+      row.At("short").Fail("'{}' names another sensor already", sensor.short_name);
+  }
   sensor.locator = row.At("locator").Text();
   if (model->FindSensorByLocator(sensor.locator) >= 0) {
     row.At("locator").Fail("'{}' stands twice", sensor.locator);

@@ -4,6 +4,8 @@
 
 #include <stdexcept>
 
+#include "runtime/base/spelling.h"
+
 namespace openr_host {
 namespace {
 
@@ -31,6 +33,22 @@ int RobotModel::FindJointByLocator(std::string_view locator) const {
 
 int RobotModel::FindSensorByLocator(std::string_view locator) const {
   return IndexOf(sensors, [&](const Sensor& s) { return s.locator == locator; });
+}
+
+std::vector<int> RobotModel::SensorsNamed(std::string_view wanted) const {
+  std::vector<int> group;
+  for (size_t i = 0; i < sensors.size(); ++i) {
+    const Sensor& sensor = sensors[i];
+    const std::string& short_name =
+        sensor.joint >= 0 ? joints[static_cast<size_t>(sensor.joint)].name : sensor.short_name;
+    if (EqualsIgnoringCase(short_name, wanted) || EqualsIgnoringCase(sensor.name, wanted) ||
+        sensor.locator == wanted)
+      return {static_cast<int>(i)};
+    if (sensor.joint < 0 && short_name.size() > wanted.size() && short_name[wanted.size()] == '_' &&
+        EqualsIgnoringCase(short_name.substr(0, wanted.size()), wanted))
+      group.push_back(static_cast<int>(i));
+  }
+  return group;
 }
 
 const std::vector<double>& RobotModel::PostureAngles(std::string_view posture_name) const {

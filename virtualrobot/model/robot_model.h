@@ -98,6 +98,8 @@ struct DistanceRow {
 // A sensor.  Its index in RobotModel::sensors is also the index of its element in sensor vectors.
 struct Sensor {
   std::string name;
+  std::string
+      short_name;  // "chin", for commands and tests; "" for joints, which have names already
   std::string locator;
   SensorKind kind = SensorKind::kRaw;
   bool has_range = false;
@@ -151,6 +153,11 @@ struct RobotModel {
   int FindJoint(std::string_view joint_name) const;
   int FindJointByLocator(std::string_view locator) const;
   int FindSensorByLocator(std::string_view locator) const;
+
+  // Returns the sensors that `name` names: the sensor with this short name, name or locator, or all
+  // whose short names begin with `name` and an underscore ("head" is head_front and head_back).
+  // The case of letters does not count.  Sensors of joints have the names of their joints.
+  std::vector<int> SensorsNamed(std::string_view name) const;
 
   // Returns the angles of the posture with this name, in radians.  When the model has no such
   // posture, throws std::runtime_error with the names of all postures.

@@ -22,6 +22,18 @@ using Eigen::Isometry3d;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
+// A hand that holds the trunk (our choices): how fast it follows, and its limits of speed, force
+// and torque.
+constexpr double kHandTime_s = 0.05;
+constexpr double kHandSpeed_m_s = 0.5, kHandTurn_rad_s = 2;
+constexpr double kHandForce_n = 60, kHandTorque_nm = 5;
+
+// Returns `vector`, shortened to the length `max` if it is longer.
+Vector3d Limited(const Vector3d& vector, double max) {
+  const double length = vector.norm();
+  return length > max ? Vector3d(vector * (max / length)) : vector;
+}
+
 // Throws std::runtime_error when a part or a joint of the model lacks what physics needs: box, mass
 // or torque.
 void RefuseUnlessPhysical(const RobotModel& model) {
@@ -159,9 +171,10 @@ void OdeBody::Step(double step_s) {
 
 void OdeBody::SolveStep(double step_s) {
   for (const PushForce& push : pushes_) {
-    dBodyAddForceAtPos(bodies_[push.body], push.force_W.x(), push.force_W.y(), push.force_W.z(),
+    dBodyAddForceAtPos(bodies_[push.part], push.force_W.x(), push.force_W.y(), push.force_W.z(),
                        push.p_W.x(), push.p_W.y(), push.p_W.z());
   }
+  if (held_at_) PullByHand(step_s);
   const OdeRandomScope random(&random_seed_);
   // Without this call, libode, which is SSE code, runs at a third of its speed after AVX code.
   ClearUpperRegisters();
@@ -236,15 +249,55 @@ void OdeBody::HashState(Hasher* hasher) const {
   solver_->HashState(hasher);
   hasher->Add(random_seed_);
   for (const PushForce& push : pushes_) {
-    hasher->Add(push.body);
+    hasher->Add(push.part);
     hasher->AddBytes(push.force_W.data(), 3 * sizeof(double));
     hasher->AddBytes(push.p_W.data(), 3 * sizeof(double));
   }
+  if (held_at_) hasher->AddBytes(held_at_->data(), 16 * sizeof(double));
 }
 
-void OdeBody::Push(int body, const Vector3d& force_W, const Vector3d& p_W) {
-  ASSERT(body >= 0 && static_cast<size_t>(body) < bodies_.size(), "no part {}", body);
-  pushes_.push_back({body, force_W, p_W});
+void OdeBody::Push(int part, const Vector3d& force_W, const Vector3d& p_W) {
+  ASSERT(part >= 0 && static_cast<size_t>(part) < bodies_.size(), "no part {}", part);
+  pushes_.push_back({part, force_W, p_W});
+}
+
+void OdeBody::Hold(const std::optional<Isometry3d>& X_WB) { held_at_ = X_WB; }
+
+// Adds the force and the torque of a hand that holds the trunk.  The hand carries the weight of the
+// robot at its centre of mass, and moves the trunk towards held_at_ with the speed at which the
+// distance shrinks by e in kHandTime_s.  Half of the force that would give the trunk this speed in
+// one step is used, because the legs and the head hang on the trunk and resist.
+void OdeBody::PullByHand(double step_s) {
+  const dBodyID trunk = bodies_[0];
+  const double mass_kg = model_.TotalMassKg();
+  Vector3d centre_W = Vector3d::Zero();
+  for (size_t i = 0; i < bodies_.size(); ++i)
+    centre_W += ToEigen(dBodyGetPosition(bodies_[i])) * (model_.bodies[i].mass_kg / mass_kg);
+  dBodyAddForceAtPos(trunk, 0, 0, mass_kg * kGravity_m_s2, centre_W.x(), centre_W.y(),
+                     centre_W.z());
+
+  const Vector3d v_wanted_W =
+      Limited((held_at_->translation() - state_.X_WB.translation()) / kHandTime_s, kHandSpeed_m_s);
+  const Vector3d force_W =
+      Limited((v_wanted_W - state_.v_WB) * (0.5 * model_.bodies[0].mass_kg / step_s), kHandForce_n);
+  dBodyAddForce(trunk, force_W.x(), force_W.y(), force_W.z());
+
+  // For a small rotation between the two, half the sum of the cross products of their axes is its
+  // axis times its angle.
+  const Matrix3d R = state_.X_WB.linear();
+  Vector3d turn_W = Vector3d::Zero();
+  for (int axis = 0; axis < 3; ++axis)
+    turn_W += 0.5 * R.col(axis).cross(held_at_->linear().col(axis));
+  const Vector3d w_wanted_W = Limited(turn_W / kHandTime_s, kHandTurn_rad_s);
+  dMass mass;
+  dBodyGetMass(trunk, &mass);
+  Matrix3d inertia_B;
+  inertia_B << mass.I[0], mass.I[1], mass.I[2], mass.I[4], mass.I[5], mass.I[6], mass.I[8],
+      mass.I[9], mass.I[10];
+  const Vector3d torque_W =
+      Limited(R * (inertia_B * (R.transpose() * (w_wanted_W - state_.w_WB))) * (0.5 / step_s),
+              kHandTorque_nm);
+  dBodyAddTorque(trunk, torque_W.x(), torque_W.y(), torque_W.z());
 }
 
 std::unique_ptr<Body> MakeOdeBody(const RobotModel& model, const World& world) {

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "virtualrobot/body.h"
@@ -57,8 +58,9 @@ class OdeBody : public Body {
   std::vector<Eigen::Isometry3d> BodyPoses() const override;
   void HashState(Hasher* hasher) const override;
 
-  // Pushes part `body` with `force_W` (in N) at the point `p_W` during the next Advance() only.
-  void Push(int body, const Eigen::Vector3d& force_W, const Eigen::Vector3d& p_W);
+  bool IsPhysical() const override { return true; }
+  void Push(int part, const Eigen::Vector3d& force_W, const Eigen::Vector3d& p_W) override;
+  void Hold(const std::optional<Eigen::Isometry3d>& X_WB) override;
 
   // Returns the largest distance, in metres, between the two ends of a hinge.  It tells how well
   // the hinges hold the parts together.
@@ -66,7 +68,7 @@ class OdeBody : public Body {
 
  private:
   struct PushForce {
-    int body;
+    int part;
     Eigen::Vector3d force_W, p_W;
   };
 
@@ -74,6 +76,7 @@ class OdeBody : public Body {
   void MakeHinges(const RestingPose& pose, const std::vector<Eigen::Isometry3d>& X_BL);
   void Step(double step_s);
   void SolveStep(double step_s);
+  void PullByHand(double step_s);
   void ReadState();
   Eigen::Isometry3d PoseOf(int body) const;
 
@@ -88,8 +91,9 @@ class OdeBody : public Body {
   std::vector<Servo> servos_;
   std::unique_ptr<ContactFinder> finder_;
   std::unique_ptr<ContactSolver> solver_;
-  std::vector<PushForce> pushes_;  // forces that act during the next Advance()
-  uint64_t random_seed_ = 1;       // state of ODE's random generator for this world
+  std::vector<PushForce> pushes_;             // forces that act during the next Advance()
+  std::optional<Eigen::Isometry3d> held_at_;  // the pose to which a hand pulls the base
+  uint64_t random_seed_ = 1;                  // state of ODE's random generator for this world
 };
 
 }  // namespace openr_host
