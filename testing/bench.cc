@@ -218,7 +218,7 @@ std::string Bench::FullName(const std::string& name, char direction) {
   for (const std::string& service : KnownServices()) {
     const bool is_end = service.back() == direction;
     if (is_end) known.push_back(ShortName({"", service}));
-    if (NamesService(name, service)) (is_end ? fitting : others).push_back(service);
+    if (openr_host::NamesService(name, service)) (is_end ? fitting : others).push_back(service);
   }
   if (fitting.size() == 1) return fitting[0];
   if (!fitting.empty()) {

@@ -33,6 +33,7 @@
 #include <utility>
 #include <vector>
 
+#include "runtime/core/post_in_name.h"
 #include "runtime/core/system.h"
 #include "testing/bench_schedule.h"
 #include "testing/bench_stick.h"
@@ -270,7 +271,7 @@ class Bench {
   // "" when it has logged none.
   const std::string& state(const std::string& object) const;
 
-  // The next functions take the name of a device ("RF_j1", "head_led") or its locator
+  // The next functions take the name of a device ("RF_j1", "chin", "head_led") or its locator
   // ("PRM:/r4/c1-Joint2:j1").  They throw std::invalid_argument when there is no such device, and
   // std::logic_error without a body.
   double JointDeg(std::string_view name) const;
@@ -282,9 +283,38 @@ class Bench {
   openr_host::VirtualRobot& dog() const;
   const openr_host::RobotModel& model() const { return *model_; }
 
+  // ---- What a person does to the dog; docs/inputs.md
+  //
+  // Each of these functions adds an input, which takes effect at the next frame boundary, or at
+  // once if the bench is at one.  If the input is refused, for example because the dog has no such
+  // sensor, the test fails at the line of the call and the function returns false.
+
+  // Adds any input: "press chin for 300ms", "send Blinker.Alarm 5", "type hello".
+  bool Do(std::string_view input, Place place = Place::Here());
+
+  // Presses a sensor that people touch: "back", "chin", "head", "paw_LF" ..., for a duration or
+  // until Release().  SetSensor() makes a sensor read a value, in its OPEN-R unit.
+  bool Press(std::string_view sensor, Duration duration = 0s, Place place = Place::Here());
+  bool Release(std::string_view sensor, Place place = Place::Here());
+  bool SetSensor(std::string_view sensor, int32_t value, Place place = Place::Here());
   // Presses the pause button on the dog's back.  That cuts the motor power and sets the pause bit
-  // of the power status, which objects can watch.  Needs a body.
-  void PressPause();
+  // of the power status, which objects can watch.
+  bool PressPause(Place place = Place::Here()) { return Do("press pause", place); }
+
+  // A force in N that points forward, to the dog's left and up.
+  struct Force {
+    double x = 0, y = 0, z = 0;
+  };
+  // Pushes the middle of the dog's trunk.  Needs a body with physics.
+  bool Push(const Force& force, Duration duration = 100ms, Place place = Place::Here());
+  // Takes the dog and lifts it by `metres`; holds it where it is; sets it down; lets it fall.
+  bool Lift(double metres = 0.2, Place place = Place::Here());
+  bool HoldDog(Place place = Place::Here()) { return Do("hold", place); }
+  bool SetDown(Place place = Place::Here()) { return Do("setdown", place); }
+  bool LetGo(Place place = Place::Here()) { return Do("letgo", place); }
+
+  bool SetBattery(int percent, Place place = Place::Here());
+  bool SetCharger(bool on, Place place = Place::Here());
 
   BenchStick& stick() { return *stick_; }
 
@@ -318,10 +348,6 @@ class Bench {
     ::testing::Matcher<const std::string&> text;
     Place place;
     bool seen = false;
-  };
-  struct ServiceEnd {
-    openr_host::ObjectId object;
-    uint32_t selector;  // number of its Ready or Notify handler
   };
 
   void AddDog();
@@ -359,9 +385,9 @@ class Bench {
   bool InjectReady(const MessageSpec& spec, const Place& place);
   bool InjectEntry(const MessageSpec& spec, std::string_view bytes, const Place& place);
   static std::string CommandOf(uint64_t seed);
-  bool AreConnected(const ServiceEnd& subject, const ServiceEnd& observer, const Place& place);
-  std::optional<ServiceEnd> FindService(const std::string& name, const char* kind,
-                                        const Place& place);
+  // Returns the end of a connection that `name` names; reports a failure if there is none.
+  std::optional<openr_host::ServiceEnd> FindEnd(const std::string& name,
+                                                openr_host::ServiceSide side, const Place& place);
 
   const BenchOptions options_;
   const Place place_;  // line of the test that made the bench

@@ -1,25 +1,22 @@
 // Bench: changes to messages, and expectations about them.
-#include <OPENR/ObjcommMessages.h>
-#include <OPENR/RCRegion.h>
 #include <fmt/format.h>
 
 #include <cstring>
-#include <new>
 #include <utility>
 
 #include "runtime/base/spelling.h"
-#include "runtime/core/api.h"
-#include "runtime/core/connection_state.h"
+#include "runtime/core/post_in_name.h"
 #include "testing/bench.h"
 
 namespace openr::testing {
 
 using openr_host::CurrentScope;
 using openr_host::Message;
+using openr_host::NamesService;
 using openr_host::Object;
-using openr_host::OidOf;
 using openr_host::OwnedMessage;
-using openr_host::PayloadKind;
+using openr_host::ServiceEnd;
+using openr_host::ServiceSide;
 
 bool Bench::CheckNames(const MessageSpec& spec, const Place& place) {
   if (!system_->booted()) {
@@ -50,35 +47,14 @@ bool Bench::CheckName(const std::string& name, const Place& place) {
 
 // ---- Injecting
 
-// Returns whether `subject` is connected with `observer`; reports a failure at `place` if not.  An
-// end of a connection is stored as the number of its handler: Ready of a subject, Notify of an
-// observer.  ServiceEnd::selector holds this number.
-bool Bench::AreConnected(const ServiceEnd& subject, const ServiceEnd& observer,
-                         const Place& place) {
-  const OServiceEntry observer_id(OidOf(observer.object), observer.selector);
-  for (const auto& each : system_->object(subject.object)->subjects) {
-    if (each->id.selector != subject.selector) continue;
-    if (each->Find(observer_id) != nullptr) return true;
-    Fail(place, fmt::format("Inject: {} is not connected with {}", each->service,
-                            system_->object(observer.object)->EntryName(observer.selector)));
-    return false;
+std::optional<ServiceEnd> Bench::FindEnd(const std::string& name, ServiceSide side,
+                                         const Place& place) {
+  const std::optional<ServiceEnd> end = openr_host::FindService(*system_, 0, name, side);
+  if (!end) {
+    Fail(place, fmt::format("Inject: '{}' is no {} of a connection", name,
+                            side == ServiceSide::kSubject ? "subject" : "observer"));
   }
-  return true;
-}
-
-std::optional<Bench::ServiceEnd> Bench::FindService(const std::string& name, const char* kind,
-                                                    const Place& place) {
-  for (const auto& object : system_->objects()) {
-    for (const auto& [selector, entry] : object->entry_names) {
-      const size_t end = entry.rfind(" (");
-      if (end == std::string::npos || entry.substr(end) != kind) continue;
-      if (NamesService(name, std::string_view(entry).substr(0, end)))
-        return ServiceEnd{object->id, selector};
-    }
-  }
-  Fail(place, fmt::format("Inject: '{}' is no {} of a connection", name,
-                          std::string_view(kind) == " (Ready)" ? "subject" : "observer"));
-  return std::nullopt;
+  return end;
 }
 
 bool Bench::InjectBytes(const MessageSpec& spec, std::string_view bytes, Place place) {
@@ -90,45 +66,20 @@ bool Bench::InjectBytes(const MessageSpec& spec, std::string_view bytes, Place p
 }
 
 bool Bench::InjectNotify(const MessageSpec& spec, std::string_view bytes, const Place& place) {
-  const auto from = FindService(spec.from(), " (Ready)", place);
-  const auto to = FindService(spec.to(), " (Notify)", place);
-  if (!from || !to || !AreConnected(*from, *to, place)) return false;
-  const CurrentScope scope(system_.get(), system_->object(from->object));
-  RCRegion* const region = new RCRegion(bytes.size());
-  std::memcpy(region->Base(), bytes.data(), bytes.size());
-  OwnedMessage message = system_->NewMessage(to->object, to->selector);
-  auto& notify = *new (message->payload) ONotifyMessage;
-  notify.msgType = omsgNOTIFY_V22;
-  notify.subjectID = OServiceEntry(OidOf(from->object), from->selector);
-  notify.numOfData = 1;
-  notify.numOfNotify = 1;
-  notify.data[0].srcRCR = region;
-  notify.data[0].memID = region->MemID();
-  notify.data[0].offset = region->Offset();
-  notify.data[0].size = region->Size();
-  message->size = sizeof notify;
-  message->kind = PayloadKind::kNotify;
-  if (system_->Post(std::move(message)) == sSUCCESS) return true;
-  region->RemoveReference();
-  return Miss(place, "Inject: the queue of the receiver is full");
+  const auto from = FindEnd(spec.from(), ServiceSide::kSubject, place);
+  const auto to = FindEnd(spec.to(), ServiceSide::kObserver, place);
+  if (!from || !to) return false;
+  const std::string problem = PostNotification(system_.get(), *from, *to, bytes);
+  return problem.empty() || Miss(place, "Inject: " + problem);
 }
 
 bool Bench::InjectReady(const MessageSpec& spec, const Place& place) {
-  const auto from = FindService(spec.from(), " (Notify)", place);
-  const auto to = FindService(spec.to(), " (Ready)", place);
-  if (!from || !to || !AreConnected(*to, *from, place)) return false;
-  const CurrentScope scope(system_.get(), system_->object(from->object));
-  OwnedMessage message = system_->NewMessage(to->object, to->selector);
-  auto& ready = *new (message->payload) OReadyMessage;
-  ready.msgType = omsgREADY_V22;
-  ready.command =
-      spec.kind() == MessageKind::kReady ? objcommCMD_ASSERT_READY : objcommCMD_DEASSERT_READY;
-  ready.observerID = OServiceEntry(OidOf(from->object), from->selector);
-  ready.numOfData = 0;
-  message->size = sizeof ready;
-  message->kind = PayloadKind::kReady;
-  return system_->Post(std::move(message)) == sSUCCESS ||
-         Miss(place, "Inject: the queue of the receiver is full");
+  const auto from = FindEnd(spec.from(), ServiceSide::kObserver, place);
+  const auto to = FindEnd(spec.to(), ServiceSide::kSubject, place);
+  if (!from || !to) return false;
+  const bool is_ready = spec.kind() == MessageKind::kReady;
+  const std::string problem = PostReady(system_.get(), *from, *to, is_ready);
+  return problem.empty() || Miss(place, "Inject: " + problem);
 }
 
 bool Bench::InjectEntry(const MessageSpec& spec, std::string_view bytes, const Place& place) {
@@ -152,7 +103,42 @@ bool Bench::InjectEntry(const MessageSpec& spec, std::string_view bytes, const P
          Miss(place, "Inject: the queue of the receiver is full");
 }
 
-// ---- Changing the order of messages, holding and dropping messages
+// ---- What a person does
+
+bool Bench::Do(std::string_view input, Place place) {
+  const std::string problem = system_->inputs().Add(0, input);
+  return problem.empty() || Miss(place, "Input refused: " + problem);
+}
+
+bool Bench::Press(std::string_view sensor, Duration duration, Place place) {
+  if (duration <= 0s) return Do(fmt::format("press {}", sensor), place);
+  return Do(fmt::format("press {} for {}us", sensor, duration.count()), place);
+}
+
+bool Bench::Release(std::string_view sensor, Place place) {
+  return Do(fmt::format("release {}", sensor), place);
+}
+
+bool Bench::SetSensor(std::string_view sensor, int32_t value, Place place) {
+  return Do(fmt::format("set {} {}", sensor, value), place);
+}
+
+bool Bench::Push(const Force& force, Duration duration, Place place) {
+  return Do(fmt::format("push {} {} {} for {}us", force.x, force.y, force.z, duration.count()),
+            place);
+}
+
+bool Bench::Lift(double metres, Place place) { return Do(fmt::format("lift {}", metres), place); }
+
+bool Bench::SetBattery(int percent, Place place) {
+  return Do(fmt::format("battery {}%", percent), place);
+}
+
+bool Bench::SetCharger(bool on, Place place) {
+  return Do(on ? "charger on" : "charger off", place);
+}
+
+// ---- Orders and doors
 
 void Bench::Reorder(std::vector<std::string> objects, Place place) {
   for (const std::string& name : objects) CheckNames(AnyMessage().To(name), place);

@@ -87,14 +87,14 @@ VirtualRobot& Bench::dog() const {
   return *dog_;
 }
 
-void Bench::PressPause() { dog().PressPause(); }
-
 double Bench::JointDeg(std::string_view name) const {
   const auto& joints = dog().body().state().joints;
   return openr_host::Degrees(joints[IndexOf(model_->joints, name, "joint")].angle_rad);
 }
 
 int64_t Bench::SensorValue(std::string_view name) const {
+  const std::vector<int> sensors = dog().model().SensorsNamed(name);
+  if (sensors.size() == 1) return dog().sensor(sensors[0]).value;
   return dog().sensor(static_cast<int>(IndexOf(model_->sensors, name, "sensor"))).value;
 }
 

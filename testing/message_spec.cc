@@ -1,11 +1,14 @@
 #include "testing/message_spec.h"
 
+#include "runtime/core/post_in_name.h"
+
 namespace openr::testing {
 namespace {
 
 bool NamesEnd(const std::string& name, const SeenMessage::End& end) {
   if (name.empty()) return true;
-  return name.find('.') == std::string::npos ? name == end.object : NamesService(name, end.service);
+  return name.find('.') == std::string::npos ? name == end.object
+                                             : openr_host::NamesService(name, end.service);
 }
 
 const char* WordFor(const std::optional<MessageKind>& kind) {
@@ -42,11 +45,6 @@ class TextMatcher : public ::testing::MatcherInterface<const SeenMessage&> {
 };
 
 }  // namespace
-
-bool NamesService(std::string_view name, std::string_view service) {
-  return service.starts_with(name) &&
-         (service.size() == name.size() || service[name.size()] == '.');
-}
 
 MessageSpec MessageSpec::From(std::string end) const {
   MessageSpec spec = *this;

@@ -65,10 +65,6 @@ MessageSpec Ready(std::string observer = "", std::string subject = "");
 MessageSpec NotReady(std::string observer = "", std::string subject = "");
 MessageSpec ToEntry(std::string object, std::string name);
 
-// Returns whether `name` is the service's full name or the first parts of it, as "Blinker.Blink" is
-// of "Blinker.Blink.int.S".
-bool NamesService(std::string_view name, std::string_view service);
-
 // ---- Payloads
 
 // Appends all data of a message to `values`, each as a T.  If a datum has not the size of a T,

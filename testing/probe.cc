@@ -35,7 +35,8 @@ End& FindEnd(std::deque<End>& ends, const Object& object, std::string_view name,
   for (End& end : ends) {
     const std::string& service = end.service();
     const std::string_view without_object = std::string_view(service).substr(service.find('.') + 1);
-    if (NamesService(name, service) || NamesService(name, without_object)) return end;
+    if (openr_host::NamesService(name, service) || openr_host::NamesService(name, without_object))
+      return end;
     known.push_back(service);
   }
   throw std::invalid_argument(fmt::format("probe {} has no {} '{}'; it has: {}", object.name, kind,

@@ -52,6 +52,7 @@ void RobotParts::HashState(Hasher* hasher) const {
   microphone.HashState(hasher);
   camera.HashState(hasher);
   safe_posture.HashState(hasher);
+  hands.HashState(hasher);
 }
 
 }  // namespace openr_host

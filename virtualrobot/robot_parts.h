@@ -12,6 +12,7 @@
 #include "virtualrobot/camera/camera.h"
 #include "virtualrobot/camera/image_source.h"
 #include "virtualrobot/devices.h"
+#include "virtualrobot/hands.h"
 #include "virtualrobot/joint_watch.h"
 #include "virtualrobot/optional_bytes.h"
 #include "virtualrobot/power.h"
@@ -66,6 +67,7 @@ struct RobotParts {
   Microphone microphone;
   CameraDevice camera;
   SafePosture safe_posture;
+  Hands hands{this};
   int64_t first_frame = 0;  // 0 unless a test sets it
   int64_t frame = 0;        // number of the frame that runs now; all earlier frames are complete
 };

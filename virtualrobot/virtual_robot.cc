@@ -282,6 +282,7 @@ VirtualRobot* AddVirtualRobot(System* system, int robot, const RobotModel& model
       system->AddObject<OVirtualRobotAudioComm>(robot, "OVirtualRobotAudioComm", &result->parts());
   sound->host().is_system = true;
   comm->set_sound(sound);
+  result->parts().hands.AddVerbs();
   return result;
 }
 

@@ -40,8 +40,8 @@ void Recorder::Begin(Simulation* simulation, const SimulationOptions& options,
   header.is_free = is_free;
   header.payloads = payloads_;
   writer_ = std::make_unique<TraceWriter>(file_, header);
-  system.OnConsoleInput([this, &system](int robot, std::string_view text) {
-    writer_->AddConsole(robot, text, system.now_us());
+  system.inputs().OnAdd([this, &system](int robot, std::string_view line) {
+    writer_->AddInput(robot, line, system.now_us());
   });
   if (options.robots == 1) {  // one robot: a stick that several share is read-only
     const std::string root = simulation->stick() + "/";

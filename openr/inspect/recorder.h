@@ -25,9 +25,6 @@ class Recorder {
   void Begin(Simulation* simulation, const SimulationOptions& options, const std::string& stick,
              bool is_free = false);
 
-  void NotePause(int64_t time_us) { writer_->AddAt(TraceEntry::Kind::kPause, time_us); }
-  void NoteShutdown(int64_t time_us) { writer_->AddAt(TraceEntry::Kind::kShutdown, time_us); }
-
   void NoteLoss(const std::string& process, int64_t time_us) { writer_->AddLoss(process, time_us); }
 
   // Writes the end of the recording, with the hashes with which a replay compares its own.  Returns

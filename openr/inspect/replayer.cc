@@ -239,12 +239,15 @@ bool Replayer::ApplyInput() {
     return false;
   }
   const TraceEntry input = reader_.Take();
-  if (input.kind == Kind::kConsole) {
-    system().FeedConsole(input.robot, input.name);
-  } else if (input.kind == Kind::kShutdown) {
-    system().Shutdown();
-  } else {
-    for (VirtualRobot* const robot : simulation_->robots()) robot->PressPause();
+  const bool is_for_all = input.robot < 0;
+  const int first = is_for_all ? 0 : input.robot;
+  const int end = is_for_all ? system().robot_count() : first + 1;
+  for (int robot = first; robot < end; ++robot) {
+    const std::string problem = system().inputs().Add(robot, input.name);
+    if (problem.empty()) continue;
+    difference_ = fmt::format("after message {}: the input '{}' is refused now: {}",
+                              last_.record.number, input.name, problem);
+    return false;
   }
   return true;
 }

@@ -2,6 +2,7 @@
 
 #include "cli/counted.h"
 #include "openr/inspect/trace_file.h"
+#include "runtime/base/assert.h"
 
 namespace openr_host {
 namespace {
@@ -135,13 +136,15 @@ void TraceCoder::Write(const TraceEntry& entry, ByteWriter* out) {
       out->Varint(entry.events.size());
       for (const NetworkEvent& event : entry.events) WriteEvent(event, out);
       return;
-    case TraceEntry::Kind::kPause:
-    case TraceEntry::Kind::kShutdown:
-      out->Zigzag(entry.time_us);
+    case TraceEntry::Kind::kOldPause:
+    case TraceEntry::Kind::kOldShutdown:
+    case TraceEntry::Kind::kOldConsole:
+      ASSERT(false, "only programs of before version 4 wrote entry {}",
+             static_cast<int>(entry.kind));
       return;
-    case TraceEntry::Kind::kConsole:
+    case TraceEntry::Kind::kInput:
       out->Zigzag(entry.time_us);
-      out->Varint(static_cast<uint64_t>(entry.robot));
+      out->Zigzag(entry.robot);
       out->Text(entry.name);
       return;
     case TraceEntry::Kind::kLoss:
@@ -167,7 +170,7 @@ void TraceCoder::Write(const TraceEntry& entry, ByteWriter* out) {
 
 TraceEntry TraceCoder::Read(ByteReader* in) {
   TraceEntry entry;
-  entry.kind = ReadEnum(in, TraceEntry::Kind::kEnded);
+  entry.kind = ReadEnum(in, TraceEntry::Kind::kInput);
   switch (entry.kind) {
     case TraceEntry::Kind::kObject:
       entry.id = static_cast<int32_t>(in->Zigzag());
@@ -186,13 +189,22 @@ TraceEntry TraceCoder::Read(ByteReader* in) {
       entry.robot = static_cast<int32_t>(in->Varint());
       for (uint64_t i = in->Varint(); i > 0; --i) entry.events.push_back(ReadEvent(in));
       return entry;
-    case TraceEntry::Kind::kPause:
-    case TraceEntry::Kind::kShutdown:
+    case TraceEntry::Kind::kOldPause:
+    case TraceEntry::Kind::kOldShutdown:
+      entry.name = entry.kind == TraceEntry::Kind::kOldPause ? "press pause" : "shutdown";
+      entry.kind = TraceEntry::Kind::kInput;
       entry.time_us = in->Zigzag();
+      entry.robot = -1;
       return entry;
-    case TraceEntry::Kind::kConsole:
+    case TraceEntry::Kind::kOldConsole:
+      entry.kind = TraceEntry::Kind::kInput;
       entry.time_us = in->Zigzag();
       entry.robot = static_cast<int32_t>(in->Varint());
+      entry.name = fmt::format("type {}", in->Text());
+      return entry;
+    case TraceEntry::Kind::kInput:
+      entry.time_us = in->Zigzag();
+      entry.robot = static_cast<int32_t>(in->Zigzag());
       entry.name = in->Text();
       return entry;
     case TraceEntry::Kind::kLoss:

@@ -148,18 +148,11 @@ void TraceWriter::AddNetwork(int robot, std::vector<NetworkEvent> events) {
   Add(entry);
 }
 
-void TraceWriter::AddAt(TraceEntry::Kind kind, int64_t time_us) {
+void TraceWriter::AddInput(int robot, std::string_view line, int64_t time_us) {
   TraceEntry entry;
-  entry.kind = kind;
-  entry.time_us = time_us;
-  Add(entry);
-}
-
-void TraceWriter::AddConsole(int robot, std::string_view text, int64_t time_us) {
-  TraceEntry entry;
-  entry.kind = TraceEntry::Kind::kConsole;
+  entry.kind = TraceEntry::Kind::kInput;
   entry.robot = robot;
-  entry.name = text;
+  entry.name = line;
   entry.time_us = time_us;
   Add(entry);
 }

@@ -21,8 +21,10 @@ namespace openr_host {
 class System;
 struct RunEnd;
 
-constexpr uint32_t kTraceVersion = 3;
-constexpr uint32_t kOldestTraceVersion = 2;  // oldest version that can be read; has no entry kEnded
+constexpr uint32_t kTraceVersion = 4;
+// The oldest version that can be read.  Version 2 has no kEnded.  Versions 2 and 3 have kOldPause,
+// kOldShutdown and kOldConsole in place of kInput; they are read as kInput.
+constexpr uint32_t kOldestTraceVersion = 2;
 
 // The options that determine a run, together with the recorded input.
 struct TraceHeader {
@@ -44,18 +46,19 @@ struct TraceHeader {
 struct TraceEntry {
   // The kinds of entries.  Each comment names the fields of TraceEntry that such an entry has.
   enum class Kind : uint8_t {
-    kObject = 1,    // id, robot, name; comes before the first message of the object
-    kEntry = 2,     // id (of the object), selector, name; comes before the first message to it
-    kMessage = 3,   // record, payload: a delivered message
-    kNetwork = 4,   // robot, events: what Poll() returned during the message before
-    kPause = 5,     // time_us: the pause button was pressed
-    kShutdown = 6,  // time_us: no object handled the pause button, so the program shut down
-    kEnd = 7,       // time_us, trace_hash, state_hash: the last entry
-    kConsole = 8,   // time_us, robot, name: text that was typed
-    kStick = 9,     // what, name, payload: content before an object changed a file or folder
-    kLoss = 10,     // time_us, name: a process was lost; what follows cannot be replayed
+    kObject = 1,       // id, robot, name; comes before the first message of the object
+    kEntry = 2,        // id (of the object), selector, name; comes before the first message to it
+    kMessage = 3,      // record, payload: a delivered message
+    kNetwork = 4,      // robot, events: what Poll() returned during the message before
+    kOldPause = 5,     // see kOldestTraceVersion
+    kOldShutdown = 6,  // see kOldestTraceVersion
+    kEnd = 7,          // time_us, trace_hash, state_hash: the last entry
+    kOldConsole = 8,   // see kOldestTraceVersion
+    kStick = 9,        // what, name, payload: content before an object changed a file or folder
+    kLoss = 10,        // time_us, name: a process was lost; what follows cannot be replayed
     // name, payload: how the run ended (EndName()) and why; missing if the process was killed.
     kEnded = 11,
+    kInput = 12,  // time_us, robot (-1: every robot), name: the line of the input
   };
   enum class OnStick : uint8_t { kNothing = 0, kFile = 1, kFolder = 2 };
   Kind kind = Kind::kEnd;
@@ -107,10 +110,9 @@ class TraceWriter {
   // System's trace.
   void AddMessage(const System& system, const TraceRecord& record, const Message& message);
   void AddNetwork(int robot, std::vector<NetworkEvent> events);
-  void AddAt(TraceEntry::Kind kind, int64_t time_us);
   void AddLoss(const std::string& process, int64_t time_us);
   void AddEnded(const RunEnd& end);
-  void AddConsole(int robot, std::string_view text, int64_t time_us);
+  void AddInput(int robot, std::string_view line, int64_t time_us);
   // Adds an entry with the present content of a file or folder of the Memory Stick, which an object
   // is about to change.  A replay needs it to undo the change.  `path` is the path on the host,
   // `name` the path below the stick's folder.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -29,6 +30,12 @@ const char* EventName(NetworkEvent::Kind kind) {
   return kNames[static_cast<int>(kind)];
 }
 
+// Returns `text` on one line: typed text may have several.
+std::string OnOneLine(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
 std::string DescribeInput(const TraceEntry& entry) {
   switch (entry.kind) {
     case Kind::kNetwork: {
@@ -39,14 +46,12 @@ std::string DescribeInput(const TraceEntry& entry) {
       }
       return text;
     }
-    case Kind::kPause:
-      return fmt::format("    input: pause button at t={:.6f}", Seconds(entry.time_us));
-    case Kind::kConsole:
-      return fmt::format("    input: typed at t={:.6f}: {}", Seconds(entry.time_us), entry.name);
+    case Kind::kInput:
+      return fmt::format("    input: {} at t={:.6f}: {}",
+                         entry.robot < 0 ? "every robot" : fmt::format("robot {}", entry.robot),
+                         Seconds(entry.time_us), OnOneLine(entry.name));
     case Kind::kLoss:
       return fmt::format("    loss: process '{}' at t={:.6f}", entry.name, Seconds(entry.time_us));
-    case Kind::kShutdown:
-      return fmt::format("    input: shutdown at t={:.6f}", Seconds(entry.time_us));
     case Kind::kEnded:
       return fmt::format("ended by {}: {}", entry.name, entry.payload);
     case Kind::kEnd:

@@ -12,6 +12,7 @@
 
 #include "runtime/base/read_file.h"
 #include "runtime/core/system.h"
+#include "runtime/core/system_verbs.h"
 
 namespace openr_host {
 
@@ -51,7 +52,7 @@ void ConsoleFeed::Feed(System* system) {
   const std::string lines = TakeLines();
   if (lines.empty()) return;
   system->console_input().set_echo(!is_terminal_);
-  for (int robot = 0; robot < system->robot_count(); ++robot) system->FeedConsole(robot, lines);
+  for (int robot = 0; robot < system->robot_count(); ++robot) TypeText(system, robot, lines);
 }
 
 }  // namespace openr_host

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "openr/inspect/recorder.h"
 #include "openr/run/console_feed.h"
 #include "openr/run/interrupt.h"
 #include "openr/simulation/activity.h"
@@ -71,11 +70,15 @@ int64_t Runner::NextStop() const {
   return stop_us;
 }
 
+void Runner::AddInputToAll(std::string_view line) {
+  System& system = simulation_->system();
+  for (int robot = 0; robot < system.robot_count(); ++robot) system.inputs().Add(robot, line);
+}
+
 void Runner::PressPause() {
   paused_us_ = simulation_->system().now_us();
   plan_.say("pause button pressed; again to end at once");
-  for (VirtualRobot* const robot : simulation_->robots()) robot->PressPause();
-  if (plan_.recorder != nullptr) plan_.recorder->NotePause(paused_us_);
+  AddInputToAll("press pause");
 }
 
 void Runner::TakePictures(bool at_end) {
@@ -131,10 +134,12 @@ void Runner::AfterFrame() {
   if (paused_us_ >= 0 && !shutdown_posted_ && system.now_us() - paused_us_ >= kPauseUs) {
     shutdown_posted_ = true;
     plan_.say("no object handles the pause button; shutting down");
-    system.Shutdown({EndKind::kPause,
-                     "no object shut the robot down within 1 s after the pause button, so openr "
-                     "did"});
-    if (plan_.recorder != nullptr) plan_.recorder->NoteShutdown(system.now_us());
+    for (int robot = 0; robot < system.robot_count(); ++robot) {
+      system.NoteEnd(robot, {EndKind::kPause,
+                             "no object shut the robot down within 1 s after the pause button, so "
+                             "openr did"});
+    }
+    AddInputToAll("shutdown");
   }
 }
 

@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "openr/render/picture_request.h"
@@ -27,7 +28,7 @@ struct RunPlan {
   std::vector<PictureRequest> snapshots;
   std::string stdin_file;                            // see ConsoleFeed
   std::function<void(const std::string& line)> say;  // prints a message for the user
-  Recorder* recorder = nullptr;                      // records input; null: none
+  Recorder* recorder = nullptr;                      // records lost processes; null: none
   // Only for a free run, in which virtual time goes on while handlers run in worker processes.
   // Waits at most `timeout_us` for results of these handlers and applies them.  Called instead of
   // sleeping.  REQUIRES: rate > 0.
@@ -63,6 +64,7 @@ class Runner {
   std::optional<RunEnd> WhyOver() const;
   int64_t NextStop() const;
   void AfterFrame();
+  void AddInputToAll(std::string_view line);
   void PressPause();
   void RunFreely(int64_t stop_us, Pacer* pacer);
   void TakePictures(bool at_end);

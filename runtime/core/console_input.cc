@@ -11,32 +11,11 @@
 
 namespace openr_host {
 
-void ConsoleInput::Feed(int robot, std::string_view text) {
-  std::string typed(text);
-  if (!typed.ends_with('\n')) typed += '\n';
-  for (const Listener& listener : listeners_) listener(robot, typed);
+void ConsoleInput::Enter(int robot, std::string_view text) {
   Terminal& terminal = terminals_[robot];
-  terminal.coming += typed;
-  // The text becomes readable at the next frame boundary, or at once if the current time is a frame
-  // boundary.
-  const int64_t frame_us = system_->frame_us();
-  terminal.enters_us = (system_->now_us() + frame_us - 1) / frame_us * frame_us;
-}
-
-int64_t ConsoleInput::NextUs() const {
-  int64_t next_us = INT64_MAX;
-  for (const auto& [robot, terminal] : terminals_) next_us = std::min(next_us, terminal.enters_us);
-  return next_us;
-}
-
-void ConsoleInput::EnterDue() {
-  for (auto& [robot, terminal] : terminals_) {
-    if (terminal.enters_us > system_->now_us()) continue;
-    terminal.enters_us = INT64_MAX;
-    terminal.text += terminal.coming;
-    terminal.coming.clear();
-    WakeNext(&terminal);
-  }
+  terminal.text += text;
+  if (!text.ends_with('\n')) terminal.text += '\n';
+  WakeNext(&terminal);
 }
 
 // Wakes the handler that has waited longest for a line from `terminal`.  The list of readers may
@@ -99,7 +78,6 @@ size_t ConsoleInput::Read(char* buffer, size_t size, const std::function<bool()>
 void ConsoleInput::HashState(Hasher* hasher) const {
   for (const auto& [robot, terminal] : terminals_) {
     hasher->Add(robot);
-    hasher->AddText(terminal.coming);
     hasher->AddText(terminal.text);
     for (const auto& [id, box] : terminal.readers) hasher->Add(id);
   }

@@ -21,6 +21,7 @@
 #include "runtime/core/object_manager.h"
 #include "runtime/core/robot_services.h"
 #include "runtime/core/stalls.h"
+#include "runtime/core/system_verbs.h"
 #include "runtime/stick/memory_stick.h"
 
 namespace openr_host {
@@ -69,6 +70,7 @@ System::System(SystemOptions options)
   manager_ = AddObject<ObjectManager>(0, "oobjectManager");
   manager_->host().is_system = true;
   manager_->host().limits.priority = 0;
+  AddSystemVerbs(this);
   table_.OnEnd([this](ObjectId id) { time_events_.ForgetObject(id); });
   if (options_.seed != SystemOptions().seed) {
     seed_schedule_ = std::make_unique<SeedSchedule>(options_.seed);
@@ -255,7 +257,7 @@ void System::Readmit(OwnedMessage message) {
 }
 
 int64_t System::NextInstant() const {
-  int64_t end_us = std::min(time_events_.NextUs(), console_input_.NextUs());
+  int64_t end_us = std::min(time_events_.NextUs(), inputs_.NextUs());
   for (const auto& cpu : cpus_) end_us = std::min(end_us, cpu->EndUs());
   return end_us;
 }
@@ -264,7 +266,7 @@ void System::DoWhatIsDue() {
   for (const auto& cpu : cpus_) {
     if (cpu->EndUs() == now_us_) cpu->End(now_us_);
   }
-  console_input_.EnterDue();
+  inputs_.DoDue();
   time_events_.PostDue();
 }
 
@@ -336,6 +338,7 @@ uint64_t System::state_hash() {
       hasher.Add(outgoing.message->cause);
   }
   for (const auto& cpu : cpus_) cpu->HashState(&hasher);
+  inputs_.HashState(&hasher);
   console_input_.HashState(&hasher);
   time_events_.HashState(&hasher);
   if (options_.cost) options_.cost->HashState(&hasher);

@@ -27,6 +27,7 @@
 #include "runtime/core/current.h"
 #include "runtime/core/findings.h"
 #include "runtime/core/host_addresses.h"
+#include "runtime/core/inputs.h"
 #include "runtime/core/message.h"
 #include "runtime/core/object.h"
 #include "runtime/core/object_table.h"
@@ -226,14 +227,8 @@ class System {
   // and before all others of its class and priority.
   void Readmit(OwnedMessage message);
 
-  // Adds typed text, which objects can read from the next frame boundary on.  REQUIRES: not called
-  // in a handler.
-  void FeedConsole(int robot, std::string_view text) { console_input_.Feed(robot, text); }
-  // Registers a `listener` for recordings.  FeedConsole() calls it when the text is typed, and not
-  // at the frame boundary.
-  void OnConsoleInput(ConsoleInput::Listener listener) {
-    console_input_.OnFeed(std::move(listener));
-  }
+  Inputs& inputs() { return inputs_; }
+  const Inputs& inputs() const { return inputs_; }
   ConsoleInput& console_input() { return console_input_; }
   TimeEvents& time_events() { return time_events_; }
   Requests& requests() { return requests_; }
@@ -288,8 +283,8 @@ class System {
   CodeObject* FinishCodeObject(Object* host, std::unique_ptr<CodeObject> code);
   Object* NewCodeHost(int robot, const std::string& name);
 
-  // Events that are no messages: the end of a handler's processor time, time events and console
-  // input.  NextInstant() returns when the next one is due, DoWhatIsDue() does those due now.
+  // Events that are no messages: the end of a handler's processor time, time events and inputs.
+  // NextInstant() returns when the next one is due, DoWhatIsDue() does those due now.
   int64_t NextInstant() const;
   void DoWhatIsDue();
   int32_t RefuseSelector(const Message& message, const Object& target);
@@ -310,6 +305,7 @@ class System {
   HostAddresses host_addresses_;
   Trace trace_;
   Findings findings_;
+  Inputs inputs_{this};
   ConsoleInput console_input_{this};
   TimeEvents time_events_{this};
   Requests requests_{this};

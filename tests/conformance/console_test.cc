@@ -1,4 +1,5 @@
 // core.md 8.1 (terminal) and 10.1 23, field-notes.md section 6: objects that read the console.
+#include "runtime/core/system_verbs.h"
 #include "tests/conformance/conform_fixture.h"
 
 namespace openr_host {
@@ -9,7 +10,7 @@ class ConsoleConformance : public ConformTest {
   // What comes of `command` when `typed` is typed after it.
   std::string Typing(const std::string& command, const std::string& typed) {
     Tell(command);
-    system->FeedConsole(0, typed);
+    TypeText(system.get(), 0, typed);
     system->RunFor(8000);
     return Said();
   }
@@ -22,7 +23,7 @@ TEST_F(ConsoleConformance, AReaderWaitsAloneUntilALineIsThere) {
   Tell("ready?");  // waits behind the reader
   EXPECT_EQ(Said(), "");
   EXPECT_EQ(system->WhoWaits().size(), 1u);
-  system->FeedConsole(0, "some words\n");
+  TypeText(system.get(), 0, "some words\n");
   system->RunFor(8000);
   EXPECT_EQ(Said(), "some words\nT gets 'some words'\nT ready 1 refs 0\nT any 1 ready 1 all 1\n");
 }
@@ -31,7 +32,7 @@ TEST_F(ConsoleConformance, LinesEnterAtAFrameBoundary) {
   Start();
   Tell("gets");
   system->RunUntil(17'000);
-  system->FeedConsole(0, "x");
+  TypeText(system.get(), 0, "x");
   system->RunUntil(23'999);
   EXPECT_EQ(Said(), "");
   system->RunUntil(24'000);
@@ -51,7 +52,7 @@ TEST_F(ConsoleConformance, EveryWayToReadWorks) {
 
 TEST_F(ConsoleConformance, LinesTypedAheadAreReadOneByOne) {
   Start();
-  system->FeedConsole(0, "one\ntwo\n");
+  TypeText(system.get(), 0, "one\ntwo\n");
   system->RunFor(8000);
   EXPECT_EQ(Answer("gets"), "one\nT gets 'one'\n");
   EXPECT_EQ(Answer("gets"), "two\nT gets 'two'\n");
@@ -65,18 +66,18 @@ TEST_F(ConsoleConformance, OnlyTheThreeDescriptorsAreATerminal) {
 TEST_F(ConsoleConformance, WhatIsTypedIsHeardByARecordingAndPartOfTheState) {
   Start();
   std::string heard;
-  system->OnConsoleInput(
-      [&](int robot, std::string_view text) { heard += fmt::format("{}:{}", robot, text); });
+  system->inputs().OnAdd(
+      [&](int robot, std::string_view line) { heard += fmt::format("{}:{}", robot, line); });
   const uint64_t before = system->state_hash();
-  system->FeedConsole(0, "secret");
-  EXPECT_EQ(heard, "0:secret\n");
+  TypeText(system.get(), 0, "secret");
+  EXPECT_EQ(heard, "0:type secret");
   EXPECT_NE(system->state_hash(), before);
 }
 
 TEST_F(ConsoleConformance, AReaderInDoStartGetsItsLine) {
   Data("TSTART.TXT", "gets\n");
   ASSERT_TRUE(Load());
-  system->FeedConsole(0, "early");
+  TypeText(system.get(), 0, "early");
   Boot();
   const std::string said = Said();
   EXPECT_NE(said.find("T gets 'early'\nH start\n"), std::string::npos) << said;

@@ -9,6 +9,7 @@
 #include "distribution/worker_group.h"
 #include "runtime/core/api.h"
 #include "runtime/core/load_stick.h"
+#include "runtime/core/system_verbs.h"
 #include "tests/conformance/conform_fixture.h"
 #include "tests/distribution/kill_process.h"
 #include "tests/distribution/wait_until.h"
@@ -156,7 +157,7 @@ class LeftBehindTest : public ConformTest {
     return asker_->answer;
   }
   void Type(const std::string& line) const {
-    system->FeedConsole(0, line);
+    TypeText(system.get(), 0, line);
     system->RunFor(system->frame_us());
   }
 
@@ -187,7 +188,7 @@ TEST_F(LeftBehindTest, ALineForALostReaderGoesToTheNextReader) {
   Settle();
   Tell("gets");
   StartReading();
-  system->FeedConsole(0, "mine");
+  TypeText(system.get(), 0, "mine");
   const int64_t frame_us = system->frame_us();
   EXPECT_TRUE(system->RunUntil([&] { return system->now_us() == frame_us; }, frame_us));
   Lose("acting");  // the line is in the System and has not been delivered

@@ -20,13 +20,13 @@ TEST(ConsoleFeedTest, AFileIsTypedOnceOnEveryRobot) {
   system.AddRobot("ERS-210", nullptr);
   system.AddRobot("ERS-210", nullptr);
   std::string heard;
-  system.OnConsoleInput([&](int robot, std::string_view text) {
-    heard += std::to_string(robot) + ":" + std::string(text);
+  system.inputs().OnAdd([&](int robot, std::string_view line) {
+    heard += std::to_string(robot) + ":" + std::string(line);
   });
   ConsoleFeed feed(file);
   feed.Feed(&system);
   feed.Feed(&system);
-  EXPECT_EQ(heard, "0:one\ntwo\n1:one\ntwo\n");
+  EXPECT_EQ(heard, "0:type one\ntwo1:type one\ntwo");
 }
 
 TEST(ConsoleFeedTest, AFileThatCannotBeReadIsNamed) {

@@ -109,6 +109,7 @@ class ProgramRun {
     sigset_t signals;
     sigemptyset(&signals);
     sigaddset(&signals, SIGINT);
+    sigaddset(&signals, SIGHUP);  // nohup ignores it
     posix_spawnattr_init(attributes);
     posix_spawnattr_setsigdefault(attributes, &signals);
     posix_spawnattr_setflags(attributes, POSIX_SPAWN_SETSIGDEF);

@@ -43,8 +43,7 @@ class ReplayTest : public testing::Test {
     System& system = simulation.system();
     system.Boot();
     system.RunUntil(1'000'000);
-    simulation.robots()[0]->PressPause();
-    recorder.NotePause(system.now_us());
+    EXPECT_EQ(system.inputs().Add(0, "press pause"), "");
     system.RunUntil(until_us);
     if (has_end) {
       EXPECT_EQ(recorder.Finish(&system), "");
@@ -127,7 +126,7 @@ TEST_F(ReplayTest, TheReaderSeesWhatTheTraceSaw) {
   while (reader.Peek() != nullptr) {
     const TraceEntry entry = reader.Take();
     messages += entry.kind == TraceEntry::Kind::kMessage;
-    pauses += entry.kind == TraceEntry::Kind::kPause;
+    pauses += entry.kind == TraceEntry::Kind::kInput && entry.name == "press pause";
     if (entry.kind == TraceEntry::Kind::kEnd) hash = entry.trace_hash;
   }
   EXPECT_EQ(messages, messages_);
@@ -236,6 +235,19 @@ TEST_F(ReplayTest, ARecordingOfTheVersionBeforeIsStillRead) {
   EXPECT_EQ(count_, messages_);
 }
 
+// A recording of version 3 has entries of their own for the pause button and for typed text.
+TEST(OldRecordingTest, TypedTextAndThePauseButtonAreReadAsInputs) {
+  TraceReader reader(OPENR_TEST_DATA "/version3.rec");
+  std::vector<std::string> inputs;
+  while (reader.Peek() != nullptr) {
+    const TraceEntry entry = reader.Take();
+    if (entry.kind == TraceEntry::Kind::kInput)
+      inputs.push_back(std::to_string(entry.robot) + " " + entry.name);
+  }
+  EXPECT_EQ(inputs, (std::vector<std::string>{"0 type hello\n", "-1 press pause"}));
+  EXPECT_EQ(reader.ended().first, "pause");
+}
+
 TEST_F(ReplayTest, TextCsvAndPerfettoTellTheSameMessages) {
   Record();
   const auto write = [&](auto* function) {
@@ -247,7 +259,7 @@ TEST_F(ReplayTest, TextCsvAndPerfettoTellTheSameMessages) {
   };
   const std::string text = write(&WriteTraceText);
   EXPECT_NE(text.find("oobjectManager -> JointMover \"DoInit\""), std::string::npos);
-  EXPECT_NE(text.find("input: pause button at t=1.000000"), std::string::npos);
+  EXPECT_NE(text.find("input: robot 0 at t=1.000000: press pause"), std::string::npos);
   const std::string csv = write(&WriteTraceCsv);
   EXPECT_EQ(static_cast<uint64_t>(std::count(csv.begin(), csv.end(), '\n')), messages_ + 1);
   const auto perfetto = nlohmann::json::parse(write(&WriteTracePerfetto));

@@ -1,0 +1,104 @@
+#include "runtime/core/inputs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "runtime/base/assert.h"
+#include "runtime/base/characters.h"
+#include "runtime/base/hasher.h"
+#include "runtime/base/spelling.h"
+#include "runtime/core/system.h"
+
+namespace openr_host {
+
+void Inputs::AddVerb(int robot, Verb verb) {
+  ASSERT(FindVerb(robot, verb.name) == nullptr, "robot {} has the verb '{}'", robot, verb.name);
+  std::pair key(robot, verb.name);
+  verbs_.emplace(std::move(key), std::move(verb));
+}
+
+const Inputs::Verb* Inputs::FindVerb(int robot, const std::string& name) const {
+  for (const int owner : {robot, kEveryRobot}) {
+    if (const auto found = verbs_.find({owner, name}); found != verbs_.end()) return &found->second;
+  }
+  return nullptr;
+}
+
+std::vector<const Inputs::Verb*> Inputs::VerbsOf(int robot) const {
+  std::vector<const Verb*> verbs;
+  for (const auto& [key, verb] : verbs_) {
+    if (key.first == robot || key.first == kEveryRobot) verbs.push_back(&verb);
+  }
+  std::sort(verbs.begin(), verbs.end(),
+            [](const Verb* a, const Verb* b) { return a->name < b->name; });
+  return verbs;
+}
+
+std::string Inputs::Read(int robot, std::string_view line, Action* action) const {
+  const size_t end = std::min(line.find(' '), line.size());
+  const std::string name(line.substr(0, end));
+  if (robot < 0 || robot >= std::max(1, system_->robot_count()))
+    return fmt::format("there is no robot {}; this run has {}", robot, system_->robot_count());
+  const Verb* const verb = FindVerb(robot, name);
+  if (verb == nullptr) {
+    std::vector<std::string> known;
+    for (const Verb* const each : VerbsOf(robot)) known.push_back(each->name);
+    return fmt::format("'{}' is no input{}; known are {}", name, DidYouMean(name, known),
+                       fmt::join(known, ", "));
+  }
+  const std::string_view rest = end == line.size() ? "" : line.substr(end + 1);
+  const std::string problem = verb->read(robot, rest, action);
+  return problem.empty() ? "" : fmt::format("{}: {}; usage: {}", name, problem, verb->usage);
+}
+
+std::string Inputs::Check(int robot, std::string_view line) const {
+  Action action;
+  return Read(robot, line, &action);
+}
+
+std::string Inputs::Add(int robot, std::string_view line) {
+  Action action;
+  std::string problem = Read(robot, line, &action);
+  if (!problem.empty()) return problem;
+  for (const Listener& listener : listeners_) listener(robot, line);
+  const int64_t frame_us = system_->frame_us();
+  const int64_t due_us = (system_->now_us() + frame_us - 1) / frame_us * frame_us;
+  waiting_.push_back({due_us, robot, std::string(line), std::move(action)});
+  return "";
+}
+
+void Inputs::DoDue() {
+  while (NextUs() <= system_->now_us()) {
+    const Waiting input = std::move(waiting_.front());
+    waiting_.pop_front();
+    input.action();
+  }
+}
+
+void Inputs::HashState(Hasher* hasher) const {
+  for (const Waiting& input : waiting_) {
+    hasher->Add(input.due_us);
+    hasher->Add(input.robot);
+    hasher->AddText(input.line);
+  }
+}
+
+std::vector<std::string> SplitInput(std::string_view text) {
+  std::vector<std::string> words;
+  for (size_t at = 0; at < text.size();) {
+    if (IsBlank(text[at])) {
+      ++at;
+      continue;
+    }
+    const size_t begin = at;
+    bool is_quoted = false;
+    for (; at < text.size() && (is_quoted || !IsBlank(text[at])); ++at) {
+      if (text[at] == '"') is_quoted = !is_quoted;
+    }
+    words.emplace_back(text.substr(begin, at - begin));
+  }
+  return words;
+}
+
+}  // namespace openr_host

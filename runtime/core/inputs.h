@@ -1,0 +1,89 @@
+// Inputs: what people, scripts and other programs do to a run, one line of text each.
+//
+// "press chin for 300ms" is an input: a verb, then what the verb needs.  An input takes effect at a
+// frame boundary, like all that comes from outside.  A recording stores the lines with their times,
+// so a replay gives the same lines at the same times.  The runtime defines some verbs
+// (system_verbs.h), a virtual robot defines those of its body (virtualrobot/hands.h).
+// docs/inputs.md lists all of them.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace openr_host {
+
+class Hasher;
+class System;
+
+class Inputs {
+ public:
+  // Does the work of one input, at its frame boundary.  Runs outside all handlers.
+  using Action = std::function<void()>;
+
+  struct Verb {
+    std::string name;   // "press"
+    std::string usage;  // "press NAME [N%] [for DURATION]"
+    std::string help;   // "Presses a sensor that people touch."
+    // Reads `rest`, the text after the verb and one blank, for a robot.  Sets `action` and returns
+    // "", or returns what is wrong with `rest`.
+    std::function<std::string(int robot, std::string_view rest, Action* action)> read;
+  };
+
+  // Robot number of verbs that every robot has.
+  static constexpr int kEveryRobot = -1;
+
+  explicit Inputs(System* system) : system_(system) {}
+
+  // Adds a verb for one robot or for every robot.  REQUIRES: the robot has no verb of this name.
+  void AddVerb(int robot, Verb verb);
+
+  // Returns the verbs of `robot` in order of their names.
+  std::vector<const Verb*> VerbsOf(int robot) const;
+
+  // Returns "" if Add() would accept `line` now, or the reason why not.
+  std::string Check(int robot, std::string_view line) const;
+
+  // Adds the input `line` for `robot`.  It takes effect at the next frame boundary, or at once if
+  // this instant is one.  Returns "", or what is wrong with the line; then nothing is added.
+  // REQUIRES: not called in a handler.
+  std::string Add(int robot, std::string_view line);
+
+  // Registers a `listener` that Add() calls with each line that it accepts.
+  using Listener = std::function<void(int robot, std::string_view line)>;
+  void OnAdd(Listener listener) { listeners_.push_back(std::move(listener)); }
+
+  // Returns the frame boundary of the next input; INT64_MAX if no input waits.
+  int64_t NextUs() const { return waiting_.empty() ? INT64_MAX : waiting_.front().due_us; }
+  // Does the work of all inputs whose frame boundary has come.
+  void DoDue();
+
+  void HashState(Hasher* hasher) const;
+
+ private:
+  struct Waiting {
+    int64_t due_us;
+    int robot;
+    std::string line;
+    Action action;
+  };
+
+  const Verb* FindVerb(int robot, const std::string& name) const;
+  std::string Read(int robot, std::string_view line, Action* action) const;
+
+  System* const system_;
+  std::map<std::pair<int, std::string>, Verb> verbs_;  // by robot and name
+  std::deque<Waiting> waiting_;                        // in order of time
+  std::vector<Listener> listeners_;
+};
+
+// Returns the words of `text`, which blanks separate.  Text in double quotes is one word, with its
+// quotes; a missing end quote is the end of the text.
+std::vector<std::string> SplitInput(std::string_view text);
+
+}  // namespace openr_host

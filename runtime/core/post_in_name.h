@@ -1,0 +1,45 @@
+// Posts messages in the name of an object, for tests and people who send an object a message that
+// no handler has sent.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "runtime/core/message.h"
+
+namespace openr_host {
+
+class System;
+
+// One end of a connection: the object, and the selector of the entry that receives the messages of
+// the other end.  Subjects receive readies, observers receive notifications.
+struct ServiceEnd {
+  ObjectId object = kNoObject;
+  uint32_t selector = 0;
+};
+enum class ServiceSide { kSubject, kObserver };
+
+// Returns whether `name` is the name `service` or its first parts: "Blinker.Blink" for
+// "Blinker.Blink.int.S".
+bool NamesService(std::string_view name, std::string_view service);
+
+// Returns the service of `robot` that `name` names; nullopt if no subject or observer, as `side`
+// says, has that name.
+std::optional<ServiceEnd> FindService(const System& system, int robot, std::string_view name,
+                                      ServiceSide side);
+
+// Returns the names of the subjects that are connected with the observer that `observer` names.
+std::vector<std::string> SubjectsOf(const System& system, int robot, std::string_view observer);
+
+// Post a notification with one datum to `observer`, or a ready of `observer` to `subject`, each in
+// the name of the other end.  The data arrive whether the observer is ready or not.  Return "", or
+// the reason why nothing was posted: the two are not connected, or the queue is full.
+std::string PostNotification(System* system, const ServiceEnd& subject, const ServiceEnd& observer,
+                             std::string_view datum);
+std::string PostReady(System* system, const ServiceEnd& observer, const ServiceEnd& subject,
+                      bool is_ready);
+
+}  // namespace openr_host

@@ -1,0 +1,22 @@
+// The inputs that every robot has: typed text, messages to observers, and the shutdown.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace openr_host {
+
+class System;
+
+// Adds the verbs `type`, `send` and `shutdown` to System::inputs().
+void AddSystemVerbs(System* system);
+
+// Adds the input `type TEXT`: `text` as if it were typed on the terminal of `robot`.
+void TypeText(System* system, int robot, std::string_view text);
+
+// Reads values that a message shall carry: "5" (an int), "1.5" (a double), "float:1.5", "byte:7",
+// "short:7", "long:7" (8 bytes), "hex:00ff", or "\"text\"" (its characters).  Appends their bytes,
+// little-endian and without padding, to `bytes`.  Returns "" or the error.
+std::string ReadMessageValue(std::string_view word, std::string* bytes);
+
+}  // namespace openr_host

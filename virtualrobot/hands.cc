@@ -1,0 +1,314 @@
+#include "virtualrobot/hands.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+#include "runtime/base/duration.h"
+#include "runtime/base/hasher.h"
+#include "runtime/base/spelling.h"
+#include "runtime/core/system.h"
+#include "virtualrobot/robot_parts.h"
+
+namespace openr_host {
+namespace {
+
+using Eigen::Isometry3d;
+using Eigen::Vector3d;
+
+constexpr int64_t kFrameOfHandsUs = 8000;
+constexpr int64_t kPushFrames = 13;  // about 100 ms, the duration of a push without `for`
+constexpr double kPushMax_n = 1000;  // far above what a robot of 1.4 kg survives
+constexpr double kLiftDefault_m = 0.2, kLiftMax_m = 2;
+constexpr double kLiftPerFrame_m = 0.2 * kFrame_s;  // a hand lifts and lowers with 0.2 m/s
+// A hand that sets the robot down lets go when the robot is so much higher than the hand wants it,
+// because then something below carries the robot.
+constexpr double kCarried_m = 0.01;
+constexpr int kPressPercent =
+    50;  // the strength of a press without a number, of the sensor's range
+
+std::string ReadNumber(std::string_view text, double* number) {
+  const char* const end = text.data() + text.size();
+  const auto [at, error] = std::from_chars(text.data(), end, *number);
+  const bool is_good = error == std::errc() && at == end && std::isfinite(*number);
+  return is_good ? "" : fmt::format("'{}' is no number", text);
+}
+
+// Reads "30%" into `percent`.
+std::string ReadPercent(std::string_view text, int* percent) {
+  const char* const end = text.data() + text.size();
+  const auto [at, error] = std::from_chars(text.data(), end, *percent);
+  const bool is_good =
+      error == std::errc() && end - at == 1 && *at == '%' && *percent >= 0 && *percent <= 100;
+  return is_good ? "" : fmt::format("'{}' is no percentage from 0% to 100%", text);
+}
+
+// Takes "for DURATION" off the end of `words`, in frames, at least one.  Returns "" or the error.
+std::string TakeFor(std::vector<std::string>* words, std::optional<int64_t>* frames) {
+  const size_t count = words->size();
+  if (count < 2 || (*words)[count - 2] != "for") return "";
+  int64_t duration_us = 0;
+  if (std::string problem = ParseDuration(words->back(), &duration_us); !problem.empty())
+    return problem;
+  *frames = std::max<int64_t>((duration_us + kFrameOfHandsUs - 1) / kFrameOfHandsUs, 1);
+  words->resize(count - 2);
+  return "";
+}
+
+}  // namespace
+
+void Hands::AddVerbs() {
+  const auto add = [this](const char* name, const char* usage, const char* help,
+                          std::string (Hands::*read)(std::string_view, Inputs::Action*)) {
+    robot_.system.inputs().AddVerb(
+        robot_.robot_index,
+        {name, usage, help, [this, read](int, std::string_view rest, Inputs::Action* action) {
+           return (this->*read)(rest, action);
+         }});
+  };
+  add("press", "press SENSOR [N%] [for DURATION], or press pause",
+      "Presses a sensor that people touch, until it is released, or the pause button.",
+      &Hands::ReadPress);
+  add("set", "set SENSOR VALUE [for DURATION]",
+      "Makes a sensor read a value, in its OPEN-R unit, until it is released.", &Hands::ReadSet);
+  add("release", "release SENSOR", "Ends press and set.", &Hands::ReadRelease);
+  add("push", "push X Y Z [at PART] [for DURATION]",
+      "Pushes the robot with a force in N: forward, to its left, up.", &Hands::ReadPush);
+  add("lift", "lift [METRES]", "Takes the robot and lifts it, 0.2 m without a number.",
+      &Hands::ReadLift);
+  add("battery", "battery N%", "Sets the remaining capacity of the battery.", &Hands::ReadBattery);
+  add("charger", "charger on|off", "Puts the robot on its charging station, or takes it away.",
+      &Hands::ReadCharger);
+  const auto add_plain = [this](const char* name, const char* help, std::function<void()> work) {
+    robot_.system.inputs().AddVerb(
+        robot_.robot_index,
+        {name, name, help,
+         [this, work](int, std::string_view rest, Inputs::Action* action) -> std::string {
+           *action = work;
+           if (!rest.empty()) return fmt::format("takes no '{}'", rest);
+           return "";
+         }});
+  };
+  add_plain("hold", "Takes the robot and holds it where it is.", [this] {
+    TakeHold();
+    grip_->goal_z_m = grip_->X_WB.translation().z();
+    grip_->sets_down = false;
+  });
+  add_plain("setdown", "Lowers the robot until something carries it, then lets go.", [this] {
+    TakeHold();
+    grip_->sets_down = true;
+  });
+  add_plain("letgo", "Lets the robot fall.", [this] { LetGo(); });
+}
+
+std::string Hands::FindSensors(const std::string& name, std::vector<int>* sensors) const {
+  *sensors = robot_.model.SensorsNamed(name);
+  std::vector<std::string> known;
+  for (const Sensor& sensor : robot_.model.sensors) {
+    if (sensor.joint < 0) known.push_back(sensor.short_name);
+  }
+  if (sensors->empty()) {
+    return fmt::format("the {} has no sensor '{}'{}; it has {}", robot_.model.name, name,
+                       DidYouMean(name, known), fmt::join(known, ", "));
+  }
+  for (const int sensor : *sensors) {
+    if (robot_.model.sensors[static_cast<size_t>(sensor)].joint >= 0)
+      return fmt::format("'{}' is a joint; its sensor follows the joint", name);
+  }
+  return "";
+}
+
+std::string Hands::ReadPress(std::string_view rest, Inputs::Action* action) {
+  std::vector<std::string> words = SplitInput(rest);
+  if (words.size() == 1 && words[0] == "pause") {
+    *action = [this] { robot_.power.PressPause(); };
+    return "";
+  }
+  std::optional<int64_t> frames;
+  if (std::string problem = TakeFor(&words, &frames); !problem.empty()) return problem;
+  if (words.empty() || words.size() > 2) return "needs one sensor";
+  int percent = kPressPercent;
+  if (words.size() == 2) {
+    if (std::string problem = ReadPercent(words[1], &percent); !problem.empty()) return problem;
+  }
+  std::vector<int> sensors;
+  if (std::string problem = FindSensors(words[0], &sensors); !problem.empty()) return problem;
+  std::vector<std::pair<int, int32_t>> values;
+  for (const int index : sensors) {
+    const Sensor& sensor = robot_.model.sensors[static_cast<size_t>(index)];
+    if (sensor.kind == SensorKind::kSwitch) {
+      values.emplace_back(index, percent == 0 ? oswitchOFF : oswitchON);
+    } else if (sensor.kind == SensorKind::kForce || sensor.kind == SensorKind::kRaw) {
+      values.emplace_back(index, static_cast<int32_t>(sensor.max * percent / 100));
+    } else {
+      return fmt::format("nobody can press '{}'; use set", words[0]);
+    }
+  }
+  *action = [this, values, frames] {
+    for (const auto& [sensor, value] : values) Touch(sensor, value, frames);
+  };
+  return "";
+}
+
+std::string Hands::ReadSet(std::string_view rest, Inputs::Action* action) {
+  std::vector<std::string> words = SplitInput(rest);
+  std::optional<int64_t> frames;
+  if (std::string problem = TakeFor(&words, &frames); !problem.empty()) return problem;
+  if (words.size() != 2) return "needs one sensor and one value";
+  std::vector<int> sensors;
+  if (std::string problem = FindSensors(words[0], &sensors); !problem.empty()) return problem;
+  int32_t value = 0;
+  const char* const end = words[1].data() + words[1].size();
+  const auto [at, error] = std::from_chars(words[1].data(), end, value);
+  if (error != std::errc() || at != end)
+    return fmt::format("'{}' is no whole number of 32 bits", words[1]);
+  for (const int index : sensors) {
+    const Sensor& sensor = robot_.model.sensors[static_cast<size_t>(index)];
+    if (sensor.has_range && (value < sensor.min || value > sensor.max)) {
+      return fmt::format("{} is outside of what {} measures, {} to {}", value, sensor.short_name,
+                         sensor.min, sensor.max);
+    }
+  }
+  *action = [this, sensors, value, frames] {
+    for (const int sensor : sensors) Touch(sensor, value, frames);
+  };
+  return "";
+}
+
+std::string Hands::ReadRelease(std::string_view rest, Inputs::Action* action) {
+  const std::vector<std::string> words = SplitInput(rest);
+  if (words.size() != 1) return "needs one sensor";
+  std::vector<int> sensors;
+  if (std::string problem = FindSensors(words[0], &sensors); !problem.empty()) return problem;
+  *action = [this, sensors] {
+    for (const int sensor : sensors) Release(sensor);
+  };
+  return "";
+}
+
+std::string Hands::ReadPush(std::string_view rest, Inputs::Action* action) {
+  std::vector<std::string> words = SplitInput(rest);
+  std::optional<int64_t> frames;
+  if (std::string problem = TakeFor(&words, &frames); !problem.empty()) return problem;
+  Push push{0, Vector3d::Zero(), frames.value_or(kPushFrames)};
+  if (words.size() == 5 && words[3] == "at") {
+    push.part = robot_.model.FindBody(words[4]);
+    if (push.part < 0) {
+      std::vector<std::string> known;
+      for (const BodyPart& part : robot_.model.bodies) known.push_back(part.name);
+      return fmt::format("the {} has no part '{}'{}; it has {}", robot_.model.name, words[4],
+                         DidYouMean(words[4], known), fmt::join(known, ", "));
+    }
+    words.resize(3);
+  }
+  if (words.size() != 3) return "needs three numbers";
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::string problem = ReadNumber(words[static_cast<size_t>(axis)], &push.force_B[axis]);
+        !problem.empty())
+      return problem;
+  }
+  if (push.force_B.norm() > kPushMax_n) return fmt::format("is limited to {} N", kPushMax_n);
+  if (!robot_.body->IsPhysical())
+    return "this body has no physics, so a push cannot move it; use --body ode";
+  *action = [this, push] { pushes_.push_back(push); };
+  return "";
+}
+
+std::string Hands::ReadLift(std::string_view rest, Inputs::Action* action) {
+  const std::vector<std::string> words = SplitInput(rest);
+  double height_m = kLiftDefault_m;
+  if (words.size() > 1) return "needs one height";
+  if (!words.empty()) {
+    if (std::string problem = ReadNumber(words[0], &height_m); !problem.empty()) return problem;
+  }
+  if (height_m < 0 || height_m > kLiftMax_m)
+    return fmt::format("{} m is out of range, 0 to {} m", height_m, kLiftMax_m);
+  *action = [this, height_m] {
+    TakeHold();
+    grip_->goal_z_m = grip_->X_WB.translation().z() + height_m;
+    grip_->sets_down = false;
+  };
+  return "";
+}
+
+std::string Hands::ReadBattery(std::string_view rest, Inputs::Action* action) {
+  int percent = 0;
+  std::string problem = ReadPercent(rest, &percent);
+  *action = [this, percent] { robot_.power.SetCapacity(percent); };
+  return problem;
+}
+
+std::string Hands::ReadCharger(std::string_view rest, Inputs::Action* action) {
+  const bool on = rest == "on";
+  if (!on && rest != "off") return fmt::format("'{}' is neither on nor off", rest);
+  *action = [this, on] { robot_.power.SetCharging(on); };
+  return "";
+}
+
+void Hands::Touch(int sensor, int32_t value, std::optional<int64_t> frames) {
+  robot_.sensors.Hold(sensor, value);
+  touches_[sensor] = frames;
+}
+
+void Hands::Release(int sensor) {
+  robot_.sensors.Release(sensor);
+  touches_.erase(sensor);
+}
+
+// Takes the robot in its present pose, unless a hand holds it already.
+void Hands::TakeHold() {
+  if (!grip_) grip_ = Grip{robot_.body->state().X_WB, 0, false};
+}
+
+void Hands::LetGo() {
+  grip_.reset();
+  robot_.body->Hold({});
+}
+
+// Moves the hand by what it moves in one frame.
+void Hands::MoveGrip() {
+  double& z_m = grip_->X_WB.translation().z();
+  if (grip_->sets_down) {
+    if (robot_.body->state().X_WB.translation().z() > z_m + kCarried_m) return LetGo();
+    z_m -= kLiftPerFrame_m;
+  } else {
+    z_m += std::clamp(grip_->goal_z_m - z_m, -kLiftPerFrame_m, kLiftPerFrame_m);
+  }
+  robot_.body->Hold(grip_->X_WB);
+}
+
+void Hands::DoFrame() {
+  for (auto touch = touches_.begin(); touch != touches_.end();) {
+    const auto now = touch++;  // because Release() erases the element
+    if (now->second && (*now->second)-- == 0) Release(now->first);
+  }
+  for (Push& push : pushes_) {
+    const Isometry3d& X_WB = robot_.body->state().X_WB;
+    const BodyPart& part = robot_.model.bodies[static_cast<size_t>(push.part)];
+    const Isometry3d X_WL = robot_.body->BodyPoses()[static_cast<size_t>(push.part)];
+    robot_.body->Push(push.part, X_WB.linear() * push.force_B, X_WL * part.centre_m);
+    --push.frames_left;
+  }
+  std::erase_if(pushes_, [](const Push& push) { return push.frames_left == 0; });
+  if (grip_) MoveGrip();
+}
+
+void Hands::HashState(Hasher* hasher) const {
+  for (const auto& [sensor, frames] : touches_) {
+    hasher->Add(sensor);
+    hasher->Add(frames.value_or(-1));
+  }
+  for (const Push& push : pushes_) {
+    hasher->Add(push.part);
+    hasher->AddBytes(push.force_B.data(), 3 * sizeof(double));
+    hasher->Add(push.frames_left);
+  }
+  if (!grip_) return;
+  hasher->AddBytes(grip_->X_WB.data(), 16 * sizeof(double));
+  hasher->Add(grip_->goal_z_m);
+  hasher->Add(grip_->sets_down);
+}
+
+}  // namespace openr_host

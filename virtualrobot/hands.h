@@ -1,0 +1,79 @@
+// The hands of a person: they press the robot's sensors, push it, lift it and set it down, change
+// its battery and put it on its charging station.
+//
+// What hands do comes as inputs (runtime/core/inputs.h), such as "press chin for 300ms" or
+// "push 5 0 0".  docs/inputs.md describes the inputs.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runtime/core/inputs.h"
+
+namespace openr_host {
+
+class Hasher;
+struct RobotParts;
+
+class Hands {
+ public:
+  // `robot` must outlive the hands.
+  explicit Hands(RobotParts* robot) : robot_(*robot) {}
+
+  // Adds the inputs of this robot to its system.
+  void AddVerbs();
+
+  // Does what the hands do during the frame of 8 ms that ends now.  Called before the body moves
+  // and its sensors are sampled.
+  void DoFrame();
+
+  bool is_holding() const { return grip_.has_value(); }
+  // Returns whether a hand presses, or sets the value of, sensor `sensor`.
+  bool IsTouched(int sensor) const { return touches_.contains(sensor); }
+
+  void HashState(Hasher* hasher) const;
+
+ private:
+  struct Push {
+    int part;  // index of RobotModel::bodies
+    Eigen::Vector3d force_B;
+    int64_t frames_left;
+  };
+
+  // A hand that holds the trunk.
+  struct Grip {
+    Eigen::Isometry3d X_WB;  // the pose to which the hand moves the base
+    double goal_z_m = 0;     // the height at which the hand stops
+    bool sets_down = false;  // the hand lets go when the robot stands or lies on something
+  };
+
+  // Read the text after a verb, as Inputs::Verb::read does.
+  std::string ReadPress(std::string_view rest, Inputs::Action* action);
+  std::string ReadSet(std::string_view rest, Inputs::Action* action);
+  std::string ReadRelease(std::string_view rest, Inputs::Action* action);
+  std::string ReadPush(std::string_view rest, Inputs::Action* action);
+  std::string ReadLift(std::string_view rest, Inputs::Action* action);
+  std::string ReadBattery(std::string_view rest, Inputs::Action* action);
+  std::string ReadCharger(std::string_view rest, Inputs::Action* action);
+
+  // Finds the sensors that `name` names.  Returns "" or the error.
+  std::string FindSensors(const std::string& name, std::vector<int>* sensors) const;
+  void Touch(int sensor, int32_t value, std::optional<int64_t> frames);
+  void Release(int sensor);
+  void TakeHold();
+  void LetGo();
+  void MoveGrip();
+
+  RobotParts& robot_;
+  // The sensors that are touched, each with the number of frames that are left; none: until a
+  // release.
+  std::map<int, std::optional<int64_t>> touches_;
+  std::vector<Push> pushes_;
+  std::optional<Grip> grip_;
+};
+
+}  // namespace openr_host
