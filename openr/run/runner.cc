@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "openr/run/console_feed.h"
+#include "openr/run/event_script.h"
 #include "openr/run/interrupt.h"
 #include "openr/simulation/activity.h"
 #include "openr/simulation/pacing.h"
@@ -173,6 +174,7 @@ bool Runner::Run() {
   std::optional<RunEnd> end = WhyOver();
   for (; !end && !system.powered_off(); end = WhyOver()) {
     typed.Feed(&system);
+    if (plan_.events != nullptr) plan_.events->Feed(&system);
     const int64_t stop_us = NextStop();
     if (plan_.pump) {
       RunFreely(stop_us, &pacer);
@@ -192,6 +194,7 @@ bool Runner::Run() {
     const bool is_silent = plan_.until_idle && system.now_us() - last_activity_us_ >= kIdleUs;
     ReportStalls(&system, is_silent);
   }
+  if (plan_.events != nullptr) plan_.events->ReportRest(&system);
   ReportStacks(&system);
   simulation_->ReportUnusedCosts();
   simulation_->CloseFiles();

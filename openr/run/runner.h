@@ -15,6 +15,7 @@
 
 namespace openr_host {
 
+class EventScript;
 class InterruptCounter;
 class Pacer;
 class Recorder;
@@ -27,6 +28,7 @@ struct RunPlan {
   double rate = 1;                // virtual seconds per real second; 0: as fast as possible
   std::vector<PictureRequest> snapshots;
   std::string stdin_file;                            // see ConsoleFeed
+  EventScript* events = nullptr;                     // timed inputs; null: none
   std::function<void(const std::string& line)> say;  // prints a message for the user
   Recorder* recorder = nullptr;                      // records lost processes; null: none
   // Only for a free run, in which virtual time goes on while handlers run in worker processes.

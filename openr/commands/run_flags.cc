@@ -1,0 +1,245 @@
+#include "openr/commands/run_flags.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <system_error>
+#include <utility>
+
+#include "cli/standard_streams.h"
+#include "openr/commands/common_flags.h"
+#include "openr/simulation/network_setup.h"
+#include "runtime/base/duration.h"
+
+namespace openr_host {
+namespace {
+
+void DescribeRun(CLI::App* command, RunFlags* flags) {
+  AddCommonFlags(command, &flags->simulation);
+  flags->for_flag = AddDurationFlag(
+      command, "--for", [flags](int64_t us) { flags->for_us = us; },
+      "How long to run, in virtual time: 20s, 250ms");
+  command->add_flag("--until-idle", flags->until_idle,
+                    "Run until no object has sent anything for 1 s of virtual time; sensor values "
+                    "and asking for more of them do not count. The default stick never rests: its "
+                    "controller moves lights and tail, so give --for as well");
+  command->add_option("--rate", flags->rate, "Virtual seconds per second, or max")
+      ->capture_default_str();
+  command
+      ->add_option("--robots", flags->simulation.robots,
+                   "Number of robots, each in a world of its own, on one read-only stick")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command
+      ->add_option("--body", flags->simulation.body, "ode: physics; ideal: joints follow exactly")
+      ->check(CLI::IsMember({"ode", "ideal"}))
+      ->capture_default_str();
+  AddBatteryFlag(command, &flags->simulation);
+  command->add_flag("--strict", flags->simulation.strict,
+                    "Enforce the limits of the robot; refuse wrong wiring");
+  AddCostFlag(command, &flags->simulation);
+  command
+      ->add_option("--speaker", flags->simulation.speaker,
+                   "WAV file for what the first robot's speaker plays")
+      ->check(IsWritable());
+  command
+      ->add_option("--mic", flags->simulation.microphone,
+                   "WAV file the first robot's microphone hears (default: silence)")
+      ->check(IsReadable("--mic", "WAV file", ".wav"));
+  const auto has_pictures = [](const std::string& folder) -> std::string {
+    RefuseInput("--images", folder, WhyNoReadableFolder(folder, "folder of pictures"));
+    return "";
+  };
+  command
+      ->add_option("--images", flags->simulation.images,
+                   "Folder of pictures the first robot's camera sees, in order of their names "
+                   "(default: a test pattern)")
+      ->check(CLI::Validator(has_pictures, ""));
+  AddDurationFlag(command, "--handler-limit", &flags->handler_limit_us,
+                  "End the run when a handler uses more processor time; 0s: never");
+  AddPlacementFlags(command, &flags->placement);
+  AddRos2Flags(command, &flags->ros2);
+}
+
+std::string WhyNoPortNumber(const std::string& text) {
+  int port = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, port);
+  if (error == std::errc() && stop == end && port >= 0 && port <= 65535) return "";
+  return fmt::format("'{}' is no port; give a number from 1 to 65535, or 0 for any free port",
+                     text);
+}
+
+void DescribeOutput(CLI::App* command, RunFlags* flags) {
+  command->add_option("--report", flags->report_file, "Write the report to this file")
+      ->check(IsWritable());
+  command->add_flag("--json", flags->json, "Print the report, and nothing else, as JSON");
+  command
+      ->add_option("--record", flags->record_file,
+                   "Write inputs and messages to this file, for openr replay and openr trace")
+      ->check(IsWritable());
+  command
+      ->add_flag("--no-payloads", flags->no_payloads,
+                 "Record hashes of messages instead of their bytes")
+      ->needs(command->get_option("--record"));
+  command->add_option("--log", flags->log, "Lines of objects to print")
+      ->check(CLI::IsMember({"error", "warning", "info"}))
+      ->capture_default_str();
+  command
+      ->add_option("--console", flags->console_file,
+                   "File for what objects print (default: standard error)")
+      ->check(IsWritable());
+  const auto is_typed = [](const std::string& file) -> std::string {
+    if (file != "-") RefuseInput("--stdin", file, WhyNotReadable(file, "file of lines", ".txt"));
+    return "";
+  };
+  command
+      ->add_option("--stdin", flags->stdin_file,
+                   "What is typed on the robots' console: a file, from the start; -: lines of "
+                   "standard input as they come (default if it is a terminal)")
+      ->check(CLI::Validator(is_typed, ""));
+  command
+      ->add_option("--events", flags->events_file,
+                   "What people do to the robots, from a file of lines such as '2s press chin for "
+                   "300ms' (docs/inputs.md)")
+      ->check(IsReadable("--events", "script of events (docs/inputs.md)", ".events"));
+  command
+      ->add_option("--snapshot", flags->snapshots,
+                   "Take a picture: t=5s,view=side (front, top, iso, follow),size=1280x720")
+      ->take_all();
+  command->add_option("-o", flags->snapshot_files, "PNG file of the --snapshot before it")
+      ->take_all()
+      ->check(IsWritable());
+  command
+      ->add_option("--rc-port", flags->simulation.rc_port,
+                   "Port of the remote control; 0: any free one")
+      ->check(CLI::Validator(&WhyNoPortNumber, "UINT"));
+  command
+      ->add_option_function<std::vector<std::string>>(
+          "--ip",
+          [flags](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) {
+              AddressPair pair;
+              std::string problem = ParseAddressPair(text, &pair);
+              if (problem.empty()) problem = AddAddressPair(pair, &flags->simulation.addresses);
+              if (!problem.empty()) throw CLI::ValidationError("--ip", problem);
+            }
+          },
+          "Address that programs have compiled in, and where it is: 10.0.1.2=127.0.0.1; may be "
+          "repeated, and goes before the stick's HOSTADDR.CFG")
+      ->allow_extra_args(false)
+      ->type_name("ROBOT=HOST")
+      ->take_all();
+  command->add_flag("--no-panel", flags->no_panel, "No web panel");
+  flags->panel =
+      command->add_option("--panel", flags->panel_address, "Web panel (not in this version)")
+          ->expected(0, 1);
+}
+
+// Returns the reason why a run with the flags `flags` cannot take the picture that `plan`, a value
+// of --snapshot, asks for; "" if it can.
+std::string Misfit(const PictureRequest& plan, const RunFlags& flags) {
+  if (plan.robot >= flags.simulation.robots) return fmt::format("there is no robot {}", plan.robot);
+  if (flags.for_us && plan.time_us > *flags.for_us) {
+    return fmt::format("t={} is after the end of the run (--for {}); t=end is its end",
+                       FormatDuration(plan.time_us), flags.for_flag->as<std::string>());
+  }
+  return "";
+}
+
+std::vector<PictureRequest> PictureRequests(const RunFlags& flags) {
+  if (flags.snapshots.size() != flags.snapshot_files.size()) {
+    throw CLI::ValidationError("--snapshot",
+                               fmt::format("{} given, with {} (-o FILE)", flags.snapshots.size(),
+                                           Counted(flags.snapshot_files.size(), "file")));
+  }
+  std::vector<PictureRequest> plans;
+  for (size_t i = 0; i < flags.snapshots.size(); ++i) {
+    PictureRequest plan;
+    plan.file = flags.snapshot_files[i];
+    std::string problem = ParsePictureRequest(flags.snapshots[i], &plan);
+    if (problem.empty()) problem = Misfit(plan, flags);
+    if (!problem.empty()) throw CLI::ValidationError("--snapshot", problem);
+    plans.push_back(std::move(plan));
+  }
+  return plans;
+}
+
+double RateOf(const std::string& text) {
+  if (text == "max") return 0;
+  char* end = nullptr;
+  const double rate = std::strtod(text.c_str(), &end);
+  if (!text.empty() && *end == 0 && rate >= 0.001 && rate <= 1000) return rate;
+  throw CLI::ValidationError(
+      "--rate", fmt::format("'{}' is neither 'max' nor a number from 0.001 to 1000", text));
+}
+
+// Throws if two flags name the same file, because each would overwrite what the other writes.
+void CheckThatFilesDiffer(const RunFlags& flags) {
+  std::vector<std::pair<std::string, std::string>> named = {
+      {"--report", flags.report_file},       {"--record", flags.record_file},
+      {"--console", flags.console_file},     {"--speaker", flags.simulation.speaker},
+      {"--stdin", flags.stdin_file},         {"--events", flags.events_file},
+      {"--mic", flags.simulation.microphone}};
+  for (const std::string& file : flags.snapshot_files) named.emplace_back("-o", file);
+  std::map<std::string, std::string> flag_of;
+  for (const auto& [flag, file] : named) {
+    if (file.empty() || file == "-" || file == "/dev/null") continue;
+    std::error_code error;  // set for a stream such as /dev/stdout, which is no file
+    const std::string real = std::filesystem::weakly_canonical(file, error);
+    const auto [first, is_new] = flag_of.emplace(error ? file : real, flag);
+    if (!is_new) {
+      throw CLI::ValidationError(flag,
+                                 fmt::format("{} is the file of {} already", file, first->second));
+    }
+  }
+}
+
+// Throws if the run would write something else than the JSON object of --json to standard output.
+void CheckStandardOutput(const RunFlags& flags) {
+  if (!flags.json) return;
+  const std::pair<const char*, const std::string&> named[] = {
+      {"--report", flags.report_file},
+      {"--record", flags.record_file},
+      {"--console", flags.console_file},
+      {"--speaker", flags.simulation.speaker}};
+  for (const auto& [flag, file] : named) {
+    if (!IsStandardOutput(file)) continue;
+    throw CLI::ValidationError(
+        flag, fmt::format("{} is where --json writes the report; leave out one of the two", file));
+  }
+}
+
+}  // namespace
+
+void DescribeRunFlags(CLI::App* command, RunFlags* flags) {
+  DescribeRun(command, flags);
+  DescribeOutput(command, flags);
+}
+
+RunPlan PlanOf(const RunFlags& flags) {
+  CheckThatFilesDiffer(flags);
+  CheckStandardOutput(flags);
+  if (flags.panel->count() > 0) {
+    throw CLI::ValidationError("--panel", "there is no web panel in this version");
+  }
+  const int rc_port = flags.simulation.rc_port;
+  if (const std::string problem = WhyNoPort(rc_port); !problem.empty())
+    throw CLI::ValidationError("--rc-port", problem);
+  RunPlan plan;
+  plan.for_us = flags.for_us;
+  if (flags.for_us) plan.for_text = flags.for_flag->as<std::string>();
+  plan.until_idle = flags.until_idle;
+  plan.rate = RateOf(flags.rate);
+  plan.snapshots = PictureRequests(flags);
+  plan.stdin_file = flags.stdin_file;
+  plan.say = [](const std::string& line) { fmt::print(stderr, "openr: {}\n", line); };
+  if (flags.placement.is_free && plan.rate <= 0)
+    throw CLI::ValidationError("--free-running", "needs a clock: --rate max has none");
+  return plan;
+}
+
+}  // namespace openr_host

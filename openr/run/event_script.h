@@ -1,0 +1,45 @@
+// A script of timed inputs: openr run --events FILE.
+//
+//   # TIME [robot N] INPUT
+//   2s      press chin for 300ms
+//   +500ms  push 0 5 0            # so long after the line above
+//   4s      robot 1 lift
+//
+// docs/inputs.md describes the inputs.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <string>
+
+namespace openr_host {
+
+class System;
+
+class EventScript {
+ public:
+  // Reads `file`; "" is a script without lines.  Throws std::runtime_error "FILE:LINE: ..." when
+  // the file cannot be read, or a line has no time or an earlier one than the line before.
+  explicit EventScript(const std::string& file);
+
+  // Returns "", or "FILE:LINE: ..." for the first line that `system` refuses.
+  std::string Check(const System& system) const;
+
+  // Adds the inputs whose time has come.  Called at frame boundaries.
+  void Feed(System* system);
+
+  // At the end of the run: adds an error finding if lines are left whose time has not come.
+  void ReportRest(System* system) const;
+
+ private:
+  struct Event {
+    int64_t time_us;
+    int robot;
+    std::string input;
+    std::string place;  // "FILE:LINE"
+  };
+
+  std::deque<Event> events_;  // in order of time
+};
+
+}  // namespace openr_host
