@@ -14,6 +14,8 @@ int RunProgram(int argc, char** argv);
 void AddRunCommand(CLI::App* app, int* exit_code);
 void AddJoinCommand(CLI::App* app, int* exit_code);
 void AddTopCommand(CLI::App* app, int* exit_code);
+void AddPokeCommand(CLI::App* app, int* exit_code);
+void AddAttachCommand(CLI::App* app, int* exit_code);
 void AddRcCommand(CLI::App* app, int* exit_code);
 void AddGraphCommand(CLI::App* app, int* exit_code);
 void AddMtnCommand(CLI::App* app, int* exit_code);

@@ -74,16 +74,17 @@ void AddPlacementFlags(CLI::App* command, PlacementFlags* flags) {
   command->add_flag("--monitor", flags->is_monitored,
                     "Speak to openr top; a run in several processes or with --ros2 does anyway");
   command
-      ->add_option("--run-name", flags->bus.run,
-                   "Name of the run, for openr join (default: one of its own; openr when a "
-                   "process is on another host)")
+      ->add_option(
+          "--run-name", flags->bus.run,
+          "Name of the run, for openr poke and join (default: one of its own; openr when a "
+          "process is on another host)")
       ->check(IsNameOf("run"));
   AddDurationFlag(command, "--join-wait", &flags->wait_us, "How long to wait for a process");
   AddBusFlags(command, &flags->bus);
   for (const char* name : {"--wrap", "--restart", "--join-wait"})
     flags->of_processes.push_back(command->get_option(name));
   for (const char* name :
-       {"--run-name", "--dds-domain", "--dds-address", "--dds-peer", "--dds-lease", "--dds-config"})
+       {"--dds-domain", "--dds-address", "--dds-peer", "--dds-lease", "--dds-config"})
     flags->of_dds.push_back(command->get_option(name));
 }
 

@@ -23,6 +23,8 @@
 #include "openr/ending/ending.h"
 #include "openr/ending/watchdog.h"
 #include "openr/inspect/recorder.h"
+#include "openr/live/live_answers.h"
+#include "openr/live/live_server.h"
 #include "openr/run/event_script.h"
 #include "openr/run/interrupt.h"
 #include "openr/run/report.h"
@@ -100,6 +102,19 @@ EventScript ReadEvents(const std::string& file) {
   }
 }
 
+// Makes the server for `openr poke` and `openr attach`.  A run goes on without the server if its
+// socket cannot be made.
+std::unique_ptr<LiveServer> MakeLiveServer(Simulation* simulation, const std::string& name) {
+  try {
+    return std::make_unique<LiveServer>(name, [simulation](const nlohmann::json& request) {
+      return AnswerLive(simulation, request);
+    });
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "openr: openr poke and attach cannot reach this run: {}\n", error.what());
+    return nullptr;
+  }
+}
+
 // One run of `openr run`, from the flags to the report.
 class CommandedRun {
  public:
@@ -111,6 +126,7 @@ class CommandedRun {
  private:
   SimulationOptions Options();
   void NoteThatItDoesNotBoot(bool is_refused);
+  std::string LiveName() const;
   bool RunToTheEnd();
   bool Report();
 
@@ -192,6 +208,13 @@ void CommandedRun::NoteThatItDoesNotBoot(bool is_refused) {
   system().NoteRunEnd(end);
 }
 
+// Returns the name by which `openr poke` finds this run.
+std::string CommandedRun::LiveName() const {
+  if (!flags_.placement.bus.run.empty()) return flags_.placement.bus.run;
+  if (stick_.is_default()) return "default";
+  return std::filesystem::absolute(stick_.name()).lexically_normal().filename();
+}
+
 // Boots the robots and runs the simulation to its end.  Returns false after printing an error.
 bool CommandedRun::RunToTheEnd() {
   const EndingAnswer answer(flags_.json ? StandardOutput() : -1, flags_.report_file);
@@ -209,6 +232,8 @@ bool CommandedRun::RunToTheEnd() {
     plan_.recorder = &recorder_;
   }
   distribution_.Begin(&simulation_, &plan_);
+  const std::unique_ptr<LiveServer> live = MakeLiveServer(&simulation_, LiveName());
+  plan_.live = live.get();
   Runner runner(&simulation_, plan_, &interrupts_);
   const auto learn_facts = [this, &runner] {
     facts_.wall_time_s = runner.wall_time_s();

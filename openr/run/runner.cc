@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "openr/live/live_server.h"
 #include "openr/run/console_feed.h"
 #include "openr/run/event_script.h"
 #include "openr/run/interrupt.h"
@@ -175,6 +176,7 @@ bool Runner::Run() {
   for (; !end && !system.powered_off(); end = WhyOver()) {
     typed.Feed(&system);
     if (plan_.events != nullptr) plan_.events->Feed(&system);
+    if (plan_.live != nullptr) plan_.live->Serve();
     const int64_t stop_us = NextStop();
     if (plan_.pump) {
       RunFreely(stop_us, &pacer);

@@ -17,6 +17,7 @@ namespace openr_host {
 
 class EventScript;
 class InterruptCounter;
+class LiveServer;
 class Pacer;
 class Recorder;
 class Simulation;
@@ -29,6 +30,7 @@ struct RunPlan {
   std::vector<PictureRequest> snapshots;
   std::string stdin_file;                            // see ConsoleFeed
   EventScript* events = nullptr;                     // timed inputs; null: none
+  LiveServer* live = nullptr;                        // serves openr poke; null: none
   std::function<void(const std::string& line)> say;  // prints a message for the user
   Recorder* recorder = nullptr;                      // records lost processes; null: none
   // Only for a free run, in which virtual time goes on while handlers run in worker processes.

@@ -1,0 +1,227 @@
+// The commands openr poke and openr attach: inputs for a run that goes on, and its console.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "cli/exit_code.h"
+#include "cli/standard_streams.h"
+#include "openr/commands/commands.h"
+#include "openr/live/live_client.h"
+
+namespace openr_host {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct LiveFlags {
+  std::string run;
+  int robot = 0;
+};
+
+// Returns one line for each input that the robot knows.
+std::string InputsText(const Json& answer) {
+  std::string text;
+  for (const Json& input : answer.at("inputs")) {
+    text += fmt::format("  {:<42} {}\n", input.at("usage").get<std::string>(),
+                        input.at("help").get<std::string>());
+  }
+  return text;
+}
+
+std::string StatusText(const Json& answer) {
+  std::string text = fmt::format(
+      "t={:.3f} s, {} of {}, {} messages, {} findings\n", answer.at("time_s").get<double>(),
+      answer.at("robots").get<int>(), answer.at("model").get<std::string>(),
+      answer.at("messages").get<uint64_t>(), answer.at("findings").get<uint64_t>());
+  for (const Json& line : answer.at("waits")) text += line.get<std::string>() + "\n";
+  return text;
+}
+
+std::string ObjectsText(const Json& answer) {
+  std::string text =
+      fmt::format("{:<24} {:>9} {:>7}  {}\n", "object", "messages", "waiting", "state");
+  for (const Json& object : answer.at("objects")) {
+    const std::string why = object.at("waits_for").get<std::string>();
+    text +=
+        fmt::format("{:<24} {:>9} {:>7}  {}{}\n", object.at("name").get<std::string>(),
+                    object.at("messages").get<uint64_t>(), object.at("waiting").get<int>(),
+                    object.at("state").get<std::string>(), why.empty() ? "" : "; waits for " + why);
+  }
+  return text;
+}
+
+std::string ObjectText(const Json& answer) {
+  std::string text = fmt::format(
+      "{}: {} messages, {} dropped, {} waiting; state: {}\n", answer.at("name").get<std::string>(),
+      answer.at("messages").get<uint64_t>(), answer.at("dropped").get<uint64_t>(),
+      answer.at("waiting").get<int>(), answer.at("state").get<std::string>());
+  for (const Json& link : answer.at("subjects")) {
+    text +=
+        fmt::format("  {} -> {}: {}, {} sent, {} waiting\n", link.at("service").get<std::string>(),
+                    link.at("observer").get<std::string>(),
+                    link.at("ready").get<bool>() ? "ready" : "not ready",
+                    link.at("sent").get<uint64_t>(), link.at("waiting").get<uint64_t>());
+  }
+  for (const Json& link : answer.at("observers")) {
+    text += fmt::format("  {} <- {}\n", link.at("service").get<std::string>(),
+                        link.at("subject").get<std::string>());
+  }
+  for (const Json& finding : answer.at("findings"))
+    text += "  " + finding.get<std::string>() + "\n";
+  return text;
+}
+
+std::string SensorsText(const Json& answer) {
+  std::string text;
+  for (const Json& sensor : answer.at("sensors")) {
+    text +=
+        fmt::format("{:<16} {:>12}  {}\n", sensor.at("name").get<std::string>(),
+                    sensor.at("value").get<int64_t>(), sensor.at("long_name").get<std::string>());
+  }
+  return text;
+}
+
+std::string JointsText(const Json& answer) {
+  std::string text = fmt::format("{:<12} {:>9} {:>9}  {}\n", "joint", "degrees", "target", "gain");
+  for (const Json& joint : answer.at("joints")) {
+    text += fmt::format("{:<12} {:>9.2f} {:>9.2f}  {}\n", joint.at("name").get<std::string>(),
+                        joint.at("deg").get<double>(), joint.at("target_deg").get<double>(),
+                        joint.at("gain").get<bool>() ? "on" : "off");
+  }
+  return text;
+}
+
+std::string FindingsText(const Json& answer) {
+  std::string text;
+  for (const Json& finding : answer.at("findings")) {
+    text += fmt::format("{}: {} (t={:.3f} s): {}\n", finding.at("severity").get<std::string>(),
+                        finding.at("object").get<std::string>(), finding.at("time_s").get<double>(),
+                        finding.at("text").get<std::string>());
+  }
+  return text.empty() ? "no findings\n" : text;
+}
+
+// The console of one run.
+class RunConsole {
+ public:
+  explicit RunConsole(const LiveFlags& flags)
+      : robot_(flags.robot), client_(FindLiveRun(flags.run)) {}
+
+  // Adds an input and prints its time.  Returns false after printing an error.
+  bool Do(const std::string& input) {
+    return Print({{"do", "input"}, {"line", input}}, [&](const Json& answer) {
+      return fmt::format("t={:.3f} s: {}\n", answer.at("time_s").get<double>(), input);
+    });
+  }
+
+  bool ShowInputs() { return Print({{"do", "inputs"}}, &InputsText); }
+
+  // Does what a line of the console says.  Returns false after printing an error.
+  bool Line(const std::string& line) {
+    const size_t end = std::min(line.find(' '), line.size());
+    const std::string word = line.substr(0, end);
+    const std::string rest = end == line.size() ? "" : line.substr(end + 1);
+    if (word == "status") return Print({{"do", word}}, &StatusText);
+    if (word == "objects") return Print({{"do", word}}, &ObjectsText);
+    if (word == "object") return Print({{"do", word}, {"name", rest}}, &ObjectText);
+    if (word == "sensors") return Print({{"do", word}}, &SensorsText);
+    if (word == "joints") return Print({{"do", word}}, &JointsText);
+    if (word == "findings") return Print({{"do", word}}, &FindingsText);
+    if (word == "robot") return ChooseRobot(rest);
+    if (word != "help") return Do(line);
+    PrintAnswer(
+        "Looking: status, objects, object NAME, sensors, joints, findings\n"
+        "robot N: the robot that the other lines are about; quit or Ctrl-D: the end\n"
+        "Inputs:\n");
+    return ShowInputs();
+  }
+
+ private:
+  bool ChooseRobot(const std::string& number) {
+    int robot = 0;
+    const char* const end = number.data() + number.size();
+    const auto [at, error] = std::from_chars(number.data(), end, robot);
+    if (error != std::errc() || at != end) return Complain("'" + number + "' is no number");
+    robot_ = robot;
+    return true;
+  }
+
+  bool Complain(const std::string& problem) {
+    fmt::print(stderr, "openr: {}\n", problem);
+    return false;
+  }
+
+  template <typename Text>
+  bool Print(Json request, Text text) {
+    request["robot"] = robot_;
+    const Json answer = client_.Ask(request);
+    if (answer.contains("error")) return Complain(answer.at("error").get<std::string>());
+    PrintAnswer(text(answer));
+    FlushAnswer();
+    return true;
+  }
+
+  int robot_;
+  LiveClient client_;
+};
+
+int RunPoke(const LiveFlags& flags, const std::vector<std::string>& words) {
+  RunConsole console(flags);
+  const bool good =
+      words.empty() ? console.ShowInputs() : console.Do(fmt::format("{}", fmt::join(words, " ")));
+  return good ? kExitGood : kExitWrong;
+}
+
+int RunAttach(const LiveFlags& flags) {
+  RunConsole console(flags);
+  const bool is_terminal = isatty(STDIN_FILENO) == 1;
+  const std::string prompt = is_terminal ? flags.run + "> " : "";
+  if (is_terminal) PrintAnswer("'help' lists what can be typed\n");
+  bool good = true;
+  for (std::string line;;) {
+    PrintAnswer(prompt);
+    FlushAnswer();
+    if (!std::getline(std::cin, line) || line == "quit") break;
+    if (!line.empty() && !console.Line(line)) good = false;
+  }
+  // A person at a terminal has seen each error, so only a script gets them as its exit code.
+  return good || is_terminal ? kExitGood : kExitWrong;
+}
+
+void AddLiveFlags(CLI::App* command, LiveFlags* flags) {
+  command->add_option("RUN", flags->run, "Name or process id of a run on this computer")
+      ->required();
+  command->add_option("--robot", flags->robot, "Number of the robot")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void AddPokeCommand(CLI::App* app, int* exit_code) {
+  CLI::App* const command = app->add_subcommand(
+      "poke", "Gives a run an input: openr poke RUN press chin for 300ms; without one, lists them");
+  auto flags = std::make_shared<LiveFlags>();
+  AddLiveFlags(command, flags.get());
+  // The words of the input are not flags: "push 0 -5 0" has a number that begins with a dash.
+  command->prefix_command();
+  command->callback(
+      [command, flags, exit_code] { *exit_code = RunPoke(*flags, command->remaining()); });
+}
+
+void AddAttachCommand(CLI::App* app, int* exit_code) {
+  CLI::App* const command =
+      app->add_subcommand("attach", "Console of a run: looks at its objects, gives it inputs");
+  auto flags = std::make_shared<LiveFlags>();
+  AddLiveFlags(command, flags.get());
+  command->callback([flags, exit_code] { *exit_code = RunAttach(*flags); });
+}
+
+}  // namespace openr_host

@@ -1,0 +1,16 @@
+// Answers the requests that a run gets through its socket (live_server.h).
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace openr_host {
+
+class Simulation;
+
+// Returns the answer to `request`, an object with the name of the request in "do".  An error is an
+// object with the text in "error".  docs/inputs.md, "The socket of a run", lists the requests. Only
+// the request "input" changes the run.  Throws nlohmann::json::exception if a member of the request
+// has another type.  REQUIRES: not called in a handler.
+nlohmann::ordered_json AnswerLive(Simulation* simulation, const nlohmann::json& request);
+
+}  // namespace openr_host

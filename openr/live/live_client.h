@@ -1,0 +1,29 @@
+// A client of a run's socket (live_server.h).
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "openr/live/live_folder.h"
+
+namespace openr_host {
+
+class LiveClient {
+ public:
+  // Connects.  Throws std::runtime_error if the run cannot be reached.
+  explicit LiveClient(const LiveRun& run);
+  ~LiveClient();
+  LiveClient(const LiveClient&) = delete;
+  LiveClient& operator=(const LiveClient&) = delete;
+
+  // Sends `request` and returns the answer.  Throws std::runtime_error if the run ends before its
+  // answer, or gives none within 10 s.
+  nlohmann::ordered_json Ask(const nlohmann::ordered_json& request);
+
+ private:
+  const std::string name_;
+  int descriptor_ = -1;
+  std::string received_;
+};
+
+}  // namespace openr_host

@@ -1,0 +1,99 @@
+#include "openr/live/live_folder.h"
+
+#include <fmt/format.h>
+#include <signal.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <stdexcept>
+
+#include "runtime/base/characters.h"
+
+namespace openr_host {
+namespace {
+
+constexpr size_t kNameMax = 40;
+
+bool IsRunning(int process) { return kill(process, 0) == 0 || errno == EPERM; }
+
+std::string Describe(const std::vector<LiveRun>& runs) {
+  if (runs.empty()) return "no run of this user goes on";
+  std::string text;
+  for (const LiveRun& run : runs)
+    text += fmt::format("{}{} (process {})", text.empty() ? "" : ", ", run.name, run.process);
+  return "runs that go on: " + text;
+}
+
+}  // namespace
+
+std::string LiveFolder() {
+  const char* const runtime = std::getenv("XDG_RUNTIME_DIR");
+  const std::string folder =
+      runtime != nullptr && *runtime == '/'
+          ? fmt::format("{}/openr-host", runtime)
+          : fmt::format("{}/openr-host-{}", std::filesystem::temp_directory_path().string(),
+                        geteuid());
+  if (mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST)
+    throw std::runtime_error(fmt::format("{}: cannot be made: {}", folder, std::strerror(errno)));
+  // The folder is checked without following a link, because where everybody may write another user
+  // could have made it first.
+  struct stat status;
+  if (lstat(folder.c_str(), &status) != 0 || !S_ISDIR(status.st_mode) ||
+      status.st_uid != geteuid() || (status.st_mode & 077) != 0) {
+    throw std::runtime_error(
+        fmt::format("{}: must be a folder of this user that nobody else can enter", folder));
+  }
+  return folder;
+}
+
+std::string LiveSocketPath(const std::string& name) {
+  std::string file = name.substr(0, kNameMax);
+  for (char& c : file) {
+    if (!IsLetter(c) && !IsDigit(c) && c != '_' && c != '-') c = '_';
+  }
+  return fmt::format("{}/{}.{}", LiveFolder(), file, getpid());
+}
+
+std::vector<LiveRun> LiveRuns() {
+  std::vector<LiveRun> runs;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(LiveFolder(), error)) {
+    const std::string file = entry.path().filename();
+    const size_t dot = file.rfind('.');
+    LiveRun run{file.substr(0, dot), 0, entry.path()};
+    const char* const end = file.data() + file.size();
+    if (dot == std::string::npos ||
+        std::from_chars(file.data() + dot + 1, end, run.process).ptr != end)
+      continue;
+    if (IsRunning(run.process)) {
+      runs.push_back(std::move(run));
+    } else {
+      unlink(run.socket.c_str());
+    }
+  }
+  std::sort(runs.begin(), runs.end(), [](const LiveRun& a, const LiveRun& b) {
+    return std::pair(a.name, a.process) < std::pair(b.name, b.process);
+  });
+  return runs;
+}
+
+LiveRun FindLiveRun(const std::string& wanted) {
+  const std::vector<LiveRun> runs = LiveRuns();
+  std::vector<LiveRun> fitting;
+  for (const LiveRun& run : runs) {
+    if (run.name == wanted || std::to_string(run.process) == wanted) fitting.push_back(run);
+  }
+  if (fitting.size() == 1) return fitting[0];
+  throw std::runtime_error(fitting.empty()
+                               ? fmt::format("there is no run '{}'; {}", wanted, Describe(runs))
+                               : fmt::format("'{}' names several runs; give the process id; {}",
+                                             wanted, Describe(fitting)));
+}
+
+}  // namespace openr_host

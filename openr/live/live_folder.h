@@ -1,0 +1,33 @@
+// The folder in which each run of this user has a socket, so that other commands find the run.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace openr_host {
+
+// A run that can be reached.
+struct LiveRun {
+  std::string name;    // --run-name, or the last part of the stick's path
+  int process = 0;     // process id of openr run
+  std::string socket;  // path of its socket
+};
+
+// Returns the folder, which only this user can enter, and makes it if it is missing.  Throws
+// std::runtime_error if it cannot be made, or if others can enter it.
+std::string LiveFolder();
+
+// Returns the path of the socket of this process: "FOLDER/NAME.PROCESS".  Other characters of
+// `name` than letters, digits, '_' and '-' become '_', and it is cut to 40 characters, because the
+// path of a socket has 107 at most.
+std::string LiveSocketPath(const std::string& name);
+
+// Returns the runs of this user that go on, in the order of their names.  Removes the sockets of
+// processes that have ended.
+std::vector<LiveRun> LiveRuns();
+
+// Returns the run whose name or process id is `wanted`.  Throws std::runtime_error with the names
+// of all runs if none or several fit.
+LiveRun FindLiveRun(const std::string& wanted);
+
+}  // namespace openr_host

@@ -1,0 +1,58 @@
+// The server of a run: other commands of this user ask it and give it inputs while the run goes on.
+//
+// The server listens on a socket of LiveFolder().  A client sends one JSON object a line, and gets
+// one JSON object a line (docs/inputs.md, "The socket of a run").  The run serves its clients
+// between frames, in its only thread, and never waits for a client: a client that does not take its
+// answers, or sends a line without an end, is closed.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+namespace openr_host {
+
+class LiveServer {
+ public:
+  // The limits of one client: the longest request, and the most bytes of answers that wait.
+  static constexpr size_t kRequestMax = size_t{64} << 10;
+  static constexpr size_t kAnswersMax = size_t{4} << 20;
+  static constexpr size_t kClientsMax = 16;
+
+  // Makes the answer to a request.
+  using Answer = std::function<nlohmann::ordered_json(const nlohmann::json& request)>;
+
+  // Makes the socket of this run.  Throws std::runtime_error if that is not possible.
+  LiveServer(const std::string& name, Answer answer);
+  // Removes the socket.
+  ~LiveServer();
+  LiveServer(const LiveServer&) = delete;
+  LiveServer& operator=(const LiveServer&) = delete;
+
+  // Serves the clients, without waiting.  Does so at most every 2 ms of wall time, because a run at
+  // full speed calls this function every few microseconds.
+  void Serve();
+
+ private:
+  struct Client {
+    int descriptor;
+    std::string received;  // the begin of the next request
+    std::string to_send;   // answers that the socket has not taken yet
+  };
+
+  void Accept();
+  bool Receive(Client* client);
+  bool Send(Client* client);
+  bool AnswerLines(Client* client);
+
+  const Answer answer_;
+  std::string path_;
+  const int process_;  // a fork of this process must not remove the socket
+  int listener_ = -1;
+  int64_t next_ns_ = 0;
+  std::vector<Client> clients_;
+};
+
+}  // namespace openr_host
