@@ -18,7 +18,6 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-constexpr int64_t kFrameOfHandsUs = 8000;
 constexpr int64_t kPushFrames = 13;  // about 100 ms, the duration of a push without `for`
 constexpr double kPushMax_n = 1000;  // far above what a robot of 1.4 kg survives
 constexpr double kLiftDefault_m = 0.2, kLiftMax_m = 2;
@@ -52,7 +51,7 @@ std::string TakeFor(std::vector<std::string>* words, std::optional<int64_t>* fra
   int64_t duration_us = 0;
   if (std::string problem = ParseDuration(words->back(), &duration_us); !problem.empty())
     return problem;
-  *frames = std::max<int64_t>((duration_us + kFrameOfHandsUs - 1) / kFrameOfHandsUs, 1);
+  *frames = std::max<int64_t>((duration_us + kFrameUs - 1) / kFrameUs, 1);
   words->resize(count - 2);
   return "";
 }

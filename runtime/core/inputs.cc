@@ -58,6 +58,8 @@ std::string Inputs::Check(int robot, std::string_view line) const {
 }
 
 std::string Inputs::Add(int robot, std::string_view line) {
+  ASSERT(t_current.object == nullptr, "input '{}' in a handler of {}", line,
+         t_current.object->name);
   Action action;
   std::string problem = Read(robot, line, &action);
   if (!problem.empty()) return problem;

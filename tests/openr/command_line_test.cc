@@ -28,12 +28,12 @@ void ExpectJsonRefusal(std::vector<std::string> arguments, int status, const std
 }
 
 TEST(CommandLineTest, WithoutACommandItListsThem) {
-  ExpectRefusal({}, 2, "a command is missing; there are run, join, top, rc, ");
+  ExpectRefusal({}, 2, "a command is missing; there are run, join, top, poke, attach, rc, ");
   ExpectRefusal({"mtn"}, 2, "a command is missing after 'mtn'; there are info, check, dump");
 }
 
 TEST(CommandLineTest, AnUnknownCommandIsNamedAndTheNearestOneSuggested) {
-  ExpectRefusal({"rnu"}, 2, "'rnu' is no command; there are run, join, top, rc, ");
+  ExpectRefusal({"rnu"}, 2, "'rnu' is no command; there are run, join, top, poke, attach, rc, ");
   ExpectRefusal({"rnu"}, 2, "did you mean 'run'?");
   ExpectRefusal({"rc", "127.0.0.1:1", "mvoe", "0", "3"}, 2, "'rc mvoe' is no command");
   ExpectRefusal({"mtn", "chekc", "a.mtn"}, 2, "did you mean 'check'?");
