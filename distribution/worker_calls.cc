@@ -1,5 +1,7 @@
 #include "distribution/worker_calls.h"
 
+#include <sError.h>
+
 #include <algorithm>
 #include <cstring>
 #include <string>
@@ -12,6 +14,7 @@
 namespace openr_host {
 
 int32_t WorkerCalls::Post(OwnedMessage&& message, int64_t delay_us) {
+  if (system_->object(message->target) == nullptr) return sINVALIDOID;
   return master_->Post(std::move(message), delay_us);
 }
 

@@ -201,15 +201,16 @@ int32_t System::RefuseSelector(const Message& message, const Object& target) {
 }
 
 int32_t System::Post(OwnedMessage message, int64_t delay_us) {
-  if (object(message->target) == nullptr) return sINVALIDOID;
-  if (t_current.object != nullptr && t_current.object->is_image) ReportHostAddresses(*message);
+  const Object* const sender = t_current.object;
+  if (sender != nullptr && sender->is_image && object(message->target) != nullptr)
+    ReportHostAddresses(*message);
   return calls_->Post(std::move(message), delay_us);
 }
 
 int32_t System::Enqueue(OwnedMessage&& message, int64_t delay_us) {
   Object* const target = object(message->target);
-  ASSERT(target != nullptr && delay_us >= 0, "message to object {} in {} us", message->target,
-         delay_us);
+  if (target == nullptr) return sINVALIDOID;
+  ASSERT(delay_us >= 0, "message to {} in {} us", target->name, delay_us);
   // While the sender's handler still takes processor time, the message waits in the outbox.
   // Cpu::End() posts it when that time is over.
   if (Object* const self = t_current.object; self != nullptr && self->processor.is_busy) {

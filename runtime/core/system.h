@@ -207,8 +207,8 @@ class System {
   // SystemOptions::strict) or if the schedule lets the post fail.
   int32_t Post(OwnedMessage message, int64_t delay_us = 0);
 
-  // Queues a message in the queue of this process; LocalCalls::Post() calls it.
-  // REQUIRES: the target exists and delay_us >= 0.
+  // Queues a message in the queue of this process; LocalCalls::Post() calls it.  Returns an sError
+  // as Post() does.  REQUIRES: delay_us >= 0.
   int32_t Enqueue(OwnedMessage&& message, int64_t delay_us);
 
   // Ends the running handler without returning to it, as exit() and Exit() do.  REQUIRES: called in

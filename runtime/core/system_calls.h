@@ -31,9 +31,9 @@ class SystemCalls {
 
   // ---- Messages and replies
 
-  // Queues `message`, due `delay_us` from now, and returns an sError.  The message is passed by
-  // reference, because a notification must not cost a move more at each step from here to the
-  // queue.
+  // Queues `message`, due `delay_us` from now, and returns an sError as System::Post() does.  The
+  // message is passed by reference, because a notification must not cost a move more at each step
+  // from here to the queue.
   virtual int32_t Post(OwnedMessage&& message, int64_t delay_us) = 0;
 
   // Each request has a number, its box, under which the reply arrives.  OpenBox() lets the caller
