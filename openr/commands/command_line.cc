@@ -23,8 +23,8 @@ std::string PathOf(const CLI::App& command) {
   return parent.empty() ? command.get_name() : parent + " " + command.get_name();
 }
 
-// Returns the last command that the words of the command line name.  Returns the program itself if
-// they name none.
+// Returns the command that the user has given, such as `mtn` for "openr rc mtn".  Returns `app`,
+// the program itself, if the user has given no command.
 const CLI::App& Chosen(const CLI::App& app) {
   const std::vector<CLI::App*> next = app.get_subcommands();
   return next.empty() ? app : Chosen(*next.back());
@@ -89,7 +89,8 @@ void PrintHelp(const CLI::App& app, const std::vector<std::string>& words) {
   }
   const std::string path = PathOf(*about);
   const std::string name = path.empty() ? app.get_name() : app.get_name() + " " + path;
-  // CLI11's help() is not called, because it would describe the command `help` itself.
+  // Makes the text directly, because CLI11's help() would describe the command that was called,
+  // which is `help`.
   PrintAnswer(app.get_formatter()->make_help(about, name, CLI::AppFormatMode::Normal));
 }
 
@@ -106,8 +107,8 @@ std::string ExplainCommandLine(const CLI::App& app, const CLI::ParseError& error
   const auto is = [&error](CLI::ExitCodes kind) {
     return error.get_exit_code() == static_cast<int>(kind);
   };
-  // A missing command is checked before words that are left over, because a misspelt command counts
-  // as both.
+  // Explains a missing command before words that are left over.  A misspelt command is both: no
+  // command was found, and its word is left over.  NoSuchCommand() suggests the right spelling.
   if (is(CLI::ExitCodes::RequiredError) && NeedsCommand(command)) {
     const auto word = std::find_if_not(rest.begin(), rest.end(), &IsFlag);
     if (word != rest.end()) return NoSuchCommand(command, *word);

@@ -33,9 +33,10 @@ class DistributedRun {
 
   bool has_processes() const { return workers_ != nullptr; }
 
-  // Adds two things to `options`, from which the simulation is made later: functions that make
-  // stand-ins for the objects of workers, and with --ros2 a client in each robot's network that
-  // sends the robot the commands of ROS 2.  `say` prints messages about ROS 2 for the user.
+  // Adds two things to `options`, from which the simulation is made later.  The first are functions
+  // that make stand-ins: objects that pass messages on to the objects in the workers.  The second,
+  // with --ros2, is a JointClient in each robot's network, which sends the robot the commands of
+  // ROS 2.  `say` prints messages about ROS 2 for the user.
   void Enter(SimulationOptions* options, const Ros2Link::Say& say);
 
   // Throws std::runtime_error if the flags --place, --placement or --isolate name an object that
@@ -48,8 +49,8 @@ class DistributedRun {
   bool Connect(Simulation* simulation);
 
   // Begins to exchange data with ROS 2 and openr top, and sets the functions in `plan` that handle
-  // these data during the run.  Called before the Runner copies `plan`, and after plan->recorder
-  // has been set, because the recorder also records when a worker is lost.
+  // these data during the run.  Called after plan->recorder has been set, because the recorder must
+  // learn when a worker is lost, and before the Runner is made, because it copies `plan`.
   void Begin(Simulation* simulation, RunPlan* plan);
 
   // Sends the last status of the run to openr top, and closes the link to ROS 2.  The link prints

@@ -18,7 +18,8 @@ class RunStick;
 // --dds-peer, --dds-lease and --dds-config.
 void AddBusFlags(CLI::App* command, BusOptions* bus);
 
-// Returns a check of the value of --run-name (`what` is "run") or --process (`what` is "process").
+// Returns a check of the value of --run-name (`what` is "run") or --process (`what` is "process"):
+// it refuses all names but those of up to 64 letters, digits, '_', '-' and '.'.
 CLI::Validator IsNameOf(const std::string& what);
 
 struct PlacementFlags {

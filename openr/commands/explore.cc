@@ -247,8 +247,8 @@ std::string Summary(const Json& result, const ExploreFlags& flags) {
   return text;
 }
 
-// Writes the failure in `result`, a run that broke a property, to the file of -o, if the user gave
-// -o.  The user can repeat the run with this file.  Returns false after printing an error.
+// Writes the run in `result` that broke a property to the file of -o, from which openr explore
+// --replay repeats this run.  Does nothing without -o.  Returns false after printing an error.
 bool WriteFailure(const Json& result, const ExploreFlags& flags) {
   if (flags.file.empty()) return true;
   if (!result.contains("failure")) {

@@ -59,9 +59,9 @@ void BecomeChild(pid_t parent) {
 volatile sig_atomic_t g_ended_by = 0;  // first of SIGINT, SIGTERM, SIGHUP that came; 0: none
 volatile sig_atomic_t g_child = 0;     // process id of the worker that --restart runs; 0: none
 
-// Handles SIGINT, SIGTERM and SIGHUP.  After the first signal, the worker finishes its handler,
-// tells the run and ends.  With --restart the worker is a child process, and the second signal
-// kills it.
+// Handles SIGINT, SIGTERM and SIGHUP.  After the first signal, the worker finishes the handler that
+// runs, tells the run that it leaves, and ends.  With --restart the worker is a child process: the
+// first signal sends it SIGTERM, and the second one kills it.
 void OnEndSignal(int signal) {
   const int child = g_child;
   if (child > 0) kill(child, g_ended_by == 0 ? SIGTERM : SIGKILL);
@@ -120,10 +120,10 @@ struct Outcome {
   bool is_refused = false;
 };
 
-// Runs a worker until the run or the user ends it; when Work() returns, the run knows that the
-// worker has left.  Throws an exception if the worker cannot be made, usually because there is no
-// network.  If `is_known`, an earlier worker has told the user about this error already, so nothing
-// is printed about it.
+// Runs a worker until the run or the user ends it.  When Work() returns, the run has been told that
+// the worker leaves.  Throws an exception if the worker cannot be made, usually because there is no
+// network.  `is_known` says that an earlier worker failed for the same reason; then the errors that
+// DDS prints are discarded, because the user knows them.
 Outcome Work(const WorkerOptions& options, bool is_known) {
   std::optional<Worker> worker;
   {

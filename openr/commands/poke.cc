@@ -108,7 +108,7 @@ std::string FindingsText(const Json& answer) {
   return text.empty() ? "no findings\n" : text;
 }
 
-// The console of one run.
+// The console of openr poke and openr attach: sends requests to one run and prints the answers.
 class RunConsole {
  public:
   explicit RunConsole(const LiveFlags& flags)
@@ -123,7 +123,8 @@ class RunConsole {
 
   bool ShowInputs() { return Print({{"do", "inputs"}}, &InputsText); }
 
-  // Does what a line of the console says.  Returns false after printing an error.
+  // Obeys one line that was typed: a command of the console or an input.  Returns false after
+  // printing an error.
   bool Line(const std::string& line) {
     const size_t end = std::min(line.find(' '), line.size());
     const std::string word = line.substr(0, end);
@@ -191,7 +192,8 @@ int RunAttach(const LiveFlags& flags) {
     if (!std::getline(std::cin, line) || line == "quit") break;
     if (!line.empty() && !console.Line(line)) good = false;
   }
-  // A person at a terminal has seen each error, so only a script gets them as its exit code.
+  // Returns kExitWrong after an error only if the lines come from a script.  A person at a terminal
+  // has seen each error when it came.
   return good || is_terminal ? kExitGood : kExitWrong;
 }
 

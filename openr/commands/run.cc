@@ -185,8 +185,9 @@ int CommandedRun::Run() {
   boots_ = simulation_.loaded() && !is_refused && distribution_.Connect(&simulation_);
   bool good = boots_;
   if (!boots_) NoteThatItDoesNotBoot(is_refused);
-  // After a Ctrl-C during the boot, nobody knows whether the robot would have booted.  So `boots_`
-  // is set, because otherwise the program would print that the robot does not boot.
+  // After a Ctrl-C while the run waited for its workers, it is not known whether the robot would
+  // have booted.  So `boots_` is set, because otherwise the program would print that the robot does
+  // not boot.
   if (!boots_ && interrupts_.count() > 0) boots_ = true;
   if (good) {
     good = RunToTheEnd();
@@ -218,9 +219,9 @@ std::string CommandedRun::LiveName() const {
 // Boots the robots and runs the simulation to its end.  Returns false after printing an error.
 bool CommandedRun::RunToTheEnd() {
   const EndingAnswer answer(flags_.json ? StandardOutput() : -1, flags_.report_file);
-  // The crash record of a run on the default stick is in a folder that users do not know.  So
-  // `place` gets a value, which makes the finding name the record's file.  The value is "", because
-  // no text needs to follow the file's name.
+  // The crash record of a run on the default stick is in a folder that users do not know.  So the
+  // finding about a crash must name the record's file, which CrashLog does if `place` has a value.
+  // The value is "", because no text needs to follow the file's name.
   std::optional<std::string> place;
   if (stick_.is_default()) place = "";
   const CrashLog crash_log(

@@ -37,7 +37,8 @@ struct RunFlags {
   std::vector<std::string> snapshot_files;
 };
 
-// Adds the flags to the command.
+// Adds the flags of openr run to `command`.  Their values are stored in `flags` when the command
+// line is read.
 void DescribeRunFlags(CLI::App* command, RunFlags* flags);
 
 // Returns what the flags say about the run.  Throws CLI::ValidationError if two flags do not go

@@ -165,7 +165,8 @@ class RecordFile {
     if (error_ == 0) {
       note.Add("openr: wrote ").Add(*name_);
     } else {
-      // strerror() may allocate; strerrordesc_np() of the GNU C library does not.
+      // This function runs in a signal handler, where no memory may be allocated.  strerror() may
+      // do so; strerrordesc_np() of the GNU C library does not.
       const char* const why = strerrordesc_np(error_);
       note.Add("openr: ").Add(*name_).Add(": the record of the crash cannot be written: ");
       note.Add(why == nullptr ? "unknown error" : why);

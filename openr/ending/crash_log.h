@@ -23,8 +23,8 @@ class CrashLog {
   // a record is then added at the end of the file, else it replaces the file.
   //
   // `place` has a value if the finding in the report must name the record's file, because the user
-  // cannot know where it is: on another host, or on no stick that the user has named.  The value is
-  // a text that follows the file's name in the finding, such as " on HOST", or "".
+  // cannot guess where it is: it is on another host, or the user has named no stick.  The value is
+  // the text that follows the file's name in the finding, such as " on HOST"; it may be "".
   explicit CrashLog(std::vector<std::string> files, bool adds = false,
                     const std::optional<std::string>& place = {});
   ~CrashLog();

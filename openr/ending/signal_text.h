@@ -33,8 +33,8 @@ class SignalText {
 // object runs.
 bool AddCurrentHandler(SignalText* text);
 
-// Adds only the name and the number (selector) of the object's handler that runs: "NotifyMover
-// (selector 7)".  REQUIRES: an object runs.
+// Adds less than AddCurrentHandler(): only the name and the number (selector) of the object's
+// handler that runs, "NotifyMover (selector 7)".  REQUIRES: an object runs.
 void AddCurrentEntry(SignalText* text);
 
 // Writes a short report of a run that has ended early: {"error": record, "ended_by": ended_by,

@@ -45,8 +45,8 @@ void EndTheHandler() {
 }
 
 // Handles SIGVTALRM, which comes each time this thread has used 1/kTicks of the time limit.  Ends
-// the process if the handler of the same message has run at kTicks + 1 signals in a row, so it has
-// used the whole limit.
+// the process at signal kTicks + 1 in a row during the same message: the handler may have begun
+// just before the first of these signals, and has used the whole limit only at the last one.
 void OnTickSignal(int) {
   const Object* const object = t_current.object;
   const uint64_t message =

@@ -1,15 +1,17 @@
-// The schedule of one run of an exhaustive search.  It makes the choices that the search gives it,
-// and then avoids orders of messages that equal an order explored before.
+// The schedule of one run of a search that tries all orders of messages (search.cc).  It makes the
+// first choices as the search says.  After them it avoids orders of messages that have the same
+// result as an order of an earlier run.
 //
-// The deliveries of two messages can be swapped without an effect unless both use the same memory,
-// or both send to the same object, whose queue keeps the order of sending.  A delivery uses the
-// memory of the receiver, of the sender of a notification, whose region is read, and of all objects
-// whose regions the receiver still has.
+// Swapping two deliveries that follow each other changes the result only if both use the same
+// memory, or if both send to the same object, because its queue keeps the order of sending.  A
+// delivery uses the memory of the receiver, and of all objects whose regions (blocks of data) the
+// receiver still has.  The delivery of a notification also uses the memory of the sender, because
+// its region is read.
 //
-// After a delivery has been explored, it "sleeps" in later runs (sleep sets, Godefroid): it is not
-// chosen until another delivery has happened with which it cannot be swapped.  A run in which only
-// sleeping deliveries are left is cut, that is, stopped early, because it can only repeat orders of
-// earlier runs.
+// After a delivery has been explored, it "sleeps" in later runs (sleep sets, Godefroid): the
+// schedule does not choose it until another delivery has happened with which it cannot be swapped.
+// When only sleeping deliveries are left, the run is cut, that is, stopped early, because it can
+// only repeat orders of earlier runs.
 #pragma once
 
 #include <cstdint>
@@ -21,10 +23,11 @@
 
 namespace openr_host {
 
-// The objects that the delivery of a message concerns, one bit for each object: `memory` for
-// objects whose memory is used, `queues` for objects to which the handler sends a message.  Objects
-// with an id from 63 on share the last bit, because there are 64 bits.  Then more deliveries seem
-// to concern the same object, and the search tries more orders than necessary, but misses none.
+// The objects that the delivery of a message concerns, one bit for each object.  `memory` has the
+// objects whose memory the delivery uses, `queues` the objects to which the handler sends a
+// message.  Objects with an id from 63 on share the last bit, because there are 64 bits.  Then more
+// deliveries seem to concern the same object, so the search tries more orders than necessary, but
+// misses none.
 struct Touched {
   uint64_t memory = 0;
   uint64_t queues = 0;
@@ -35,9 +38,10 @@ struct Touched {
 };
 constexpr Touched kAllTouched = {~uint64_t{0}, ~uint64_t{0}};
 
-// The deliveries that sleep, which means that they need not be tried (see above).  The key is a
-// receiver and stands for the delivery of the next message to this receiver.  The value has the
-// objects that this delivery concerns; they decide when the delivery stops sleeping.
+// The deliveries that sleep, so the schedule does not choose them (see above).  The key is a
+// receiver and stands for the delivery of the next message to it.  The value has the objects that
+// this delivery concerns.  The delivery stops sleeping when another delivery concerns one of these
+// objects too.
 using SleepSet = std::map<ObjectId, Touched>;
 
 nlohmann::ordered_json TouchedToJson(const Touched& touched);
@@ -53,18 +57,20 @@ class ExactSchedule : public ExploreSchedule {
   // delivery sleeps, so the search also tries orders that are equal to earlier ones.
   ExactSchedule(const System& system, const nlohmann::ordered_json& plan);
 
-  // Begins the delivery of `message`: notes which objects it concerns, and cuts the run if this
-  // delivery sleeps.  Called before the handler of the receiver runs.
+  // Notes which objects the delivery of `message` concerns.  If the receiver was the only
+  // candidate, so that there was no choice, and the delivery sleeps, cuts the run.  Called for
+  // every message before the handler of the receiver runs.
   void SawDelivery(const Message& message);
 
-  // Returns whether this run was cut, that is, stopped early, because only sleeping deliveries were
-  // left.
+  // Returns whether this run was cut, that is, stopped early, because every delivery that could
+  // come next was asleep and would only have repeated an order of an earlier run.
   bool is_cut() const { return is_cut_; }
 
-  // Returns the result of this run for the search: {"cut": bool, "nodes": [{"candidates": [ids],
-  // "chosen": index, "touched": .., "sleep": ..}]}, with a node for every choice.  "touched" has
-  // the objects that the chosen delivery concerned, "sleep" the SleepSet before the choice; it is
-  // empty for the choices that the plan gave.
+  // Returns the result of this run for the search: {"cut": is_cut(), "nodes": [...]}, with a node
+  // {"candidates": [ids], "chosen": index, "touched": .., "sleep": ..} for every choice.  "touched"
+  // has the objects that the chosen delivery concerned.  "sleep" has the SleepSet before the
+  // choice.  It is empty for the first choices, which the search has made, because the search knows
+  // it.
   nlohmann::ordered_json Tell();
 
  protected:
@@ -95,9 +101,9 @@ class ExactSchedule : public ExploreSchedule {
   std::vector<Node> nodes_;
   bool is_cut_ = false;
 
-  // ---- The current delivery.  A delivery becomes the current one when it is chosen.  If there was
-  // no choice, because there was only one candidate, it becomes the current one when its message is
-  // delivered.
+  // ---- The current delivery.  A delivery becomes the current one when its receiver is chosen.  If
+  // the receiver was the only candidate, so that there was no choice, the delivery becomes the
+  // current one when the message is delivered.
   bool has_event_ = false;
   bool is_begun_ = false;  // the message of this delivery has been delivered
   ObjectId event_target_ = kNoObject;

@@ -65,8 +65,8 @@ bool ExploreSchedule::IsNetwork(ObjectId id) {
 
 // Returns the time by which `message` is delayed.  Messages to one object keep the order of
 // sending, as in the robot's queues, so a delay of one message also delays the messages behind it.
-// Answers to Call() and messages that their sender has timed are not delayed, nor are messages to
-// system objects.
+// Three kinds of messages keep their time (docs/exploring.md): answers to Call(), messages to which
+// the sender has given a delay, and messages to system objects.
 int64_t ExploreSchedule::ExtraDelayUs(const Message& message, int64_t now_us, int64_t delay_us) {
   SawPost(message);
   if (message.is_reply || delay_us != 0 || system_.object(message.target)->is_system) return 0;

@@ -19,21 +19,23 @@ namespace openr_host {
 class Object;
 class System;
 
-// A list of deviations in memory that is shared by two processes.  One makes a run and writes the
-// list; the other can read the list even if the first one crashes.
+// A list of deviations in memory that two processes share.  The process of a run writes the list,
+// and its parent process can read it even if the run crashes.  The list has a fixed size, so
+// deviations after the first kMax are left out.
 struct DeviationLog {
   static constexpr uint64_t kMax = 1'000'000;
   uint64_t count;
   Deviation entries[kMax];
 };
 
-// The parts of a run that a schedule may change.
+// The kinds of choices that a schedule may make.  For a kind that is false, the run goes on as
+// without exploration.
 struct Vary {
-  bool starts = true;   // the order of DoStart
-  bool ties = true;     // which of several objects with a message due is first
-  bool delays = true;   // objects get messages late
-  bool network = true;  // data from the network come late
-  bool costs = true;    // the jitter, that is the random part, of handler costs
+  bool starts = true;   // the order in which objects get DoStart
+  bool ties = true;     // the order of objects that have messages due at the same time
+  bool delays = true;   // how late objects get messages
+  bool network = true;  // how late data from the network come
+  bool costs = true;    // the jitter, that is the random part, of the handlers' processor times
   bool frames = true;   // the number of the robot's first frame
 };
 
@@ -47,12 +49,13 @@ class ExploreSchedule : public Schedule {
   size_t Choose(Question question, const std::vector<ObjectId>& candidates) final;
   int64_t ExtraDelayUs(const Message& message, int64_t now_us, int64_t delay_us) final;
 
-  // Returns how much longer (or shorter, if negative) a call of a handler takes, by at most
-  // range_us.
+  // Returns the difference between the processor time of this call of a handler and the time in the
+  // cost file.  It lies between -range_us and range_us.
   int64_t CostJitterUs(const Object& object, uint32_t selector, int64_t range_us);
 
-  // Returns the number of the first frame of `robot`, in a run of `frames` frames.  The canonical
-  // number is 0; a number near the largest one lets the frame counter wrap during the run.
+  // Returns the number that the first frame (8 ms) of `robot` has, in a run of `frames` frames.
+  // Without exploration it is 0.  A number near the largest one makes the frame counter begin again
+  // at 0 during the run, which on a real robot happens only after 24.8 days.
   int64_t FirstFrame(int robot, int64_t frames);
 
   const std::vector<Deviation>& deviations() const { return deviations_; }
@@ -69,7 +72,8 @@ class ExploreSchedule : public Schedule {
   virtual int64_t PickDelayUs(const Deviation& spot, bool from_network) = 0;
   virtual int64_t PickCostUs(const Deviation& spot, int64_t range_us) = 0;
   virtual int64_t PickFrame(const Deviation& spot, int64_t frames) = 0;
-  // Tells the derived class about a message.  Called for every message that is posted.
+  // Called for every message when it is posted, that is, sent.  Derived classes override this
+  // function if their choices depend on who sends to whom.
   virtual void SawPost(const Message&) {}
 
   const System& system() const { return system_; }
@@ -87,21 +91,23 @@ class ExploreSchedule : public Schedule {
   uint64_t start_count_ = 0;
   int64_t tie_time_us_ = -1;
   uint64_t tie_count_ = 0;  // number of ties so far at tie_time_us_
-  // The messages from one sender to one handler of one receiver: their number and, if they come
-  // from the network, when the last of them is due.  The key is sender, receiver and selector
-  // (number of the handler).
+  // Counts the messages from one sender to one handler of one receiver, because deviations name a
+  // message as the n-th of these.  If the messages come from the network, also has the time when
+  // the last one reaches the receiver, because the next one must not overtake it.  The key is
+  // sender, receiver and selector (number of the handler).
   std::map<std::tuple<ObjectId, ObjectId, uint32_t>, Stream> streams_;
   // The number of calls of CostJitterUs() so far, by object and selector of the handler.
   std::map<std::pair<ObjectId, uint32_t>, uint64_t> calls_;
-  std::vector<int64_t> last_due_us_;  // when the last message is due, by receiver (without network)
+  std::vector<int64_t> last_due_us_;  // when the last message comes, by receiver (without network)
   std::vector<int8_t> is_network_;  // by object: 1 if it is the IPStack, else 0; -1: not known yet
   std::vector<Deviation> deviations_;
   DeviationLog* log_ = nullptr;
 };
 
-// Draws the choices from the random generators of a seed.  Seeds also differ in how much they
-// disturb a run: with some, few choices leave the canonical order; with some, all may; some make
-// one object slow.  Seed 1 gives the canonical order, as without exploration.
+// Draws the choices from the random generators of a seed.  The seed also decides how much the run
+// is disturbed: for each kind of choice, how often it leaves the canonical order, and whether the
+// messages to one object are often delayed.  Seed 1 gives the canonical order, as without
+// exploration.
 class RandomSchedule : public ExploreSchedule {
  public:
   RandomSchedule(const System& system, uint64_t seed, const Vary& vary);
@@ -124,8 +130,9 @@ class RandomSchedule : public ExploreSchedule {
   ObjectId slow_ = kNoObject;  // object whose messages are often delayed
 };
 
-// Repeats the deviations of a list, and makes the canonical choice everywhere else.  Ignores
-// deviations whose place does not occur in the run.
+// Repeats the deviations of a list, and makes the canonical choice everywhere else.  A deviation
+// whose place does not occur in the run is ignored: if some deviations of a run were left out of
+// the list, the run may not come to the places of the others.
 class ScriptedSchedule : public ExploreSchedule {
  public:
   ScriptedSchedule(const System& system, const std::vector<Deviation>& script);

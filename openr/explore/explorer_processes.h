@@ -22,16 +22,18 @@ enum class Memory {
 
 class ExplorerProcesses {
  public:
-  // Starts `count` child processes and waits until each has assembled its graph.  Throws
-  // std::runtime_error when a process cannot assemble its graph.  `memory` chooses the addresses in
-  // these processes.  They close `outer_channel`, a descriptor that they inherit but do not use
-  // (-1: none).  REQUIRES: this process has one thread, because fork() copies no other thread.
+  // Starts `count` child processes and waits until each has assembled its graph of objects.  Throws
+  // std::runtime_error when a process cannot do so.  `memory` chooses the memory addresses in these
+  // processes.  `outer_channel` is a descriptor that they inherit and close, because they do not
+  // use it (-1: none).  REQUIRES: this process has one thread, because fork() copies no other
+  // thread.
   //
-  // If `twice` is true, plans may have the field "twice".  Such a plan is run a second time, in a
-  // process with Memory::kElsewhere and in time slices of another length.  If the second run has
-  // another hash of state or trace than the first, a third run with these slices follows, at the
-  // addresses of the first.  Two fields are added to the answer: "depends_on_addresses" is true if
-  // only the second run differs, "differs" if the third run differs from the first as well.
+  // If `twice` is true, plans may have the field "twice", which tests whether a run gives the same
+  // result again.  The plan is run a second time, in a process with Memory::kElsewhere and in time
+  // slices of another length.  If the hash of state or trace differs, a third run shows the reason:
+  // it has the same slices, but the addresses of the first run.  The answer gets two more fields:
+  // "depends_on_addresses" is true if only the second run differs from the first, "differs" if the
+  // third run differs too.
   ExplorerProcesses(const PrepareRun& prepare_run, const RunOptions& options,
                     const ForkLimits& limits, int count, bool twice = false,
                     Memory memory = Memory::kAsItComes, int outer_channel = -1);

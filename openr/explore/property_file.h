@@ -39,14 +39,14 @@ struct PropertyRule {
 std::vector<PropertyRule> ParseProperties(const std::string& file, std::string_view text,
                                           std::vector<Diagnostic>* diagnostics);
 
-// Compares `actual`, the value of a quantity, with the text `expected`, by an operator such as
-// "<=".  If `actual` is a number, `expected` must be a number too.  Throws std::runtime_error when
-// `expected` is none then, or when `op` cannot compare texts.
+// Compares `actual`, the value of a quantity, with the text `expected` by the operator `op`, such
+// as "<=".  If `actual` is a number, `expected` is read as a number.  Throws std::runtime_error
+// when `expected` is not a number in this case, or when `op` cannot compare texts.
 bool Compares(const std::variant<double, std::string>& actual, const std::string& op,
               const std::string& expected);
 
-// Make the properties of a text, and of a file.  Both throw std::runtime_error with the texts of
-// all errors.  `file` is the name of the text in these errors.
+// Return the properties that the text `text`, or the file `path`, describes.  Both functions throw
+// std::runtime_error with the texts of all errors.  `file` is the name of the text in these errors.
 std::vector<std::unique_ptr<Property>> MakeProperties(const std::string& file,
                                                       std::string_view text);
 std::vector<std::unique_ptr<Property>> LoadPropertyFile(const std::string& path);

@@ -15,8 +15,10 @@ class Shortener {
   Shortener(const StillBreaks& still_breaks, int runs_max, Json* script, Json* answer)
       : still_breaks_(still_breaks), left_(runs_max), script_(*script), answer_(*answer) {}
 
-  // Tries to remove parts of half the length of the list, then of a quarter and so on, then single
-  // deviations, until no deviation can be removed.
+  // Removes deviations from the list script_ as long as the property stays broken.  First tries the
+  // empty list, then the list without one of its halves, without one of its quarters and so on, and
+  // at last without a single deviation.  Ends when no single deviation can be removed, or at the
+  // limit of runs.
   void LeaveOut() {
     if (Try(Json::array())) return;
     size_t part = (script_.size() + 1) / 2;

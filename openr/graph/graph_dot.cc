@@ -35,9 +35,9 @@ std::string Escaped(const std::string& text) {
   return result;
 }
 
-// Returns the part of a service's full name that the drawing shows: "Move" of
-// "RCServer.Move.MoveCommand.S".  The box has the name of the object, the line the type of the
-// data.
+// Returns the part of a service's full name that stands in the object's box: "Move" of
+// "RCServer.Move.MoveCommand.S".  The other parts are drawn elsewhere: the name of the object above
+// its services, and the type of the data (MoveCommand) beside the connection.
 std::string ShortName(const std::string& service) {
   const std::optional<ServiceName> name = ParseServiceName(service, nullptr);
   return name ? name->service : service;

@@ -43,8 +43,9 @@ constexpr char kHelp[] =
 const std::vector<std::string> kVerbs = {"step",   "back",   "goto",  "run",  "break",
                                          "breaks", "delete", "print", "help", "quit"};
 
-// The state of a session of openr replay --step, in memory that all copies of the process share.  A
-// copy that ends leaves here what the waiting process of an earlier snapshot has to do next.
+// The state of a session of openr replay --step, in memory that all processes of the session share
+// (stepper.h describes these processes).  A process that ends writes here what the waiting process
+// of an earlier snapshot has to do next.
 struct Shared {
   bool went_back;    // a copy has ended because the session goes back
   uint64_t target;   // number of messages after which going back ends
@@ -81,8 +82,8 @@ class Stepper {
     breaks_.Load(shared_->breaks);
   }
 
-  // Runs the session.  Returns only in the first process, because a copy ends itself when the user
-  // goes back or quits.
+  // Runs the session.  Returns when the session is over, and only in the first process, because all
+  // copies of it end with _exit().
   void Run() {
     if (!Snapshot()) return;
     Show();
@@ -121,8 +122,8 @@ class Stepper {
     }
   }
 
-  // Called in the new copy of a snapshot to which the user goes back.  Runs from the snapshot,
-  // which was taken after `here` messages, forward to the message or time that the user wants.
+  // Runs the new copy of a snapshot forward to the message or the time to which the user goes back.
+  // The snapshot was taken after `here` messages.
   void CatchUp(uint64_t here) {
     went_back_ = false;  // Forward() must not stop at the snapshots that it takes now
     if (shared_->target > here) Forward(shared_->target - here);
@@ -148,7 +149,8 @@ class Stepper {
   }
 
   // Runs forward by `count` messages, and takes snapshots on the way.  Returns false if the replay
-  // ends earlier, or in a copy that was made because the user went back to one of these snapshots.
+  // ends earlier.  Also returns false in a copy that is made later, when the user goes back to one
+  // of these snapshots, because the rest of the `count` messages must not follow there.
   bool Forward(uint64_t count) {
     for (; count > 0; --count) {
       const uint64_t before = replayer_->count();
@@ -158,8 +160,9 @@ class Stepper {
       view_.Sample();
       if (replayer_->count() - last_snapshot_ >= kSnapshotMessages) {
         if (!Snapshot()) _exit(0);
-        // This copy may come from going back to a snapshot that was taken in the middle of a
-        // command.  That command is long over, so it must not run further forward here.
+        // When the user goes back to a snapshot that was taken here, the new copy returns from
+        // Snapshot() too.  It stops here, because the command that called Forward() was over long
+        // before.
         if (went_back_) return false;
       }
     }

@@ -56,7 +56,8 @@ struct TraceEntry {
     kOldConsole = 8,   // see kOldestTraceVersion
     kStick = 9,        // what, name, payload: content before an object changed a file or folder
     kLoss = 10,        // time_us, name: a process was lost; what follows cannot be replayed
-    // name, payload: how the run ended (EndName()) and why; missing if the process was killed.
+    // name, payload: how the run ended, as a word of EndName(), and the reason as text.  The entry
+    // is missing if the recorded process was killed.
     kEnded = 11,
     kInput = 12,  // time_us, robot (-1: every robot), name: the line of the input
   };
@@ -75,8 +76,8 @@ struct TraceEntry {
   uint64_t state_hash = 0;
 };
 
-// Encodes and decodes entries.  Most numbers are stored as the difference to the entry before, so
-// that they take few bytes.
+// Encodes and decodes entries.  Stores most numbers as the difference to the number in the entry
+// before, because small numbers take fewer bytes.
 class TraceCoder {
  public:
   explicit TraceCoder(bool payloads) : payloads_(payloads) {}
@@ -121,8 +122,9 @@ class TraceWriter {
   // Writes the added entries to the file.  May be called in a signal handler that ends the process.
   void Flush();
 
-  // Adds the reason why the run ended and the last entry, kEnd, which has the hashes of the run.
-  // Then writes everything to the file.  Returns "", or the error in writing it.
+  // Adds the reason why the run ended and the last entry, kEnd.  This entry has the hashes of the
+  // run's messages and state, with which a replay compares its own.  Then writes everything to the
+  // file.  Returns "", or the error in writing it.
   std::string Finish(System* system);
 
  private:
@@ -158,9 +160,9 @@ class TraceReader {
   // offset 4711: ...".
   const std::vector<std::string>& problems() const { return problems_; }
 
-  // Returns "FILE: the recording does not say how the run ended: ..." when the file ends with a
-  // whole block but without an entry about the end of the run.  Otherwise, and before the end of
-  // the file is reached, returns "".
+  // Returns "FILE: the recording does not say how the run ended: ..." if the file is not damaged
+  // but has no entry about the end of the run, because the recorded process was killed or still
+  // runs.  Otherwise, and before the end of the file is reached, returns "".
   const std::string& note() const { return note_; }
 
   // Returns the name of the object `id`, or a text with the id if no entry read so far has the

@@ -13,10 +13,11 @@ namespace openr_host {
 // Converts a virtual time to seconds.
 inline double Seconds(int64_t time_us) { return static_cast<double>(time_us) / 1e6; }
 
-// The filter for the messages to show.  An empty text matches all messages.
+// The filter that chooses the messages to show.  A message must match all fields; an empty text
+// matches all messages.
 struct TraceFilter {
   std::string object;   // sender or receiver, by name
-  std::string service;  // part of the name of the receiving entry
+  std::string service;  // part of the name of the receiver's entry (handler)
   int64_t from_us = 0;
   int64_t until_us = INT64_MAX;  // inclusive
 };

@@ -73,7 +73,8 @@ Json AnswerObjects(const Asked& asked) {
   return {{"time_s", TimeOf(asked)}, {"objects", objects}};
 }
 
-// Returns the name of the service that the entry has: "RCServer.Move.MoveCommand.S".
+// Returns the name of the service that `entry`, a handler of the object `id`, belongs to:
+// "RCServer.Move.MoveCommand.S".  Returns "(gone)" if the object does not exist any more.
 std::string ServiceAt(const System& system, const OServiceEntry& entry, ObjectId id) {
   const Object* const object = system.object(id);
   if (object == nullptr) return "(gone)";
@@ -126,7 +127,8 @@ Json AnswerObject(const Asked& asked) {
           {"findings", findings}};
 }
 
-// Returns the robot that the request names; null if there is none.
+// Returns the robot whose number the request gives in "robot" (without it, robot 0); null if the
+// simulation has no robot of this number.
 const VirtualRobot* RobotOf(const Asked& asked) {
   const auto& robots = asked.simulation->robots();
   const int robot = asked.robot();

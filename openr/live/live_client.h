@@ -1,4 +1,5 @@
-// A client of a run's socket (live_server.h).
+// LiveClient, with which openr poke and openr attach send requests to the socket of a run
+// (live_server.h).
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -41,8 +41,9 @@ std::string LiveFolder() {
                         geteuid());
   if (mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST)
     throw std::runtime_error(fmt::format("{}: cannot be made: {}", folder, std::strerror(errno)));
-  // The folder is checked without following a link, because where everybody may write another user
-  // could have made it first.
+  // Checks the folder that has this name now, because another user may have made it first:
+  // everybody may write to the folder for temporary files.  lstat() does not follow a link, so a
+  // link to another folder is refused too.
   struct stat status;
   if (lstat(folder.c_str(), &status) != 0 || !S_ISDIR(status.st_mode) ||
       status.st_uid != geteuid() || (status.st_mode & 077) != 0) {

@@ -6,15 +6,16 @@
 
 namespace openr_host {
 
-// A run that can be reached.
+// A run of this user that goes on, and that openr poke and openr attach can reach through its
+// socket.
 struct LiveRun {
   std::string name;    // --run-name, or the last part of the stick's path
   int process = 0;     // process id of openr run
   std::string socket;  // path of its socket
 };
 
-// Returns the folder, which only this user can enter, and makes it if it is missing.  Throws
-// std::runtime_error if it cannot be made, or if others can enter it.
+// Returns the folder of the sockets, which only this user can enter, and makes it if it is missing.
+// Throws std::runtime_error if it cannot be made, or if others can enter it.
 std::string LiveFolder();
 
 // Returns the path of the socket of this process: "FOLDER/NAME.PROCESS".  Other characters of

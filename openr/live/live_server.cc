@@ -58,7 +58,8 @@ void LiveServer::Accept() {
   }
 }
 
-// Answers the whole lines that `client` has sent.  Returns false if the client must be closed.
+// Answers the complete lines that `client` has sent.  Returns false if the client must be closed,
+// because its request is longer than kRequestMax, or more than kAnswersMax bytes of answers wait.
 bool LiveServer::AnswerLines(Client* client) {
   for (size_t end = client->received.find('\n'); end != std::string::npos;
        end = client->received.find('\n')) {
@@ -76,7 +77,8 @@ bool LiveServer::AnswerLines(Client* client) {
   return client->received.size() <= kRequestMax;
 }
 
-// Returns false if the connection is over.
+// Reads and answers what `client` has sent, without waiting for more.  Returns false if the client
+// must be closed, because it has sent its last request, is beyond a limit or cannot be reached.
 bool LiveServer::Receive(Client* client) {
   char buffer[16 << 10];
   for (;;) {

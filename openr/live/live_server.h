@@ -16,7 +16,9 @@ namespace openr_host {
 
 class LiveServer {
  public:
-  // The limits of one client: the longest request, and the most bytes of answers that wait.
+  // Limits, so that no client can make the run use much memory: the bytes of a request, the bytes
+  // of answers that a client has not taken yet, and the number of clients.  A client beyond a limit
+  // is closed.
   static constexpr size_t kRequestMax = size_t{64} << 10;
   static constexpr size_t kAnswersMax = size_t{4} << 20;
   static constexpr size_t kClientsMax = 16;

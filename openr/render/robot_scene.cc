@@ -17,7 +17,8 @@ constexpr Colour kWood{0.72f, 0.60f, 0.46f};
 
 bool EndsWith(std::string_view text, std::string_view end) { return text.ends_with(end); }
 
-// Returns the shape with rounded edges that pictures show for `part`.  Physics uses a plain box.
+// Returns the shape that pictures show for `part`: a box with rounded edges, instead of the plain
+// box that physics uses.
 Shape ShapeOfPart(const BodyPart& part, const Eigen::Isometry3d& X_WL) {
   Shape shape;
   shape.X_WS = X_WL * Eigen::Translation3d(part.centre_m);

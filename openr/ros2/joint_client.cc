@@ -13,8 +13,8 @@ namespace {
 constexpr NetAddress kRemote = {0x7f000001, 1};  // the client's address; no other client has port 1
 
 constexpr double kCentidegPerRad = 100 * Degrees(1);
-// Positions are cut to two turns, more than any joint can do, so that they fit into a request.  The
-// robot has its own limits.
+// Largest position that is sent, one turn in either direction: a larger number might not fit into a
+// request.  No joint can turn so far, and the robot applies its own limits to each joint.
 constexpr double kPositionMax_rad = 2 * kPi;
 constexpr double kSpeedMax_rad_s = 1000;
 

@@ -1,10 +1,10 @@
 // JointClient, a client of the robot's remote control inside this program.  It sends the robot the
 // joint targets that come from ROS 2, as a client on the network does (docs/remote-control.md).
 //
-// The client stands between a robot and its network and connects to the robot's port without a
-// socket.  Its data come out of Poll(), like all data from outside.  So the robot cannot tell it
-// from other clients, its limits of position, speed and acceleration hold, and a run can be
-// recorded and replayed with its commands.
+// The client needs no socket, because it stands between the robot and its network.  Its connection
+// and its requests reach the robot as events of Poll(), like those of a client on the network.  So
+// the robot cannot tell it from other clients, its limits of position, speed and acceleration hold,
+// and a run can be recorded and replayed with its commands.
 #pragma once
 
 #include <cstdint>

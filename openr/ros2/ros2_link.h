@@ -49,11 +49,11 @@ class Ros2Link {
  public:
   using Say = Ros2Complaints::Say;  // prints a message
 
-  // Changes `options` so that the network of each robot gets a JointClient.  The simulation is made
-  // from `options` later.  If a recorder is to record the commands, it must be in `options`
-  // already.  `space` is the namespace of the robot's topics; with several robots, the namespace of
-  // each is `space` followed by the robot's number.  `bus` and this object must outlive the
-  // simulation.
+  // Changes `options`, from which the simulation is made later, so that the network of each robot
+  // gets a JointClient, which sends the robot the commands of ROS 2.  A recorder must have been put
+  // into `options` before, because otherwise it does not see these commands.  `space` is the
+  // namespace of the robot's topics; with several robots, the namespace of each is `space` followed
+  // by the robot's number.  `bus` and this object must outlive the simulation.
   Ros2Link(Bus* bus, std::string space, SimulationOptions* options, Say say);
   Ros2Link(const Ros2Link&) = delete;
   Ros2Link& operator=(const Ros2Link&) = delete;

@@ -14,7 +14,8 @@ class ConsoleFeed {
   // given at the start of the run.  Throws std::runtime_error when the file cannot be read.
   explicit ConsoleFeed(const std::string& file);
 
-  // Gives the input that has come since the last call to every robot of `system`.
+  // Gives every robot of `system` the console input that has come since the last call: lines from
+  // standard input, or in the first call the content of the file.
   void Feed(System* system);
 
  private:

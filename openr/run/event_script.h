@@ -22,7 +22,8 @@ class EventScript {
   // the file cannot be read, or a line has no time or an earlier one than the line before.
   explicit EventScript(const std::string& file);
 
-  // Returns "", or "FILE:LINE: ..." for the first line that `system` refuses.
+  // Checks the script before the run.  Returns "", or "FILE:LINE: ..." for the first line whose
+  // input the robots of `system` do not know or which names a wrong robot.
   std::string Check(const System& system) const;
 
   // Adds the inputs whose time has come.  Called at frame boundaries.

@@ -21,8 +21,9 @@
 namespace openr_host {
 namespace {
 
-// Time limit for the shutdown of all objects (DoStop, DoDestroy), counted from kPauseUs after the
-// pause button was pressed.  A shutdown that takes longer may never complete, so the run ends.
+// Virtual time that the shutdown of all robots by the runner (DoStop, DoDestroy of all objects) may
+// take.  The runner begins it kPauseUs after the pause button was pressed.  After this limit the
+// run ends anyway, because a shutdown that takes so long may never complete.
 constexpr int64_t kShutdownMaxUs = 60'000'000;
 
 }  // namespace
@@ -150,9 +151,9 @@ double Runner::wall_time_s() const {
   return static_cast<double>(wall_time_ns_ + running_ns) / 1e9;
 }
 
-// Runs a free run up to the virtual time `stop_us`, no faster than the clock of this computer.
-// While it waits for the clock, it applies the results of handlers in worker processes when they
-// come.
+// Runs to the virtual time `stop_us` in a free run, in which virtual time goes on while handlers
+// run in worker processes.  The run goes no faster than the clock of this computer.  While it waits
+// for the clock, it applies the results of these handlers when they come.
 void Runner::RunFreely(int64_t stop_us, Pacer* pacer) {
   constexpr double kSliceUs = 1000;  // longest wait in `pump`; events of that time come so late
   System& system = simulation_->system();

@@ -33,9 +33,9 @@ struct RunPlan {
   LiveServer* live = nullptr;                        // serves openr poke; null: none
   std::function<void(const std::string& line)> say;  // prints a message for the user
   Recorder* recorder = nullptr;                      // records lost processes; null: none
-  // Only for a free run, in which virtual time goes on while handlers run in worker processes.
-  // Waits at most `timeout_us` for results of these handlers and applies them.  Called instead of
-  // sleeping.  REQUIRES: rate > 0.
+  // Set only for a free run, in which virtual time goes on while handlers run in worker processes.
+  // Waits at most `timeout_us` for results of these handlers and applies them.  The runner calls it
+  // where it would sleep in other runs.  REQUIRES: rate > 0.
   std::function<void(int64_t timeout_us)> pump;
   std::function<void()> after_frame;  // called after each frame; may be null
 };

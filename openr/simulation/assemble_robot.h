@@ -39,8 +39,8 @@ struct AssembledRobot {
   IpStack* ip_stack = {};
 };
 
-// Adds a robot with the parts `parts` to `system`.  The objects of its stick are not part of it;
-// LoadStick() adds them later.  `model` must outlive `system`.
+// Adds a robot with the parts `parts` to `system`, without the objects of its Memory Stick, which
+// LoadStick() adds later.  `model` must outlive `system`.
 AssembledRobot AssembleRobot(System* system, const RobotModel& model, RobotEquipment parts);
 
 }  // namespace openr_host

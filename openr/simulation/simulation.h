@@ -1,4 +1,5 @@
-// Simulation: robots with bodies and sticks in one System, the runtime that has clock and messages.
+// Simulation: a System, which has the clock and the messages, with its robots, their simulated
+// bodies and their Memory Sticks.
 #pragma once
 
 #include <cstdint>
@@ -22,8 +23,9 @@ class IpStack;
 class Network;
 
 struct SimulationOptions {
-  // The folder that holds OPEN-R/.  "" is the default stick, which no object may write to.  If
-  // objects may write, give the folder of a RunStick.
+  // The folder of the Memory Stick, in which OPEN-R/ lies.  "" is the default stick, which came
+  // with the program and must not change.  So if objects may write, give RunStick::folder(), which
+  // is a copy of the default stick or the user's own stick.
   std::string stick;
   std::string robot = "ers210";  // name of a model
   std::string world;             // a world file; "": a flat floor
@@ -50,8 +52,9 @@ struct SimulationOptions {
   // uses in its place.  These pairs have precedence over those in HOSTADDR.CFG of the stick.
   std::vector<AddressPair> addresses;
   std::function<void(std::string_view)> console;
-  // Returns functions that LoadStick() calls instead of loading certain images of a robot's stick.
-  // A distributed run has them, because some of its objects run in other processes.
+  // Returns functions that make stand-ins: objects that pass messages on to objects in other
+  // processes.  LoadStick() calls these functions instead of loading the images of such objects.
+  // Used only by a distributed run.
   std::function<StandIns(System*, int robot)> stand_ins;
   // Called for each robot with the robot's number and network.  Returns a network that the robot
   // uses instead, and that usually passes calls to the given one.  Recording, replay and ROS 2 use
@@ -84,8 +87,8 @@ class Simulation {
   // Called at the end of the run.
   void ReportUnusedCosts();
 
-  // Completes the files that devices have written, such as the speaker's.  A file that cannot be
-  // completed is an error finding.  Called at the end of the run.
+  // Completes the files that devices have written, such as the WAV file of the speaker, at the end
+  // of the run.  A file that cannot be completed becomes an error finding.
   void CloseFiles();
 
   // Returns the port of this computer for the remote control of the robot with the number `robot`;
