@@ -69,7 +69,9 @@ Target TargetOf(const std::string& file) {
   return target;
 }
 
-// Returns whether the file is replaced by a new one, rather than written in place.
+// Returns whether the file is replaced by a new one, rather than written in place.  Devices and
+// pipes are written in place, and so are files with several hard links, because the other names of
+// such a file would keep the old content.
 bool IsReplaced(const Target& target) {
   return !target.exists || (S_ISREG(target.status.st_mode) && target.status.st_nlink == 1);
 }
@@ -358,8 +360,8 @@ PreparedFile::PreparedFile(const std::string& file) {
   if (keeps_mode_) mode_ = target.status.st_mode & 0777;
 }
 
-// Makes direct system calls, because this process has open() and rename() of its own, which may act
-// for an object on its Memory Stick.
+// Opens the file by direct system calls, because open() and rename() in this process are functions
+// of the program, which may act for an object on a file of its Memory Stick.
 int PreparedFile::Open() {
   if (stream_ >= 0) return stream_;
   if (target_[0] == 0) return -1;

@@ -10,7 +10,7 @@ namespace openr_host {
 
 class NameClaim {
  public:
-  // Claims the name of the bus's run.
+  // Claims the run name of `bus`, Bus::run(), for this process, and lets other runs see the claim.
   explicit NameClaim(Bus* bus);
 
   // Returns the run that has claimed the name earlier, as "pid 12 on host", or "".

@@ -97,8 +97,9 @@ void RemoteObject::HandleUndelivered(const Message& message) {
   SendEmptyReply(message);
 }
 
-// Answers `request` with an empty reply in place of the lost worker, so that no object waits for
-// ever.  The object manager, which sends DoInit to DoDestroy, gets the status oSUCCESS.
+// Answers `request` in place of the lost worker, so that its sender does not wait for ever.  The
+// answer is empty, except for DoInit to DoDestroy: the object manager, which sends these, expects a
+// status and gets oSUCCESS.
 void RemoteObject::SendEmptyReply(const Message& request) {
   if (request.reply_box == 0) return;
   const CurrentScope scope(system, this);

@@ -303,8 +303,8 @@ bool WorkerGroup::HandleReceived() {
 }
 
 void WorkerGroup::Pump(int64_t timeout_us) {
-  // Sends the samples that SendBatched() has kept to share a packet, because workers may be idle
-  // until they have them.
+  // Sends the samples (DDS messages) that SendBatched() has kept back so that several share a
+  // packet.  Workers may be idle until they get them.
   for (auto& [name, member] : members_) member.process->FlushBatch();
   if (!HandleReceived()) {
     bus_.Wait(timeout_us);

@@ -187,8 +187,9 @@ void WorkerGroup::ReplaceObjects(Member* member) {
 // again.
 void WorkerGroup::OnReplaced(ObjectId id) {
   for (auto& [name, member] : members_) {
-    // Skips two kinds of workers: the worker of the object itself, which knows only the new object,
-    // and lost workers, which have no connections.
+    // Skips workers whose objects have no connections to the old object: the worker of the object
+    // itself, which has only heard of the new object, workers that have not joined the run, and
+    // lost workers.
     if (member.objects.contains(id) || !member.is_welcomed || member.process->is_lost()) continue;
     try {
       member.process->Forget(id);

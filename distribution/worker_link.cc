@@ -134,8 +134,8 @@ bool Worker::CancelPendingPin(uint64_t region) {
     return effect._d == openr_wire_EFFECT_NOTE && effect._u.note.kind == kPinRegion &&
            effect._u.note.numbers._buffer[0] == region;
   };
-  // Searches for the latest pin, because an earlier one may belong to another observer that still
-  // has the region.
+  // Searches for the latest call of PinRegion(), because an earlier one may belong to another
+  // observer, which still uses the region and has to keep it.
   const auto found = std::find_if(effects_.rbegin(), effects_.rend(), is_pin);
   if (found == effects_.rend()) return false;
   effects_.erase(std::next(found).base());

@@ -309,7 +309,7 @@ void FolderBuild::TryConvention(const std::vector<ObjectFolder>& objects, const 
 }
 
 void FolderBuild::Deliver() {
-  // Scans the folders again, because rules may have made sticks.
+  // Scans the folders again, because the rules of Makefiles may have made Memory Sticks in them.
   Project after = ScanProject(copied_folders_);
   if (after.sticks.empty()) after.sticks.push_back({after.root / "MS", {}, {}});
   wants_all_ = std::all_of(after.sticks.begin(), after.sticks.end(),

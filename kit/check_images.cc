@@ -200,9 +200,10 @@ std::vector<std::string> ImageCheck::NamesOf(const ObjectFolder& object) const {
   return names;
 }
 
-// Returns, for each image in `missing_`, the index in `objects_` of the object that a build will
-// make it from, or -1 if no object has a similar name.  Lines for different robots may name the
-// same image, so each file name is matched only once.
+// Returns a number for each image in `missing_`, which lists the images that the stick names but
+// lacks or has only for the robot.  The number is the index in `objects_` of the object that a
+// build will make the image from, or -1 if no object has a similar name.  Lines for different
+// robots may name the same image, so each file name is matched only once.
 std::vector<int> ImageCheck::MatchMissing() const {
   std::vector<std::string> wanted;
   std::vector<size_t> index_of;

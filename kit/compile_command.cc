@@ -56,8 +56,10 @@ bool TakesNextWord(const std::string& flag) {
                         "-aux-info"});
 }
 
-// Returns whether the host's compiler does not get this flag, because it is for the robot's
-// processor or because the kit sets it itself.
+// Returns whether `flag`, which is in a compile command for the robot, is not passed to the host's
+// compiler.  It is for the robot's processor (-mips3, -EL, -G0), or about something that the kit
+// decides itself: warnings, the folders of headers, the language level, or how code is linked
+// (-fPIC).
 bool IsRobotFlag(const std::string& flag) {
   // Beginnings of flags.  All flags for the processor begin with -m.
   static const char* const kStarts[] = {"-m",    "-Werror", "-pedantic", "-fpic",   "-fPIC",

@@ -32,8 +32,9 @@ std::vector<fs::path> SourcesIn(const fs::path& folder) {
   return found;
 }
 
-// The text of a Makefile that prints the value of each variable that the file $(LIST) sets, one a
-// line after "= ".
+// The text of a Makefile that prints the values of all variables that the file $(LIST) sets, each
+// on a line that begins with "= ".  The names are not printed, because every variable may name
+// sources.
 constexpr char kPrintVariables[] =
     "include $(LIST)\n"
     "$(foreach v,$(filter-out MAKE% .% CURDIR SHELL LIST,$(.VARIABLES)),"

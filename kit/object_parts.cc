@@ -76,10 +76,11 @@ const std::string& ObjectParts::TextOf(const fs::path& file) const {
   return entry->second;
 }
 
-// Returns whether `file` belongs to another object than `object`.  The folders above the file
-// decide, from the innermost to the outermost: the file is the other object's if they reach a
-// folder of another object before the folder of `object`.  A folder that also contains the folder
-// of `object` does not count, because files in it may be for both objects.
+// Returns whether `file` belongs to another object than `object`.  Goes up from the folder of the
+// file: if it comes to the folder of another object before the folder of `object`, the file is the
+// other object's.  For example, Cat/src/Tail.cc belongs to Cat and not to Dog.  The folder of
+// another object does not count if it contains the folder of `object`, because files in it may be
+// for both: if P and P/Dog are objects, P/Tail.cc may be part of Dog.
 bool ObjectParts::IsOfOther(const fs::path& file, const ObjectFolder& object) const {
   for (fs::path folder = file.parent_path(); folder.has_relative_path();
        folder = folder.parent_path()) {

@@ -187,10 +187,10 @@ class Bench {
 
   // ---- Interfering
 
-  // Posts a message with the data `data`, as if its sender had posted it.  With
-  // Notify("Blinker.Light", "Eye.Light"), the two services must be connected, and Eye receives
-  // `data` even if it is not ready.  With ToEntry("Blinker", "Alarm").From("Clock"), the message
-  // consists of the bytes of `data`.
+  // Posts a message with the data `data`, as if its sender had posted it.  `spec` is one of two
+  // kinds.  Notify("Blinker.Light", "Eye.Light") names two connected services; Eye receives `data`
+  // even if it is not ready.  ToEntry("Blinker", "Alarm").From("Clock") names an entry (handler) of
+  // Blinker and a sender; the message consists of the bytes of `data`.
   template <typename T>
   bool Inject(const MessageSpec& spec, const T& data, Place place = Place::Here()) {
     static_assert(std::is_trivially_copyable_v<T>, "what objects send each other is plain data");
@@ -301,7 +301,7 @@ class Bench {
   // of the power status, which objects can watch.
   bool PressPause(Place place = Place::Here()) { return Do("press pause", place); }
 
-  // A force in N that points forward, to the dog's left and up.
+  // A force in N: x forward, y to the dog's left, z up.
   struct Force {
     double x = 0, y = 0, z = 0;
   };

@@ -53,8 +53,9 @@ class Expectations {
     bool reported = false;
   };
 
-  // Notes `message` for the text of a failure in each expectation that it almost fits: in `early`
-  // if it came before its turn, in `other` if only its payload does not fit.
+  // Stores `message` in each expectation that it almost meets, so that the text of a later failure
+  // can name it: in `early` if it fits but came before its turn, in `other` if only its payload
+  // does not fit.
   void Compare(const SeenMessage& message);
   void SeeUnexpected(const SeenMessage& message, const Report& report);
 

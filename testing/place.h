@@ -11,8 +11,9 @@ struct Place {
   const char* file = "";
   int line = 0;
 
-  // Returns the line of the call, if Here() is the default argument of a function's parameter: the
-  // compiler then takes file and line from the caller.
+  // Returns the file and line of the call.  If Here() is the default argument of a function's
+  // parameter, this is the line that calls the function, because compilers take file and line from
+  // there.
   static constexpr Place Here(const char* file = __builtin_FILE(), int line = __builtin_LINE()) {
     return {file, line};
   }

@@ -136,8 +136,9 @@ void SinkToSupport(const Hull& hull, const Matrix3d& R, const Vector3d& centre, 
   }
 }
 
-// Returns the point that must lie over the support: the centre of mass.  For a model without boxes,
-// this is the middle of the paws, because such a robot can rest only on its paws.
+// Returns the point that must lie above the support, the triangle of points on which the robot
+// rests, because otherwise it tips over.  This is the centre of mass.  For a model without boxes it
+// is the middle of the paws, because such a robot can rest only on its paws.
 Vector3d SupportedPoint(const RobotModel& model, const std::vector<Isometry3d>& X_BL) {
   if (model.bodies[0].has_box) return CentreOfMass(model, X_BL);
   Vector3d sum = Vector3d::Zero();

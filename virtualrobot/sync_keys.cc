@@ -47,7 +47,8 @@ void SyncKeys::Arrive(OVRSyncKey key) {
   if (group == nullptr) return;
   ++group->arrived;
   ASSERT(group->arrived <= group->parts, "{} of {} parts", group->arrived, group->parts);
-  // When the last part has arrived, all vectors may start, so the key ends.
+  // Vectors with parts of one key start together, so they wait until all parts have arrived.  Then
+  // the key ends, and MayStart() returns true for each of them.
   if (group->arrived == group->parts) group->alive = false;
 }
 

@@ -1,9 +1,11 @@
 //
-// A second stack, for controller programs that are an endless loop (ControllerPort::RunLoop).
+// A second stack for controller programs that are an endless loop (ControllerPort::RunLoop).  The
+// program can leave it in the middle of the loop, so that the object's method returns, and continue
+// there later.
 //
-// OPEN-R has no second stacks, and an object whose method does not return is lost (Hohl 2004,
-// 5.3.3).  So there are two implementations, from which the build chooses.  LoopStack.cc for the
-// robot has no second stack; kit/controller/LoopStack.cc for the host has one.
+// OPEN-R gives an object only one stack, and an object whose method does not return handles no more
+// messages (Hohl 2004, 5.3.3).  So there are two implementations, from which the build chooses:
+// LoopStack.cc for the robot has no second stack, kit/controller/LoopStack.cc for the host has one.
 //
 
 #ifndef LoopStack_h_DEFINED

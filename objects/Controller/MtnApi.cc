@@ -65,9 +65,9 @@ mtn_delete(MTN* motion)
 }
 
 // Plays the motion.  It counts as playing from now on, although JointMover may first move the robot
-// to its first key frame.  No motion is sent while another one plays, because JointMover would
-// refuse it.  If both motions were of the same file, this refusal would look like the end of the
-// motion that plays.
+// to its first key frame.  While another motion plays, sends nothing, because JointMover would
+// refuse the command.  If both motions were of the same file, the report of this refusal would look
+// as if the motion that plays had ended.
 void
 mtn_play(MTN* motion)
 {

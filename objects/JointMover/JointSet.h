@@ -16,8 +16,8 @@ public:
     // Makes a set of joints.  `port` must outlive the set.
     explicit JointSet(MoverPort* port);
 
-    // Puts every joint at rest at its measured position, with the highest speed of its row in
-    // RobotConstants and the default acceleration.  All gains count as off.
+    // Puts every joint at rest at its measured position.  Each joint gets the highest speed of its
+    // row in `robot` and the default acceleration.  The gains of all joints count as off.
     void Begin(const RobotConstants* robot);
 
     int NumJoints() const { return robot_->numJoints; }

@@ -19,8 +19,8 @@ const int RC_VERSION = 1;
 const int RC_HEADER_SIZE = 8;          // header of a request
 const int RC_ANSWER_HEADER_SIZE = 16;  // header of an answer
 
-// Largest size of a whole packet, in bytes.  The robot sends 1024 bytes at once; the bytes beyond
-// would wait up to 200 ms (BBS 1530, 1592).
+// Largest size of a whole packet, in bytes.  The robot sends at most 1024 bytes at once; the rest
+// of a larger packet would wait up to 200 ms (BBS 1530, 1592).
 const int RC_MAX_PACKET = 1024;
 
 // The beginning of requests and answers, without the magic number.

@@ -189,7 +189,9 @@ void Dispatcher::RunHandler(Object* object, OwnedMessage&& owned) {
   // given up if the handler is abandoned.
   object->handler.running = std::move(owned);
   object->handler.time_calls = 0;
-  // Handlers are SSE code, which is slow while the upper halves of registers are in use.
+  // The code of a handler was compiled for SSE.  It would run slowly if AVX code, such as the
+  // string functions of the C library, has left bits in the upper halves of the vector registers
+  // (upper_registers.h).
   ClearUpperRegisters();
   ArithmeticWatch watch;
   const bool is_watched = object->is_image && ArithmeticWatch::Catches();

@@ -47,8 +47,8 @@ RegionMemory::~RegionMemory() {
   GiveRegionArea(area_);
 }
 
-// Returns the cell of `slot` and maps its memory if it is not mapped yet.  Returns null if there is
-// no memory.
+// Returns the cell, which is the memory for one block, that belongs to `slot` and `size_class`.
+// Maps this memory first if it is not mapped yet.  Returns null if it cannot be mapped.
 char* RegionMemory::MappedCell(int size_class, uint32_t slot) {
   const size_t cell = CellBytes(size_class);
   const size_t step = std::max(cell, kMapBytes);

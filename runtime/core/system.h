@@ -161,7 +161,9 @@ class System {
   // Switches one robot off at once, as OPENR::Fatal() does.  Messages to its objects are dropped
   // from now on.
   void PowerOff(int robot, const RunEnd& why = {});
-  // Do the work of Shutdown() and PowerOff() in this process; LocalCalls calls them.
+  // Do the work of Shutdown() and PowerOff(), which only pass the request to calls().  In a worker
+  // process, calls() sends the request to the master process.  In the master, it is LocalCalls,
+  // which calls these functions.
   void BeginShutdown(int robot, const RunEnd& why);
   void CutPower(int robot, const RunEnd& why);
 

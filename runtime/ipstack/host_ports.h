@@ -26,11 +26,13 @@ class HostPorts {
       : protocol_(protocol), wished_(std::move(wished)) {}
 
   // Finds a port of the host for the robot's `port` and returns 0 or an errno.  Calls take(host
-  // port), which binds a socket and returns 0 or an errno, until it succeeds.  The first try is the
-  // host's port of an earlier Bind(), else the fixed port of `wished`, else `port` itself; then
-  // follow the next numbers, and finally 0 (any port).  For a fixed port there is no second try.
-  // After success bound() must return the socket's port.  Sets `note` to a text for the user if the
-  // port is not that of the first try, or if a fixed port cannot be had.
+  // port), which binds a socket and returns 0 or an errno, for these ports until it succeeds:
+  //   1. the host's port of an earlier Bind() of `port`, else the port that the user asked for
+  //      (a value of `wished`), else `port` itself;
+  //   2. if that port is in use, the kNextPorts numbers above `port`;
+  //   3. 0, for any free port.
+  // If the user asked for a certain port, only step 1 is done.  After success bound() must return
+  // the socket's port.  Sets `note` to a text for the user if step 1 has failed.
   int Bind(uint16_t port, const std::function<int(uint16_t)>& take,
            const std::function<uint16_t()>& bound, std::string* note);
 

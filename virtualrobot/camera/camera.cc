@@ -8,10 +8,11 @@
 namespace openr_host {
 namespace {
 
-// With the default settings, the image looks like the picture of the source.  Gain and shutter make
-// it brighter or darker.  White balance multiplies red and divides blue by a factor, the square
-// root of the ratio of colour temperatures (our choice, because no measurement is known).  The
-// index of the tables is the parameter of the request; their unit is 1/256.
+// The factors by which settings of the camera change a picture.  With the default settings, the
+// image looks like the picture of the source.  Gain and shutter make it brighter or darker.  White
+// balance multiplies red and divides blue by a factor, the square root of the ratio of colour
+// temperatures (our choice, because no measurement is known).  The index of the tables is the
+// parameter of the request; their unit is 1/256.
 constexpr int kOne = 256;
 constexpr int kGain[] = {0, kOne, kOne, 2 * kOne};         // for 0 dB, 0 dB and 6 dB
 constexpr int kShutter[] = {0, 2 * kOne, kOne, kOne / 2};  // for 1/50, 1/100 and 1/200 s
