@@ -144,8 +144,8 @@ Vary VaryOf(const std::vector<std::string>& names) {
   return vary;
 }
 
-// The output of objects.  All runs, in all processes, write it to one file.  Without a file it is
-// discarded.
+// The file to which the objects of all runs print, in all processes of the exploration.  Without a
+// file, this output is discarded.
 class SharedConsole {
  public:
   // Opens `file`; "" means no file.  Throws std::runtime_error when the file cannot be written.
@@ -207,7 +207,8 @@ void SetStick(const ExploredStick& stick, const SharedConsole& console, ExploreP
   plan->prepare_run = [simulation] { return PrepareSimulation(simulation); };
 }
 
-// Returns a line such as "ended before their time: 2 by battery\n"; "" if no run ended early.
+// Returns a line about the runs that ended early and the reasons, such as "ended before their time:
+// 2 by battery\n"; "" if no run ended early.
 std::string EndsBeforeTime(const Json& result) {
   std::string text;
   for (const auto& [reason, runs] : result.at("ended_by").items()) {

@@ -212,7 +212,8 @@ void AddPokeCommand(CLI::App* app, int* exit_code) {
       "poke", "Gives a run an input: openr poke RUN press chin for 300ms; without one, lists them");
   auto flags = std::make_shared<LiveFlags>();
   AddLiveFlags(command, flags.get());
-  // The words of the input are not flags: "push 0 -5 0" has a number that begins with a dash.
+  // Takes the words after the command as they are and not as flags, because the number -5 in "push
+  // 0 -5 0" begins like a flag.
   command->prefix_command();
   command->callback(
       [command, flags, exit_code] { *exit_code = RunPoke(*flags, command->remaining()); });

@@ -48,9 +48,9 @@ class Top {
     return kExitGood;
   }
 
-  // Prints one table of all runs that send their status.  Waits at most --wait for the first run,
-  // and without --run-name listens kOthersUs in all, to hear the other runs too.  Throws
-  // std::runtime_error if no run is heard.
+  // Prints one table of the runs that send their status.  Waits for the first run, but not longer
+  // than --wait.  Without --run-name, listens for kOthersUs at least, because each run sends its
+  // status only once a second.  Throws std::runtime_error if no run is heard.
   int Once() {
     while (runs_.empty() && NowUs() < flags_.wait_us && interrupts_.count() == 0) Listen();
     if (runs_.empty()) return Complain();

@@ -82,8 +82,9 @@ size_t LineWidth(const Widths& widths) {
   return sum;
 }
 
-// Returns the width of each column, so that a row has at most `columns` characters.  First the
-// state, the last column, is shortened; then columns are left out in the order of kGoes.
+// Returns the width of each column, so that a row has at most `columns` characters.  First shortens
+// the state, the last column.  Then leaves out columns in the order of kGoes, the least important
+// first, until the row is short enough.  At last gives the rest of the space to the state.
 Widths WidthsFor(const std::vector<Row>& rows, size_t columns) {
   constexpr size_t kStateMin = 12;
   constexpr Column kGoes[] = {kPriority, kPid, kHost, kP99, kMean, kDrops, kProcess};

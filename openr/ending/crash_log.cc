@@ -109,10 +109,11 @@ void AddName(int signal, const siginfo_t& info, const void* context, SignalText*
   }
 }
 
-// Lets the object go on after a floating-point error, which ImageObject only reports in a warning
-// when the handler has returned.  Stores the address of the instruction for this warning, and masks
-// this kind of error, so that the instruction runs again without a signal.  Returns false if the
-// error must end the run: a division of integers by 0 or, with --strict, a NaN.
+// Lets the object go on after a floating-point error.  ImageObject only adds a warning about such
+// an error when the handler has returned.  This function stores the address of the instruction for
+// the warning, and masks this kind of error, so that the instruction runs again without a signal.
+// Returns false if the error must end the run: a division of integers by 0 or, with --strict, a
+// NaN.
 bool GoesOnInSignal(const siginfo_t& info, void* context) {
 #if defined(__x86_64__)
   const unsigned kind = KindOf(info);

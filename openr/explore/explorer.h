@@ -30,7 +30,7 @@ struct ExplorePlan {
 //   "runs", "broken" (number of seeds that broke a property), "ended_by" (number of runs for each
 //   reason of their end), "messages", "digest" (hash over all runs, in the order of seeds), and
 //   "failure" (MakeFailure()) of the lowest seed that broke a property, if one did.
-// With stop_at_first, only the runs up to that seed are counted.
+// If the plan has stop_at_first, only the runs of seeds up to the one in "failure" are counted.
 nlohmann::ordered_json ExploreSeeds(const ExplorePlan& plan);
 
 // Makes two runs for each seed; the second one is in a process with other memory addresses, and is

@@ -44,8 +44,9 @@ struct PropertyEntry {
   std::unique_ptr<Property> (*make)();
 };
 
-// Returns the built-in properties, without no-crash and handlers-return.  These two always have to
-// hold.  Another process checks them, because a run that breaks one of them cannot go on.
+// Returns the built-in properties, without no-crash and handlers-return, which every run must keep.
+// These two are not checked like the others, because a run that breaks one of them ends its
+// process; ForkServer::Run() gives the answer then.
 const std::vector<PropertyEntry>& PropertyTable();
 inline constexpr char kNoCrash[] = "no-crash";
 inline constexpr char kHandlersReturn[] = "handlers-return";

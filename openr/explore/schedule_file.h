@@ -1,5 +1,5 @@
-// The file of a failing run: the stick and options that were explored, and the order that breaks a
-// property.
+// The schedule file, from which openr explore --replay repeats a failing run: the stick and the
+// options that were explored, and the deviations from the canonical order that break a property.
 //
 //   { "openr_explore": 1, "stick": "", "robot": "ers210", "world": "", "body": "ideal",
 //     "robots": 1, "strict": false, "guard": true, "cost": "", "battery": "drain",

@@ -216,9 +216,9 @@ void Replayer::CompareEnd(const TraceEntry& end) {
   }
 }
 
-// Applies the next recorded input if it is due now and is a pressed pause button, a shutdown or
-// typed text.  Returns whether input was applied.  At the end of the recording, compares the trace
-// hash and the state hash of this run with the recorded ones instead.
+// Applies the next recorded input, such as "press pause", if its time has come.  Returns whether
+// input was applied.  At the end of the recording, compares the hashes of this run's messages and
+// state with the recorded ones instead.  Where a worker process was lost, ends the replay instead.
 bool Replayer::ApplyInput() {
   SkipNames();
   const TraceEntry* const next = reader_.Peek();

@@ -34,9 +34,10 @@ class Replayer {
   Simulation& simulation() { return *simulation_; }
   System& system() { return simulation_->system(); }
 
-  // Applies the recorded input that is due, then delivers one message.  Delivers none if the
-  // recording has input before the next message; the next call applies that input.  Returns false
-  // at the end of the recording and after a difference.
+  // Applies the recorded input whose time has come, then goes on to the next entry of the
+  // recording.  If that is a message, delivers one message and compares the two.  If that is input,
+  // delivers nothing, and the next call applies the input.  Returns false at the end of the
+  // recording and after a difference.
   bool Step();
   // Runs to the end of the recording, to `time_us`, or to the first difference.
   void RunUntil(int64_t time_us);

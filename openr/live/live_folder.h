@@ -23,12 +23,12 @@ std::string LiveFolder();
 // path of a socket has 107 at most.
 std::string LiveSocketPath(const std::string& name);
 
-// Returns the runs of this user that go on, in the order of their names.  Removes the sockets of
-// processes that have ended.
+// Returns the runs of this user that go on, sorted by name.  Removes the sockets of processes that
+// have ended, because a process that was killed has not removed its own.
 std::vector<LiveRun> LiveRuns();
 
-// Returns the run whose name or process id is `wanted`.  Throws std::runtime_error with the names
-// of all runs if none or several fit.
+// Returns the run that the user means: `wanted` is its name or its process id.  Throws
+// std::runtime_error with the names of all runs if no run fits, or several do.
 LiveRun FindLiveRun(const std::string& wanted);
 
 }  // namespace openr_host

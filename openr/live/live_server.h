@@ -23,7 +23,7 @@ class LiveServer {
   static constexpr size_t kAnswersMax = size_t{4} << 20;
   static constexpr size_t kClientsMax = 16;
 
-  // Makes the answer to a request.
+  // Type of the function that makes the answer to a request (AnswerLive() in a run).
   using Answer = std::function<nlohmann::ordered_json(const nlohmann::json& request)>;
 
   // Makes the socket of this run.  Throws std::runtime_error if that is not possible.

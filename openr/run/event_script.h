@@ -26,10 +26,10 @@ class EventScript {
   // input the robots of `system` do not know or which names a wrong robot.
   std::string Check(const System& system) const;
 
-  // Adds the inputs whose time has come.  Called at frame boundaries.
+  // Gives the robots the inputs whose time has come.  Called between frames of 8 ms.
   void Feed(System* system);
 
-  // At the end of the run: adds an error finding if lines are left whose time has not come.
+  // Adds an error finding if the time of some inputs has not come.  Called at the end of the run.
   void ReportRest(System* system) const;
 
  private:

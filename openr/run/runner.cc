@@ -64,8 +64,8 @@ std::optional<RunEnd> Runner::WhyOver() const {
   return {};
 }
 
-// Returns the time up to which to run now: the next frame boundary or, if that is earlier, the end
-// of --for.
+// Returns the virtual time up to which the run goes in one step: the next frame boundary or, if
+// that is earlier, the end of --for.
 int64_t Runner::NextStop() const {
   const int64_t now_us = simulation_->system().now_us();
   int64_t stop_us = (now_us / kFrameUs + 1) * kFrameUs;
