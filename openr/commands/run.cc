@@ -93,7 +93,8 @@ void ReportTheEnding(Ending* ending, Simulation* simulation, DistributedRun* dis
   distribution->EndProcesses();
 }
 
-// Reads the script of --events.  Throws CLI::ValidationError.
+// Reads the script of --events.  Throws CLI::ValidationError, with the place in the file, if the
+// script is wrong or cannot be read.
 EventScript ReadEvents(const std::string& file) {
   try {
     return EventScript(file);
@@ -209,7 +210,8 @@ void CommandedRun::NoteThatItDoesNotBoot(bool is_refused) {
   system().NoteRunEnd(end);
 }
 
-// Returns the name by which `openr poke` finds this run.
+// Returns the name by which `openr poke` finds this run: that of --run-name, else "default" for the
+// default stick, or the name of the stick's folder.
 std::string CommandedRun::LiveName() const {
   if (!flags_.placement.bus.run.empty()) return flags_.placement.bus.run;
   if (stick_.is_default()) return "default";

@@ -38,10 +38,10 @@ struct Touched {
 };
 constexpr Touched kAllTouched = {~uint64_t{0}, ~uint64_t{0}};
 
-// The deliveries that sleep, so the schedule does not choose them (see above).  The key is a
-// receiver and stands for the delivery of the next message to it.  The value has the objects that
-// this delivery concerns.  The delivery stops sleeping when another delivery concerns one of these
-// objects too.
+// The deliveries that sleep, so the schedule does not choose them (sleep sets, at the top of this
+// file).  The key is a receiver and stands for the delivery of the next message to it.  The value
+// has the objects that this delivery concerns.  The delivery stops sleeping when another delivery
+// concerns one of these objects too.
 using SleepSet = std::map<ObjectId, Touched>;
 
 nlohmann::ordered_json TouchedToJson(const Touched& touched);

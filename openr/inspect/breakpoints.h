@@ -56,8 +56,8 @@ class Breakpoints {
   size_t Hit();
 
   // Save() returns all breakpoints as text, one per line; Load() replaces all breakpoints by those
-  // of such a text.  The process that continues after going back loads the text which the process
-  // before it saved.
+  // of such a text.  Used when the user goes back: another process continues the session then, and
+  // loads what the process before it has saved.
   std::string Save() const;
   void Load(const std::string& text);
 

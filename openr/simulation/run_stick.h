@@ -48,7 +48,7 @@ std::string CrashLogOn(const std::string& folder);
 
 // Copies the stick `from` to the existing, empty folder `to`.  The owner can write to all copies,
 // even if the originals are read-only.  Debug information (.DBG), which is large and is only read,
-// is linked instead.  Throws std::filesystem::filesystem_error.
+// is linked instead.  Throws std::filesystem::filesystem_error if a file cannot be copied.
 void CopyStick(const std::filesystem::path& from, const std::filesystem::path& to);
 
 }  // namespace openr_host
