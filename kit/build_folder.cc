@@ -353,8 +353,9 @@ void FolderBuild::Deliver() {
   WriteText(work_ / "placed.txt", placed);
 }
 
-// Returns whether the build of some object has failed or could not begin.  If make succeeded, a
-// failure counts only if it is in an object's folder.
+// Returns whether the build of some object has failed or could not begin.  A Makefile can ignore
+// failures of commands, so make may succeed in spite of one; then the failure counts only if it is
+// in an object's folder.
 bool FolderBuild::HasFailed() const {
   const std::vector<KitLog::Failure> failures = ReadKitLog(make_.log).failures;
   return !hurdles_.empty() ||

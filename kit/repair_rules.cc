@@ -93,8 +93,9 @@ Edits LabelAtEnd(const Spot& place) {
   return {{before + 1, before + 1, ";", "';' put behind a label at the end of a block"}};
 }
 
-// Replaces __FUNCTION__ beside a string by __FILE__: "in " __FUNCTION__  In g++ 3.3 both were
-// string literals, which the compiler joins; today only __FILE__ is one.
+// Replaces __FUNCTION__ beside a string by __FILE__, as in `Print("in " __FUNCTION__)`.  In g++ 3.3
+// __FUNCTION__ was a string literal, which the compiler joins with the string; today only __FILE__
+// is a literal.  The text then names the file in place of the function, which is for people only.
 Edits FunctionName(const Spot& place) {
   size_t begin = NextOf(place.code, place.at);  // the message names the end of the text before
   if (place.Says("before string constant")) {

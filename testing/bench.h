@@ -307,7 +307,8 @@ class Bench {
   };
   // Pushes the middle of the dog's trunk.  Needs a body with physics.
   bool Push(const Force& force, Duration duration = 100ms, Place place = Place::Here());
-  // Takes the dog and lifts it by `metres`; holds it where it is; sets it down; lets it fall.
+  // The next four take the dog with a hand and lift it by `metres`, hold it where it is, set it
+  // down, and let it fall.
   bool Lift(double metres = 0.2, Place place = Place::Here());
   bool HoldDog(Place place = Place::Here()) { return Do("hold", place); }
   bool SetDown(Place place = Place::Here()) { return Do("setdown", place); }

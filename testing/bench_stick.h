@@ -31,9 +31,9 @@ class BenchStick : public openr_host::MemoryStick {
   std::vector<std::string> List(const std::string& folder = "/MS");
   void Remove(const std::string& name);
 
-  // Copies the image `host_file` to `name` on the stick.  Links the file with its debug information
-  // (.DBG), if it has one, beside the copy.  Throws std::runtime_error when the image cannot be
-  // read.
+  // Copies the image `host_file` to `name` on the stick.  If the image has a file with debug
+  // information (.DBG), makes a symbolic link to that file beside the copy.  Throws
+  // std::runtime_error when the image cannot be read.
   void ImportImage(const std::string& host_file, const std::string& name);
 
   // Copies the files to a new folder, and uses only that from now on.  Called in a copy of the

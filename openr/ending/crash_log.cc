@@ -46,8 +46,9 @@ constexpr size_t kAlternateStackBytes = 256 << 10;  // large enough to make a re
 // Paths of the record files; the index is the robot's number.  Null while no CrashLog exists.
 std::vector<std::string>* g_files = nullptr;
 bool g_adds = false;  // true: a record is added to its file; false: it replaces the file
-// Text that the finding in the report has after the name of the record file.  If it has no value,
-// the finding does not name the file.  The pointer is null while no CrashLog exists.
+// Null while no CrashLog exists.  A crash becomes an error finding in the report; this is the text
+// that follows the name of the record file in that finding.  Without a value, the finding does not
+// name the file.
 std::optional<std::string>* g_place = nullptr;
 char g_stack[kAlternateStackBytes];
 

@@ -41,9 +41,9 @@ _Unwind_Reason_Code Take(_Unwind_Context* context, void* data) {
   return _URC_NO_REASON;
 }
 
-// Returns an address in the call instruction after a crash by a call to an address without code,
-// such as a null pointer to a function.  The unwinder cannot find the caller then, but the return
-// address is on top of the stack.
+// Finds the caller when the process crashed because it called an address without code, such as a
+// null pointer to a function.  The unwinder cannot find the caller then, but the return address is
+// on top of the stack.  Returns an address inside of the call instruction.
 uintptr_t CallerOfNothing([[maybe_unused]] const void* context) {
 #if defined(__x86_64__)
   const auto* const machine = &static_cast<const ucontext_t*>(context)->uc_mcontext;

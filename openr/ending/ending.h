@@ -61,8 +61,8 @@ class EndingAnswer {
 
 // The two steps by which a signal handler ends the process.  BeginEnding() writes out what objects
 // have printed so far, and prepares for further signals that come while the process ends.
-// FinishEnding() calls the functions registered by EndingActions, writes the answer, and does not
-// return.
+// FinishEnding() calls the functions registered by EndingActions, writes the JSON report of the run
+// where EndingAnswer says, and does not return.
 void BeginEnding(Ending* ending);
 [[noreturn]] void FinishEnding();
 

@@ -8,7 +8,8 @@
 // WHEN says at which frames (steps of 8 ms) the comparison must be true: `always` at every frame,
 // `eventually` at one frame at least (up to time D, if `within D` is given), `finally` at the end
 // of the run.  `from D` leaves out the frames before time D.  QUANTITY names a value of the run
-// (quantity.h).  OP is == != < <= > >=; for texts only == and !=.
+// (quantity.h).  OP is == != < <= > >=; for texts only == and !=.  VALUE is the
+// rest of the line, so a text may have blanks.
 #pragma once
 
 #include <memory>

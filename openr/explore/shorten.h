@@ -7,8 +7,9 @@
 
 namespace openr_host {
 
-// A function that makes a run with the deviations `script`.  Returns the answer of the run if it
-// still breaks the same property, else nullopt.
+// A function that repeats a run which has broken a property, but with fewer deviations: with the
+// list `script` of changes of the order and of the times of messages.  Returns the JSON report of
+// that run if it breaks the same property as the original run, else nullopt.
 using StillBreaks =
     std::function<std::optional<nlohmann::ordered_json>(const nlohmann::ordered_json& script)>;
 

@@ -12,8 +12,8 @@ namespace fs = std::filesystem;
 constexpr char kCrashLog[] = "EMON.LOG";
 
 // Returns the file for the crash record in the program's cache folder, and creates the folder.
-// Ignores errors, because most runs need no record.  If a crash comes, writing the record fails and
-// says why.
+// Ignores an error, because most runs need no record.  If a crash comes after such an error,
+// writing the record fails as well and says why.
 std::string CrashLogInCache() {
   const fs::path folder = CacheFolder();
   std::error_code error;

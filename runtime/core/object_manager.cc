@@ -258,9 +258,11 @@ void ObjectManager::Send(Object* object, Selector entry, OReason reason) {
 }
 
 // Returns whether `service` may be unknown only because the process of its object is lost.  The
-// name of a service does not tell its object for sure.  If an object is called like the first part
-// of the name, it is that object.  Otherwise it is the object of a registered service with the same
-// first part.  If there is none either, it may be any lost object of the robot.
+// name of a service does not tell its object for sure, so the object is searched for:
+// 1. the object whose name is the first part of the service's name,
+// 2. else the object of a registered service whose name has the same first part.
+// Returns whether that object is lost.  If neither exists, returns whether any object of the robot
+// is lost, because the service may belong to it.
 bool ObjectManager::MayBeLost(int robot, const std::string& service) const {
   const std::string prefix = service.substr(0, service.find('.') + 1);
   bool has_lost = false;

@@ -56,8 +56,8 @@ class ObjectManager : public CodeObject {
   bool HoldsUpBoot(const Message& message) const {
     return message.reply_box != 0 && starting_.contains(message.sender);
   }
-  // Notes that the DoInit of object `id` begins.  From now on IsTooEarly() keeps back only readies
-  // to the object, until the connections are made.
+  // Notes that the DoInit of object `id` begins.  Before, IsTooEarly() has kept back all messages
+  // to the object.  From now on it keeps back only readies, until the connections are made.
   void Begins(ObjectId id);
 
   // The virtual time after which a DoInit, DoStart, DoStop or DoDestroy that has not returned

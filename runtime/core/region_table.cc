@@ -88,8 +88,9 @@ char* RegionTable::AdoptOwn(uint32_t id, size_t size, ObjectId owner) {
   return slot->base;
 }
 
-// Uses the memory of the last copy of this block again if the size is the same.  This saves time,
-// because a subject sends the same few regions again and again.
+// Returns memory of `size` bytes for a copy of region `id`: that of its last copy, if it has the
+// same size, else new memory; null if there is none.  Using it again saves time, because a subject
+// sends the same few regions again and again.
 char* RegionTable::AdoptCopy(uint32_t id, size_t size) {
   Slot* slot = FindMemory(id);
   if (slot != nullptr && slot->is_idle && slot->capacity == size) {

@@ -19,8 +19,8 @@ class AddressMap {
   // Returns whether a pair translates `robot`, an address that programs use.
   bool Has(uint32_t robot) const;
 
-  // Returns the host's address for `address`, which a program uses, or `address` itself if no pair
-  // has it.
+  // Returns the host's address for `address`, an address that a program uses.  Returns `address`
+  // itself if no pair of addresses (AddressPair) translates it.
   uint32_t ToHost(uint32_t address) const;
 
   // Translates the address of `peer`, to which a program talks, and remembers the peer for
