@@ -9,7 +9,11 @@
 
 #include "StickFile.h"
 
-RCServer::RCServer() : handler_(this), retryFrame_(0), isStopped_(false)
+// Time between the answer to a request for shutdown or reboot and the shutdown: a quarter of a
+// second, in frames of 8 ms.
+static const Uint32 END_FRAMES = 32;
+
+RCServer::RCServer() : handler_(this), retryFrame_(0), runEnd_(runGOES_ON), isEnding_(false), endFrame_(0), isStopped_(false)
 {
     memset(&sensors_, 0, sizeof(sensors_));
     memset(&ledEar_, 0, sizeof(ledEar_));
@@ -18,6 +22,7 @@ RCServer::RCServer() : handler_(this), retryFrame_(0), isStopped_(false)
         client_[i].receiveData = 0;
         client_[i].sendData = 0;
         client_[i].isLast = false;
+        client_[i].endsRun = false;
         client_[i].isWaiting = false;
         client_[i].lastFrame = 0;
     }
@@ -42,7 +47,10 @@ RCServer::DoInit(const OSystemEvent&)
         OSYSLOG1((osyslogERROR, "RCServer: robot design '%s' is not in RobotConstants", design));
         return oFAIL;
     }
-    handler_.Begin(robot);
+    const std::string kept = handler_.Begin(robot);
+    if (!kept.empty()) {
+        OSYSLOG1((osyslogERROR, "RCServer: %s, left by an upload, cannot be removed", kept.c_str()));
+    }
     return sensorReader_.Open(robot);
 }
 
@@ -90,6 +98,7 @@ RCServer::NotifySensor(const ONotifyEvent& event)
     observer[event.ObsIndex()]->AssertReady(event.SenderID());
     RetryListening(sensors_.frame);
     PlaceWaiting(sensors_.frame);
+    EndRunInTime(sensors_.frame);
 }
 
 void
@@ -161,6 +170,42 @@ bool
 RCServer::ReadFile(const std::string& path, std::vector<Uint8>* bytes, std::string* error)
 {
     return ReadStickFile(path, bytes, error);
+}
+
+void
+RCServer::EndRun(bool reboot)
+{
+    if (runEnd_ == runGOES_ON) runEnd_ = reboot ? runREBOOT : runSHUTDOWN;  // the first one counts
+}
+
+// Shuts the robot down a moment after the answer was handed to the network, which needs this time to
+// bring it to the client.
+void
+RCServer::EndRunInTime(Uint32 frame)
+{
+    if (!isEnding_ || frame - endFrame_ < END_FRAMES) return;
+    isEnding_ = false;
+    ShutDownRobot();
+}
+
+// Shuts the robot down as PowerMonitor does.  After a shutdown the robot boots when the pause button
+// is pressed; a reboot is a boot by the timer after no time (robot.md 15.3).
+void
+RCServer::ShutDownRobot()
+{
+    OSYSLOG1((osyslogINFO, "RCServer: a client %s the robot",
+              runEnd_ == runREBOOT ? "reboots" : "shuts down"));
+    OStatus status = OPENR::SetMotorPower(opowerOFF);
+    if (status != oSUCCESS) {
+        OSYSLOG1((osyslogERROR, "RCServer: cannot switch motor power off, status %u",
+                  (unsigned)status));
+    }
+    status = runEnd_ == runREBOOT
+                 ? OPENR::Shutdown(OBootCondition(obcbBOOT_TIMER, 0, obcbttRELATIVE))
+                 : OPENR::Shutdown(OBootCondition(obcbPAUSE_SW));
+    if (status != oSUCCESS) {
+        OSYSLOG1((osyslogERROR, "RCServer: shutdown failed, status %u", (unsigned)status));
+    }
 }
 
 // Reads the battery and converts its temperature.  The robot measures in 0.1 kelvin, from 0 to

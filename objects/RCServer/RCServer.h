@@ -56,6 +56,10 @@ private:
     // client gets the place of a client that has been silent for long, or an answer that says why
     // it gets no place (PlaceWaiting()).
     static const int NUM_CLIENTS = NUM_PLACES + 1;
+    COMPILE_TIME_CHECK(EveryClientHasAnUpload, NUM_CLIENTS == RequestHandler::MAX_CLIENTS);
+
+    // What a client has asked for.
+    enum RunEnd { runGOES_ON, runSHUTDOWN, runREBOOT };
 
     enum ClientState {
         clientCLOSED,
@@ -73,6 +77,7 @@ private:
         byte* sendData;
         RcFramer framer;
         bool isLast;       // whether the connection ends when the present answer was sent
+        bool endsRun;      // whether the present answer is that to a request for shutdown or reboot
         bool isWaiting;    // whether all places were taken when the client connected
         Uint32 lastFrame;  // frame in which the client last sent bytes
     };
@@ -82,6 +87,7 @@ private:
     virtual void PostLedEar(const LedEarState& change);
     virtual bool ReadFile(const std::string& path, std::vector<Uint8>* bytes, std::string* error);
     virtual void ReadBattery(Sint32* capacity, Sint32* temperature);
+    virtual void EndRun(bool reboot);
 
     OStatus NewBuffer(int index);
     void Listen(int index);
@@ -96,6 +102,8 @@ private:
     void TurnAway(int index, const RcFramer* request);
     void SendMover();
     void SendLedEar();
+    void EndRunInTime(Uint32 frame);
+    void ShutDownRobot();
 
     antStackRef ipstack_;
     Client client_[NUM_CLIENTS];
@@ -105,6 +113,9 @@ private:
     Uint32 retryFrame_;   // frame in which listening was last tried again
     MoverQueue mover_;    // commands that wait until JointMover is ready
     LedEarState ledEar_;  // changes that wait until Controller is ready
+    RunEnd runEnd_;       // set by a request for shutdown or reboot
+    bool isEnding_;       // whether the answer to this request was sent
+    Uint32 endFrame_;     // frame in which it was sent
     bool isStopped_;
 };
 

@@ -79,6 +79,7 @@ RCServer::Listen(int index)
     client.endpoint = create.moduleRef;
     client.isLast = false;
     client.isWaiting = false;
+    client.endsRun = false;
     client.framer.Reset();
     TCPEndpointListenMsg listen(client.endpoint, IP_ADDR_ANY, RC_PORT);
     listen.continuation = Continuation(index);
@@ -222,7 +223,9 @@ RCServer::AnswerRequests(int index)
         if (result == RcFramer::NEEDS_MORE) break;
         if (result == RcFramer::PACKET && client.isWaiting) return TurnAway(index, &client.framer);
         if (result == RcFramer::PACKET) {
-            handler_.Answer(client.framer, &out);
+            const RunEnd before = runEnd_;
+            handler_.Answer(index, client.framer, &out);
+            if (runEnd_ != before) client.isLast = client.endsRun = true;
         } else {
             OSYSLOG1((osyslogWARNING, "RCServer: client %d closed: %s", index,
                       client.framer.Error().c_str()));
@@ -254,6 +257,11 @@ RCServer::SendCont(ANTENVMSG msg)
     const TCPEndpointSendMsg* send = (TCPEndpointSendMsg*)antEnvMsg::Receive(msg);
     const int index = IndexOf(send);
     if (isStopped_ || client_[index].state != clientSENDING) return;
+    // The run ends also when the answer could not be sent, because the client has asked for the end.
+    if (client_[index].endsRun) {
+        isEnding_ = true;
+        endFrame_ = sensors_.frame;
+    }
     if (send->error != TCP_SUCCESS || client_[index].isLast) {
         Close(index);
     } else {
@@ -265,6 +273,7 @@ void
 RCServer::Close(int index)
 {
     Client& client = client_[index];
+    handler_.EndClient(index);
     TCPEndpointCloseMsg close(client.endpoint);
     close.continuation = Continuation(index);
     close.Send(ipstack_, myOID_, Extra_Entry[entryCloseCont], sizeof(close));

@@ -3,11 +3,12 @@
 #include <string.h>
 
 #include "Angle.h"
+#include "ImageFile.h"
 #include "MoverState.h"
 #include "TextFormat.h"
 
 RequestHandler::RequestHandler(RequestPort* port)
-    : port_(port), robot_(0), state_(-1), keyFrame_(-1)
+    : port_(port), robot_(0), state_(-1), keyFrame_(-1), version_(RC_VERSION), client_(0)
 {
     memset(&sensors_, 0, sizeof(sensors_));
     sensors_.frame = NO_SENSOR_FRAME;
@@ -15,14 +16,22 @@ RequestHandler::RequestHandler(RequestPort* port)
     memset(acceleration_, 0, sizeof(acceleration_));
 }
 
-void
-RequestHandler::Begin(const RobotConstants* robot)
+std::string
+RequestHandler::Begin(const RobotConstants* robot, const std::string& stickRoot)
 {
     robot_ = robot;
+    store_.SetRoot(stickRoot);
+    std::string kept;
+    for (int i = 0; i < MAX_CLIENTS; i++) {
+        upload_[i].SetPlace(i);
+        const std::string path = upload_[i].RemoveLeftovers(store_);
+        if (!path.empty()) kept = path;
+    }
     for (int j = 0; j < robot->numJoints; j++) {
         speed_[j] = robot->joints[j].maxSpeedCdeg;
         acceleration_[j] = robot->defaultAccelerationCdeg;
     }
+    return kept;
 }
 
 void
@@ -55,22 +64,27 @@ RequestHandler::BeginAnswer(RcWriter* out, int status)
 }
 
 void
-RequestHandler::Answer(const RcFramer& request, RcWriter* out)
+RequestHandler::Answer(int client, const RcFramer& request, RcWriter* out)
 {
     RcReader in(request.Payload(), request.PayloadSize());
     error_ = "";
+    client_ = client;
+    version_ = request.Header().version;
     BeginAnswer(out, rcOK);
-    const int status =
-        request.Header().version == RC_VERSION
-            ? Handle(request.Header().command, &in, out)
-            : Fail(rcerrorVERSION, TextFormat("protocol version %d is not served, only %d",
-                                              request.Header().version, RC_VERSION));
+    int status;
+    if (version_ == RC_VERSION || version_ == RC_VERSION_FILES) {
+        status = Handle(request.Header().command, &in, out);
+    } else {
+        status = Fail(rcerrorVERSION, TextFormat("protocol version %d is not served, only %d and %d",
+                                                 version_, RC_VERSION, RC_VERSION_FILES));
+        version_ = RC_VERSION;  // the answer has this version, as every client knows it
+    }
     if (status != rcOK) {
         out->Truncate(0);
         BeginAnswer(out, status);
         out->String(error_);
     }
-    out->PutHeader(request.Header().command, request.Header().tag);
+    out->PutHeader(request.Header().command, request.Header().tag, version_);
 }
 
 void
@@ -89,7 +103,9 @@ RequestHandler::AnswerNoPlace(const RcFramer* request, int places, int seconds, 
                            "%d s; end one of them, or try again",
                            places, seconds));
     if (request != 0) {
-        out->PutHeader(request->Header().command, request->Header().tag);
+        out->PutHeader(request->Header().command, request->Header().tag,
+                       request->Header().version == RC_VERSION_FILES ? RC_VERSION_FILES
+                                                                     : RC_VERSION);
     } else {
         out->PutHeader(0, 0);
     }
@@ -117,6 +133,14 @@ RequestHandler::FailIndex(const char* what, int index, int count)
 
 int
 RequestHandler::Handle(int command, RcReader* in, RcWriter* out)
+{
+    return version_ == RC_VERSION ? HandleVersion1(command, in, out)
+                                  : HandleFiles(command, in, out);
+}
+
+// Handles the commands of version 1, which version 2 has as well.
+int
+RequestHandler::HandleVersion1(int command, RcReader* in, RcWriter* out)
 {
     switch (command) {
     case rcINFO:
@@ -147,7 +171,7 @@ RequestHandler::Handle(int command, RcReader* in, RcWriter* out)
     case rcREBOOT:
     case rcSHUTDOWN:
         return Fail(rcerrorNOT_IMPLEMENTED,
-                    TextFormat("command %02x is reserved for later", command));
+                    TextFormat("command %02x is reserved in protocol version %d", command, version_));
     default:
         return Fail(rcerrorUNKNOWN_COMMAND, TextFormat("command %02x is unknown", command));
     }
@@ -197,6 +221,10 @@ RequestHandler::TellInfo(RcReader* in, RcWriter* out)
     info.state = (Uint8)state_;
     info.design = robot_->design;
     info.software = "openr-host RCServer";
+    info.hasFiles = version_ >= RC_VERSION_FILES;
+    info.processor = (Uint8)OwnProcessor();
+    info.largestMotion = RC_MAX_MOTION;
+    info.largestImage = RC_MAX_IMAGE;
     info.Write(out);
     return rcOK;
 }

@@ -3,12 +3,13 @@
 // (docs/remote-control.md).
 //
 // All clients share the robot: when one client sets a limit of speed or acceleration, the limit is
-// valid for all, and the last command counts.  The handler has no state of single connections.
+// valid for all, and the last command counts.  The only state of a single connection is its upload.
 //
 
 #ifndef RequestHandler_h_DEFINED
 #define RequestHandler_h_DEFINED
 
+#include "FileUpload.h"
 #include "MtnFile.h"
 #include "RemoteProtocol.h"
 #include "RequestPort.h"
@@ -16,10 +17,16 @@
 
 class RequestHandler {
 public:
+    // Largest number of clients, counted with those that wait for a place.
+    static const int MAX_CLIENTS = 9;
+
     // Makes a handler.  `port` must outlive the handler.
     explicit RequestHandler(RequestPort* port);
 
-    void Begin(const RobotConstants* robot);
+    // Begins to serve `robot`, and removes what an earlier run has left of uploads.  `stickRoot` is
+    // the path of the folder that has the folder MS of the stick: "" on the robot.  Returns "" or
+    // the path of a file that should have been removed and is still there.
+    std::string Begin(const RobotConstants* robot, const std::string& stickRoot = "");
 
     // Set the newest sensor values of the robot, and the newest report of JointMover.
     void SetSensors(const SensorValues& values) { sensors_ = values; }
@@ -27,9 +34,12 @@ public:
     // Called when JointMover accepts commands.
     void MoverIsReady();
 
-    // Writes to `out` the answer to the packet in `request`.  REQUIRES: `out` is empty and has room
-    // for RC_MAX_PACKET bytes.
-    void Answer(const RcFramer& request, RcWriter* out);
+    // Writes to `out` the answer to the packet in `request`, which client number `client` has sent.
+    // REQUIRES: `out` is empty and has room for RC_MAX_PACKET bytes; 0 <= client < MAX_CLIENTS.
+    void Answer(int client, const RcFramer& request, RcWriter* out);
+
+    // Ends the upload of a client whose connection has ended.
+    void EndClient(int client) { upload_[client].Abort(); }
 
     // Writes to `out` the answer to bytes that are no packet; `error` is the reason.  The
     // connection ends after this answer.
@@ -43,6 +53,15 @@ public:
 private:
     void BeginAnswer(RcWriter* out, int status);
     int Handle(int command, RcReader* in, RcWriter* out);
+    int HandleVersion1(int command, RcReader* in, RcWriter* out);
+    int HandleFiles(int command, RcReader* in, RcWriter* out);
+    int ListMotions(RcReader* in, RcWriter* out);
+    int BeginUpload(RcReader* in, RcWriter* out);
+    int TakeUpload(RcReader* in, RcWriter* out);
+    int EndUpload(RcReader* in, RcWriter* out);
+    int DeleteFile(RcReader* in);
+    int Download(RcReader* in, RcWriter* out);
+    int EndRun(RcReader* in, bool reboot);
     int Describe(RcReader* in, RcWriter* out);
     int GetJoint(RcReader* in, RcWriter* out);
     int CommandJoint(int command, RcReader* in, RcWriter* out);
@@ -56,6 +75,7 @@ private:
     int Post(const MoverCommand& command);
     int Fail(int status, const std::string& why);
     int FailSize();
+    int FailKind(int kind);
     int FailIndex(const char* what, int index, int count);
     bool DescribeDevice(int kind, int index, RcDescription* description) const;
     int NumDevices(int kind) const;
@@ -68,8 +88,13 @@ private:
     Sint32 keyFrame_;
     Sint32 speed_[MAX_JOINTS];  // limits last set by remote control (Hohl 2004, 5.3.6)
     Sint32 acceleration_[MAX_JOINTS];
+    int version_;        // protocol version and client of the present request
+    int client_;
     std::string error_;  // error text of the present request
     MtnFile motion_;     // motion file to check; not a local variable, because its parts are large
+    StickStore store_;
+    Uint8 part_[RC_MAX_DOWNLOAD_DATA];  // part of a file to send; too large for the stack
+    FileUpload upload_[MAX_CLIENTS];
 };
 
 #endif  // RequestHandler_h_DEFINED

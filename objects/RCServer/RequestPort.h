@@ -30,6 +30,10 @@ public:
     // Reads the remaining capacity of the battery in percent and its temperature in 0.01 degree
     // Celsius.
     virtual void ReadBattery(Sint32* capacity, Sint32* temperature) = 0;
+
+    // Shuts the robot down as soon as the present answer was sent.  With `reboot`, the robot boots
+    // again at once.
+    virtual void EndRun(bool reboot) = 0;
 };
 
 #endif  // RequestPort_h_DEFINED

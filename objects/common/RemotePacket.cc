@@ -59,6 +59,14 @@ RcWriter::String(const std::string& text)
 }
 
 void
+RcWriter::Bytes(const Uint8* bytes, int size)
+{
+    if (size <= 0 || !Room(size)) return;
+    memcpy(buffer_ + size_, bytes, (size_t)size);
+    size_ += size;
+}
+
+void
 RcWriter::Truncate(int size)
 {
     if (size < size_) size_ = size;
@@ -66,12 +74,12 @@ RcWriter::Truncate(int size)
 }
 
 void
-RcWriter::PutHeader(int command, int tag)
+RcWriter::PutHeader(int command, int tag, int version)
 {
     if (size_ < RC_HEADER_SIZE) return;
     PutU16(buffer_, RC_MAGIC);
     PutU16(buffer_ + 2, (Uint16)size_);
-    buffer_[4] = RC_VERSION;
+    buffer_[4] = (Uint8)version;
     buffer_[5] = (Uint8)command;
     PutU16(buffer_ + 6, (Uint16)tag);
 }

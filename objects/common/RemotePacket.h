@@ -14,7 +14,12 @@
 
 const int RC_PORT = 54000;
 const Uint16 RC_MAGIC = 0x4352;  // the bytes 'R', 'C'
+
+// Versions of the protocol.  Version 2 has the commands for files and for the end of the run.  A
+// client uses version 1 for all others, so that it can talk to older robots.
 const int RC_VERSION = 1;
+const int RC_VERSION_FILES = 2;
+
 
 const int RC_HEADER_SIZE = 8;          // header of a request
 const int RC_ANSWER_HEADER_SIZE = 16;  // header of an answer
@@ -52,7 +57,10 @@ public:
     void Truncate(int size);
 
     // Writes the header into the first RC_HEADER_SIZE bytes, when the size is known.
-    void PutHeader(int command, int tag);
+    void PutHeader(int command, int tag, int version = RC_VERSION);
+
+    // Writes `size` bytes as they are.
+    void Bytes(const Uint8* bytes, int size);
 
 private:
     bool Room(int count);
@@ -74,6 +82,10 @@ public:
     Uint32 U32();
     Sint32 S32();
     std::string String();  // has '?' for every character that is not printable ASCII
+
+    // Return the bytes that were not read yet, and their number.
+    const Uint8* Rest() const { return bytes_ + at_; }
+    int RestSize() const { return size_ - at_; }
 
     // Returns whether all reads found their bytes and no byte is left over.
     bool IsComplete() const { return !hasFailed_ && at_ == size_; }

@@ -27,6 +27,10 @@ RcInfo::Write(RcWriter* out) const
     out->U8(0);
     out->String(design);
     out->String(software);
+    if (!hasFiles) return;
+    out->U8(processor);
+    out->U32(largestMotion);
+    out->U32(largestImage);
 }
 
 bool
@@ -42,6 +46,10 @@ RcInfo::Read(RcReader* in)
     in->U8();
     design = in->String();
     software = in->String();
+    hasFiles = in->RestSize() > 0;
+    processor = hasFiles ? in->U8() : 0;
+    largestMotion = hasFiles ? in->U32() : 0;
+    largestImage = hasFiles ? in->U32() : 0;
     return in->IsComplete();
 }
 

@@ -27,12 +27,13 @@ enum RcCommand {
     rcSENSORS = 0x30,
     rcMTN_PLAY = 0x40,
     rcMTN_STOP = 0x41,
-    // The commands below are reserved; a server of version 1 answers rcerrorNOT_IMPLEMENTED.
+    // The commands below need version 2 (RemoteFiles.h); rcLOG is reserved in both versions.
     rcMTN_LIST = 0x42,
     rcUPLOAD_BEGIN = 0x50,
     rcUPLOAD_DATA = 0x51,
     rcUPLOAD_END = 0x52,
     rcDELETE = 0x53,
+    rcDOWNLOAD = 0x54,
     rcLOG = 0x60,
     rcREBOOT = 0x70,
     rcSHUTDOWN = 0x71
@@ -48,8 +49,10 @@ enum RcStatus {
     rcerrorNO_SUCH_DEVICE = 6,   // the index is out of range
     rcerrorBUSY = 7,             // the robot cannot do this now
     rcerrorNO_SUCH_FILE = 8,
-    rcerrorBAD_FILE = 9,  // the file is no motion, or no motion for this robot
-    rcerrorBAD_VALUE = 10
+    rcerrorBAD_FILE = 9,  // the file is no motion or image, or not for this robot; or it is broken
+    rcerrorBAD_VALUE = 10,
+    rcerrorNOT_WRITTEN = 11,  // the stick is full or cannot be written
+    rcerrorNO_UPLOAD = 12     // data for an upload that was not begun, or has ended with an error
 };
 
 // The header of an answer.
@@ -67,6 +70,12 @@ struct RcInfo {
     Uint8 state;           // MoverState
     std::string design;    // such as "ERS-210"
     std::string software;  // "openr-host RCServer"
+
+    // What only version 2 has.
+    bool hasFiles;         // whether the three values below are there
+    Uint8 processor;       // ImageProcessor of the images that the robot runs
+    Uint32 largestMotion;  // bytes of the largest motion and image that can be uploaded
+    Uint32 largestImage;
 
     void Write(RcWriter* out) const;
     bool Read(RcReader* in);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cstring>
+#include <string>
 #include <utility>
 
 #include "runtime/api/region_memory.h"
@@ -21,6 +22,15 @@ constexpr longword kCpuClockHz = 192'000'000;  // clock of the ERS-210's CPU, on
 
 Robot& CurrentRobot() { return t_current.system->robot(t_current.object->robot); }
 RobotServices& Services() { return *CurrentRobot().services; }
+
+// Returns the end of a run by OPENR::Shutdown(), for the report.  A reboot is a boot by the timer
+// after no time (robot.md 15.3); the run ends with it, because images are loaded only once.
+std::string HowItEnds(const OBootCondition& condition) {
+  const bool is_reboot = (condition.bitmap & obcbBOOT_TIMER) != 0 && condition.bootTime == 0 &&
+                         condition.bootTimeType == obcbttRELATIVE;
+  return is_reboot ? " rebooted the robot (OPENR::Shutdown); start the run again to boot it"
+                   : " shut the robot down (OPENR::Shutdown)";
+}
 
 }  // namespace
 
@@ -133,7 +143,7 @@ OStatus Shutdown(const OBootCondition& bootCondition) {
   if (status == oSUCCESS || status == oNOT_SUPPORTED)
     t_current.system->Shutdown(
         t_current.object->robot,
-        {EndKind::kPowerOff, t_current.object->name + " shut the robot down (OPENR::Shutdown)"});
+        {EndKind::kPowerOff, t_current.object->name + HowItEnds(bootCondition)});
   return oSUCCESS;
 }
 

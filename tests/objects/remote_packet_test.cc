@@ -2,6 +2,7 @@
 
 #include <random>
 
+#include "RemoteFiles.h"
 #include "RemotePacket.h"
 #include "RemoteProtocol.h"
 
@@ -170,7 +171,8 @@ Message ThereAndBack(const Message& message) {
 }
 
 TEST(RemoteProtocolTest, EveryStructReadsWhatItWrites) {
-  EXPECT_EQ(ThereAndBack(RcInfo{18, 9, 2, 6, 7, 2, 6, "ERS-210", "test"}).design, "ERS-210");
+  EXPECT_EQ(ThereAndBack(RcInfo{18, 9, 2, 6, 7, 2, 6, "ERS-210", "test", false, 0, 0, 0}).design,
+            "ERS-210");
   EXPECT_EQ(ThereAndBack(RcDescription{"a", "b", "c", {1, -2, 3}}).values,
             (std::vector<int32_t>{1, -2, 3}));
   EXPECT_EQ(ThereAndBack(RcJointState{-1, 2, 3}).position, -1);
@@ -179,6 +181,10 @@ TEST(RemoteProtocolTest, EveryStructReadsWhatItWrites) {
   EXPECT_EQ(sensors.keyFrame, (std::vector<int32_t>{-1}));
   EXPECT_EQ(ThereAndBack(RcPlayRequest{"WALK.MTN", 3, 2}).file, "WALK.MTN");
   EXPECT_EQ(ThereAndBack(RcPlayAnswer{1136, 72, 5}).durationMs, 1136u);
+  EXPECT_EQ(ThereAndBack(RcList{2, 0, {{"A.MTN", 7}, {"B.MTN", 8}}}).entries[1].size, 8u);
+  EXPECT_EQ(ThereAndBack(RcUploadBegin{1, "A.MTN", 3, 0xfedcba98}).crc, 0xfedcba98);
+  EXPECT_EQ(ThereAndBack(RcFileName{0, "A.MTN"}).name, "A.MTN");
+  EXPECT_EQ(ThereAndBack(RcDownload{0, "A.MTN", 1004}).offset, 1004u);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <map>
 #include <random>
 
+#include "ImageFile.h"
 #include "MoverState.h"
 #include "RequestHandler.h"
 #include "mtn_bytes.h"
@@ -42,6 +43,7 @@ class Robot : public RequestPort {
     *capacity = 87;
     *temperature = 2500;
   }
+  void EndRun(bool) override {}
 
   void Say(int state, int key_frame) {
     SetValueMessage message = {};
@@ -63,7 +65,7 @@ class Robot : public RequestPort {
     EXPECT_EQ(framer.Next(), RcFramer::PACKET);
     uint8_t answer[RC_MAX_PACKET];
     RcWriter out(answer, RC_MAX_PACKET);
-    handler.Answer(framer, &out);
+    handler.Answer(0, framer, &out);
     return ReadAnswer(answer, out.Size(), command, 4711);
   }
 
@@ -74,6 +76,7 @@ class Robot : public RequestPort {
     RcAnswerHeader header;
     EXPECT_TRUE(header.Read(framer));
     EXPECT_EQ(header.frame, 2500u) << "every answer carries the frame number";
+    version = header.header.version;
     EXPECT_EQ(header.header.command, command);
     EXPECT_EQ(header.header.tag, tag);
     payload.assign(answer + RC_ANSWER_HEADER_SIZE, answer + size);
@@ -123,6 +126,7 @@ class Robot : public RequestPort {
   bool full = false;
   std::vector<uint8_t> payload;
   std::string error;
+  int version = 0;  // protocol version of the last answer
 };
 
 const std::vector<uint8_t> kMotion =
@@ -335,8 +339,36 @@ TEST(RequestHandlerTest, PlayRefusesWhatCannotBePlayed) {
 
 TEST(RequestHandlerTest, AnotherProtocolVersionIsRefused) {
   Robot robot;
-  EXPECT_EQ(robot.Ask(rcINFO, {}, 2), rcerrorVERSION);
-  EXPECT_EQ(robot.error, "protocol version 2 is not served, only 1");
+  for (const int version : {0, 3, 255}) {
+    EXPECT_EQ(robot.Ask(rcINFO, {}, version), rcerrorVERSION);
+    EXPECT_EQ(robot.version, RC_VERSION) << "a version that every client knows";
+  }
+  EXPECT_EQ(robot.error, "protocol version 255 is not served, only 1 and 2");
+}
+
+TEST(RequestHandlerTest, AnAnswerHasTheVersionOfItsRequest) {
+  Robot robot;
+  for (const int version : {RC_VERSION, RC_VERSION_FILES}) {
+    EXPECT_EQ(robot.Ask(rcSENSORS, {}, version), rcOK);
+    EXPECT_EQ(robot.version, version);
+    EXPECT_EQ(robot.Ask(rcGET, {99}, version), rcerrorNO_SUCH_DEVICE);
+    EXPECT_EQ(robot.version, version);
+  }
+}
+
+TEST(RequestHandlerTest, OnlyVersion2TellsAboutFiles) {
+  Robot robot;
+  ASSERT_EQ(robot.Ask(rcINFO, {}), rcOK);
+  const size_t size = robot.payload.size();
+  EXPECT_FALSE(robot.Payload<RcInfo>().hasFiles);
+  ASSERT_EQ(robot.Ask(rcINFO, {}, RC_VERSION_FILES), rcOK);
+  EXPECT_EQ(robot.payload.size(), size + 9);
+  const RcInfo info = robot.Payload<RcInfo>();
+  EXPECT_TRUE(info.hasFiles);
+  EXPECT_EQ(info.design, "ERS-210");
+  EXPECT_EQ(info.processor, OwnProcessor());
+  EXPECT_EQ(info.largestMotion, RC_MAX_MOTION);
+  EXPECT_EQ(info.largestImage, RC_MAX_IMAGE);
 }
 
 TEST(RequestHandlerTest, ReservedAndUnknownCommandsAreToldApart) {
@@ -345,6 +377,9 @@ TEST(RequestHandlerTest, ReservedAndUnknownCommandsAreToldApart) {
     EXPECT_EQ(robot.Ask(command, {1, 2, 3}), rcerrorNOT_IMPLEMENTED) << command;
   }
   EXPECT_EQ(robot.Ask(0xff, {}), rcerrorUNKNOWN_COMMAND);
+  EXPECT_EQ(robot.Ask(rcDOWNLOAD, {}), rcerrorUNKNOWN_COMMAND) << "version 1 does not reserve it";
+  EXPECT_EQ(robot.Ask(rcLOG, {}, RC_VERSION_FILES), rcerrorNOT_IMPLEMENTED);
+  EXPECT_EQ(robot.Ask(0xff, {}, RC_VERSION_FILES), rcerrorUNKNOWN_COMMAND);
 }
 
 TEST(RequestHandlerTest, PayloadsOfTheWrongLengthAreMalformed) {

@@ -60,6 +60,7 @@ class Robot : public RequestPort {
     *capacity = 87;
     *temperature = 2500;
   }
+  virtual void EndRun(bool reboot) { printf("end %d\n", reboot); }
   void Ask(int command, int tag, const std::vector<Uint8>& payload) {
     const std::vector<Uint8> bytes = Packet(command, tag, payload);
     RcFramer framer;
@@ -67,7 +68,7 @@ class Robot : public RequestPort {
     if (framer.Next() != RcFramer::PACKET) return;
     Uint8 answer[RC_MAX_PACKET];
     RcWriter out(answer, RC_MAX_PACKET);
-    handler.Answer(framer, &out);
+    handler.Answer(0, framer, &out);
     PrintBytes("answer", answer, out.Size());
   }
 

@@ -9,8 +9,11 @@
 #include <device/servo.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
 
+#include "ByteOrder.h"
 #include "ControllerApi.h"
+#include "Crc32.h"
 #include "MoverCore.h"
 #include "RemoteProtocol.h"
 #include "RequestHandler.h"
@@ -63,6 +66,7 @@ class ServerPort : public RequestPort {
     return true;
   }
   virtual void ReadBattery(Sint32* capacity, Sint32* temperature) { *capacity = *temperature = 0; }
+  virtual void EndRun(bool) {}
 };
 
 RequestHandler* handler;
@@ -73,15 +77,15 @@ void TakeRequest() { request->Next(); }
 void AnswerRequest() {
   static Uint8 bytes[RC_MAX_PACKET];
   RcWriter out(bytes, RC_MAX_PACKET);
-  handler->Answer(*request, &out);
+  handler->Answer(0, *request, &out);
 }
 
-void Ask(int command, const std::vector<Uint8>& payload) {
+void Ask(int command, const std::vector<Uint8>& payload, int version = RC_VERSION) {
   Uint8 bytes[RC_MAX_PACKET];
   RcWriter in(bytes, RC_MAX_PACKET);
   for (int i = 0; i < RC_HEADER_SIZE; i++) in.U8(0);
   for (size_t i = 0; i < payload.size(); i++) in.U8(payload[i]);
-  in.PutHeader(command, 1);
+  in.PutHeader(command, 1, version);
   RcFramer framer;
   framer.Take(bytes, in.Size());
   request = &framer;
@@ -89,10 +93,52 @@ void Ask(int command, const std::vector<Uint8>& payload) {
   Measure(AnswerRequest);
 }
 
+void AppendNumber(std::vector<Uint8>* payload, Uint32 number) {
+  Uint8 bytes[4];
+  PutU32(bytes, number);
+  payload->insert(payload->end(), bytes, bytes + 4);
+}
+
+// Uploads the motion to the stick, lists and downloads it.
+void AskForFiles() {
+  static const char name[] = "\0\7NEW.MTN";
+  const std::vector<Uint8> file(name, name + 9);
+  std::vector<Uint8> payload = file;
+  AppendNumber(&payload, static_cast<Uint32>(motion.size()));
+  AppendNumber(&payload, Crc32(0, &motion[0], static_cast<int>(motion.size())));
+  Ask(rcUPLOAD_BEGIN, payload, RC_VERSION_FILES);
+  for (size_t at = 0; at < motion.size(); at += RC_MAX_UPLOAD_DATA) {
+    const size_t left = motion.size() - at;
+    const size_t count = left < RC_MAX_UPLOAD_DATA ? left : RC_MAX_UPLOAD_DATA;
+    payload.clear();
+    AppendNumber(&payload, static_cast<Uint32>(at));
+    payload.insert(payload.end(), motion.begin() + at, motion.begin() + at + count);
+    Ask(rcUPLOAD_DATA, payload, RC_VERSION_FILES);
+  }
+  Ask(rcUPLOAD_END, std::vector<Uint8>(), RC_VERSION_FILES);
+  Ask(rcMTN_LIST, std::vector<Uint8>(2, 0), RC_VERSION_FILES);
+  payload = file;
+  AppendNumber(&payload, 0);
+  Ask(rcDOWNLOAD, payload, RC_VERSION_FILES);
+  Ask(rcDELETE, file, RC_VERSION_FILES);
+}
+
+// Makes the folders of motions and images of a stick in `folder`.
+void MakeStick() {
+  static const char* const names[] = {"/MS",
+                                      "/MS/OPEN-R",
+                                      "/MS/OPEN-R/MW",
+                                      "/MS/OPEN-R/MW/DATA",
+                                      "/MS/OPEN-R/MW/DATA/P",
+                                      "/MS/OPEN-R/MW/OBJS"};
+  for (int i = 0; i < 6; i++) mkdir((folder + names[i]).c_str(), 0777);
+}
+
 void MeasureServer() {
   ServerPort port;
   RequestHandler server(&port);
-  server.Begin(FindRobot("ERS-210"));
+  MakeStick();
+  server.Begin(FindRobot("ERS-210"), folder);
   SetValueMessage news;
   memset(&news, 0, sizeof(news));
   news.state = moverACCEPTING_COMMANDS;
@@ -102,8 +148,10 @@ void MeasureServer() {
     for (int size = 0; size < 8; size++) {
       Ask(command, std::vector<Uint8>(static_cast<size_t>(size), 1));
       Ask(command, std::vector<Uint8>(static_cast<size_t>(size), 99));
+      Ask(command, std::vector<Uint8>(static_cast<size_t>(size), 0), RC_VERSION_FILES);
     }
   }
+  AskForFiles();
   static const char* const files[] = {"\x8TEST.MTN", "\x8NONE.MTN"};
   for (int i = 0; i < 2; i++) {
     std::vector<Uint8> payload(files[i], files[i] + 9);

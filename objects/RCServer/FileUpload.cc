@@ -1,0 +1,192 @@
+#include "FileUpload.h"
+
+#include <errno.h>
+
+#include "Crc32.h"
+#include "ImageFile.h"
+#include "RemoteProtocol.h"
+#include "StickFile.h"
+#include "TextFormat.h"
+
+static const char NO_UPLOAD[] = "no upload goes on; it ended with an error, or was not begun";
+
+std::string
+FileUpload::TemporaryName(const char* extension) const
+{
+    return TextFormat("UPLOAD%d.%s", place_, extension);
+}
+
+void
+FileUpload::Abort()
+{
+    if (file_ == 0) return;
+    fclose(file_);
+    file_ = 0;
+    remove(path_.c_str());
+}
+
+std::string
+FileUpload::RemoveLeftovers(const StickStore& store) const
+{
+    const std::string paths[] = { store.Path(rcfileMOTION, TemporaryName("TMP")),
+                                  store.Path(rcfileIMAGE, TemporaryName("TMP")),
+                                  store.Path(rcfileIMAGE, TemporaryName("OLD")) };
+    std::string kept;
+    for (int i = 0; i < 3; i++) {
+        // Usually there is no such file.
+        if (remove(paths[i].c_str()) != 0 && errno != ENOENT) kept = paths[i];
+    }
+    return kept;
+}
+
+int
+FileUpload::Fail(int status, const std::string& text, std::string* why)
+{
+    Abort();
+    *why = text;
+    return status;
+}
+
+int
+FileUpload::Begin(const StickStore& store, const RcUploadBegin& request, std::string* why)
+{
+    Abort();
+    const int status = store.CheckName(request.kind, request.name, &target_, why);
+    if (status != rcOK) return status;
+    const Uint32 most = request.kind == rcfileMOTION ? RC_MAX_MOTION : RC_MAX_IMAGE;
+    if (request.size == 0 || request.size > most) {
+        return Fail(rcerrorBAD_VALUE,
+                    TextFormat("%s has %u bytes, must have 1 to %u", target_.name,
+                               (unsigned)request.size, (unsigned)most),
+                    why);
+    }
+    path_ = store.Path(request.kind, TemporaryName("TMP"));
+    file_ = fopen(path_.c_str(), "wb");
+    if (file_ == 0) {
+        return Fail(rcerrorNOT_WRITTEN,
+                    path_ + ": cannot be made; is the stick full or write-protected?", why);
+    }
+    size_ = request.size;
+    crc_ = request.crc;
+    received_ = 0;
+    crcSoFar_ = 0;
+    return rcOK;
+}
+
+int
+FileUpload::Append(Uint32 offset, const Uint8* bytes, int count, std::string* why)
+{
+    if (file_ == 0) return Fail(rcerrorNO_UPLOAD, NO_UPLOAD, why);
+    if (offset != received_) {
+        return Fail(rcerrorBAD_VALUE,
+                    TextFormat("%s: data for offset %u, but the next is %u", target_.name,
+                               (unsigned)offset, (unsigned)received_),
+                    why);
+    }
+    if ((Uint32)count > size_ - received_) {
+        return Fail(rcerrorBAD_VALUE,
+                    TextFormat("%s: more data than the %u bytes that were announced", target_.name,
+                               (unsigned)size_),
+                    why);
+    }
+    // Because the C library would keep the bytes, each part is flushed: a full stick is told by the
+    // answer to the part that found no room.
+    if (fwrite(bytes, 1, (size_t)count, file_) != (size_t)count || fflush(file_) != 0) {
+        return Fail(rcerrorNOT_WRITTEN,
+                    TextFormat("%s: byte %u cannot be written; is the stick full?", target_.name,
+                               (unsigned)received_),
+                    why);
+    }
+    received_ += (Uint32)count;
+    crcSoFar_ = Crc32(crcSoFar_, bytes, count);
+    return rcOK;
+}
+
+// ---- The end -------------------------------------------------------------------------
+
+int
+FileUpload::End(StickStore* store, const RobotConstants* robot, MtnFile* motion, std::string* why)
+{
+    if (file_ == 0) return Fail(rcerrorNO_UPLOAD, NO_UPLOAD, why);
+    int status = CheckWhole(why);
+    if (status != rcOK) return status;
+    // A file that is open for writing cannot be opened for reading on the robot.
+    const bool isWritten = fclose(file_) == 0;
+    file_ = 0;
+    status = isWritten ? CheckContent(robot, motion, why) : rcerrorNOT_WRITTEN;
+    if (!isWritten) *why = std::string(target_.name) + ": cannot be written; is the stick full?";
+    if (status == rcOK) status = PutInPlace(store, why);
+    if (status != rcOK) remove(path_.c_str());
+    return status;
+}
+
+int
+FileUpload::CheckWhole(std::string* why)
+{
+    if (received_ != size_) {
+        return Fail(rcerrorBAD_FILE,
+                    TextFormat("%s: %u bytes have arrived, %u were announced", target_.name,
+                               (unsigned)received_, (unsigned)size_),
+                    why);
+    }
+    if (crcSoFar_ == crc_) return rcOK;
+    return Fail(rcerrorBAD_FILE,
+                TextFormat("%s: the CRC-32 is %08x, %08x was announced", target_.name,
+                           (unsigned)crcSoFar_, (unsigned)crc_),
+                why);
+}
+
+// Checks what the stick has, not what has arrived, so that a write error is found, too.
+int
+FileUpload::CheckContent(const RobotConstants* robot, MtnFile* motion, std::string* why)
+{
+    if (StickStore::SizeOf(path_) != (long)size_) {
+        *why = std::string(target_.name) + ": the stick has not kept all bytes; is it full?";
+        return rcerrorNOT_WRITTEN;
+    }
+    if (target_.kind == rcfileIMAGE) return CheckImage(why);
+    std::vector<Uint8> bytes;
+    if (!ReadStickFile(path_, &bytes, why)) return rcerrorNOT_WRITTEN;
+    const bool isGood = motion->Read(&bytes[0], bytes.size()) && motion->MapTo(robot);
+    if (isGood) return rcOK;
+    *why = std::string(target_.name) + ": " + motion->Error();
+    return rcerrorBAD_FILE;
+}
+
+int
+FileUpload::CheckImage(std::string* why) const
+{
+    Uint8 head[IMAGE_HEAD_SIZE];
+    Uint32 size = 0;
+    const int count = StickStore::ReadPart(path_, 0, head, IMAGE_HEAD_SIZE, &size);
+    const ImageProcessor processor = ImageProcessorOf(head, count);
+    if (processor == OwnProcessor() && processor != imageUNKNOWN) return rcOK;
+    if (processor == imageUNKNOWN) {
+        *why = std::string(target_.name) + ": is no image of an object";
+    } else {
+        *why = TextFormat("%s: is an image for %s; this robot needs one for %s", target_.name,
+                          ImageProcessorName(processor), ImageProcessorName(OwnProcessor()));
+    }
+    return rcerrorBAD_FILE;
+}
+
+int
+FileUpload::PutInPlace(StickStore* store, std::string* why)
+{
+    const std::string target = store->Path(target_);
+    // The old image is copied and not renamed, so that at no time there is no image: without one
+    // the robot would not boot.
+    if (target_.kind == rcfileIMAGE && StickStore::SizeOf(target) >= 0) {
+        const std::string copy = store->Path(rcfileIMAGE, TemporaryName("OLD"));
+        if (!store->Copy(target, copy) ||
+            !StickStore::Replace(copy, store->Path(rcfileIMAGE, "CONTROLL.OLD"))) {
+            remove(copy.c_str());
+            *why = std::string(target_.name) +
+                   ": the old image cannot be kept as CONTROLL.OLD; is the stick full?";
+            return rcerrorNOT_WRITTEN;
+        }
+    }
+    if (StickStore::Replace(path_, target)) return rcOK;
+    *why = target + ": cannot be replaced";
+    return rcerrorNOT_WRITTEN;
+}

@@ -1,0 +1,143 @@
+#include "StickStore.h"
+
+#include <dirent.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "RemoteProtocol.h"
+#include "StickFile.h"
+
+#define IMAGE_DIRECTORY "/MS/OPEN-R/MW/OBJS/"
+
+COMPILE_TIME_CHECK(UploadedMotionsCanBePlayed, (long)RC_MAX_MOTION == STICK_FILE_MAX);
+
+StickStore::StickStore() : count_(0) {}
+
+static bool
+IsMotionName(const char* name)
+{
+    const char* dot = strchr(name, '.');
+    return dot != 0 && strcmp(dot, ".MTN") == 0;
+}
+
+int
+StickStore::CheckName(int kind, const std::string& given, StickName* file, std::string* why) const
+{
+    file->kind = kind;
+    if (!MtnFileName(given.c_str(), file->name, why)) return rcerrorNO_SUCH_FILE;
+    if (kind == rcfileMOTION && !IsMotionName(file->name)) {
+        *why = std::string(file->name) + ": the name of a motion ends in .MTN";
+        return rcerrorNO_SUCH_FILE;
+    }
+    if (kind == rcfileIMAGE && strcmp(file->name, RC_IMAGE_NAME) != 0) {
+        *why = std::string(file->name) + ": the only image here is " RC_IMAGE_NAME;
+        return rcerrorNO_SUCH_FILE;
+    }
+    return rcOK;
+}
+
+std::string
+StickStore::Path(int kind, const std::string& name) const
+{
+    return root_ + (kind == rcfileMOTION ? MTN_DIRECTORY : IMAGE_DIRECTORY) + name;
+}
+
+// ---- The list ------------------------------------------------------------------------
+
+void
+StickStore::ReadMotions()
+{
+    count_ = 0;
+    DIR* folder = opendir(Path(rcfileMOTION, "").c_str());
+    if (folder == 0) return;
+    while (const struct dirent* entry = readdir(folder)) {
+        char name[MTN_NAME_SIZE];
+        std::string why;
+        if (MtnFileName(entry->d_name, name, &why) && IsMotionName(name)) Insert(name);
+    }
+    closedir(folder);
+}
+
+// Inserts a name into the sorted table.  When the table is full, the last name is dropped.
+void
+StickStore::Insert(const char* name)
+{
+    int at = count_;
+    while (at > 0 && strcmp(names_[at - 1], name) > 0) at--;
+    if (at == MAX_MOTIONS) return;
+    const int behind = (count_ < MAX_MOTIONS ? count_ : MAX_MOTIONS - 1) - at;
+    memmove(names_[at + 1 < MAX_MOTIONS ? at + 1 : at], names_[at], (size_t)behind * NAME_SIZE);
+    memcpy(names_[at], name, NAME_SIZE - 1);
+    names_[at][NAME_SIZE - 1] = '\0';
+    if (count_ < MAX_MOTIONS) count_++;
+}
+
+// ---- Files ---------------------------------------------------------------------------
+
+// Opens a file for reading.  Returns 0 for a folder, which some systems open as a file.
+static FILE*
+OpenStickFile(const std::string& path)
+{
+    DIR* folder = opendir(path.c_str());
+    if (folder == 0) return fopen(path.c_str(), "rb");
+    closedir(folder);
+    return 0;
+}
+
+static long
+SizeOfOpenFile(FILE* file)
+{
+    return fseek(file, 0, SEEK_END) == 0 ? ftell(file) : -1;
+}
+
+long
+StickStore::SizeOf(const std::string& path)
+{
+    FILE* file = OpenStickFile(path);
+    if (file == 0) return -1;
+    const long size = SizeOfOpenFile(file);
+    fclose(file);
+    return size;
+}
+
+int
+StickStore::ReadPart(const std::string& path, Uint32 offset, Uint8* bytes, int count, Uint32* size)
+{
+    FILE* file = OpenStickFile(path);
+    if (file == 0) return -1;
+    const long whole = SizeOfOpenFile(file);
+    int done = -1;
+    if (whole >= 0 && offset <= (Uint32)whole && fseek(file, (long)offset, SEEK_SET) == 0)
+        done = (int)fread(bytes, 1, (size_t)count, file);
+    if (whole >= 0) *size = (Uint32)whole;
+    fclose(file);
+    return done;
+}
+
+bool
+StickStore::Replace(const std::string& from, const std::string& to)
+{
+    if (rename(from.c_str(), to.c_str()) == 0) return true;
+    // Some file systems refuse to rename a file to a name that exists.  Because no source says what
+    // the robot's does, the other file is then removed first; a folder is never removed.
+    if (SizeOf(to) < 0 || remove(to.c_str()) != 0) return false;
+    return rename(from.c_str(), to.c_str()) == 0;
+}
+
+bool
+StickStore::Copy(const std::string& from, const std::string& to)
+{
+    FILE* source = fopen(from.c_str(), "rb");
+    if (source == 0) return false;
+    FILE* copy = fopen(to.c_str(), "wb");
+    bool isGood = copy != 0;
+    size_t count = 1;
+    while (isGood && count > 0) {
+        count = fread(copied_, 1, sizeof(copied_), source);
+        isGood = ferror(source) == 0 && fwrite(copied_, 1, count, copy) == count;
+    }
+    fclose(source);
+    if (copy != 0 && fclose(copy) != 0) isGood = false;
+    if (!isGood && copy != 0) remove(to.c_str());
+    return isGood;
+}

@@ -1,0 +1,71 @@
+//
+// The files of the Memory Stick that remote clients may list, read, replace and delete: motions,
+// and the image of the controller.
+//
+// Every function works with a buffer of fixed size, whatever the files and folders hold.  Functions
+// that can fail return a RcStatus and set `why` to the reason.
+//
+
+#ifndef StickStore_h_DEFINED
+#define StickStore_h_DEFINED
+
+#include <string>
+
+#include "MtnName.h"
+#include "RemoteFiles.h"
+
+// A checked name of a file, and the folder that it belongs to.
+struct StickName {
+    int kind;  // RcFileKind
+    char name[MTN_NAME_SIZE];
+};
+
+class StickStore {
+public:
+    StickStore();
+
+    // Sets the path of the folder that has the stick's folder MS: "" on the robot.
+    void SetRoot(const std::string& root) { root_ = root; }
+
+    // Checks that a remote client may use a file of this kind and name.  A motion has a bare 8+3
+    // name that ends in .MTN; the only image is CONTROLL.BIN.
+    int CheckName(int kind, const std::string& given, StickName* name, std::string* why) const;
+
+    // Returns the path of the file `name` in the folder of `kind`.
+    std::string Path(int kind, const std::string& name) const;
+    std::string Path(const StickName& file) const { return Path(file.kind, file.name); }
+
+    // Reads the names of all motions.  Count() returns their number, Name() their names, sorted.
+    // Of more than 682 motions the last ones are left out; the robot's file system lists no more
+    // than 682 files of a folder.
+    void ReadMotions();
+    int Count() const { return count_; }
+    const char* Name(int index) const { return names_[index]; }
+
+    // Returns the size of a file in bytes, or -1 when there is no such file.
+    static long SizeOf(const std::string& path);
+
+    // Reads up to `count` bytes from `offset` on into `bytes`.  Sets `size` to the size of the file
+    // and returns the number of bytes read, or -1 when the file cannot be read.
+    static int ReadPart(const std::string& path, Uint32 offset, Uint8* bytes, int count,
+                        Uint32* size);
+
+    // Gives the file `from` the name `to`.  A file that has this name is replaced.
+    static bool Replace(const std::string& from, const std::string& to);
+
+    // Copies the file `from` to `to`.  When this fails, there is no file `to`.
+    bool Copy(const std::string& from, const std::string& to);
+
+private:
+    static const int MAX_MOTIONS = 682;
+    static const int NAME_SIZE = 13;  // "NAME1234.MTN" and its end
+
+    void Insert(const char* name);
+
+    std::string root_;
+    int count_;
+    char names_[MAX_MOTIONS][NAME_SIZE];
+    Uint8 copied_[512];  // a member, because the stack of an object is small
+};
+
+#endif  // StickStore_h_DEFINED

@@ -1,0 +1,14 @@
+//
+// The CRC-32 of a file that goes over the network, as in zlib, gzip and IEEE 802.3.
+//
+
+#ifndef Crc32_h_DEFINED
+#define Crc32_h_DEFINED
+
+#include "FixedTypes.h"
+
+// Returns the CRC-32 of bytes whose first part has the CRC-32 `before` and whose rest is `bytes`.
+// The CRC-32 of no bytes is 0.
+Uint32 Crc32(Uint32 before, const Uint8* bytes, int size);
+
+#endif  // Crc32_h_DEFINED

@@ -1,0 +1,45 @@
+#include "ImageFile.h"
+
+#include "ByteOrder.h"
+
+// Values of the ELF header: class at offset 4, byte order at 5, machine at 18.
+static const Uint32 ELF_MAGIC = 0x464c457f;
+static const int ELF_LITTLE_ENDIAN = 1;
+static const int ELF_32_BIT = 1;
+static const int ELF_64_BIT = 2;
+static const int ELF_MIPS = 8;
+static const int ELF_X86_64 = 62;
+
+ImageProcessor
+ImageProcessorOf(const Uint8* bytes, int size)
+{
+    if (size < IMAGE_HEAD_SIZE) return imageUNKNOWN;
+    // The robot's images are gzip files (1f 8b, method 8).  Because this code does not unpack them,
+    // every gzip file counts as the robot's.  A host image that is packed must be unpacked first.
+    if (bytes[0] == 0x1f && bytes[1] == 0x8b && bytes[2] == 8) return imageMIPS;
+    if (GetU32(bytes) != ELF_MAGIC || bytes[5] != ELF_LITTLE_ENDIAN) return imageUNKNOWN;
+    const int machine = GetU16(bytes + 18);
+    if (bytes[4] == ELF_32_BIT && machine == ELF_MIPS) return imageMIPS;
+    if (bytes[4] == ELF_64_BIT && machine == ELF_X86_64) return imageX86_64;
+    return imageUNKNOWN;
+}
+
+ImageProcessor
+OwnProcessor()
+{
+    // Objects are built for two processors only: that of the robot, with 32 bits, and x86-64.
+    return sizeof(void*) == 4 ? imageMIPS : imageX86_64;
+}
+
+const char*
+ImageProcessorName(int processor)
+{
+    switch (processor) {
+    case imageMIPS:
+        return "the robot (MIPS)";
+    case imageX86_64:
+        return "openr-host (x86-64)";
+    default:
+        return "an unknown processor";
+    }
+}

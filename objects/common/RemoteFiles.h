@@ -1,0 +1,74 @@
+//
+// Requests and answers of the remote control that are about files of the Memory Stick; they need
+// version 2 of the protocol (docs/remote-control.md).
+//
+
+#ifndef RemoteFiles_h_DEFINED
+#define RemoteFiles_h_DEFINED
+
+#include <string>
+#include <vector>
+
+#include "FixedTypes.h"
+#include "RemotePacket.h"
+
+enum RcFileKind { rcfileMOTION = 0, rcfileIMAGE = 1, NUM_RC_FILE_KINDS };
+
+// Largest files, in bytes.  JointMover plays no larger motion (StickFile.h).  Images of the host
+// have less than 1 MB, those of the robot less than 300 KB.
+const Uint32 RC_MAX_MOTION = 1024 * 1024;
+const Uint32 RC_MAX_IMAGE = 8 * 1024 * 1024;
+
+// Largest numbers of bytes of a file in UPLOAD_DATA and in an answer to DOWNLOAD.
+const int RC_MAX_UPLOAD_DATA = RC_MAX_PACKET - RC_HEADER_SIZE - 4;
+const int RC_MAX_DOWNLOAD_DATA = RC_MAX_PACKET - RC_ANSWER_HEADER_SIZE - 4;
+
+// Name of the one image that may be uploaded and downloaded.
+#define RC_IMAGE_NAME "CONTROLL.BIN"
+
+struct RcListEntry {
+    std::string name;
+    Uint32 size;
+};
+
+// A part of the list of motions.
+struct RcList {
+    Uint16 total;  // number of motions on the stick
+    Uint16 first;  // index of the first entry of this part
+    std::vector<RcListEntry> entries;
+
+    void Write(RcWriter* out) const;
+    bool Read(RcReader* in);
+};
+
+// Largest number of entries of a part.  A packet has room for 59 names of 12 characters.
+const int RC_MAX_LIST_ENTRIES = 50;
+
+struct RcUploadBegin {
+    Uint8 kind;  // RcFileKind
+    std::string name;
+    Uint32 size;
+    Uint32 crc;  // CRC-32 of the whole file
+
+    void Write(RcWriter* out) const;
+    bool Read(RcReader* in);
+};
+
+struct RcFileName {
+    Uint8 kind;  // RcFileKind
+    std::string name;
+
+    void Write(RcWriter* out) const;
+    bool Read(RcReader* in);
+};
+
+struct RcDownload {
+    Uint8 kind;  // RcFileKind
+    std::string name;
+    Uint32 offset;
+
+    void Write(RcWriter* out) const;
+    bool Read(RcReader* in);
+};
+
+#endif  // RemoteFiles_h_DEFINED
