@@ -12,7 +12,7 @@
 namespace openr_host {
 namespace {
 
-constexpr const char* kTilt = "PRM:/r1/c1-Joint2:j1";
+constexpr const char* kTiltInFiles = "PRM:/r1/c1-Joint2:j1";
 constexpr const char* kPan = "PRM:/r1/c1/c2-Joint2:j2";
 
 const RobotConstants* Ers210() { return FindRobot("ERS-210"); }
@@ -39,7 +39,7 @@ std::vector<std::string> WarningsIn(const MtnBytes& mtn) {
 
 MtnBytes TwoJoints() {
   MtnBytes mtn;
-  mtn.locators = {kTilt, kPan};
+  mtn.locators = {kTiltInFiles, kPan};
   mtn.key_frames = {
       {0, {100, -200}, 1, 2, 3}, {3, {300, -400}, 4, 5, 6}, {20, {500, 600}, 7, 8, 9}};
   return mtn;
@@ -71,15 +71,15 @@ TEST(MtnFileTest, DurationIsTheSumOfCountPlusOneTimes16Ms) {
 }
 
 TEST(MtnFileTest, LongestMotionStillHasADuration) {
-  MtnBytes mtn =
-      MtnBytes::OneJoint(kTilt, std::vector<int32_t>(MTN_MAX_KEYFRAMES, 0), MTN_MAX_INTERPOLATION);
+  MtnBytes mtn = MtnBytes::OneJoint(kTiltInFiles, std::vector<int32_t>(MTN_MAX_KEYFRAMES, 0),
+                                    MTN_MAX_INTERPOLATION);
   MtnFile file;
   ASSERT_TRUE(Read(&file, mtn.Bytes())) << file.Error();
   EXPECT_EQ(file.DurationMs(), int64_t{MTN_MAX_KEYFRAMES - 1} * (MTN_MAX_INTERPOLATION + 1) * 16);
 }
 
 TEST(MtnFileTest, AcceptsASingleKeyFrame) {
-  EXPECT_EQ(ErrorIn(MtnBytes::OneJoint(kTilt, {5})), "");
+  EXPECT_EQ(ErrorIn(MtnBytes::OneJoint(kTiltInFiles, {5})), "");
 }
 
 TEST(MtnFileTest, RefusesAnEmptyFile) {
@@ -174,7 +174,7 @@ TEST(MtnFileTest, RefusesSectionsOutOfOrder) {
 
 TEST(MtnFileTest, RefusesAJointListedTwice) {
   MtnBytes mtn = TwoJoints();
-  mtn.locators[1] = kTilt;
+  mtn.locators[1] = kTiltInFiles;
   EXPECT_EQ(ErrorIn(mtn), "section 2, offset 128: joint 'PRM:/r1/c1-Joint2:j1' is listed twice");
 }
 
@@ -237,7 +237,7 @@ TEST(MtnFileTest, JointsAreMappedByLocatorNotByPosition) {
   ASSERT_TRUE(Read(&file, mtn.Bytes()));
   ASSERT_TRUE(file.MapTo(Ers210())) << file.Error();
   EXPECT_EQ(file.RobotJoint(0), FindJoint(Ers210(), kPan));
-  EXPECT_EQ(file.RobotJoint(1), FindJoint(Ers210(), kTilt));
+  EXPECT_EQ(file.RobotJoint(1), FindJoint(Ers210(), kTiltInFiles));
 }
 
 TEST(MtnFileTest, AnUnknownLocatorIsRefusedWhateverTheDesignLabelSays) {
@@ -255,7 +255,7 @@ TEST(MtnFileTest, PlungersHaveTwoPositionsAndNoLimits) {
   MtnFile file;
   ASSERT_TRUE(Read(&file, mtn.Bytes()));
   ASSERT_TRUE(file.MapTo(Ers210())) << file.Error();
-  EXPECT_EQ(file.RobotJoint(0), FindJoint(Ers210(), kTilt));
+  EXPECT_EQ(file.RobotJoint(0), FindJoint(Ers210(), kTiltInFiles));
   EXPECT_EQ(file.RobotPlunger(0), -1);
   EXPECT_EQ(file.RobotJoint(1), -1);
   EXPECT_EQ(file.RobotPlunger(1), 1);
@@ -292,7 +292,7 @@ TEST(MtnFileTest, AForeignDesignLabelAloneIsNoReasonToRefuse) {
 
 TEST(MtnFileTest, LeavingTheSoftwareLimitsIsAWarning) {
   MtnFile file;
-  ASSERT_TRUE(Read(&file, MtnBytes::OneJoint(kTilt, {0, 785398}).Bytes()));
+  ASSERT_TRUE(Read(&file, MtnBytes::OneJoint(kTiltInFiles, {0, 785398}).Bytes()));
   ASSERT_TRUE(file.MapTo(Ers210()));
   EXPECT_EQ(file.Warnings(),
             (std::vector<std::string>{"key frame 1: neck_tilt is 785398 urad, outside its software "
