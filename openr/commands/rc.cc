@@ -88,6 +88,9 @@ class RcCommands {
     AddLight("led", "Switches a light; a controller of the robot may switch it back", rcLED);
     AddLight("ear", "Moves an ear; a controller of the robot may move it back", rcEAR);
     AddMotions();
+    AddController();
+    Add(rc_, "reboot", "Shuts the robot down and boots it again", &RcRebootAction);
+    Add(rc_, "shutdown", "Shuts the robot down", &RcShutdownAction);
   }
 
  private:
@@ -140,6 +143,28 @@ class RcCommands {
         ->check(KeyFramesPerVector())
         ->capture_default_str();
     Add(mtn, "stop", "Stops the motion", &RcStopAction);
+    Add(mtn, "list", "The motions on the stick, with their sizes", &RcListAction);
+    Add(mtn, "upload", "Puts a motion on the stick", &RcUploadMotionAction)
+        ->add_option("FILE", flags_->file, "A motion file of this computer")
+        ->required();
+    CLI::App* const download =
+        Add(mtn, "download", "Fetches a motion from the stick", &RcDownloadAction);
+    download->add_option("NAME", flags_->file, "Its name on the stick: WALK.MTN")->required();
+    download->add_option("-o,--output", flags_->output, "Where to write it; default: NAME, here");
+    Add(mtn, "delete", "Deletes a motion from the stick", &RcDeleteAction)
+        ->add_option("NAME", flags_->file, "Its name on the stick: WALK.MTN")
+        ->required();
+  }
+
+  void AddController() {
+    CLI::App* const controller =
+        rc_->add_subcommand("controller", "The controller program on the robot's stick");
+    controller->require_subcommand(1);
+    controller->fallthrough();
+    Add(controller, "upload", "Replaces the controller; it runs after the next boot",
+        &RcUploadControllerAction)
+        ->add_option("FILE", flags_->file, "An image: CONTROLL.BIN")
+        ->required();
   }
 
   const std::shared_ptr<RcFlags> flags_;

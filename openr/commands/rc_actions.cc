@@ -9,7 +9,6 @@
 #include "MoverState.h"
 #include "MtnPlayer.h"
 #include "cli/counted.h"
-#include "cli/standard_streams.h"
 #include "openr/commands/rc_format.h"
 #include "openr/remote/remote_client.h"
 
@@ -31,14 +30,7 @@ struct IndexAndValue {
 constexpr double kCdegPerDeg = 100;
 
 void Say(const RcFlags& flags, uint32_t frame, const Json& json, const std::string& text) {
-  if (flags.json) {
-    Json answer = {{"frame", FrameJson(frame)}};
-    answer.update(json);
-    PrintAnswer(answer.dump() + "\n");
-  } else {
-    PrintAnswer(fmt::format("{} {}\n", FrameText(frame), text));
-  }
-  FlushAnswer();
+  PrintRcAnswer(flags.json, frame, json, text);
 }
 
 // A device of the robot: the index that requests name it by, and its name for messages.

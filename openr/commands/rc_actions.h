@@ -24,6 +24,7 @@ struct RcFlags {
   std::string file;
   int loops = 1;
   int key_frames = 0;
+  std::string output;  // file of the host for a download; "": as on the stick
 };
 
 // A function that sends requests through `client` and prints the answers to standard output.
@@ -35,6 +36,15 @@ void RcGetAction(RemoteClient* client, const RcFlags& flags);
 void RcSensorsAction(RemoteClient* client, const RcFlags& flags);
 void RcPlayAction(RemoteClient* client, const RcFlags& flags);
 void RcStopAction(RemoteClient* client, const RcFlags& flags);
+
+// Actions for files of the robot's stick, and for the end of the run (rc_files.cc).
+void RcListAction(RemoteClient* client, const RcFlags& flags);
+void RcUploadMotionAction(RemoteClient* client, const RcFlags& flags);
+void RcUploadControllerAction(RemoteClient* client, const RcFlags& flags);
+void RcDownloadAction(RemoteClient* client, const RcFlags& flags);
+void RcDeleteAction(RemoteClient* client, const RcFlags& flags);
+void RcRebootAction(RemoteClient* client, const RcFlags& flags);
+void RcShutdownAction(RemoteClient* client, const RcFlags& flags);
 
 // Returns the action that sends `command`, which is rcMOVE, rcSPEED or rcACCEL.  `unit` is the unit
 // of the value, for the printed answer.

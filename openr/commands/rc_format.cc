@@ -6,6 +6,7 @@
 
 #include "MoverState.h"
 #include "RobotDescription.h"
+#include "cli/standard_streams.h"
 #include "openr/remote/remote_client.h"
 
 namespace openr_host {
@@ -52,6 +53,17 @@ std::string FrameText(uint32_t frame) {
 }
 
 Json FrameJson(uint32_t frame) { return frame == kNoFrame ? Json() : Json(frame); }
+
+void PrintRcAnswer(bool as_json, uint32_t frame, const Json& json, const std::string& text) {
+  if (as_json) {
+    Json answer = {{"frame", FrameJson(frame)}};
+    answer.update(json);
+    PrintAnswer(answer.dump() + "\n");
+  } else {
+    PrintAnswer(fmt::format("{} {}\n", FrameText(frame), text));
+  }
+  FlushAnswer();
+}
 
 std::string StateName(int state) {
   // RCServer sends 0xff, which is -1 in a byte, until JointMover has reported its first state.

@@ -20,6 +20,11 @@ std::string FrameText(uint32_t frame);
 // the robot has no sensor values yet.
 nlohmann::ordered_json FrameJson(uint32_t frame);
 
+// Prints an answer of the robot: `text` with the frame number, or with `as_json` one JSON object of
+// frame number and `json`.
+void PrintRcAnswer(bool as_json, uint32_t frame, const nlohmann::ordered_json& json,
+                   const std::string& text);
+
 // Returns the name of `state`, a MoverState of JointMover, the object that moves the joints.
 // Returns "starting" if RCServer, the robot's remote control, does not know the state yet.
 std::string StateName(int state);

@@ -138,7 +138,7 @@ void RemoteClient::ThrowMalformed() const {
   Throw(
       fmt::format("the answer is not as version {} of the protocol has it; is the client of the "
                   "robot's version?",
-                  RC_VERSION));
+                  version_));
 }
 
 void RemoteClient::Send(const std::vector<uint8_t>& bytes) {
@@ -178,7 +178,7 @@ uint16_t RemoteClient::SendRequest(int command, const std::vector<uint8_t>& payl
   RcWriter writer(packet.data(), static_cast<int>(packet.size()));
   writer.U16(RC_MAGIC);
   writer.U16(static_cast<Uint32>(packet.size()));
-  writer.U8(RC_VERSION);
+  writer.U8(static_cast<Uint32>(version_));
   writer.U8(static_cast<Uint32>(command));
   writer.U16(++tag_);
   std::copy(payload.begin(), payload.end(), packet.begin() + RC_HEADER_SIZE);

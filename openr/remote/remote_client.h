@@ -50,6 +50,10 @@ class RemoteClient {
   RemoteClient(const RemoteClient&) = delete;
   RemoteClient& operator=(const RemoteClient&) = delete;
 
+  // Makes all further requests in this version of the protocol.  The first version is
+  // RC_VERSION; commands for files need RC_VERSION_FILES.
+  void UseVersion(int version) { version_ = version; }
+
   RemoteAnswer Request(int command, const std::vector<uint8_t>& payload = {});
 
   // Sends one request for each payload, then waits for all answers.  That takes one round trip
@@ -98,6 +102,7 @@ class RemoteClient {
   const bool is_probe_;  // made by RobotGoesOn() to test the robot
   int socket_ = -1;
   uint16_t tag_ = 0;
+  int version_ = RC_VERSION;
   RcFramer framer_;
 };
 
