@@ -5,6 +5,8 @@
 
 #include <cstdlib>
 
+#include "Crc32.h"
+#include "RemoteFiles.h"
 #include "RemoteProtocol.h"
 #include "runtime/core/arena.h"
 #include "tests/graph/graph.h"
@@ -17,12 +19,12 @@ namespace {
 
 constexpr const char* kObjects[] = {"PowerMonitor", "JointMover", "RCServer", "Controller"};
 
-std::string Packet(int command, const std::string& payload = "") {
+std::string Packet(int command, const std::string& payload = "", int version = RC_VERSION) {
   uint8_t bytes[RC_MAX_PACKET];
   RcWriter out(bytes, RC_MAX_PACKET);
   for (int i = 0; i < RC_HEADER_SIZE; ++i) out.U8(0);
   for (const char c : payload) out.U8(static_cast<uint8_t>(c));
-  out.PutHeader(command, 1);
+  out.PutHeader(command, 1, version);
   return {reinterpret_cast<char*>(bytes), static_cast<size_t>(out.Size())};
 }
 
@@ -48,6 +50,30 @@ size_t Ask(Graph* graph, openr::testing::TcpClient* client, const std::string& p
   return client->heard().size() - heard;
 }
 
+// Requests for files: the list, a download, an upload and its removal.  Each string is sent by a
+// client of its own.
+std::vector<std::string> FileRequests(const std::string& motion) {
+  const auto name = std::string("\0\7NEW.MTN", 9);
+  const auto number = [](size_t value) {
+    std::string bytes;
+    for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(value >> shift);
+    return bytes;
+  };
+  const uint32_t crc =
+      Crc32(0, reinterpret_cast<const Uint8*>(motion.data()), static_cast<int>(motion.size()));
+  std::string upload =
+      Packet(rcUPLOAD_BEGIN, name + number(motion.size()) + number(crc), RC_VERSION_FILES);
+  for (size_t at = 0; at < motion.size(); at += RC_MAX_UPLOAD_DATA) {
+    upload +=
+        Packet(rcUPLOAD_DATA, number(at) + motion.substr(at, RC_MAX_UPLOAD_DATA), RC_VERSION_FILES);
+  }
+  return {Packet(rcMTN_LIST, std::string(2, '\0'), RC_VERSION_FILES),
+          upload + Packet(rcUPLOAD_END, "", RC_VERSION_FILES),
+          Packet(rcDOWNLOAD, name + number(0), RC_VERSION_FILES),
+          Packet(rcDELETE, name, RC_VERSION_FILES)};
+}
+constexpr const char* kWalk = "/MS/OPEN-R/MW/DATA/P/WALK.MTN";
+
 // Every request of the remote control, with and without arguments, good files and bad.
 void AskEverything(Graph* graph) {
   auto& client = graph->AddClient();
@@ -60,6 +86,9 @@ void AskEverything(Graph* graph) {
   for (const char* file : {"BOW.MTN", "NONE.MTN", "WALK.MTN", "LIE.MTN"}) {
     const std::string packets = Packet(rcMTN_PLAY, PlayRequest(file)) + "no packet";
     EXPECT_GT(Ask(graph, &client, packets, std::chrono::seconds(12)), 0u) << file;
+  }
+  for (const std::string& packets : FileRequests(graph->stick().Read(kWalk).value())) {
+    EXPECT_GT(Ask(graph, &client, packets, std::chrono::milliseconds(500)), 0u);
   }
 }
 
