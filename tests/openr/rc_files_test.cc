@@ -1,0 +1,117 @@
+// openr rc with files of the stick, against a robot that runs: a run of the program, whose stick is
+// a copy.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "tests/openr/program_run.h"
+
+namespace openr_host {
+namespace {
+
+using nlohmann::json;
+
+class RcFilesTest : public testing::Test {
+ protected:
+  RcFilesTest() {
+    std::filesystem::copy(OPENR_STICK, folder_.File("stick"),
+                          std::filesystem::copy_options::recursive);
+    robot_ = std::make_unique<ProgramRun>(
+        std::vector<std::string>{"run", "--stick", folder_.File("stick"), "--rate", "max",
+                                 "--no-panel", "--rc-port", "0", "--body", "ideal"});
+    is_ready_ = robot_->WaitFor("openr rc 127.0.0.1:") && robot_->WaitFor("state: listening");
+  }
+  void SetUp() override { ASSERT_TRUE(is_ready_) << robot_->Finish().err; }
+
+  ProgramResult RunRc(std::vector<std::string> words) const {
+    const std::string& text = robot_->heard();
+    const size_t begin = text.find("127.0.0.1:");
+    const std::string address = text.substr(begin, text.find(' ', begin) - begin);
+    words.insert(words.begin(), {"rc", address, "--json"});
+    return RunProgram(words);
+  }
+  json AnswerOf(const std::vector<std::string>& words) const {
+    const ProgramResult result = RunRc(words);
+    EXPECT_EQ(result.status, 0) << result.err;
+    return result.status == 0 ? json::parse(result.out) : json::object();
+  }
+  // The error of a command that must fail.
+  std::string ErrorOf(const std::vector<std::string>& words) const {
+    const ProgramResult result = RunRc(words);
+    EXPECT_EQ(result.status, 1) << result.out;
+    return result.err;
+  }
+  static std::string OnStick(const std::string& name) { return "stick/OPEN-R/MW/" + name; }
+  static std::string Shown(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos ? "" : text;
+  }
+
+  ScratchFolder folder_;
+  std::unique_ptr<ProgramRun> robot_;
+  bool is_ready_ = false;
+};
+
+TEST_F(RcFilesTest, AMotionGoesThereAndBack) {
+  const std::string motion = folder_.Read(OnStick("DATA/P/WALK.MTN"));
+  folder_.Write("mine.mtn", motion);
+  const size_t before = AnswerOf({"mtn", "list"})["motions"].size();
+  EXPECT_EQ(AnswerOf({"mtn", "upload", folder_.File("mine.mtn")})["name"], "MINE.MTN");
+  EXPECT_EQ(folder_.Read(OnStick("DATA/P/MINE.MTN")), motion);
+  const json list = AnswerOf({"mtn", "list"})["motions"];
+  EXPECT_EQ(list.size(), before + 1);
+  EXPECT_NE(
+      std::find(list.begin(), list.end(), json{{"name", "MINE.MTN"}, {"bytes", motion.size()}}),
+      list.end())
+      << list;
+  AnswerOf({"mtn", "download", "MINE.MTN", "-o", folder_.File("back.mtn")});
+  EXPECT_EQ(folder_.Read("back.mtn"), motion);
+  EXPECT_EQ(AnswerOf({"mtn", "delete", "mine.mtn"})["deleted"], "MINE.MTN");
+  EXPECT_EQ(Shown(ErrorOf({"mtn", "delete", "MINE.MTN"}), "MINE.MTN: no such file"), "");
+  EXPECT_EQ(AnswerOf({"mtn", "list"})["motions"].size(), before);
+}
+
+TEST_F(RcFilesTest, AControllerIsReplacedAndTheOldOneKept) {
+  const std::string image = folder_.Read(OnStick("OBJS/CONTROLL.BIN"));
+  const std::string other = folder_.Read(OnStick("OBJS/POWERMON.BIN"));
+  folder_.Write("new.bin", other);
+  EXPECT_EQ(AnswerOf({"controller", "upload", folder_.File("new.bin")})["bytes"], other.size());
+  EXPECT_EQ(folder_.Read(OnStick("OBJS/CONTROLL.BIN")), other);
+  EXPECT_EQ(folder_.Read(OnStick("OBJS/CONTROLL.OLD")), image);
+}
+
+TEST_F(RcFilesTest, WrongFilesAreNamedWithTheCause) {
+  folder_.Write("text.mtn", "hello");
+  folder_.Write("robot.bin", std::string("\x7f"
+                                         "ELF\1\1\1",
+                                         7) +
+                                 std::string(11, '\0') + std::string("\x8\0", 2) +
+                                 std::string(80, '\0'));
+  folder_.Write("longername.mtn", folder_.Read(OnStick("DATA/P/WALK.MTN")));
+  EXPECT_EQ(Shown(ErrorOf({"mtn", "upload", folder_.File("text.mtn")}), "text.mtn: header"), "");
+  EXPECT_EQ(Shown(ErrorOf({"mtn", "upload", folder_.File("none.mtn")}),
+                  "none.mtn: No such file or directory"),
+            "");
+  EXPECT_EQ(Shown(ErrorOf({"mtn", "upload", folder_.File("longername.mtn")}), "8+3"), "");
+  EXPECT_EQ(Shown(ErrorOf({"controller", "upload", folder_.File("robot.bin")}),
+                  "robot.bin: is an image for the robot (MIPS); this robot needs one for "
+                  "openr-host (x86-64)"),
+            "");
+  EXPECT_EQ(Shown(ErrorOf({"mtn", "download", "NONE.MTN"}), "NONE.MTN: no such file"), "");
+}
+
+TEST_F(RcFilesTest, ShutdownAnswersAndEndsTheRun) {
+  EXPECT_EQ(AnswerOf({"shutdown"})["shuts_down"], true);
+  const ProgramResult& end = robot_->Finish();
+  EXPECT_EQ(end.status, 0);
+  EXPECT_EQ(Shown(end.err, "ended by power-off: RCServer shut the robot down"), "");
+}
+
+TEST_F(RcFilesTest, RebootEndsTheRunAndSaysSo) {
+  EXPECT_EQ(AnswerOf({"reboot"})["reboots"], true);
+  EXPECT_EQ(Shown(robot_->Finish().err, "ended by power-off: RCServer rebooted the robot"), "");
+}
+
+}  // namespace
+}  // namespace openr_host
