@@ -13,7 +13,13 @@
 // second, in frames of 8 ms.
 static const Uint32 END_FRAMES = 32;
 
-RCServer::RCServer() : handler_(this), retryFrame_(0), runEnd_(runGOES_ON), isEnding_(false), endFrame_(0), isStopped_(false)
+RCServer::RCServer()
+    : handler_(this),
+      retryFrame_(0),
+      runEnd_(runGOES_ON),
+      isEnding_(false),
+      endFrame_(0),
+      isStopped_(false)
 {
     memset(&sensors_, 0, sizeof(sensors_));
     memset(&ledEar_, 0, sizeof(ledEar_));
@@ -49,7 +55,8 @@ RCServer::DoInit(const OSystemEvent&)
     }
     const std::string kept = handler_.Begin(robot);
     if (!kept.empty()) {
-        OSYSLOG1((osyslogERROR, "RCServer: %s, left by an upload, cannot be removed", kept.c_str()));
+        OSYSLOG1((osyslogERROR, "RCServer: %s, left by an upload, cannot be removed",
+                  kept.c_str()));
     }
     return sensorReader_.Open(robot);
 }
@@ -178,8 +185,8 @@ RCServer::EndRun(bool reboot)
     if (runEnd_ == runGOES_ON) runEnd_ = reboot ? runREBOOT : runSHUTDOWN;  // the first one counts
 }
 
-// Shuts the robot down a moment after the answer was handed to the network, which needs this time to
-// bring it to the client.
+// Shuts the robot down a moment after the answer was handed to the network, because the network
+// needs this time to bring the answer to the client.
 void
 RCServer::EndRunInTime(Uint32 frame)
 {
@@ -188,8 +195,8 @@ RCServer::EndRunInTime(Uint32 frame)
     ShutDownRobot();
 }
 
-// Shuts the robot down as PowerMonitor does.  After a shutdown the robot boots when the pause button
-// is pressed; a reboot is a boot by the timer after no time (robot.md 15.3).
+// Shuts the robot down as PowerMonitor does.  After a shutdown the robot boots when the pause
+// button is pressed; a reboot is a boot by the timer after no time (robot.md 15.3).
 void
 RCServer::ShutDownRobot()
 {

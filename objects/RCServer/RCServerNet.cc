@@ -257,7 +257,7 @@ RCServer::SendCont(ANTENVMSG msg)
     const TCPEndpointSendMsg* send = (TCPEndpointSendMsg*)antEnvMsg::Receive(msg);
     const int index = IndexOf(send);
     if (isStopped_ || client_[index].state != clientSENDING) return;
-    // The run ends also when the answer could not be sent, because the client has asked for the end.
+    // Because the client has asked for the end, the run ends also when the answer was not sent.
     if (client_[index].endsRun) {
         isEnding_ = true;
         endFrame_ = sensors_.frame;

@@ -75,8 +75,9 @@ RequestHandler::Answer(int client, const RcFramer& request, RcWriter* out)
     if (version_ == RC_VERSION || version_ == RC_VERSION_FILES) {
         status = Handle(request.Header().command, &in, out);
     } else {
-        status = Fail(rcerrorVERSION, TextFormat("protocol version %d is not served, only %d and %d",
-                                                 version_, RC_VERSION, RC_VERSION_FILES));
+        status = Fail(rcerrorVERSION,
+                      TextFormat("protocol version %d is not served, only %d and %d", version_,
+                                 RC_VERSION, RC_VERSION_FILES));
         version_ = RC_VERSION;  // the answer has this version, as every client knows it
     }
     if (status != rcOK) {
@@ -171,7 +172,8 @@ RequestHandler::HandleVersion1(int command, RcReader* in, RcWriter* out)
     case rcREBOOT:
     case rcSHUTDOWN:
         return Fail(rcerrorNOT_IMPLEMENTED,
-                    TextFormat("command %02x is reserved in protocol version %d", command, version_));
+                    TextFormat("command %02x is reserved in protocol version %d", command,
+                               version_));
     default:
         return Fail(rcerrorUNKNOWN_COMMAND, TextFormat("command %02x is unknown", command));
     }
