@@ -84,7 +84,7 @@ void Hands::AddVerbs() {
     robot_.system.inputs().AddVerb(
         robot_.robot_index,
         {name, name, help,
-         [this, work](int, std::string_view rest, Inputs::Action* action) -> std::string {
+         [work](int, std::string_view rest, Inputs::Action* action) -> std::string {
            *action = work;
            if (!rest.empty()) return fmt::format("takes no '{}'", rest);
            return "";
