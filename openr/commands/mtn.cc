@@ -1,6 +1,7 @@
 // The command openr mtn: shows the content of motion files, and whether a robot can play them.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>

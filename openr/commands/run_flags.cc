@@ -9,6 +9,8 @@
 #include <system_error>
 #include <utility>
 
+#include "cli/counted.h"
+#include "cli/output_file.h"
 #include "cli/standard_streams.h"
 #include "openr/commands/common_flags.h"
 #include "openr/simulation/network_setup.h"
