@@ -21,10 +21,12 @@ using Eigen::Vector3d;
 constexpr int64_t kPushFrames = 13;  // about 100 ms, the duration of a push without `for`
 constexpr double kPushMax_n = 1000;  // far above what a robot of 1.4 kg survives
 constexpr double kLiftDefault_m = 0.2, kLiftMax_m = 2;
-constexpr double kLiftPerFrame_m = 0.2 * kFrame_s;  // a hand lifts and lowers with 0.2 m/s
-// A hand that sets the robot down lets go when the robot is so much higher than the hand wants it,
-// because then something below carries the robot.
-constexpr double kCarried_m = 0.01;
+constexpr double kLiftPerFrame_m = 0.2 * kFrame_s;   // a hand lifts with 0.2 m/s
+constexpr double kLowerPerFrame_m = 0.1 * kFrame_s;  // and lowers with 0.1 m/s
+// A hand that sets the robot down lets go when something below carries the robot: the robot is so
+// much higher than the hand wants it, and hardly sinks any more.  The height alone would not do,
+// because a robot that is lowered follows the hand about half a centimetre behind.
+constexpr double kCarried_m = 0.015, kCarried_m_s = 0.03;
 constexpr int kPressPercent =
     50;  // the strength of a press without a number, of the sensor's range
 
@@ -270,8 +272,10 @@ void Hands::LetGo() {
 void Hands::MoveGrip() {
   double& z_m = grip_->X_WB.translation().z();
   if (grip_->sets_down) {
-    if (robot_.body->state().X_WB.translation().z() > z_m + kCarried_m) return LetGo();
-    z_m -= kLiftPerFrame_m;
+    const BodyState& state = robot_.body->state();
+    const bool is_stopped = state.v_WB.z() > -kCarried_m_s;
+    if (is_stopped && state.X_WB.translation().z() > z_m + kCarried_m) return LetGo();
+    z_m -= kLowerPerFrame_m;
   } else {
     z_m += std::clamp(grip_->goal_z_m - z_m, -kLiftPerFrame_m, kLiftPerFrame_m);
   }
