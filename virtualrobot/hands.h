@@ -1,7 +1,7 @@
 // The hands of a person: they press the robot's sensors, push it, lift it and set it down, change
 // its battery and put it on its charging station.
 //
-// What hands do comes as inputs (runtime/core/inputs.h), such as "press chin for 300ms" or
+// Each action of a hand is an input (runtime/core/inputs.h), such as "press chin for 300ms" or
 // "push 5 0 0".  docs/inputs.md describes the inputs.
 #pragma once
 

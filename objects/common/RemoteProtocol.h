@@ -71,7 +71,7 @@ struct RcInfo {
     std::string design;    // such as "ERS-210"
     std::string software;  // "openr-host RCServer"
 
-    // What only version 2 has.
+    // The next members are sent in version 2 only.
     bool hasFiles;         // whether the three values below are there
     Uint8 processor;       // ImageProcessor of the images that the robot runs
     Uint32 largestMotion;  // bytes of the largest motion and image that can be uploaded

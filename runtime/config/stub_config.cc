@@ -12,8 +12,8 @@
 namespace openr_host {
 namespace {
 
-// What the parser knows about the subjects of a stub.cfg, or about its observers: their declared
-// number and their Service lines.
+// Facts that the parser has about the subjects of a stub.cfg, or about its observers: their
+// declared number and their Service lines.
 struct Side {
   const char* noun;        // "subject" or "observer"
   const char* count_word;  // usual spelling of the keyword that declares the number
