@@ -129,14 +129,21 @@ TEST(HandsTest, APushMovesThePhysicalDogTheWayItPoints) {
   EXPECT_LT(sideways_m(-8), nothing_m - 0.002);
 }
 
-class LiftTest : public ::testing::TestWithParam<const char*> {};
+// A dog that stands on the floor.
+class LiftTest : public ::testing::TestWithParam<const char*> {
+ protected:
+  LiftTest() : bench(Dog(GetParam())) {
+    bench.Boot();
+    bench.RunFor(15s);
+    on_floor_m = HeightOf(bench);
+  }
+
+  Bench bench;
+  double on_floor_m = 0;
+};
 INSTANTIATE_TEST_SUITE_P(Bodies, LiftTest, ::testing::Values("ideal", "ode"));
 
 TEST_P(LiftTest, ALiftedDogHangsLevelAndIsSetDownAgain) {
-  Bench bench(Dog(GetParam()));
-  bench.Boot();
-  bench.RunFor(15s);
-  const double on_floor_m = HeightOf(bench);
   EXPECT_TRUE(bench.Lift(0.15));
   bench.RunFor(2s);
   EXPECT_NEAR(HeightOf(bench), on_floor_m + 0.15, 0.01);
@@ -153,10 +160,6 @@ TEST_P(LiftTest, ALiftedDogHangsLevelAndIsSetDownAgain) {
 }
 
 TEST_P(LiftTest, ADogThatIsLetGoFalls) {
-  Bench bench(Dog(GetParam()));
-  bench.Boot();
-  bench.RunFor(15s);
-  const double on_floor_m = HeightOf(bench);
   EXPECT_TRUE(bench.Lift(0.1));
   bench.RunFor(2s);
   EXPECT_TRUE(bench.HoldDog());
