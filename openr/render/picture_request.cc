@@ -76,20 +76,11 @@ std::string TakePicture(const PictureRequest& plan, const VirtualRobot& robot, c
       reinterpret_cast<render::RenderPicture*>(dlsym(handle, render::kRenderPictureName));
   if (render == nullptr) return fmt::format("{}: is of another version; build it again", library);
 
-  RobotLook look;
-  look.X_WB = robot.body().state().X_WB;
-  look.X_WL = robot.body().BodyPoses();
-  for (const LedDevice& led : robot.devices().leds) look.leds_on.push_back(led.intensity > 0);
-  for (size_t i = 0; i < robot.devices().plungers.size(); ++i) {
-    const Plunger& ear = robot.model().plungers[i];
-    const bool on = robot.devices().plungers[i].state == ojoint3_STATE1;
-    look.plungers_rad.push_back(on ? ear.on_rad : ear.off_rad);
-  }
   render::Picture picture;
   picture.width_px = plan.width_px;
   picture.height_px = plan.height_px;
   std::string png, problem;
-  render(MakeRobotScene(robot.model(), look, world, plan.view), picture, &png, &problem);
+  render(MakeRobotScene(robot.model(), LookOf(robot), world, plan.view), picture, &png, &problem);
   return problem.empty() ? WriteFile(plan.file, png) : fmt::format("{}: {}", plan.file, problem);
 }
 

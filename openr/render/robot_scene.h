@@ -12,6 +12,8 @@
 
 namespace openr_host {
 
+class VirtualRobot;
+
 // The state of a robot that can be seen: its posture, lights and ears.
 struct RobotLook {
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
@@ -19,6 +21,9 @@ struct RobotLook {
   std::vector<bool> leds_on;            // in the order of RobotModel::leds; those missing are off
   std::vector<double> plungers_rad;     // in the order of RobotModel::plungers; those missing are 0
 };
+
+// Returns what can be seen of `robot` now.
+RobotLook LookOf(const VirtualRobot& robot);
 
 // The place of the camera relative to the robot: at its right side, in front of it, above it, in
 // front of it to the right and higher (iso), or behind it and higher (follow).  The camera moves

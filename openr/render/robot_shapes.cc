@@ -1,0 +1,249 @@
+#include "openr/render/robot_shapes.h"
+
+#include <algorithm>
+#include <iterator>
+#include <string_view>
+
+namespace openr_host {
+namespace {
+
+using render::Colour;
+using render::Shape;
+
+constexpr Colour kSilver{0.80f, 0.81f, 0.83f};
+constexpr Colour kGrey{0.44f, 0.45f, 0.48f};
+constexpr Colour kBlack{0.13f, 0.13f, 0.15f};
+constexpr Colour kWood{0.72f, 0.60f, 0.46f};
+
+Eigen::Isometry3d At(const Eigen::Vector3d& place_m) {
+  return Eigen::Isometry3d(Eigen::Translation3d(place_m));
+}
+
+// Adds the parts as boxes with rounded edges, instead of the plain boxes that physics uses.  Leaves
+// out parts of 2 mm or less.  These are the plates of 1 mm to which the model reduces the joints J1
+// of the legs.  They lie inside the box of the trunk, so a picture does not need them.
+void AddParts(const RobotModel& model, std::vector<RobotShape>* shapes) {
+  for (size_t i = 0; i < model.bodies.size(); ++i) {
+    const BodyPart& part = model.bodies[i];
+    if (!part.has_box || part.size_m.minCoeff() <= 0.002) continue;
+    RobotShape added;
+    added.body = static_cast<int>(i);
+    Shape& shape = added.shape;
+    shape.X_WS = At(part.centre_m);
+    shape.size_m = part.size_m;
+    shape.colour = kSilver;
+    shape.radius_m = 0.35 * part.size_m.minCoeff();
+    if (part.name == "body") shape.radius_m = 0.022;
+    if (part.name == "head") shape.radius_m = 0.028;
+    if (part.name.ends_with("_j2")) shape.radius_m = 0.0155;
+    if (part.name.ends_with("_j3")) {
+      shape.radius_m = 0.012;
+      shape.colour = kGrey;
+    }
+    if (part.name.starts_with("neck") || part.name.starts_with("tail")) shape.colour = kGrey;
+    if (part.name == "mouth") shape.colour = kBlack;
+    shape.gloss = 0.45f;
+    shapes->push_back(added);
+  }
+}
+
+Colour LightColour(const std::string& name) {
+  if (name == "red") return {1.0f, 0.25f, 0.18f};
+  if (name == "green") return {0.35f, 1.0f, 0.45f};
+  if (name == "blue") return {0.35f, 0.60f, 1.0f};
+  if (name == "orange") return {1.0f, 0.65f, 0.20f};
+  return {1.0f, 1.0f, 0.85f};
+}
+
+// Places of the lights of the ERS-210, for joints at 0 degrees.  No document gives them, so they
+// are estimated from photographs.
+struct LightPlace {
+  const char* name;
+  const char* body;
+  double x, y, z;
+  double width, height;  // mm
+};
+constexpr LightPlace kLights[] = {
+    {"Eye light (lower left)", "head", 146.8, 11, 101, 9, 3.5},
+    {"Eye light (middle left)", "head", 146.8, 13, 107, 9, 3.5},
+    {"Eye light (upper left)", "head", 146.8, 15, 113, 9, 3.5},
+    {"Eye light (lower right)", "head", 146.8, -11, 101, 9, 3.5},
+    {"Eye light (middle right)", "head", 146.8, -13, 107, 9, 3.5},
+    {"Eye light (upper right)", "head", 146.8, -15, 113, 9, 3.5},
+    {"Mode indicator", "head", 146.0, 0, 121, 5, 3},
+    {"Tail light (blue)", "tail_tilt", -141.5, 4.5, 56.3, 6, 6},
+    {"Tail light (orange)", "tail_tilt", -141.5, -4.5, 56.3, 6, 6},
+};
+
+void AddLights(const RobotModel& model, std::vector<RobotShape>* shapes) {
+  for (size_t i = 0; i < model.leds.size(); ++i) {
+    const Led& led = model.leds[i];
+    const auto* const place = std::find_if(std::begin(kLights), std::end(kLights),
+                                           [&](const LightPlace& p) { return p.name == led.name; });
+    if (place == std::end(kLights)) continue;
+    RobotShape added;
+    added.body = model.FindBody(place->body);
+    if (added.body < 0) continue;
+    added.led = static_cast<int>(i);
+    added.glow = LightColour(led.colour);
+    Shape& shape = added.shape;
+    shape.X_WS = At(Eigen::Vector3d(place->x, place->y, place->z) / 1000);
+    shape.size_m = Eigen::Vector3d(6, place->width, place->height) / 1000;
+    shape.radius_m = 0.0015;
+    shape.colour = {0.25f + 0.12f * added.glow.r, 0.25f + 0.12f * added.glow.g,
+                    0.25f + 0.12f * added.glow.b};
+    shapes->push_back(added);
+  }
+}
+
+// Adds the dark mask around the eyes, and the nose, which holds the camera.
+void AddFace(const RobotModel& model, std::vector<RobotShape>* shapes) {
+  const int head = model.FindBody("head");
+  if (head < 0 || !model.bodies[static_cast<size_t>(head)].has_box) return;
+  const BodyPart& part = model.bodies[static_cast<size_t>(head)];
+  const Eigen::Vector3d front = part.centre_m + Eigen::Vector3d(part.size_m.x() / 2, 0, 0);
+  RobotShape mask;
+  mask.body = head;
+  mask.shape.X_WS = At(front + Eigen::Vector3d(-0.022, 0, 0.003));
+  mask.shape.size_m = {0.046, 0.069, 0.036};
+  mask.shape.radius_m = 0.017;
+  mask.shape.colour = kBlack;
+  mask.shape.gloss = 1.0f;
+  shapes->push_back(mask);
+  RobotShape nose;
+  nose.body = head;
+  nose.shape.X_WS = At(front + Eigen::Vector3d(-0.004, 0, -0.016));
+  nose.shape.size_m = {0.016, 0.022, 0.013};
+  nose.shape.radius_m = 0.006;
+  nose.shape.colour = kBlack;
+  nose.shape.gloss = 0.9f;
+  shapes->push_back(nose);
+}
+
+// Angle by which an ear leans back when its plunger is at 0.
+constexpr double kEarLean_rad = -0.35;
+
+// Adds the ears, the plungers of the model.  They have two positions: an ear that is off hangs
+// down, and an ear that is on stands up.
+void AddEars(const RobotModel& model, std::vector<RobotShape>* shapes) {
+  const int head = model.FindBody("head");
+  for (size_t i = 0; head >= 0 && i < model.plungers.size(); ++i) {
+    const Plunger& ear = model.plungers[i];
+    const double side = ear.place_m.y() < 0 ? -1 : 1;
+    RobotShape added;
+    added.body = head;
+    added.ear = static_cast<int>(i);
+    added.pivot = {ear.place_m.x() + 0.004, side * 0.0385, ear.place_m.z() + 0.004};
+    Shape& shape = added.shape;
+    shape.X_WS = At(added.pivot) * Eigen::AngleAxisd(kEarLean_rad, Eigen::Vector3d::UnitY()) *
+                 Eigen::Translation3d(0, 0, 0.020);
+    shape.size_m = {0.026, 0.009, 0.050};
+    shape.radius_m = 0.0044;
+    shape.colour = kBlack;
+    shape.gloss = 0.6f;
+    shapes->push_back(added);
+  }
+}
+
+void AddPaws(const RobotModel& model, std::vector<RobotShape>* shapes) {
+  for (const Paw& paw : model.paws) {
+    if (paw.body < 0) continue;
+    RobotShape added;
+    added.body = paw.body;
+    if (paw.sensor >= 0) added.touch = model.sensors[static_cast<size_t>(paw.sensor)].short_name;
+    added.shape.X_WS = At(paw.centre_m);
+    added.shape.size_m = Eigen::Vector3d::Constant(2 * paw.radius_m);
+    added.shape.radius_m = paw.radius_m;
+    added.shape.colour = kBlack;
+    added.shape.gloss = 0.25f;
+    shapes->push_back(added);
+  }
+}
+
+// Adds the hinges between the two parts of each leg, which look like knees.
+void AddHinges(const RobotModel& model, std::vector<RobotShape>* shapes) {
+  for (const JointModel& joint : model.joints) {
+    if (!joint.name.ends_with("_j3")) continue;
+    RobotShape added;
+    added.body = joint.child;
+    added.shape.X_WS = At(joint.anchor_m);
+    added.shape.size_m = {0.026, 0.0345, 0.026};
+    added.shape.radius_m = 0.0125;
+    added.shape.colour = kBlack;
+    added.shape.gloss = 0.5f;
+    shapes->push_back(added);
+  }
+}
+
+// The places of the sensors that a person touches, on the surface of the box of a part: fractions
+// of the box's edges, from its centre.  No document gives them, so they are estimated from
+// photographs.
+struct TouchPlace {
+  const char* sensor;
+  const char* body;
+  double x, y, z;
+  double length, width;  // mm
+};
+constexpr TouchPlace kTouchPlaces[] = {
+    {"head_back", "head", -0.22, 0, 0.5, 22, 34}, {"head_front", "head", 0.10, 0, 0.5, 22, 34},
+    {"head_1", "head", -0.22, 0, 0.5, 22, 34},    {"head_2", "head", 0.10, 0, 0.5, 22, 34},
+    {"head", "head", -0.05, 0, 0.5, 34, 34},      {"chin", "mouth", 0.15, 0, -0.5, 20, 18},
+    {"back", "body", -0.05, 0, 0.5, 34, 24},      {"back_front", "body", 0.20, 0, 0.5, 26, 30},
+    {"back_middle", "body", 0.0, 0, 0.5, 26, 30}, {"back_rear", "body", -0.20, 0, 0.5, 26, 30},
+};
+
+void AddTouchPads(const RobotModel& model, std::vector<RobotShape>* shapes) {
+  for (const TouchPlace& place : kTouchPlaces) {
+    const auto has_name = [&](const Sensor& sensor) { return sensor.short_name == place.sensor; };
+    RobotShape added;
+    added.body = model.FindBody(place.body);
+    if (added.body < 0 || std::none_of(model.sensors.begin(), model.sensors.end(), has_name))
+      continue;
+    const BodyPart& part = model.bodies[static_cast<size_t>(added.body)];
+    if (!part.has_box) continue;
+    const Eigen::Vector3d fraction(place.x, place.y, place.z);
+    added.touch = place.sensor;
+    added.shape.X_WS = At(part.centre_m + fraction.cwiseProduct(part.size_m));
+    added.shape.size_m = Eigen::Vector3d(place.length, place.width, 4) / 1000;
+    added.shape.radius_m = 0.0019;
+    added.shape.colour = kGrey;
+    shapes->push_back(added);
+  }
+}
+
+}  // namespace
+
+std::vector<RobotShape> ShapesOfRobot(const RobotModel& model) {
+  std::vector<RobotShape> shapes;
+  AddParts(model, &shapes);
+  AddPaws(model, &shapes);
+  AddHinges(model, &shapes);
+  AddFace(model, &shapes);
+  AddTouchPads(model, &shapes);
+  AddLights(model, &shapes);
+  AddEars(model, &shapes);
+  return shapes;
+}
+
+Eigen::Isometry3d PlaceInPart(const RobotShape& shape, double angle_rad) {
+  if (shape.ear < 0) return shape.shape.X_WS;
+  return At(shape.pivot) * Eigen::AngleAxisd(-angle_rad, Eigen::Vector3d::UnitY()) *
+         At(-shape.pivot) * shape.shape.X_WS;
+}
+
+std::vector<Shape> ShapesOfWorld(const World& world) {
+  std::vector<Shape> shapes;
+  for (const WorldBox& box : world.boxes) {
+    Shape shape;
+    shape.X_WS = Eigen::Translation3d(box.centre_m) *
+                 Eigen::AngleAxisd(box.yaw_rad, Eigen::Vector3d::UnitZ());
+    shape.size_m = box.size_m;
+    shape.radius_m = std::min(0.004, 0.2 * box.size_m.minCoeff());
+    shape.colour = kWood;
+    shape.gloss = 0.1f;
+    shapes.push_back(shape);
+  }
+  return shapes;
+}
+
+}  // namespace openr_host
