@@ -23,8 +23,13 @@
 #include "openr/ending/ending.h"
 #include "openr/ending/watchdog.h"
 #include "openr/inspect/recorder.h"
+#include "openr/live/console_log.h"
 #include "openr/live/live_answers.h"
+#include "openr/live/live_context.h"
+#include "openr/live/live_events.h"
 #include "openr/live/live_server.h"
+#include "openr/live/message_history.h"
+#include "openr/live/run_clock.h"
 #include "openr/run/event_script.h"
 #include "openr/run/interrupt.h"
 #include "openr/run/report.h"
@@ -103,13 +108,14 @@ EventScript ReadEvents(const std::string& file) {
   }
 }
 
-// Makes the server for `openr poke` and `openr attach`.  A run goes on without the server if its
-// socket cannot be made.
-std::unique_ptr<LiveServer> MakeLiveServer(Simulation* simulation, const std::string& name) {
+// Makes the server for `openr poke`, `openr attach` and the panel.  A run goes on without the
+// server if its socket cannot be made.
+std::unique_ptr<LiveServer> MakeLiveServer(const LiveContext& context, const std::string& name) {
   try {
-    return std::make_unique<LiveServer>(name, [simulation](const nlohmann::json& request) {
-      return AnswerLive(simulation, request);
-    });
+    const auto answer = [context](const nlohmann::json& request) {
+      return AnswerLive(context, request);
+    };
+    return std::make_unique<LiveServer>(name, answer, context.events);
   } catch (const std::exception& error) {
     fmt::print(stderr, "openr: openr poke and attach cannot reach this run: {}\n", error.what());
     return nullptr;
@@ -138,12 +144,18 @@ class CommandedRun {
   RunPlan plan_;
   const RunStick stick_;
   Console console_;
+  ConsoleLog console_log_;
   const InterruptCounter interrupts_;
   EventScript events_;
   Recorder recorder_;
   DistributedRun distribution_;
   const SimulationOptions options_;
   Simulation simulation_;
+  RunClock clock_;
+  MessageHistory history_;
+  LiveEvents live_events_;
+  const LiveContext live_context_;
+  bool is_assembled_ = false;  // `simulation_` has been made
   bool boots_ = false;
   RunFacts facts_;
 };
@@ -158,7 +170,12 @@ CommandedRun::CommandedRun(const RunFlags& flags)
       recorder_(flags.record_file, !flags.no_payloads),
       distribution_(flags.placement, flags.ros2, stick_, flags.handler_limit_us, &interrupts_),
       options_(Options()),
-      simulation_(options_) {
+      simulation_(options_),
+      clock_(plan_.rate, flags.placement.is_free),
+      history_(&system()),
+      live_events_({&simulation_, &clock_, &console_log_, &history_, nullptr}),
+      live_context_{&simulation_, &clock_, &console_log_, &history_, &live_events_} {
+  is_assembled_ = true;
   facts_.seed = options_.seed;
   plan_.events = &events_;
   if (const std::string problem = events_.Check(system()); !problem.empty())
@@ -171,7 +188,11 @@ SimulationOptions CommandedRun::Options() {
   SimulationOptions options = flags_.simulation;
   options.stick = stick_.folder();
   options.log_level = flags_.log == "error" ? 1 : flags_.log == "warning" ? 2 : 3;
-  options.console = [this](std::string_view text) { console_.Print(text); };
+  options.console = [this](std::string_view text) {
+    console_.Print(text);
+    // Images may print while they are loaded, before there is a clock.
+    console_log_.Add(is_assembled_ ? system().now_us() : 0, text);
+  };
   if (records()) recorder_.Listen(&options);
   // DistributedRun::Enter() adds the network client of ROS 2 after the recorder has added itself,
   // because the recorder must see the commands of ROS 2 as input.
@@ -235,8 +256,9 @@ bool CommandedRun::RunToTheEnd() {
     plan_.recorder = &recorder_;
   }
   distribution_.Begin(&simulation_, &plan_);
-  const std::unique_ptr<LiveServer> live = MakeLiveServer(&simulation_, LiveName());
+  const std::unique_ptr<LiveServer> live = MakeLiveServer(live_context_, LiveName());
   plan_.live = live.get();
+  if (live != nullptr) plan_.clock = &clock_;
   Runner runner(&simulation_, plan_, &interrupts_);
   const auto learn_facts = [this, &runner] {
     facts_.wall_time_s = runner.wall_time_s();

@@ -9,6 +9,12 @@
 #include <string>
 #include <vector>
 
+#include "openr/live/decode_message.h"
+#include "openr/live/live_context.h"
+#include "openr/live/live_events.h"
+#include "openr/live/message_history.h"
+#include "openr/live/run_clock.h"
+#include "openr/live/scene_json.h"
 #include "openr/simulation/simulation.h"
 #include "runtime/base/spelling.h"
 #include "runtime/core/api.h"
@@ -23,10 +29,11 @@ using Json = nlohmann::ordered_json;
 
 // One request, and the run that it is about.
 struct Asked {
-  Simulation* simulation;
+  const LiveContext& context;
   const nlohmann::json& request;
 
-  System& system() const { return simulation->system(); }
+  Simulation* simulation() const { return context.simulation; }
+  System& system() const { return context.simulation->system(); }
   int robot() const { return request.value("robot", 0); }
 };
 
@@ -52,11 +59,14 @@ Json AnswerStatus(const Asked& asked) {
   System& system = asked.system();
   Json waits = Json::array();
   for (const std::string& line : system.WhoWaits()) waits.push_back(line);
+  Json ports = Json::array();
+  for (int i = 0; i < system.robot_count(); ++i) ports.push_back(asked.simulation()->RcPort(i));
   return {{"time_s", TimeOf(asked)},
           {"robots", system.robot_count()},
-          {"model", asked.simulation->model().name},
+          {"model", asked.simulation()->model().name},
           {"messages", system.message_count()},
           {"findings", system.findings().all().size()},
+          {"rc_ports", ports},
           {"waits", waits}};
 }
 
@@ -78,8 +88,7 @@ Json AnswerObjects(const Asked& asked) {
 std::string ServiceAt(const System& system, const OServiceEntry& entry, ObjectId id) {
   const Object* const object = system.object(id);
   if (object == nullptr) return "(gone)";
-  const std::string name = object->EntryName(entry.GetSelector());
-  return name.substr(0, name.find(" ("));
+  return ServiceOfEntry(*object, entry.GetSelector());
 }
 
 Json AnswerObject(const Asked& asked) {
@@ -130,7 +139,7 @@ Json AnswerObject(const Asked& asked) {
 // Returns the robot whose number the request gives in "robot" (without it, robot 0); null if the
 // simulation has no robot of this number.
 const VirtualRobot* RobotOf(const Asked& asked) {
-  const auto& robots = asked.simulation->robots();
+  const auto& robots = asked.simulation()->robots();
   const int robot = asked.robot();
   return robot < 0 || robot >= static_cast<int>(robots.size()) ? nullptr
                                                                : robots[static_cast<size_t>(robot)];
@@ -166,33 +175,90 @@ Json AnswerJoints(const Asked& asked) {
   return {{"time_s", TimeOf(asked)}, {"joints", joints}};
 }
 
-Json AnswerFindings(const Asked& asked) {
-  Json findings = Json::array();
-  for (const Finding& finding : asked.system().findings().all()) {
-    findings.push_back({{"severity", SeverityName(finding.severity)},
-                        {"robot", finding.robot},
-                        {"object", finding.object},
-                        {"time_s", static_cast<double>(finding.time_us) / 1e6},
-                        {"count", finding.count},
-                        {"text", finding.text}});
+Json AnswerFindings(const Asked& asked) { return FindingsJson(asked.context); }
+
+Json AnswerScene(const Asked& asked) {
+  Json scene = SceneJson(*asked.simulation());
+  scene["time_s"] = TimeOf(asked);
+  return scene;
+}
+
+// The rates that a user can ask for, as those of --rate.
+constexpr double kRateMin = 0.001, kRateMax = 1000;
+
+Json AnswerClock(const Asked& asked) {
+  RunClock* const clock = asked.context.clock;
+  const nlohmann::json& request = asked.request;
+  if (clock->is_fixed())
+    return Error("a free run cannot be paused, and keeps its rate: its processes do not wait");
+  if (request.contains("rate")) {
+    const auto rate = request["rate"].get<double>();
+    if (!(rate == 0 || (rate >= kRateMin && rate <= kRateMax)))
+      return Error(fmt::format("the rate {} is neither 0, as fast as possible, nor {} to {}", rate,
+                               kRateMin, kRateMax));
+    clock->set_rate(rate);
   }
-  return {{"time_s", TimeOf(asked)}, {"findings", findings}};
+  if (request.contains("pause")) {
+    if (request["pause"].get<bool>()) {
+      clock->Pause();
+    } else {
+      clock->GoOn();
+    }
+  }
+  if (request.contains("step")) {
+    RunClock::Step step;
+    const auto name = request["step"].get<std::string>();
+    if (!RunClock::ParseStep(name, &step))
+      return Error(fmt::format("a step is frame, message or vector, not '{}'", name));
+    const int count = request.value("count", 1);
+    if (count < 1 || count > RunClock::kStepsMax)
+      return Error(fmt::format("the count is 1 to {}", RunClock::kStepsMax));
+    clock->AddSteps(step, count);
+  }
+  return asked.context.events->Clock();
+}
+
+// Returns the bytes of `content` as hexadecimal digits, at most 64 bytes of it.
+std::string HexOf(const std::string& content) {
+  std::string hex;
+  for (const char c : content.substr(0, 64)) hex += fmt::format("{:02x}", static_cast<uint8_t>(c));
+  return hex;
+}
+
+Json AnswerConnection(const Asked& asked) {
+  const auto wanted = asked.request.at("id").get<std::string>();
+  for (const Connection& each : asked.system().connections()) {
+    if (ConnectionName(each.robot, each.subject, each.observer) != wanted) continue;
+    Json messages = Json::array();
+    for (const MessageHistory::Entry& entry :
+         asked.context.history->LastOf(each.robot, each.subject, each.observer)) {
+      messages.push_back({{"number", entry.number},
+                          {"time_s", static_cast<double>(entry.time_us) / 1e6},
+                          {"ready", entry.is_ready},
+                          {"size", entry.size},
+                          {"text", DecodeMessage(asked.simulation()->model(), each.subject, entry)},
+                          {"hex", HexOf(entry.content)}});
+    }
+    return {{"time_s", TimeOf(asked)}, {"messages", messages}};
+  }
+  return Error(fmt::format("there is no connection '{}'", wanted));
 }
 
 const std::map<std::string, Json (*)(const Asked&)>& KnownRequests() {
   static const std::map<std::string, Json (*)(const Asked&)> requests = {
-      {"input", &AnswerInput},     {"inputs", &AnswerInputs},    {"status", &AnswerStatus},
-      {"objects", &AnswerObjects}, {"object", &AnswerObject},    {"sensors", &AnswerSensors},
-      {"joints", &AnswerJoints},   {"findings", &AnswerFindings}};
+      {"input", &AnswerInput},     {"inputs", &AnswerInputs},        {"status", &AnswerStatus},
+      {"objects", &AnswerObjects}, {"object", &AnswerObject},        {"sensors", &AnswerSensors},
+      {"joints", &AnswerJoints},   {"findings", &AnswerFindings},    {"scene", &AnswerScene},
+      {"clock", &AnswerClock},     {"connection", &AnswerConnection}};
   return requests;
 }
 
 }  // namespace
 
-Json AnswerLive(Simulation* simulation, const nlohmann::json& request) {
+Json AnswerLive(const LiveContext& context, const nlohmann::json& request) {
   const std::string name = request.at("do").get<std::string>();
   const auto found = KnownRequests().find(name);
-  if (found != KnownRequests().end()) return found->second({simulation, request});
+  if (found != KnownRequests().end()) return found->second({context, request});
   std::vector<std::string> known;
   for (const auto& [each, answer] : KnownRequests()) known.push_back(each);
   return Error(fmt::format("'{}' is no request; known are {}", name, fmt::join(known, ", ")));

@@ -5,12 +5,13 @@
 
 namespace openr_host {
 
-class Simulation;
+struct LiveContext;
 
 // Returns the answer to `request`, an object with the name of the request in "do".  An error is an
 // object with the text in "error".  docs/inputs.md, "The socket of a run", lists the requests. Only
-// the request "input" changes the run.  Throws nlohmann::json::exception if a member of the request
-// has another type.  REQUIRES: not called in a handler.
-nlohmann::ordered_json AnswerLive(Simulation* simulation, const nlohmann::json& request);
+// the request "input" changes what happens in the run; "clock" changes when it goes on.  Throws
+// nlohmann::json::exception if a member of the request has another type.  REQUIRES: not called in a
+// handler.
+nlohmann::ordered_json AnswerLive(const LiveContext& context, const nlohmann::json& request);
 
 }  // namespace openr_host

@@ -1,14 +1,17 @@
 #include "openr/live/live_server.h"
 
 #include <fmt/format.h>
+#include <poll.h>
 #include <sys/socket.h>
 #include <sys/un.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 #include "cli/json_text.h"
@@ -18,12 +21,14 @@
 namespace openr_host {
 namespace {
 
-constexpr int64_t kIntervalNs = 2'000'000;
+constexpr int64_t kNsPerMs = 1'000'000;
+constexpr int64_t kIntervalNs = 2 * kNsPerMs;
+constexpr int kPeriodMs = 8;  // shortest period of events, a frame
 
 }  // namespace
 
-LiveServer::LiveServer(const std::string& name, Answer answer)
-    : answer_(std::move(answer)), path_(LiveSocketPath(name)), process_(getpid()) {
+LiveServer::LiveServer(const std::string& name, Answer answer, LiveEvents* events)
+    : answer_(std::move(answer)), events_(events), path_(LiveSocketPath(name)), process_(getpid()) {
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
   const auto fail = [this](const std::string& why) {
@@ -53,7 +58,7 @@ void LiveServer::Accept() {
     if (clients_.size() == kClientsMax) {
       close(descriptor);
     } else {
-      clients_.push_back({descriptor, "", ""});
+      clients_.push_back({descriptor, "", "", {}, {}});
     }
   }
 }
@@ -66,15 +71,70 @@ bool LiveServer::AnswerLines(Client* client) {
     const std::string line = client->received.substr(0, end);
     client->received.erase(0, end + 1);
     nlohmann::ordered_json answer;
+    nlohmann::json request;
     try {
-      answer = answer_(nlohmann::json::parse(line));
+      request = nlohmann::json::parse(line);
+      answer = request.at("do") == "watch" ? BeginWatch(client, request) : answer_(request);
     } catch (const std::exception& error) {
       answer = {{"error", error.what()}};
     }
+    if (request.is_object() && request.contains("id")) answer["id"] = request["id"];
     client->to_send += JsonText(answer) + "\n";
     if (client->to_send.size() > kAnswersMax) return false;
   }
   return client->received.size() <= kRequestMax;
+}
+
+// Answers the request "watch": the events that it names are sent to `client` from now on, and no
+// others.
+nlohmann::ordered_json LiveServer::BeginWatch(Client* client, const nlohmann::json& request) {
+  if (events_ == nullptr) throw std::runtime_error("there is nothing to watch here");
+  const int period_ms = std::clamp(request.value("period_ms", kPeriodMs), kPeriodMs, 1000);
+  std::vector<Watch> watches;
+  for (const nlohmann::json& wanted : request.at("events")) {
+    const auto& kinds = LiveEvents::Kinds();
+    const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const LiveEvents::Kind& each) {
+      return wanted.get<std::string>() == each.name;
+    });
+    if (kind == kinds.end())
+      throw std::runtime_error(fmt::format("there is no event {}", wanted.dump()));
+    const int64_t interval_ns = std::max<int64_t>(kind->interval_ns, period_ms * kNsPerMs);
+    watches.push_back({static_cast<size_t>(kind - kinds.begin()), interval_ns, 0});
+  }
+  client->watches = std::move(watches);
+  client->cursor = {};
+  TellWatchedEvents();
+  return {{"watching", !client->watches.empty()}};
+}
+
+// Tells `events_` whether a client watches the event "graph".
+void LiveServer::TellWatchedEvents() {
+  if (events_ == nullptr) return;
+  const auto is_graph = [](const Watch& watch) {
+    return std::string_view(LiveEvents::Kinds()[watch.kind].name) == "graph";
+  };
+  events_->WatchGraph(std::any_of(clients_.begin(), clients_.end(), [&](const Client& client) {
+    return std::any_of(client.watches.begin(), client.watches.end(), is_graph);
+  }));
+}
+
+bool LiveServer::is_watched() const {
+  return std::any_of(clients_.begin(), clients_.end(),
+                     [](const Client& client) { return !client.watches.empty(); });
+}
+
+// Adds the events that are due to what `client` is sent.  A client that has not taken the last ones
+// gets none, so it gets fewer events instead of old ones.
+void LiveServer::SendEvents(Client* client, int64_t now_ns) {
+  if (!client->to_send.empty()) return;
+  for (Watch& watch : client->watches) {
+    if (now_ns < watch.next_ns) continue;
+    // Counts from when the event was due and not from now, because the run serves its clients only
+    // between frames: otherwise 16 ms would become 24 ms.
+    watch.next_ns = std::max(watch.next_ns + watch.interval_ns, now_ns);
+    const std::string line = events_->Line(LiveEvents::Kinds()[watch.kind].name, &client->cursor);
+    if (!line.empty()) client->to_send += line + "\n";
+  }
 }
 
 // Reads and answers what `client` has sent, without waiting for more.  Returns false if the client
@@ -100,20 +160,36 @@ bool LiveServer::Send(Client* client) {
   return true;
 }
 
-void LiveServer::Serve() {
+void LiveServer::ServeAll() {
   const int64_t now_ns = WallClockNs();
-  if (now_ns < next_ns_) return;
   next_ns_ = now_ns + kIntervalNs;
   Accept();
-  std::erase_if(clients_, [this](Client& client) {
+  const size_t count = clients_.size();
+  std::erase_if(clients_, [this, now_ns](Client& client) {
     // A client may send its last request and close its side at once, so it gets its answers even if
     // the connection is over.
     const bool goes_on = Receive(&client);
+    SendEvents(&client, now_ns);
     const bool is_sent = Send(&client);
     if (goes_on && is_sent) return false;
     close(client.descriptor);
     return true;
   });
+  if (clients_.size() != count) TellWatchedEvents();
+}
+
+void LiveServer::Serve() {
+  if (WallClockNs() >= next_ns_) ServeAll();
+}
+
+void LiveServer::WaitAndServe(int timeout_ms) {
+  std::vector<pollfd> waited = {{listener_, POLLIN, 0}};
+  for (const Client& client : clients_) {
+    const int events = client.to_send.empty() ? POLLIN : POLLIN | POLLOUT;
+    waited.push_back({client.descriptor, static_cast<short>(events), 0});
+  }
+  poll(waited.data(), waited.size(), timeout_ms);
+  ServeAll();
 }
 
 }  // namespace openr_host

@@ -1,8 +1,9 @@
 // The server of a run: other commands of this user ask it and give it inputs while the run goes on.
 //
 // The server listens on a socket of LiveFolder().  A client sends one JSON object a line, and gets
-// one JSON object a line (docs/inputs.md, "The socket of a run").  The run serves its clients
-// between frames, in its only thread, and never waits for a client: a client that does not take its
+// one JSON object a line (docs/inputs.md, "The socket of a run").  A client that watches the run
+// gets events, lines that it has not asked for, as well.  The run serves its clients between
+// frames, in its only thread, and never waits for a client: a client that does not take its
 // answers, or sends a line without an end, is closed.
 #pragma once
 
@@ -11,6 +12,8 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
+
+#include "openr/live/live_events.h"
 
 namespace openr_host {
 
@@ -26,8 +29,9 @@ class LiveServer {
   // Type of the function that makes the answer to a request (AnswerLive() in a run).
   using Answer = std::function<nlohmann::ordered_json(const nlohmann::json& request)>;
 
-  // Makes the socket of this run.  Throws std::runtime_error if that is not possible.
-  LiveServer(const std::string& name, Answer answer);
+  // Makes the socket of this run.  `events`, which must outlive the server, makes the events; null:
+  // nobody can watch.  Throws std::runtime_error if the socket cannot be made.
+  LiveServer(const std::string& name, Answer answer, LiveEvents* events);
   // Removes the socket.
   ~LiveServer();
   LiveServer(const LiveServer&) = delete;
@@ -37,19 +41,40 @@ class LiveServer {
   // full speed calls this function every few microseconds.
   void Serve();
 
+  // Serves the clients like Serve(), but first waits until a client sends something, or for
+  // `timeout_ms`.  A run that is paused calls this function.
+  void WaitAndServe(int timeout_ms);
+
+  // Returns whether a client watches the run.
+  bool is_watched() const;
+
  private:
+  // An event that a client watches.
+  struct Watch {
+    size_t kind;          // index of LiveEvents::Kinds()
+    int64_t interval_ns;  // least time between two events of this kind
+    int64_t next_ns;      // when the next one may be sent
+  };
+
   struct Client {
     int descriptor;
     std::string received;  // the begin of the next request
     std::string to_send;   // answers that the socket has not taken yet
+    std::vector<Watch> watches;
+    EventCursor cursor;
   };
 
   void Accept();
   bool Receive(Client* client);
   bool Send(Client* client);
   bool AnswerLines(Client* client);
+  nlohmann::ordered_json BeginWatch(Client* client, const nlohmann::json& request);
+  void SendEvents(Client* client, int64_t now_ns);
+  void TellWatchedEvents();
+  void ServeAll();
 
   const Answer answer_;
+  LiveEvents* const events_;
   std::string path_;
   const int process_;  // a fork of this process must not remove the socket
   int listener_ = -1;

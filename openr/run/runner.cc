@@ -26,6 +26,17 @@ namespace {
 // run ends anyway, because a shutdown that takes so long may never complete.
 constexpr int64_t kShutdownMaxUs = 60'000'000;
 
+// Virtual time after which a step to a message ends, if no message comes.
+constexpr int64_t kStepMaxUs = 1'000'000;
+
+// Returns whether `message` brings an object new sensor values.
+bool IsSensorVector(Simulation& simulation, const TraceRecord& record, const Message& message) {
+  if (message.kind != PayloadKind::kNotify) return false;
+  const Object* const receiver = simulation.system().object(record.target);
+  return receiver != nullptr &&
+         receiver->EntryName(record.selector).find("OSensorFrameVectorData") != std::string::npos;
+}
+
 }  // namespace
 
 Runner::Runner(Simulation* simulation, RunPlan plan, const InterruptCounter* interrupts)
@@ -64,10 +75,9 @@ std::optional<RunEnd> Runner::WhyOver() const {
   return {};
 }
 
-// Returns the virtual time up to which the run goes in one step: the next frame boundary or, if
-// that is earlier, the end of --for.
-int64_t Runner::NextStop() const {
-  const int64_t now_us = simulation_->system().now_us();
+int64_t Runner::NextStop() const { return NextStopAfter(simulation_->system().now_us()); }
+
+int64_t Runner::NextStopAfter(int64_t now_us) const {
   int64_t stop_us = (now_us / kFrameUs + 1) * kFrameUs;
   if (plan_.for_us && *plan_.for_us > now_us) stop_us = std::min(stop_us, *plan_.for_us);
   return stop_us;
@@ -133,6 +143,12 @@ void Runner::AfterFrame() {
   if (plan_.after_frame) plan_.after_frame();
   AnnouncePorts();
   TakePictures(false);
+}
+
+// Presses the pause button after the first Ctrl-C.  Later shuts all robots down, if no object has
+// done so by then.
+void Runner::HandleInterrupt() {
+  System& system = simulation_->system();
   if (interrupts_->count() == 1 && paused_us_ < 0) PressPause();
   if (paused_us_ >= 0 && !shutdown_posted_ && system.now_us() - paused_us_ >= kPauseUs) {
     shutdown_posted_ = true;
@@ -166,6 +182,49 @@ void Runner::RunFreely(int64_t stop_us, Pacer* pacer) {
   }
 }
 
+// If the run is paused, makes the step that a user has asked for, or waits a moment for one.
+// Returns false if the run is not paused.  After the pause button of the robot was pressed, no run
+// is paused, because the user wants the run to end.
+bool Runner::WaitWhilePaused(Pacer* pacer) {
+  if (plan_.clock == nullptr || !plan_.clock->paused() || paused_us_ >= 0) return false;
+  constexpr int kWaitMs = 50;  // in which Ctrl-C and typed text may have to wait
+  const RunClock::Step step = plan_.clock->TakeStep();
+  if (step == RunClock::Step::kNone) {
+    plan_.live->WaitAndServe(kWaitMs);
+  } else {
+    MakeStep(step);
+  }
+  pacer->Restart();
+  return true;
+}
+
+// Runs to the next stop, at the rate that the user wants.
+void Runner::GoOn(Pacer* pacer) {
+  const int64_t stop_us = NextStop();
+  if (plan_.clock != nullptr && plan_.clock->rate() != pacer->rate())
+    pacer->set_rate(plan_.clock->rate());
+  if (plan_.pump) return RunFreely(stop_us, pacer);
+  // After the pause button was pressed, the run does not wait for the clock any more, because the
+  // user wants the run to end.
+  if (paused_us_ < 0) pacer->WaitFor(stop_us);
+  simulation_->system().RunUntil(stop_us);
+}
+
+// Makes one step of a paused run.  A step to a message that does not come ends after a second of
+// virtual time.
+void Runner::MakeStep(RunClock::Step step) {
+  System& system = simulation_->system();
+  if (step == RunClock::Step::kFrame) return system.RunUntil(NextStop());
+  bool has_come = false;
+  const int sink = system.trace().AddSink([&](const TraceRecord& record, const Message& message) {
+    has_come = has_come || step == RunClock::Step::kMessage ||
+               IsSensorVector(*simulation_, record, message);
+  });
+  const int64_t end_us = system.now_us() + kStepMaxUs;
+  while (!has_come && system.now_us() < end_us && !system.powered_off()) system.RunOne(NextStop());
+  system.trace().RemoveSink(sink);
+}
+
 bool Runner::Run() {
   System& system = simulation_->system();
   Pacer pacer(plan_.rate);
@@ -178,16 +237,12 @@ bool Runner::Run() {
     typed.Feed(&system);
     if (plan_.events != nullptr) plan_.events->Feed(&system);
     if (plan_.live != nullptr) plan_.live->Serve();
-    const int64_t stop_us = NextStop();
-    if (plan_.pump) {
-      RunFreely(stop_us, &pacer);
-    } else {
-      // After the pause button was pressed, the run does not wait for the clock any more, because
-      // the user wants the run to end.
-      if (paused_us_ < 0) pacer.WaitFor(stop_us);
-      system.RunUntil(stop_us);
-    }
-    AfterFrame();
+    const int64_t before_us = system.now_us();
+    if (!WaitWhilePaused(&pacer)) GoOn(&pacer);
+    // A step over a message may have ended within a frame.
+    const bool is_within_frame = system.now_us() < NextStopAfter(before_us);
+    if (!is_within_frame || system.powered_off()) AfterFrame();
+    HandleInterrupt();
   }
   if (end) system.NoteRunEnd(*end);
   system.trace().RemoveSink(activity_sink_);

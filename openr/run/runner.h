@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "openr/live/run_clock.h"
 #include "openr/render/picture_request.h"
 #include "openr/run/report.h"
 #include "runtime/core/run_end.h"
@@ -31,6 +32,7 @@ struct RunPlan {
   std::string stdin_file;                            // see ConsoleFeed
   EventScript* events = nullptr;                     // timed inputs; null: none
   LiveServer* live = nullptr;                        // serves openr poke; null: none
+  RunClock* clock = nullptr;                         // see RunClock; null: always `rate`
   std::function<void(const std::string& line)> say;  // prints a message for the user
   Recorder* recorder = nullptr;                      // records lost processes; null: none
   // Set only for a free run, in which virtual time goes on while handlers run in worker processes.
@@ -66,8 +68,15 @@ class Runner {
   // Returns the reason if the run is over; none if it goes on.  Also returns none when all robots
   // are off, because the System has then noted the reason already.
   std::optional<RunEnd> WhyOver() const;
+  // Return the virtual time up to which the run goes in one step, from now or from `now_us`: the
+  // next frame boundary or, if that is earlier, the end of --for.
   int64_t NextStop() const;
+  int64_t NextStopAfter(int64_t now_us) const;
+  bool WaitWhilePaused(Pacer* pacer);
+  void GoOn(Pacer* pacer);
+  void MakeStep(RunClock::Step step);
   void AfterFrame();
+  void HandleInterrupt();
   void AddInputToAll(std::string_view line);
   void PressPause();
   void RunFreely(int64_t stop_us, Pacer* pacer);

@@ -30,6 +30,11 @@ bool Pacer::StartsAt(int64_t time_us, int64_t now_ns) {
   return true;
 }
 
+void Pacer::set_rate(double rate) {
+  rate_ = rate;
+  started_ = false;
+}
+
 void Pacer::WaitFor(int64_t time_us) {
   if (rate_ <= 0 || StartsAt(time_us, WallClockNs())) return;
   const int64_t due_ns = DueNs(time_us);

@@ -11,6 +11,12 @@ class Pacer {
   // `rate` is virtual seconds per real second; 0: as fast as possible.
   explicit Pacer(double rate) : rate_(rate) {}
 
+  double rate() const { return rate_; }
+  // Sets the rate.  The run goes on with it from the present instant.
+  void set_rate(double rate);
+  // Makes the run go on from the present instant without catching up, after a pause.
+  void Restart() { started_ = false; }
+
   // Sleeps until the clock of this computer lets the run go on to the virtual time `time_us`, or
   // until a signal comes.  A run that is more than 0.1 s late does not catch up, because the robot
   // would then move too fast for a while: it goes on at `rate` from there.
@@ -26,7 +32,7 @@ class Pacer {
   int64_t DueNs(int64_t time_us) const;
   bool StartsAt(int64_t time_us, int64_t now_ns);
 
-  const double rate_;
+  double rate_;
   bool started_ = false;
   int64_t start_wall_ns_ = 0;
   int64_t start_virtual_us_ = 0;

@@ -1,0 +1,37 @@
+// ConsoleLog, which keeps the last lines that the objects of a run have printed.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <string>
+#include <string_view>
+
+namespace openr_host {
+
+class ConsoleLog {
+ public:
+  struct Line {
+    int64_t time_us;
+    std::string text;
+  };
+
+  // The limits of what is kept: the number of lines, and the characters of a line.
+  static constexpr size_t kLinesMax = 1000;
+  static constexpr size_t kLineMax = 2000;
+
+  // Adds text that was printed at the virtual time `time_us`.  A line that has no end yet is kept
+  // until its end comes.
+  void Add(int64_t time_us, std::string_view text);
+
+  // Returns how many lines were added since the start of the run.
+  uint64_t count() const { return count_; }
+  // Returns the last lines, of which the newest has the number count() - 1.
+  const std::deque<Line>& lines() const { return lines_; }
+
+ private:
+  uint64_t count_ = 0;
+  std::deque<Line> lines_;
+  std::string begun_;  // a line without its end
+};
+
+}  // namespace openr_host

@@ -1,0 +1,224 @@
+#include "openr/live/live_events.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "cli/json_text.h"
+#include "openr/live/console_log.h"
+#include "openr/live/message_history.h"
+#include "openr/live/run_clock.h"
+#include "openr/live/scene_json.h"
+#include "openr/simulation/simulation.h"
+#include "runtime/base/wall_clock.h"
+#include "runtime/core/api.h"
+#include "runtime/core/connection_state.h"
+
+namespace openr_host {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int64_t kMs = 1'000'000;  // ns
+
+// Virtual time over which messages are counted for a rate, at least.
+constexpr int64_t kRateUs = 500'000;
+
+// Number of the lines from before it watched that a client gets.
+constexpr size_t kFirstLines = 200;
+
+double InSeconds(int64_t time_us) { return static_cast<double>(time_us) / 1e6; }
+
+// Returns the link of the connection from service `subject` to service `observer`; null if their
+// objects have none yet, or have no OSubject for it, as the objects of the system.
+const ObserverLink* LinkOf(System* system, const Connection& connection) {
+  const auto& directory = system->robot(connection.robot).directory;
+  const auto from = directory.find(connection.subject), to = directory.find(connection.observer);
+  if (from == directory.end() || to == directory.end()) return nullptr;
+  const Object* const object = system->object(from->second.first);
+  if (object == nullptr) return nullptr;
+  for (const auto& subject : object->subjects) {
+    if (subject->service != connection.subject) continue;
+    for (const auto& link : subject->links) {
+      const Object* const observer = system->object(ObjectIdOf(link->observer.GetOID()));
+      if (observer != nullptr && observer->id == to->second.first &&
+          ServiceOfEntry(*observer, link->observer.GetSelector()) == connection.observer)
+        return link.get();
+    }
+  }
+  return nullptr;
+}
+
+std::string ObjectOf(const std::string& service) { return service.substr(0, service.find('.')); }
+
+}  // namespace
+
+std::string ConnectionName(int robot, const std::string& subject, const std::string& observer) {
+  return fmt::format("{}:{}>{}", robot, subject, observer);
+}
+
+Json FindingsJson(const LiveContext& context) {
+  System& system = context.simulation->system();
+  Json findings = Json::array();
+  for (const Finding& finding : system.findings().all()) {
+    findings.push_back({{"severity", SeverityName(finding.severity)},
+                        {"robot", finding.robot},
+                        {"object", finding.object},
+                        {"time_s", InSeconds(finding.time_us)},
+                        {"message", finding.message},
+                        {"count", finding.count},
+                        {"text", finding.text}});
+  }
+  return {{"time_s", InSeconds(system.now_us())}, {"findings", findings}};
+}
+
+const std::vector<LiveEvents::Kind>& LiveEvents::Kinds() {
+  static const std::vector<Kind> kinds = {{"clock", 100 * kMs},    {"pose", 0},
+                                          {"values", 100 * kMs},   {"graph", 250 * kMs},
+                                          {"findings", 100 * kMs}, {"log", 100 * kMs}};
+  return kinds;
+}
+
+// Returns a number that is different whenever the run has gone on.
+uint64_t LiveEvents::Version() const {
+  System& system = context_.simulation->system();
+  return system.message_count() + static_cast<uint64_t>(system.now_us());
+}
+
+void LiveEvents::WatchGraph(bool is_watched) {
+  if (is_watched) {
+    context_.history->Begin();
+  } else {
+    context_.history->End();
+  }
+}
+
+std::string LiveEvents::Line(std::string_view name, EventCursor* cursor) {
+  const std::string begin = fmt::format("{{\"event\":\"{}\"", name);
+  const auto line = [&begin](const Json& body) { return begin + "," + JsonText(body).substr(1); };
+  if (name == "clock") return line(Clock());
+  if (name == "log") {
+    const Json lines = Log(cursor);
+    return lines.empty() ? "" : line({{"lines", lines}});
+  }
+  if (name == "findings") {
+    const uint64_t count = context_.simulation->system().findings().all().size();
+    if (std::exchange(cursor->findings, count) == count) return "";
+    return line(FindingsJson(context_));
+  }
+  uint64_t& shown = cursor->versions[std::string(name)];
+  // The first version is counted from 1, because 0 says that the client has been shown none.
+  if (const uint64_t version = Version() + 1; std::exchange(shown, version) == version) return "";
+  if (name == "pose") return begin + "," + PoseText(context_.simulation) + "}";
+  return line(name == "values" ? ValuesJson(context_.simulation) : Graph());
+}
+
+void LiveEvents::UpdateSpeed() {
+  const int64_t now_ns = WallClockNs(), now_us = context_.simulation->system().now_us();
+  if (now_ns - speed_ns_ < 500 * kMs) return;
+  if (speed_ns_ > 0) {
+    speed_ =
+        1000 * static_cast<double>(now_us - speed_us_) / static_cast<double>(now_ns - speed_ns_);
+  }
+  speed_ns_ = now_ns;
+  speed_us_ = now_us;
+}
+
+Json LiveEvents::Clock() {
+  UpdateSpeed();
+  System& system = context_.simulation->system();
+  return {{"time_s", InSeconds(system.now_us())},
+          {"messages", system.message_count()},
+          {"paused", context_.clock->paused()},
+          {"rate", context_.clock->rate()},
+          {"speed", speed_}};
+}
+
+// Computes the messages per second of virtual time since the last update, for every object and
+// connection, unless that was too short ago to say much.
+void LiveEvents::UpdateRates() {
+  System& system = context_.simulation->system();
+  const int64_t passed_us = system.now_us() - rates_us_;
+  if (passed_us >= 0 && passed_us < kRateUs) return;
+  rates_us_ = system.now_us();
+  const auto update = [passed_us](Rate* rate, uint64_t count) {
+    const uint64_t more = count >= rate->count ? count - rate->count : count;
+    rate->per_s = passed_us > 0 ? static_cast<double>(more) / InSeconds(passed_us) : 0;
+    rate->count = count;
+  };
+  for (const auto& object : system.objects()) update(&objects_[object->id], object->message_count);
+  for (size_t i = 0; i < system.connections().size(); ++i) {
+    const Connection& each = system.connections()[i];
+    update(&connections_[i], context_.history->CountOf(each.robot, each.subject, each.observer));
+  }
+}
+
+Json LiveEvents::ConnectionsJson() {
+  System& system = context_.simulation->system();
+  Json connections = Json::array();
+  for (size_t i = 0; i < system.connections().size(); ++i) {
+    const Connection& each = system.connections()[i];
+    const ObserverLink* const link = LinkOf(&system, each);
+    Json ready, waiting = 0, sent = connections_[i].count;
+    if (link != nullptr) {
+      ready = link->ready > 0;
+      waiting = link->units.size();
+      sent = link->sent;
+    }
+    connections.push_back({{"id", ConnectionName(each.robot, each.subject, each.observer)},
+                           {"robot", each.robot},
+                           {"from", ObjectOf(each.subject)},
+                           {"to", ObjectOf(each.observer)},
+                           {"subject", each.subject},
+                           {"observer", each.observer},
+                           {"ready", ready},
+                           {"waiting", waiting},
+                           {"sent", sent},
+                           {"per_s", connections_[i].per_s}});
+  }
+  return connections;
+}
+
+Json LiveEvents::Graph() {
+  System& system = context_.simulation->system();
+  UpdateRates();
+  std::map<std::pair<int, std::string>, int> findings;
+  for (const Finding& finding : system.findings().all())
+    ++findings[{finding.robot, finding.object}];
+  Json objects = Json::array();
+  for (const auto& object : system.objects()) {
+    objects.push_back({{"robot", object->robot},
+                       {"name", object->name},
+                       {"state", object->state},
+                       {"messages", object->message_count},
+                       {"per_s", objects_[object->id].per_s},
+                       {"waiting", object->waiting},
+                       {"dropped", object->dropped_count},
+                       {"waits_for", object->handler.blocked_why},
+                       {"cost_us", static_cast<double>(object->handler_ns_max) / 1000},
+                       {"findings", findings[{object->robot, object->name}]}});
+  }
+  return {{"time_s", InSeconds(system.now_us())},
+          {"objects", objects},
+          {"connections", ConnectionsJson()}};
+}
+
+// Returns the lines that were printed since the last call for `cursor`.
+Json LiveEvents::Log(EventCursor* cursor) {
+  const ConsoleLog& console = *context_.console;
+  const size_t kept = console.lines().size();
+  const uint64_t first = console.count() - kept;  // number of the oldest line that is kept
+  if (!std::exchange(cursor->has_console, true))
+    cursor->console_lines = console.count() - std::min(kept, kFirstLines);
+  Json lines = Json::array();
+  for (uint64_t i = std::max(cursor->console_lines, first); i < console.count(); ++i) {
+    const ConsoleLog::Line& line = console.lines()[i - first];
+    lines.push_back({{"time_s", InSeconds(line.time_us)}, {"text", line.text}});
+  }
+  cursor->console_lines = console.count();
+  return lines;
+}
+
+}  // namespace openr_host

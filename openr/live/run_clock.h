@@ -1,0 +1,52 @@
+// RunClock: how fast a run goes, whether it is paused, and which steps a paused run still has to
+// make.
+//
+// The clock decides only when a run goes on, never what happens in it, so its changes are not part
+// of a recording.
+#pragma once
+
+#include <string_view>
+
+namespace openr_host {
+
+class RunClock {
+ public:
+  // A step of a paused run: to the end of the frame of 8 ms, over the next message, or over the
+  // next message with sensor values.
+  enum class Step { kNone, kFrame, kMessage, kVector };
+
+  // The largest number of steps that may wait.
+  static constexpr int kStepsMax = 1000;
+
+  // `rate` is virtual seconds per second of the computer's clock; 0: as fast as possible.
+  // `is_fixed`: the run cannot be paused and keeps its rate, because processes that do not wait for
+  // it run its handlers.
+  explicit RunClock(double rate, bool is_fixed = false) : rate_(rate), is_fixed_(is_fixed) {}
+
+  bool is_fixed() const { return is_fixed_; }
+
+  double rate() const { return rate_; }
+  void set_rate(double rate) { rate_ = rate; }
+
+  bool paused() const { return paused_; }
+  void Pause() { paused_ = true; }
+  void GoOn();
+
+  // Pauses the run, and makes it go on for `count` steps.  A step of another kind replaces steps
+  // that wait.
+  void AddSteps(Step step, int count);
+  // Takes one of the steps that wait; kNone: none waits.
+  Step TakeStep();
+
+  // Sets `step` to the step "frame", "message" or "vector".  Returns false for other names.
+  static bool ParseStep(std::string_view name, Step* step);
+
+ private:
+  double rate_;
+  const bool is_fixed_;
+  bool paused_ = false;
+  Step step_ = Step::kNone;
+  int steps_left_ = 0;
+};
+
+}  // namespace openr_host
