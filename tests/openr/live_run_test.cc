@@ -143,9 +143,12 @@ TEST_F(LiveRunTest, AFolderThatOthersCanEnterIsRefused) {
 class LiveServerTest : public LiveRunTest {
  protected:
   LiveServerTest()
-      : server_("name", [](const nlohmann::json& request) -> Json {
-          return {{"echo", request.at("do").get<std::string>()}};
-        }) {}
+      : server_(
+            "name",
+            [](const nlohmann::json& request) -> Json {
+              return {{"echo", request.at("do").get<std::string>()}};
+            },
+            nullptr) {}
 
   // Connects without waiting for the server.
   int Connect() {
@@ -193,6 +196,17 @@ TEST_F(LiveServerTest, RequestsMayComeInPiecesOrTogether) {
   Write(client, "\"a\"}\n{\"do\":\"b\"}\n{");
   Serve();
   EXPECT_EQ(Read(client), "{\"echo\":\"a\"}\n{\"echo\":\"b\"}\n");
+  close(client);
+}
+
+TEST_F(LiveServerTest, TheIdOfARequestIsInItsAnswer) {
+  const int client = Connect();
+  Write(client, "{\"do\":\"a\",\"id\":7}\n{\"do\":8,\"id\":\"x\"}\n{\"do\":\"watch\",\"id\":9}\n");
+  Serve();
+  const std::string text = Read(client);
+  EXPECT_THAT(text, HasSubstr("{\"echo\":\"a\",\"id\":7}\n"));
+  EXPECT_THAT(text, HasSubstr("\"id\":\"x\"}\n"));
+  EXPECT_THAT(text, HasSubstr("{\"error\":\"there is nothing to watch here\",\"id\":9}\n"));
   close(client);
 }
 
