@@ -58,7 +58,7 @@ void OnTickSignal(int) {
 
 }  // namespace
 
-Watchdog::Watchdog(int64_t limit_us) {
+Watchdog::Watchdog(int64_t limit_us) : limit_us_(limit_us) {
   if (limit_us <= 0) return;
   g_limit_s_tenths = static_cast<uint64_t>(limit_us / 100'000);
   g_message = 0;
@@ -68,17 +68,27 @@ Watchdog::Watchdog(int64_t limit_us) {
   action.sa_flags = SA_ONSTACK | SA_RESTART;
   sigemptyset(&action.sa_mask);
   sigaction(kSignal, &action, nullptr);
+  armed_ = StartTimer();
+}
+
+// Returns false if there are no timers.
+bool Watchdog::StartTimer() const {
   sigevent event{};
   event.sigev_notify = SIGEV_THREAD_ID;
   event.sigev_signo = kSignal;
   event._sigev_un._tid = static_cast<pid_t>(syscall(SYS_gettid));
-  if (timer_create(CLOCK_THREAD_CPUTIME_ID, &event, &g_timer) != 0) return;
-  const int64_t tick_ns = std::max<int64_t>(limit_us * 1000 / kTicks, 1'000'000);
+  if (timer_create(CLOCK_THREAD_CPUTIME_ID, &event, &g_timer) != 0) return false;
+  const int64_t tick_ns = std::max<int64_t>(limit_us_ * 1000 / kTicks, 1'000'000);
   itimerspec period{};
   period.it_interval = {tick_ns / 1'000'000'000, tick_ns % 1'000'000'000};
   period.it_value = period.it_interval;
   timer_settime(g_timer, 0, &period, nullptr);
-  armed_ = true;
+  return true;
+}
+
+void Watchdog::StartAgain() {
+  g_seen = 0;
+  if (armed_) armed_ = StartTimer();
 }
 
 Watchdog::~Watchdog() {

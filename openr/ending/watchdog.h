@@ -16,7 +16,13 @@ class Watchdog {
   Watchdog(const Watchdog&) = delete;
   Watchdog& operator=(const Watchdog&) = delete;
 
+  // Starts the Watchdog again in a fork of the process, which has no timers of the original.
+  void StartAgain();
+
  private:
+  bool StartTimer() const;
+
+  const int64_t limit_us_;
   bool armed_ = false;
 };
 

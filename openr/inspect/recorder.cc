@@ -9,7 +9,9 @@
 namespace openr_host {
 
 void Recorder::Listen(SimulationOptions* options) {
-  options->network_filter = [this](int robot, std::unique_ptr<Network> inner) {
+  options->network_filter = [this, inside = options->network_filter](
+                                int robot, std::unique_ptr<Network> inner) {
+    if (inside) inner = inside(robot, std::move(inner));
     return std::make_unique<RecordingNetwork>(
         std::move(inner), [this, robot](const std::vector<NetworkEvent>& events) {
           if (writer_ != nullptr) writer_->AddNetwork(robot, events);

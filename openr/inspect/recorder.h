@@ -14,9 +14,9 @@ class Recorder {
  public:
   Recorder(std::string file, bool payloads) : file_(std::move(file)), payloads_(payloads) {}
 
-  // Sets a function in `options` that puts a network in front of each robot's own network.  It
-  // passes all calls on, and tells this recorder what comes from outside.  Called before the
-  // simulation is made with `options`.
+  // Sets a function in `options` that puts a network in front of each robot's own network, and of
+  // what an earlier such function has put there.  It passes all calls on, and tells this recorder
+  // what comes from outside.  Called before the simulation is made with `options`.
   void Listen(SimulationOptions* options);
 
   // Begins the file.  `stick` is the folder in which a replay finds the files of the Memory Stick

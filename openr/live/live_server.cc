@@ -16,6 +16,7 @@
 
 #include "cli/json_text.h"
 #include "openr/live/live_folder.h"
+#include "runtime/base/assert.h"
 #include "runtime/base/wall_clock.h"
 
 namespace openr_host {
@@ -28,11 +29,17 @@ constexpr int kPeriodMs = 8;  // shortest period of events, a frame
 }  // namespace
 
 LiveServer::LiveServer(const std::string& name, Answer answer, LiveEvents* events)
-    : answer_(std::move(answer)), events_(events), path_(LiveSocketPath(name)), process_(getpid()) {
+    : name_(name), answer_(std::move(answer)), events_(events) {
+  Open();
+}
+
+void LiveServer::Open() {
+  process_ = getpid();
+  path_ = LiveSocketPath(name_);
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
   const auto fail = [this](const std::string& why) {
-    if (listener_ >= 0) close(listener_);
+    if (listener_ >= 0) close(std::exchange(listener_, -1));
     throw std::runtime_error(fmt::format("{}: cannot listen: {}", path_, why));
   };
   if (path_.size() >= sizeof address.sun_path) fail("the path is too long for a socket");
@@ -45,9 +52,19 @@ LiveServer::LiveServer(const std::string& name, Answer answer, LiveEvents* event
     fail(std::strerror(errno));
 }
 
-LiveServer::~LiveServer() {
+void LiveServer::Forget() {
   for (const Client& client : clients_) close(client.descriptor);
-  close(listener_);
+  clients_.clear();
+  if (listener_ >= 0) close(std::exchange(listener_, -1));
+}
+
+void LiveServer::OpenAgain() {
+  ASSERT(listener_ < 0 && clients_.empty());
+  Open();
+}
+
+LiveServer::~LiveServer() {
+  Forget();
   if (getpid() == process_) unlink(path_.c_str());
 }
 

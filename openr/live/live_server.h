@@ -45,6 +45,13 @@ class LiveServer {
   // `timeout_ms`.  A run that is paused calls this function.
   void WaitAndServe(int timeout_ms);
 
+  // Closes the sockets of this fork of the process, without effect for the original and its
+  // clients.
+  void Forget();
+  // Makes a socket for the fork of the process, which from now on is a run of its own.  Throws
+  // std::runtime_error if the socket cannot be made.  REQUIRES: Forget() was called.
+  void OpenAgain();
+
   // Returns whether a client watches the run.
   bool is_watched() const;
 
@@ -73,10 +80,13 @@ class LiveServer {
   void TellWatchedEvents();
   void ServeAll();
 
+  void Open();
+
+  const std::string name_;
   const Answer answer_;
   LiveEvents* const events_;
   std::string path_;
-  const int process_;  // a fork of this process must not remove the socket
+  int process_ = 0;  // a fork of this process must not remove the socket
   int listener_ = -1;
   int64_t next_ns_ = 0;
   std::vector<Client> clients_;

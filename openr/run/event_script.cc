@@ -103,6 +103,12 @@ void EventScript::Feed(System* system) {
   }
 }
 
+void EventScript::Skip(int robot, const std::string& input) {
+  if (events_.empty()) return;
+  const Event& next = events_.front();
+  if (next.robot == robot && next.input == input) events_.pop_front();
+}
+
 void EventScript::ReportRest(System* system) const {
   if (events_.empty()) return;
   const Event& first = events_.front();

@@ -29,6 +29,10 @@ class EventScript {
   // Gives the robots the inputs whose time has come.  Called between frames of 8 ms.
   void Feed(System* system);
 
+  // Removes the next event if it is this input, because something else has already given it to the
+  // robot.
+  void Skip(int robot, const std::string& input);
+
   // Adds an error finding if the time of some inputs has not come.  Called at the end of the run.
   void ReportRest(System* system) const;
 

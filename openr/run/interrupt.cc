@@ -41,11 +41,15 @@ bool IsIgnored(int signal) {
 }  // namespace
 
 InterruptCounter::InterruptCounter(HangUp hang_up)
-    : hears_hang_up_(hang_up != HangUp::kEnds && !IsIgnored(SIGHUP)) {
+    : hang_up_(hang_up), hears_hang_up_(hang_up != HangUp::kEnds && !IsIgnored(SIGHUP)) {
+  StartAgain();
+}
+
+void InterruptCounter::StartAgain() {
   g_count = 0;
   Install(SIGINT, &OnInterruptSignal);
   Install(SIGTERM, &OnInterruptSignal);
-  if (hears_hang_up_) Install(SIGHUP, hang_up == HangUp::kCounts ? &OnInterruptSignal : SIG_IGN);
+  if (hears_hang_up_) Install(SIGHUP, hang_up_ == HangUp::kCounts ? &OnInterruptSignal : SIG_IGN);
 }
 
 InterruptCounter::~InterruptCounter() {

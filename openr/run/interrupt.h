@@ -22,7 +22,11 @@ class InterruptCounter {
 
   int count() const;
 
+  // Begins to count again from 0, in a fork of the process that has changed what signals do.
+  void StartAgain();
+
  private:
+  const HangUp hang_up_;
   const bool hears_hang_up_;
 };
 

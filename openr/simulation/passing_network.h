@@ -44,6 +44,7 @@ class PassingNetwork : public Network {
   }
   void Drop(NetHandle handle, bool reset) override { inner_->Drop(handle, reset); }
   std::vector<NetworkEvent> Poll() override { return inner_->Poll(); }
+  void Forget() override { inner_->Forget(); }
   uint16_t HostPort(NetProtocol protocol, uint16_t port) const override {
     return inner_->HostPort(protocol, port);
   }

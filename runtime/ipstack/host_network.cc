@@ -315,6 +315,14 @@ std::vector<NetworkEvent> HostNetwork::Poll() {
   return std::exchange(events_, {});
 }
 
+void HostNetwork::Forget() {
+  listeners_.clear();
+  connections_.clear();
+  udp_.Forget();
+  at_.clear();
+  events_.clear();
+}
+
 uint16_t HostNetwork::HostPort(NetProtocol protocol, uint16_t port) const {
   return protocol == NetProtocol::kTcp ? tcp_ports_.HostPort(port) : udp_.ports().HostPort(port);
 }

@@ -63,6 +63,7 @@ class HostNetwork : public Network {
   void ResolveAddress(NetHandle handle, uint32_t ip) override;
   void Drop(NetHandle handle, bool reset) override;
   std::vector<NetworkEvent> Poll() override;
+  void Forget() override;
   uint16_t HostPort(NetProtocol protocol, uint16_t port) const override;
 
  private:

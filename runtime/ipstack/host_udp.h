@@ -28,6 +28,7 @@ class HostUdp {
               std::vector<NetworkEvent>* events);
   void ReceiveFrom(NetHandle handle, size_t count_max);
   void Drop(NetHandle handle) { sockets_.erase(handle); }
+  void Forget() { sockets_.clear(); }
   void Poll(std::vector<NetworkEvent>* events);
 
   const HostPorts& ports() const { return ports_; }

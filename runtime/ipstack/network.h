@@ -131,6 +131,10 @@ class Network {
   // Returns the events since the last call, without waiting.
   virtual std::vector<NetworkEvent> Poll() = 0;
 
+  // Called in a fork of the process, which must not use the sockets of the original process: closes
+  // the fork's copies of them, so that peers notice nothing, and forgets all handles.
+  virtual void Forget() {}
+
   // Returns the host's port for the robot's `port`, or 0 if there is none.  The port is for
   // messages to the user; the run must not depend on it.
   virtual uint16_t HostPort(NetProtocol protocol, uint16_t port) const = 0;

@@ -151,9 +151,10 @@ MemoryStick::Location FolderStick::Locate(std::string_view name) {
 
 void MemoryStick::NoteWritten(std::string_view name) {
   written_.insert(std::string(name));
-  if (!listener_) return;
+  if (listeners_.empty()) return;
   const Location location = Locate(name);
-  if (location.error == 0 && changed_.insert(location.path).second) listener_(location);
+  if (location.error != 0 || !changed_.insert(location.path).second) return;
+  for (const ChangeListener& listener : listeners_) listener(location);
 }
 
 uint64_t FolderStick::ContentHash() {

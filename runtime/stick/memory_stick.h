@@ -12,6 +12,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace openr_host {
 
@@ -48,10 +49,13 @@ class MemoryStick {
   // content of the file is part of HashState().
   void NoteWritten(std::string_view name);
 
-  // Sets the function that is called before an object changes a file or folder for the first time.
-  // A recording then saves the file or folder as it was at the start of the run.
+  // Adds a function that is called before an object changes a file or folder for the first time. It
+  // can save the file or folder as it was at the start of the run.
   using ChangeListener = std::function<void(const Location&)>;
-  void OnFirstChange(ChangeListener listener) { listener_ = std::move(listener); }
+  void OnFirstChange(ChangeListener listener) { listeners_.push_back(std::move(listener)); }
+
+  // Returns the names of all files and folders for which NoteWritten() was called.
+  const std::set<std::string>& written() const { return written_; }
 
   bool writable() const { return writable_; }
   void set_writable(bool writable) { writable_ = writable; }
@@ -68,8 +72,8 @@ class MemoryStick {
  private:
   bool writable_ = true;
   std::set<std::string> written_;
-  ChangeListener listener_;
-  std::set<std::string> changed_;  // host paths for which `listener_` was called
+  std::vector<ChangeListener> listeners_;
+  std::set<std::string> changed_;  // host paths for which `listeners_` were called
 };
 
 // A stick whose files are in a folder of the host.  The folder contains OPEN-R/.
@@ -79,6 +83,8 @@ class FolderStick : public MemoryStick {
   Location Locate(std::string_view name) override;
   uint64_t ContentHash() override;
   const std::string& root() const { return root_; }
+  // Makes another folder the stick, which must have the same files.
+  void set_root(std::string root) { root_ = std::move(root); }
 
  private:
   std::string root_;
