@@ -5,10 +5,9 @@
 namespace openr_host {
 
 const char* EndName(EndKind kind) {
-  constexpr const char* kNames[kEndKinds] = {"time",          "idle",         "pause",   "battery",
-                                             "power-off",     "fatal",        "strict",  "crash",
-                                             "handler-limit", "lost-process", "no-boot", "signal",
-                                             "branch"};
+  constexpr const char* kNames[kEndKinds] = {
+      "time",  "idle",          "pause",        "battery", "power-off", "fatal", "strict",
+      "crash", "handler-limit", "lost-process", "no-boot", "signal",    "branch"};
   return kNames[static_cast<size_t>(kind)];
 }
 

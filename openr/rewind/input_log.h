@@ -1,0 +1,57 @@
+// InputLog: what came into a run from outside, kept so that a copy of an earlier moment of the run
+// can do the same again.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "runtime/ipstack/network.h"
+
+namespace openr_host {
+
+// An input line, or what a robot's network said.
+struct LoggedInput {
+  int robot = 0;
+  // An input line ("press chin"), and when it was added: the virtual time, and the number of
+  // messages that had been delivered.
+  std::string line;
+  int64_t time_us = 0;
+  uint64_t messages = 0;
+  // The events that call number `poll` of Network::Poll() has returned; 0: this is a line.
+  uint64_t poll = 0;
+  std::vector<NetworkEvent> events;
+};
+
+class InputLog {
+ public:
+  // The most bytes of inputs that are kept.
+  static constexpr size_t kBytesMax = size_t{64} << 20;
+
+  void Add(LoggedInput input);
+
+  // Returns the number of inputs that were added so far.
+  uint64_t end() const { return first_ + inputs_.size(); }
+  // Returns the inputs from number `begin` on.  REQUIRES: they were not dropped.
+  std::vector<LoggedInput> From(uint64_t begin) const;
+  // Drops the inputs before number `begin`.
+  void DropBefore(uint64_t begin);
+
+  // Returns whether more than kBytesMax bytes are kept.
+  bool is_full() const { return bytes_ > kBytesMax; }
+
+ private:
+  static size_t BytesOf(const LoggedInput& input);
+
+  std::deque<LoggedInput> inputs_;
+  uint64_t first_ = 0;  // number of inputs_.front()
+  size_t bytes_ = 0;
+};
+
+// Convert inputs to and from JSON that has binary values, for another process.
+nlohmann::json ToJson(const std::vector<LoggedInput>& inputs);
+std::vector<LoggedInput> LoggedInputsOf(const nlohmann::json& json);
+
+}  // namespace openr_host

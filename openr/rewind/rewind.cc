@@ -1,0 +1,315 @@
+#include "openr/rewind/rewind.h"
+
+#include <fmt/format.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "openr/rewind/branch_network.h"
+#include "openr/rewind/message_pipe.h"
+#include "openr/simulation/simulation.h"
+#include "runtime/base/assert.h"
+#include "runtime/base/duration.h"
+#include "runtime/base/wall_clock.h"
+#include "runtime/stick/memory_stick.h"
+
+namespace openr_host {
+namespace {
+
+using Json = nlohmann::json;
+
+// How far back one can go, and the least distance of two checkpoints, in virtual time and by the
+// clock of this computer.
+constexpr int64_t kSpanUs = 60'000'000;
+constexpr int64_t kDistanceUs = 1'500'000;
+constexpr int64_t kDistanceNs = 300'000'000;
+
+// The most memory that all checkpoints may take.  With more, old checkpoints are dropped.
+constexpr size_t kMemoryMax = size_t{1} << 30;
+
+// The most bytes of files that a checkpoint may copy from the Memory Stick.
+constexpr size_t kStickBytesMax = size_t{64} << 20;
+
+// The longest time in which a view must have reached its moment.
+constexpr int kViewTimeoutMs = 60'000;
+
+// Returns the memory that process `process` needs, of shared memory its part, in bytes.
+size_t MemoryOf(pid_t process) {
+  std::ifstream file(fmt::format("/proc/{}/smaps_rollup", process));
+  for (std::string word; file >> word;) {
+    size_t kilobytes = 0;
+    if (word == "Pss:" && file >> kilobytes) return kilobytes << 10;
+  }
+  return 0;
+}
+
+double InSeconds(int64_t time_us) { return static_cast<double>(time_us) / 1e6; }
+
+}  // namespace
+
+Rewind::Rewind() = default;
+
+Rewind::~Rewind() {
+  for (Checkpoint& checkpoint : checkpoints_) Drop(&checkpoint);
+}
+
+System& Rewind::system() const { return parts_.simulation->system(); }
+
+std::unique_ptr<Network> Rewind::Follow(int robot, std::unique_ptr<Network> inner) {
+  ASSERT(networks_.size() == static_cast<size_t>(robot));
+  auto network = std::make_unique<BranchNetwork>(std::move(inner), robot, &log_);
+  networks_.push_back(network.get());
+  return network;
+}
+
+void Rewind::Begin(RewindParts parts) {
+  parts_ = std::move(parts);
+  auto* const stick = dynamic_cast<FolderStick*>(system().robot(0).stick.get());
+  if (parts_.why_not.empty() && stick != nullptr) {
+    stick->OnFirstChange([this, stick](const MemoryStick::Location& location) {
+      original_files_.Save(std::filesystem::path(location.path).lexically_relative(stick->root()),
+                           location.path);
+    });
+  }
+  system().inputs().OnAdd([this](int robot, std::string_view line) {
+    if (is_view_) return;
+    LoggedInput input;
+    input.robot = robot;
+    input.line = line;
+    input.time_us = system().now_us();
+    input.messages = system().message_count();
+    log_.Add(std::move(input));
+  });
+}
+
+bool Rewind::AfterFrame(bool is_watched) {
+  if (!parts_.why_not.empty() || shows_past()) return false;
+  if (!is_watched || !trouble_.empty()) {
+    for (Checkpoint& checkpoint : checkpoints_) Drop(&checkpoint);
+    checkpoints_.clear();
+    log_.DropBefore(log_.end());
+    return false;
+  }
+  const int64_t now_ns = WallClockNs();
+  const bool is_far =
+      checkpoints_.empty() || system().now_us() - checkpoints_.back().time_us >= kDistanceUs;
+  if (!is_far || now_ns < next_ns_) return false;
+  next_ns_ = now_ns + kDistanceNs;
+  if (Take()) return true;
+  if (!checkpoints_.empty()) DropOld();
+  return false;
+}
+
+// Makes a checkpoint.  Returns false in the original run, and returns again, with true, in a
+// branch.
+bool Rewind::Take() {
+  auto* const stick = dynamic_cast<FolderStick*>(system().robot(0).stick.get());
+  ASSERT(stick != nullptr);
+  const SavedStick saved = SaveWrittenFiles(stick);
+  if (std::max(saved.bytes(), original_files_.bytes()) > kStickBytesMax) {
+    trouble_ = "objects have written more than 64 MiB to the stick";
+    return false;
+  }
+  ProcessFiles files;
+  const SocketPair sockets;
+  // Text that waits in a buffer would be printed twice.  Files of objects have descriptors of their
+  // own in a copy; they are not written out here, because that would change what objects read.
+  std::fflush(stdout);
+  std::fflush(stderr);
+  const pid_t original = getpid();
+  const pid_t process = fork();
+  if (process == 0) {
+    close(sockets.first);
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (getppid() != original) _exit(0);
+    Wait(sockets.second, saved, &files);
+    return true;
+  }
+  close(sockets.second);
+  if (process < 0) {
+    trouble_ = fmt::format("the process cannot be copied: {}", std::strerror(errno));
+    close(sockets.first);
+    return false;
+  }
+  checkpoints_.push_back(
+      {process, sockets.first, system().now_us(), system().message_count(), log_.end()});
+  return false;
+}
+
+void Rewind::Drop(Checkpoint* checkpoint) {
+  close(checkpoint->socket);
+  kill(checkpoint->process, SIGKILL);
+  waitpid(checkpoint->process, nullptr, 0);
+}
+
+// Drops checkpoints from which nobody needs to start any more, and every second one if they take
+// too much memory.
+void Rewind::DropOld() {
+  UpdateMemory();
+  const int64_t begin_us = system().now_us() - kSpanUs;
+  while (checkpoints_.size() > 1 && checkpoints_[1].time_us <= begin_us) {
+    Drop(&checkpoints_.front());
+    checkpoints_.pop_front();
+  }
+  const bool is_too_much = memory_bytes_ > kMemoryMax || log_.is_full();
+  if (is_too_much && checkpoints_.size() > 2) {
+    for (size_t i = 0; i + 1 < checkpoints_.size(); ++i) {
+      Drop(&checkpoints_[i]);
+      checkpoints_.erase(checkpoints_.begin() + static_cast<ptrdiff_t>(i));
+    }
+    memory_ns_ = 0;
+  }
+  log_.DropBefore(checkpoints_.front().log_end);
+}
+
+// Measures the memory of all checkpoints, at most once a second.
+void Rewind::UpdateMemory() {
+  const int64_t now_ns = WallClockNs();
+  if (now_ns - memory_ns_ < 1'000'000'000 && memory_ns_ != 0) return;
+  memory_ns_ = now_ns;
+  memory_bytes_ = 0;
+  for (const Checkpoint& checkpoint : checkpoints_) memory_bytes_ += MemoryOf(checkpoint.process);
+}
+
+nlohmann::ordered_json Rewind::Status() {
+  const std::string& why = parts_.why_not.empty() ? trouble_ : parts_.why_not;
+  nlohmann::ordered_json status = {{"possible", why.empty()},
+                                   {"why", why},
+                                   {"from_s", nullptr},
+                                   {"to_s", InSeconds(system().now_us())},
+                                   {"checkpoints", checkpoints_.size()},
+                                   {"memory_mb", memory_bytes_ >> 20},
+                                   {"shows_s", nullptr},
+                                   {"message", nullptr}};
+  if (!checkpoints_.empty()) status["from_s"] = InSeconds(checkpoints_.front().time_us);
+  if (shows_past()) {
+    status["shows_s"] = InSeconds(shown_us_);
+    status["message"] = shown_messages_;
+  }
+  return status;
+}
+
+Rewind::Checkpoint* Rewind::LastBefore(int64_t time_us, uint64_t messages) {
+  Checkpoint* last = nullptr;
+  for (Checkpoint& checkpoint : checkpoints_) {
+    if (checkpoint.time_us <= time_us && checkpoint.messages <= messages) last = &checkpoint;
+  }
+  return last;
+}
+
+std::string Rewind::ShowTime(int64_t time_us) {
+  if (time_us > system().now_us())
+    return fmt::format("t={} is in the future", FormatDuration(time_us));
+  return Show(LastBefore(time_us, UINT64_MAX), {{"time_us", time_us}});
+}
+
+std::string Rewind::ShowMessage(uint64_t count) {
+  if (count > system().message_count())
+    return fmt::format("there have been only {} messages", system().message_count());
+  return Show(LastBefore(INT64_MAX, count), {{"messages", count}});
+}
+
+// Shows the moment `target`, for which `checkpoint` is the last checkpoint.  Returns "" or an
+// error.
+std::string Rewind::Show(Checkpoint* checkpoint, const Json& target) {
+  if (!parts_.why_not.empty() || !trouble_.empty())
+    return "this run cannot be rewound: " + (trouble_.empty() ? parts_.why_not : trouble_);
+  if (checkpoint == nullptr)
+    return checkpoints_.empty() ? "there is no checkpoint yet; checkpoints are taken while a "
+                                  "client watches the run"
+                                : fmt::format("the first checkpoint is of t={}",
+                                              FormatDuration(checkpoints_.front().time_us));
+  // A view can only go forward.
+  const bool is_later =
+      checkpoint == shown_ && (target.contains("time_us") ? target["time_us"] >= shown_us_
+                                                          : target["messages"] >= shown_messages_);
+  Json request = {{"show", target}};
+  if (!is_later) {
+    LeaveView();
+    request["inputs"] = ToJson(log_.From(checkpoint->log_end));
+    request["files"] = original_files_.ToJson();
+  }
+  std::optional<Json> answer;
+  if (SendMessage(checkpoint->socket, request))
+    answer = ReceiveMessage(checkpoint->socket, kViewTimeoutMs);
+  if (!answer || answer->contains("error")) {
+    const std::string why = answer ? answer->at("error") : "its process has ended or hangs";
+    LeaveView();
+    return fmt::format("the moment cannot be shown: {}", why);
+  }
+  shown_ = checkpoint;
+  shown_us_ = answer->at("time_us");
+  shown_messages_ = answer->at("messages");
+  return "";
+}
+
+// Ends the view; its checkpoint waits again.
+void Rewind::LeaveView() {
+  if (shown_ == nullptr) return;
+  SendMessage(shown_->socket, {{"leave", true}});
+  ReceiveMessage(shown_->socket, kViewTimeoutMs);
+  shown_ = nullptr;
+}
+
+void Rewind::ShowPresent() { LeaveView(); }
+
+nlohmann::ordered_json Rewind::Forward(const Json& request) {
+  ASSERT(shows_past());
+  std::optional<Json> answer;
+  if (SendMessage(shown_->socket, {{"answer", request}}))
+    answer = ReceiveMessage(shown_->socket, kViewTimeoutMs);
+  if (!answer) return {{"error", "the process that shows the past has ended or hangs"}};
+  return nlohmann::ordered_json::parse(answer->at("line").get<std::string>());
+}
+
+nlohmann::ordered_json Rewind::Branch(double rate) {
+  if (!shows_past()) return {{"error", "no earlier moment is shown from which to go on"}};
+  // The ports must be free before the branch opens them.
+  for (BranchNetwork* const network : networks_) network->Forget();
+  std::optional<Json> answer;
+  if (SendMessage(shown_->socket, {{"branch", rate}}))
+    answer = ReceiveMessage(shown_->socket, kViewTimeoutMs);
+  if (!answer || answer->contains("error")) {
+    const std::string why = answer ? answer->at("error") : "its process has ended or hangs";
+    LeaveView();
+    for (BranchNetwork* const network : networks_) network->GoOn();
+    return {{"error", "the run cannot go on from there: " + why}};
+  }
+  branch_ = answer->at("process");
+  branch_parent_ = shown_->process;
+  close(shown_->socket);
+  for (Checkpoint& checkpoint : checkpoints_) {
+    if (&checkpoint != shown_) Drop(&checkpoint);
+  }
+  checkpoints_.clear();
+  shown_ = nullptr;
+  return {{"run", answer->at("run")}, {"files", answer->at("files")}};
+}
+
+int Rewind::WaitForBranch(const std::function<int()>& interrupts) {
+  constexpr useconds_t kIntervalUs = 20'000;
+  ASSERT(has_branched());
+  // Signals of the terminal reach the branch as well, so they must not be passed on.
+  for (const int signal : {SIGINT, SIGHUP}) ::signal(signal, SIG_IGN);
+  int status = 0, passed = 0;
+  while (waitpid(branch_parent_, &status, WNOHANG) == 0) {
+    const int count = interrupts();
+    if (count > passed) kill(branch_, SIGTERM);
+    passed = count;
+    usleep(kIntervalUs);
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
+}
+
+}  // namespace openr_host

@@ -1,0 +1,149 @@
+// Rewind: goes back to an earlier moment of a run that goes on.
+//
+// While somebody watches the run, the run forks now and then.  Each fork is a checkpoint: it does
+// nothing but wait, and holds everything as it was.  To show an earlier moment, the last checkpoint
+// before it forks again.  This view repeats the run up to the moment, with the inputs of the run,
+// and answers requests.  Meanwhile the run waits.  A view can go on from its moment as a new run, a
+// branch; the first run then ends, and its process waits for the branch, so that a terminal sees
+// one program.
+//
+//   openr run ----- checkpoint ----- view, later branch
+//             \---- checkpoint
+//
+// A view and a branch have files and, later, ports of their own.  Everything that a copy must not
+// share with the original process is in saved_files.h, branch_network.h and RewindParts.
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "openr/rewind/input_log.h"
+#include "openr/rewind/saved_files.h"
+#include "runtime/base/temp_folder.h"
+
+namespace openr_host {
+
+class BranchNetwork;
+class Network;
+class Simulation;
+class System;
+
+// What Rewind needs of the program.
+struct RewindParts {
+  Simulation* simulation = nullptr;
+  std::string why_not;  // the reason why this run cannot be rewound; "": it can
+  // Answers a request of a client, in a view.
+  std::function<nlohmann::ordered_json(const nlohmann::json& request)> answer;
+  // Called in a copy: it must not use the sockets of the original process any more, and prints
+  // nothing.
+  std::function<void()> become_copy;
+  // Called in a view after each frame, and before it repeats an input.
+  std::function<void()> after_frame;
+  std::function<void(int robot, const std::string& line)> before_input;
+  // Called in a view that becomes a branch, with the rate at which it is to go on.  Returns the
+  // name of the new run.
+  std::function<std::string(double rate)> become_branch;
+};
+
+class Rewind {
+ public:
+  Rewind();
+  ~Rewind();
+  Rewind(const Rewind&) = delete;
+  Rewind& operator=(const Rewind&) = delete;
+
+  // Returns the network that robot number `robot` must use instead of `inner`.  Called while the
+  // simulation is made.
+  std::unique_ptr<Network> Follow(int robot, std::unique_ptr<Network> inner);
+
+  // Begins to follow the run.  REQUIRES: System::Boot() has not been called.
+  void Begin(RewindParts parts);
+
+  // Takes a checkpoint if it is time for one, and drops old ones; drops all if nobody watches.
+  // Called after each frame.  Returns false in the original run, and returns again, with true, in a
+  // branch.
+  bool AfterFrame(bool is_watched);
+
+  // Returns what clients are told: whether and how far the run can be rewound, the checkpoints with
+  // their memory, and the moment that is shown.
+  nlohmann::ordered_json Status();
+
+  bool shows_past() const { return shown_ != nullptr; }
+  // Shows the run as it was at the virtual time `time_us`, or after `count` messages.  Returns ""
+  // or the reason why that is not possible.
+  std::string ShowTime(int64_t time_us);
+  std::string ShowMessage(uint64_t count);
+  // Ends the view: the run is shown as it is, and still waits.
+  void ShowPresent();
+  // Returns the virtual time, in us, and the number of messages of the moment that is shown.
+  int64_t shown_us() const { return shown_us_; }
+  uint64_t shown_messages() const { return shown_messages_; }
+
+  // Lets the view answer `request`.  REQUIRES: shows_past().
+  nlohmann::ordered_json Forward(const nlohmann::json& request);
+
+  // Makes the view a run of its own, which goes on at `rate`.  Returns {"run": NAME}, or {"error":
+  // TEXT}.  The caller must then end this run, and call WaitForBranch().
+  nlohmann::ordered_json Branch(double rate);
+  bool has_branched() const { return branch_ > 0; }
+  // Waits for the end of the branch, and passes SIGTERM on to it: `interrupts` returns how often it
+  // has come.  Returns the exit code of the branch.
+  int WaitForBranch(const std::function<int()>& interrupts);
+
+ private:
+  struct Checkpoint {
+    pid_t process;
+    int socket;
+    int64_t time_us;
+    uint64_t messages;
+    uint64_t log_end;  // number of the first input after the checkpoint
+  };
+
+  System& system() const;
+  bool Take();
+  void Drop(Checkpoint* checkpoint);
+  void DropOld();
+  void UpdateMemory();
+  void LeaveView();
+  std::string Show(Checkpoint* checkpoint, const nlohmann::json& target);
+  Checkpoint* LastBefore(int64_t time_us, uint64_t messages);
+
+  // In the process of a checkpoint or of a view.
+  void Wait(int socket, const SavedStick& stick, ProcessFiles* files);
+  bool RunView(int socket, const SavedStick& stick, ProcessFiles* files,
+               const nlohmann::json& request);
+  void Prepare(const SavedStick& stick, ProcessFiles* files, const nlohmann::json& request);
+  void RunTo(const nlohmann::json& target);
+  void AddDueInputs();
+  nlohmann::json GoOn(ProcessFiles* files, double rate);
+
+  RewindParts parts_;
+  InputLog log_;
+  std::vector<BranchNetwork*> networks_;  // by robot
+  SavedStick original_files_;             // files that objects have changed, as they were before
+  std::deque<Checkpoint> checkpoints_;    // in order of time
+  Checkpoint* shown_ = nullptr;           // the checkpoint whose view is shown
+  int64_t shown_us_ = 0;
+  uint64_t shown_messages_ = 0;
+  int64_t next_ns_ = 0;  // earliest time of the next checkpoint, by the clock of this computer
+  int64_t memory_ns_ = 0;
+  size_t memory_bytes_ = 0;
+  pid_t branch_ = -1;         // the process of the branch,
+  pid_t branch_parent_ = -1;  // and that of its checkpoint, a child of this process
+  std::string trouble_;       // why no more checkpoints are taken
+
+  bool is_view_ = false;
+  int64_t last_frame_us_ = 0;           // end of the last frame that this view has run
+  std::deque<LoggedInput> lines_;       // input lines that this view has still to repeat
+  std::unique_ptr<TempFolder> folder_;  // files of this view
+};
+
+}  // namespace openr_host

@@ -1,0 +1,186 @@
+// The part of Rewind that runs in the copies of a run: checkpoints, views and branches.
+#include <fmt/format.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <exception>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <utility>
+
+#include "cli/json_text.h"
+#include "openr/rewind/branch_network.h"
+#include "openr/rewind/message_pipe.h"
+#include "openr/rewind/rewind.h"
+#include "openr/simulation/run_stick.h"
+#include "openr/simulation/simulation.h"
+#include "runtime/stick/memory_stick.h"
+
+namespace openr_host {
+namespace {
+
+using Json = nlohmann::json;
+
+// Waits for the end of process `view` and returns its exit code.
+int ExitCodeOf(pid_t view) {
+  int status = 0;
+  while (waitpid(view, &status, 0) < 0 && errno == EINTR) {
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
+}
+
+}  // namespace
+
+// Runs a checkpoint: waits, and makes a view when the original run asks for one.  Returns only in a
+// view that has become a branch.
+void Rewind::Wait(int socket, const SavedStick& stick, ProcessFiles* files) {
+  // The original process handles the signals of the terminal.
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) ::signal(signal, SIG_IGN);
+  for (const Checkpoint& checkpoint : checkpoints_) close(checkpoint.socket);
+  checkpoints_.clear();
+  for (BranchNetwork* const network : networks_) network->Forget();
+  parts_.become_copy();
+  int exit_code = 0;
+  for (;;) {
+    const std::optional<Json> request = ReceiveMessage(socket, -1);
+    // The original run has closed its end: it has ended, or the last view has become a branch that
+    // is over now.
+    if (!request) _exit(exit_code);
+    if (!request->contains("show")) {
+      SendMessage(socket, {{"error", "no view is open"}});
+      continue;
+    }
+    const pid_t checkpoint = getpid();
+    const pid_t view = fork();
+    if (view == 0) {
+      prctl(PR_SET_PDEATHSIG, SIGKILL);
+      if (getppid() != checkpoint) _exit(0);
+      if (RunView(socket, stick, files, *request)) return;
+      folder_.reset();
+      _exit(0);
+    }
+    if (view < 0) {
+      SendMessage(socket, {{"error", "the process cannot be copied"}});
+      continue;
+    }
+    exit_code = ExitCodeOf(view);
+  }
+}
+
+// Runs a view, whose first request is `request`.  Returns true when it has become a branch, and
+// false when it is to end.
+bool Rewind::RunView(int socket, const SavedStick& stick, ProcessFiles* files,
+                     const Json& request) {
+  is_view_ = true;
+  last_frame_us_ = system().now_us();
+  for (std::optional<Json> next = request; next; next = ReceiveMessage(socket, -1)) {
+    if (next->contains("leave")) {
+      folder_.reset();
+      SendMessage(socket, {{"left", true}});
+      return false;
+    }
+    Json answer;
+    bool has_failed = false;
+    try {
+      if (next->contains("inputs")) Prepare(stick, files, *next);
+      if (next->contains("show")) {
+        RunTo(next->at("show"));
+        answer = {{"time_us", system().now_us()}, {"messages", system().message_count()}};
+      } else if (next->contains("branch")) {
+        answer = GoOn(files, next->at("branch"));
+      } else {
+        answer = {{"line", JsonText(parts_.answer(next->at("answer")))}};
+      }
+    } catch (const std::exception& error) {
+      answer = {{"error", error.what()}};
+      has_failed = !next->contains("answer") && !next->contains("branch");
+    }
+    SendMessage(socket, answer);
+    if (has_failed) return false;
+    if (next->contains("branch") && !answer.contains("error")) {
+      close(socket);
+      return true;
+    }
+  }
+  return false;
+}
+
+// Gives the view files of its own, and the inputs that it has to repeat.  `request` has these
+// inputs and the files that objects have changed in the original run, as they were before.
+void Rewind::Prepare(const SavedStick& stick, ProcessFiles* files, const Json& request) {
+  folder_ = std::make_unique<TempFolder>();
+  const std::string copy = folder_->path() + "/stick", temporary = folder_->path() + "/files";
+  std::filesystem::create_directory(copy);
+  std::filesystem::create_directory(temporary);
+  auto* const present = dynamic_cast<FolderStick*>(system().robot(0).stick.get());
+  const std::string root = present->root();
+  CopyStick(root, copy);
+  SavedStick::Of(request.at("files")).CopyTo(copy);
+  stick.CopyTo(copy);  // files that had been changed before the checkpoint
+  files->OpenAgain(root, copy, temporary);
+  for (int robot = 0; robot < system().robot_count(); ++robot)
+    dynamic_cast<FolderStick*>(system().robot(robot).stick.get())->set_root(copy);
+  std::vector<std::deque<LoggedInput>> network_inputs(networks_.size());
+  for (LoggedInput& input : LoggedInputsOf(request.at("inputs"))) {
+    if (input.poll == 0) {
+      lines_.push_back(std::move(input));
+    } else {
+      network_inputs.at(static_cast<size_t>(input.robot)).push_back(std::move(input));
+    }
+  }
+  for (size_t i = 0; i < networks_.size(); ++i) networks_[i]->Repeat(std::move(network_inputs[i]));
+}
+
+// Adds the input lines that were added at this point of the original run.
+void Rewind::AddDueInputs() {
+  while (!lines_.empty() && lines_.front().time_us == system().now_us() &&
+         lines_.front().messages == system().message_count()) {
+    const LoggedInput input = std::move(lines_.front());
+    lines_.pop_front();
+    parts_.before_input(input.robot, input.line);
+    const std::string problem = system().inputs().Add(input.robot, input.line);
+    if (!problem.empty())
+      throw std::runtime_error(
+          fmt::format("the input '{}' is refused now: {}", input.line, problem));
+  }
+}
+
+// Repeats the run up to a virtual time, behind all messages that are due then, or up to a number of
+// messages.
+void Rewind::RunTo(const Json& target) {
+  const bool has_time = target.contains("time_us");
+  const int64_t end_us = has_time ? target["time_us"].get<int64_t>() : INT64_MAX;
+  const uint64_t end_count = has_time ? UINT64_MAX : target["messages"].get<uint64_t>();
+  while (system().message_count() < end_count && !system().powered_off()) {
+    AddDueInputs();
+    const uint64_t before = system().message_count();
+    const int64_t now_us = system().now_us();
+    system().RunOne(now_us);
+    if (system().message_count() != before) continue;
+    // No message is due any more at this instant.
+    if (now_us % kFrameUs == 0 && std::exchange(last_frame_us_, now_us) != now_us)
+      parts_.after_frame();
+    if (now_us >= end_us) return;
+    const int64_t frame_end_us = (now_us / kFrameUs + 1) * kFrameUs;
+    system().RunOne(std::min(frame_end_us, end_us));
+  }
+}
+
+// Makes the view a run of its own.
+Json Rewind::GoOn(ProcessFiles* files, double rate) {
+  const std::vector<std::string> kept = files->KeepCopies();
+  const std::string name = parts_.become_branch(rate);
+  for (BranchNetwork* const network : networks_) network->GoOn();
+  is_view_ = false;
+  lines_.clear();
+  log_.DropBefore(log_.end());
+  next_ns_ = 0;
+  return {{"run", name}, {"files", kept}, {"process", getpid()}};
+}
+
+}  // namespace openr_host
