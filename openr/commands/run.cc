@@ -30,6 +30,7 @@
 #include "openr/live/live_server.h"
 #include "openr/live/message_history.h"
 #include "openr/live/run_clock.h"
+#include "openr/rewind/rewind.h"
 #include "openr/run/event_script.h"
 #include "openr/run/interrupt.h"
 #include "openr/run/report.h"
@@ -134,6 +135,8 @@ class CommandedRun {
   SimulationOptions Options();
   void NoteThatItDoesNotBoot(bool is_refused);
   std::string LiveName() const;
+  std::string WhyNotRewound() const;
+  void BeginRewind(LiveServer* live, Runner* runner, Watchdog* watchdog);
   bool RunToTheEnd();
   bool Report();
 
@@ -145,16 +148,18 @@ class CommandedRun {
   const RunStick stick_;
   Console console_;
   ConsoleLog console_log_;
-  const InterruptCounter interrupts_;
+  InterruptCounter interrupts_;
   EventScript events_;
   Recorder recorder_;
   DistributedRun distribution_;
+  Rewind rewind_;
   const SimulationOptions options_;
   Simulation simulation_;
   RunClock clock_;
   MessageHistory history_;
   LiveEvents live_events_;
   const LiveContext live_context_;
+  bool is_silent_ = false;     // this is a copy of the run, which prints nothing
   bool is_assembled_ = false;  // `simulation_` has been made
   bool boots_ = false;
   RunFacts facts_;
@@ -173,8 +178,8 @@ CommandedRun::CommandedRun(const RunFlags& flags)
       simulation_(options_),
       clock_(plan_.rate, flags.placement.is_free),
       history_(&system()),
-      live_events_({&simulation_, &clock_, &console_log_, &history_, nullptr}),
-      live_context_{&simulation_, &clock_, &console_log_, &history_, &live_events_} {
+      live_events_({&simulation_, &clock_, &console_log_, &history_, nullptr, &rewind_}),
+      live_context_{&simulation_, &clock_, &console_log_, &history_, &live_events_, &rewind_} {
   is_assembled_ = true;
   facts_.seed = options_.seed;
   plan_.events = &events_;
@@ -189,9 +194,12 @@ SimulationOptions CommandedRun::Options() {
   options.stick = stick_.folder();
   options.log_level = flags_.log == "error" ? 1 : flags_.log == "warning" ? 2 : 3;
   options.console = [this](std::string_view text) {
-    console_.Print(text);
+    if (!is_silent_) console_.Print(text);
     // Images may print while they are loaded, before there is a clock.
     console_log_.Add(is_assembled_ ? system().now_us() : 0, text);
+  };
+  options.network_filter = [this](int robot, std::unique_ptr<Network> inner) {
+    return rewind_.Follow(robot, std::move(inner));
   };
   if (records()) recorder_.Listen(&options);
   // DistributedRun::Enter() adds the network client of ROS 2 after the recorder has added itself,
@@ -217,6 +225,7 @@ int CommandedRun::Run() {
     facts_.standing.assign(simulation_.robots().size(), StandingMonitor(simulation_.model()));
   }
   good = Report() && good;
+  if (rewind_.has_branched()) return rewind_.WaitForBranch([this] { return interrupts_.count(); });
   return good && !system().findings().HasError() ? kExitGood : kExitWrong;
 }
 
@@ -239,6 +248,39 @@ std::string CommandedRun::LiveName() const {
   return std::filesystem::absolute(stick_.name()).lexically_normal().filename();
 }
 
+// Returns why this run cannot be rewound; "" if it can.
+std::string CommandedRun::WhyNotRewound() const {
+  if (distribution_.has_processes()) return "its objects are in several processes";
+  if (flags_.ros2.is_on) return "it is connected to ROS 2 (--ros2)";
+  return "";
+}
+
+// Lets clients of the run go back to earlier moments.
+void CommandedRun::BeginRewind(LiveServer* live, Runner* runner, Watchdog* watchdog) {
+  RewindParts parts;
+  parts.simulation = &simulation_;
+  parts.why_not = WhyNotRewound();
+  parts.answer = [this](const nlohmann::json& request) {
+    return AnswerLive(live_context_, request);
+  };
+  parts.become_copy = [this, live] {
+    is_silent_ = true;
+    if (live != nullptr) live->Forget();
+  };
+  parts.after_frame = [runner] { runner->SampleStanding(); };
+  parts.before_input = [this](int robot, const std::string& line) { events_.Skip(robot, line); };
+  parts.become_branch = [this, live, watchdog](double rate) {
+    live->OpenAgain();
+    watchdog->StartAgain();
+    interrupts_.StartAgain();
+    clock_.set_rate(rate);
+    clock_.GoOn();
+    is_silent_ = false;
+    return fmt::format("{}.{}", LiveName(), getpid());
+  };
+  rewind_.Begin(std::move(parts));
+}
+
 // Boots the robots and runs the simulation to its end.  Returns false after printing an error.
 bool CommandedRun::RunToTheEnd() {
   const EndingAnswer answer(flags_.json ? StandardOutput() : -1, flags_.report_file);
@@ -250,7 +292,7 @@ bool CommandedRun::RunToTheEnd() {
   const CrashLog crash_log(
       std::vector<std::string>(static_cast<size_t>(options_.robots), stick_.crash_log()),
       distribution_.has_processes(), place);
-  const Watchdog watchdog(flags_.handler_limit_us);
+  Watchdog watchdog(flags_.handler_limit_us);
   if (records()) {
     recorder_.Begin(&simulation_, options_, stick_.name(), flags_.placement.is_free);
     plan_.recorder = &recorder_;
@@ -258,8 +300,12 @@ bool CommandedRun::RunToTheEnd() {
   distribution_.Begin(&simulation_, &plan_);
   const std::unique_ptr<LiveServer> live = MakeLiveServer(live_context_, LiveName());
   plan_.live = live.get();
-  if (live != nullptr) plan_.clock = &clock_;
+  if (live != nullptr) {
+    plan_.clock = &clock_;
+    plan_.rewind = &rewind_;
+  }
   Runner runner(&simulation_, plan_, &interrupts_);
+  BeginRewind(live.get(), &runner, &watchdog);
   const auto learn_facts = [this, &runner] {
     facts_.wall_time_s = runner.wall_time_s();
     facts_.standing = runner.standing();

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -15,6 +16,7 @@
 #include "openr/live/message_history.h"
 #include "openr/live/run_clock.h"
 #include "openr/live/scene_json.h"
+#include "openr/rewind/rewind.h"
 #include "openr/simulation/simulation.h"
 #include "runtime/base/spelling.h"
 #include "runtime/core/api.h"
@@ -218,6 +220,73 @@ Json AnswerClock(const Asked& asked) {
   return asked.context.events->Clock();
 }
 
+// Returns an event of the run as it is now, for the process of a run that shows an earlier moment.
+Json AnswerEvent(const Asked& asked) {
+  const auto name = asked.request.at("name").get<std::string>();
+  const auto& kinds = LiveEvents::Kinds();
+  if (std::none_of(kinds.begin(), kinds.end(), [&](const auto& kind) { return kind.name == name; }))
+    return Error(fmt::format("there is no event '{}'", name));
+  EventCursor cursor;
+  return {{"line", asked.context.events->Line(name, &cursor)}};
+}
+
+Json AnswerRewind(const Asked& asked) {
+  Rewind* const rewind = asked.context.rewind;
+  const nlohmann::json& request = asked.request;
+  const auto in_us = [](double time_s) { return static_cast<int64_t>(std::llround(time_s * 1e6)); };
+  std::string problem;
+  if (request.contains("present")) {
+    rewind->ShowPresent();
+  } else if (request.contains("to_message")) {
+    problem = rewind->ShowMessage(request["to_message"].get<uint64_t>());
+  } else {
+    const int64_t from_us = rewind->shows_past() ? rewind->shown_us() : asked.system().now_us();
+    const int64_t to_us = request.contains("back_s")
+                              ? from_us - in_us(request["back_s"].get<double>())
+                              : in_us(request.at("to_s").get<double>());
+    problem = rewind->ShowTime(to_us);
+  }
+  if (!problem.empty()) return Error(problem);
+  asked.context.clock->Pause();
+  return asked.context.events->Clock();
+}
+
+Json AnswerBranch(const Asked& asked) {
+  return asked.context.rewind->Branch(asked.context.clock->rate());
+}
+
+Json AnswerHashes(const Asked& asked) {
+  return {{"time_s", TimeOf(asked)},
+          {"messages", asked.system().message_count()},
+          {"trace_hash", fmt::format("{:016x}", asked.system().trace_hash())},
+          {"state_hash", fmt::format("{:016x}", asked.system().state_hash())}};
+}
+
+// Answers a request that is about an earlier moment, while the run shows one.
+Json AnswerInPast(const Asked& asked, const std::string& name) {
+  Rewind* const rewind = asked.context.rewind;
+  if (name == "input")
+    return Error(
+        "this is the past, where nothing can be changed; go on from here, or go back to "
+        "the present");
+  if (name != "clock") return rewind->Forward(asked.request);
+  const nlohmann::json& request = asked.request;
+  if (!request.value("pause", true))
+    return Error("this is the past; go on from here, or go back to the present");
+  if (!request.contains("step")) return AnswerClock(asked);
+  RunClock::Step step;
+  if (!RunClock::ParseStep(request["step"].get<std::string>(), &step)) return AnswerClock(asked);
+  const int count = request.value("count", 1);
+  if (count < 1 || count > RunClock::kStepsMax) return AnswerClock(asked);
+  // Sensor values come every four frames.
+  const int64_t frames = step == RunClock::Step::kVector ? 4 * count : count;
+  const std::string problem =
+      step == RunClock::Step::kMessage
+          ? rewind->ShowMessage(rewind->shown_messages() + static_cast<uint64_t>(count))
+          : rewind->ShowTime((rewind->shown_us() / kFrameUs + frames) * kFrameUs);
+  return problem.empty() ? asked.context.events->Clock() : Error(problem);
+}
+
 // Returns the bytes of `content` as hexadecimal digits, at most 64 bytes of it.
 std::string HexOf(const std::string& content) {
   std::string hex;
@@ -246,10 +315,11 @@ Json AnswerConnection(const Asked& asked) {
 
 const std::map<std::string, Json (*)(const Asked&)>& KnownRequests() {
   static const std::map<std::string, Json (*)(const Asked&)> requests = {
-      {"input", &AnswerInput},     {"inputs", &AnswerInputs},        {"status", &AnswerStatus},
-      {"objects", &AnswerObjects}, {"object", &AnswerObject},        {"sensors", &AnswerSensors},
-      {"joints", &AnswerJoints},   {"findings", &AnswerFindings},    {"scene", &AnswerScene},
-      {"clock", &AnswerClock},     {"connection", &AnswerConnection}};
+      {"input", &AnswerInput},     {"inputs", &AnswerInputs},         {"status", &AnswerStatus},
+      {"objects", &AnswerObjects}, {"object", &AnswerObject},         {"sensors", &AnswerSensors},
+      {"joints", &AnswerJoints},   {"findings", &AnswerFindings},     {"scene", &AnswerScene},
+      {"clock", &AnswerClock},     {"connection", &AnswerConnection}, {"rewind", &AnswerRewind},
+      {"branch", &AnswerBranch},   {"event", &AnswerEvent},           {"hashes", &AnswerHashes}};
   return requests;
 }
 
@@ -258,6 +328,9 @@ const std::map<std::string, Json (*)(const Asked&)>& KnownRequests() {
 Json AnswerLive(const LiveContext& context, const nlohmann::json& request) {
   const std::string name = request.at("do").get<std::string>();
   const auto found = KnownRequests().find(name);
+  const bool is_about_time = name == "rewind" || name == "branch";
+  if (context.rewind->shows_past() && !is_about_time && found != KnownRequests().end())
+    return AnswerInPast({context, request}, name);
   if (found != KnownRequests().end()) return found->second({context, request});
   std::vector<std::string> known;
   for (const auto& [each, answer] : KnownRequests()) known.push_back(each);

@@ -6,6 +6,7 @@ namespace openr_host {
 class ConsoleLog;
 class LiveEvents;
 class MessageHistory;
+class Rewind;
 class RunClock;
 class Simulation;
 
@@ -15,6 +16,7 @@ struct LiveContext {
   ConsoleLog* console;
   MessageHistory* history;
   LiveEvents* events;
+  Rewind* rewind;  // goes back to earlier moments
 };
 
 }  // namespace openr_host

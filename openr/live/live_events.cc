@@ -11,6 +11,7 @@
 #include "openr/live/message_history.h"
 #include "openr/live/run_clock.h"
 #include "openr/live/scene_json.h"
+#include "openr/rewind/rewind.h"
 #include "openr/simulation/simulation.h"
 #include "runtime/base/wall_clock.h"
 #include "runtime/core/api.h"
@@ -99,6 +100,7 @@ std::string LiveEvents::Line(std::string_view name, EventCursor* cursor) {
   const std::string begin = fmt::format("{{\"event\":\"{}\"", name);
   const auto line = [&begin](const Json& body) { return begin + "," + JsonText(body).substr(1); };
   if (name == "clock") return line(Clock());
+  if (context_.rewind->shows_past()) return LineOfPast(name, cursor);
   if (name == "log") {
     const Json lines = Log(cursor);
     return lines.empty() ? "" : line({{"lines", lines}});
@@ -115,6 +117,21 @@ std::string LiveEvents::Line(std::string_view name, EventCursor* cursor) {
   return line(name == "values" ? ValuesJson(context_.simulation) : Graph());
 }
 
+// Returns the event `name` of an earlier moment, which the process that shows this moment makes.
+// There are no events "log", because a client has had the lines already.
+std::string LiveEvents::LineOfPast(std::string_view name, EventCursor* cursor) {
+  if (name == "log") return "";
+  if (name == "findings") cursor->findings = UINT64_MAX;  // in the present, all are sent again
+  const Rewind& rewind = *context_.rewind;
+  // No moment of the present has such a version, because virtual time is below 2^63 us.
+  const uint64_t moment =
+      static_cast<uint64_t>(rewind.shown_us()) + rewind.shown_messages() + (uint64_t{1} << 63);
+  uint64_t& shown = cursor->versions[std::string(name)];
+  if (std::exchange(shown, moment) == moment) return "";
+  const Json answer = context_.rewind->Forward({{"do", "event"}, {"name", name}});
+  return answer.value("line", "");
+}
+
 void LiveEvents::UpdateSpeed() {
   const int64_t now_ns = WallClockNs(), now_us = context_.simulation->system().now_us();
   if (now_ns - speed_ns_ < 500 * kMs) return;
@@ -129,11 +146,14 @@ void LiveEvents::UpdateSpeed() {
 Json LiveEvents::Clock() {
   UpdateSpeed();
   System& system = context_.simulation->system();
-  return {{"time_s", InSeconds(system.now_us())},
-          {"messages", system.message_count()},
+  const Rewind& rewind = *context_.rewind;
+  const bool is_past = rewind.shows_past();
+  return {{"time_s", InSeconds(is_past ? rewind.shown_us() : system.now_us())},
+          {"messages", is_past ? rewind.shown_messages() : system.message_count()},
           {"paused", context_.clock->paused()},
           {"rate", context_.clock->rate()},
-          {"speed", speed_}};
+          {"speed", speed_},
+          {"rewind", context_.rewind->Status()}};
 }
 
 // Computes the messages per second of virtual time since the last update, for every object and

@@ -31,8 +31,8 @@ class LiveEvents {
 
   explicit LiveEvents(const LiveContext& context) : context_(context) {}
 
-  // Returns the event `name` of the run as it is now, as one line without its end.  Returns "" if
-  // `cursor` says that the client knows everything already.
+  // Returns the event `name` of the run as it is at the moment that is shown, as one line without
+  // its end.  Returns "" if `cursor` says that the client knows everything already.
   std::string Line(std::string_view name, EventCursor* cursor);
 
   // Called with whether any client watches the event "graph".  As long as one does, the messages of
@@ -48,6 +48,7 @@ class LiveEvents {
     double per_s = 0;
   };
 
+  std::string LineOfPast(std::string_view name, EventCursor* cursor);
   uint64_t Version() const;
   void UpdateRates();
   void UpdateSpeed();

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "openr/live/live_server.h"
+#include "openr/rewind/rewind.h"
 #include "openr/run/console_feed.h"
 #include "openr/run/event_script.h"
 #include "openr/run/interrupt.h"
@@ -64,6 +65,8 @@ std::optional<RunEnd> Runner::WhyOver() const {
   if (system.powered_off()) return {};
   if (interrupts_->count() >= 2)
     return RunEnd{EndKind::kSignal, "Ctrl-C or SIGTERM came again; no object was told"};
+  if (plan_.rewind != nullptr && plan_.rewind->has_branched())
+    return RunEnd{EndKind::kBranch, "a copy of the run goes on from an earlier moment"};
   if (paused_us_ >= 0) {
     if (now_us - paused_us_ < kPauseUs + kShutdownMaxUs) return {};
     return RunEnd{EndKind::kPause, "the shutdown after the pause button took more than 60 s"};
@@ -135,14 +138,19 @@ void Runner::AnnouncePorts() {
   }
 }
 
-void Runner::AfterFrame() {
-  System& system = simulation_->system();
+void Runner::SampleStanding() {
   for (size_t i = 0; i < standing_.size(); ++i) {
-    standing_[i].Sample(simulation_->robots()[i]->body().state(), system.now_us());
+    standing_[i].Sample(simulation_->robots()[i]->body().state(), simulation_->system().now_us());
   }
+}
+
+void Runner::AfterFrame() {
+  SampleStanding();
   if (plan_.after_frame) plan_.after_frame();
   AnnouncePorts();
   TakePictures(false);
+  if (plan_.rewind != nullptr && plan_.live != nullptr)
+    is_new_branch_ = plan_.rewind->AfterFrame(plan_.live->is_watched());
 }
 
 // Presses the pause button after the first Ctrl-C.  Later shuts all robots down, if no object has
@@ -242,23 +250,32 @@ bool Runner::Run() {
     // A step over a message may have ended within a frame.
     const bool is_within_frame = system.now_us() < NextStopAfter(before_us);
     if (!is_within_frame || system.powered_off()) AfterFrame();
+    // The pacer of a branch is that of a moment long ago.
+    if (std::exchange(is_new_branch_, false)) pacer.Restart();
     HandleInterrupt();
   }
   if (end) system.NoteRunEnd(*end);
   system.trace().RemoveSink(activity_sink_);
+  Finish();
+  wall_time_ns_ += WallClockNs() - std::exchange(begin_ns_, 0);
+  return good_;
+}
+
+// Adds the findings that are known only at the end of the run, and completes its files.
+void Runner::Finish() {
+  System& system = simulation_->system();
   // Reports objects that wait in vain, for example for an observer that never asks for more data
   // (runtime/core/stalls.h).  When all robots are off, no object waits any more.
-  if (!system.powered_off()) {
+  const bool goes_on = plan_.rewind != nullptr && plan_.rewind->has_branched();
+  if (!system.powered_off() && !goes_on) {
     const bool is_silent = plan_.until_idle && system.now_us() - last_activity_us_ >= kIdleUs;
     ReportStalls(&system, is_silent);
   }
-  if (plan_.events != nullptr) plan_.events->ReportRest(&system);
+  if (plan_.events != nullptr && !goes_on) plan_.events->ReportRest(&system);
   ReportStacks(&system);
   simulation_->ReportUnusedCosts();
   simulation_->CloseFiles();
-  TakePictures(true);
-  wall_time_ns_ += WallClockNs() - std::exchange(begin_ns_, 0);
-  return good_;
+  if (!goes_on) TakePictures(true);
 }
 
 }  // namespace openr_host

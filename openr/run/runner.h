@@ -21,6 +21,7 @@ class InterruptCounter;
 class LiveServer;
 class Pacer;
 class Recorder;
+class Rewind;
 class Simulation;
 
 struct RunPlan {
@@ -33,6 +34,7 @@ struct RunPlan {
   EventScript* events = nullptr;                     // timed inputs; null: none
   LiveServer* live = nullptr;                        // serves openr poke; null: none
   RunClock* clock = nullptr;                         // see RunClock; null: always `rate`
+  Rewind* rewind = nullptr;                          // goes back to earlier moments; null: none
   std::function<void(const std::string& line)> say;  // prints a message for the user
   Recorder* recorder = nullptr;                      // records lost processes; null: none
   // Set only for a free run, in which virtual time goes on while handlers run in worker processes.
@@ -58,6 +60,10 @@ class Runner {
   // taken.  If a picture was wanted for a time after the end, adds an error to the findings.
   bool Run();
 
+  // Watches how the robots stand.  Called after each frame, also of a copy of the run that repeats
+  // frames.
+  void SampleStanding();
+
   // Returns how long the run has taken by the clock of this computer.  The time for drawing
   // pictures is left out, because it says nothing about the speed of the simulation.
   double wall_time_s() const;
@@ -65,6 +71,7 @@ class Runner {
 
  private:
   void WatchActivity();
+  void Finish();
   // Returns the reason if the run is over; none if it goes on.  Also returns none when all robots
   // are off, because the System has then noted the reason already.
   std::optional<RunEnd> WhyOver() const;
@@ -94,6 +101,7 @@ class Runner {
   int64_t last_activity_us_ = 0;
   int64_t paused_us_ = -1;  // virtual time when the button was pressed; -1: not pressed
   bool shutdown_posted_ = false;
+  bool is_new_branch_ = false;  // this process has just become a run of its own (Rewind)
   bool good_ = true;
   int64_t begin_ns_ = 0;      // clock of this computer at the start; 0: not running
   int64_t wall_time_ns_ = 0;  // when not running: duration; else minus the time for pictures
