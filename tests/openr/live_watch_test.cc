@@ -1,13 +1,7 @@
 // Watching a run through its socket, pausing it and making steps.
 #include <gmock/gmock.h>
-#include <poll.h>
-#include <sys/socket.h>
-#include <sys/un.h>
-#include <unistd.h>
 
-#include <chrono>
 #include <cmath>
-#include <cstring>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -17,6 +11,7 @@
 #include "runtime/base/read_file.h"
 #include "runtime/base/temp_folder.h"
 #include "tests/openr/program_run.h"
+#include "tests/openr/watcher.h"
 
 namespace openr_host {
 namespace {
@@ -25,65 +20,6 @@ using ::testing::HasSubstr;
 using Json = nlohmann::ordered_json;
 
 constexpr char kAllEvents[] = R"(["clock","pose","values","graph","findings","log"])";
-
-// A connection to the socket of a run that keeps the events which come between answers.
-class Watcher {
- public:
-  explicit Watcher(const std::string& socket_path) {
-    sockaddr_un address{};
-    address.sun_family = AF_UNIX;
-    std::strncpy(address.sun_path, socket_path.c_str(), sizeof address.sun_path - 1);
-    socket_ = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
-    EXPECT_EQ(connect(socket_, reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
-  }
-  ~Watcher() { close(socket_); }
-  Watcher(const Watcher&) = delete;
-  Watcher& operator=(const Watcher&) = delete;
-
-  void Write(const std::string& line) const {
-    const std::string text = line + "\n";
-    ASSERT_EQ(send(socket_, text.data(), text.size(), MSG_NOSIGNAL),
-              static_cast<ssize_t>(text.size()));
-  }
-
-  // Returns the next line; null if the run has ended or sends nothing for 20 s.
-  Json Next() {
-    for (size_t end; (end = received_.find('\n')) == std::string::npos;) {
-      pollfd waited = {socket_, POLLIN, 0};
-      char buffer[64 << 10];
-      if (poll(&waited, 1, 20'000) <= 0) return nullptr;
-      const ssize_t count = recv(socket_, buffer, sizeof buffer, 0);
-      if (count <= 0) return nullptr;
-      received_.append(buffer, static_cast<size_t>(count));
-    }
-    const size_t end = received_.find('\n');
-    Json line = Json::parse(received_.substr(0, end));
-    received_.erase(0, end + 1);
-    return line;
-  }
-
-  Json Ask(const std::string& request) {
-    Write(request);
-    for (Json line = Next();; line = Next()) {
-      if (line.is_null() || !line.contains("event")) return line;
-    }
-  }
-
-  // Returns the next event `name` for which `fits` holds; null if the run ends before.
-  template <typename Fits>
-  Json WaitFor(const std::string& name, Fits fits) {
-    for (Json line = Next();; line = Next()) {
-      if (line.is_null() || (line.value("event", "") == name && fits(line))) return line;
-    }
-  }
-  Json WaitFor(const std::string& name) {
-    return WaitFor(name, [](const Json&) { return true; });
-  }
-
- private:
-  int socket_ = -1;
-  std::string received_;
-};
 
 class LiveWatchTest : public ::testing::Test {
  protected:
