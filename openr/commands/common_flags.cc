@@ -83,8 +83,8 @@ CLI::Validator IsWritable() { return CLI::Validator(&WhyNotWritable, "FILE"); }
 
 void RefuseInput(const std::string& flag, const std::string& file, const std::string& problem) {
   if (problem.empty()) return;
-  // CLI11 would put the flag's name before the text of a ValidationError.  This text begins with
-  // the name already, so a plain ParseError is thrown.
+  // CLI11 would put the flag's name before the text of a ValidationError.  This text already begins
+  // with the name, so we throw a plain ParseError.
   throw CLI::ParseError(fmt::format("{} {}: {}", flag, file, problem),
                         CLI::ExitCodes::ValidationError);
 }

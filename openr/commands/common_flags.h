@@ -11,11 +11,11 @@
 
 namespace openr_host {
 
-// Adds --stick, --robot, --world and --seed, which all commands have that load the objects of a
-// stick.
+// Adds the flags of all commands that load the objects of a stick: --stick, --robot, --world and
+// --seed.
 void AddCommonFlags(CLI::App* command, SimulationOptions* options);
 
-// Add --battery and --cost, which commands that run robots have.
+// Add --battery and --cost, the flags of commands that run robots.
 void AddBatteryFlag(CLI::App* command, SimulationOptions* options);
 void AddCostFlag(CLI::App* command, SimulationOptions* options);
 
@@ -29,11 +29,11 @@ CLI::Option* AddDurationFlag(CLI::App* command, const std::string& name,
 CLI::Option* AddDurationFlag(CLI::App* command, const std::string& name, int64_t* us,
                              const std::string& description);
 
-// Returns a check of a flag's value: it refuses all but whole numbers from 0 to 2^64 - 1.
+// Returns a check of a flag's value: it accepts only whole numbers from 0 to 2^64 - 1.
 CLI::Validator IsCount();
 
-// Returns a check of a flag's value: it refuses files that cannot be written.  So the error comes
-// before the command does its work.
+// Returns a check of a flag's value: it refuses files that cannot be written.  The user then sees
+// the error before the command does its work.
 CLI::Validator IsWritable();
 
 // Returns a check of the flag `flag`: it refuses files that cannot be read, with the error "FLAG

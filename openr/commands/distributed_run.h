@@ -49,12 +49,13 @@ class DistributedRun {
   bool Connect(Simulation* simulation);
 
   // Begins to exchange data with ROS 2 and openr top, and sets the functions in `plan` that handle
-  // these data during the run.  Called after plan->recorder has been set, because the recorder must
-  // learn when a worker is lost, and before the Runner is made, because it copies `plan`.
+  // these data during the run.  REQUIRES: plan->recorder is set, because the recorder must learn
+  // when a worker is lost; no Runner has been made from `plan`, because a Runner keeps a copy of
+  // `plan`.
   void Begin(Simulation* simulation, RunPlan* plan);
 
-  // Sends the last status of the run to openr top, and closes the link to ROS 2.  The link prints
-  // only some of its messages for the user; now it prints how many it has left out.
+  // Sends the last status of the run to openr top, and closes the link to ROS 2.  The link then
+  // prints how many messages for the user it has left out.
   void RunIsOver();
 
   // Adds warnings to the run's report about messages that were not delivered because a worker

@@ -145,9 +145,10 @@ std::vector<std::string> WordsOf(const std::string& text) {
 }
 
 // Returns the lease of the workers that this run starts: the seconds without a sign of life after
-// which a worker counts as dead.  With --restart it is the shorter kReturningLease_s, because until
-// the lease of a dead worker is over, DDS keeps data for it, which makes the restart slow (bus.h).
-// Workers under a debugger (--wrap) keep the longest lease, because they may be stopped for long.
+// which a worker counts as dead.  Usually the lease is long.  With --restart it is short, because
+// DDS keeps data for a dead worker until its lease is over, and that makes the restart slow
+// (bus.h).  A worker under a debugger (--wrap) always gets the long lease, because the user may
+// stop it for long.
 int WatchedLease(const PlacementFlags& flags) {
   if (flags.bus.lease_s != 0) return flags.bus.lease_s;
   return flags.restarts > 0 && flags.wrapper.empty() ? kReturningLease_s : kWatchedLease_s;

@@ -197,7 +197,8 @@ int WithConsole(int exit_code, const SharedConsole& console) {
 // properties and the function that prepares a run.  The objects of the runs print to `console`,
 // which must outlive `plan`.
 void SetStick(const ExploredStick& stick, const SharedConsole& console, ExplorePlan* plan) {
-  // Only checks the cost file, so that a wrong file is reported here and not by each process.
+  // The cost file is loaded here only to report its errors once.  Later each process loads the file
+  // again.
   LoadCostFile(stick.simulation.cost_file);
   plan->run.for_us = stick.for_us;
   plan->run.properties.names = stick.properties;

@@ -92,9 +92,8 @@ void HandleEndSignals(int flags) {
   _exit(128 + g_ended_by);
 }
 
-// Discards what is written to standard error while an object of this class exists, if `is_on`.
-// Used when a worker without a network tries again, because Cyclone DDS would print the same errors
-// each time.
+// If `is_on`, discards all output to standard error while the SilencedErrors exists.  Used when a
+// worker without a network tries again, because Cyclone DDS would print the same errors each time.
 class SilencedErrors {
  public:
   explicit SilencedErrors(bool is_on) : before_(is_on ? dup(STDERR_FILENO) : -1) {

@@ -67,8 +67,8 @@ std::string CountedFrames(const MtnFile& motion) {
   return Counted(static_cast<uint64_t>(motion.NumKeyFrames()), "key frame");
 }
 
-// Returns whether `locator` is an ear.  An ear has two positions instead of an angle: the value 0
-// is one position, any other value is the other.
+// Returns whether `locator` names an ear.  An ear has two positions instead of an angle: the value
+// 0 is one position, any other value is the other.
 bool HasTwoPositions(const std::string& locator) {
   return locator.find("-Joint3:") != std::string::npos ||
          locator.find("-Joint4:") != std::string::npos;

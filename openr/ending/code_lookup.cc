@@ -15,7 +15,7 @@ namespace {
 
 using Session = std::unique_ptr<Dwfl, decltype(&dwfl_end)>;
 
-// The load address of the file that is told to libdwfl.  Any address will do, because instructions
+// The load address that libdwfl is told for the file.  Any address will do, because instructions
 // are looked up by their distance from this address.
 constexpr GElf_Addr kBase = 0x10000;
 
@@ -40,8 +40,8 @@ std::string LineOf(Dwfl_Module* module, GElf_Addr address) {
 }  // namespace
 
 CodeLookup LookUpCode(const char* file, uintptr_t offset) {
-  // Says that no object runs on this thread until the end of this function.  So malloc() and
-  // fopen() work on the heap and the files of the host, and not on those of an object.
+  // Without a current object, malloc() and fopen() use the heap and the files of the host, not
+  // those of the object that has crashed.
   const CurrentScope scope(nullptr, nullptr);
   // Debug information is searched only beside the file, not in the folders of installed debug
   // packages.  Such packages would change the output of a run from machine to machine.

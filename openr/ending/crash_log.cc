@@ -46,9 +46,8 @@ constexpr size_t kAlternateStackBytes = 256 << 10;  // large enough to make a re
 // Paths of the record files; the index is the robot's number.  Null while no CrashLog exists.
 std::vector<std::string>* g_files = nullptr;
 bool g_adds = false;  // true: a record is added to its file; false: it replaces the file
-// Null while no CrashLog exists.  A crash becomes an error finding in the report; this is the text
-// that follows the name of the record file in that finding.  Without a value, the finding does not
-// name the file.
+// The text that follows the name of the record file in the error finding about a crash.  Without a
+// value, the finding does not name the file.  Null while no CrashLog exists.
 std::optional<std::string>* g_place = nullptr;
 char g_stack[kAlternateStackBytes];
 
@@ -147,8 +146,8 @@ class RecordFile {
   // Opens the file `name`.  If `name` is null, no file is opened or written.
   explicit RecordFile(const std::string* name) : name_(name) {
     if (name == nullptr) return;
-    // The system call is made directly, because this process replaces open() by a function of its
-    // own, which may open a file of the object's Memory Stick instead.
+    // The system call is made directly, because open() is replaced in this process by a function
+    // that may open a file of the object's Memory Stick instead.
     descriptor_ =
         static_cast<int>(syscall(SYS_openat, AT_FDCWD, name->c_str(),
                                  O_WRONLY | O_CREAT | (g_adds ? O_APPEND : O_TRUNC), 0666));

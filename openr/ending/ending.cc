@@ -52,9 +52,9 @@ void AnswerInSignal(const Ending& ending) {
   g_answer_file->Close();
 }
 
-// Handles a signal that comes while EndingActions run, because one of them has crashed.  Does not
-// run the other actions: writes the JSON report of the run, if it has none yet, and ends the
-// process.
+// Handles a signal that comes while EndingActions run, because an action has crashed or the actions
+// took too long.  Does not run the remaining actions: writes the JSON report of the run, if it is
+// not written yet, and ends the process.
 void OnSignalDuringEnding(int) {
   const Ending* const ending = std::exchange(g_ending, nullptr);
   if (ending != nullptr) AnswerInSignal(*ending);

@@ -1,10 +1,10 @@
-// Deviations: the places where a run of an exploration leaves the canonical order of messages,
+// A deviation is a place where a run of an exploration leaves the canonical order of messages,
 // which is the order of a run without exploration.  A random schedule writes its deviations down,
 // and a scripted schedule repeats them.
 //
 // A place is named by facts that stay the same when other deviations are removed: an instant, a
-// receiver, the n-th message from one object to another.  Therefore single deviations of a list can
-// be removed, and a person can read the list.
+// receiver, the n-th message from one object to another.  Therefore a search can remove single
+// deviations from a list, and a person can read the list.
 #pragma once
 
 #include <cstdint>

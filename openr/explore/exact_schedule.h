@@ -2,11 +2,11 @@
 // first choices as the search says.  After them it avoids orders of messages that have the same
 // result as an order of an earlier run.
 //
-// Swapping two deliveries that follow each other changes the result only if both use the same
-// memory, or if both send to the same object, because its queue keeps the order of sending.  A
-// delivery uses the memory of the receiver, and of all objects whose regions (blocks of data) the
-// receiver still has.  The delivery of a notification also uses the memory of the sender, because
-// its region is read.
+// Swapping two deliveries that follow each other changes the result only in two cases: both
+// deliveries use the same memory, or both send to the same object, whose queue keeps the order of
+// sending.  A delivery uses the memory of the receiver, and of all objects whose regions (blocks of
+// data) the receiver still has.  The delivery of a notification also uses the memory of the sender,
+// because its region is read.
 //
 // After a delivery has been explored, it "sleeps" in later runs (sleep sets, Godefroid): the
 // schedule does not choose it until another delivery has happened with which it cannot be swapped.
@@ -51,26 +51,27 @@ SleepSet SleepFromJson(const nlohmann::ordered_json& json);
 
 class ExactSchedule : public ExploreSchedule {
  public:
-  // `plan` is a JSON object.  "choices" has the indices of the candidates to take at the first
-  // choices of the run.  "sleep" has the SleepSet at the last of these choices.  At later choices
-  // the schedule takes the first candidate whose delivery does not sleep.  If "reduce" is false, no
-  // delivery sleeps, so the search also tries orders that are equal to earlier ones.
+  // `plan` is a JSON object.  "choices" has, for the first choices of the run, the index of the
+  // candidate to take.  A candidate is an object that can get its next message now.  "sleep" has
+  // the SleepSet at the last of these choices.  At later choices the schedule takes the first
+  // candidate whose delivery does not sleep.  If "reduce" is false, no delivery sleeps, so the
+  // search also tries orders that repeat earlier ones.
   ExactSchedule(const System& system, const nlohmann::ordered_json& plan);
 
-  // Notes which objects the delivery of `message` concerns.  If the receiver was the only
-  // candidate, so that there was no choice, and the delivery sleeps, cuts the run.  Called for
-  // every message before the handler of the receiver runs.
+  // Records which objects the delivery of `message` concerns.  Cuts the run if the receiver was the
+  // only candidate and its delivery sleeps.  Called for every message before the handler of the
+  // receiver runs.
   void SawDelivery(const Message& message);
 
-  // Returns whether this run was cut, that is, stopped early, because every delivery that could
-  // come next was asleep and would only have repeated an order of an earlier run.
+  // Returns whether this run was cut, that is, stopped early.  A run is cut when every delivery
+  // that could come next is asleep and so would only repeat an order of an earlier run.
   bool is_cut() const { return is_cut_; }
 
   // Returns the result of this run for the search: {"cut": is_cut(), "nodes": [...]}, with a node
   // {"candidates": [ids], "chosen": index, "touched": .., "sleep": ..} for every choice.  "touched"
   // has the objects that the chosen delivery concerned.  "sleep" has the SleepSet before the
-  // choice.  It is empty for the first choices, which the search has made, because the search knows
-  // it.
+  // choice.  For choices that the search made, "sleep" is empty, because the search already knows
+  // the SleepSet.
   nlohmann::ordered_json Tell();
 
  protected:
@@ -101,9 +102,11 @@ class ExactSchedule : public ExploreSchedule {
   std::vector<Node> nodes_;
   bool is_cut_ = false;
 
-  // ---- The current delivery.  A delivery becomes the current one when its receiver is chosen.  If
-  // the receiver was the only candidate, so that there was no choice, the delivery becomes the
-  // current one when the message is delivered.
+  // ---- The current delivery
+  //
+  // A delivery becomes the current one when its receiver is chosen.  If the receiver was the only
+  // candidate, so that there was no choice, its delivery becomes the current one when the message
+  // is delivered.
   bool has_event_ = false;
   bool is_begun_ = false;  // the message of this delivery has been delivered
   ObjectId event_target_ = kNoObject;

@@ -11,9 +11,9 @@
 namespace openr_host {
 namespace {
 
-// Largest delays of messages inside the robot; each seed uses one of the three.  The largest one is
-// realistic: on a real robot the longest gap between two sensor vectors was below 188 ms, where 32
-// ms are usual (docs/exploring.md), so a vector was up to about 150 ms late.  The smaller ones
+// Largest delays of messages inside the robot; each seed uses one of the three.  The largest is
+// realistic: on a real robot the longest gap between two sensor vectors was almost 188 ms instead
+// of the usual 32 ms, so a vector was about 150 ms late (docs/exploring.md).  The smaller delays
 // disturb a run less.
 constexpr int64_t kDelayMaxUs[] = {2'000, 20'000, 150'000};
 
@@ -65,8 +65,8 @@ bool ExploreSchedule::IsNetwork(ObjectId id) {
 
 // Returns the time by which `message` is delayed.  Messages to one object keep the order of
 // sending, as in the robot's queues, so a delay of one message also delays the messages behind it.
-// Three kinds of messages keep their time (docs/exploring.md): answers to Call(), messages to which
-// the sender has given a delay, and messages to system objects.
+// Three kinds of messages are never delayed (docs/exploring.md): answers to Call(), messages to
+// which the sender has given a delay, and messages to system objects.
 int64_t ExploreSchedule::ExtraDelayUs(const Message& message, int64_t now_us, int64_t delay_us) {
   SawPost(message);
   if (message.is_reply || delay_us != 0 || system_.object(message.target)->is_system) return 0;
@@ -130,8 +130,8 @@ RandomSchedule::RandomSchedule(const System& system, uint64_t seed, const Vary& 
     const double all[] = {static_cast<double>(rates)...};
     return all[temper.NextBelow(sizeof...(rates))];
   };
-  // Draws the values for all kinds of choices, also for those that `vary` switches off.  So
-  // switching one kind off does not change the values of the other kinds.
+  // Draws values also for those kinds of choices that `vary` switches off.  So switching one kind
+  // off does not change the values of the other kinds.
   const double start = one_of(0, 1, 1), tie = one_of(0.02, 0.3, 1);
   const double delay = one_of(0, 0.002, 0.03), network = one_of(0, 0.1, 0.5);
   const double cost = one_of(0, 0.05, 1), frame = one_of(0, 0, 0, 1);
@@ -166,8 +166,8 @@ int64_t RandomSchedule::PickCostUs(const Deviation&, int64_t range_us) {
 }
 
 // Picks the number of the robot's first frame: 0, or one so large that the frame counter starts
-// again at 0 within the run of `frames` frames.  A real robot gets there only after weeks, so
-// objects are seldom tested for it.
+// again at 0 within the run of `frames` frames.  A real robot comes to the end of the counter only
+// after weeks, so this case is seldom tested.
 int64_t RandomSchedule::PickFrame(const Deviation&, int64_t frames) {
   if (frames <= 1 || !Happens(&frame_, frame_rate_)) return 0;
   return int64_t{oframeMAX_NUMBER} -

@@ -1,5 +1,5 @@
-// Schedules for exploration: they choose between the orders of messages that the robot allows, and
-// write down each choice that leaves the canonical order, which is the order of a run without
+// Schedules for exploration.  A schedule chooses between the orders of messages that the robot
+// allows.  It writes down each choice that leaves the canonical order, the order of a run without
 // exploration.
 //
 // docs/exploring.md says what may be chosen, and why the real robot could do the same.
@@ -28,8 +28,8 @@ struct DeviationLog {
   Deviation entries[kMax];
 };
 
-// The kinds of choices that a schedule may make.  For a kind that is false, the run goes on as
-// without exploration.
+// The kinds of choices that a schedule may make.  For a kind that is false, the schedule makes the
+// choices of a run without exploration.
 struct Vary {
   bool starts = true;   // the order in which objects get DoStart
   bool ties = true;     // the order of objects that have messages due at the same time
@@ -39,9 +39,9 @@ struct Vary {
   bool frames = true;   // the number of the robot's first frame
 };
 
-// Base class of the schedules for exploration.  It finds out which place in the run a choice is
-// about, lets the derived class choose, and writes down each choice that is not the canonical one
-// (index 0, no delay).  It keeps the messages to each object in order when some are delayed.
+// Base class of the schedules for exploration.  For each choice it finds the place in the run and
+// lets the derived class choose.  It writes down each choice that is not the canonical one (index
+// 0, no delay).  When it delays a message, it keeps the order of the messages to each object.
 class ExploreSchedule : public Schedule {
  public:
   explicit ExploreSchedule(const System& system);
@@ -64,10 +64,10 @@ class ExploreSchedule : public Schedule {
   void set_log(DeviationLog* log) { log_ = log; }
 
  protected:
-  // Make one choice.  `spot` says where in the run the choice is; only its field for the result
-  // (`object` for PickOf(), `us` for the others) is not set yet.  PickOf() returns the index of the
-  // chosen candidate, PickFrame() a frame number, the others a time.  In each, 0 is the canonical
-  // choice.
+  // Make one choice.  `spot` says where in the run the choice is.  The field of `spot` for the
+  // result is not set yet: `object` for PickOf(), `us` for the other functions.  PickOf() returns
+  // the index of the chosen candidate, PickFrame() a frame number, the other functions a time.  The
+  // result 0 is always the canonical choice.
   virtual size_t PickOf(const Deviation& spot, const std::vector<ObjectId>& candidates) = 0;
   virtual int64_t PickDelayUs(const Deviation& spot, bool from_network) = 0;
   virtual int64_t PickCostUs(const Deviation& spot, int64_t range_us) = 0;
@@ -91,10 +91,10 @@ class ExploreSchedule : public Schedule {
   uint64_t start_count_ = 0;
   int64_t tie_time_us_ = -1;
   uint64_t tie_count_ = 0;  // number of ties so far at tie_time_us_
-  // Counts the messages from one sender to one handler of one receiver, because deviations name a
-  // message as the n-th of these.  If the messages come from the network, also has the time when
-  // the last one reaches the receiver, because the next one must not overtake it.  The key is
-  // sender, receiver and selector (number of the handler).
+  // The number of messages so far from one sender to one handler of one receiver, because
+  // deviations name a message by this number.  For messages from the network, also the time when
+  // the last message reaches the receiver, because the next message must not overtake it.  The key
+  // is sender, receiver and selector (number of the handler).
   std::map<std::tuple<ObjectId, ObjectId, uint32_t>, Stream> streams_;
   // The number of calls of CostJitterUs() so far, by object and selector of the handler.
   std::map<std::pair<ObjectId, uint32_t>, uint64_t> calls_;
@@ -121,8 +121,8 @@ class RandomSchedule : public ExploreSchedule {
  private:
   bool Happens(Rng* rng, double rate) { return rate > 0 && rng->NextDouble() < rate; }
 
-  // Separate generators, so that the choices of one kind do not depend on how many choices of
-  // another kind were drawn before.
+  // Generators for each kind of choice, so that the choices of one kind do not depend on how many
+  // choices of another kind were drawn before.
   Rng order_, delay_, cost_, frame_;
   double start_rate_ = 0, tie_rate_ = 0, delay_rate_ = 0, network_rate_ = 0, cost_rate_ = 0,
          frame_rate_ = 0;

@@ -35,9 +35,9 @@ nlohmann::ordered_json ExploreSeeds(const ExplorePlan& plan);
 
 // Makes two runs for each seed; the second one is in a process with other memory addresses, and is
 // advanced in time slices of another length.  Both runs of a correct program have the same result.
-// Returns the fields of ExploreSeeds(), and "differences" (number of seeds whose two runs differ in
-// the hash of trace or state), "address_dependent" (number of seeds that differ only because of the
-// other addresses), and the first seeds of both kinds.
+// Returns the fields of ExploreSeeds() and two more.  "differences" is the number of seeds whose
+// two runs differ in the hash of trace or state.  "address_dependent" is the number of seeds that
+// differ only because of the other addresses.  Also returns the first seeds of both kinds.
 nlohmann::ordered_json VerifySeeds(const ExplorePlan& plan);
 
 // Tries all orders in which objects can start, and in which objects with messages due at the same

@@ -51,15 +51,15 @@ bool Send(int channel, const std::string& line) {
   return true;
 }
 
-// Moves all memory that this process allocates from now on to other addresses than in processes
-// that do not call this function.  The same run is made in processes of both kinds.  If its result
-// depends on addresses, the hashes of its state differ, and so the user learns about it.
+// Makes this process allocate memory at other addresses than processes that do not call this
+// function.  The explorer makes the same run in processes of both kinds.  If the run depends on
+// addresses, the hashes of the two runs differ, and the user learns about it.
 void MoveMemory() {
   UseOtherAddresses();
   constexpr size_t kHoleBytes = (96 << 20) + 7 * 4096;
   mmap(nullptr, kHoleBytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-  // Takes memory at the end of the heap that malloc() does not know of.  malloc() gets its next
-  // memory behind it, so later blocks have other addresses than in a process without this hole.
+  // Makes a hole at the end of the heap, of which malloc() does not know.  The next memory for
+  // malloc() lies behind the hole, so later blocks have other addresses than in other processes.
   if (sbrk(13 * 4096 + 16) == reinterpret_cast<void*>(-1))
     return;  // sbrk() has failed: the heap stays where it is
   static void* volatile hole = malloc(4099);
@@ -85,8 +85,8 @@ class PlanServer {
     Json again = {{"seed", plan.at("seed")}, {"slice_us", kOddSliceUs}, {"blind", true}};
     if (answer.contains("time_us")) again["until_us"] = answer["time_us"];
     const bool differs = !AreEqual(answer, elsewhere_->RunOne(again));
-    // A third run, at the addresses of the first one, shows whether the other addresses have made
-    // the difference.
+    // A third run uses the addresses of the first run.  It shows whether only the addresses of the
+    // second run made the difference.
     const bool differs_here = differs && !AreEqual(answer, server_.Run(again));
     answer["differs"] = differs_here;
     answer["depends_on_addresses"] = differs && !differs_here;
@@ -176,8 +176,8 @@ void ExplorerProcesses::Start(const Job& job) {
   if (pid < 0) throw std::runtime_error(fmt::format("cannot fork: {}", std::strerror(errno)));
   if (pid == 0) {
     close(channel[0]);
-    // Closes the inherited channels to the other child processes.  They would not notice the end of
-    // the explorer while this process keeps their channels open.
+    // Closes the inherited channels to the other child processes.  While this process kept such a
+    // channel open, the other child would not notice the end of the explorer.
     for (const Child& other : children_) close(other.channel);
     if (job.outer_channel >= 0) close(job.outer_channel);
     job.Work(channel[1]);

@@ -24,9 +24,9 @@ class ExplorerProcesses {
  public:
   // Starts `count` child processes and waits until each has assembled its graph of objects.  Throws
   // std::runtime_error when a process cannot do so.  `memory` chooses the memory addresses in these
-  // processes.  `outer_channel` is a descriptor that they inherit and close, because they do not
-  // use it (-1: none).  REQUIRES: this process has one thread, because fork() copies no other
-  // thread.
+  // processes.  `outer_channel` is a descriptor that the child processes inherit and do not use, so
+  // they close it (-1: none).  REQUIRES: this process has one thread, because fork() copies no
+  // other thread.
   //
   // If `twice` is true, plans may have the field "twice", which tests whether a run gives the same
   // result again.  The plan is run a second time, in a process with Memory::kElsewhere and in time

@@ -72,9 +72,9 @@ Json ForkServer::Broken(const Json& plan, const char* property, const std::strin
 }
 
 // Returns the answer for a copy of the process that ended early, for example by a crash.  `said` is
-// the text that the copy has written.  Normally it is the answer itself, which the copy writes
-// while it ends.  If it is only an error (EndingAnswer) or "", the answer is made from this error,
-// or from `status`, the exit status of the copy.
+// the text that the copy has written.  Normally `said` is the answer, which the copy writes while
+// it ends.  If `said` is only an error (EndingAnswer), the answer is made from this error.  If
+// `said` is "", the answer is made from `status`, the exit status of the copy.
 Json ForkServer::AnswerOfEndedCopy(const Json& plan, const std::string& said, int status) {
   const Json json = Json::parse(said, nullptr, false);
   if (json.is_object() && json.contains("broken")) return json;

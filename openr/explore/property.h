@@ -29,7 +29,8 @@ class Property {
   const std::string& name() const { return name_; }
 
   // RunPlan() calls Check() after every frame of 8 ms, and CheckEnd() once at the end of the run.
-  // Each returns "", or a text that says how the property is broken; then the run is over.
+  // Each function returns "" if the property holds, else a text that says how it is broken.  A
+  // broken property ends the run.
   virtual std::string Check(const RunView&) { return ""; }
   virtual std::string CheckEnd(const RunView&) { return ""; }
 
@@ -45,8 +46,8 @@ struct PropertyEntry {
 };
 
 // Returns the built-in properties, without no-crash and handlers-return, which every run must keep.
-// These two are not checked like the others, because a run that breaks one of them ends its
-// process; ForkServer::Run() gives the answer then.
+// A run that breaks no-crash or handlers-return ends its process, so the process cannot check these
+// two.  ForkServer::Run() reports them.
 const std::vector<PropertyEntry>& PropertyTable();
 inline constexpr char kNoCrash[] = "no-crash";
 inline constexpr char kHandlersReturn[] = "handlers-return";
@@ -56,9 +57,9 @@ inline constexpr char kHandlersReturn[] = "handlers-return";
 // ending.h).
 const char* PropertyOfEnding(std::string_view record);
 
-// The properties to check in every run.  Each name is that of a built-in property, "default" for
-// all default ones, the name of a property file, or a line as in such a file ("finally
-// objects.B.state == done").
+// The properties to check in every run.  Each name is the name of a built-in property or of a
+// property file, "default" for all default properties, or a line in the format of a property file
+// ("finally objects.B.state == done").
 struct PropertyChoice {
   std::vector<std::string> names = {"default"};
 

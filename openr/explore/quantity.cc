@@ -33,8 +33,8 @@ Quantity OfObject(const Object* object, const std::string& field) {
   Unknown("field of an object", field, {"state", "messages", "dropped", "queue_max"});
 }
 
-// Returns the quantity `name`, which is the name of an object and of one of its fields, such as
-// "JointMover.state".
+// Returns the quantity `name`.  `name` has the name of an object and of a field of the object, such
+// as "JointMover.state".
 Quantity FindInObjects(const System& system, int robot, const std::string& name) {
   const size_t dot = name.rfind('.');
   if (dot == kNone)

@@ -16,9 +16,8 @@ class Shortener {
       : still_breaks_(still_breaks), left_(runs_max), script_(*script), answer_(*answer) {}
 
   // Removes deviations from the list script_ as long as the property stays broken.  First tries the
-  // empty list, then the list without one of its halves, without one of its quarters and so on, and
-  // at last without a single deviation.  Ends when no single deviation can be removed, or at the
-  // limit of runs.
+  // empty list.  Then leaves out halves of the list, quarters and so on, and at last single
+  // deviations.  Ends when every remaining deviation is needed, or at the limit of runs.
   void LeaveOut() {
     if (Try(Json::array())) return;
     size_t part = (script_.size() + 1) / 2;

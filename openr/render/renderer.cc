@@ -23,7 +23,8 @@ const Eigen::Vector3f kBackground(0.93f, 0.94f, 0.95f);
 const Colour kFloorColour{0.83f, 0.84f, 0.85f};
 const Eigen::Vector3d kToSun = Eigen::Vector3d(0.35, -0.55, 1.0).normalized();
 
-// An OpenGL context of Mesa that draws into memory.  OpenGL calls go to it while it exists.
+// An OpenGL context of Mesa that draws into memory.  While an OffScreen exists, OpenGL uses this
+// context.
 class OffScreen {
  public:
   OffScreen(int width, int height)
@@ -150,7 +151,8 @@ std::vector<uint8_t> Draw(const Scene& scene, int width_px, int height_px) {
   glEnableClientState(GL_VERTEX_ARRAY);
   glEnableClientState(GL_NORMAL_ARRAY);
   // The first pass draws how far surfaces are from two lights: the sun, and the sky straight above.
-  // The second pass draws the picture; a point with a nearer surface before it is in shadow.
+  // The second pass draws the picture; a point is in shadow if another surface is nearer to the
+  // light.
   DrawDepths(items, sun, depth_program, sun_depth);
   DrawDepths(items, sky, depth_program, sky_depth);
 

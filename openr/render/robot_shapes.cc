@@ -55,8 +55,8 @@ Colour LightColour(const std::string& name) {
   return {1.0f, 1.0f, 0.85f};
 }
 
-// Places of the lights of the ERS-210, for joints at 0 degrees.  No document gives them, so they
-// are estimated from photographs.
+// The place of a light of the ERS-210, when all joints are at 0 degrees.  No document gives these
+// places, so they are estimated from photographs.
 struct LightPlace {
   const char* name;
   const char* body;
@@ -123,8 +123,8 @@ void AddFace(const RobotModel& model, std::vector<RobotShape>* shapes) {
 // Angle by which an ear leans back when its plunger is at 0.
 constexpr double kEarLean_rad = -0.35;
 
-// Adds the ears, the plungers of the model.  They have two positions: an ear that is off hangs
-// down, and an ear that is on stands up.
+// Adds the ears, which are the plungers of the model.  An ear has two positions: when it is off it
+// hangs down, and when it is on it stands up.
 void AddEars(const RobotModel& model, std::vector<RobotShape>* shapes) {
   const int head = model.FindBody("head");
   for (size_t i = 0; head >= 0 && i < model.plungers.size(); ++i) {
@@ -175,8 +175,8 @@ void AddHinges(const RobotModel& model, std::vector<RobotShape>* shapes) {
   }
 }
 
-// The places of the sensors that a person touches, on the surface of the box of a part: fractions
-// of the box's edges, from its centre.  No document gives them, so they are estimated from
+// The place of a touch sensor on the surface of the box of a part: `x`, `y` and `z` are fractions
+// of the box's edges, from its centre.  No document gives the places, so they are estimated from
 // photographs.
 struct TouchPlace {
   const char* sensor;

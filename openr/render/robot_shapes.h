@@ -14,24 +14,26 @@ namespace openr_host {
 // A shape that is fixed to part `body` of a robot.
 struct RobotShape {
   int body = 0;  // index of RobotModel::bodies
-  // Has the place in the part, not in the world, in X_WS.  An ear has the place for angle 0, and a
-  // light has the colour that it has when it is off.
+  // Its X_WS is the pose in the part, not in the world.  For an ear, this is the pose at angle 0.
+  // For a light, the colour is that of the light when it is off.
   render::Shape shape;
-  int led = -1;                    // a light: index of RobotModel::leds
-  render::Colour glow;             // of a light that is on
-  int ear = -1;                    // an ear: index of RobotModel::plungers
-  Eigen::Vector3d pivot{0, 0, 0};  // of an ear, in its part; the ear turns about -y
-  std::string touch;  // short name of the sensor that feels when a person touches the shape
+  int led = -1;         // for a light: index of RobotModel::leds, otherwise -1
+  render::Colour glow;  // for a light: its colour when it is on
+  int ear = -1;         // for an ear: index of RobotModel::plungers, otherwise -1
+  // For an ear: a point of its axis, in the coordinates of the part.  The direction of the axis is
+  // -y.
+  Eigen::Vector3d pivot{0, 0, 0};
+  std::string touch;  // the short name of the touch sensor under the shape; "": none
 };
 
 // Returns the shapes of a robot.
 std::vector<RobotShape> ShapesOfRobot(const RobotModel& model);
 
-// Returns where an ear is when its plunger has turned by `angle_rad`.  Any other shape does not
-// move in its part, and has the same place for each angle.
+// Returns the pose of a shape in its part.  For an ear, it is the pose when the ear's plunger has
+// turned by `angle_rad`.  Other shapes do not move in their part.
 Eigen::Isometry3d PlaceInPart(const RobotShape& shape, double angle_rad);
 
-// Returns the shapes of the things in a world, with their places in the world.
+// Returns the shapes of the things in `world`; their X_WS is the pose in the world.
 std::vector<render::Shape> ShapesOfWorld(const World& world);
 
 }  // namespace openr_host

@@ -43,7 +43,7 @@ struct Picture {
 };
 
 // The type of openr_render_picture(), which the program finds in libopenr_render.so by its name.
-// It sets `png` to the bytes of a PNG file, or `error` to the error.
+// The function sets `png` to the bytes of a PNG file, or `error` to the error.
 using RenderPicture = void(const Scene& scene, const Picture& picture, std::string* png,
                            std::string* error);
 constexpr char kRenderPictureName[] = "openr_render_picture";

@@ -105,9 +105,9 @@ void JointClient::Forget() {
   framer_.Reset();
 }
 
-// Connects this client to the remote control: reports to the robot, in `events`, that its oldest
-// waiting Accept() has a connection, and takes that Accept() away from the real network.  Returns
-// false if no Accept() waits.
+// Connects this client to the remote control.  The robot waits for clients with Accept().  This
+// function reports in `events` that the oldest waiting Accept() has a connection, and removes that
+// Accept() from the real network.  Returns false if no Accept() waits.
 bool JointClient::TakePlace(std::vector<NetworkEvent>* events) {
   if (listener_ == 0 || accepts_.empty()) return false;
   const NetHandle handle = accepts_.front();

@@ -3,8 +3,8 @@
 //
 // The client needs no socket, because it stands between the robot and its network.  Its connection
 // and its requests reach the robot as events of Poll(), like those of a client on the network.  So
-// the robot cannot tell it from other clients, its limits of position, speed and acceleration hold,
-// and a run can be recorded and replayed with its commands.
+// the robot cannot distinguish this client from others.  The robot's limits of position, speed and
+// acceleration hold for the joint targets, and a run can be recorded and replayed with them.
 #pragma once
 
 #include <cstdint>
@@ -32,15 +32,15 @@ class JointClient : public PassingNetwork {
   JointClient(std::unique_ptr<Network> inner, Refused refused)
       : PassingNetwork(std::move(inner)), refused_(std::move(refused)) {}
 
-  // Stores targets for the next Poll(); the key is the robot's number of the joint.  While the
-  // robot has not answered earlier requests, a new target replaces the stored one of the same
-  // joint.
+  // Stores targets for the next Poll(); the key is the number that the robot gives the joint.
+  // While the robot has not answered earlier requests, a new target replaces the stored one of the
+  // same joint.
   void Want(const std::map<int, JointTarget>& targets);
 
   // Returns whether the robot has not taken the stored targets yet.
   bool IsWaiting() const { return !wanted_.empty(); }
-  // Drops the stored targets.  Called when the robot has not taken them for 1 s, because it must
-  // not move much later by an old command.
+  // Drops the stored targets.  Called when the robot has not taken them for 1 s, because the robot
+  // must not move much later by an old command.
   void GiveUp() { wanted_.clear(); }
 
   void Listen(NetHandle listener, uint16_t port) override;

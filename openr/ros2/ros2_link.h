@@ -49,9 +49,9 @@ class Ros2Link {
  public:
   using Say = Ros2Complaints::Say;  // prints a message
 
-  // Changes `options`, from which the simulation is made later, so that the network of each robot
-  // gets a JointClient, which sends the robot the commands of ROS 2.  A recorder must have been put
-  // into `options` before, because otherwise it does not see these commands.  `space` is the
+  // Changes `options`, from which the simulation is made later.  The network of each robot gets a
+  // JointClient, which sends the robot the commands of ROS 2.  A recorder must have been put into
+  // `options` before, because otherwise the recorder does not see these commands.  `space` is the
   // namespace of the robot's topics; with several robots, the namespace of each is `space` followed
   // by the robot's number.  `bus` and this object must outlive the simulation.
   Ros2Link(Bus* bus, std::string space, SimulationOptions* options, Say say);
@@ -60,8 +60,8 @@ class Ros2Link {
 
   // Begins to publish.  Called when the simulation has been made.
   void Begin(Simulation* simulation);
-  // Publishes clock and sensors, and passes the commands that ROS 2 has sent on to the robots.
-  // Called after each frame of 8 ms.
+  // Publishes clock and sensors, and passes to the robots the commands that ROS 2 has sent.  Called
+  // after each frame of 8 ms.
   void AfterFrame();
   // Prints, for each robot, how many messages Ros2Complaints left out.  Called when the run is
   // over.

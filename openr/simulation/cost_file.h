@@ -8,9 +8,9 @@
 
 namespace openr_host {
 
-// Reads the cost file `name`.  It may be one that came with the program, such as "ers210.cost".
-// Returns nullopt for "" and "zero": handlers take no time.  Throws std::runtime_error, with all
-// errors of the file.
+// Reads the cost file `name`.  `name` may also be a file that came with the program, such as
+// "ers210.cost".  Returns nullopt for "" and "zero": handlers take no time.  Throws
+// std::runtime_error, with all errors of the file.
 std::optional<CostConfig> LoadCostFile(const std::string& name);
 
 }  // namespace openr_host

@@ -2,7 +2,8 @@
 //
 // If the user has named a stick, objects write to it, and so does a crash record.  Without --stick,
 // runs use the default stick, which came with the program and must not change.  So such a run gets
-// a copy, removed at its end, and its crash record goes to the program's cache folder.
+// a copy of the default stick, which is removed at the end of the run.  Its crash record goes to
+// the program's cache folder.
 #pragma once
 
 #include <filesystem>
@@ -28,7 +29,7 @@ class RunStick {
   const std::string& folder() const { return folder_; }
 
   // Returns the path of the file for a crash record.  The file is written only when a crash comes;
-  // if that fails, the program says why on standard error.
+  // if it cannot be written, the program says why on standard error.
   const std::string& crash_log() const { return crash_log_; }
 
   // Returns whether the run uses the default stick.  Then the crash record is in the cache folder,

@@ -77,8 +77,8 @@ VirtualRobotOptions DevicesOf(const SimulationOptions& options, bool is_first) {
 std::string StickFolder(const std::string& wanted) {
   if (wanted.empty()) return DefaultStick();
   std::error_code error;
-  // Locate() ignores upper and lower case, as a Memory Stick does, so a folder "open-r" is good
-  // too.
+  // Locate() ignores upper and lower case, as a Memory Stick does, so it also finds a folder
+  // "open-r".
   const MemoryStick::Location root = FolderStick(wanted).Locate("/MS/OPEN-R");
   if (root.exists && std::filesystem::is_directory(root.path, error)) return wanted;
   if (root.error != 0 && root.error != ENOENT) {

@@ -24,8 +24,8 @@ class Network;
 
 struct SimulationOptions {
   // The folder of the Memory Stick, in which OPEN-R/ lies.  "" is the default stick, which came
-  // with the program and must not change.  So if objects may write, give RunStick::folder(), which
-  // is a copy of the default stick or the user's own stick.
+  // with the program and must not change.  So if objects may write, set this field to
+  // RunStick::folder(), which is a copy of the default stick or the user's own stick.
   std::string stick;
   std::string robot = "ers210";  // name of a model
   std::string world;             // a world file; "": a flat floor
@@ -54,11 +54,11 @@ struct SimulationOptions {
   std::function<void(std::string_view)> console;
   // Returns functions that make stand-ins: objects that pass messages on to objects in other
   // processes.  LoadStick() calls these functions instead of loading the images of such objects.
-  // Used only by a distributed run.
+  // Only a distributed run sets this field.
   std::function<StandIns(System*, int robot)> stand_ins;
   // Called for each robot with the robot's number and network.  Returns a network that the robot
-  // uses instead, and that usually passes calls to the given one.  Recording, replay and ROS 2 use
-  // it.
+  // uses instead, and that usually passes calls to the given network.  Recording, replay and ROS 2
+  // use this function.
   std::function<std::unique_ptr<Network>(int robot, std::unique_ptr<Network>)> network_filter;
 };
 

@@ -16,17 +16,17 @@ class StandingMonitor {
   static constexpr double kSpeedMaxMs = 0.005;
   static constexpr int64_t kCalmUs = 500'000;
 
-  // Takes the posture "stand" of `model` on a flat floor, to compare with.  A model without that
-  // posture never stands.
+  // The posture to compare with is "stand" of `model` on a flat floor.  For a model without this
+  // posture, standing() always returns false.
   explicit StandingMonitor(const RobotModel& model);
 
   // Compares `state`, the body's state at virtual time `now_us`, with the posture.  Called once per
   // frame of 8 ms.
   void Sample(const BodyState& state, int64_t now_us);
 
-  // Returns whether all paws touch the floor, height and attitude are those of the posture, and the
-  // trunk has been slower than kSpeedMaxMs for kCalmUs.  Without this last condition, a robot that
-  // only passes through the posture while it moves would count as standing.
+  // Returns whether the robot stands: all paws touch the floor, height and attitude are near those
+  // of the posture, and the trunk has been slower than kSpeedMaxMs for kCalmUs.  Without this last
+  // condition, a robot that only passes through the posture while it moves would count as standing.
   bool standing() const { return upright_ && calm_us_ >= kCalmUs; }
 
  private:
