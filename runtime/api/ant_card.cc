@@ -18,7 +18,7 @@ namespace {
 
 // The card asks for permission (RTS) before it sends a frame longer than kRtsThreshold, and splits
 // one longer than kFragmentationThreshold.  These are the default values of 802.11b.  No frame is
-// longer, so a card with these values does neither.
+// so long, so a card with these values never asks and never splits.
 constexpr int32 kRtsThreshold = 2347;
 constexpr int32 kFragmentationThreshold = 2346;
 

@@ -17,7 +17,7 @@ namespace {
 
 // Returns the network stack that `target` names.  Returns null if the robot has no such stack, or
 // if no object runs.  Sets the error field of `message` to "failed" first, because a program may
-// read this field although Send() or Call() has failed and no answer comes.
+// read this field even after Send() or Call() has failed.
 IpStack* StackFor(const antStackRef& target, antEnvMsg* message) {
   SetAntError(message, ANT_FAIL);  // the value 1, which means "failed" in every protocol
   IpStack* const stack = IpStack::OfCurrent();
@@ -33,9 +33,9 @@ OwnedMessage NewRequest(IpStack* stack, const antEnvMsg& message) {
   std::memcpy(request->payload, static_cast<const void*>(&message), size);
   request->size = static_cast<uint32_t>(size);
   request->kind = PayloadKind::kHashed;
-  // The trace of the run has a hash in place of this message, because the message holds addresses.
-  // Data to which it points are hashed too, but only if they lie in a mapped shared buffer: an
-  // address elsewhere may be invalid, so it is not read.
+  // The trace of the run stores a hash of this message and not its bytes, because the message holds
+  // addresses.  The data to which the message points are hashed too, but only if they lie in a
+  // mapped shared buffer.  Other addresses are not read, because they may be invalid.
   const AntData data = DataToSend(message);
   const bool known = stack->buffers().Contains(data.begin, data.size);
   request->payload_hash = AntMessageHash(message, known ? data.begin : nullptr,

@@ -15,7 +15,7 @@ using namespace openr_host;
 
 namespace {
 
-// A handler with so many calls of GetSystemTime() is reported as a busy loop.
+// A handler with this number of calls of GetSystemTime() is reported as a busy loop.
 constexpr uint64_t kTimeCallsMax = 1'000'000;
 
 // Makes a message to entry `selector` of object `oid` with a copy of the bytes at `msg`.
@@ -28,7 +28,7 @@ OwnedMessage NewBytes(const OID& oid, Selector selector, const void* msg, size_t
 
 // Returns sSUCCESS if `rbox` names an open reply box of the current object, otherwise an error.
 // The reply to one request arrives in a reply box.  Only the object that sent the request may wait
-// for it or close the box.
+// for the reply or close the box.
 sError CheckBox(const RID& rbox) {
   const openr_host::Object* const self = t_current.object;
   if (self == nullptr || !rbox.IsValid()) return sINVALIDRID;
@@ -141,8 +141,8 @@ sError Reply(void* msg, size_t size) {
   openr_host::Object* const object = t_current.object;
   if (object == nullptr) return sFAIL;
   if (size > kMessageMax) return sEXCEEDEDSIZEOFMSG;
-  // If an object has called this handler of its own directly, to connect two of its services, there
-  // is no request to reply to.  So the reply is copied to the caller.
+  // An object that connects two of its own services calls this handler directly, without a request.
+  // Then the reply is copied to the caller.
   if (object->handler.self_reply != nullptr) {
     std::memcpy(object->handler.self_reply->data, msg,
                 std::min(size, object->handler.self_reply->size));
@@ -151,9 +151,9 @@ sError Reply(void* msg, size_t size) {
   return t_current.system->requests().Reply(t_current.system->requests().TakeTicket(), msg, size);
 }
 
-// Passes the request that the running handler has received on to object `oid`, which replies to it
-// in place of this object.  The reply goes directly to the object that sent the request, because
-// the new message carries the sender and the reply box of the request.
+// Passes to object `oid` the request that the running handler has received.  Object `oid` then
+// replies in place of this object.  The reply goes directly to the object that sent the request,
+// because the new message carries the sender and the reply box of the request.
 sError Delegate(OID oid, Selector selector, void* msg, size_t size) {
   const ApiScope scope;
   if (t_current.object == nullptr) return sFAIL;
@@ -189,7 +189,8 @@ void Exit() {
   }
 }
 
-// Does nothing.  On the robot it ends Prologue(), which does nothing on the host.
+// Does nothing.  On the robot this function ends Prologue(), which begins an object.  The host's
+// Prologue() does nothing.
 void ExitFromPrologue() {}
 
 // Adds `nanosec` to the times that later calls of GetSystemTime() in this handler return.  Virtual

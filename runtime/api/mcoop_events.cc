@@ -10,9 +10,9 @@ using namespace openr_host;
 
 namespace {
 
-// Checks whether the current object may order one more event: a message of `size` bytes, the
-// letter, which is sent to object `oid` at a certain time or when a reply arrives.  Returns
-// sSUCCESS or the error for the program.
+// Checks whether the current object may order one more event.  An event sends the letter, a message
+// of `size` bytes, to object `oid` at a certain time or when a reply arrives.  Returns sSUCCESS or
+// the error for the program.
 sError CheckLetter(const OID& oid, size_t size) {
   if (t_current.object == nullptr) return sFAIL;
   if (size > kMessageMax) return sEXCEEDEDSIZEOFMSG;
@@ -91,7 +91,8 @@ sError GetResourceValue(sResource resource, slongword* current, slongword* max, 
     default:
       return sINVALIDRESOURCE;
   }
-  // The maximum is the current value, also for the queue, whose length has no other maximum here.
+  // The maximum of each limit is its current value.  This is so for the queue too, because the host
+  // has no larger maximum for the length of the queue.
   if (max != nullptr) *max = *current;
   if (min != nullptr) *min = 1;
   return sSUCCESS;

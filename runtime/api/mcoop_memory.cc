@@ -19,8 +19,8 @@ namespace {
 constexpr size_t kPageBytes = 4096;
 
 // Changes the size of a region that the current object owns to `size`.  GrowMemoryRegion() sets
-// `grows`, and the new size must then not be smaller than the old one.  ShrinkMemoryRegion() does
-// not, and the new size must be smaller.
+// `grows`; then the new size must not be smaller than the old size.  ShrinkMemoryRegion() does not
+// set `grows`; then the new size must be smaller.
 sError Resize(MemoryRegionID id, size_t size, bool grows) {
   if (t_current.object == nullptr) return sFAIL;
   RegionTable& regions = t_current.system->regions();
@@ -39,8 +39,8 @@ sError NewRegion(size_t size, void** base) {
   if (t_current.object == nullptr || base == nullptr) return sINVALIDARG;
   *base = nullptr;
   if (size > kRobotMemoryBytes) return sNOMEMORY;
-  // The memory comes from the object's heap, where addresses are the same in every run, or from
-  // the host's heap if the object has none because addresses are not planned.
+  // The memory comes from the object's heap, where addresses are the same in every run.  If
+  // addresses are not planned, the object has no heap and the memory comes from the host's heap.
   Arena* const arena = t_current.object->arena.get();
   *base = arena == nullptr ? std::calloc(1, std::max<size_t>(size, 1)) : arena->Allocate(size);
   if (*base == nullptr) return sNOMEMORY;

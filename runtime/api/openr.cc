@@ -23,8 +23,9 @@ constexpr longword kCpuClockHz = 192'000'000;  // clock of the ERS-210's CPU, on
 Robot& CurrentRobot() { return t_current.system->robot(t_current.object->robot); }
 RobotServices& Services() { return *CurrentRobot().services; }
 
-// Returns the end of a run by OPENR::Shutdown(), for the report.  A reboot is a boot by the timer
-// after no time (robot.md 15.3); the run ends with it, because images are loaded only once.
+// Returns the text for the report when OPENR::Shutdown() ends the run.  A shutdown with the boot
+// timer at 0 s is a reboot (robot.md 15.3).  A reboot ends the run too, because images are loaded
+// only once.
 std::string HowItEnds(const OBootCondition& condition) {
   const bool is_reboot = (condition.bitmap & obcbBOOT_TIMER) != 0 && condition.bootTime == 0 &&
                          condition.bootTimeType == obcbttRELATIVE;

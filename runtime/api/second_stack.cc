@@ -19,11 +19,11 @@ using openr_host::t_current;
 
 // A stack on which an object runs a function, the body, that may leave in the middle and be
 // continued later.  A controller's endless loop is such a body (kit/controller).  The functions
-// that switch stacks make no ApiScope, because with an ApiScope the body would count as code of the
+// that switch stacks make no ApiScope.  With an ApiScope the body would count as code of the
 // runtime and would use the heap and files of the host.
 struct OpenrSecondStack {
   // Like the stack of handlers, this stack lies at addresses that are planned for the object
-  // (core/address_plan.h) and is cleared after use, so that its content is the same in every run.
+  // (core/address_plan.h).  It is cleared after use, so that its content is the same in every run.
   openr_host::HandlerStack stack{Address()};
   openr_host::Fiber fiber;     // calls the body on `stack`
   openr_host::MainFiber home;  // the handler that switched to `stack`
@@ -52,17 +52,17 @@ struct OpenrSecondStack {
   }
 
   // Switches from `stack` back to the handler.  The switch restores the handler's floating-point
-  // flags.  So the flags that the body has raised are stored in `fp_flags` before, because the
-  // object is checked for them when the handler ends.
+  // flags, and so loses the flags that the body has raised.  These are stored in `fp_flags` first,
+  // because the object is checked for them when the handler ends.
   void GoHome() {
     fp_flags = openr_host::FpFlags();
     if (fp_flags != 0) openr_host::ClearFpFlags();
     home.SwitchFrom(&fiber);
   }
 
-  // Switches to `stack` and returns when the body has left or ended.  Afterwards reports the bytes
-  // that the body has used as stack use of the object, because on the robot the body would run on
-  // the only stack of the object.
+  // Switches to `stack` and returns when the body has left or ended.  Afterwards records how many
+  // bytes the body has used, because on the robot the body would run on the only stack of the
+  // object.
   void GoThere() {
     ArithmeticWatch* const outer = t_current.watch;
     if (watch) t_current.watch = &*watch;

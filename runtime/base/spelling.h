@@ -18,8 +18,8 @@ int EditDistance(std::string_view a, std::string_view b);
 
 // Returns the candidate nearest to `word`, the first of several equally near candidates.  Returns
 // nullopt if no candidate is near enough, or if `word` is itself a candidate.  A candidate is near
-// enough if the number of edits is at most a third of the length of `word`, but at least 1 and at
-// most 3 edits are allowed.
+// enough if the number of edits is at most a third of the length of `word`.  This limit is at least
+// 1 and at most 3.
 std::optional<std::string> ClosestMatch(std::string_view word,
                                         const std::vector<std::string>& candidates);
 

@@ -19,8 +19,8 @@ namespace fs = std::filesystem;
 
 // Returns the prefix of the names of our temporary folders, which contains the number of the PID
 // namespace.  Containers may share the folder of temporary files but count their processes
-// separately.  A process id alone could mean a living process of another container, whose folder
-// would be removed.
+// separately.  So a process id alone does not show whether the folder belongs to a living process
+// of another container, which must keep its folder.
 std::string Prefix() {
   std::error_code error;
   std::string space = fs::read_symlink("/proc/self/ns/pid", error).string();

@@ -1,12 +1,11 @@
 // ClearUpperRegisters(): clears the upper halves of the processor's vector registers, because bits
 // that are left there make other code slow.
 //
-// Code that was compiled for AVX, as the C library's string functions and xxHash are, may leave
-// bits in the upper halves of the 16 vector registers.  Code that was compiled for SSE, as libode,
-// the images and most of this program are, keeps those bits with every instruction that writes a
-// register.  On several processors each such instruction then waits for the instruction that wrote
-// the register before it.  So the code computes the same values but takes longer
-// (docs/performance.md, "Upper halves").
+// Code compiled for AVX, such as the C library's string functions and xxHash, may leave bits in the
+// upper halves of the 16 vector registers.  Code compiled for SSE, such as libode, the images and
+// most of this program, keeps those bits with every instruction that writes a register.  On several
+// processors each such instruction then waits for the instruction that wrote the register before
+// it.  So the code computes the same values but takes longer (docs/performance.md, "Upper halves").
 #pragma once
 
 namespace openr_host {

@@ -5,8 +5,8 @@
 namespace openr_host {
 
 // Reads steady_clock, which calls clock_gettime().  runtime/hooks replaces clock_gettime() by a
-// function that gives virtual time to code of an image (a program of the robot) and the host's time
-// to all other code, so the runtime gets the host's time here.
+// function that gives virtual time to code of an image (a program of the robot).  All other code,
+// such as this function, still gets the host's time.
 int64_t WallClockNs() {
   return std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
 }

@@ -31,7 +31,7 @@ std::optional<uint32_t> AddressOf(std::string_view text) {
   return ip;
 }
 
-// Returns whether `ip` is not the address of one computer, but any address (0), multicast, reserved
+// Returns whether `ip` is no address of a single computer: the any address (0), multicast, reserved
 // or broadcast.
 bool IsOfNobody(uint32_t ip) { return ip == 0 || ip >> 28 >= 0xe; }
 

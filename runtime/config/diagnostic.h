@@ -12,7 +12,7 @@ enum class Severity {
   kNote,     // nothing is wrong; information only
 };
 
-// A position in a text file.  A parsed record keeps the position from which it was read, so that a
+// A position in a text file.  A parsed record keeps the position from which it was read.  So a
 // later message about the record ("no such service") can name the right line and show a caret.
 struct FilePosition {
   std::string file;  // the name that the caller gave

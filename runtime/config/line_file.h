@@ -52,8 +52,8 @@ struct RecordLine {
 std::vector<RecordLine> ReadRecords(const std::string& file, std::string_view text,
                                     std::string_view design, std::vector<Diagnostic>* diagnostics);
 
-// Returns true if some robot reads both sections: the names are equal, or one is "", whose records
-// are valid for every robot.
+// Returns true if some robot reads both sections: the names are equal, or one name is "".  ""
+// stands for the records before the first section, which are valid for every robot.
 bool MayHoldTogether(std::string_view section, std::string_view other);
 
 }  // namespace openr_host

@@ -11,8 +11,8 @@
 
 namespace openr_host {
 
-// An object of the robot has at most 64 entries, with selectors 0 to 63, because the header that
-// the linker writes into its image has no room for more.
+// An object of the robot has at most 64 entries, with selectors 0 to 63.  The header that the
+// linker writes into its image has no room for more.
 inline constexpr int kSelectorsMax = 64;
 
 struct StubService {
@@ -30,8 +30,8 @@ struct StubExtra {
   FilePosition place;
 };
 
-// The content of a stub.cfg.  Subjects are numbered from 0 in the order of the file; so are
-// observers.
+// The content of a stub.cfg.  Subjects are numbered from 0 in the order of the file, and observers
+// too.
 struct StubConfig {
   std::string object_name;  // C++ class of the object
   std::vector<StubService> subjects;
@@ -52,9 +52,9 @@ struct StubConfigResult {
 // Parses the text of a stub.cfg.  A line counts if it starts, after blanks, with ObjectName,
 // NumOfOSubject or NumOfSubject, NumOfOObserver or NumOfObserver, Service or Extra, and a colon;
 // every other line is ignored, so "//", "#" and plain text are comments.  All this is as observed
-// with Sony's stubgen2.  Unlike stubgen2, this parser warns about an ignored line that looks like a
-// typing error, reports all mistakes and not only the first, and reports errors that otherwise the
-// compiler would find in the stub (equal constants, impossible names).
+// with Sony's stubgen2.  Unlike stubgen2, this parser reports all mistakes and not only the first,
+// and warns about an ignored line that looks like a typing error.  It also reports errors that
+// otherwise the compiler would find in the stub (equal constants, impossible names).
 StubConfigResult ParseStubConfig(const std::string& file, std::string_view text);
 
 }  // namespace openr_host

@@ -93,8 +93,8 @@ const KeywordName* FindKeyword(std::string_view word) {
 void WarnOfNearMiss(const Piece& rest, std::string_view word, Reporter* reporter) {
   if (FindKeyword(word) != nullptr) {
     // "Service" and "Extra" are also words of plain English, so a comment may begin with them.  A
-    // line with neither a quote nor a bracket is taken for such a comment, because a Service line
-    // has a quote and an Extra line a bracket.
+    // Service line has a quote and an Extra line a bracket, so a line with neither is taken for a
+    // comment.
     const bool is_prose = (word == "Service" || word == "Extra") &&
                           rest.text.find_first_of("\"(") == std::string_view::npos;
     if (is_prose) return;

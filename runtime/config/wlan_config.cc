@@ -23,8 +23,8 @@ int ParseSmallNumber(std::string_view text, int max) {
   return whole && IsDigit(text.front()) && value <= max ? value : -1;
 }
 
-// Stores a dotted address in `*target`.  If the value is invalid, returns false and stores nothing,
-// as all functions Set...() do.
+// Stores a dotted address in `*target`.  If the value is invalid, returns false and stores nothing.
+// All functions Set...() do the same.
 bool SetAddress(std::string_view value, std::string* target) {
   std::string_view rest = value;
   for (int part = 0; part < 4; ++part) {

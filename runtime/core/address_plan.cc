@@ -53,8 +53,8 @@ constexpr bool kIsPlanned = true;
 #endif
 
 // Returns whether no memory is mapped in the kAreaBytes from `area` on.  Linux leaves these
-// addresses empty, but a tool that runs this program, such as an emulator, may use them.  Then the
-// plan is not used, and the kernel chooses all addresses.
+// addresses empty, but a tool that runs this program, such as an emulator, may use them.  If they
+// are in use, the plan is not used, and the kernel chooses all addresses.
 bool IsEmpty(uintptr_t area) {
   std::FILE* const maps = std::fopen("/proc/self/maps", "re");
   if (maps == nullptr) return true;
@@ -69,8 +69,8 @@ bool IsEmpty(uintptr_t area) {
   return is_empty;
 }
 
-// Returns whether the first and the last page of the area can be mapped.  They cannot on a machine
-// whose addresses have too few bits for the area.  Then the plan is not used.
+// Returns whether the first and the last page of the area can be mapped.  On a machine whose
+// addresses have too few bits for the area, they cannot be mapped, and the plan is not used.
 bool IsReachable(uintptr_t area) {
   constexpr size_t kPage = 4096;
   for (const uintptr_t address : {area, area + kAreaBytes - kPage}) {

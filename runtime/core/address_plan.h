@@ -30,8 +30,8 @@
 
 namespace openr_host {
 
-// The place of one object, which was loaded from a file, in the address plan: a part of each range
-// (heaps, images ...) that only this object uses.
+// The place of one object in the address plan: a part of each range (heaps, images ...) that only
+// this object uses.  Only objects that were loaded from files have a place.
 class AddressPlace {
  public:
   static constexpr int kPlaces = 1 << 15;
@@ -42,9 +42,9 @@ class AddressPlace {
   static constexpr size_t kCopyBytes = size_t{128} << 20;
 
   // Takes a place of the plan for object `id`.  Two places belong to each object.  The object takes
-  // the first; it takes the second while another object uses the first, which is an object that
-  // this one replaces, or one of another System in this process.  If both are in use, the object
-  // takes the free place with the highest number.
+  // the first one, unless it is still in use: by the object that this one replaces, or by an object
+  // of another System in this process.  Then the object takes the second one.  If both are in use,
+  // the object takes the free place with the highest number.
   explicit AddressPlace(ObjectId id);
   ~AddressPlace();  // REQUIRES: nothing is mapped at this place any more
   AddressPlace(const AddressPlace&) = delete;
@@ -84,9 +84,9 @@ bool MapAt(char* address, size_t bytes);
 // process.
 bool IsPlanned(const void* address);
 
-// Moves the plan to other addresses.  The exploration of a program (openr/explore) runs the program
-// with both: if the runs differ, the program depends on addresses.  REQUIRES: no System has been
-// made in this process.
+// Makes the plan use other addresses.  The exploration of a program (openr/explore) runs the
+// program with the usual and with the other addresses: if the runs differ, the program depends on
+// addresses.  REQUIRES: no System has been made in this process.
 void UseOtherAddresses();
 
 }  // namespace openr_host

@@ -53,7 +53,7 @@ Arena::~Arena() {
 bool Arena::MapUpTo(size_t span_end) {
   if (span_end <= mapped_spans_) return true;
   constexpr size_t kStep = kMapBytes / kSpanBytes;
-  // `end` is rounded up to a multiple of kStep, because memory is mapped in steps of 1 MiB.  It
+  // `end` is rounded up to a multiple of kStep, because memory is mapped in steps of 1 MiB.  `end`
   // still lies in the heap area, because the area's size is a multiple of 1 MiB.
   const size_t end = (span_end + kStep - 1) / kStep * kStep;
   if (!MapAt(base_ + mapped_spans_ * kSpanBytes, (end - mapped_spans_) * kSpanBytes)) return false;

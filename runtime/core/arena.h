@@ -47,8 +47,8 @@ class Arena {
   static Arena* OwnerOf(const void* block);
   // Frees a block of an arena.  REQUIRES: OwnerOf(block) is not null.
   static void Free(void* block);
-  // Frees a block of an arena or of the host's heap.  A block that Allocate() returned directly
-  // must be freed with this function and not with free(): under Valgrind free() belongs to
+  // Frees a block of an arena or of the host's heap.  If a caller got the block from Allocate()
+  // itself, it must use this function and not free(): under Valgrind, free() is a function of
   // Valgrind, which does not know arenas.
   static void FreeAny(void* block);
   // Returns the number of bytes that may be used in `block`.  REQUIRES: OwnerOf(block) is not null.

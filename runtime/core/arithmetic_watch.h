@@ -1,9 +1,9 @@
 // Finds the instruction of a handler that makes a NaN or an infinity, or uses a denormal number:
 // such operations raise SIGFPE while the handler's own code runs.
 //
-// Functions of the SDK and of the C library are not the handler's own code, so their operations
-// raise nothing.  Objects of the classes ApiScope and LibraryScope (current.h) tell the watch when
-// such a call begins and ends.
+// Functions of the SDK and of the C library are not the handler's own code, so their operations do
+// not raise SIGFPE.  Objects of the classes ApiScope and LibraryScope (current.h) tell the watch
+// when such a call begins and ends.
 #pragma once
 
 namespace openr_host {
@@ -19,8 +19,8 @@ class ArithmeticWatch {
   // raises no SIGFPE.
   static bool Catches();
 
-  // Begins the watch at the begin of a handler: from now on, operations that raise one of the flags
-  // `kinds` (FpFlag) raise SIGFPE.
+  // Begins the watch at the beginning of a handler: from now on, operations that raise one of the
+  // flags `kinds` (FpFlag) raise SIGFPE.
   void Begin(unsigned kinds);
   bool has_begun() const { return has_begun_; }
 
@@ -41,7 +41,7 @@ class ArithmeticWatch {
  private:
   bool has_begun_ = false;
   unsigned kinds_ = 0;  // the flags that raise SIGFPE
-  // How many nested calls of functions of the SDK and the C library are running now.
+  // The number of nested calls of functions of the SDK and the C library that are running now.
   int calls_ = 0;
   unsigned saved_fp_ = 0;  // the image's MXCSR, kept during such a call
 };

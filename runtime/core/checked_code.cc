@@ -78,8 +78,8 @@ void Report(SourcePlace* place, const std::string& what, const char* exception) 
 }
 
 // Returns the alignment that the robot's processor needs for the memory access `data`.  On the
-// robot pointers and long have 4 bytes, so a type that is aligned to 8 here is aligned to 4 there.
-// Only double and long long are aligned to 8 on both.
+// robot pointers and long have 4 bytes.  So a type that is aligned to 8 on the host is aligned to 4
+// on the robot.  Only double and long long are aligned to 8 on both.
 uintptr_t RobotAlignment(const AccessData& data) {
   const uintptr_t alignment = uintptr_t{1} << std::min<unsigned>(data.log_alignment, 3);
   if (alignment < 8) return alignment;
@@ -109,7 +109,7 @@ double ValueOf(const TypeText& type, uintptr_t value) {
 
 // Returns whether the robot's processor stops at the conversion of `number` to an integer.  The
 // processor converts to 32 bits first, even to a smaller type, and even a negative number to an
-// unsigned type.  Only a conversion to long long is different: a library function does it and stops
+// unsigned type.  A conversion to long long is different: a library function does it, which stops
 // only for NaN.
 bool TrapsOnTheRobot(const CastData& data, double number) {
   const TypeText& to = *data.to;

@@ -36,8 +36,8 @@ struct RegionAccess {
 
 // Returns whether the message that `object` handles is of this `kind` (a notification or a ready),
 // and so was sent by an OSubject or OObserver.  If an object has sent other bytes to the entry of a
-// subject or observer, adds an error finding and returns false, because these bytes must not be
-// read as a notification or a ready.
+// subject or observer, adds an error finding and returns false.  Such bytes must not be read as a
+// notification or a ready.
 bool IsRunningMessage(const Object& object, PayloadKind kind);
 
 // Message type of a deassert (the message that an observer is not ready) that the runtime sends in
@@ -62,13 +62,13 @@ struct ObserverLink {
   size_t min = 1;
   size_t max = 1;
 
-  // Whether the observer is ready for data: 1 if it is ready; 0 if it has not asserted ready yet,
-  // or if data were sent since then; -1 if it has deasserted ready.  Two asserts in a row count as
-  // one, as on the robot.
+  // The readiness of the observer for data: 1 if it is ready; 0 if it has not asserted ready yet,
+  // or not since data were last sent to it; -1 if it has deasserted ready.  Two asserts in a row
+  // count as one, as on the robot.
   int ready = 0;
   size_t skipped = 0;  // notifications skipped since the last kept notification
 
-  // regions set since the last call of Notify(), at most MAX_NUM_DATA
+  // The regions set since the last call of Notify(), at most MAX_NUM_DATA.
   std::vector<RCRegion*> fresh;
   struct Unit {
     int data;  // number of regions in `pending` that belong to this notification
@@ -91,11 +91,11 @@ struct SubjectState {
 
   // Takes a reference to `region` and adds the region to the data of the next notification.
   OStatus SetData(ObserverLink* link, RCRegion* region);
-  // Makes one notification (a pending unit) of the data that were set since the last one, and sends
-  // it if the observer is ready.
+  // Makes one notification (a pending unit) of the data that were set since the last notification,
+  // and sends it if the observer is ready.
   OStatus Notify(ObserverLink* link);
-  // Sends pending notifications if the observer is ready and at least ObserverLink::min of them are
-  // pending, the number that the observer has set with SetBufCtrlParam().
+  // Sends pending notifications if the observer is ready and at least ObserverLink::min
+  // notifications are pending.  The observer sets this number with SetBufCtrlParam().
   void Flush(ObserverLink* link);
   // Drops all data that were set or notified but not sent to the observer, and gives up the
   // references to their regions.  Called when the program clears the buffer and when the connection
@@ -143,8 +143,8 @@ struct ObserverState {
   };
   std::vector<Held> held;
   // How often the observer has asserted ready to one subject since the last notification from any
-  // subject.  Not only a notification from the same subject counts, because a program that calls
-  // AssertReady() without argument after each notification asserts ready to all subjects each time.
+  // subject.  A notification from any subject resets the count, because many programs call
+  // AssertReady() without argument after each notification, which asserts ready to all subjects.
   struct Asserted {
     SubjectID subject;
     int times;

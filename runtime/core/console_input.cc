@@ -43,9 +43,9 @@ void ConsoleInput::WakeNext(Terminal* terminal) {
   }
 }
 
-// Ends the wait of object `reader`, whose process has ended, for a line.  If the reader is no
-// longer in the list of readers, it had been woken for a line, which nobody would read now.  In
-// this case wakes the next reader for this line.
+// Ends the wait of object `reader` for a line, because the process of the object has ended.  If the
+// reader is no longer in the list of readers, it was woken for a line that it can no longer read.
+// In this case wakes the next reader for this line.
 void ConsoleInput::GiveUp(Terminal* terminal, ObjectId reader, uint64_t box) {
   const bool waited = std::erase(terminal->readers, std::pair(reader, box)) > 0;
   if (!waited && !terminal->text.empty()) WakeNext(terminal);
@@ -55,8 +55,8 @@ size_t ConsoleInput::Read(char* buffer, size_t size, const std::function<bool()>
   Object* const self = t_current.object;
   ASSERT(self != nullptr, "only a handler reads the console");
   Terminal& terminal = terminals_[self->robot];
-  // The wait is repeated if the terminal has no text after it, because another reader may have
-  // taken the line before this reader ran.
+  // Another reader may have taken the line before this reader ran.  So the wait is repeated until
+  // the terminal has text.
   while (terminal.text.empty()) {
     const uint64_t box = system_->requests().OpenBox();
     terminal.readers.emplace_back(self->id, box);

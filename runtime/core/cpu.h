@@ -49,8 +49,8 @@ class Cpu {
   // takes more than the time between two sensor vectors (field-notes.md, 1.12).
   static constexpr int64_t kLongHandlerUs = 32'000;
 
-  // Keeps `message` to `object` until a handler has given up the processor.  Notes `now_us` as the
-  // time since which the object waits.
+  // Keeps `message` to `object` until a handler has given up the processor.  Records `now_us` as
+  // the time at which the wait of the object began.
   void Wait(Object* object, OwnedMessage message, int64_t now_us);
 
   // Takes the messages that wait here for object `id`, oldest first.
@@ -83,7 +83,7 @@ class Cpu {
 
   System* const system_;
   std::vector<Job> jobs_;  // the last job runs; those before it were interrupted
-  // messages whose receiver waits for the processor, oldest first
+  // The messages whose receiver waits for the processor, oldest first.
   std::vector<OwnedMessage> waiting_;
 };
 

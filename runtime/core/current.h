@@ -29,7 +29,7 @@ struct Current {
 extern thread_local constinit Current t_current;
 
 // While an ApiScope exists, malloc() and fopen() use the host's heap and files and not those of the
-// object, because memory and files of the runtime are not the object's.  The first statement of
+// object.  The memory and files of the runtime must not be the object's.  The first statement of
 // every function of the SDK that may allocate memory or open files makes an ApiScope.
 class ApiScope {
  public:

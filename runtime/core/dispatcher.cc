@@ -54,7 +54,7 @@ void Dispatcher::SwitchTo(Fiber* fiber) {
   Recycle();
 }
 
-// Makes Run() return to its caller.  Returns itself when a later Run() continues this fiber.
+// Makes Run() return to its caller.  This function returns when a later Run() continues this fiber.
 void Dispatcher::ToCaller() {
   Fiber* const from = running_;
   idle_.push_back(from);
@@ -102,7 +102,7 @@ void Dispatcher::Loop() {
 
 void Dispatcher::AdvanceTo(int64_t time_us) {
   // A step of 1 us may come from creep_us(), which slows down objects that answer each other
-  // without waiting.  So it does not reset the count of messages at one instant.
+  // without waiting.  So such a step does not reset the count of messages at one instant.
   if (time_us > system_->now_us_ + 1) deliveries_at_instant_ = 0;
   system_->queue_.Advance(time_us);
   system_->now_us_ = time_us;
@@ -111,9 +111,9 @@ void Dispatcher::AdvanceTo(int64_t time_us) {
 void Dispatcher::Deliver(OwnedMessage&& message) {
   Object* const object = system_->object(message->target);
   if (object == nullptr || object->is_off) return;
-  // Holds the message if the receiver cannot handle it now: its last handler waits or still has the
-  // processor, or it is still in its boot.  A reply is never held, because the handler that waits
-  // needs it.
+  // Holds the message if the receiver cannot handle it now: the receiver's last handler waits or
+  // still has the processor, or the receiver is still in its boot.  A reply is never held, because
+  // the handler that waits needs it.
   if (!message->is_reply && (object->handler.blocked != nullptr || object->processor.is_busy ||
                              system_->manager_->IsTooEarly(*message))) {
     object->handler.held.push_back(std::move(message));

@@ -26,7 +26,7 @@ class Dispatcher {
   struct Limits {
     int64_t time_us = INT64_MAX;     // no message that is due later is delivered
     uint64_t messages = UINT64_MAX;  // the largest number of messages to deliver
-    // if not null, no more messages are delivered once this function returns true
+    // If not null, no more messages are delivered once this function returns true.
     const std::function<bool()>* until = nullptr;
   };
 
@@ -62,7 +62,7 @@ class Dispatcher {
   void Recycle();
 
   System* const system_;
-  // the stack of the thread, on which Run() was called
+  // The stack of the thread that has called Run().
   MainFiber caller_;
   std::vector<std::unique_ptr<Fiber>> fibers_;
   std::vector<Fiber*> idle_;  // free fibers, each stopped in Loop() or prepared to enter Loop()

@@ -43,7 +43,8 @@ class Fiber {
   Main main_ = nullptr;
   void* argument_ = nullptr;
   void* exceptions_[2] = {nullptr, nullptr};  // __cxa_eh_globals while the fiber is not running
-  // for AddressSanitizer: its fake stack for this fiber, and the bounds of the real stack
+  // Values that AddressSanitizer needs: its fake stack for this fiber, and the bounds of the real
+  // stack.
   void* fake_stack_ = nullptr;
   const void* stack_bottom_ = nullptr;
   size_t stack_bytes_ = 0;

@@ -15,7 +15,7 @@ struct Finding {
   Severity severity = Severity::kWarning;
   int robot = 0;
   std::string object;  // empty: the finding is not about one object
-  // number of the message that was being handled when the finding was first added
+  // The number of the message that was being handled when the finding was first added.
   uint64_t message = 0;
   int64_t time_us = 0;  // virtual time when the finding was first added
   std::string text;
@@ -25,7 +25,7 @@ struct Finding {
   // findings with the same text are kept as one.
   std::string cause = {};
   std::string place = {};  // "CONNECT.CFG:4"; set only if there is a cause
-  // places of later findings with this cause, at most kPlacesMax
+  // The places of later findings with this cause, at most kPlacesMax.
   std::vector<std::string> also_at = {};
 };
 

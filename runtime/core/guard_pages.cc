@@ -35,8 +35,8 @@ char* GuardPages::MapPages(char* area, size_t bytes) {
     return pages == MAP_FAILED ? nullptr : static_cast<char*>(pages);
   }
   size_t& next = next_in_[area];
-  // After the end of the area, the search continues at its begin, where copies that are still in
-  // use may lie.  If so, the pages after them are tried.
+  // After the end of the area, the search continues at its beginning, where copies that are still
+  // in use may lie.  The search then tries the pages after such copies.
   for (size_t tried = 0; tried < AddressPlace::kCopyBytes; tried += bytes) {
     if (next + bytes > AddressPlace::kCopyBytes) next = 0;
     char* const pages = area + next;
@@ -58,8 +58,8 @@ char* GuardPages::TakePages(char* area, size_t bytes) {
 }
 
 char* GuardPages::NewCopy(const AddressPlace* place, const char* data, size_t size) {
-  // The address of the copy has the same remainder of a division by 16 as the address of `data`, so
-  // that data are as well aligned for the observer as for the subject.
+  // The addresses of the copy and of `data` are equal modulo 16, so that data are as well aligned
+  // for the observer as for the subject.
   const size_t shift = reinterpret_cast<uintptr_t>(data) % 16;
   const size_t bytes = Pages(shift + size + 1);
   if (bytes > AddressPlace::kCopyBytes) return nullptr;

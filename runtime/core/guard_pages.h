@@ -64,8 +64,8 @@ class GuardPages {
   // Therefore nothing may depend on the order of these maps.
   std::map<const char*, Copy> copies_;
   std::map<char*, size_t> next_in_;  // offset of the next copy in each area
-  // pages of copies that were given back, for later copies in the same area with the same number of
-  // bytes
+  // The pages of copies that were given back.  They are used again for copies in the same area with
+  // the same number of bytes; area and number are the key.
   std::map<std::pair<char*, size_t>, std::vector<char*>> unused_;
 };
 

@@ -7,7 +7,8 @@
 // `function` may save registers of its caller on the new stack.  These registers hold addresses of
 // the host, which must not get onto this stack, so they are set to 0 before the call.  The address
 // of this code's frame on the old stack is kept at the top of the new stack.  `.cfi_escape` tells
-// exceptions and debuggers to read it there: the canonical frame address is *(rsp + 8) + 16.
+// exceptions and debuggers to read the address there: the canonical frame address is *(rsp + 8) +
+// 16.
 extern "C" void openr_call_on_stack(void (*function)(void*), void* argument, void* top);
 asm(R"(
     .text

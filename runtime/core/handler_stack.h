@@ -25,9 +25,9 @@ class HandlerStack {
   // an object calls an entry of its own, calls the function directly.
   //
   // Afterwards sets the bytes that were written to zero.  The search for these bytes begins at the
-  // top of the stack and ends at a gap of zeros, which may be an array that the function did not
-  // set.  A wide gap is safer but takes longer.  So the first 64 calls and every 16th call (our
-  // choice) search for a gap of 32 KiB, and the other calls for a gap of 4 KiB.
+  // top of the stack and ends at a gap of zeros.  A narrow gap may be an array that the function
+  // did not set.  So a wide gap is safer, but takes longer.  The first 64 calls and every 16th call
+  // (our choice) search for a gap of 32 KiB, the other calls for a gap of 4 KiB.
   void Call(void (*function)(void*), void* argument);
 
   // Returns how many bytes the last call used, or the running call has used so far.  Returns 0 with
@@ -40,8 +40,8 @@ class HandlerStack {
   StackMemory memory_;
   uint64_t calls_ = 0;
   size_t used_bytes_ = 0;
-  // true if the stack may have bytes that are not zero: while a handler runs, and after a handler
-  // that did not return, for example because of exit()
+  // True if the stack may have bytes that are not zero: while a handler runs, and after a handler
+  // that did not return, for example because of exit().
   bool is_dirty_ = false;
 };
 

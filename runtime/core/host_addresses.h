@@ -22,8 +22,8 @@ class HostAddresses {
   //
   // Some numbers look like addresses but are none: they are in the range of host addresses, but no
   // memory is mapped there.  After 64 such numbers (our choice) the function returns -1 for the
-  // rest of the run.  A program that sends so many of them sends other data, and if memory is
-  // mapped at a later number, this is probably chance.
+  // rest of the run.  A program that sends so many such numbers sends data and no addresses.  If
+  // memory is mapped at a later number, this is probably chance.
   int64_t FindIn(const void* data, size_t size);
 
  private:

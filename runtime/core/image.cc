@@ -101,8 +101,8 @@ std::string ImageObject::Load(const std::string& file, RunFolder* folder) {
 }
 
 // Takes planned addresses (address_plan.h) for the image, its heap and its stack.  Returns the
-// bytes to load, changed for the planned address.  An image that cannot be changed so is loaded at
-// an address that the kernel chooses; its heap and stack still get planned addresses.
+// bytes to load, changed for the planned address.  If an image cannot be changed in this way, the
+// kernel chooses its load address; its heap and stack still get planned addresses.
 std::string ImageObject::TakePlace(const std::string& original) {
   std::string bytes = original;
   HoldConstructors(&bytes);
@@ -118,7 +118,7 @@ std::string ImageObject::TakePlace(const std::string& original) {
   return bytes;
 }
 
-// Makes calls from the image to imported functions run on a stack of their own.  Does nothing if a
+// Makes imported functions that the image calls run on a stack of their own.  Does nothing if a
 // memory checker, such as Valgrind, watches the stack.  Does nothing either if the image is not at
 // its planned address, because RedirectImports() works only there.  Returns "" or the reason of a
 // failure.

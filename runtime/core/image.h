@@ -38,9 +38,9 @@ class RunFolder {
   std::string AddCopy(const std::string& file, const std::string& bytes, std::string* problem);
 
   // Replaces the file `copy`, after it was loaded, by a new file with `bytes`, the bytes of the
-  // original image.  The copy was changed for its load address, and debuggers would compute wrong
-  // addresses of symbols from it.  The loaded memory does not change.  If the new file cannot be
-  // written, debuggers show wrong addresses; the run is not affected.
+  // original image.  The copy was changed for its load address, so debuggers would compute wrong
+  // addresses of symbols from the copy.  The loaded memory does not change.  If the new file cannot
+  // be written, debuggers show wrong addresses; the run is not affected.
   void Replace(const std::string& copy, const std::string& bytes);
 
  private:
@@ -83,7 +83,8 @@ class ImageObject : public Object {
   void* handle_ = nullptr;
   bool has_thunks_ = false;
   std::vector<Entry> entries_;  // entry functions by selector; null: the image has no such entry
-  // the flags (FpFlag) that handlers of this object have raised so far; each flag is reported once
+  // The flags (FpFlag) that handlers of this object have raised so far.  Each flag is reported
+  // once.
   unsigned fp_seen_ = 0;
 };
 

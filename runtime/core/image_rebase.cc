@@ -179,8 +179,8 @@ std::string Rebase::Run(uint64_t size_max) {
     if (end == 0 && segment.p_vaddr != 0) return "";  // linked for an address other than 0
     end = std::max(end, segment.p_vaddr + segment.p_memsz);
   }
-  // Relocations in the formats REL and RELR are not supported.  They do not occur here, because the
-  // linkers of Debian write the format RELA for this processor.
+  // Relocations in the formats REL and RELR are not supported.  Images do not have them, because
+  // the linkers of Debian write the format RELA for this processor.
   const bool is_strange = ValueOf(DT_REL) != 0 || ValueOf(DT_RELR) != 0;
   if (is_bad_ || end > size_max || is_strange) return "";
   MoveRelocations(DT_RELA, DT_RELASZ);

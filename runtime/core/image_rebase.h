@@ -1,10 +1,10 @@
 // Changes the copy of an image before it is loaded: moves the image to a planned address, and keeps
 // the loader from running the constructors of its global objects.
 //
-// The kernel normally chooses the address of a shared object.  Only if the file was linked for a
+// Normally the kernel chooses the address of a shared object.  But if the file was linked for a
 // certain address, glibc from 2.36 on asks the kernel for that address.  An image is linked once
-// and loaded many times, for several objects.  So each copy is changed as if it had been linked for
-// the planned address of its object (address_plan.h).
+// and loaded for several objects.  So each copy is changed as if it had been linked for the planned
+// address of its object (address_plan.h).
 #pragma once
 
 #include <cstdint>

@@ -98,9 +98,9 @@ static_assert(AddressPlace::kStackBytes == 0x100000);
 static_assert(StackMemory::kBottomOffset == 0xbf000);
 static_assert(StackMemory::kImportsTopOffset == 0xbe000);
 
-// Functions of the C library that take a variable number of arguments, of which a thunk copies more
-// from the stack.  C++ functions are not listed, because a "z" at the end of the mangled name shows
-// a variable number.
+// Functions of the C library that take a variable number of arguments.  For these functions a thunk
+// copies more bytes from the stack.  C++ functions are not listed, because a "z" at the end of the
+// mangled name shows a variable number of arguments.
 constexpr std::string_view kVariadic[] = {
     "__asprintf_chk",
     "__dprintf_chk",
@@ -167,8 +167,9 @@ bool IsVariadic(std::string_view name) {
   return std::ranges::binary_search(kVariadic, name);
 }
 
-// The address ranges that hold machine code, of this program and of all libraries.  They tell
-// imported functions, which get thunks, from imported variables, which do not.
+// The address ranges that hold machine code, of this program and of all libraries.  With these
+// ranges we distinguish imported functions, which get thunks, from imported variables, which do
+// not.
 class CodeRanges {
  public:
   CodeRanges() { dl_iterate_phdr(&Add, this); }

@@ -8,7 +8,7 @@
 namespace openr_host {
 
 // While an Indivisible exists, a signal handler does not end the process at once.  The destructor
-// of the outermost Indivisible then ends it.  Only for the thread that runs handlers.
+// of the outermost Indivisible then ends the process.  Used only in the thread that runs handlers.
 class Indivisible {
  public:
   Indivisible();

@@ -50,8 +50,8 @@ class Inputs {
   std::string Check(int robot, std::string_view line) const;
 
   // Adds the input `line` for `robot`.  It takes effect at the next frame boundary, or at once if
-  // this instant is one.  Returns "", or what is wrong with the line; then nothing is added.
-  // REQUIRES: not called in a handler.
+  // the present time is a frame boundary.  Returns "", or what is wrong with the line; then nothing
+  // is added.  REQUIRES: not called in a handler.
   std::string Add(int robot, std::string_view line);
 
   // Registers a `listener` that Add() calls with each line that it accepts.

@@ -81,8 +81,8 @@ std::string StickLoader::NameInImage(const std::string& path) {
 StandIns::const_iterator StickLoader::FindStandIn(const std::string& path) {
   if (stand_ins_.empty()) return stand_ins_.end();
   const auto by_file = stand_ins_.find(std::filesystem::path(path).filename().string());
-  // The name of the object is searched for only if the file name is not found, because the image
-  // must be read to find the name of its object, which takes time.
+  // Looks for the name of the object only if the file name is not found, because reading the name
+  // from the image takes time.
   return by_file != stand_ins_.end() ? by_file : stand_ins_.find(NameInImage(path));
 }
 

@@ -22,7 +22,8 @@ using StandIns = std::map<std::string, std::function<void(const std::string& pat
 struct SystemImage {
   std::string file;           // the name of the image in OBJECT.CFG: "TCPGW.BIN"
   std::function<void()> add;  // adds the object; called instead of loading the image
-  // adds findings if the rest of the stick does not fit to this part; called when all is loaded
+  // Adds findings if the rest of the stick does not fit this part.  Called when everything is
+  // loaded.
   std::function<void()> check;
 };
 

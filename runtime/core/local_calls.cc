@@ -39,7 +39,7 @@ bool LocalCalls::AcceptsReply(ObjectId asker, uint64_t box) const {
 const Message* LocalCalls::BeginWait(uint64_t box, int64_t timeout_us, std::string_view) {
   if (timeout_us < 0) return nullptr;
   // The caller sends itself an empty reply that arrives after `timeout_us`.  Requests::Await()
-  // knows it by its sender and its kind.
+  // recognizes this reply by its sender and its kind.
   OwnedMessage message = system_->NewMessage(t_current.object->id, 0);
   Message* const wake = message.get();
   wake->is_reply = true;
@@ -139,7 +139,7 @@ int32_t LocalCalls::CheckAccess(uint32_t region, MemoryProtectionInfo info) {
   return system_->region_shares().ChangeProtection(t_current.object->id, region, info);
 }
 
-// Does nothing: the IPStack of this process made the mapping and knows it.
+// Does nothing: the IPStack of this process has made the mapping itself.
 void LocalCalls::NoteMapping(uint32_t, uint32_t, bool) {}
 
 void LocalCalls::AddFinding(const Object* about, Severity severity, std::string_view text) {

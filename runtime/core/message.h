@@ -20,7 +20,7 @@ class Schedule;
 using ObjectId = int32_t;
 constexpr ObjectId kNoObject = -1;
 
-// In order of delivery: of messages that are due at the same time, those of class kFrame are
+// The classes in order of delivery: if messages are due at the same time, those of class kFrame are
 // delivered first.
 enum class MessageClass : uint8_t {
   kFrame = 0,   // begins a frame, a step of 8 ms of a robot's body
@@ -30,7 +30,7 @@ enum class MessageClass : uint8_t {
 };
 constexpr int kMessageClasses = 4;
 
-// What the payload consists of, which decides how PayloadHash() (trace.h) hashes it.
+// The kind of data in the payload.  It decides how PayloadHash() (trace.h) hashes the payload.
 enum class PayloadKind : uint8_t {
   kBytes,   // plain initialised bytes
   kNotify,  // ONotifyMessage, hashed as its counts and the bytes of its regions
@@ -46,14 +46,15 @@ struct Message {
   ObjectId target = kNoObject;
   uint32_t selector = 0;  // number of the receiver's entry, the function that handles the message
   uint32_t size = 0;      // bytes of payload
-  // A request has the sender's reply box (requests.h), a reply the target's; 0: none.
+  // A request has the number of the sender's reply box (requests.h), a reply that of the target's
+  // box; 0: the message is neither.
   uint64_t reply_box = 0;
   uint64_t payload_hash = 0;  // hash of the payload; used only if `kind` is kHashed
   Message* next = nullptr;    // the next message in a list of MessageQueue
   MessageClass message_class = MessageClass::kObject;
   PayloadKind kind = PayloadKind::kBytes;
   bool is_reply = false;  // a reply goes into `reply_box` of the target and calls no entry
-  // the queue to whose pool the message goes back, set by Allocate(); null: none
+  // The queue to whose pool the message goes back, set by Allocate(); null: none.
   MessageQueue* pool = nullptr;
 
   // The largest number of bytes that a message can carry.  The robot's limit is 256; an
@@ -70,9 +71,9 @@ struct ReturnToPool {
   void operator()(Message* message) const;
 };
 
-// Owns a message that is in no queue, and gives it back to its pool, which must outlive it.  The
-// message that a handler runs for is owned by HandlerState::running and by no local variable,
-// because destructors on the stack of an abandoned handler never run.
+// Owns a message that is in no queue, and gives the message back to its pool.  The pool must
+// outlive the OwnedMessage.  The message that a handler runs for is owned by HandlerState::running
+// and by no local variable, because destructors on the stack of an abandoned handler never run.
 using OwnedMessage = std::unique_ptr<Message, ReturnToPool>;
 
 // The queue of all messages of one System, and the pool from which messages are allocated.
@@ -95,9 +96,9 @@ class MessageQueue {
   // To put back several messages in their order, begin with the last of them.
   void PushFront(OwnedMessage message, int priority);
 
-  // Takes the first message that is due now, or returns null if none is due.  A `schedule`
-  // (schedule.h) may choose another receiver instead, which must have a message of the same class
-  // and priority as the first message.
+  // Takes the first message that is due now, or returns null if none is due.  If there are several
+  // due messages of this class and priority, a `schedule` (schedule.h) chooses which receiver gets
+  // its first message.
   OwnedMessage Pop(Schedule* schedule = nullptr);
   bool HasDue() const { return due_count_ > 0; }
   // Returns the message that Pop() without a schedule would take; null if none is due.
@@ -134,8 +135,8 @@ class MessageQueue {
     int level;
     uint64_t number;
     Message* message;
-    // Returns true if `other` is due first, because std::push_heap() and the like put the greatest
-    // element first.
+    // Returns true if `other` is due before this message.  The order is reversed, because
+    // std::push_heap() and similar functions put the greatest element first.
     bool operator<(const Later& other) const;
   };
 
@@ -143,8 +144,8 @@ class MessageQueue {
   static int LevelOf(const Message& message, int priority) {
     return static_cast<int>(message.message_class) * kPriorities + (kPriorities - 1 - priority);
   }
-  // Gives `message`, which is in no list, back to the pool.  Small enough for a compiler to inline
-  // the destructors of all OwnedMessages, of which a notification has many.
+  // Gives `message`, which is in no list, back to the pool.  The function is small, so that the
+  // compiler can inline the many destructors of OwnedMessage.
   void Release(Message* message) {
     message->next = free_;
     free_ = message;
@@ -160,9 +161,10 @@ class MessageQueue {
   uint64_t occupied_[kLevels / 64] = {};  // bit i is 1 if the list of level i is not empty
   std::vector<Later> later_;              // messages that are not due yet; a heap
   Message* free_ = nullptr;               // the first free message; Message::next has the others
-  // the arrays in which the messages of the pool lie
+  // The arrays that hold the messages of the pool.
   std::vector<std::unique_ptr<Message[]>> chunks_;
-  // receivers among which ChooseTarget() lets a schedule choose; a member, to use its memory again
+  // The receivers among which ChooseTarget() lets a schedule choose.  The vector is a member so
+  // that its memory is used again.
   std::vector<ObjectId> candidates_;
 };
 

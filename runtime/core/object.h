@@ -47,19 +47,19 @@ struct StandingReady {
 // The state of an object's handler while the handler runs or waits.
 struct HandlerState {
   OwnedMessage running;  // the message being handled; null: no handler runs
-  // Calls of GetSystemTime() in this handler.  Each call adds 1 us to the time, so that a loop
-  // which waits for a certain time comes to its end.
+  // The number of calls of GetSystemTime() in this handler.  Each call adds 1 us to the time, so
+  // that a loop that waits for a certain time ends.
   uint64_t time_calls = 0;
   Fiber* blocked = nullptr;      // the stack of the handler while it waits; null: it does not wait
   uint64_t blocked_box = 0;      // the reply box for which the handler waits
   int64_t blocked_since_us = 0;  // virtual time when the wait began
-  // what the handler waits for, in words: "the answer of IPStack (Send)"
+  // The text that tells users what the handler waits for: "the answer of IPStack (Send)".
   std::string blocked_why;
   // Messages that the object cannot handle yet, oldest first, because its handler waits or has the
   // processor, or because it is in its boot (ObjectManager::IsTooEarly()).
   std::deque<OwnedMessage> held;
-  // Where the reply is stored when an object calls an entry of its own, because a subject and an
-  // observer of the object are connected with each other.
+  // The place for a reply when an object calls an entry of its own.  This happens when a subject
+  // and an observer of the same object are connected with each other.
   struct SelfReply {
     void* data;
     size_t size;
@@ -78,7 +78,7 @@ struct ReplyBoxes {
 // The object's use of the robot's processor, if handlers take time; see cpu.h.
 struct ProcessorState {
   bool is_busy = false;  // a handler of the object has the processor
-  // virtual time since when a message has waited for the processor; -1: none waits
+  // The virtual time since when a message has waited for the processor; -1: none waits.
   int64_t starving_since_us = -1;
   struct Outgoing {
     OwnedMessage message;
@@ -101,7 +101,7 @@ class OpenFiles {
   // `streams`.
   std::map<std::FILE*, File> streams;
   std::map<int, File> descriptors;
-  // the standard input of the object; null until the object reads from the console
+  // The standard input of the object; null until the object reads from the console.
   std::FILE* terminal = nullptr;
 };
 
@@ -129,8 +129,8 @@ class Object {
   virtual std::vector<StandingReady> StandingReadies() const;
 
   // Gives up a region that a subject of this object had sent to an observer and that the observer
-  // cannot give back with a ready.  Called while this object is being replaced.  Does something
-  // only in the master process, for an object whose code is in a worker process.
+  // cannot give back with a ready.  Called while this object is being replaced.  Has an effect only
+  // in the master process, for an object whose code is in a worker process.
   virtual void ReturnRegion(RCRegion*) {}
 
   // Counts a `message` to this object that will not be delivered.  If it is a notification, gives
@@ -141,8 +141,8 @@ class Object {
   // due now.
   void ReturnHeld();
 
-  // Returns whether the object's code was in a worker process that has ended.  The end is a finding
-  // already, so the failures that follow from it are not reported too.
+  // Returns whether the object's code was in a worker process that has ended.  The end of that
+  // process is already a finding, so the failures that follow from it are not reported.
   virtual bool IsLost() const { return false; }
 
   // Returns whether a handler of the object runs in another process now.  Such a handler takes wall
@@ -170,14 +170,14 @@ class Object {
   bool is_off = false;      // the object's robot is off: messages to the object are dropped
   bool is_leaving = false;  // another object is about to replace this one
   ObjectLimits limits;
-  // the class of the messages that the object posts
+  // The class of the messages that the object posts.
   MessageClass post_class = MessageClass::kObject;
 
   // Statistics for the report of the run.
   std::string state;           // text after "state: " of its last OSYSLOG1 INFO line
   uint64_t message_count = 0;  // messages delivered
   uint64_t dropped_count = 0;  // data replaced before they were read, and messages refused
-  // messages to the object that are not delivered yet, without replies
+  // The number of messages to the object that are not delivered yet, without replies.
   int waiting = 0;
   int queue_max = 32;   // limit of `waiting` (field-notes.md, 2.3), set with SetResourceValue()
   int waiting_max = 0;  // the highest value of `waiting` so far
@@ -208,9 +208,10 @@ class Object {
   std::unique_ptr<Arena> arena;
   std::vector<std::unique_ptr<SubjectState>> subjects;
   std::vector<std::unique_ptr<ObserverState>> observers;
-  // selector -> name of the entry, for traces and messages to users
+  // The names of entries, for traces and messages to users.  The key is the selector.
   std::map<uint32_t, std::string> entry_names;
-  // selector of an entry -> full name of the service that was registered for this entry
+  // The full name of the service that was registered for an entry.  The key is the entry's
+  // selector.
   std::map<uint32_t, std::string> services;
 };
 

@@ -182,8 +182,9 @@ void ObjectManager::Begin(std::vector<std::unique_ptr<Object>> fresh) {
   for (const auto& object : fresh) starting_[object->id] = false;
   ObjectTable::Readies readies = system().object_table().Replace(std::move(fresh));
   for (const auto& [id, standing] : readies) Send(system().object(id), oentryINIT, oreasonBOOT);
-  // Makes the connections that begin or end at a new object.  For the other connections, reports
-  // the services that were not reported while a worker process was lost and that are still unknown.
+  // Makes the connections that begin or end at a new object.  In the other connections, a service
+  // may be unknown that was not reported while a worker process was lost.  Such services are
+  // reported now.
   for (const Connection& connection : system().connections()) {
     const auto& directory = system().robot(connection.robot).directory;
     const auto is_fresh = [&](const std::string& service) {

@@ -25,9 +25,9 @@ class ObjectManager : public CodeObject {
  public:
   ObjectManager();
 
-  // Post a message of the object manager to itself.  So the work of Boot(), Shutdown() and
-  // PostTask() of System, and of ObjectTable::Reload(), is done in a handler, which can wait for
-  // replies.
+  // Post a message from the object manager to itself.  So the work is done in a handler, which can
+  // wait for replies.  These messages do the work of Boot(), Shutdown() and PostTask() of System,
+  // and of ObjectTable::Reload().
   void PostBoot();
   void PostShutdown(int robot);
   void PostReload(ObjectId id);
@@ -37,9 +37,10 @@ class ObjectManager : public CodeObject {
   // in a handler of the object manager.
   void Begin(std::vector<std::unique_ptr<Object>> fresh);
 
-  // Returns whether `message` must be kept back because its receiver is still in its boot.
-  // - The first message that an object handles is DoInit.  On the robot DoInit is in the mailbox of
-  //   the new object before any other object knows the new object (core.md, 1.5).
+  // Returns whether `message` must be kept back because its receiver is still in its boot:
+  // - Any message is kept back until the DoInit of the receiver begins, because DoInit must be the
+  //   first message.  On the robot DoInit is in the mailbox of the new object before any other
+  //   object knows the new object (core.md, 1.5).
   // - A ready is kept back until the connections are made, because before that the subject does
   //   not know the observer.
   bool IsTooEarly(const Message& message) const {
@@ -56,8 +57,9 @@ class ObjectManager : public CodeObject {
   bool HoldsUpBoot(const Message& message) const {
     return message.reply_box != 0 && starting_.contains(message.sender);
   }
-  // Notes that the DoInit of object `id` begins.  Before, IsTooEarly() has kept back all messages
-  // to the object.  From now on it keeps back only readies, until the connections are made.
+  // Records that the DoInit of object `id` begins.  Until now IsTooEarly() has kept back all
+  // messages to the object.  From now on it keeps back only readies, until the connections are
+  // made.
   void Begins(ObjectId id);
 
   // The virtual time after which a DoInit, DoStart, DoStop or DoDestroy that has not returned
@@ -90,24 +92,25 @@ class ObjectManager : public CodeObject {
   Selector shutdown_;
   Selector reload_;
   Selector task_;
-  // The messages that the object manager has posted to itself and has not handled yet, each as its
-  // selector and the value in it (a robot or an object id).  IsDue() uses them to refuse such a
-  // message from another object.
+  // The messages that the object manager has posted to itself and has not handled yet.  Each is
+  // kept as its selector and the value in it (a robot or an object id).  IsDue() uses them to
+  // refuse such a message from another object.
   std::multiset<std::pair<Selector, int>> due_;
-  // tasks of PostTask() that were not called yet, oldest first
+  // The tasks of PostTask() that were not called yet, oldest first.
   std::deque<std::function<void()>> tasks_;
   std::set<int> shutting_down_;  // indices of robots whose shutdown has begun
-  // objects to which DoInit could not be sent; they get no DoStart, DoStop or DoDestroy either
+  // The objects to which DoInit could not be sent.  They get no DoStart, DoStop or DoDestroy
+  // either.
   std::set<ObjectId> uninitialised_;
   // The objects that are in their boot, for which IsTooEarly() keeps messages back.  The value is
   // true if the DoInit of the object has begun; then only readies are kept back.
   std::map<ObjectId, bool> starting_;
   bool are_connected_ = true;  // false while the connections of this boot are not made yet
-  // Services that were not registered when their connection was to be made, each with this
-  // connection.  They are not reported yet, because a worker process was lost (had ended or could
-  // not be reached), and its objects may register them after a restart of the process.  If they do
-  // not, the services become findings then.  The keys are addresses, so the code never iterates
-  // over this set: the order would differ from run to run.
+  // Services that were not registered when their connection had to be made, each with this
+  // connection.  A worker process was lost then (had ended or could not be reached).  Its objects
+  // may register the services after a restart, so the services are not reported yet.  If the
+  // objects do not register them, the services become findings after the restart.  The keys are
+  // addresses, so the code never iterates over this set: the order would differ from run to run.
   std::set<std::pair<const struct Connection*, std::string>> unreported_;
 };
 

@@ -112,9 +112,9 @@ void ObjectTable::Return(std::vector<std::unique_ptr<Object>> fresh) {
   system_->PostTask([this, kept] { system_->manager().Begin(std::move(*kept)); });
 }
 
-// Takes and returns all messages to `object`: messages that are held, that wait for the processor,
-// that are due now or later, and those in outboxes.  Replies in the queue are released, because the
-// handler that waits for them ends with its object.
+// Takes and returns all messages to `object`: held messages, messages that wait for the processor,
+// messages in the queue and messages in outboxes.  Replies in the queue are released and not
+// returned, because the handler that waits for them ends with its object.
 std::vector<OwnedMessage> ObjectTable::TakeMessagesTo(Object* object) {
   std::vector<OwnedMessage> messages;
   for (OwnedMessage& message : object->handler.held) messages.push_back(std::move(message));
@@ -175,7 +175,8 @@ void ObjectTable::Place(std::unique_ptr<Object> fresh) {
   fresh->message_count = old->message_count;
   fresh->dropped_count = old->dropped_count;
   fresh->is_off = old->is_off;
-  // The count still has the messages that a gate keeps, because `fresh` will receive them.
+  // The count still includes the messages that a gate keeps, because `fresh` will receive these
+  // messages.
   fresh->waiting = old->waiting;
   // An old object whose handler waits, or still has the processor, is kept: that handler ends later
   // and needs its object until then.
@@ -186,9 +187,9 @@ void ObjectTable::Place(std::unique_ptr<Object> fresh) {
 
 ObjectTable::Readies ObjectTable::Replace(std::vector<std::unique_ptr<Object>> fresh) {
   Readies readies;
-  // Marks all old objects before any message is taken.  If one of them has not received a
-  // notification from another, its regions then go back to the other by a direct call, because a
-  // message to the other would be lost (SendDeassert()).
+  // Marks all old objects before any message is taken.  A notification from one old object to
+  // another is not delivered any more.  Because of the mark, SendDeassert() gives its regions back
+  // by a direct call: a message to the sender would be lost.
   for (const auto& object : fresh) Get(object->id)->is_leaving = true;
   for (const auto& object : fresh) readies[object->id] = EndMessagesTo(Get(object->id));
   for (auto& object : fresh) Place(std::move(object));

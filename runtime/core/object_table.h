@@ -18,7 +18,7 @@ class System;
 class ObjectTable {
  public:
   using Listener = std::function<void(ObjectId)>;
-  // object -> the observers that are ready for subjects of this object
+  // The observers that are ready for subjects of an object; the key is the object.
   using Readies = std::map<ObjectId, std::vector<StandingReady>>;
 
   // `system` must outlive the table.
@@ -42,11 +42,11 @@ class ObjectTable {
   // ---- Ends of objects
 
   // Ends time events, network connections and registered names of object `id`, and deletes its
-  // regions.  To be called in a task (System::PostTask()), because while other messages are due
-  // they may point into these regions.
+  // regions.  Must be called in a task (System::PostTask()), because messages that are still due
+  // may point into these regions.
   void EndAllOf(ObjectId id);
-  // Registers a `listener` that EndAllOf() calls, so that parts of the system end what they do for
-  // the object.
+  // Registers a `listener` that EndAllOf() calls, so that other parts of the system end their work
+  // for the object.
   void OnEnd(Listener listener) { end_listeners_.push_back(std::move(listener)); }
 
   // Ends every connection of the other objects with object `id`.  A worker calls this when an
@@ -77,8 +77,8 @@ class ObjectTable {
   // the old objects are lost.  Returns the observers that were ready for the old objects.
   Readies Replace(std::vector<std::unique_ptr<Object>> fresh);
   // Posts `readies`, which observers had sent to the old object, to the new object `id` in the name
-  // of these observers.  They do not know of the replacement, so they would not assert ready again
-  // themselves.
+  // of these observers.  The observers do not know of the replacement, so they would not assert
+  // ready again themselves.
   void AssertAgain(ObjectId id, const std::vector<StandingReady>& readies);
 
  private:

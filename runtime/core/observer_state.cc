@@ -93,7 +93,7 @@ void SendDeassert(Object* object, uint32_t selector, const SubjectID& subject,
   message->kind = PayloadKind::kReady;
   if (system->Post(std::move(message)) == sSUCCESS) return;
   const CurrentScope there(system, sender);
-  // Whether the subject is in this process.  If not, `sender` has no subjects here and stands for
+  // True if the subject is in this process.  If not, `sender` has no subjects here: it stands for
   // an object in a worker process, which has the subject and releases the regions.
   const bool is_here = !sender->subjects.empty();
   for (RCRegion* const region : regions) {

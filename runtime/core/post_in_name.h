@@ -26,8 +26,8 @@ enum class ServiceSide { kSubject, kObserver };
 // "Blinker.Blink.int.S".
 bool NamesService(std::string_view name, std::string_view service);
 
-// Returns the service of `robot` that `name` names; nullopt if no subject or observer, as `side`
-// says, has that name.
+// Returns the service of `robot` that `name` names.  `side` says whether to search for a subject or
+// an observer.  Returns nullopt if there is no such service.
 std::optional<ServiceEnd> FindService(const System& system, int robot, std::string_view name,
                                       ServiceSide side);
 
@@ -35,8 +35,9 @@ std::optional<ServiceEnd> FindService(const System& system, int robot, std::stri
 std::vector<std::string> SubjectsOf(const System& system, int robot, std::string_view observer);
 
 // Post a notification with one datum to `observer`, or a ready of `observer` to `subject`, each in
-// the name of the other end.  The data arrive whether the observer is ready or not.  Return "", or
-// the reason why nothing was posted: the two are not connected, or the queue is full.
+// the name of the other end.  A notification arrives even if the observer is not ready.  Return "",
+// or the reason why nothing was posted: subject and observer are not connected, or the queue is
+// full.
 std::string PostNotification(System* system, const ServiceEnd& subject, const ServiceEnd& observer,
                              std::string_view datum);
 std::string PostReady(System* system, const ServiceEnd& observer, const ServiceEnd& subject,

@@ -23,8 +23,8 @@ namespace {
 // are small, many and short-lived, so single allocations would take long.
 struct Pool {
   std::vector<void*> free;
-  // The addresses of all chunks, so that a leak checker finds the chunks reachable.  Otherwise it
-  // would report them when an object has not deleted its regions.
+  // The addresses of all chunks.  With this list, a leak checker finds that the chunks are
+  // reachable.  Otherwise it would report a chunk when an object has not deleted its regions.
   std::vector<void*> chunks;
   static constexpr size_t kChunk = 64;
 

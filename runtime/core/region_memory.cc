@@ -17,8 +17,8 @@ namespace {
 constexpr size_t kMapBytes = 64 << 10;
 constexpr size_t kKeepBytes = 256 << 10;  // larger cells are unmapped when they are freed
 
-// Sets flag `index` of a list, in which flags beyond the end are false, to `value`.  The list grows
-// only when needed, because most runs use few of the 65,536 slots.
+// Sets flag `index` of a list to `value`.  Flags beyond the end of the list are false.  So the list
+// grows only when needed: most runs use few of the 65,536 slots.
 void Set(std::vector<bool>* flags, size_t index, bool value) {
   if (index >= flags->size()) flags->resize(index + 1);
   (*flags)[index] = value;

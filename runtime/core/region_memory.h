@@ -22,9 +22,10 @@ class RegionMemory {
   static constexpr uint32_t kSlots = 1 << 16;
 
   // Returns a block of `bytes` zeros for `slot`, or null if there is no memory.  The block has a
-  // planned address, unless it is larger than 16 MiB (half of the robot's memory), an earlier block
-  // of this slot and size is still in use, the planned memory cannot be mapped, or addresses are
-  // not planned.  In these cases the block comes from the host's heap.  REQUIRES: slot < kSlots.
+  // planned address, except in four cases: the block is larger than 16 MiB (half of the robot's
+  // memory), an earlier block of this slot and size is still in use, the planned memory cannot be
+  // mapped, or addresses are not planned.  In these cases the block comes from the host's heap.
+  // REQUIRES: slot < kSlots.
   char* New(uint32_t slot, size_t bytes);
 
   // Frees `block`, which New() returned.  Does nothing if `block` is null.
@@ -42,8 +43,8 @@ class RegionMemory {
 
   struct Cells {
     std::vector<bool> in_use;  // by slot
-    // For each piece of memory that is mapped at once: whether it is mapped.  A piece has kMapBytes
-    // and holds several cells, or one cell if a cell is larger.
+    // Tells for each piece of memory whether it is mapped.  A piece is mapped at once; it has
+    // kMapBytes and holds several cells, or one cell if a cell is larger.
     std::vector<bool> is_mapped;
   };
 

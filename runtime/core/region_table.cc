@@ -61,8 +61,8 @@ uint32_t RegionTable::New(size_t size, ObjectId owner) {
 }
 
 // Makes the slot that `id` names empty, for a new block with this id, which the master process has
-// chosen.  The old memory of the slot is freed.  If an observer still reads it (it is pinned), it
-// is moved to outlived_ instead.  Returns null if the slot has a live block.
+// chosen.  The old memory of the slot is freed.  If an observer still reads this memory (it is
+// pinned), the memory is moved to outlived_ instead.  Returns null if the slot has a live block.
 RegionTable::Slot* RegionTable::SlotFor(uint32_t id) {
   const uint32_t index = (id & 0xffff) - 1;
   if (index >= 0xffff) return nullptr;
@@ -88,9 +88,9 @@ char* RegionTable::AdoptOwn(uint32_t id, size_t size, ObjectId owner) {
   return slot->base;
 }
 
-// Returns memory of `size` bytes for a copy of region `id`: that of its last copy, if it has the
-// same size, else new memory; null if there is none.  Using it again saves time, because a subject
-// sends the same few regions again and again.
+// Returns memory of `size` bytes for a copy of region `id`, or null if there is no memory.  The
+// memory of the last copy is used again if it has the same size.  This saves time, because a
+// subject sends the same few regions again and again.
 char* RegionTable::AdoptCopy(uint32_t id, size_t size) {
   Slot* slot = FindMemory(id);
   if (slot != nullptr && slot->is_idle && slot->capacity == size) {
@@ -167,8 +167,8 @@ void RegionTable::NotePlace(uint32_t id, const void* address) {
 
 std::pair<const void*, int> RegionTable::MostCommonPlace() const {
   // Counts how many blocks each instruction has made, and keeps the counts in the order of slots.
-  // In the order of addresses they would differ from run to run, and so would the choice between
-  // two equal counts.
+  // The order of addresses would differ from run to run, and with it the choice between two equal
+  // counts.
   std::vector<std::pair<const void*, int>> counts;
   for (const Slot& slot : slots_) {
     if (!slot.live || slot.made_at == nullptr) continue;

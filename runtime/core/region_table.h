@@ -39,8 +39,8 @@ class RegionTable {
   char* AdoptCopy(uint32_t id, size_t size);
   void KeepCopy(uint32_t id);
   void DropCopy(uint32_t id);
-  // Removes block `id`, which AdoptOwn() made, because the master process has deleted it.  The
-  // memory stays while the block is pinned.
+  // Removes block `id`, which AdoptOwn() made.  Called when the master process has deleted the
+  // block.  The memory stays while the block is pinned.
   void Lose(uint32_t id);
 
   // Finds the block in which `address` lies, and sets `*id` to its id and `*offset` to the distance
@@ -53,8 +53,8 @@ class RegionTable {
 
   // Records `address`, the instruction of a program that made block `id`, for MostCommonPlace().
   void NotePlace(uint32_t id, const void* address);
-  // Returns the instruction that made the most live blocks, and the number of these blocks.
-  // Returns null if no instruction was recorded.
+  // Returns the instruction that made the most live blocks, and the number of these blocks.  The
+  // instruction is null if none was recorded.
   std::pair<const void*, int> MostCommonPlace() const;
 
   // Deletes block `id`.  Returns false if `id` names no live block.  The memory stays while the
@@ -86,8 +86,8 @@ class RegionTable {
   bool WrittenBeyond(uint32_t id) const;
 
   // Pin() keeps the memory of a block that is still being read, until Unpin().  Both functions
-  // return false for an unknown id.  This is no error, because a region may refer to memory that is
-  // not in this table.
+  // return false for an unknown id.  An unknown id is no error, because a region may refer to
+  // memory that is not in this table.
   bool Pin(uint32_t id);
   bool Unpin(uint32_t id);
 

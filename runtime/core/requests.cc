@@ -70,8 +70,7 @@ int32_t Requests::Call(ObjectId target, uint32_t selector, const void* data, siz
   const std::string why =
       fmt::format("the answer of {} ({})", callee->name, callee->EntryName(selector));
   // The time-out is in virtual time.  If the callee's handler runs in another process, it takes
-  // wall time, of which virtual time knows nothing.  So a time-out is then ignored, and the wait
-  // begins again.
+  // wall time and no virtual time.  So such a time-out is ignored, and the wait begins again.
   for (;;) {
     const int32_t result = Wait(box, reply, reply_size, nullptr, timeout_us, why);
     if (result != sTIMEOUT || !system_->object(target)->IsAtWorkElsewhere()) return result;

@@ -53,8 +53,9 @@ class Requests {
   // reply.
   ReplyTicket TakeTicket();
 
-  // Sends a reply with the `size` bytes at `data`.  `payload_hash` is given if these bytes hold
-  // addresses: it stands for them in the trace of the run.  If it is 0, the bytes are hashed.
+  // Sends a reply with the `size` bytes at `data`.  If these bytes hold addresses, the caller gives
+  // a `payload_hash`, which replaces their hash in the trace of the run.  If `payload_hash` is 0,
+  // the bytes themselves are hashed.
   int32_t Reply(const ReplyTicket& ticket, const void* data, size_t size,
                 uint64_t payload_hash = 0);
 

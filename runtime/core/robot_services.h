@@ -2,9 +2,9 @@
 // robot.
 //
 // Every function has the meaning and the results of the function of the same name in OPENRAPI.h.
-// The base class is a robot without devices: its functions return that a primitive or a key does
-// not exist, or oNOT_SUPPORTED.  The functions are called in handlers of objects, and memory that
-// they allocate comes from the host's heap.
+// The base class is a robot without devices: its functions return oNOT_SUPPORTED, or the error for
+// a primitive or key that does not exist.  The functions are called in handlers of objects, and
+// memory that they allocate comes from the host's heap.
 #pragma once
 
 #include <OPENR/OPENRAPI.h>

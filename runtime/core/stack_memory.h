@@ -47,8 +47,8 @@ class StackMemory {
 
   // Returns how many bytes of the stack were written to, counted from the top.  The search goes
   // from the top down and ends after `gap_bytes` of zeros.  So the function misses written bytes
-  // below an array of this size that was not written.  Returns 0 with AddressSanitizer and under
-  // Valgrind, which do not allow these reads.  REQUIRES: the caller runs on another stack.
+  // below an array of `gap_bytes` bytes that was not written.  Returns 0 with AddressSanitizer and
+  // under Valgrind, which do not allow these reads.  REQUIRES: the caller runs on another stack.
   size_t UsedBytes(size_t gap_bytes) const;
 
   // Sets to zero the bytes that UsedBytes(gap_bytes) counts, and returns their number.  So the next

@@ -21,8 +21,8 @@ struct Stall {
   std::string text;             // "JointMover waits for ready of RCServer on ... since t=1.248 s"
   const char* advice = "";      // what the author of the program can do
   // The observer has asserted no ready since its last notification, or not at all, and no data wait
-  // for it.  It may have forgotten to assert, or may want no more data.  So this stall is reported
-  // only if no object of the run sends messages any more.
+  // for the observer.  The observer may have forgotten to assert, or may want no more data.  So
+  // this stall is reported only if no object of the run sends messages any more.
   bool may_be_done = false;
   // The observer has probably stopped on purpose, so the report has a note and not a warning.  This
   // is assumed in two cases: the observer has taken two notifications or more, so it has asserted

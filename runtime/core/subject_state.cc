@@ -79,9 +79,9 @@ void ReportReplaced(const SubjectState& subject, const ObserverLink& link) {
 
 namespace {
 
-// Adds a finding about a notify to an observer that has deasserted ready, because this observer
-// gets no data.  Adds none if the process of the observer has ended, because that end is a finding
-// already.
+// Adds a finding when a subject notifies an observer that has deasserted ready, because this
+// observer gets no data.  Adds no finding if the process of the observer has ended, because that
+// end is already a finding.
 void ReportDeasserted(const SubjectState& subject, ObserverLink* link) {
   if (link->told_deasserted || link->is_lost || subject.object->is_system) return;
   link->told_deasserted = true;

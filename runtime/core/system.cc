@@ -219,8 +219,8 @@ int32_t System::Enqueue(OwnedMessage&& message, int64_t delay_us) {
   }
   if (!message->is_reply) {
     if (!target->HasEntry(message->selector)) return RefuseSelector(*message, *target);
-    // Parts of the system post messages to themselves to be called again later, so a schedule must
-    // not refuse these.
+    // A part of the system posts messages to itself so that it is called again later.  A schedule
+    // must not refuse these messages.
     const bool is_clock =
         target->is_system && (message->sender == target->id || message->sender == kNoObject);
     if (schedule_ != nullptr && !is_clock && schedule_->Refuses(*message)) {

@@ -62,7 +62,7 @@ struct SystemOptions {
   // with any other seed, the order is drawn from those that the robot allows.
   uint64_t seed = 1;
   // If true, mistakes of programs that stop a real robot stop the robot here too.  If false, they
-  // only become findings, which are lines in the report of the run.  Also makes objects receive
+  // only become findings, which are lines in the report of the run.  If true, objects also receive
   // read-only copies of data (guard_pages.h), because on a real robot writing to received data is
   // such a mistake.
   bool strict = false;
@@ -71,19 +71,20 @@ struct SystemOptions {
   // OSYSLOG lines with a priority above this are not printed (1 error, 2 warning, 3 info).  Debug
   // lines are always printed.
   uint32_t log_level = 3;
-  // The number of messages that may be delivered at one instant of virtual time; each further one
-  // takes 1 us.  Otherwise objects that answer each other without waiting would stop the clock.
+  // The number of messages that may be delivered at one instant of virtual time; each further
+  // message takes 1 us.  Otherwise objects that answer each other without waiting would stop the
+  // clock.
   int64_t free_deliveries = 10'000;
   // Wall clock in nanoseconds, which measures Object::handler_ns_max; null: not measured.  Nothing
   // else may depend on this clock, because it differs from run to run.
   int64_t (*wall_clock_ns)() = nullptr;
   // The model of how much processor time handlers take (cpu.h); null: they take none.
   std::shared_ptr<CostModel> cost = {};
-  // Whether Object::stack_max is measured for images (objects that were loaded from files).
+  // True: Object::stack_max is measured for images (objects that were loaded from files).
   bool measure_stacks = false;
-  // Whether objects receive read-only copies that are unmapped when they assert ready
-  // (guard_pages.h), so that every later access is a fault.  Data that a subject changes before
-  // they are received become an error finding.  Costs some microseconds per notification.
+  // True: objects receive read-only copies of data, which are unmapped when the object asserts
+  // ready (guard_pages.h).  So every later access is a fault.  If a subject changes data before
+  // they are received, an error finding is added.  Costs some microseconds per notification.
   bool guard_regions = false;
   // Makes the SystemCalls of this System, the functions that handlers call; null: LocalCalls.
   std::function<std::unique_ptr<SystemCalls>(System*)> make_calls = {};
@@ -103,7 +104,7 @@ struct Robot {
   std::string design;                       // "ERS-210"
   std::shared_ptr<MemoryStick> stick;       // null: the robot has no stick
   std::unique_ptr<RobotServices> services;  // its simulated devices (robot_services.h)
-  // registered services: name -> object, selector
+  // The object and selector of each registered service.  The key is the service's name.
   std::map<std::string, std::pair<ObjectId, uint32_t>> directory;
   std::map<std::string, std::string> design_data;  // of DESIGNDB.CFG: keyword -> path of a file
   std::map<std::string, ObjectId> names;           // of Register() (MCOOP.h): name -> object
@@ -122,13 +123,14 @@ class System {
 
   // ---- Building, before Boot() ----
 
-  // Adds a robot of the model `design` and returns its index.  `stick` is null if it has none.
+  // Adds a robot of the model `design` and returns its index.  `stick` is null if the robot has no
+  // stick.
   int AddRobot(const std::string& design, std::shared_ptr<MemoryStick> stick);
   Robot& robot(int index) { return *robots_.at(static_cast<size_t>(index)); }
   int robot_count() const { return static_cast<int>(robots_.size()); }
 
-  // Makes an object of class T, a CodeObject, with the arguments given.  Its constructor runs with
-  // the new object as the current object (current.h).
+  // Makes an object of class T, a CodeObject, with the arguments given.  The constructor of T runs
+  // with the new object as the current object (current.h).
   template <typename T, typename... Args>
   T* AddObject(int robot, const std::string& name, Args&&... args);
 
@@ -149,8 +151,8 @@ class System {
   // DoStart of all objects.
   void Boot();
 
-  // Posts a message whose handler calls `task`.  It has the lowest priority, so `task` is called as
-  // soon as no message of an object is due.
+  // Posts a message whose handler calls `task`.  The message has the lowest priority, so `task` is
+  // called as soon as no message of an object is due.
   void PostTask(std::function<void()> task);
 
   // Posts the shutdown of one robot: DoStop of its objects, then DoDestroy, then the robot is off.
@@ -161,14 +163,14 @@ class System {
   // Switches one robot off at once, as OPENR::Fatal() does.  Messages to its objects are dropped
   // from now on.
   void PowerOff(int robot, const RunEnd& why = {});
-  // Do the work of Shutdown() and PowerOff(), which only pass the request to calls().  In a worker
-  // process, calls() sends the request to the master process.  In the master, it is LocalCalls,
-  // which calls these functions.
+  // Do the work of Shutdown() and PowerOff().  Shutdown() and PowerOff() only pass the request to
+  // calls().  In a worker process, calls() sends the request to the master process.  In the master
+  // process, calls() is LocalCalls, which calls these two functions.
   void BeginShutdown(int robot, const RunEnd& why);
   void CutPower(int robot, const RunEnd& why);
 
-  // Note the reason why a robot goes off, or why the run ends if no robot is the reason.  The first
-  // reason is kept; only a PowerOff() during a shutdown replaces the reason of the shutdown.
+  // Record the reason why a robot goes off, or why the run ends if no robot is the reason.  The
+  // first reason is kept; only a PowerOff() during a shutdown replaces the reason of the shutdown.
   // Shutdown() and PowerOff() call NoteEnd() themselves.
   void NoteEnd(int robot, const RunEnd& why);
   void NoteRunEnd(const RunEnd& why);
@@ -180,7 +182,8 @@ class System {
 
   int64_t now_us() const { return now_us_; }
 
-  // Delivers the next message; moves the clock to its due time.  Returns false if there is none.
+  // Moves the clock to the due time of the next message and delivers the message.  Returns false if
+  // there is no message.
   bool Step();
 
   // Delivers the next message if it is due by `time_us`; else sets the clock to `time_us`.
@@ -194,8 +197,8 @@ class System {
   void RunUntil(int64_t time_us);
   void RunFor(int64_t duration_us) { RunUntil(now_us_ + duration_us); }
 
-  // Runs until `predicate` returns true; it is called after every message.  Returns false if that
-  // has not happened after `budget_us` of virtual time.  REQUIRES: budget_us >= 0.
+  // Runs until `predicate`, which is called after every message, returns true.  Returns false if
+  // `predicate` has not returned true after `budget_us` of virtual time.  REQUIRES: budget_us >= 0.
   bool RunUntil(const std::function<bool()>& predicate, int64_t budget_us);
 
   // ---- Messages ----
@@ -217,16 +220,18 @@ class System {
   // a handler.
   [[noreturn]] void AbandonHandler();
 
-  // ---- Schedule and gate, for tests and tools that explore orders; null: none.  Both must outlive
-  //      their use here.
+  // ---- Schedule and gate ----
+  //
+  // Both are for tests and tools that explore orders of messages.  The System does not own them:
+  // they must exist as long as it delivers messages.  Null: none.
 
-  // Replaces the schedule that the seed gives, which decides the order of messages.  REQUIRES:
-  // before Boot().
+  // Replaces the schedule that the seed has chosen.  The schedule decides the order of messages.
+  // REQUIRES: before Boot().
   void set_schedule(Schedule* schedule) { schedule_ = schedule; }
   // Sets the gate, which decides for each message whether it may be delivered now.
   void set_gate(Gate* gate) { gate_ = gate; }
-  // Puts a message that a gate or the processor (cpu.h) has kept back into the queue again, due now
-  // and before all others of its class and priority.
+  // Puts into the queue again a message that a gate or the processor (cpu.h) has held.  The message
+  // is due now and comes before all others of its class and priority.
   void Readmit(OwnedMessage message);
 
   Inputs& inputs() { return inputs_; }
@@ -286,7 +291,8 @@ class System {
   Object* NewCodeHost(int robot, const std::string& name);
 
   // Events that are no messages: the end of a handler's processor time, time events and inputs.
-  // NextInstant() returns when the next one is due, DoWhatIsDue() does those due now.
+  // NextInstant() returns the time of the next event.  DoWhatIsDue() handles the events that are
+  // due now.
   int64_t NextInstant() const;
   void DoWhatIsDue();
   int32_t RefuseSelector(const Message& message, const Object& target);

@@ -32,12 +32,13 @@ class SystemCalls {
   // ---- Messages and replies
 
   // Queues `message`, due `delay_us` from now, and returns an sError as System::Post() does.  The
-  // message is passed by reference, because a notification must not cost a move more at each step
-  // from here to the queue.
+  // message is passed by reference, because otherwise it would be moved once more at each step on
+  // the way to the queue, which makes notifications slower.
   virtual int32_t Post(OwnedMessage&& message, int64_t delay_us) = 0;
 
   // Each request has a number, its box, under which the reply arrives.  OpenBox() lets the caller
-  // receive a reply to `box`.  CloseBox() ends that, and releases a reply that has already arrived.
+  // receive a reply to `box`.  After CloseBox() the caller receives no reply to `box`; a reply that
+  // has already arrived is released.
   virtual void OpenBox(uint64_t box) = 0;
   virtual void CloseBox(uint64_t box) = 0;
 
@@ -105,7 +106,7 @@ class SystemCalls {
 
   // Tells the master process that the caller has mapped (`is_mapped`) or unmapped a buffer of the
   // IPStack: the buffer with the number `cookie`, which lies in `region`.  The IPStack in the
-  // master needs this, because it lets an object send only data in a mapped buffer.
+  // master must know this, because an object may send only data in a mapped buffer.
   virtual void NoteMapping(uint32_t cookie, uint32_t region, bool is_mapped) = 0;
 
   // ---- The run and its stick
@@ -118,8 +119,8 @@ class SystemCalls {
   virtual void PowerOff(int robot, const RunEnd& why) = 0;
 
   // Tells all processes of the run that use the caller's stick that the file `path` is about to
-  // change, because each of them notes changed files (MemoryStick::NoteWritten()).  Returns when
-  // all these processes know.
+  // change.  Each process records the changed files (MemoryStick::NoteWritten()).  Returns when all
+  // these processes have been told.
   virtual bool NoteFileWritten(std::string_view path) = 0;
 };
 

@@ -11,7 +11,7 @@ class System;
 // Adds the verbs `type`, `send` and `shutdown` to System::inputs().
 void AddSystemVerbs(System* system);
 
-// Adds the input `type TEXT`: `text` as if it were typed on the terminal of `robot`.
+// Adds the input `type TEXT`, which types `text` on the terminal of `robot`.
 void TypeText(System* system, int robot, std::string_view text);
 
 // Reads values that a message shall carry: "5" (an int), "1.5" (a double), "float:1.5", "byte:7",

@@ -13,9 +13,9 @@
 
 namespace openr_host {
 
-// The record of a delivered message, of which the trace hash is made.  It holds a hash in place of
-// the message's bytes, and so no memory addresses and no padding, which would differ from run to
-// run.
+// The record of a delivered message.  The trace hash is made of these records.  A record holds a
+// hash of the message's content and not its bytes, because memory addresses and padding in the
+// bytes differ from run to run.
 struct TraceRecord {
   uint64_t number;
   uint64_t cause;
@@ -32,8 +32,8 @@ class Trace {
  public:
   using Sink = std::function<void(const TraceRecord&, const Message&)>;
 
-  // Adds the record of `message`, which is delivered at `now_us`, to the hash and passes it to the
-  // sinks.
+  // Adds to the hash the record of `message`, which is delivered at `now_us`, and passes the record
+  // to the sinks.
   void Deliver(const Message& message, int64_t now_us);
 
   // Adds a `sink`, a function that is called for every delivered message, after the sinks that were
@@ -60,8 +60,10 @@ class Trace {
 };
 
 // Returns the hash of the content of `message` without memory addresses, and sets `*size` to the
-// number of hashed bytes.  Hashes of a notification its counts and the bytes of its regions, of a
-// ready its command and the number of regions that it gives back, of any other message its bytes.
+// number of hashed bytes.  The hashed bytes are
+//   of a notification: its counts and the bytes of its regions,
+//   of a ready: its command and the number of regions that it gives back,
+//   of any other message: its bytes.
 // For the kind kHashed returns the hash that the sender has set.
 uint64_t PayloadHash(const Message& message, uint32_t* size);
 

@@ -105,7 +105,8 @@ void IncomingChannel::Received(std::string_view bytes) {
   GatewayStream::Result result;
   while ((result = stream_.NextSet(&set)) == GatewayStream::Result::kTaken) {
     // A peer must wait for a ready before it sends data.  Data without a ready cause only a
-    // warning, because nothing is lost: the local subject keeps them until its observer is ready.
+    // warning, because nothing is lost: the local subject keeps these data until its observer is
+    // ready.
     if (!std::exchange(asked_, false)) {
       gateway_->Warn(
           "the peer sends data before it was told that the observer is ready; they wait, and newer "

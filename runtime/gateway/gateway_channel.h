@@ -3,8 +3,8 @@
 //
 // A ready, the observer's message that it can take data, goes in the other direction, as measured
 // on Sony's gateway.  On the side of the subject, the gateway asserts ready to the subject when the
-// connection is made, keeps the data of one notification (a set) until the peer is ready, sends the
-// set and asserts ready again.  On the side of the observer, the gateway sends the observer's
+// connection is made.  It keeps the data of one notification (a set) until the peer is ready, sends
+// the set and asserts ready again.  On the side of the observer, the gateway sends the observer's
 // readies to the peer.
 #pragma once
 
@@ -81,8 +81,8 @@ class IncomingChannel : public GatewayChannel {
   // The word to send when the earlier word has been sent; 0: none.  There is no queue, because a
   // newer word replaces an older one: only the observer's last state counts.
   uint32_t waiting_word_ = 0;
-  // true if "ready" was sent to the peer, and the peer has not sent data since; otherwise data
-  // cause a warning
+  // True if "ready" was sent to the peer, and the peer has not sent data since then.  If false,
+  // data from the peer cause a warning.
   bool asked_ = false;
 };
 

@@ -2,7 +2,7 @@
 //
 // The robot's side listens on the service's port; the host's side connects and tries again every
 // second.  Both send messages to IPStack like any object (TCPEndpointMsg.h), so IPStack records and
-// replays their input as that of all objects.  A second client is accepted and closed at once.
+// replays their input like that of all objects.  A second client is accepted and closed at once.
 #pragma once
 
 #include <TCPEndpointMsg.h>
@@ -42,8 +42,8 @@ class GatewayConnection {
   bool is_up() const { return is_up_; }
   bool is_sending() const { return is_sending_; }
 
-  // Listens, or connects if the record has an address.  REQUIRES, like all functions below: a
-  // handler of the gateway runs.
+  // Listens, or connects if the record has an address.  REQUIRES, for this function and all below:
+  // a handler of the gateway runs.
   void Open();
   void Send(std::string_view bytes);  // REQUIRES: is_up()
   // Ends the connection because the peer broke the protocol, and adds a finding.

@@ -36,10 +36,10 @@ class GatewayStream {
 
   void Feed(std::string_view bytes) { bytes_.append(bytes); }
 
-  // Remove the next word, or the next whole set, from the received bytes. kNeedsMore means that it
-  // has not arrived completely. kBroken means that the rest of the stream cannot be decoded;
-  // error() then returns the reason.  Announced sizes are checked against limits before they are
-  // used.
+  // Remove the next word, or the next whole set, from the received bytes. kNeedsMore means that the
+  // word or set has not arrived completely. kBroken means that the rest of the stream cannot be
+  // decoded; error() then returns the reason.  Announced sizes are checked against limits before
+  // they are used.
   Result NextWord(uint32_t* word);
   Result NextSet(GatewaySet* set);
 

@@ -31,8 +31,8 @@ void ProxyClient::Take(const void* payload, size_t size) {
 }
 
 // Posts a message that calls Expire() at the time limit of the oldest request, unless such a
-// message is posted already.  The limits of the other requests are later, so Expire() posts again
-// for them.
+// message is posted already.  The limits of the other requests are later, so Expire() then posts
+// the message for the next request.
 void ProxyClient::WatchTime() {
   if (watches_ || requests_.empty()) return;
   watches_ = true;
@@ -70,8 +70,8 @@ void ProxyClient::Down() {
 void ProxyClient::SendNext() {
   if (waits_ || requests_.empty() || !connection_.is_up()) return;
   waits_ = true;
-  // Before the first call to an object, the robot is asked for the object's OID, because a call
-  // needs the OID and the request has only the name.
+  // Before the first call to an object, the robot is asked for the object's OID.  A call needs the
+  // OID, and the request has only the name.
   const Request& request = requests_.front();
   ProxyFrame frame;
   if (const auto known = oids_.find(request.object); known == oids_.end()) {

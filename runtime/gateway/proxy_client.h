@@ -38,8 +38,8 @@ class ProxyClient : public GatewayChannel {
   // Queues the ProxyRequest in `payload`, the message that the running handler has received.  The
   // reply to this message is a word with an sError, then the bytes of the robot's reply.
   void Take(const void* payload, size_t size);
-  // Fails all requests with sTIMEOUT if the oldest one has waited for kPatienceUs, because the
-  // others wait behind it.  With an open connection, closes it, and the requests get sFAIL.
+  // Fails all requests if the oldest one has waited for kPatienceUs, because the others wait behind
+  // it.  The error is sTIMEOUT.  But if the connection is open, closes it, and the error is sFAIL.
   void Expire();
 
   void Up() override;
@@ -69,7 +69,7 @@ class ProxyClient : public GatewayChannel {
   std::deque<Request> requests_;
   std::map<std::string, uint32_t> oids_;  // OIDs on the robot, by name; valid for one connection
   bool waits_ = false;                    // the first request was sent but not answered yet
-  // true after a call has had no answer: without a connection, new calls then fail at once
+  // True after a call has had no answer.  Then a new call fails at once if there is no connection.
   bool gave_up_ = false;
   bool watches_ = false;  // a message that calls Expire() is posted
 };

@@ -22,8 +22,8 @@ class ProxyServer : public GatewayChannel {
   void Down() override { stream_ = {}; }
 
  private:
-  // Returns the answer to `frame`.  The command of the answer is kUndefined if `frame` is no call
-  // but itself an answer.
+  // Returns the answer to `frame`.  If `frame` is itself an answer and no call, the command of the
+  // returned frame is kUndefined.
   ProxyFrame AnswerTo(const ProxyFrame& frame);
   ProxyFrame AnswerCall(const ProxyFrame& frame);
 

@@ -63,9 +63,9 @@ uint32_t WordIn(const std::string& bytes, size_t offset);
 // the parameter `param`.  REQUIRES: `param` fits into kControlBytes - kControlParamAt bytes.
 std::string ControlMessage(ControlRequest request, const std::string& param);
 
-// Executes `message`, which was sent to entry `selector` of the system object `name`, with
-// `services` and returns the answer.  If the object or entry is not supported, or the message is
-// too short, returns "" and sets `*why` to the reason.
+// Lets `services` execute `message`, which was sent to entry `selector` of the system object
+// `name`, and returns the answer.  If the object or entry is not supported, or the message is too
+// short, returns "" and sets `*why` to the reason.
 std::string AnswerSystemMessage(RobotServices* services, const std::string& design,
                                 const std::string& name, uint32_t selector,
                                 const std::string& message, std::string* why);

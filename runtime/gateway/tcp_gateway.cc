@@ -37,8 +37,8 @@ TcpGateway::TcpGateway(const GatewayConfig& config) {
     std::memcpy(&index, payload, sizeof index);
     channels_.at(static_cast<size_t>(index))->connection().LookForAnswer();
   });
-  // The message queue must hold the messages of all channels.  A channel has at most a few at a
-  // time (answers of the network, data, readies), so 8 are ample.
+  // The message queue must hold the messages of all channels.  A channel has only a few at a time
+  // (answers of the network, data, readies), so 8 for each channel are enough.
   host().queue_max = std::max(host().queue_max, 8 * static_cast<int>(channels_.size()));
 }
 

@@ -65,9 +65,9 @@ int fgetc(FILE* file) {
   return next(Resolve(file));
 }
 
-// <stdio.h> defines getchar() and getline() inline, and clang accepts no second definition of them.
-// So they are defined under other names in C++, which become getchar and getline in the object
-// file.
+// <stdio.h> defines getchar() and getline() inline, and clang accepts no second definition of these
+// functions.  So they are defined under other names in C++, which become getchar and getline in the
+// object file.
 int OpenrGetchar() __asm__("getchar");
 ssize_t OpenrGetline(char** line, size_t* size, FILE* file) __asm__("getline");
 

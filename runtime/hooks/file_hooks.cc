@@ -1,5 +1,5 @@
 // File functions for objects: open(), fopen(), stat() and the like.  Paths of an object lead to its
-// Memory Stick.  What the robot's file system cannot do fails.
+// Memory Stick.  Operations that the robot's file system does not have fail.
 //
 // A call from anywhere in the process, even in std::ifstream, reaches these definitions before
 // those of the C library.  They differ from the C library only while code of an object runs.
@@ -74,9 +74,10 @@ StickUse UseOf(const char* mode) {
                                              : StickUse::kRead;
 }
 
-// Returns whether the current object may open `host`, the file `path` of the stick, for writing if
-// `writes` is true; if not, sets errno.  A file that is already open can be opened again only if
-// all its users only read it (Programmer's Guide, appendix A).
+// Returns whether the current object may open the file `path` of the stick, which is `host` on the
+// host.  `writes` is true if the file is opened for writing.  If the object may not open the file,
+// sets errno.  A file that is already open can be opened again only if all its users only read it
+// (Programmer's Guide, appendix A).
 bool MayOpen(const std::string& host, bool writes, const char* path) {
   const ApiScope scope;
   const openr_host::Object* holder = nullptr;
@@ -134,8 +135,8 @@ mode_t ModeOf(int flags, va_list arguments) {
 }
 
 // Removes `descriptor` from the open files of the object that has opened it.  Returns false if no
-// object has opened it.  All objects are searched, because any object may close a descriptor of
-// another.
+// object has opened the descriptor.  All objects are searched, because any object may close a
+// descriptor of another object.
 bool ForgetDescriptor(int descriptor) {
   for (const auto& object : t_current.system->objects()) {
     if (object != nullptr && object->files.descriptors.erase(descriptor) == 1) return true;
@@ -152,8 +153,8 @@ int WithPath(Function* next, StickUse use, const char* path, Rest... rest) {
   return host.empty() ? -1 : next(host.c_str(), rest...);
 }
 
-// Reduces `status` to what the robot's file system reports: kind and size (Programmer's Guide,
-// appendix A).
+// Removes from `status` all but kind and size, because the robot's file system reports only these
+// (Programmer's Guide, appendix A).
 template <typename Status>
 void AsOnRobot(Status* status) {
   const mode_t kind = S_ISDIR(status->st_mode) ? S_IFDIR : S_IFREG;

@@ -26,7 +26,7 @@ Function* NextSymbol(const char* name) {
 
 }  // namespace openr_host
 
-// Does what NextSymbol() does for a function that a header declares, so the caller need not write
-// its type.
+// Calls NextSymbol() for a function that a header declares, so that the caller need not write the
+// function's type.
 #define OPENR_NEXT(name) \
   (static_cast<decltype(&name)>(openr_host::NextSymbol<decltype(name)>(#name)))

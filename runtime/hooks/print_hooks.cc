@@ -1,8 +1,8 @@
 // Wraps printf(), sscanf() and the like, so that the stack that the C library uses in them is not
 // counted as stack of the object that calls them.
 //
-// Of the functions that objects call often, these need the most stack: up to 2 KiB on this host,
-// while the .ocf file of an object may allow 3 KiB in all.
+// These functions need more stack than all others that objects call often: up to 2 KiB on this
+// host.  The .ocf file of an object may allow only 3 KiB in all.
 #if !defined(__SANITIZE_ADDRESS__)  // AddressSanitizer defines these functions itself
 
 #include <stdarg.h>
@@ -16,7 +16,7 @@ using openr_host::NextSymbol;
 
 // Declares our version of the C library's function `plain`.  In C++ its name is OpenrV`name`,
 // because <stdio.h> defines some of these functions inline, and clang accepts no second definition
-// of them.  In the object file its name is `plain`.
+// of these functions.  In the object file its name is `plain`.
 #define OPENR_LIBRARY_FUNCTION(name, plain, ...) \
   extern "C" int OpenrV##name(__VA_ARGS__, va_list arguments) __asm__(#plain)
 

@@ -31,7 +31,7 @@ int64_t VirtualUs() { return t_current.system->now_us(); }
 
 // Returns the next random number of the current object.  Every object has a generator of its own,
 // so its numbers do not depend on how often other objects call rand().  All generators start with
-// seed 1, as the C library's does.
+// seed 1, like the generator of the C library.
 int ObjectRandom() {
   uint32_t& state = t_current.object->random_state;
   state = state * 1103515245u + 12345u;

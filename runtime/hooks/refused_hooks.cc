@@ -1,6 +1,6 @@
-// Functions of the C library that do not exist on the robot (Programmer's Guide, appendix A).  For
-// objects they fail with a finding.  This also keeps objects away from files and processes of the
-// host.
+// Functions of the C library that do not exist on the robot (Programmer's Guide, appendix A).  If
+// an object calls such a function, the call fails and adds a finding.  So objects cannot reach
+// files and processes of the host.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <signal.h>
@@ -23,7 +23,7 @@ namespace {
 using openr_host::t_current;
 
 // Returns whether code of an object has called the function `name`.  If so, adds a finding and sets
-// errno, because the call is to fail.
+// errno, because the call must fail.
 bool Refuses(const char* name) {
   if (!openr_host::InObject()) return false;
   const openr_host::ApiScope scope;
@@ -87,8 +87,8 @@ OPENR_REFUSE(int, pipe, -1, (int* ends) noexcept, (ends))
 OPENR_REFUSE(int, socket, -1, (int domain, int type, int protocol) noexcept,
              (domain, type, protocol))
 
-// Refuses fcntl() to objects.  For other callers passes the third argument on as a pointer, whether
-// it is a pointer or an int, because the calling convention passes both in the same way.
+// Refuses fcntl() to objects.  For other callers passes the third argument on as a pointer, even if
+// it is an int, because the calling convention passes an int in the same way.
 extern "C" int fcntl(int descriptor, int command, ...) {
   static const auto next = OPENR_NEXT(fcntl);
   va_list arguments;

@@ -28,9 +28,9 @@ class AddressMap {
   // them apart by the port.
   NetAddress ToHost(NetAddress peer);
 
-  // Returns the address under which programs know the peer `host`.  It is the address that a
-  // program last used for this peer.  If there is none, it is that of the first pair with this
-  // address of the host, or else `host` itself.
+  // Returns the address under which programs know the peer `host`.  This is the address that a
+  // program last used for the peer.  If no program has used one, it is the robot's address in the
+  // first pair with this address of the host.  If there is no such pair, it is `host` itself.
   NetAddress FromHost(NetAddress host) const;
   uint32_t FromHost(uint32_t host) const { return FromHost(NetAddress{host, 0}).ip; }
 
@@ -38,7 +38,8 @@ class AddressMap {
   static constexpr size_t kPeersMax = 1024;
 
   const std::vector<AddressPair> pairs_;
-  // key: the peer's address and port on the host; value: the address that the program has used
+  // The address that a program has used for a peer.  The key is the peer's address and port on the
+  // host.
   std::map<std::pair<uint32_t, uint16_t>, uint32_t> peers_;
 };
 

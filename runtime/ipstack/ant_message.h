@@ -1,8 +1,8 @@
 // Properties of messages to the network stack: size, name, and the fields that are hashed.
 //
-// The reference of an endpoint contains the number of the endpoint's protocol, where the robot has
-// a pointer (MakeModuleRef).  So the type of a message is known without a table, and the reference
-// has no memory address, which would differ between runs.
+// On the robot, the reference of an endpoint contains a pointer.  Here it contains the number of
+// the endpoint's protocol instead (MakeModuleRef).  So the type of a message is known without a
+// table, and the reference holds no memory address, which would differ between runs.
 #pragma once
 
 #include <antEnvMsg.h>
@@ -18,9 +18,10 @@ antModuleRef MakeModuleRef(int32_t protocol, uint32_t index);
 // that no stack has made.
 int32_t ProtocolOf(const antModuleRef& ref);
 
-// Returns the size of the struct of `message`, which its selector, protocol and operation tell.
-// The size given to Send() and Call() is not trusted, because Sony's samples pass the size of
-// another struct.  For unknown operations, counts only the base and the error field.
+// Returns the size of the struct of `message`.  Selector, protocol and operation of the message
+// tell which struct it is.  The size given to Send() and Call() is not trusted, because Sony's
+// samples pass the size of another struct.  For an unknown operation, returns the size of the base
+// and the error field.
 size_t AntMessageSize(const antEnvMsg& message);
 
 // Returns a name such as "TCP Listen", for messages to the user.

@@ -90,8 +90,8 @@ DNSEndpointError DnsEndpoint::GetAddress(DNSEndpointGetAddressMsg* message) cons
   return DNS_SUCCESS;
 }
 
-// Finds an alias by its index.  Alias 0 is the official name, so there is one more alias than in
-// HostInfo.
+// Finds an alias by its index.  Alias 0 is the official name, so there is one alias more than in
+// HostInfo::aliases.
 DNSEndpointError DnsEndpoint::GetAlias(DNSEndpointGetAliasMsg* message) const {
   const auto index = static_cast<size_t>(message->index);
   const size_t count = host_.addresses.empty() ? 0 : 1 + host_.aliases.size();

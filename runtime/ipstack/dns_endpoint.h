@@ -1,8 +1,8 @@
 // A DNS endpoint: answers a program's queries for names and addresses of hosts.
 //
 // The answers come from the Network: from the host's resolver or from a table.  The list of DNS
-// servers is kept only because programs set and read it; answers name its first server as the
-// server that has answered.
+// servers is kept only because programs set and read it.  Every answer says that the first server
+// of this list has answered.
 #pragma once
 
 #include <DNSEndpointMsg.h>
@@ -21,8 +21,8 @@ class DnsEndpoint : public Endpoint {
 
   // The largest number of addresses, and of aliases, that are kept of one answer; our choice.
   static constexpr size_t kAddressesMax = 16;
-  // The time limit for an answer, in virtual time; our choice.  After it the query fails with
-  // DNS_TRY_AGAIN.
+  // The time limit for an answer, in virtual time; our choice.  After this time the query fails
+  // with DNS_TRY_AGAIN.
   static constexpr int64_t kAnswerUs = 30'000'000;
 
   void Start(const Operation& operation) override;

@@ -22,8 +22,8 @@ class EventSink {
   virtual void Take(const NetworkEvent& event) = 0;
 };
 
-// An endpoint, which a program creates for TCP, UDP or DNS.  Start() stores an operation, a message
-// of the program; Take() stores an event of the network.  AnswerReady() later answers all
+// An endpoint, which a program creates for TCP, UDP or DNS.  Start() stores an operation (a message
+// of the program).  Take() stores an event of the network.  AnswerReady() later answers all
 // operations that can be answered, always in the same order: Listen or Connect, then Send, Receive
 // and Close.  So the order of answers does not depend on the order of events.
 class Endpoint : public EventSink {
@@ -36,7 +36,7 @@ class Endpoint : public EventSink {
 
   virtual void AnswerReady() = 0;
 
-  // Returns whether the endpoint waits for an event of the network.  While an endpoint does, the
+  // Returns whether the endpoint waits for an event of the network.  While an endpoint waits, the
   // stack polls the network every frame.
   virtual bool WaitsForNetwork() const = 0;
 
@@ -51,7 +51,7 @@ class Endpoint : public EventSink {
 
   int32_t protocol() const { return protocol_; }
   ObjectId owner() const { return owner_; }
-  // true if Close was answered, so that the endpoint can be deleted
+  // Returns whether Close was answered, so that the endpoint can be deleted.
   bool dead() const { return dead_; }
 
  protected:

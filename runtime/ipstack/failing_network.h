@@ -1,4 +1,4 @@
-// A Network for tests, which passes commands to another Network and lets one of them fail.
+// A Network for tests, which passes commands to another Network and makes one command fail.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,7 @@
 
 namespace openr_host {
 
-// Lets command number `nth` fail.  The commands Listen, Accept, Connect, Send, Receive, Bind,
+// Makes command number `nth` fail.  The commands Listen, Accept, Connect, Send, Receive, Bind,
 // SendTo, ReceiveFrom, Resolve and ResolveAddress are counted from 1.  The failing command is not
 // passed to the wrapped network; the next Poll() reports its failure with `error`.
 class FailingNetwork : public Network {
@@ -37,8 +37,8 @@ class FailingNetwork : public Network {
   }
 
  private:
-  // Counts a command of `handle`.  Returns true if it is command number `nth`, which has to fail;
-  // the caller then does not pass it on.
+  // Counts a command of `handle`.  Returns true if this is command number `nth`, which must fail;
+  // the caller then does not pass the command on.
   bool Fails(NetHandle handle);
 
   const std::unique_ptr<Network> inner_;

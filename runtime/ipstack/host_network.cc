@@ -78,7 +78,7 @@ NetAddress HostNetwork::ToHost(NetAddress remote, const HostPorts& ports) {
     return {ip == 0 ? 0x7f000001 : ip, own};
   }
   // The robot's own address reaches only ports on which the robot listens.  For other ports returns
-  // port 0, so that the connect fails and does not reach some program of the host.
+  // port 0, so that the connect fails and does not reach a program of the host.
   if (remote.ip == ip_ && !addresses_.Has(ip_)) return {remote.ip, 0};
   return addresses_.ToHost(remote);
 }

@@ -5,8 +5,9 @@
 //
 // Addresses in programs of the robot:
 // - The robot's own address reaches only ports on which the robot listens.
-// - 127.0.0.1 means the robot for these ports, and this computer for all other ports.  Objects see
-//   programs of this computer at 127.0.0.1, so answers and the data connections of FTP reach them.
+// - 127.0.0.1 means the robot for ports on which the robot listens, and this computer for all other
+//   ports.  Objects see programs of this computer at 127.0.0.1, so answers and the data connections
+//   of FTP reach these programs.
 // - Other addresses are translated in both directions by HostNetworkOptions::addresses.  A pair for
 //   the robot's own address selects the address of the host at which server ports are bound.
 #pragma once
@@ -32,10 +33,11 @@ struct HostNetworkOptions {
   std::map<uint16_t, uint16_t> tcp_ports;
   std::map<uint16_t, uint16_t> udp_ports;
   // Pairs of an address that programs use and the host's address in its place.  If several pairs
-  // have the same address of the host, it is translated back as AddressMap::FromHost() says.
+  // have the same address of the host, AddressMap::FromHost() decides how this address is
+  // translated back.
   std::vector<AddressPair> addresses;
-  // Answers for names that are not looked up with the host's resolver, which may be slow or may not
-  // know them.
+  // Names that are answered from this table and not by the host's resolver, which may be slow or
+  // may not know them.
   std::map<std::string, HostInfo> names;
 };
 
@@ -96,11 +98,12 @@ class HostNetwork : public Network {
   void Discard(NetHandle handle, Connection* connection);
   void Fail(NetHandle handle, Connection* connection, int error);
 
-  // Returns whether `ip` is an address of the robot: its own address, loopback, or the address of a
-  // bound socket.
+  // Returns whether `ip` is an address of the robot: the robot's own address, loopback, or the
+  // address of a bound socket.
   bool IsRobot(uint32_t ip) const;
-  // Returns the address of the host at which the server socket `handle` is to be bound: the one for
-  // the address given to At(), which is then forgotten, else bind_ip_.
+  // Returns the address of the host at which the server socket `handle` must be bound.  If At() has
+  // selected an address of the robot for this socket, this is the matching address of the host, and
+  // the selection is removed.  Otherwise it is bind_ip_.
   uint32_t BindIp(NetHandle handle);
   // Adds a note for the user if binding to `ip` failed with `error` because the host has no such
   // address.
@@ -111,7 +114,8 @@ class HostNetwork : public Network {
   uint32_t ip_ = 0;
   uint32_t bind_ip_;                  // host's address for server ports at the robot's own address
   std::map<NetHandle, uint32_t> at_;  // addresses set by At(), until the socket is bound
-  // further addresses of the robot at which sockets are bound; value: the address of the host
+  // The further addresses of the robot at which sockets are bound.  The value is the address of the
+  // host.
   std::map<uint32_t, uint32_t> bound_;
   HostPorts tcp_ports_;
   HostUdp udp_;

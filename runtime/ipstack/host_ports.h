@@ -1,7 +1,7 @@
 // Maps ports of the robot to ports of the host.
 //
 // A port keeps its number (54000) if that number is free on the host.  If another robot or another
-// run has taken it, the next free number is used, unless the user asked for a certain number.
+// run uses that number, the next free number is taken, unless the user asked for a certain number.
 #pragma once
 
 #include <cstdint>

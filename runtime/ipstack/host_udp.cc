@@ -54,13 +54,14 @@ void HostUdp::Poll(std::vector<NetworkEvent>* events) {
       NetworkEvent event;
       event.kind = NetworkEvent::Kind::kDatagram;
       event.handle = handle;
-      // An error here concerns an earlier send (port unreachable).  In UDP such a datagram is just
-      // lost, so the error is ignored.
+      // An error here is about an earlier send (port unreachable).  In UDP the datagram of such a
+      // send is lost without an error, so the error is ignored.
       if (ReceiveBytes(socket.fd, kDatagramMax, &event.bytes, &event.remote) < 0) break;
       any = true;
       events->push_back(std::move(event));
     }
-    // The datagrams that have arrived answer the request, even if they are fewer than it allows.
+    // The datagrams that have arrived answer the request, even if they are fewer than the request
+    // allows.
     if (any) socket.want = 0;
   }
 }

@@ -21,8 +21,8 @@ class HostUdp {
       : ports_(NetProtocol::kUdp, std::move(ports)) {}
 
   // Binds `local`, an address of the host and a port of the robot.  If `any_port` is true, the port
-  // has on the host whatever number is free.  Returns 0 or an errno.  Like all commands of this
-  // class, appends its events to `events`.
+  // gets any free number on the host.  Returns 0 or an errno.  Like all commands of this class,
+  // appends its events to `events`.
   int Bind(NetHandle handle, NetAddress local, bool any_port, std::vector<NetworkEvent>* events);
   void SendTo(NetHandle handle, NetAddress remote, const void* data, size_t size,
               std::vector<NetworkEvent>* events);
@@ -36,7 +36,8 @@ class HostUdp {
  private:
   struct Socket {
     Fd fd;
-    // largest number of datagrams that the pending ReceiveFrom() may return; 0: none is pending
+    // The largest number of datagrams that the pending ReceiveFrom() may return; 0: none is
+    // pending.
     size_t want = 0;
   };
 

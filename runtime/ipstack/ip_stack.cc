@@ -23,8 +23,8 @@ MemoryStick* StickOf(const Object& object) {
   return object.system->robot(object.robot).stick.get();
 }
 
-// Returns the error that answers an operation on a closed endpoint.  DNS has an error number of its
-// own; TCP and UDP have the same.
+// Returns the error that answers an operation on a closed endpoint.  DNS has its own error number;
+// TCP and UDP share one.
 int32_t ClosedError(int32_t protocol) {
   return protocol == EndpointType_DNS ? int32_t{DNS_CONNECTION_CLOSED}
                                       : int32_t{TCP_CONNECTION_CLOSED};
@@ -277,8 +277,8 @@ void IpStack::KeepPolling() {
   for (const auto& [index, endpoint] : endpoints_) needed = needed || endpoint->WaitsForNetwork();
   if (!needed) return;
   // The message must be due exactly at the beginning of the frame.  Post() adds creep_us() to the
-  // delay: 1 us while very many messages are delivered at one instant, so that time goes on.  So
-  // creep_us() is subtracted here.
+  // delay.  This is 1 us while very many messages are delivered at one instant, so that time goes
+  // on.  So creep_us() is subtracted here.
   const int64_t now_us = system().now_us();
   const int64_t delay_us = kFrameUs - now_us % kFrameUs - system().dispatcher().creep_us();
   system().Post(system().NewMessage(host().id, poll_entry_), delay_us);

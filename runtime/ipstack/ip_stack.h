@@ -7,10 +7,10 @@
 // Time: operations that concern only the stack (creating, binding, a send that fits) are answered
 // at the instant of the request.  Input from outside enters only at multiples of kFrameUs of
 // virtual time.  While an operation waits for the network, the stack posts itself a Poll message
-// for the next such instant.  There it passes all events of Network::Poll() to the endpoints, then
-// answers in the order of endpoint and operation.  If nothing waits, there are no Poll messages.
-// PollNetwork() is the only caller of Network::Poll(), so it is the place to record and to replay
-// input from outside.
+// for the next multiple of kFrameUs.  When it handles this message, it passes all events of
+// Network::Poll() to the endpoints, then answers in the order of endpoint and operation.  If
+// nothing waits, there are no Poll messages.  PollNetwork() is the only caller of Network::Poll(),
+// so it is the place to record and to replay input from outside.
 #pragma once
 
 #include <cstdint>
@@ -60,12 +60,13 @@ class IpStack : public CodeObject {
   // Returns the stack of the current object's robot, or null if the robot has none.
   static IpStack* OfCurrent();
 
-  // Returns the selector that IPStack has in place of `selector`, the documented one in a message
-  // (Entry_antEnv_..., 0 to 2), because an object of the host has DoInit to DoDestroy there.
+  // Returns the selector of IPStack's entry for `selector`.  `selector` is the documented number in
+  // a message (Entry_antEnv_..., 0 to 2).  The numbers differ, because on the host an object has
+  // DoInit to DoDestroy at 0 to 3.
   Selector EntryFor(Selector selector) const { return first_entry_ + selector; }
 
-  // Returns the host's port for the robot's `port`, for messages to the user.  Returns 0 if `port`
-  // is not (yet) bound to a port of the host.
+  // Returns the host's port for the robot's `port`, for messages to the user.  Returns 0 while
+  // `port` is not bound to a port of the host.
   uint16_t HostPort(NetProtocol protocol, uint16_t port) const {
     return network_->HostPort(protocol, port);
   }
@@ -116,8 +117,8 @@ class IpStack : public CodeObject {
   // Adds a finding about the object that has sent `operation`.
   void Warn(const Operation& operation, const std::string& text);
 
-  // Adds a finding if the program has changed the buffer of a Send before the bytes were sent: if
-  // `data`, which are sent now, differ from the bytes at the time of the request.
+  // Adds a finding if the program has changed the buffer of a Send before the bytes were sent.
+  // This is so if `data`, which are sent now, differ from the bytes at the time of the request.
   void WarnIfChanged(const Operation& operation, const void* data, size_t size);
 
   // The addresses of the DNS servers, which programs can set; common to all objects of the robot.

@@ -32,7 +32,7 @@ class LoopbackHub {
 };
 
 // A host, such as a robot, that is connected to a hub.  Sent data arrive at once, and the receiver
-// gets these data from its next Poll().  If a peer does not read, its sender stops after
+// gets these data from its next Poll().  If a host does not read, its peer can send only
 // kWindowBytes.
 class LoopbackNetwork : public Network {
  public:
@@ -111,8 +111,8 @@ class LoopbackNetwork : public Network {
   void Add(NetworkEvent::Kind kind, NetHandle handle, NetError error = NetError::kNone);
   void MatchAccepts(Listener* listener);
   void Push(NetHandle handle, Connection* connection);
-  // Appends the events of `connection`.  Returns false if both sides have ended or a side has reset
-  // it, so that `connection` can be deleted.
+  // Appends the events of `connection`.  Returns false if both sides have ended `connection` or one
+  // side has reset it, so that it can be deleted.
   bool PollConnection(NetHandle handle, Connection* connection);
 
   const std::shared_ptr<LoopbackHub> hub_;

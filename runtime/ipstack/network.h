@@ -84,19 +84,20 @@ class Network {
 
   // ---- TCP
 
-  // Accepts connections to `port` from now on, as socket `listener`, and holds a few of them until
-  // Accept().
+  // Accepts connections to `port` from now on, as socket `listener`.  Holds a few connections until
+  // Accept() takes them.
   virtual void Listen(NetHandle listener, uint16_t port) = 0;
   // Gives the next connection to `listener` the socket number `handle`.  If several Accept() wait,
   // the first one gets the first connection.
   virtual void Accept(NetHandle listener, NetHandle handle) = 0;
   // Connects to `remote`.  Programs see `local_port` as the local port; on the host the connection
-  // may have another one.
+  // may have another local port.
   virtual void Connect(NetHandle handle, uint16_t local_port, NetAddress remote) = 0;
   // Copies the bytes at `data` and sends them as fast as the peer accepts them.
   virtual void Send(NetHandle handle, const void* data, size_t size) = 0;
   // Requests the bytes that have arrived or will arrive next, at most `size_max`.  One event,
-  // kReceived or kEnd, answers the request.  A new request replaces one that has no answer yet.
+  // kReceived or kEnd, answers the request.  A new request replaces a request that has no answer
+  // yet.
   virtual void Receive(NetHandle handle, size_t size_max) = 0;
   // Ends the stream after the bytes that were given to Send().  Bytes that arrive from now on are
   // discarded.
@@ -104,15 +105,15 @@ class Network {
 
   // ---- UDP
 
-  // Binds `port`.  `any_port` is true if the stack has chosen the port.  No peer expects its number
-  // then, so the host may use another port.
+  // Binds `port`.  `any_port` is true if the stack has chosen the port.  Then no peer expects a
+  // certain number, so the host may use another port.
   virtual void Bind(NetHandle handle, uint16_t port, bool any_port) = 0;
   // Copies the bytes at `data` and sends them as one datagram.  A datagram that cannot be sent is
   // lost, as in any UDP network; an event kNote may tell the user.
   virtual void SendTo(NetHandle handle, NetAddress remote, const void* data, size_t size) = 0;
-  // Requests at most `count_max` datagrams.  The next Poll() that finds any returns all that have
-  // arrived, up to this number, which answers the request.  A new request replaces one that has no
-  // answer yet.
+  // Requests at most `count_max` datagrams.  The next Poll() that finds a datagram answers the
+  // request: it returns all datagrams that have arrived, up to this number.  A new request replaces
+  // a request that has no answer yet.
   virtual void ReceiveFrom(NetHandle handle, size_t count_max) = 0;
 
   // ---- Names

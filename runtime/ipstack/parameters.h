@@ -30,8 +30,8 @@ class Parameters {
   // ANT_REGISTRY_NO_KEY for an unknown key.  A text is cut to ANTENV_VALUE_LENGTH_MAX.
   antError Get(antEnvInitGetParamMsg* message) const;
 
-  // Sets the setting whose key is in `message`.  Returns ANT_REGISTRY_WRONG_TYPE if the value is
-  // neither a text nor a number.
+  // Sets the setting whose key is in `message`.  Returns ANT_REGISTRY_WRONG_TYPE unless the value
+  // is a text or a number.
   antError Set(const antEnvInitSetParamMsg& message);
 
   const WlanConfig& wlan() const { return wlan_; }

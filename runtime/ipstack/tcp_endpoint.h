@@ -15,16 +15,17 @@ class TcpEndpoint : public Endpoint {
  public:
   TcpEndpoint(IpStack* stack, ObjectId owner, int32_t pool_bytes);
 
-  // The virtual time that Close waits for the peer to end its side, after all bytes were sent.  Our
-  // choice: a peer that keeps its side open holds the program up for 1 s only.
+  // The time for which Close waits until the peer ends its side, after all bytes were sent; virtual
+  // time.  Our choice: a peer that keeps its side open holds the program up for 1 s only.
   static constexpr int64_t kPeerEndUs = 1'000'000;
-  // The virtual time that Close waits for a peer that does not read while bytes are left to be
-  // sent.  Our choice; each byte that the peer accepts starts the time anew.
+  // The time for which Close waits for a peer that does not read the bytes that are still to be
+  // sent; virtual time.  It starts again with each byte that the peer accepts.  Our choice.
   static constexpr int64_t kUnsentUs = 60'000'000;
 
-  // The number of bytes read from the network at a time, even if a Receive asks for fewer.  If a
-  // program receives the header of a message and then its body, both have usually been read
-  // already.  Without reading ahead, each would take a frame (8 ms).
+  // The number of bytes read from the network at a time, even if a Receive asks for fewer.  A
+  // program often receives the header of a message and then its body.  With reading ahead, the body
+  // has usually been read already.  Without reading ahead, header and body would take a frame (8
+  // ms) each.
   static constexpr size_t kReadAheadBytes = 16384;
 
   // The robot sends more than kRobotFastBytes and at most kRobotSplitBytes in two pieces, the

@@ -26,7 +26,7 @@ class TcpPorts {
   // Returns false if too many ports are open.
   bool Accept(uint16_t port, uint32_t ip, NetHandle socket, EventSink* endpoint);
 
-  // Removes `endpoint` from the waiting endpoints of `port`, whether it got a connection or not.
+  // Removes `endpoint` from the waiting endpoints of `port`, even if it has not got a connection.
   void Forget(uint16_t port, const EventSink* endpoint);
 
   bool IsOpen(uint16_t port) const { return ports_.contains(port); }

@@ -209,9 +209,9 @@ void UdpEndpoint::FinishSend() {
   Finish(&send_, UDP_SUCCESS, data, size);
 }
 
-// After Connect only datagrams of the connected peer are delivered.  Drops the datagrams of others
-// that wait before the peer's first; without a peer, drops none.  Returns whether any datagram is
-// left.
+// After Connect only datagrams of the connected peer are delivered.  Drops the waiting datagrams of
+// other senders, up to the first datagram of the peer.  Without a connected peer, drops none.
+// Returns whether a datagram is left.
 bool UdpEndpoint::DropStrangers() {
   while (peer_.ip != 0 && !waiting_.empty() && waiting_.front().remote != peer_) {
     waiting_.pop_front();

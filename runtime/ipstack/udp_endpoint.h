@@ -15,9 +15,8 @@ class UdpEndpoint : public Endpoint {
  public:
   UdpEndpoint(IpStack* stack, ObjectId owner, int32_t pool_bytes);
 
-  static constexpr int kRobotDatagramMax =
-      // the robot crashes at larger datagrams (field-notes.md, 11.7)
-      18'500;
+  // The robot crashes at larger datagrams (field-notes.md, 11.7).
+  static constexpr int kRobotDatagramMax = 18'500;
   static constexpr int kDatagramMax = 65507;  // bytes that fit into an IPv4 packet
   static constexpr size_t kReadAhead = 16;    // datagrams read from the network at a time
 
@@ -53,9 +52,9 @@ class UdpEndpoint : public Endpoint {
   uint32_t local_ip_ = 0;  // the address that the program gave; 0: any
   uint16_t port_ = 0;
   NetAddress peer_;  // set by Connect; ip 0: none
-  // the error that ended the use of the socket; UDP_SUCCESS: the socket works
+  // The error that ended the use of the socket; UDP_SUCCESS: the socket works.
   UDPEndpointError error_ = UDP_SUCCESS;
-  // a Network::ReceiveFrom() that has not been answered is pending
+  // True if a Network::ReceiveFrom() is pending, that is, not answered yet.
   bool asked_ = false;
   std::deque<NetworkEvent> waiting_;  // received datagrams that are not delivered yet
   int64_t sent_in_frame_ = 0;         // bytes sent in this frame; the pool limits their number

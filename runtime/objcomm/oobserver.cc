@@ -90,9 +90,9 @@ SubjectID OObserver::FindSender(RCRegion* region) const {
 
 namespace {
 
-// Asks the subject at `entry` to add or remove this observer, as `control` says, and waits for its
-// reply.  If the subject is in the same object, calls its entry directly: a message to it would
-// wait until this handler ends, while this handler waits for the reply.
+// Asks the subject at `entry` to add or remove this observer, as `control` says, and waits for the
+// reply.  If the subject is in the same object, calls its entry directly.  A message to the subject
+// would wait until this handler ends, while this handler waits for the reply.
 OControlReplyMessage AskSubject(ObserverState* state, const OServiceEntry& entry,
                                 OControlMessage* control) {
   System* const system = state->system;
@@ -110,8 +110,8 @@ OControlReplyMessage AskSubject(ObserverState* state, const OServiceEntry& entry
                          : objcommCMD_REMOVEOBSERVER_SELF;
   openr_host::HandlerState::SelfReply self{&reply, sizeof reply, entry.GetSelector()};
   state->object->handler.self_reply = &self;
-  // The entry is code of the object, so it must use the heap and files of its object and not those
-  // of the host.  That is what image_code switches.
+  // The entry is code of the object, so it must use the object's heap and files and not the host's.
+  // For that, image_code must be set.
   t_current.image_code = state->object->is_image;
   state->object->Dispatch(entry.GetSelector(), control);
   t_current.image_code = false;
@@ -125,7 +125,7 @@ OStatus OObserver::ConnectHandler(const OConnectMessage& msg, OStatus status) {
   const ApiScope scope;
   const bool connect = msg.command == oconnectcmdCONNECT;
   // Stores the name of the service, by which findings name this observer.  NameService() finds the
-  // name by the entry that runs now, so this is the only time when it can be found.
+  // name by the entry that runs now, so the name can be found only here.
   state_->service = state_->object->NameService(state_->id.GetSelector(), "Notify");
   OStatusMessage answer(status);
   if (status == oSUCCESS) {
@@ -157,8 +157,8 @@ OStatus OObserver::ConnectHandler(const OConnectMessage& msg, OStatus status) {
 namespace {
 
 // Adds an error finding if the data of `notify` are not those that the subject sent: their hash
-// differs from the hash that was stored when they were sent.  The cause is a subject that wrote
-// into a region after NotifyObservers().  Used with SystemOptions::guard_regions.
+// differs from the hash that was stored when they were sent.  Then the subject has written into a
+// region after NotifyObservers().  Used with SystemOptions::guard_regions.
 void CheckUnchanged(ObserverState* state, const ONotifyMessage& notify) {
   const Message* const message = state->object->handler.running.get();
   uint32_t size = 0;
@@ -178,12 +178,12 @@ OStatus OObserver::NotifyHandler(const ONotifyMessage& msg, ONotifyEvent* event)
   const ApiScope scope;
   if (!IsRunningMessage(*state_->object, PayloadKind::kNotify)) return oUNKNOWN_COMMAND;
   if (state_->system->options().guard_regions) CheckUnchanged(state_, msg);
-  // Starts the count of readies anew.  It counts how often the observer asserts ready without
+  // Starts the count of readies anew.  The count shows how often the observer asserts ready without
   // getting a notification, because too many such readies are probably a mistake.  A notification
-  // of any subject starts it anew for all subjects, because AssertReady() without argument asserts
-  // to all of them.
+  // of any subject resets the count for all subjects, because AssertReady() without argument
+  // asserts to all of them.
   state_->asserted.clear();
-  // Notes which subject the regions came from, because the next ready to that subject gives them
+  // Records from which subject the regions came, because the next ready to that subject gives them
   // back.
   auto entry = std::find_if(state_->held.begin(), state_->held.end(),
                             [&](const auto& each) { return each.subject == msg.subjectID; });

@@ -15,7 +15,7 @@ using namespace openr_host;
 namespace {
 
 // Calls `set` with an RCRegion, a counted reference, for `size` bytes at `offset` of the region
-// `memory`, shared memory that a program has made with NewSharedMemoryRegion() or the like.  The
+// `memory`.  A program has made this shared memory with NewSharedMemoryRegion() or the like.  The
 // bytes are not copied.  Returns oINVALID_ARG if there is no such region or the bytes do not lie in
 // it.
 template <typename Set>
@@ -34,7 +34,7 @@ OStatus WithRegion(MemoryRegionID memory, size_t offset, size_t size, Set set) {
 }
 
 // Returns the number of bytes from the byte that `locator` names to the end of its region, or 0 if
-// there is no such region.
+// the region does not exist.
 size_t SizeFrom(const OMemoryLocator& locator) {
   const ApiScope scope;
   if (t_current.system == nullptr) return 0;
@@ -85,7 +85,7 @@ size_t OSubject::GetNotifyUnitSize() const { return state_->unit_size; }
 
 OStatus OSubject::SetData(const void* buf, size_t size) {
   const ApiScope scope;
-  // Makes no region if there are no observers: nobody would take a reference on it, so it would be
+  // Without observers, makes no region: nobody would take a reference to the region, so it would be
   // deleted at once.
   if (state_->links.empty()) return oSUCCESS;
   RCRegion* const region = new RCRegion(size);
@@ -269,8 +269,8 @@ OStatus OSubject::ReadyHandler(const OReadyMessage& msg) {
   const ApiScope scope;
   if (!IsRunningMessage(*state_->object, PayloadKind::kReady)) return oUNKNOWN_COMMAND;
   // A ready also lists the regions of earlier notifications that the observer no longer uses.
-  // Removes the reference that the subject has held on each of them, so that the subject can write
-  // into them again.
+  // Removes the subject's reference to each of these regions, so that the subject can write into
+  // them again.
   for (int i = 0; i < msg.numOfData; ++i) msg.rcRegion[i]->RemoveReference();
   ObserverLink* const link = state_->Find(msg.observerID);
   if (link == nullptr) return oNOT_FOUND;
@@ -302,8 +302,8 @@ int OSubject::IsAnyReady() const {
 
 int OSubject::IsAllReady() const {
   for (const auto& link : state_->links) {
-    // 0 means that the observer has not asserted ready since the last notification.  One that has
-    // deasserted ready (-1) does not count, because it wants no data (core.md 2.2).
+    // 0 means that the observer has not asserted ready since the last notification.  An observer
+    // that has deasserted ready (-1) does not count, because it wants no data (core.md 2.2).
     if (link->ready == 0) return 0;
   }
   return IsAnyReady();

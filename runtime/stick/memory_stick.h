@@ -23,9 +23,8 @@ class MemoryStick {
   virtual ~MemoryStick() = default;
 
   // The place of a file or folder on the host.  `error` is 0 or an errno: ENOENT (also for names
-  // outside of /MS), EINVAL (a zero byte in the name), EACCES, EIO.  For a file that does not exist
-  // in a folder that does, `path` is the place to create the file, `exists` is false and `error` is
-  // 0.
+  // outside of /MS), EINVAL (a zero byte in the name), EACCES, EIO.  If a file does not exist but
+  // its folder does, `path` is the place to create the file, `exists` is false and `error` is 0.
   struct Location {
     std::string path;
     bool exists = false;
@@ -41,8 +40,9 @@ class MemoryStick {
   int WhyUnread(std::string_view name);
 
   // Returns the hash of names (below /MS) and contents of all files, or 0 without files.  A replay
-  // compares it with the hash of the recording, so files that may differ are left out: images and
-  // debug files, which differ from build to build, and the record of a crash in an earlier run.
+  // compares this hash with the hash of the recording.  So files that may differ are left out:
+  // images and debug files, which differ from build to build, and the record of a crash in an
+  // earlier run.
   virtual uint64_t ContentHash() = 0;
 
   // Called before an object makes, writes, renames or removes the file `name`.  From then on the
@@ -60,12 +60,13 @@ class MemoryStick {
   bool writable() const { return writable_; }
   void set_writable(bool writable) { writable_ = writable; }
 
-  // Adds the names and contents of the files that objects have written to the hash, because objects
-  // may read them later in the run.  Files that nobody has written do not change during a run.
+  // Adds to the hash the names and contents of the files that objects have written, because objects
+  // may read these files later in the run.  Files that nobody has written do not change during a
+  // run.
   void HashState(Hasher* hasher);
 
  protected:
-  // Adds the size and the bytes of the file `name` to the hash, or the text `otherwise` if the file
+  // Adds to the hash the size and the bytes of the file `name`, or the text `otherwise` if the file
   // cannot be read.
   void HashFile(std::string_view name, std::string_view otherwise, Hasher* hasher);
 
