@@ -117,8 +117,8 @@ std::string WithLineEnds(std::string replacement, std::string_view replaced) {
   for (size_t i = 0; i < replaced.size(); ++i) {
     if (replaced[i] != '\n') continue;
     const size_t back = i > 0 && replaced[i - 1] == '\r' ? 2 : 1;
-    // A line end inside a macro needs a backslash before it, so a line end that had one gets one
-    // again.
+    // A line end inside a macro needs a backslash before it.  So if the replaced line end had a
+    // backslash, the new one gets a backslash too.
     const bool goes_on = i >= back && replaced[i - back] == '\\';
     replacement += goes_on ? " \\\n" : "\n";
   }
@@ -190,7 +190,8 @@ std::vector<Edit> AssemblyMacroRepairOf(const std::string& line, const std::stri
   const std::string code = WithoutComments(header);
   std::vector<Edit> edits;
   for (AsmUse use : FindAsmUses(code)) {
-    // Goes back to the first line of the macro: all its lines but the last end in a backslash.
+    // Goes back to the first line of the macro.  All lines of a macro but the last end in a
+    // backslash.
     size_t begin = code.rfind('\n', use.begin);
     while (begin != kNone && begin > 0 && code[begin - 1] == '\\')
       begin = code.rfind('\n', begin - 1);

@@ -152,8 +152,8 @@ void FolderBuild::PrepareWork() {
   const std::string problem = WriteText(identity_file, identity);
   if (!problem.empty()) throw std::runtime_error(problem + "; name another folder with --work");
   WriteText(work_ / kOwnerFile, folder_.string());
-  // placed.txt lists the images that the last build copied to the sticks.  They are removed here,
-  // so that they do not count as images of this build.
+  // The file placed.txt lists the images that the last build copied to the sticks.  These images
+  // are removed here, so that they do not count as images of this build.
   std::istringstream placed(ReadText(work_ / "placed.txt").value_or(""));
   for (std::string file; std::getline(placed, file);) fs::remove(file);
   make_.sdk_root = sdk_root_;
@@ -200,8 +200,8 @@ bool FolderBuild::HasFailure(const ObjectFolder& object) const {
   });
 }
 
-// Returns the objects of which this build has no image yet, although no source of theirs has
-// failed.  Objects with a failure are left out, because the source would fail in another way of
+// Returns the objects without an image from this build, although none of their sources has failed.
+// Objects with a failed source are left out, because that source would fail in another way of
 // building too.
 std::vector<ObjectFolder> FolderBuild::NotBuilt() const {
   const KitLog log = ReadKitLog(make_.log);
@@ -224,8 +224,8 @@ void FolderBuild::Build() {
   }
   MakeOutcome outcome = RunMake(plan, make_);
   RemoveOldImages(outcome.is_good);
-  // The rule of a top Makefile often loops over the folders of objects, and ends at the first one
-  // that fails.  So make runs here in the folder of each object that has no image yet.
+  // The rule of a top Makefile often loops over the folders of objects, and ends at the first
+  // object that fails.  So make runs here in the folder of each object that has no image yet.
   if (!outcome.is_good) {
     for (const ObjectFolder& object : NotBuilt()) {
       const bool has_makefile =
@@ -249,8 +249,8 @@ void FolderBuild::Build() {
   TryConvention(rest, plan);
 }
 
-// Returns whether a part of `image` could not be made in this build.  The file of the image is then
-// left from an earlier build.
+// Returns whether a part of `image` could not be made in this build.  If so, the file of the image
+// is left over from an earlier build.
 bool IsOutOfDate(const KitLog::Image& image, const std::vector<KitLog::Failure>& failures) {
   return std::any_of(failures.begin(), failures.end(), [&](const KitLog::Failure& failure) {
     if (failure.file == image.ocf || failure.output == image.file) return true;
@@ -287,8 +287,8 @@ void FolderBuild::RemoveOldImages(bool is_made) {
   WriteKitLog(make_.log, log);
 }
 
-// Returns whether the build lacks an image that an OBJECT.CFG names.  Without OBJECT.CFG nothing
-// lists the images, so one counts as missing unless make has succeeded.
+// Returns whether the build lacks an image that an OBJECT.CFG names.  Without OBJECT.CFG, the names
+// of the images are not known.  Then an image counts as missing if make has failed.
 bool FolderBuild::SomeImageIsMissing() const {
   const KitLog log = ReadKitLog(make_.log);
   bool has_list = false;
@@ -354,7 +354,7 @@ void FolderBuild::Deliver() {
 }
 
 // Returns whether the build of some object has failed or could not begin.  A Makefile can ignore
-// failures of commands, so make may succeed in spite of one; then the failure counts only if it is
+// the failure of a command, so make may succeed nevertheless.  Then a failure counts only if it is
 // in an object's folder.
 bool FolderBuild::HasFailed() const {
   const std::vector<KitLog::Failure> failures = ReadKitLog(make_.log).failures;
@@ -382,15 +382,15 @@ void FolderBuild::TellFailures() {
   }
   const std::vector<std::string> libraries = LeftOutAndMissed();
   problems_.insert(problems_.end(), libraries.begin(), libraries.end());
-  // If the cause is only that a rule failed, and the log has the failure of the compiler or linker,
-  // the cause is not printed, because the failure says more and was printed before.
+  // The cause is not printed if it is only that a rule failed, and the log has the failure of the
+  // compiler or linker.  That failure says more, and was printed before.
   if (!is_made_ && (log.failures.empty() || make_cause_.find("the rule for") != 0) &&
       !make_cause_.empty())
     problems_.push_back("make failed: " + make_cause_);
 }
 
-// Returns an error message for each object file or library that was not copied, because it is for
-// another processor, that the Makefiles name, and that the build has not made anew.
+// Object files and libraries for another processor are not copied.  Returns an error message for
+// each such file that the Makefiles name and that the build has not made anew.
 std::vector<std::string> FolderBuild::LeftOutAndMissed() const {
   std::string makefiles;
   for (const fs::path& file : project_.makefiles) makefiles += ReadText(file).value_or("");

@@ -41,7 +41,7 @@ class Remarks {
 
   // Adds a remark that has the cause `cause`, a text that is only compared with other causes.  If
   // the file already has a remark of this kind with the same cause, only adds the place to that
-  // remark, so that one mistake gives one remark.
+  // remark.  So one mistake gives one remark.
   void AddConsequence(Remark::Kind kind, const FilePosition& place, std::string cause,
                       std::string text);
 
@@ -65,8 +65,8 @@ class Remarks {
 // std::runtime_error when the folder holds nothing to check.
 Remarks CheckFolder(const std::string& folder, const std::vector<std::string>& locators);
 
-// Returns the remarks as text.  Each is "file:line: warning: text", then the line of the file with
-// a caret below it, and the other places.
+// Returns the remarks as text.  Each remark is "file:line: warning: text", then the line of the
+// file with a caret below it, then the other places with the same cause.
 std::string RenderRemarks(const Remarks& remarks);
 
 // Returns the remarks as JSON:

@@ -21,7 +21,7 @@ namespace {
 constexpr int kFrameMs = 8;
 
 // The part of a controller that a function belongs to: functions called from main(), from a
-// function that was passed to robot_run(), or from one that was passed to robot_die().
+// function passed to robot_run(), or from a function passed to robot_die().
 enum class Part { kMain, kRun, kDie };
 
 class ControllerCheck {
@@ -162,8 +162,8 @@ class ControllerCheck {
            (code[before] == '.' || (code[before] == '>' && before > 0 && code[before - 1] == '-'));
   }
 
-  // Returns whether the word at `at` is the name of a variable of type std::ifstream or the like,
-  // so that a file name is in the brackets after it.
+  // Returns whether the word at `at` is the name of a variable of type std::ifstream or the like.
+  // Then a file name is in the brackets after the word.
   static bool IsFileStream(const std::string& code, size_t at) {
     size_t begin = PreviousOf(code, at);
     if (begin == kNone || begin + 1 == at) return false;

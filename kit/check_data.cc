@@ -31,8 +31,8 @@ std::string MembersOf(std::string body) {
   return body;
 }
 
-// Returns the reason why values of a type cannot be sent as bytes; "" if they can.  `members` is
-// the text of the type's members.
+// Returns the reason why values of a type cannot be sent as bytes; "" if such values can be sent.
+// `members` is the text of the type's members.
 std::string TroubleIn(const std::string& members) {
   static const std::regex kContainer(
       "\\b(string|vector|list|deque|map|multimap|set|multiset|queue|stack)\\b[ \t]*(<[^;]*>)?"
@@ -88,7 +88,7 @@ class DataCheck {
   }
 
   // Returns the type of the data in a call SetData(&variable, sizeof measured), if such data cannot
-  // be sent (`troubles_`); "" for other types.  `measured` is the name of the type, or `variable`
+  // be sent (`troubles_`); "" for other types.  `measured` is the name of a type, or `variable`
   // again.
   std::string TypeOf(const std::string& code, const std::string& variable,
                      const std::string& measured) const {

@@ -200,10 +200,10 @@ std::vector<std::string> ImageCheck::NamesOf(const ObjectFolder& object) const {
   return names;
 }
 
-// Returns a number for each image in `missing_`, which lists the images that the stick names but
-// lacks or has only for the robot.  The number is the index in `objects_` of the object that a
-// build will make the image from, or -1 if no object has a similar name.  Lines for different
-// robots may name the same image, so each file name is matched only once.
+// Returns, for each image in `missing_`, the index in `objects_` of the object from which a build
+// will make the image; -1 if no object has a similar name.  `missing_` lists the images that the
+// stick names but does not have, or has only for the robot.  Lines for different robots may name
+// the same image, so each file name is matched only once.
 std::vector<int> ImageCheck::MatchMissing() const {
   std::vector<std::string> wanted;
   std::vector<size_t> index_of;
@@ -257,8 +257,8 @@ void ImageCheck::ExpectFromProject() {
     ReportMissing(*image, is_made);
     is_some_made = is_some_made || is_made;
   }
-  // If a rule of a Makefile makes a missing image, it is not known from which of the remaining
-  // objects.  So the services of all of them count as known, and connections to them get no error.
+  // A rule of a Makefile may make a missing image from any of the remaining objects.  So the
+  // services of all these objects count as known, and connections to these services get no error.
   for (size_t i = 0; is_some_made && i < free.size(); ++i) AddServices(*free[i], "");
 }
 

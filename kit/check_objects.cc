@@ -98,8 +98,8 @@ class ObjectCheck {
       CheckFunction(extra.function, extra.place, "void*");
   }
 
-  // Finds calls that an object must make in DoInit and DoStart and that its sources lack.  The
-  // compiler does not find this mistake, because the program compiles without these calls.
+  // Finds calls that an object must make in DoInit and DoStart but that are not in its sources.
+  // The program compiles without these calls, so the compiler does not find this mistake.
   void CheckRegistration(const StubConfig& config) {
     const auto real = [](const StubService& service) { return !IsDummy(service); };
     const auto first = std::find_if(config.subjects.begin(), config.subjects.end(), real);

@@ -21,8 +21,8 @@ struct PlacedObject {
   std::string section;
 };
 
-// Adds a remark for each object that has the same name in its .ocf file as another object, if one
-// robot loads both.
+// Adds a remark for each object whose .ocf file has the same name as that of another object, if one
+// robot loads both objects.
 void CheckObjectNames(const std::vector<PlacedObject>& placed, const ObjectParts& parts,
                       Remarks* remarks);
 
@@ -30,8 +30,8 @@ void CheckObjectNames(const std::vector<PlacedObject>& placed, const ObjectParts
 // because stub.cfg must have at least one subject and one observer.
 bool IsDummy(const StubService& service);
 
-// Adds a remark for each file on the stick ("/MS/...") that the source `text` names and the robot
-// cannot open, because the name is not an 8.3 name.
+// Adds a remark for each file on the stick ("/MS/...") that the source `text` names by a name that
+// is not an 8.3 name.  The robot cannot open such a file.
 void CheckStickPaths(const std::string& file, const std::string& text, Remarks* remarks);
 
 }  // namespace openr_host

@@ -97,7 +97,8 @@ void StickCheck::CheckService(const ServiceName& name, const std::string& sectio
 void StickCheck::ReportUnknown(const ServiceName& name, const FilePosition& place) {
   const std::string full = Compose(name);
   // If the object itself is missing, the remarks about all its services get the same cause, so they
-  // become one remark.  If only a service of it is missing, the cause is that service.
+  // become one remark.  If the object exists and only a service is missing, the cause is that
+  // service.
   std::string cause = name.object + ".";
   std::vector<std::string> known;
   for (const auto& [service, owner] : images_.services) {
@@ -237,8 +238,8 @@ void StickCheck::CheckDesigns() {
   }
 }
 
-// Checks the network settings in WLANCONF.TXT, and finds files that were probably meant to be this
-// file: in a wrong folder, or with a misspelt name.
+// Checks the network settings in WLANCONF.TXT, and finds files that were probably meant to be
+// WLANCONF.TXT but are in a wrong folder or have a misspelt name.
 void StickCheck::CheckWlan() {
   const fs::path folder = FindBelow(stick_.root, "OPEN-R/SYSTEM/CONF");
   const fs::path file = folder.empty() ? fs::path() : FindEntry(folder, kWlanFile);

@@ -56,10 +56,10 @@ bool TakesNextWord(const std::string& flag) {
                         "-aux-info"});
 }
 
-// Returns whether `flag`, which is in a compile command for the robot, is not passed to the host's
-// compiler.  It is for the robot's processor (-mips3, -EL, -G0), or about something that the kit
-// decides itself: warnings, the folders of headers, the language level, or how code is linked
-// (-fPIC).
+// Returns whether `flag`, a flag of a compile command for the robot, is not passed to the host's
+// compiler.  Such a flag is for the robot's processor (-mips3, -EL, -G0), or about something that
+// the kit decides itself: warnings, the folders of headers, the language level, or how code is
+// linked (-fPIC).
 bool IsRobotFlag(const std::string& flag) {
   // Beginnings of flags.  All flags for the processor begin with -m.
   static const char* const kStarts[] = {"-m",    "-Werror", "-pedantic", "-fpic",   "-fPIC",
@@ -76,8 +76,8 @@ bool IsRobotFlag(const std::string& flag) {
                      [&flag](const char* start) { return StartsWith(flag, start); });
 }
 
-// Replaces the old flags "-Ia -I- -Ib" by "-iquotea -Ib".  Folders before -I- were searched for
-// #include "..." only, and -iquote means the same today.
+// Replaces the old flags "-Ia -I- -Ib" by "-iquotea -Ib".  Folders before -I- were searched only
+// for #include "...".  Today's flag with this meaning is -iquote.
 void ModerniseIncludes(std::vector<std::string>* arguments) {
   const auto dash = std::find(arguments->begin(), arguments->end(), "-I-");
   if (dash == arguments->end()) return;
@@ -97,10 +97,10 @@ Language LanguageOf(const CompileCommand& command, const std::string& given, boo
                                                                            : Language::kCxx;
 }
 
-// Returns the flags for `name`, the value of a -std flag such as "c99"; none if it is a level of
-// another language than `language`.  A strict level becomes the one with GNU extensions, because
-// the headers of the SDK's compiler declared the same in both.  C99 gets -fgnu89-inline, because
-// gcc took `inline` in the meaning of GNU C until version 4.3.
+// Returns the flags for `name`, the value of a -std flag such as "c99"; none if `name` is a level
+// of another language than `language`.  A strict level is replaced by the same level with GNU
+// extensions, because the headers of the SDK's compiler declared the same functions in both.  C99
+// gets -fgnu89-inline, because gcc took `inline` in the meaning of GNU C until version 4.3.
 std::vector<std::string> StandardFlags(const std::string& name, Language language) {
   const bool is_cxx = name.find("++") != std::string::npos;
   if (name.empty() || is_cxx != (language == Language::kCxx)) return {};
@@ -162,8 +162,8 @@ std::vector<std::string> CarriedFlags(const std::vector<std::string>& arguments,
     const std::string& word = arguments[i];
     const bool has_next = i + 1 < arguments.size();
     if (IsOneOf(word, {"-include", "-imacros", "-isystem", "-idirafter", "-iquote"}) && has_next) {
-      // The compiler looks for a file of -include in the folders of -I too, so the name of a file
-      // that is not in `folder` stays relative.
+      // The compiler looks for a file of -include in the folders of -I too, so the name stays
+      // relative if the file is not in `folder`.
       const std::string there = absolute(arguments[++i]);
       flags.insert(flags.end(), {word, fs::exists(there) ? there : arguments[i]});
     } else if (IsOneOf(word, {"-D", "-U", "-I"}) && has_next) {

@@ -21,8 +21,8 @@ struct CompileCommand {
 
 // Translates `arguments`.  Leaves out flags that mean nothing on the host: flags for the processor
 // (-mips3, -G 0, -EL), -Werror and -ansi.  Replaces -I- by today's flags, and the level in -std by
-// the one with the same meaning for today's compiler.  `is_cxx` says that the command was g++,
-// which compiles .c files as C++, and not gcc.
+// the level that means the same for today's compiler.  `is_cxx` is true for the command g++, which
+// compiles .c files as C++, and false for gcc.
 CompileCommand TranslateCompile(const std::vector<std::string>& arguments, bool is_cxx);
 
 // Returns the flags among `arguments` that change the meaning of a source: -D, -U, -I, -include,

@@ -1,6 +1,6 @@
 // The tools mipsel-linux-g++ and -gcc, which compile for the host.  If a source does not compile,
-// they compile it again with declarations and repairs for what the old compiler accepted and
-// today's does not.
+// the tools compile it again: first with more declarations, then with repairs of code that only the
+// old compiler accepted.
 #include <cstdio>
 #include <filesystem>
 #include <sstream>
@@ -83,8 +83,8 @@ ProcessResult CompileRun::Try(const Arguments& extra) {
   return RunProcess(all, {.environment = {{"LC_ALL", "C"}}, .captures_error = true});
 }
 
-// Compiles.  If the compiler says that it does not know some flags, which are old ones, compiles
-// again without these.
+// Compiles the sources.  If the compiler does not know some flags, which are old, compiles again
+// without these flags.
 ProcessResult CompileRun::TryKnownFlags(const Arguments& extra) {
   ProcessResult result = Try(extra);
   while (!result.good()) {
@@ -108,12 +108,12 @@ void CompileRun::UsePreludeIfItHelps(ProcessResult* result) {
 }
 
 // Repairs the private copies of the sources in rounds, until the source compiles or no rule fits
-// its errors.  Undoes all repairs if it does not compile in the end.
+// its errors.  If the source does not compile in the end, undoes all repairs.
 void CompileRun::RepairIfItHelps(ProcessResult* result) {
   RepairSession session;
   if (!session.may_repair()) return;
-  // Another compiler process may have repaired a header while this one waited for the lock, so the
-  // errors may be gone and the file is compiled again.
+  // Another compiler process may have repaired a header while this process waited for the lock.
+  // Then the errors may be gone, so the file is compiled again.
   extra_.clear();
   ProcessResult now = Try({});
   if (!now.good()) UsePreludeIfItHelps(&now);
@@ -132,7 +132,7 @@ void CompileRun::RepairIfItHelps(ProcessResult* result) {
   }
 }
 
-// Notes for `openr build` what was compiled, with which flags, and whether it succeeded.
+// Records for `openr build` what was compiled, with which flags, and whether it succeeded.
 void CompileRun::Log(bool is_good) const {
   const std::string here = std::filesystem::current_path();
   for (const std::string& source : command_.sources) {

@@ -96,8 +96,8 @@ class ControllerBuild {
     return RunMkbin(arguments) == 0;
   }
 
-  // Checks the files of the controller's folder that are copied to the stick: motions must have
-  // names that a stick can hold, and the robot must boot with the WLANCONF.TXT.
+  // Checks the files of the controller's folder that are copied to the stick: the name of a motion
+  // must be possible on a stick, and the robot must be able to boot with the WLANCONF.TXT.
   bool HasGoodFiles() const {
     std::vector<Diagnostic> diagnostics;
     for (const auto& entry : fs::directory_iterator(folder_)) {

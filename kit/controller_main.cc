@@ -12,16 +12,17 @@
 namespace openr_host {
 namespace {
 
-// A way to declare main().  The kit compiles main() under the name controller_main: `symbol` is its
-// name in the object file, and the other two are how C++ declares and calls it.
+// A way to declare main().  The kit compiles main() under the name controller_main: `symbol` is the
+// name of that function in the object file.  `declaration` and `call` are the C++ text that
+// declares and calls the function.
 struct Form {
   const char* symbol;
   const char* declaration;
   const char* call;
 };
 
-// The ways of declaring main().  The symbol of a C function does not show its parameters, so it is
-// called with all arguments; a function without parameters ignores them.
+// The ways of declaring main().  The symbol of a C function does not show its parameters.  So a C
+// function is called with all arguments, and a function without parameters ignores them.
 constexpr Form kForms[] = {
     {"controller_main", "extern \"C\" int controller_main(int argc, char** argv);",
      "controller_main(1, arguments)"},

@@ -33,8 +33,8 @@ std::vector<fs::path> SourcesIn(const fs::path& folder) {
 }
 
 // The text of a Makefile that prints the values of all variables that the file $(LIST) sets, each
-// on a line that begins with "= ".  Does not print the names of the variables: any of them may have
-// the list of sources, so all values are looked at.
+// on a line that begins with "= ".  The names of the variables are not printed: any variable may
+// have the list of sources, so the kit looks at all values.
 constexpr char kPrintVariables[] =
     "include $(LIST)\n"
     "$(foreach v,$(filter-out MAKE% .% CURDIR SHELL LIST,$(.VARIABLES)),"

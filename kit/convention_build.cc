@@ -52,7 +52,7 @@ std::string Joined(const Paths& paths) {
 }
 
 // Returns the .ocf file of an object.  If the object has several, returns the one with the name
-// that is most like the object's class or folder.  If there is none that fits, returns "" and sets
+// that is most like the object's class or folder.  If no .ocf file fits, returns "" and sets
 // `problem` to the error message.
 fs::path ChooseOcf(const ObjectFolder& object, std::string* problem) {
   if (object.ocfs.size() == 1) return object.ocfs[0];
@@ -115,9 +115,10 @@ fs::path NamedStubFolder(const ObjectFolder& object) {
 }
 
 // Returns the folder into which stubgen2 writes the stub of `object`.  This is the folder from
-// which the object's sources include the stub, or else the folder of stub.cfg, because sources of
-// other objects may include the stub from there ("../Walker/def.h").  If the folder of stub.cfg has
-// a def.h written by hand, it is `build`, so that this file is not overwritten.
+// which the object's sources include the stub.  If they include no stub, it is the folder of
+// stub.cfg, because sources of other objects may include the stub from there ("../Walker/def.h").
+// If the folder of stub.cfg has a def.h written by hand, returns `build`, so that this def.h is not
+// overwritten.
 fs::path StubFolder(const ObjectFolder& object, const fs::path& build) {
   const fs::path named = NamedStubFolder(object);
   if (!named.empty()) return named;
@@ -164,7 +165,8 @@ class ConventionBuild {
     const Paths included = SourcesIncluded(object_.sources, shared_);
     WriteMakefile(included, {});
     // The first attempt links only the shared sources whose headers are included.  If there are
-    // others, its failure is not shown, because the second attempt links them too and may succeed.
+    // other shared sources, a failure of this attempt is not shown, because the second attempt
+    // links these sources too and may succeed.
     const bool has_more = included.size() < shared_.size();
     if (Make(has_more ? MakeOptions::Says::kIfGood : MakeOptions::Says::kAlways) || !has_more)
       return "";
@@ -196,7 +198,7 @@ class ConventionBuild {
   }
 
   // Links the object with `included`, the shared sources whose headers it includes, and with all
-  // other shared sources that compile, because one of these may define the undefined names.
+  // other shared sources that compile.  One of these may define the undefined names.
   void LinkWithAll(const Paths& included) {
     Paths rest, compiling;
     std::set_difference(shared_.begin(), shared_.end(), included.begin(), included.end(),
@@ -214,13 +216,13 @@ class ConventionBuild {
 
   // Returns the flags for the compiler.  Header folders from the object's Makefile come first,
   // because the Makefile names the right ones.  Other folders of the project come last, because
-  // they may have other headers of the same names.
+  // they may have different headers with the same names.
   std::string CompilerFlags() const {
     std::string flags = "-O2";
     for (const std::string& flag : flags_) flags += " " + InMakefile(ShellWord(flag));
     flags += " -I" + object_.folder.string();
-    // gcc searches a folder of -idirafter last even if -I names it too, so each folder gets only
-    // one of the two flags.
+    // Each folder gets only one of the two flags, because gcc searches a folder of -idirafter last
+    // even if -I names it too.
     const auto add = [&](const fs::path& folder, const char* search) {
       const bool is_first =
           std::find(flags_.begin(), flags_.end(), "-I" + folder.string()) != flags_.end();

@@ -26,9 +26,9 @@ std::vector<std::filesystem::path> SourcesIncluded(
     const std::vector<std::filesystem::path>& shared);
 
 // Builds `objects` of `project` in folders below `work`.  `plan` has the variables with which make
-// was called; they are needed to read the compiler flags in the objects' Makefiles, because these
-// flags are used here too.  Returns an error message for each object whose build cannot begin, such
-// as for lack of an .ocf file.  Prints the messages of the compilers.  Failures and images are in
+// was called.  With these variables, the compiler flags in the objects' Makefiles are found, which
+// are used here too.  Returns an error message for each object whose build cannot begin, for
+// example without an .ocf file.  Prints the messages of the compilers.  Failures and images are in
 // the log of `options` (kit_log.h).
 std::vector<std::string> BuildByConvention(const Project& project,
                                            const std::vector<ObjectFolder>& objects,

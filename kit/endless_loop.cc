@@ -88,10 +88,10 @@ class LoopFinder {
     return word == "true" || is_true_(word);
   }
 
-  // Returns whether the condition of a loop waits for a value of a device to change.  It does not
-  // change while the loop runs, because no time passes while a function of the controller runs.
-  // Returns false if another part of the condition may end the loop: ++, --, an assignment, or a
-  // second condition after &&.
+  // Returns whether the condition of a loop waits for a value of a device to change.  Such a loop
+  // never ends, because no time passes while a function of the controller runs, so the value does
+  // not change.  Returns false if another part of the condition may end the loop: ++, --, an
+  // assignment, or a second condition after &&.
   static bool AsksADevice(const std::string& condition) {
     static const std::regex kAsks(
         "\\b(\\w+_sensor_get_value|servo_get_position|accelerometer_get_values|"

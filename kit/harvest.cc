@@ -40,8 +40,8 @@ std::vector<fs::path> InstalledFiles(const StickFolder& stick) {
 
 std::vector<BuiltImage> ReadBuiltImages(const KitLog& log, const Project& project) {
   std::vector<BuiltImage> images;
-  // File names and contents of the files on sticks.  An image with the same content may have
-  // another name there, by which OBJECT.CFG names it.
+  // File names and contents of the files on sticks.  An image of this build may be on a stick under
+  // another name, which OBJECT.CFG uses.  The content shows that it is the same image.
   std::vector<std::pair<std::string, std::string>> installed;
   for (const StickFolder& stick : project.sticks) {
     for (const fs::path& file : InstalledFiles(stick))
@@ -119,8 +119,8 @@ class StickCompletion {
     }
   }
 
-  // Returns the path of the image that `record`, a line of OBJECT.CFG, names; "" if it is not on
-  // the stick.  The image may be in another folder than OBJS.
+  // Returns the path of the image that `record`, a line of OBJECT.CFG, names; "" if this image is
+  // not on the stick.  The image may be in another folder than OBJS.
   fs::path PlaceOf(const ObjectRecord& record) const {
     return record.path.size() < 4 ? fs::path() : FindBelow(stick_.root, record.path.substr(4));
   }
@@ -200,8 +200,8 @@ class StickCompletion {
   }
 
   // Puts all images on this stick to which no other stick is nearer (IsOfThisStick()), and writes
-  // an OBJECT.CFG that names them.  Called when the stick has no OBJECT.CFG, so nothing says which
-  // images it needs.
+  // an OBJECT.CFG that names them.  Called when the stick has no OBJECT.CFG, because then the
+  // images that it needs are not known.
   void ListEverything() {
     std::string text;
     for (size_t i = 0; i < built_.size(); ++i) {
@@ -237,7 +237,7 @@ bool HasSameBytes(const fs::path& a, const fs::path& b) {
 }
 
 // Creates MW/DATA/P, in which programs open files for writing.  OPEN-R does not create a missing
-// folder, so without it the programs could not write.
+// folder, so without this folder the programs could not write.
 void MakeDataFolder(const StickFolder& stick, const fs::path& target) {
   const fs::path middleware =
       target / stick.ObjectsFolder().parent_path().lexically_relative(stick.root);

@@ -23,12 +23,12 @@ struct Harvest {
   std::vector<std::string> problems;  // error messages, a line each
   std::vector<std::string> notes;
   // Files that CompleteStick() has put on the stick, without those that rules of Makefiles put
-  // there.  The next build removes them, so that they do not count as its images.
+  // there.  The next build removes these files, so that they do not count as images of that build.
   std::vector<std::filesystem::path> placed;
   std::set<std::string> used;  // paths (KitLog::Image::file) of the images on the stick
 };
 
-// Puts those images on `stick` that its OBJECT.CFG names and that rules of Makefiles have not put
+// Puts on `stick` the images that its OBJECT.CFG names and that rules of Makefiles have not put
 // there.  `stick` is in the private copy of the user's folder.  If the stick has no OBJECT.CFG,
 // writes one that names all images.  With several sticks, a stick first gets images that were built
 // near it in the tree of folders.  If a Makefile puts an image on one stick, the image keeps that
@@ -43,7 +43,7 @@ void RemoveImages(const std::vector<KitLog::Image>& images, const Project& proje
 // Copies the files of `stick`, which is in the private copy, to `target`, the user's stick or
 // another folder.  Leaves out files that the build has not changed, unless `whole` is set.  Before
 // a binary for the robot is overwritten, copies it to `robot_folder`.  Also creates the folder in
-// which programs write files.  Returns the error messages, a line each.
+// which programs write files.  Returns the error messages, each of one line.
 std::vector<std::string> DeliverStick(const StickFolder& stick, const std::filesystem::path& target,
                                       const WorkCopy& copy,
                                       const std::filesystem::path& robot_folder, bool whole);

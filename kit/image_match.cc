@@ -65,7 +65,8 @@ class Matcher {
   }
 
   // Applies one rule, `fits`, to the wanted names that have no candidate yet.  Pairs a name with a
-  // free candidate if the name fits no other one and no other of these names fits the candidate.
+  // free candidate if the name fits no other candidate, and the candidate fits no other of these
+  // names.
   void Pair(const std::function<bool(const std::string& wanted, const std::string& name)>& fits) {
     for (size_t w = 0; w < wanted_.size(); ++w) {
       const int only = OnlyCandidate(w, fits);

@@ -1,6 +1,6 @@
-// A log file by which the tools of the SDK tree, such as the compiler, report to `openr build`.  It
-// is needed because openr build starts only make, and make starts the tools, so openr build gets no
-// results from them.
+// A log file by which the tools of the SDK tree, such as the compiler, report to `openr build`.
+// The log is needed because `openr build` starts only make, and make starts the tools.  So `openr
+// build` gets no results from the tools directly.
 #pragma once
 
 #include <string>
@@ -44,7 +44,7 @@ void LogImage(const KitLog::Image& image);
 void LogFailure(const KitLog::Failure& failure);
 void LogCompile(const KitLog::Compile& compile);
 
-// Notes in the log that the file `output` was made, so that earlier failures to make it no longer
+// Records in the log that the file `output` was made, so that earlier failures to make it no longer
 // count.
 void LogSuccess(const std::string& output);
 void LogRepair(const KitLog::Repair& repair);

@@ -18,7 +18,7 @@ struct LinkCommand {
 };
 
 // Translates `arguments`, those of mkbin.  `exists` returns whether a file exists.  A library (-l)
-// that is in no folder of -L is one of the SDK's, and is left out, because the runtime has its
+// that is in no folder of -L belongs to the SDK.  It is left out, because the runtime has its
 // functions.
 LinkCommand TranslateMkbin(const std::vector<std::string>& arguments,
                            const std::function<bool(const std::string& file)>& exists);

@@ -30,7 +30,7 @@ std::string_view WithoutBrackets(std::string_view body) {
 }
 
 // Returns the end of the line that begins at `at`, as the preprocessor sees it: if the line ends in
-// a backslash, the next line belongs to it.
+// a backslash, the next line is a part of it.
 size_t EndOfDirective(std::string_view code, size_t at) {
   for (size_t i = at; i < code.size(); ++i) {
     if (code[i] == '\n' && (i == 0 || code[i - 1] != '\\')) return i;

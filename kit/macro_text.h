@@ -1,5 +1,5 @@
 // Expands the macros of a few C sources, as far as needed to find what a word such as FOREVER or
-// STEP() stands for.  Of the preprocessor's conditions, only "#if 0" is understood.
+// STEP() stands for.  The only condition of the preprocessor that is understood is "#if 0".
 #pragma once
 
 #include <map>

@@ -32,8 +32,8 @@ Environment MakeEnvironment(const MakeOptions& options) {
       {"PKG_CONFIG_PATH", (fs::path(options.sdk_root) / "../../pkgconfig").lexically_normal()},
       {kLogVariable, options.log},
       {kCopiesVariable, options.copies},
-      // Gives make the kit's tools in these variables, because it would use its default compiler
-      // for a Makefile that sets none.
+      // Gives make the kit's tools in these variables.  Otherwise make would use its default
+      // compiler if a Makefile does not set these variables.
       {"CC", bin + "/mipsel-linux-gcc"},
       {"CXX", bin + "/mipsel-linux-g++"},
       {"AR", bin + "/mipsel-linux-ar"}};
@@ -60,8 +60,8 @@ ProcessResult Make(const fs::path& folder, const std::vector<std::string>& argum
   return RunProcess(all, {environment, folder, true, true, echoes, true});
 }
 
-// Returns the folders in which make must run: those with a Makefile.  Leaves out folders below
-// another such folder, because the Makefile above usually calls the ones below.
+// Returns the folders in which make must run: those with a Makefile.  Leaves out a folder below
+// another such folder, because a Makefile usually calls the Makefiles below it.
 std::vector<fs::path> TopFolders(const Project& project) {
   std::vector<fs::path> folders;
   for (const fs::path& file : project.makefiles) {
@@ -107,8 +107,9 @@ bool HasInstallRule(const fs::path& folder, const std::vector<std::string>& vari
 }
 
 // Returns the value for variables of Makefiles that name a Memory Stick outside of the project: the
-// path of a stick of the project.  With several sticks the value is an expression for make.  It
-// yields the stick in the folder in which make runs, or else in the nearest folder around it.
+// path of a stick of the project.  With several sticks the value is an expression for make.  The
+// value of this expression is the stick in the folder in which make runs, or else in the nearest
+// folder around that folder.
 std::string StickValue(const Project& project) {
   if (project.sticks.empty()) return project.root / "MS";
   std::vector<fs::path> roots;
@@ -157,9 +158,9 @@ std::string CauseOf(const std::string& output) {
     if (complaint.starts_with("Waiting for") || complaint.starts_with("Deleting file")) continue;
     std::smatch match;
     if (!std::regex_match(complaint, match, kFailedRule)) return complaint;
-    // A missing program (Error 127) explains more than a program that failed, so it is the cause if
-    // there is one.  Of several failed rules the first is the cause, because others may depend on
-    // it.
+    // A missing program (Error 127) explains more than a program that failed, so a missing program
+    // is taken as the cause first.  Of several failed rules the first is the cause, because the
+    // others may depend on it.
     std::string* const cause = match[3] == "Error 127" ? &tool : &rule;
     if (!cause->empty()) continue;
     *cause = fmt::format("the rule for '{}'{} failed: {}", match[2].str(),
@@ -215,9 +216,9 @@ MakeOutcome RunMakeIn(const fs::path& folder, const std::vector<std::string>& ar
     return {result.good(), result.output};
   }
   if (options.jobs > 1) {
-    // Old Makefiles often lack dependencies and work only in order.  If a run with several jobs
-    // fails, its output is not shown, and make runs again with one job.  Rules may ignore a
-    // failure, so failures that the compiler has logged count as well.
+    // Old Makefiles often lack dependencies, and work only if make runs their rules one after the
+    // other.  If a run with several jobs fails, its output is not shown, and make runs again with
+    // one job.  Rules may ignore a failure, so failures that the compiler has logged count as well.
     const KitLog before = ReadKitLog(options.log);
     const ProcessResult together = Make(folder, arguments, options.jobs, false, options);
     KitLog after = ReadKitLog(options.log);
@@ -243,9 +244,9 @@ MakeOutcome RunMakeTargets(const fs::path& folder, const MakePlan& plan,
   arguments.insert(arguments.end(), variables.begin(), variables.end());
   const size_t failures = ReadKitLog(options.log).failures.size();
   MakeOptions install = options;
-  // The target `install` often repeats the steps of the first target.  A step that has failed there
-  // fails here again, and its messages have been shown.  So if this run fails, its output is shown
-  // only if the log has new failures.
+  // The target `install` often repeats the steps of the first target.  If a step has failed for the
+  // first target, it fails here again, and its messages were already shown.  So if the run for
+  // `install` fails, its output is shown only if the log has new failures.
   if (!outcome.is_good || failures > 0) {
     install.says = MakeOptions::Says::kIfGood;
     install.jobs = 1;

@@ -16,11 +16,11 @@ struct MakeOptions {
   std::string copies;  // list of private copies, for the tools (source_copies.h)
   int jobs = 1;
   bool is_verbose = false;
-  // When the output of make is printed: always, only if make succeeds, or never.
+  // Says when the output of make is printed: always, only if make succeeds, or never.
   enum class Says { kAlways, kIfGood, kNever } says = Says::kAlways;
 };
 
-// How make is called for a project.  Made by PlanMake(), used by RunMake().
+// The way in which make is called for a project.  Made by PlanMake(), used by RunMake().
 struct MakePlan {
   // Folders in which make runs, for the first target of the Makefile and for `install`.
   std::vector<std::filesystem::path> folders;
@@ -34,7 +34,8 @@ struct MakePlan {
 
 struct MakeOutcome {
   bool is_good = true;
-  // Output of make and its commands; if make ran again, only that of the last run.
+  // The output of make and its commands.  If make ran more than once, only the output of the last
+  // run.
   std::string output;
 };
 
@@ -51,12 +52,12 @@ MakeOutcome RunMakeTargets(const std::filesystem::path& folder, const MakePlan& 
                            const MakeOptions& options);
 
 // Runs make in `folder` with `arguments`.  make finds the kit's compiler and tools in its
-// environment.  After a failure it goes on with other targets (-k).
+// environment.  After a failure make goes on with other targets (-k).
 MakeOutcome RunMakeIn(const std::filesystem::path& folder,
                       const std::vector<std::string>& arguments, const MakeOptions& options);
 
 // Returns the reason why make failed, in one line: the file that no rule makes, or the rule that
-// failed and the last message of its command.  Returns "" if `output` does not show it.
+// failed and the last message of its command.  Returns "" if `output` does not show the reason.
 std::string CauseOf(const std::string& output);
 
 }  // namespace openr_host

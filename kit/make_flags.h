@@ -12,9 +12,9 @@
 namespace openr_host {
 
 // Returns the flags (-D, -I, -std ...) with which Makefiles compile the sources of `folder`, each
-// once.  They come from `log`, where the compiler has noted its flags during make.  If the log has
-// none, they come from the variables of the Makefile in `folder`; `variables` are given to make on
-// its command line.
+// once.  The flags come from `log`, where the compiler has recorded its flags during make.  If the
+// log has no flags, they come from the variables of the Makefile in `folder`.  `variables` are set
+// on the command line of make.
 std::vector<std::string> FlagsOfMakefiles(
     const std::filesystem::path& folder, const KitLog& log,
     const std::vector<std::pair<std::string, std::string>>& variables, const MakeOptions& options);

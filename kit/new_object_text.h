@@ -1,6 +1,6 @@
 // The texts of the files that `openr new` writes for a new object.  @Name@ stands for the name of
-// its class, @name@ for its name in the .ocf file, @NAME@ for the file name of its image without
-// ".BIN".
+// the object's class, @name@ for its name in the .ocf file, @NAME@ for the file name of its image
+// without ".BIN".
 #pragma once
 
 namespace openr_host::new_object {

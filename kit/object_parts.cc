@@ -77,8 +77,8 @@ const std::string& ObjectParts::TextOf(const fs::path& file) const {
 }
 
 // Returns whether `file` belongs to another object than `object`.  Goes up from the folder of the
-// file: if it comes to the folder of another object before the folder of `object`, the file is the
-// other object's.  For example, Cat/src/Tail.cc belongs to Cat and not to Dog.  The folder of
+// file.  If the folder of another object comes before the folder of `object`, the file belongs to
+// the other object.  For example, Cat/src/Tail.cc belongs to Cat and not to Dog.  The folder of
 // another object does not count if it contains the folder of `object`, because files in it may be
 // for both: if P and P/Dog are objects, P/Tail.cc may be part of Dog.
 bool ObjectParts::IsOfOther(const fs::path& file, const ObjectFolder& object) const {
@@ -158,7 +158,7 @@ std::vector<fs::path> ObjectParts::FindCode(const ObjectFolder& object) const {
         }
       };
       add_all(by_name_.equal_range(name));
-      // The source with the same name as an included header also belongs to the object: Util.cc for
+      // A source with the same name as an included header also belongs to the object: Util.cc for
       // Util.h.
       add_all(by_stem_.equal_range(fs::path(name).stem()));
     }
@@ -173,8 +173,8 @@ std::vector<fs::path> ObjectParts::OcfsOf(const ObjectFolder& object) const {
     if (IsOcf(file)) named.push_back(file);
   }
   if (!named.empty()) return named;
-  // Without Makefiles, only an .ocf file beside stub.cfg counts, because nothing says to which
-  // object an .ocf file elsewhere belongs.
+  // Without Makefiles, only an .ocf file beside stub.cfg counts, because for other .ocf files it is
+  // not known to which object they belong.
   if (makefiles_.empty()) return {};
   Paths free;
   for (const fs::path& file : all_) {

@@ -25,9 +25,9 @@ class ObjectParts {
   // Makefile names that folder.  Files made by stubgen2 are left out.
   const std::vector<std::filesystem::path>& CodeOf(const ObjectFolder& object) const;
 
-  // Returns the object's .ocf files: those in its folder.  If there are none, those that its
-  // Makefiles name.  If there are none either, the one outside of all objects' folders whose name
-  // is most like the object's.
+  // Returns the object's .ocf files.  These are the .ocf files in its folder, or else those that
+  // its Makefiles name.  If both are missing, this is the .ocf file outside of all objects' folders
+  // whose name is most like the name of the object.
   std::vector<std::filesystem::path> OcfsOf(const ObjectFolder& object) const;
 
   // Returns whether the object's Makefiles compile it for the PC.  Such objects are a part of
@@ -69,7 +69,7 @@ class ObjectParts {
   Paths makefiles_;
   std::set<std::filesystem::path> object_folders_;
   // Files by their names in lower case, without folders.  `by_name_` has the sources and headers;
-  // `by_stem_` has only the sources, by names without extension.
+  // `by_stem_` has only the sources, by their names without extension.
   std::multimap<std::string, std::filesystem::path> by_name_, by_stem_;
   mutable std::map<std::filesystem::path, std::string> texts_;
   // Cache of CodeOf(): its results by the folder of the object.

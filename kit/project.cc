@@ -110,8 +110,8 @@ Project ScanProject(const std::vector<fs::path>& folders) {
   std::map<fs::path, std::vector<fs::path>> files_of;
   std::set<fs::path> seen;  // files found already, because one folder may be inside another
   for (const fs::path& folder : folders) {
-    // A folder outside of the project may have a stick too.  It is left out if the project has a
-    // stick of its own, because a build must not write to the stick of somebody else.
+    // A folder outside of the project may have a stick too.  If the project has a stick of its own,
+    // that outer stick is left out, because a build must not write to the stick of another program.
     if (project.sticks.empty()) FindSticks(folder, &project.sticks);
     for (const fs::path& file : FilesBelow(folder))
       if (seen.insert(file).second) files_of[file.parent_path()].push_back(file);

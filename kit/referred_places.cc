@@ -17,8 +17,8 @@ namespace fs = std::filesystem;
 
 constexpr size_t kOutsideFilesMax = 20'000;  // folders outside with more files are not used
 
-// Returns whether the file, by its name, may be a part of a program.  Of a folder around the
-// program only such files are used, because it may hold much else.
+// Returns whether the file, by its name, may be a part of a program.  From a folder around the
+// program, only such files are used, because that folder may hold many other files.
 bool IsPartOfPrograms(const fs::path& file) {
   return IsSourceName(file) || IsHeaderName(file) || IsMakefileName(file) ||
          LowerCase(file.extension()) == ".ocf" || LowerCase(file.extension()) == ".cfg";
@@ -110,8 +110,8 @@ class PlaceSearch {
     if (text.find("..") == std::string::npos) return;
     for (const std::string& path : UpwardPaths(text)) {
       fs::path target = (file.parent_path() / path).lexically_normal();
-      // lexically_normal() makes "./" of "a/..".  Drops the slash, so that each folder has one
-      // spelling.
+      // The slash is dropped, so that each folder has one spelling: lexically_normal() makes "./"
+      // of "a/..".
       if (!target.has_filename()) target = target.parent_path();
       AddTarget(target, path.ends_with(".."));
     }

@@ -23,8 +23,8 @@ struct ReferredPlaces {
 // are replaced by their values: "$(TOP)/lib" becomes "../../lib" if TOP is "../..".
 std::string ExpandedMakefile(const std::filesystem::path& file);
 
-// Returns the places that files below `root`, an absolute folder, name, and the places that the
-// files found there name in turn.
+// Returns the places that are named in files below `root`, an absolute folder, and the places that
+// are named in the files found there.
 ReferredPlaces FindReferredPlaces(const std::filesystem::path& root);
 
 }  // namespace openr_host

@@ -94,8 +94,9 @@ Edits LabelAtEnd(const Spot& place) {
 }
 
 // Replaces __FUNCTION__ beside a string by __FILE__, as in `Print("in " __FUNCTION__)`.  In g++ 3.3
-// __FUNCTION__ was a string literal, which the compiler joins with the string; today only __FILE__
-// is a literal.  The text then names the file in place of the function, which is for people only.
+// __FUNCTION__ was a string literal, which the compiler joins with the string.  Today only __FILE__
+// is a literal.  The text then names the file and not the function; this is good enough, because
+// only people read it.
 Edits FunctionName(const Spot& place) {
   size_t begin = NextOf(place.code, place.at);  // the message names the end of the text before
   if (place.Says("before string constant")) {
@@ -124,7 +125,7 @@ Edits MinimumOperator(const Spot& place) {
            fmt::format("{}?{} said in another way", sign, assigns ? "=" : "")}};
 }
 
-// Replaces 0 by (void*)0 where a pointer is compared with it: if (file < 0)
+// Replaces 0 by (void*)0 in a comparison of a pointer with 0: if (file < 0)
 Edits PointerAndZero(const Spot& place) {
   if (!place.Says("ordered comparison of pointer with integer zero")) return {};
   const size_t after =
@@ -162,8 +163,8 @@ Edits StaticSpecialisation(const Spot& place) {
            fmt::format("'{}' of a specialisation left out", word)}};
 }
 
-// Removes the leading `::` of a name that was declared before: int ::f() {}  In a declaration at
-// global scope, today's g++ refuses it as needless.
+// Removes the leading `::` of a name that was declared before: int ::f() {}  Today's g++ does not
+// accept `::` in a declaration at global scope.
 Edits KnownGlobalName(const Spot& place) {
   if (!place.Says("explicit qualification in declaration")) return {};
   if (place.code.compare(place.at, 2, "::") != 0) return {};
@@ -259,9 +260,9 @@ Edits LoopVariable(const Spot& place) {
   return edits;
 }
 
-// Returns whether the block after the text `head` may use names that a template inherits, before
-// which today's g++ wants "this->".  Such a block is a class whose base depends on a template
-// parameter, or a member function that is defined outside of its class template.
+// Returns whether the block after the text `head` may use names that a template inherits.  Such a
+// block is a class whose base depends on a template parameter, or a member function that is defined
+// outside of its class template.  Today's g++ wants "this->" before such names.
 bool MayInheritNames(const std::string& head) {
   static const std::regex kDerived("template\\s*<[^]*(?:class|struct)\\s+\\w+\\s*:[^]*<");
   static const std::regex kMember("template\\s*<[^]*\\w\\s*<[^()]*>\\s*::\\s*~?\\w+\\s*\\(");

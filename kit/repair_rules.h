@@ -27,7 +27,7 @@ struct Edit {
   std::string what;  // description of the repair for the user; only one of its edits has it
 };
 
-// Returns the edits of `text`, the whole file, that repair what `complaint` is about; none if no
+// Returns the edits of `text`, the whole file, that repair the error of `complaint`; none if no
 // rule fits.  If the complaint is about a missing header, `headers` are the paths of all headers
 // that could be meant.
 std::vector<Edit> RepairOf(const Complaint& complaint, const std::string& text,

@@ -28,8 +28,8 @@ class RobotSdk {
   std::filesystem::path BaseStick(const std::string& model, const std::string& flavour,
                                   bool is_protected) const;
 
-  // Writes def.h, entry.h and the stub to `folder`.  Throws std::runtime_error when stubgen2 fails,
-  // which has printed the reason by then.  Compile() and Link() do the same when their tools fail.
+  // Writes def.h, entry.h and the stub to `folder`.  Throws std::runtime_error when stubgen2 fails;
+  // stubgen2 itself prints the reason.  Compile() and Link() do the same when their tools fail.
   void GenerateStub(const std::filesystem::path& config, const std::filesystem::path& folder) const;
 
   // Compiles `source` to an object file.  `options` are flags such as -I and -D.
@@ -54,7 +54,8 @@ class RobotSdk {
   bool is_verbose_ = false;
 };
 
-// Returns "" if the file is a 32-bit little-endian MIPS program; otherwise says what it is.
+// Returns "" if the file is a 32-bit little-endian MIPS program, else a text that says what the
+// file is.
 std::string WhyNotForRobot(const std::filesystem::path& image);
 
 }  // namespace openr_host

@@ -1,5 +1,5 @@
-// openr-sdk: the program behind the tools of the SDK tree.  The tools are links to it, and it does
-// the work of the tool whose name it was called by.
+// The program openr-sdk, which does the work of all tools of the SDK tree.  The tools are links to
+// this program.  It acts as the tool by whose name it was called.
 //
 //   mipsel-linux-g++ -O2 -c a.cc      the same as      openr-sdk g++ -O2 -c a.cc
 #include <cstdio>

@@ -47,8 +47,8 @@ std::vector<Complaint> ReadComplaints(const std::string& diagnostics) {
 }
 
 // Returns the errors of the assembler: "a.cc:3: Error: no such instruction: ...".  For assembly
-// outside of functions, the assembler names its own input (.s) and no source.  Such an error counts
-// for each of `sources`, the files that the compiler was given.
+// outside of functions, the assembler names its own input (.s) and not a source.  Such an error
+// counts for each of `sources`, the files that were given to the compiler.
 std::vector<Complaint> ReadAssemblerComplaints(const std::string& diagnostics,
                                                const std::vector<std::string>& sources) {
   static const std::regex kError("^([^:\n]+):(\\d+): (?:Error|Fatal error): (.*)$");
@@ -69,8 +69,8 @@ std::vector<Complaint> ReadAssemblerComplaints(const std::string& diagnostics,
   return complaints;
 }
 
-// Returns `text` with `edits` made, which do not overlap.  The last one in the text is made first,
-// so that the positions of the others stay right.
+// Returns `text` with `edits` made, which must not overlap.  The last edit in the text is made
+// first, so that the positions of the other edits stay right.
 std::string Edited(std::string text, std::vector<Edit> edits) {
   std::sort(edits.begin(), edits.end(),
             [](const Edit& a, const Edit& b) { return a.begin > b.begin; });
@@ -110,7 +110,8 @@ RepairSession::~RepairSession() {
 }
 
 // Adds to `edits_of` edits of headers that remove assembly from macros.  Called for a complaint
-// about assembly in a line of `text` that has none itself, so a macro of a header brings it there.
+// about assembly in a line of `text` that itself has no assembly.  Then the assembly comes from a
+// macro of a header.
 void RepairSession::AddMacroEdits(const Complaint& complaint, const std::string& text,
                                   std::map<std::string, std::vector<Edit>>* edits_of) {
   const size_t begin = OffsetOf(text, complaint.line, 1);
@@ -138,7 +139,7 @@ bool RepairSession::Apply(const std::string& diagnostics, const std::vector<std:
   const std::vector<Complaint> more = ReadAssemblerComplaints(diagnostics, sources);
   complaints.insert(complaints.end(), more.begin(), more.end());
   // A missing 'typename' may be the reason why other names count as not declared.  So messages
-  // about such names wait until it is repaired.
+  // about such names are left for a later round, when the missing 'typename' is repaired.
   const bool is_unclear = diagnostics.find("need 'typename'") != std::string::npos;
   for (const Complaint& complaint : complaints) {
     if (is_unclear && complaint.message.find("not declared") != std::string::npos) continue;

@@ -21,19 +21,19 @@ class RepairSession {
   RepairSession(const RepairSession&) = delete;
   RepairSession& operator=(const RepairSession&) = delete;
 
-  // Returns whether repairs are possible: only private copies may be changed, and `openr build`
-  // makes them.
+  // Returns whether repairs are possible.  Only the private copies that `openr build` makes may be
+  // changed, so repairs are not possible without such copies.
   bool may_repair() const { return !copies_.empty(); }
 
   // Repairs the files for the errors in `diagnostics`, the output of g++ with
   // -fdiagnostics-format=json for `sources`.  Returns false if nothing could be repaired.
   bool Apply(const std::string& diagnostics, const std::vector<std::string>& sources);
 
-  // Keeps the repairs, and notes them in the log (kit_log.h) under the names of the user's own
+  // Keeps the repairs, and records them in the log (kit_log.h) under the names of the user's own
   // files.
   void Keep();
 
-  // Gives the changed files back the text they had before this session.
+  // Restores the text that the changed files had before this session.
   void Undo();
 
  private:

@@ -7,8 +7,8 @@
 
 namespace openr_host {
 
-// Returns `text` with blanks in place of comments, strings and character literals.  Line ends in
-// these stay, so that positions and line numbers are those of `text`.
+// Returns `text` with blanks in place of comments, strings and character literals.  Line ends stay,
+// so that positions and line numbers are those of `text`.
 std::string WithoutComments(std::string_view text);
 
 // A string literal.

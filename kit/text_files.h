@@ -48,10 +48,10 @@ bool IsBelow(const std::filesystem::path& path, const std::filesystem::path& fol
 std::vector<std::filesystem::path> FilesBelow(const std::filesystem::path& folder);
 
 // Returns the reason why the existing file or folder `path` cannot be read, such as "cannot be
-// read: Permission denied"; "" if it can.
+// read: Permission denied"; "" if it can be read.
 std::string WhyUnreadable(const std::filesystem::path& path);
 
-// Returns the paths that exist and cannot be read: `folder`, or files and folders below it.
+// Returns those of `folder` and the files and folders below it that exist but cannot be read.
 std::vector<std::filesystem::path> UnreadableBelow(const std::filesystem::path& folder);
 
 }  // namespace openr_host

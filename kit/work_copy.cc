@@ -62,8 +62,8 @@ bool IsText(const std::string& text) {
   return text.substr(0, 4096).find('\0') == std::string::npos;
 }
 
-// Returns whether paths in the copy of the file must be changed: it is a Makefile, or a script that
-// Makefiles may call.
+// Returns whether paths in the copy of the file must be changed, because the file is a Makefile, or
+// a script that Makefiles may call.
 bool IsToBeAdapted(const fs::path& file, const std::string& text) {
   const std::string extension = file.extension();
   const bool is_script = extension == ".sh" || extension == ".in" || file.filename() == "configure";
@@ -184,8 +184,8 @@ void WorkCopy::CopyFile(const fs::path& original) {
 }
 
 // Makes the copied stubs again with our stubgen2, because other versions of stubgen2 may have made
-// the originals.  We do not leave that to make, because a Makefile may have no rule for the stub,
-// or use it before that rule has run.
+// the originals.  This is not left to make, because a Makefile may have no rule for the stub, or
+// may use the stub before that rule has run.
 void WorkCopy::MakeStubsAnew() const {
   std::set<fs::path> folders;
   for (const fs::path& file : left_stubs_) folders.insert(file.parent_path());

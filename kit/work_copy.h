@@ -1,5 +1,5 @@
-// A private copy of the user's folder, in which Makefiles run.  The files that they make stay out
-// of the sources, and files that do not fit the host can be changed.
+// A private copy of the user's folder, in which Makefiles run.  The files that the Makefiles make
+// stay out of the user's folder, and files that do not fit the host can be changed in the copy.
 //
 // The copy stays from one build to the next, with the times of files and with the files that builds
 // have made in it.  Only changed files are copied again, so make rebuilds the same files that it
@@ -27,7 +27,7 @@ class WorkCopy {
   // copy.  Throws std::runtime_error when something cannot be read or written.
   std::filesystem::path Add(const std::filesystem::path& original);
 
-  // Returns the path in the copy that belongs to `original`, whether that file was copied or not.
+  // Returns the path in the copy that belongs to `original`, even if that file was not copied.
   std::filesystem::path PlaceOf(const std::filesystem::path& original) const;
 
   // Returns all copied folders.  The first is the one that the user named.  The last ones are
