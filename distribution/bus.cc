@@ -61,7 +61,7 @@ void KeepFreedMemory() {
 }
 
 // Prints a message of Cyclone DDS.  Messages about a failed send (conn_write) are printed only
-// once, because an address that cannot be reached would cause one with every packet to it.
+// once.  Otherwise an address that cannot be reached would cause a message with every packet.
 void Log(void*, const dds_log_data_t* data) {
   static std::atomic<bool> told = false;
   std::string_view text(data->message, data->size);
@@ -70,7 +70,8 @@ void Log(void*, const dds_log_data_t* data) {
   fmt::print(stderr, "openr: Cyclone DDS: {}\n", text);
 }
 
-// Returns after how many seconds without a sign of life others take this process for dead.
+// Returns the lease: the seconds without a sign of life after which other processes take this
+// process for dead.
 int LeaseOf(const BusOptions& options) { return options.lease_s == 0 ? kLease_s : options.lease_s; }
 
 // Makes the configuration of Cyclone DDS from the options.
@@ -189,8 +190,8 @@ ChannelBase::~ChannelBase() {
 bool ChannelBase::IsConnected() const {
   dds_publication_matched_status_t readers;
   dds_subscription_matched_status_t writers;
-  // Tests both directions, because DDS finds the reader and the writer of the other end separately,
-  // and a sample sent to an end without a reader is lost.
+  // Tests both directions, because DDS finds the reader and the writer of the other end separately.
+  // A sample sent to an end without a reader is lost.
   return dds_get_publication_matched_status(writer_, &readers) == DDS_RETCODE_OK &&
          dds_get_subscription_matched_status(reader_, &writers) == DDS_RETCODE_OK &&
          readers.current_count > 0 && writers.current_count > 0;
@@ -244,7 +245,8 @@ void ChannelBase::ReceiveMore() {
   const int count = Check(dds_take(reader_, samples, infos, kSamplesPerPacketMax, wanted), "take");
   free_samples_.resize(free_samples_.size() - static_cast<size_t>(count));
   for (int i = 0; i < count; ++i) {
-    // A sample without valid data only tells that a writer has gone, so it is given back to DDS.
+    // A sample without valid data only says that a writer no longer exists, so this sample is given
+    // back to DDS.
     if (infos[i].valid_data) {
       received_.push_back(samples[i]);
     } else {

@@ -87,13 +87,13 @@ struct ChannelTopics {
 constexpr ChannelTopics kRunTopics = {&openr_wire_ToWorker_desc, "openr_to_worker",
                                       &openr_wire_ToMaster_desc, "openr_to_master"};
 
-// Limit of the size of a sample, in MB.  Send() throws for a larger one, because Cyclone DDS then
-// refuses it (MaxSampleSize).
+// Limit of the size of a sample, in MB.  Send() throws for a larger sample, because Cyclone DDS
+// refuses such a sample (MaxSampleSize).
 constexpr size_t kSampleMax_MB = 64;
 
 // A sample with this many bytes of data of shared memory regions, or more, is large.  Large samples
-// are sent in packets of their own and received one at a time, because each one then reuses memory
-// that is still in the processor's cache.
+// are sent in packets of their own and received one at a time.  Each sample then reuses memory that
+// is still in the processor's cache.
 constexpr size_t kBulkBytes = 16 << 10;
 
 // The part of Channel that does not depend on its sample types.
@@ -118,8 +118,8 @@ class ChannelBase {
   // Sends the samples that SendBatched() has kept.
   void FlushBatch();
 
-  // Returns whether the next sample is here already, so that Receive() returns it without a call of
-  // DDS.
+  // Returns whether the next sample has already been read from DDS.  If so, Receive() returns this
+  // sample without a call of DDS.
   bool has_received() const { return !received_.empty(); }
 
  protected:
@@ -130,8 +130,8 @@ class ChannelBase {
   // `timeout_ms`.
   void* ReceiveUntyped(int timeout_ms);
   void Return(void* sample);
-  // Notes how many bytes of memory regions the last received sample had.  After a large sample
-  // (kBulkBytes) the next one is received alone.
+  // Records how many bytes of memory regions the last received sample had.  After a large sample
+  // (kBulkBytes), the next sample is received alone.
   void set_last_bulk_bytes(size_t bytes) { last_bulk_bytes_ = bytes; }
 
  private:

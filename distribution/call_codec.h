@@ -1,7 +1,7 @@
 // Converts calls of functions to data and back: the arguments on the way to the master, the result
 // and the output parameters on the way back.
 //
-// A function's signature decides how:
+// The type of a parameter decides how it is converted:
 //   integers, enumerations, bool   a number
 //   std::string_view, const char*  the text; at most one in a call
 //   const std::string&             the bytes; at most one in a call
@@ -65,8 +65,8 @@ void CopyBytes(const std::string& bytes, T* value) {
   if (bytes.size() == sizeof(T)) std::memcpy(static_cast<void*>(value), bytes.data(), sizeof(T));
 }
 
-// Reads the numbers of a list one after the other.  Next() returns 0 after the last one, because a
-// faulty worker may send too few.
+// Reads the numbers of a list one after the other.  After the last number, Next() returns 0,
+// because a faulty worker may send too few numbers.
 class NumberReader {
  public:
   explicit NumberReader(const std::vector<uint64_t>& numbers) : numbers_(numbers) {}
@@ -238,8 +238,8 @@ struct Parameter<T*> {
     }
   }
   Parameter(const CallArguments&, NumberReader*) {
-    // Clears the struct together with its padding: all its bytes are sent to the other process, and
-    // must not contain old memory of this one.
+    // Clears the struct together with its padding: all its bytes are sent to the other process, so
+    // they must not contain old memory of this process.
     std::memset(static_cast<void*>(&value), 0, sizeof value);
   }
   T* argument() { return &value; }

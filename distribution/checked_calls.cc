@@ -17,7 +17,7 @@ namespace openr_host {
 namespace {
 
 // Limit of times in microseconds.  No program can give a longer time (RelativeTime, two 32-bit
-// numbers), so a longer one is an error of the worker and is refused.
+// numbers).  So a longer time is an error of the worker and is refused.
 constexpr int64_t kTimeMaxUs = int64_t{1} << 53;
 
 constexpr uint64_t kResultMax = 1024;  // in bytes; no request of ControlPrimitive() returns more
@@ -97,9 +97,9 @@ bool CheckedCalls::HasRegion(uint32_t region) const {
   return is_own_(regions.OwnerOf(region)) || is_own_(regions.MakerOf(region));
 }
 
-// Notes in the master that an object in the worker has mapped or unmapped a buffer of the network
-// stack (IPStack), because the IPStack in the master lets an object send only data in a mapped
-// buffer.
+// Records in the master that an object in the worker has mapped or unmapped a buffer of the network
+// stack (IPStack).  The IPStack in the master needs the record, because it lets an object send only
+// data in a mapped buffer.
 void CheckedCalls::NoteMapping(uint32_t cookie, uint32_t region, bool is_mapped) {
   IpStack* const stack = IpStack::OfCurrent();
   if (stack == nullptr) return;

@@ -57,7 +57,7 @@ class CheckedCalls : public LocalCalls {
   bool HasRegion(uint32_t region) const;
 
   // Removes all pins of the worker's objects after the worker was lost.  A pin keeps the memory of
-  // a region, so a pin that stayed would keep it for ever.
+  // a region, so a pin that is not removed would keep this memory for ever.
   void ReleasePins();
 
  private:

@@ -28,8 +28,8 @@ ChildProcess::ChildProcess(std::string name, const std::vector<std::string>& com
     posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
-  // This program ignores SIGPIPE and SIGXFSZ, and children inherit that.  Other programs, debuggers
-  // for instance, expect that SIGPIPE ends them, so the child gets the default action.
+  // This program ignores SIGPIPE and SIGXFSZ, and a child would inherit this.  Other programs, such
+  // as debuggers, expect that SIGPIPE ends them.  So the child gets the default actions.
   sigset_t signals;
   sigemptyset(&signals);
   sigaddset(&signals, SIGPIPE);

@@ -28,8 +28,8 @@ class ChildProcess {
   void WaitForEnd(int64_t limit_ms);
 
  private:
-  // Asks the kernel whether the process has ended, and returns that.  If `waits`, first waits for
-  // the end.
+  // Returns whether the process has ended, as the kernel knows it.  If `waits` is true, first waits
+  // for the end.
   bool UpdateStatus(bool waits);
 
   const std::string name_;

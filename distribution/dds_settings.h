@@ -7,7 +7,7 @@
 
 namespace openr_host {
 
-// Returns why the settings in `file` do not apply to `domain`, with advice; "" if they do.
+// Returns why the settings in `file` do not apply to `domain`, with advice; "" if they apply.
 //
 // Cyclone DDS silently ignores settings for another domain, so a run could be unprotected although
 // the user gave security settings.  A file that cannot be read returns "", since Cyclone DDS

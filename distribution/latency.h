@@ -11,7 +11,7 @@ namespace openr_host {
 class Latency {
  public:
   // Measures the time from its construction to its destruction, and adds that time to two
-  // histograms, such as one for a worker and one for an object of it.
+  // histograms: for example, that of a worker and that of an object of the worker.
   class Timer {
    public:
     Timer(Latency* first, Latency* second)

@@ -26,8 +26,8 @@ bool IsStack(const System& system, ObjectId id) {
   return object != nullptr && object->name == IpStack::kName;
 }
 
-// Returns in which form the payload of `message` is sent: as plain bytes, or in a form without the
-// pointers that it contains.
+// Returns the form in which the payload of `message` is sent: as plain bytes, or in a form without
+// the pointers that it contains.
 openr_wire_PayloadKind KindOf(const System& system, const Message& message) {
   switch (message.kind) {
     case PayloadKind::kNotify:
@@ -298,8 +298,8 @@ std::string Marshaller::DecodeNotify(const openr_wire_Notify& in, Message* out) 
 }
 
 // Returns the memory to which the bytes of `in` are to be copied.  Returns null if the region is
-// unknown and cannot be added, or if the bytes do not fit into it.  Their end is computed in 64
-// bits, because offset plus size overflows 32 bits in a forged message.
+// unknown and cannot be added, or if the bytes do not fit into the region.  The end of the bytes is
+// computed in 64 bits, because in a forged message offset plus size may overflow 32 bits.
 char* Marshaller::MemoryFor(const openr_wire_NotifiedRegion& in) {
   RegionTable& regions = system_->regions();
   const uint64_t end = uint64_t{in.offset} + in.size;
@@ -369,7 +369,7 @@ std::string Marshaller::DecodeAnt(const openr_wire_Ant& in, Message* out) {
   const AntBuffer buffer = BufferOf(ant);
   if (buffer.pointer == nullptr) return "";
   // Replaces the received pointer, which is an address in the sender's process, by the address of
-  // the same data here.  The pointer becomes null if the region is unknown.
+  // the same data in this process.  The pointer becomes null if the region is unknown.
   *buffer.pointer = nullptr;
   char* const base = in.region == 0 ? nullptr : system_->regions().BaseOf(in.region);
   const size_t size = system_->regions().SizeOf(in.region);

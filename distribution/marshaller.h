@@ -29,7 +29,7 @@ class System;
 class Marshaller {
  public:
   // A function that returns whether the peer has a region in memory; the bytes of such a region are
-  // not sent.  A null function means that the peer has none.
+  // not sent.  A null function means that the peer has no region.
   using PeerHasMemory = std::function<bool(uint32_t region)>;
 
   // `makes_copies` is true in workers: a received region may be new to their region table, so the
@@ -58,7 +58,8 @@ class Marshaller {
   void ReleaseSample();
 
   // Returns whether data of `region` were received from the peer and not given back.  If so,
-  // observers may have changed the copy here, so it may be newer than the memory in the peer.
+  // observers may have changed the copy in this process, so this copy may be newer than the memory
+  // in the peer.
   bool HasImported(uint32_t region) const;
 
   // Returns whether `region` was sent to the peer, which may still use it.
@@ -73,13 +74,13 @@ class Marshaller {
     int32_t observer;  // object and selector of the receiving observer
     uint32_t observer_selector;
   };
-  // Returns all regions that were sent to the peer and not given back, and forgets them.  To be
-  // called when the peer is lost, because it gives nothing back any more.
+  // Returns all regions that were sent to the peer and not given back, and forgets them.  Called
+  // when the peer is lost, because a lost peer gives no region back.
   std::vector<ExportedRegion> TakeExported();
   // Returns the regions that the subjects of object `subject` have sent and that were not given
-  // back, and forgets them.  To be called when this object was replaced: its regions are then
-  // released without waiting for the peer.  The peer may still use them, so later ready messages of
-  // the peer for them are accepted and ignored.
+  // back, and forgets them.  Called when this object was replaced: its regions are then released
+  // without waiting for the peer.  The peer may still use these regions, so its later ready
+  // messages for them are accepted and ignored.
   std::vector<RCRegion*> TakeExportedBy(ObjectId subject);
 
   // Returns the tokens of the regions that ReleaseImported() has released and whose memory is not
@@ -94,9 +95,8 @@ class Marshaller {
   // back to it any more.
   void PeerIsLost();
 
-  // Releases a region that was received from the peer, without a ready message.  To be called when
-  // the object that sent the region was lost or replaced, because then no subject waits for the
-  // region.
+  // Releases a region that was received from the peer, without a ready message.  Called when the
+  // object that sent the region was lost or replaced, because then no subject waits for the region.
   void ReleaseImported(RCRegion* region);
 
  private:
@@ -115,8 +115,8 @@ class Marshaller {
   const bool makes_copies_;
   struct ImportedRegion {
     uint64_t token;  // the peer's token for the region; 0: the peer is lost
-    // The received bytes, with which IsChanged() compares the region.  `bytes` points to them while
-    // the sample is valid; afterwards it is null and we compare with their hash.
+    // The received bytes while the sample is valid, else null.  IsChanged() compares the region
+    // with these bytes, or later with their `hash`.
     const uint8_t* bytes;
     uint64_t hash;
   };
@@ -128,7 +128,8 @@ class Marshaller {
   uint64_t last_token_ = 0;
   std::map<uint64_t, ExportedRegion> exported_;  // by the token that this process gave
   // Memory ids of regions that TakeExportedBy() has returned and that the peer may still use, by
-  // token.  They are kept so that a late ready message for them is not taken for an error.
+  // token.  The ids are kept so that a late ready message for such a region is not taken for an
+  // error.
   std::map<uint64_t, uint32_t> withdrawn_;
   // Imported regions, by their RCRegion.  The order of pointers differs from run to run, so we
   // iterate over the map only where the order does not matter.

@@ -1,7 +1,8 @@
 // Publishes the status of a run about once a second of the wall clock, for openr top and other
 // listeners.
 //
-// The monitor only reads: neither publishing nor a listener changes the run.
+// The monitor only reads the state of the run, so neither publishing nor a listener changes the
+// run.
 #pragma once
 
 #include <chrono>

@@ -20,7 +20,7 @@ constexpr size_t kSinceDigits = 20;
 constexpr size_t kClaimsMax = 64;  // number of claims of other runs that are compared at most
 
 // Makes a claim "TIME pid PID on HOST".  The run with the earlier claim keeps the name.  Both runs
-// compare the same two texts, so they agree which one gives way, even if the clocks of their hosts
+// compare the same two texts.  So they agree which run gives way, even if the clocks of their hosts
 // differ.
 std::string NewClaim() {
   const auto since =

@@ -10,7 +10,8 @@ namespace openr_host {
 
 class NameClaim {
  public:
-  // Claims the run name of `bus`, Bus::run(), for this process, and lets other runs see the claim.
+  // Claims the run name of `bus` (Bus::run()) for this process, and announces the claim to other
+  // runs.
   explicit NameClaim(Bus* bus);
 
   // Returns the run that has claimed the name earlier, as "pid 12 on host", or "".

@@ -1,5 +1,5 @@
-// The placement of a run: which object is in which process.  CONNECT.CFG does not contain it and
-// objects do not know it, so the same stick runs in one process or in several.
+// The placement of a run: which object is in which process.  CONNECT.CFG does not contain the
+// placement and objects do not know it, so the same stick runs in one process or in several.
 #pragma once
 
 #include <map>
@@ -15,9 +15,11 @@ namespace openr_host {
 std::string WhyNoName(const std::string& what, const std::string& name);
 
 struct Placement {
-  // Name of an object -> name of its process.  Objects that are not listed are in openr run itself.
+  // The name of the process in which an object is.  The key is the object's name.  Objects that are
+  // not listed are in openr run itself.
   std::map<std::string, std::string> process_of;
-  // Name of a process that a user starts (openr join) -> address of its host.
+  // The address of the host of a process that a user starts (openr join).  The key is the process's
+  // name.
   std::map<std::string, std::string> host_of;
   std::map<std::string, FilePosition> host_lines;  // line of the placement file, by process
 

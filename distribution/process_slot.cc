@@ -85,7 +85,8 @@ void ProcessSlot::Abandon() {
 }
 
 // Tells abandoned workers that the run goes on without them.  A worker that was unreachable only
-// for a short time has not taken the master for dead, so it would wait for work for ever.
+// for a short time does not take the master for dead.  Without this notice, such a worker would
+// wait for work for ever.
 void ProcessSlot::NotifyAbandoned() {
   std::erase_if(abandoned_, [](const Abandoned& abandoned) {
     return abandoned.is_notified && !abandoned.channel->IsConnected();
@@ -113,9 +114,9 @@ bool ProcessSlot::HasEnded() const {
   return liveness_.HasEnded();
 }
 
-// Answers one join request.  A request may also be ignored for now, because a requester repeats its
-// request until it has an answer.  So a second requester waits until the first one has joined or
-// the first one's session has expired.
+// Answers one join request.  A requester repeats its request until it has an answer, so a request
+// may also be ignored for now.  In this way a second requester waits until the first one has joined
+// or the first one's session has expired.
 void ProcessSlot::AnswerJoinRequest(const openr_wire_JoinRequest& request) {
   WireArena arena;
   openr_wire_JoinAnswer answer{};
@@ -140,8 +141,8 @@ void ProcessSlot::AnswerJoinRequest(const openr_wire_JoinRequest& request) {
              WallClockMs() - session_opened_ms_ < kSessionClaimMs) {
     return;  // another requester has the session; this one asks again
   } else {
-    // Gives the same session again to a repeated request of the same requester, so that it does not
-    // matter which answer it receives.
+    // If a requester repeats its request, gives it the same session again, so that it does not
+    // matter which of the answers the requester receives.
     if (channel_ == nullptr || requester_id_ != id) {
       session_ = NewSessionName();
       OpenSession(session_);

@@ -73,7 +73,7 @@ class ProcessSlot {
   // it can be reached again.
   void Abandon();
 
-  // The channel to the joined or joining worker; null if there is none.
+  // The channel to the worker that has joined or is joining; null if there is no such worker.
   MasterChannel* channel() const { return channel_.get(); }
   const Identity& identity() const { return identity_; }
   // The host and process id of the present worker, for reports.  Until that worker has sent its

@@ -1,5 +1,6 @@
-// The part of RemoteProcess that applies the effects of a worker's handlers in the master (messages
-// that they sent, functions that they called) and answers the worker's questions.
+// The part of RemoteProcess that applies in the master the effects of a worker's handlers, and
+// answers the worker's questions.  Effects are the messages that handlers sent and the functions
+// that they called.
 //
 // Each effect is checked before it is applied: a worker may act only for its own objects, memory
 // regions and robots.
@@ -19,13 +20,14 @@ namespace openr_host {
 namespace {
 
 // The longest delay or timeout in microseconds that a worker may ask for.  The time that a program
-// gives (RelativeTime) is always shorter, so a longer one is an error of the worker and is refused.
+// gives (RelativeTime) is always shorter, so a longer delay is an error of the worker and is
+// refused.
 constexpr int64_t kDelayMaxUs = int64_t{1} << 53;
 
-// Returns the C++ object on which WorkerCallList::Call() calls a function of the list.  The class
-// of the function selects the overload: Call() passes a null pointer to this class.  For
-// RobotServices that is the robot of the current object; for the other classes it is the
-// CheckedCalls, which check what the worker asks for.
+// Returns the C++ object on which WorkerCallList::Call() calls a function of the list.  Call()
+// passes a null pointer to the class of the function, and this type selects the overload.  For
+// RobotServices, the C++ object is the services of the current object's robot.  For the other
+// classes, it is the CheckedCalls, which check what the worker asks for.
 struct CallTargets {
   System* system;
   CheckedCalls* calls;
@@ -64,7 +66,8 @@ bool RemoteProcess::HandleRequest(const openr_wire_ToMaster& to_master) {
     case openr_wire_TO_MASTER_QUESTION: {
       const openr_wire_Question& in = to_master.body._u.question;
       Object* const self = ObjectOf(in.object);
-      // Applies what the handler did before it asked, because the answer may depend on that.
+      // Applies the effects that the handler had before its question, because the answer may depend
+      // on them.
       Apply(to_master, self);
       const CurrentScope scope(system_, self);
       SendAnswer(Call(in.kind, {VectorOf(in.numbers), StringOf(in.text), StringOf(in.bytes)}));
@@ -125,8 +128,8 @@ bool RemoteProcess::Answers(const Message& message, const Object* self) {
          (message.is_reply ? message.target : message.sender) == request->sender;
 }
 
-// Returns whether the worker may send bytes of `region`: the region belongs to one of its objects
-// or was sent to it.
+// Returns whether the worker may send bytes of `region`: the region belongs to an object of the
+// worker or was sent to the worker.
 bool RemoteProcess::MayUse(uint32_t region) const {
   return calls_->HasRegion(region) || marshaller_->HasExported(region);
 }
@@ -142,8 +145,8 @@ void RemoteProcess::CheckEnds(const openr_wire_Message& in, const Object* self) 
   const bool is_forwarded = request != nullptr && !in.is_reply && in.reply_box != 0 &&
                             in.reply_box == request->reply_box && in.sender == request->sender;
   if (!is_own(in.sender) && !is_forwarded) Refuse("a message in the name of another object");
-  // Accepts an id that no object has.  It is sent by a subject or an observer for which the program
-  // has set no entry (SetReadyEntry(), SetNotifyEntry()).
+  // Accepts an id that no object has.  Such an id is sent by a subject or an observer for which the
+  // program has set no entry (SetReadyEntry(), SetNotifyEntry()).
   const auto is_others = [&](ObjectId id) { return !is_own(id) && system_->object(id) != nullptr; };
   if (in.payload._d == openr_wire_PAYLOAD_NOTIFY && is_others(in.payload._u.notify.subject))
     Refuse("a notification of another object's subject");
@@ -194,8 +197,8 @@ int32_t RemoteProcess::Post(const openr_wire_PostedMessage& posted, Object* self
   // Marks the request as answered.  Without this mark the master would answer it again if the
   // worker is lost before the handler ends (RemoteObject::SendEmptyReply()).
   if (answers && error == sSUCCESS) self->handler.running->reply_box = 0;
-  // Notes that the observer is not ready any more: it has got a notification, and must assert ready
-  // again before the next one.
+  // Records that the observer is not ready any more: it has got a notification, and must assert
+  // ready again before the next notification.
   if (is_notify && error == sSUCCESS) objects_.at(self->id)->UseReady(used);
   return error;
 }

@@ -12,9 +12,9 @@
 
 namespace openr_host {
 
-// Gives the regions that were sent to the lost worker back to the subjects that sent them.  Its
-// observers cannot do this any more.  So the master sends deasserts ("not ready"), which give the
-// regions back, in the name of these observers.
+// Gives the regions that were sent to the lost worker back to the subjects that sent them.  The
+// worker's observers cannot do this any more.  So the master sends deasserts ("not ready"), which
+// give the regions back, in the name of these observers.
 void RemoteProcess::ReturnExported() {
   using Entry = std::pair<ObjectId, uint32_t>;
   // The regions to give back, by observer and subject, because a deassert goes from one observer to
@@ -50,8 +50,8 @@ size_t RemoteProcess::CountUndelivered() const {
 }
 
 void RemoteProcess::ReleaseAll() {
-  // is_lost_ is set first, because the calls below post messages to the master's stand-ins for the
-  // worker's objects, which must not send them to the worker.
+  // Sets is_lost_ first.  The calls below post messages to the master's stand-ins for the worker's
+  // objects, and the stand-ins must not send these messages to the worker.
   is_lost_ = true;
   ReturnExported();
   marshaller_->PeerIsLost();
@@ -74,8 +74,8 @@ void RemoteProcess::ReleaseAll() {
 
 void RemoteProcess::Rejoin(const std::map<ObjectId, RemoteObject*>& objects) {
   objects_ = objects;
-  // Changes the number of the session.  Functions that still wait for the old process compare it
-  // and see that this process has ended.
+  // Changes the number of the session.  Functions that still wait for the old process compare the
+  // number and so see that this process has ended.
   ++session_;
   is_lost_ = false;
   loss_.clear();

@@ -19,11 +19,11 @@ namespace {
 
 // The interval of checks that the worker still exists, while the master waits for a sample of it.
 constexpr int kWorkerPollMs = 10;
-// Time after which the user is told to start an external worker.  A worker that has been started
-// already joins in less time, so then nothing is printed.
+// Time after which the user is told to start an external worker.  A worker that has already been
+// started joins in less time, and the user is told nothing.
 constexpr int64_t kJoinNoticeMs = 300;
-// Time to wait for the last samples of a worker that has ended.  They are on their way already; a
-// goodbye among them has the reason of the end.
+// Time to wait for the last samples of a worker that has ended.  These samples are already on their
+// way; a goodbye among them has the reason of the end.
 constexpr int kGoodbyeWaitMs = 50;
 constexpr int64_t kShortTimeoutMs = 500;  // limit for an answer while the run is brought down
 constexpr int kEndFlushMs = 1'000;        // time for the worker to receive the end of the run
@@ -70,9 +70,9 @@ void RemoteProcess::FlushBatch() {
   if (slot_.channel() != nullptr) slot_.channel()->FlushBatch();
 }
 
-// Returns whether the next message to be delivered goes to an object in a worker too.  If so, the
-// present sample may wait, to share a packet with the next one.  If not, no other sample follows
-// soon, so the present one must be sent now.
+// Returns whether the next message to be delivered goes to an object in a worker.  If so, the
+// present sample may wait, to share a packet with that message.  If not, no other sample follows
+// soon, so the present sample must be sent now.
 bool RemoteProcess::WillSendMore() const {
   const Message* const next = system_->queue().First();
   if (next == nullptr || next->is_reply) return false;
@@ -239,10 +239,10 @@ bool RemoteProcess::RunHandler(RemoteObject* object, const Message& message) {
     openr_wire_Deliver& deliver = to_worker.body._u.deliver;
     deliver.now_us = system_->now_us();
     deliver.heap_elsewhere = HeapElsewhere(system_, object->robot);
-    // Tells which regions' bytes the worker has and need not be sent: regions that its objects have
-    // made, even if another object owns them now.  A restarted worker does not have the bytes of
-    // the lost process.  MakerOf() then returns kNoObject, because the objects that made the
-    // regions were unloaded.
+    // Returns whether the worker has the bytes of a region, so that they need not be sent.  It has
+    // them if one of its objects has made the region, even if another object owns the region now.
+    // A restarted worker does not have the bytes of the lost process.  For these regions MakerOf()
+    // returns kNoObject, because the objects that made them were unloaded.
     const auto is_there = [this](uint32_t region) {
       return objects_.contains(system_->regions().MakerOf(region));
     };
@@ -323,7 +323,7 @@ std::optional<RemoteProcess::Stop> RemoteProcess::WaitForStopInFreeRun(RemoteObj
   return stop;
 }
 
-// Calls `action`.  If it throws ProcessLost, keeps the reason in loss_ and does not pass the
+// Calls `action`.  If `action` throws ProcessLost, keeps the reason in loss_ and does not pass the
 // exception on.  WorkerGroup reads loss() later and handles the loss.
 template <typename Action>
 void RemoteProcess::RecordLoss(const Action& action) {
@@ -455,7 +455,7 @@ std::string RemoteProcess::FetchState(ObjectId object) {
   for (uint32_t i = 0; i < state.regions._length; ++i) {
     const openr_wire_RegionBytes& in = state.regions._buffer[i];
     // Skips a region that was received in a notification and not given back.  The observer may have
-    // changed it, so the master's copy is newer than the worker's.
+    // changed this region, so the master's copy may be newer than the worker's.
     if (marshaller_->HasImported(in.region)) continue;
     char* const base = system_->regions().BaseOf(in.region);
     if (base == nullptr || in.bytes._length != system_->regions().SizeOf(in.region))

@@ -64,7 +64,7 @@ class RemoteProcess {
                    const std::function<bool()>& is_ending);
 
   // Returns the bytes of heap used on `robot`, without the bytes that this worker's objects use.
-  // They are sent to the worker, because all objects of a robot share its memory.
+  // This number is sent to the worker, because all objects of a robot share its memory.
   uint64_t HeapElsewhere(System* system, int robot) const;
 
   // Sends the worker the settings of the run, such as seed and stick.
@@ -76,13 +76,13 @@ class RemoteProcess {
   // Adds `object`, the master's stand-in for an object that the worker will load.
   void Add(RemoteObject* object);
 
-  // Load() in two steps, for a restarted worker and without waiting.  BeginLoad() sends the
-  // entries; HasLoaded() returns true when the worker has loaded them.  The worker counts as lost
-  // until Rejoin().  `objects` are its new stand-ins.
+  // Do the same as Load() in two steps, without waiting, for a restarted worker.  BeginLoad() sends
+  // the entries.  HasLoaded() returns true when the worker has loaded its objects, and `objects`
+  // are the new stand-ins of these objects.  The worker counts as lost until Rejoin().
   void BeginLoad(const openr_wire_Load& load);
   bool HasLoaded(const std::map<ObjectId, RemoteObject*>& objects);
-  // Ends a restart: the worker does not count as lost any more.  `objects` are its new stand-ins in
-  // the master, which have replaced the old ones.
+  // Ends a restart: the worker does not count as lost any more.  `objects` are the new stand-ins in
+  // the master for the worker's objects; they have replaced the old stand-ins.
   void Rejoin(const std::map<ObjectId, RemoteObject*>& objects);
 
   // Makes the worker drop its connections to object `id` of another process.  This object has been
@@ -134,7 +134,8 @@ class RemoteProcess {
   std::string FetchState(ObjectId object);
 
   // Releases everything that belongs to the lost worker while the run goes on.  Regions that were
-  // sent to it go back to their subjects, and handlers of its objects that wait in the master end.
+  // sent to the worker go back to their subjects, and handlers of its stand-ins that wait in the
+  // master end.
   void ReleaseAll();
 
   // The reason of a loss that HandleReceived() or CheckHealth() has found; "" if there was none.
@@ -228,8 +229,10 @@ class RemoteProcess {
   bool is_lost_ = false;
   Latency latency_;
   std::map<ObjectId, Latency> latency_of_;
-  // ---- For free runs.  While a handler runs in the worker, the object's stand-in waits in the
-  // master for a reply.  HandleFreeSample() posts this reply when the handler has stopped.
+  // ---- Free runs
+  //
+  // While a handler runs in the worker, the object's stand-in waits in the master for a reply.
+  // HandleFreeSample() posts this reply when the handler has stopped.
   bool is_free_ = false;
   uint64_t wake_box_count_ = 0;           // number of reply boxes made for these waits
   std::map<ObjectId, uint64_t> running_;  // the box of each such wait, by object

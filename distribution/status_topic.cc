@@ -26,8 +26,8 @@ using NewGroup = dds_entity_t (*)(dds_entity_t, const dds_qos_t*, const dds_list
 using NewEnd = dds_entity_t (*)(dds_entity_t, dds_entity_t, const dds_qos_t*,
                                 const dds_listener_t*);
 
-// Creates a reader or writer of the status topic with `new_end`.  In DDS it has no partition of its
-// own, but that of its publisher or subscriber, which `new_group` creates first.
+// Creates a reader or writer of the status topic with `new_end`.  In DDS, a reader or writer takes
+// the partition of its subscriber or publisher, which `new_group` creates first.
 dds_entity_t Open(Bus* bus, NewGroup new_group, NewEnd new_end) {
   const dds_entity_t topic = dds_create_topic(bus->participant(), &openr_status_Status_desc,
                                               kStatusTopic, nullptr, nullptr);

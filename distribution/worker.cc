@@ -39,8 +39,8 @@ constexpr char kAbandonedText[] = "the run could not reach it and goes on withou
 Worker::Worker(WorkerOptions options) : options_(std::move(options)), bus_(options_.bus) {}
 
 Worker::~Worker() {
-  // is_shutting_down_ is set first, because destructors of the objects' code still post messages
-  // and call the SDK, which must not reach the channel.
+  // Sets is_shutting_down_ first.  Destructors of the objects' code still post messages and call
+  // the SDK, and such calls must not reach the channel.
   is_shutting_down_ = true;
   marshaller_.reset();
   system_.reset();  // runs destructors of the objects' code, which may still call this Worker
@@ -59,8 +59,8 @@ void Worker::MoveEffectsTo(openr_wire_ToMaster* to_master) {
 }
 
 Worker::ReceivedSample Worker::Next(bool answer) {
-  // Obeys a user's request to end this process only between two handlers, so that the effects of a
-  // handler are sent as a whole.
+  // If the user has asked to end this process, obeys only between two handlers, so that the effects
+  // of a handler are sent as a whole.
   if (!answer && IsEndRequested()) return {channel_.get(), nullptr};
   if (!answer && !deferred_.empty()) {
     ReceivedSample sample = std::move(deferred_.front());
@@ -102,7 +102,7 @@ std::string Worker::NoRunFound() const {
 }
 
 // Asks the run for a session, the name of the channel to the master.  A worker that the master has
-// started has it from the command line.  Returns "" or why there is no session.
+// started has the session from the command line.  Returns "" or why there is no session.
 std::string Worker::RequestSession() {
   session_ = options_.session;
   if (!session_.empty()) return "";
@@ -287,7 +287,7 @@ void Worker::Deliver(const openr_wire_Deliver& deliver, bool timed_out) {
   message->due_us = system_->now_us();
   if (!message->is_reply) ++object->waiting;
   // Removes the wait of the handler that continues with this message.  If the handler waits again,
-  // Waits() notes the new wait.
+  // Waits() records the new wait.
   waits_.erase(object->id);
   system_->queue().Push(std::move(message), object->limits.priority);
   if (is_free_) {
@@ -313,8 +313,9 @@ void Worker::RunTimed(ObjectId id) {
   }
 }
 
-// Follows which shared buffers the network stack has.  The master's stack creates and destroys
-// them; the stack in this process learns that from the master's answers to objects.
+// Keeps track of the shared buffers of the network stack.  The master's stack creates and destroys
+// the buffers.  The stack in this process learns of this from the answers that the master's stack
+// sends to objects.
 void Worker::TrackSharedBuffers(const Object& object, const Message& message) {
   const Object* const sender = system_->object(message.sender);
   if (sender == nullptr || sender->name != IpStack::kName || message.size < sizeof(antEnvMsg))
@@ -343,7 +344,7 @@ void Worker::SendStopped(Object* object) {
   stopped.kind = openr_wire_STOP_DONE;
   stopped.timeout_us = -1;
   // An element of waits_ means that the handler has not returned, but waits for a reply or a line.
-  // The sample tells the master for which.
+  // The sample tells the master what the handler waits for.
   if (const auto found = waits_.find(object->id); found != waits_.end()) {
     stopped.kind = found->second.kind;
     stopped.box = found->second.box;

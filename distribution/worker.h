@@ -113,8 +113,8 @@ class Worker : public MasterLink {
   // Moves the effects of handlers since the last sample (messages and calls for the master) to
   // `to_master`.
   void MoveEffectsTo(openr_wire_ToMaster* to_master);
-  // Returns the next sample.  If `answer`, returns only an answer and keeps other samples for
-  // later.  The result is empty if the master is lost or the user ends this process.
+  // Returns the next sample.  If `answer` is true, returns only an answer and keeps other samples
+  // for later.  The result is empty if the master is lost or the user ends this process.
   ReceivedSample Next(bool answer);
   CallResult WaitForAnswer();
   // ---- Functions in worker_link.cc
@@ -140,8 +140,8 @@ class Worker : public MasterLink {
   bool is_free_ = false;                    // the master does not wait for handlers
   std::set<ObjectId> fast_objects_;  // objects whose last handler took less than kFastHandlerNs
   bool is_shutting_down_ = false;    // no handler runs any more; objects are being unloaded
-  // Entries of objects in other processes that exist, as the master has answered.  A message to
-  // such an entry needs no further question.
+  // Entries of objects in other processes that exist, by an earlier answer of the master.  A
+  // message to such an entry needs no new question.
   std::set<std::pair<ObjectId, uint32_t>> known_entries_;
   std::deque<ReceivedSample> deferred_;  // samples that arrived while an answer was awaited
   // The effects of the present handler that have not been sent, and the memory that they point to.

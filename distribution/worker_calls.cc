@@ -162,7 +162,7 @@ void WorkerCalls::PowerOff(int robot, const RunEnd& why) {
 }
 
 // Tells the master that the object is about to change a file, and waits for the answer.  So the
-// master knows of the change before it begins, and can still read the old file.
+// master learns of the change before the change begins, and can still read the old file.
 bool WorkerCalls::NoteFileWritten(std::string_view path) {
   return LocalCalls::NoteFileWritten(path) &&
          AskMaster<&SystemCalls::NoteFileWritten>(master_, path);

@@ -25,9 +25,9 @@ constexpr int64_t kExitWaitMs = 5'000;  // time for a worker to end after it was
 // The time for a worker to end after a second Ctrl-C, when the user does not want to wait.
 constexpr int64_t kInterruptedExitWaitMs = 500;
 
-// Keeps many sent samples only in a free run: there the master does not wait for workers, so no
-// write may block because a worker is stopped.  In lockstep the master waits for a stopped worker
-// anyway.
+// Keeps many sent samples only in a free run.  In a free run the master does not wait for workers,
+// so no write may block because a worker is stopped.  In lockstep the master waits for a stopped
+// worker anyway.
 BusOptions GroupBusOptions(const WorkerGroupOptions& options) {
   BusOptions bus = options.bus;
   bus.has_large_history = options.is_free;
@@ -38,8 +38,8 @@ BusOptions GroupBusOptions(const WorkerGroupOptions& options) {
 
 WorkerGroup::WorkerGroup(WorkerGroupOptions options)
     : options_(std::move(options)), bus_(GroupBusOptions(options_)) {
-  // Claims the run's name only if there are external workers, because only these look for a run by
-  // its name.
+  // Claims the run's name only if there are external workers, because only external workers look
+  // for a run by its name.
   if (!options_.placement.host_of.empty()) claim_ = std::make_unique<NameClaim>(&bus_);
   for (const std::string& name : options_.placement.Processes()) {
     Member* const member = &members_[name];
@@ -168,8 +168,8 @@ openr_wire_Load WorkerGroup::NextLoadFor(Member* member, WireArena* arena) {
       designs.push_back({i, arena->Text(keyword), arena->Text(path)});
     if (static_cast<size_t>(i) < member->robots) continue;
     // Sends 0 as the hash at a restart, so that the worker does not compare it with the hash of its
-    // stick.  Objects may have written files since, and the user may have replaced an image in
-    // order to try new code.
+    // stick.  Objects may have written files since the beginning of the run, and the user may have
+    // replaced an image in order to try new code.
     const uint64_t stick_hash = member->stage == Stage::kRunning ? robot.stick_hash : 0;
     robots.push_back({arena->Text(robot.design), robot.stick != nullptr,
                       robot.stick != nullptr && robot.stick->writable(), stick_hash});
@@ -236,10 +236,10 @@ void WorkerGroup::WaitForAnotherWorker(Member* member, const std::string& why) {
   member->robots = member->known = 0;
 }
 
-// Handles the loss of a worker.  After a crash the run goes on without the worker; this is the same
-// in every run, because a handler crashes at the same message each time.  After any other loss a
-// lockstep run stops, because it would wait for the worker for ever, unless the worker may be
-// restarted.
+// Handles the loss of a worker.  After a crash the run goes on without the worker.  This is the
+// same in every run, because a handler crashes at the same message each time.  After any other loss
+// a lockstep run stops, unless the worker may be restarted, because the run would wait for the
+// worker for ever.
 void WorkerGroup::HandleLoss(const RemoteObject* about, RemoteObject::Loss loss,
                              const std::string& why) {
   RemoteProcess& process = *about->process();
@@ -248,7 +248,7 @@ void WorkerGroup::HandleLoss(const RemoteObject* about, RemoteObject::Loss loss,
   // Calls the listener before anything changes, so that a recording of the run has the loss before
   // its consequences.
   if (loss_listener_ && loss != RemoteObject::Loss::kAtEnd) loss_listener_(member->name);
-  // Reports no loss after a second Ctrl-C, because then workers may end at any time.
+  // Reports no loss after a second Ctrl-C, because after that signal workers may end at any time.
   if (IsInterrupted() && loss != RemoteObject::Loss::kCrashed) {
     process.set_lost();
     return StopRun(
@@ -304,11 +304,12 @@ bool WorkerGroup::HandleReceived() {
 
 void WorkerGroup::Pump(int64_t timeout_us) {
   // Sends the samples (DDS messages) that SendBatched() has kept back so that several share a
-  // packet.  Workers may be idle until they get them.
+  // packet.  Workers may be idle until they get these samples.
   for (auto& [name, member] : members_) member.process->FlushBatch();
   if (!HandleReceived()) {
     bus_.Wait(timeout_us);
-    // Returns after a second Ctrl-C: the workers end then, which is no loss to handle.
+    // Returns after a second Ctrl-C: the workers then end because the user wants it, which is no
+    // loss.
     if (IsInterrupted()) return;
     HandleReceived();
   }
@@ -389,12 +390,12 @@ std::map<ObjectId, uint64_t> WorkerGroup::HeapMax() const {
 
 void WorkerGroup::End() {
   const std::string why = system_ != nullptr && system_->end() ? DescribeEnd(*system_->end()) : "";
-  // Tells all workers that the run is over before it waits for one of them, so that they end at the
-  // same time.
+  // Tells all workers that the run is over before waiting for the first one, so that all workers
+  // end at the same time.
   for (auto& [name, member] : members_) member.process->End(why);
   for (auto& [name, member] : members_) {
-    // Gives a worker that has not joined no time to end by itself.  It was not told that the run is
-    // over, so WaitForEnd() kills it at once.
+    // A worker that has not joined was not told that the run is over.  So WaitForEnd() gives such a
+    // worker no time to end by itself, and kills it at once.
     const bool has_come = member.process->identity().pid != 0;
     const int64_t limit_ms = IsInterrupted() ? kInterruptedExitWaitMs : kExitWaitMs;
     if (member.child != nullptr) member.child->WaitForEnd(has_come ? limit_ms : 0);

@@ -32,8 +32,9 @@ struct WorkerGroupOptions {
   int64_t wait_ms = 60'000;                          // time limit for a worker to join
   int restarts = 0;                                  // limit of restarts of each worker
   std::function<void(const std::string& line)> say;  // prints a line for the user
-  // Returns how often the user has asked the run to end (Ctrl-C).  After the first time the run
-  // waits for no lost worker; after the second it ends at once.  Null: never.
+  // Returns how often the user has asked the run to end (Ctrl-C).  After the first request the run
+  // waits for no lost worker; after the second request the run ends at once.  Null: the user never
+  // asks.
   std::function<int()> interrupts;
 };
 
@@ -47,8 +48,8 @@ class WorkerGroup {
 
   Bus* bus() { return &bus_; }
 
-  // Returns functions that make stand-ins in the master for the objects that are placed in
-  // workers.  LoadStick() calls them.
+  // Returns functions that make stand-ins in the master for the objects that are placed in workers.
+  // LoadStick() calls these functions.
   StandIns StandInsFor(System* system, int robot);
 
   // Returns an error if the placement names an object that the run does not have or that must stay
@@ -103,7 +104,8 @@ class WorkerGroup {
   // run ends, so that a stuck worker does not delay the end.
   void ShortenTimeouts();
 
-  // Adds warnings to the report about messages that came for lost workers.
+  // Adds warnings to the report about messages that were not delivered because their worker was
+  // lost.
   void ReportLosses();
 
   // Tells the workers that the run has ended, and kills those of this host that do not end in time.
@@ -144,8 +146,8 @@ class WorkerGroup {
     int losses = 0;
     int returns = 0;
     uint64_t undelivered_before = 0;  // undelivered messages before the loss
-    // The master's new stand-ins for the objects of a restarted worker; `successors` has them by
-    // id.  `new_objects` owns them until they replace the old ones.
+    // The master's new stand-ins for the objects of a restarted worker; `successors` has the new
+    // stand-ins by id.  `new_objects` owns them until they replace the old stand-ins.
     std::vector<std::unique_ptr<RemoteObject>> new_objects;
     std::map<ObjectId, RemoteObject*> successors;
   };

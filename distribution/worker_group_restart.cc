@@ -27,15 +27,15 @@ constexpr int kReturnPollUs = 1'000;
 }  // namespace
 
 // Returns whether the worker may be restarted.  In a free run an external worker (started by a
-// user) may join again at any time.  In lockstep it may join again only with --restart, because the
-// run has to wait for it.
+// user) may join again at any time.  In lockstep such a worker may join again only with --restart,
+// because the run has to wait for the worker.
 bool WorkerGroup::MayRestart(const Member& member) const {
   return member.restarts_left > 0 || (member.is_external && options_.is_free);
 }
 
 void WorkerGroup::EnterStage(Member* member, Stage stage) {
-  // Checks the order of the stages: each may follow only one other stage.  Only kCleaningUp may
-  // follow any stage, because the worker can be lost in each of them.
+  // Checks the order of the stages. kCleaningUp may follow any stage, because the worker can be
+  // lost in each stage.  Every other stage may follow only one certain stage.
   const Stage before = member->stage;
   ASSERT(stage == Stage::kCleaningUp || (stage == Stage::kRunning && before == Stage::kReplacing) ||
              (stage == Stage::kNotRestarted && before == Stage::kCleaningUp) ||
@@ -156,7 +156,7 @@ void WorkerGroup::Restart(Member* member) {
 
 // Sends a restarted worker, which has joined, the settings of the run and all entries of the
 // master's tables of robots and objects.  All entries go in one sample, because the tables are
-// complete; at the beginning of a run they grow object by object.
+// complete.  Only at the beginning of a run do they grow object by object.
 void WorkerGroup::BeginLoading(Member* member) {
   // Sets the counts of sent robots and objects to 0, because the new process has received none.
   member->robots = member->known = 0;
@@ -173,7 +173,7 @@ void WorkerGroup::BeginLoading(Member* member) {
 }
 
 // Posts the replacement of the master's old stand-ins for the worker's objects by the new ones.
-// OnReplaced() is called for each of them.
+// OnReplaced() is called for each object.
 void WorkerGroup::ReplaceObjects(Member* member) {
   std::vector<std::unique_ptr<Object>> new_objects;
   for (auto& object : member->new_objects) new_objects.push_back(std::move(object));
@@ -188,8 +188,7 @@ void WorkerGroup::ReplaceObjects(Member* member) {
 void WorkerGroup::OnReplaced(ObjectId id) {
   for (auto& [name, member] : members_) {
     // Skips workers whose objects have no connections to the old object: the worker of the object
-    // itself, which has only heard of the new object, workers that have not joined the run, and
-    // lost workers.
+    // itself, which knows only the new object; workers that have not joined the run; lost workers.
     if (member.objects.contains(id) || !member.is_welcomed || member.process->is_lost()) continue;
     try {
       member.process->Forget(id);
@@ -229,7 +228,7 @@ void WorkerGroup::OnReplaced(ObjectId id) {
 }
 
 // Returns whether the worker is being restarted and its restart needs another step.  In stage
-// kReplacing it needs none, because the System completes the replacement.
+// kReplacing no step is needed, because the System completes the replacement.
 bool WorkerGroup::IsRestarting(const Member& member) const {
   return member.stage == Stage::kJoining || member.stage == Stage::kLoading ||
          (member.stage == Stage::kCleaningUp && member.is_cleaned_up);
@@ -247,9 +246,9 @@ bool WorkerGroup::AdvanceRestarts() {
   return !is_first;
 }
 
-// Waits in lockstep until all restarts are complete or given up.  We sleep between two steps and do
-// not wait for DDS samples, because samples of running workers stay unread here.  A wait for
-// samples would therefore end at once each time.
+// Waits in lockstep until all restarts are complete or given up.  Sleeps between two steps and does
+// not wait for DDS samples.  Samples of running workers stay unread in this loop, so a wait for
+// samples would end at once each time.
 void WorkerGroup::WaitForRestarts() {
   while (system_->booted() && !IsEnding() && AdvanceRestarts()) usleep(kReturnPollUs);
   for (const auto& [name, member] : members_) {

@@ -40,15 +40,15 @@ void Worker::Send(const openr_wire_ToMaster& to_master, bool batched) {
 }
 
 // Ends this process in the middle of a handler.  The effects of the handler cannot be sent to the
-// master, so it must not go on.
+// master, so the handler must not go on.
 void Worker::ExitWithError(const std::string& why) {
   options_.say(why);
   SayGoodbye(why);
   _exit(1);
 }
 
-// Keeps the memory of `region` until the next sample is sent, because the object may release it
-// before.
+// Keeps the memory of `region` until the next sample is sent, because the object may release the
+// region before that.
 void Worker::KeepUntilSent(uint32_t region) {
   system_->regions().KeepCopy(region);
   pinned_.push_back(region);
@@ -134,8 +134,8 @@ bool Worker::CancelPendingPin(uint64_t region) {
     return effect._d == openr_wire_EFFECT_NOTE && effect._u.note.kind == kPinRegion &&
            effect._u.note.numbers._buffer[0] == region;
   };
-  // Searches for the latest call of PinRegion(), because an earlier one may belong to another
-  // observer, which still uses the region and has to keep it.
+  // Searches for the latest call of PinRegion(), because an earlier call may belong to another
+  // observer, which still uses the region and must keep it.
   const auto found = std::find_if(effects_.rbegin(), effects_.rend(), is_pin);
   if (found == effects_.rend()) return false;
   effects_.erase(std::next(found).base());
@@ -184,8 +184,8 @@ CallResult Worker::WaitForAnswer() {
 
 void Worker::Waits(uint64_t box, int64_t timeout_us, std::string_view why) {
   ASSERT(t_current.object != nullptr);
-  // Only notes the wait, because the handler has not stopped yet.  When it has, SendStopped() tells
-  // the master.
+  // Only records the wait, because the handler has not stopped yet.  When the handler has stopped,
+  // SendStopped() tells the master.
   waits_[t_current.object->id] = {openr_wire_STOP_WAITS, box, timeout_us, 0, std::string(why)};
 }
 

@@ -20,8 +20,8 @@ bool IsFolder(const std::string& path) {
   return std::filesystem::is_directory(path, error);
 }
 
-// Represents an object of another process in the tables of this one.  It runs no handler, because
-// messages to it go to the master.
+// Represents an object of another process in the tables of this process.  An AbsentObject runs no
+// handler, because messages to it go to the master.
 class AbsentObject : public Object {
  public:
   AbsentObject(System* system, ObjectId id, int robot, Marshaller* marshaller)
@@ -101,8 +101,8 @@ void Worker::AddObject(const openr_wire_ObjectEntry& entry,
   if (entry.id < next) return;  // skips the object manager, which every System has
   if (entry.id > next) throw std::runtime_error("an object before those that come first");
   CheckRobot(entry.robot);
-  // Gives the network stack of this process an empty network.  It serves only the shared buffers of
-  // objects here; only the stack in the master uses the real network.
+  // Gives the network stack of this process an empty network.  The stack of this process serves
+  // only the shared buffers of its objects.  Only the stack in the master uses the real network.
   if (entry.is_stack) {
     AddIpStack(system_.get(), entry.robot, std::make_unique<LoopbackNetwork>());
     return;
@@ -160,7 +160,8 @@ void Worker::SendLoaded(std::vector<openr_wire_LoadedObject> loaded) {
 }
 
 // Sets the number of heap bytes on `robot` that objects in other processes use.  These bytes count
-// here too, because all objects of a robot share its memory, whatever process they are in.
+// in this process too, because all objects of a robot share its memory, even in different
+// processes.
 void Worker::SetHeapElsewhere(int robot, uint64_t bytes) {
   system_->robot(robot).memory.used_bytes += bytes - std::exchange(heap_elsewhere_[robot], bytes);
 }

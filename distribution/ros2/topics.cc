@@ -15,7 +15,7 @@ namespace openr_host {
 namespace {
 
 // Numbers of messages that are kept for a slow reader: 5 for sensor data, as in ROS 2, and fewer
-// for large messages.  Of the clock only the newest message matters.
+// for large messages.  For the clock, only the newest message matters.
 constexpr int kSensorDepth = 5;
 constexpr int kImageDepth = 2;
 constexpr int kClockDepth = 1;
@@ -41,7 +41,8 @@ std_msgs_msg_dds__Header_ HeaderOf(int64_t time_us, const char* frame_id) {
   return {TimeOf(time_us), const_cast<char*>(frame_id)};
 }
 
-// Returns the length of a received sequence, limited since it comes from the network.
+// Returns the length of a received sequence.  The length is limited, because it comes from the
+// network.
 template <typename Sequence>
 size_t CountOf(const Sequence& sequence) {
   return std::min(size_t{sequence._length}, Ros2JointCommands::kJointsMax);
@@ -95,7 +96,7 @@ void Ros2Imu::Publish(int64_t time_us, const std::array<double, 3>& acceleration
   sensor_msgs_msg_dds__Imu_ sample{};
   sample.header_ = HeaderOf(time_us, frame_id_.c_str());
   sample.orientation_.w_ = 1;
-  // sensor_msgs/Imu: a covariance that begins with -1 means "not measured".
+  // A covariance that begins with -1 means "not measured" (sensor_msgs/Imu).
   sample.orientation_covariance_[0] = -1;
   sample.angular_velocity_covariance_[0] = -1;
   sample.linear_acceleration_ = {acceleration_m_s2[0], acceleration_m_s2[1], acceleration_m_s2[2]};

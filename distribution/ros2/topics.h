@@ -31,7 +31,7 @@ class Ros2Clock {
 class Ros2JointStates {
  public:
   Ros2JointStates(Bus* bus, const std::string& topic, std::vector<std::string> joints);
-  // Publishes one state.  The values are in the order of the `joints` that the constructor got.
+  // Publishes one state.  The values are in the order of `joints`, the argument of the constructor.
   void Publish(int64_t time_us, const std::vector<double>& position_rad,
                const std::vector<double>& velocity_rad_s);
 
@@ -93,7 +93,7 @@ struct Ros2JointCommand {
 };
 
 // Receives sensor_msgs/JointState as commands for joints.  Messages come from the network and may
-// be of any size, so there are limits.
+// have any size, so number and size are limited.
 class Ros2JointCommands {
  public:
   static constexpr int kWaitingMax = 32;     // limit of messages not taken yet; the oldest are lost
