@@ -2,10 +2,11 @@
 // Effector service.  They are played one after the other.
 //
 // A command vector has an element for each joint, light or ear that it sets, and each element has
-// up to 16 command frames.  A command frame of a joint lasts one robot frame of 8 ms, that of a
-// light its own period, that of an ear 128 ms (ERS-7: its own period; robot.md, sections 9.4 and
-// 10).  A vector lasts as long as its longest element; shorter elements hold their last value.  The
-// next vector starts in the frame after the last frame of the vector before.
+// up to 16 command frames.  A command frame of a joint lasts one robot frame of 8 ms.  A command
+// frame of a light lasts its own period, a command frame of an ear 128 ms (ERS-7: its own period;
+// robot.md, sections 9.4 and 10).  A vector lasts as long as its longest element; shorter elements
+// hold their last value.  The next vector starts in the frame after the last frame of the vector
+// before.
 #pragma once
 
 #include <OPENR/ODataFormats.h>
@@ -42,8 +43,8 @@ class CommandQueue {
   // over.  Returns false when the queue is full.
   bool Add(RCRegion* region);
 
-  // Releases the region of the vector that plays, if the vector is over when frame `frame` begins.
-  // Otherwise returns false.
+  // If the vector that plays is over when frame `frame` begins, releases its region and returns
+  // true.  Otherwise returns false.
   bool ReleaseFinished(int64_t frame);
 
   // Reports the first waiting vector to the robot's synchronisation keys, if no vector plays.

@@ -56,8 +56,8 @@ std::string Objection(const OCommandInfo& info, const Primitive* primitive) {
   return "";
 }
 
-// Returns the number of command frames, 0 to 16.  Describes in `problem` an element that says more
-// frames, or has frames that were never filled.
+// Returns the number of command frames, 0 to 16.  Describes in `problem` the mistake of an element
+// that names more than 16 frames, or has frames that were never filled.
 int CountFrames(const OCommandInfo& info, const OCommandData& data, std::string* problem) {
   const int frames = static_cast<int>(std::min<longword>(info.numFrames, ocommandMAX_FRAMES));
   if (info.numFrames > ocommandMAX_FRAMES) {

@@ -23,12 +23,13 @@ constexpr double kPushMax_n = 1000;  // far above what a robot of 1.4 kg survive
 constexpr double kLiftDefault_m = 0.2, kLiftMax_m = 2;
 constexpr double kLiftPerFrame_m = 0.2 * kFrame_s;   // a hand lifts with 0.2 m/s
 constexpr double kLowerPerFrame_m = 0.1 * kFrame_s;  // and lowers with 0.1 m/s
-// A hand that sets the robot down lets go when something below carries the robot: the robot is so
-// much higher than the hand wants it, and hardly sinks any more.  The height alone would not do,
-// because a robot that is lowered follows the hand about half a centimetre behind.
+// A hand that sets the robot down lets go when something below carries the robot.  This is so when
+// the robot is at least kCarried_m above the pose of the hand and sinks more slowly than
+// kCarried_m_s.  The height alone is not enough, because a robot that is lowered follows about half
+// a centimetre behind the hand.
 constexpr double kCarried_m = 0.015, kCarried_m_s = 0.03;
-constexpr int kPressPercent =
-    50;  // the strength of a press without a number, of the sensor's range
+// The strength of a press without a number, in percent of the sensor's range.
+constexpr int kPressPercent = 50;
 
 std::string ReadNumber(std::string_view text, double* number) {
   const char* const end = text.data() + text.size();
@@ -46,7 +47,8 @@ std::string ReadPercent(std::string_view text, int* percent) {
   return is_good ? "" : fmt::format("'{}' is no percentage from 0% to 100%", text);
 }
 
-// Takes "for DURATION" off the end of `words`, in frames, at least one.  Returns "" or the error.
+// Removes "for DURATION" from the end of `words`, if it is there, and sets `frames` to the duration
+// in frames, at least one.  Returns "" or the error.
 std::string TakeFor(std::vector<std::string>* words, std::optional<int64_t>* frames) {
   const size_t count = words->size();
   if (count < 2 || (*words)[count - 2] != "for") return "";
@@ -268,7 +270,8 @@ void Hands::LetGo() {
   robot_.body->Hold({});
 }
 
-// Moves the hand by what it moves in one frame.
+// Moves the hand by one frame.  A hand that sets the robot down lets go when something carries the
+// robot.
 void Hands::MoveGrip() {
   double& z_m = grip_->X_WB.translation().z();
   if (grip_->sets_down) {

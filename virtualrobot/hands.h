@@ -69,8 +69,8 @@ class Hands {
   void MoveGrip();
 
   RobotParts& robot_;
-  // The sensors that are touched, each with the number of frames that are left; none: until a
-  // release.
+  // The sensors that are touched, each with the number of frames that are left.  Without a number,
+  // the sensor is touched until a release.
   std::map<int, std::optional<int64_t>> touches_;
   std::vector<Push> pushes_;
   std::optional<Grip> grip_;

@@ -45,7 +45,7 @@ void IdealBody::Place() const {
   placed_ = true;
 }
 
-// Returns the pose in the hand.  The paws touch nothing there.
+// Returns the pose of a robot that a hand holds.  Its paws touch nothing.
 RestingPose IdealBody::HeldPose() const {
   RestingPose pose;
   pose.X_WB = *held_at_;

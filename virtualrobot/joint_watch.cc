@@ -54,8 +54,9 @@ void JointWatch::ServosChanged(const BodyState& body, bool motor_power,
     const bool has_sunk = HasSunk(joints_[j], devices_.joints[j].target_urad * kRadPerUrad);
     joints_[j].has_acted = joints_[j].has_acted || acts;
     if (!begins || joints_[j].told_start) continue;
-    // A servo that begins to act near its set point makes no jump, and neither does a servo whose
-    // limp joint has only sunk.  So neither is reported.
+    // A servo that begins to act near its set point is not reported, because its joint does not
+    // jump. A limp joint that has only sunk from its set point is not reported either, because this
+    // is no mistake of the program.
     const JointDevice& device = devices_.joints[j];
     const double measured = body.joints[j].angle_rad;
     const double target = device.target_urad * kRadPerUrad;

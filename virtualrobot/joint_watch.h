@@ -39,9 +39,9 @@ class JointWatch {
                     bool motor_power, bool motor_power_cut, std::vector<std::string>* problems);
 
   // Records the drives and angles of the joints after a frame.  Returns the index of a motor whose
-  // drive has been 78 % of its limit or more for exactly 30 s without a break, or -1 when there is
-  // no such motor (BBS 1735, support; how the robot averages is not known).  Called after every
-  // frame.
+  // drive has now been 78 % of its limit or more for exactly 30 s without a break; returns -1 when
+  // there is no such motor.  The limits are from Sony's support (BBS 1735); how the robot averages
+  // is not known.  Called after every frame.
   int NoteFrame(const BodyState& body);
 
   void HashState(Hasher* hasher) const;
@@ -60,8 +60,8 @@ class JointWatch {
     bool was_in_urad = false;  // whether a set point was too large to be an angle in radians
     int tiny_frames = 0;       // number of successive set points that look like radians
     int loaded_frames = 0;
-    // Range of the joint's positions in the present half second (`now`) and in the one before.
-    // Only recorded until the servo acts for the first time.
+    // Range of the joint's positions in the present half second (`now`) and in the half second
+    // before (`before`).  Only recorded until the servo acts for the first time.
     bool has_acted = false;
     Range_rad now, before;
   };

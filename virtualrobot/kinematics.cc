@@ -16,7 +16,8 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 // Distance below which a paw counts as touching the floor.  In all standing postures of the
-// ERS-210, the four balls lie in one plane within 0.1 mm.
+// ERS-210, the four paws (balls in the model) end in one plane within 0.1 mm, so all of them touch
+// the floor.
 constexpr double kTouch_m = 0.0005;
 
 // Returns X * p.  Leaves out the fourth row of X, because it is always 0, 0, 0, 1.
@@ -115,9 +116,9 @@ Triangle HugeTriangleOver(const Vector3d& centre) {
 }
 
 // Moves the triangle `t` down until it is the face of the lower hull under `centre`.  In each pass,
-// the hull's point that is furthest below the plane of the triangle replaces one corner.  This is
-// the corner without which the triangle still has `centre` over it.  `t` and `centre` are in a
-// frame that is turned by R from B.  REQUIRES: `centre` lies over `t`.
+// the hull's point that is furthest below the plane of the triangle replaces one corner.  The
+// corner is chosen so that `centre` still lies over the triangle.  `t` and `centre` are in a frame
+// that is turned by R from B.  REQUIRES: `centre` lies over `t`.
 void SinkToSupport(const Hull& hull, const Matrix3d& R, const Vector3d& centre, Triangle* t) {
   constexpr int kSwapsMax = 64;  // far more than the hulls of these robots need
   for (int swaps = 0; swaps < kSwapsMax; ++swaps) {

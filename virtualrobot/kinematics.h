@@ -44,7 +44,7 @@ struct RestingPose {
 // convex hull that lies under its centre of mass.  The hull encloses all paws and boxes.  Because
 // the search begins with an upright robot, the robot never comes to rest on its back.
 RestingPose PlaceOnFloor(const RobotModel& model, const std::vector<double>& angles_rad);
-// Does the same for parts at the poses `X_BL` (see LinkPoses()).
+// Does the same as the function above, for parts at the poses `X_BL` (see LinkPoses()).
 RestingPose PlaceOnFloor(const RobotModel& model, const std::vector<Eigen::Isometry3d>& X_BL);
 
 // Returns the height over z = 0 of the lowest point of all boxes and paws, for a robot at `X_WB`.

@@ -40,7 +40,7 @@ class PrimitiveTable {
   OPrimitiveID IdOf(const std::string& locator) const;
   OPrimitiveID IdOfSensor(int sensor) const { return kFirstId + static_cast<OPrimitiveID>(sensor); }
 
-  // Returns the primitive with this id; null when there is none.
+  // Returns the primitive with this id; null when the robot has no such primitive.
   Primitive* Find(OPrimitiveID id);
 
   void HashState(Hasher* hasher) const;

@@ -34,8 +34,8 @@ class SafePosture {
     std::erase_if(gone_, [commander](const Gone& gone) { return gone.commander == commander; });
   }
 
-  // Computes the set points of frame `frame` for the joints of crashed objects.  Called after
-  // command vectors have set theirs.
+  // Computes the set points of frame `frame` for the joints of crashed objects.  Called after the
+  // command vectors have set their set points.
   void Apply(int64_t frame, Devices* devices);
 
   void HashState(Hasher* hasher) const;

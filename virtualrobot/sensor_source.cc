@@ -132,7 +132,8 @@ OSensorValue SensorSource::ValueOf(size_t index, const Body& body, const Devices
     default:
       break;  // touch sensors are 0 unless a hand presses them
   }
-  // The value is computed first in any case, so that the noise of the other sensors stays the same.
+  // The value is computed even when a hand holds the sensor, so that the noise of the other sensors
+  // stays the same.
   if (held_[index]) sample.value = *held_[index];
   return sample;
 }

@@ -75,8 +75,8 @@ TorqueLine Servo::MotorLine(double angle_rad, double speed_rad_s, double step_s)
   if (drive > kDriveFull) return {stall_nm_, motor_slope_nm_s_};
   if (drive < -kDriveFull) return {-stall_nm_, motor_slope_nm_s_};
   // Computes the P and D parts for the joint's angle and speed at the end of the step, not at its
-  // beginning, so that high gains on a light part stay stable with any length of the step.  If v is
-  // the speed at the end, the angle is angle_rad + step_s * v then.
+  // beginning.  So high gains on a light part stay stable with any length of the step.  The angle
+  // at the end is angle_rad + step_s * v, where v is the speed at the end.
   const double nm_per_count = stall_nm_ / kDriveFull;
   return {nm_per_count * (drive + d_ * speed_rad_s),
           motor_slope_nm_s_ + nm_per_count * (d_ + p_ * step_s)};

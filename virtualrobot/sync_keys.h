@@ -27,7 +27,7 @@ class SyncKeys {
   // already has the maximum number of parts.
   bool Divide(OVRSyncKey key, OVRSyncKey* key1, OVRSyncKey* key2);
 
-  // Notes that a vector with `key` has become the first of its queue.
+  // Records that a vector with `key` has become the first of its queue.
   void Arrive(OVRSyncKey key);
   // Returns whether a vector with `key` may start.  This is true for a key that does not exist, or
   // no longer exists.
@@ -41,8 +41,8 @@ class SyncKeys {
  private:
   struct Group {
     bool alive = false;
-    // Number of groups that have used this slot.  Because it is part of a key, the keys of earlier
-    // groups are recognised.
+    // Number of groups that have used this slot.  This number is part of a key, so a key of an
+    // earlier group is not taken for a key of this group.
     longword serial = 0;
     int parts = 0;    // number of keys made by New() and Divide()
     int arrived = 0;  // number of parts whose vectors have arrived; <= parts

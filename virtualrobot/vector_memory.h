@@ -54,9 +54,9 @@ class VectorPool {
   // calls Add().
   RCRegion* Free() const;
 
-  // Adds `region` to the pool, which takes over its only reference.  Adds a finding when objects
-  // keep very many regions.  REQUIRES: called in a handler of an object, because RCRegion counts
-  // references per object.
+  // Adds `region` to the pool.  The pool takes over the only reference to the region.  Adds a
+  // finding when objects keep very many regions.  REQUIRES: called in a handler of an object,
+  // because RCRegion counts references per object.
   void Add(RCRegion* region);
 
  private:

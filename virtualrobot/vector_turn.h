@@ -38,7 +38,7 @@ class VectorTurn {
 
   bool announced() const { return announced_; }
 
-  // Notes that the first vector has started, so that the next vector becomes the first.
+  // Records that the first vector has started, so that the next vector becomes the first.
   void Next() { *this = {}; }
 
  private:

@@ -199,8 +199,8 @@ OStatus VirtualRobot::GetBootCondition(OBootCondition* condition) {
   return oSUCCESS;
 }
 
-// Notes why the robot ends, if the reason is the pause button or a low battery.  This function is
-// called before System::Shutdown(), which does not know these two.
+// Records why the robot ends, if the reason is the pause button or a low battery.  Called before
+// System::Shutdown(), which does not know these two reasons.
 OStatus VirtualRobot::Shutdown(const OBootCondition& condition) {
   parts_.power.next_boot = condition;
   const std::string who = t_current.object == nullptr ? "an object" : t_current.object->name;

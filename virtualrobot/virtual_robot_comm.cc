@@ -80,9 +80,9 @@ void OVirtualRobotComm::Frame() {
     SendToListeners(sensor_, robot_.sensors.MakeVector(robot_.optional));
   }
 
-  // 5. Send the image that the camera took before, and take the next one.  No source says how long
-  // the camera reads an image out.  But BallTrackingHead (a sample of Sony) finds the angles that
-  // belong to an image in the two newest sensor vectors (robot.md, 14), so an image comes 4 to 8
+  // 5.  Send the image that the camera took before, and take the next one.  No source says how long
+  // the camera reads an image out.  But BallTrackingHead, a sample of Sony, finds the angles that
+  // belong to an image in the two newest sensor vectors (robot.md, 14).  So an image comes 4 to 8
   // frames after the frame that it shows.
   if (image_->NumberOfObservers() > 0 && robot_.camera.Due(frame)) {
     if (exposed_) SendToListeners(image_, exposed_.get());
@@ -94,7 +94,7 @@ void OVirtualRobotComm::Frame() {
     }
   }
 
-  // 6. Wake the object of sound, if it has work.  It runs by a message of its own.
+  // 6. Wake the object for sound, if it has work.  That object runs by its own message.
   if (sound_ != nullptr) sound_->WakeIfNeeded();
   if (running_) PostNextFrame();
 }

@@ -118,7 +118,7 @@ RCRegion* CameraDevice::FreeVector() {
 }
 
 // Fills in the infos of `vector`.  This is repeated for every image, because an object that
-// received the vector earlier may have overwritten them.
+// received the vector earlier may have overwritten the infos.
 void CameraDevice::FillInfos(longword frame_number, OFbkImageVectorData* vector) const {
   size_t offset = sizeof(ODataVectorInfo) + ofbkimageNUM_LAYERS * sizeof(OFbkImageInfo);
   for (OFbkImageLayer layer = 0; layer < ofbkimageNUM_LAYERS; ++layer) {

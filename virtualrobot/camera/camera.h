@@ -47,9 +47,10 @@ class CameraDevice {
   // handler of an object, because RCRegion counts references per object.
   RCRegion* MakeVector(int64_t frame, const Body& body, std::string* problem);
 
-  // Takes the picture of the same image for a reader outside the simulation, before it is split
-  // into layers: in the size of the sensor, with gain, shutter and white balance applied.  Changes
-  // no state.  Returns "", or the reason why there is no picture.
+  // Takes the picture of the image that MakeVector() returns, for a reader outside the simulation.
+  // The picture is not split into layers: it has the size of the sensor, and gain, shutter and
+  // white balance are applied.  Changes no state.  Returns "", or the reason why there is no
+  // picture.
   std::string TakePicture(int64_t frame, const Body& body, Picture* picture);
 
   void HashState(Hasher* hasher) const;

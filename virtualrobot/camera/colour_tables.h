@@ -32,7 +32,8 @@ class ColourTables {
   void HashState(Hasher* hasher) const;
 
  private:
-  // [segment][value]: bit k is set when the range of channel k contains `value`.
+  // The ranges of all channels, as [segment][value]: bit k is set when the range of channel k
+  // contains `value`.
   using Bits = std::array<std::array<uint8_t, 256>, ocdtMAX_Y_SEGMENT>;
   Bits cr_{};
   Bits cb_{};

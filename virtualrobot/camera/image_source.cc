@@ -13,8 +13,8 @@ using Colour = std::array<uint8_t, 3>;
 
 constexpr Colour kBars[] = {{255, 255, 255}, {255, 255, 0}, {0, 255, 255}, {0, 255, 0},
                             {255, 0, 255},   {255, 0, 0},   {0, 0, 255},   {0, 0, 0}};
-// The colour of the ball.  In the image it has Cr 216 and Cb 140, which is well inside the colour
-// tables of programs that look for the pink ball, because these tables end at Cr 230.
+// The colour of the ball.  In the image it has Cr 216 and Cb 140.  This is well inside the colour
+// tables of programs that look for the pink ball, which end at Cr 230.
 constexpr Colour kPink = {250, 115, 174};
 constexpr int kCells = 16;   // number of bits of the image's number that are shown
 constexpr int kRound = 100;  // number of images until the ball is back at its start: 4 s

@@ -229,7 +229,7 @@ void ReadCamera(const JsonReader& camera, RobotModel* model) {
   if (c.width_px % 8 != 0 || c.height_px % 8 != 0)
     camera.At("pixels").Fail("{} x {} cannot be halved three times", c.width_px, c.height_px);
   // The program computes the size of each layer from that of the layer before it, so the sizes in
-  // the file are only compared.
+  // the file are only compared with the computed sizes.
   for (const JsonReader& layer : camera.At("layers").Elements()) {
     const std::vector<double> size = layer.Numbers(2);
     c.layers.emplace_back(static_cast<int>(size[0]), static_cast<int>(size[1]));
@@ -250,7 +250,7 @@ void ReadPostures(const JsonReader& root, RobotModel* model) {
       const double degrees = posture.angles_rad[j];
       posture.angles_rad[j] = Radians(degrees);
       // Half a degree beyond a stop is allowed, because postures that were measured at a stop of a
-      // real robot may be wrong by so much.
+      // real robot may be wrong by half a degree.
       if (degrees < Degrees(joint.hard_rad.min) - 0.5 ||
           degrees > Degrees(joint.hard_rad.max) + 0.5) {
         row.At("degrees").Fail("posture '{}' asks {} for {} degrees, its stops are at {} and {}",

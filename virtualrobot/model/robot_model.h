@@ -155,8 +155,9 @@ struct RobotModel {
   int FindSensorByLocator(std::string_view locator) const;
 
   // Returns the sensors that `name` names: the sensor with this short name, name or locator, or all
-  // whose short names begin with `name` and an underscore ("head" is head_front and head_back).
-  // The case of letters does not count.  Sensors of joints have the names of their joints.
+  // sensors whose short names begin with `name` and an underscore ("head" is head_front and
+  // head_back).  The case of letters does not count.  Sensors of joints have the names of their
+  // joints.
   std::vector<int> SensorsNamed(std::string_view name) const;
 
   // Returns the angles of the posture with this name, in radians.  When the model has no such

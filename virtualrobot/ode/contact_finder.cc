@@ -14,9 +14,9 @@ using Eigen::Vector3d;
 // contacts are enough to push it out.
 constexpr int kCornersMax = 4;
 
-// Number of contacts that ODE's box collider is asked for.  It finds at most eight.  If it were
-// asked for fewer, it would choose points by their angle with atan2 of libm, whose bits differ
-// between processors.
+// Number of contacts that ODE's box collider is asked for.  The collider finds at most eight.  When
+// asked for fewer, it chooses points by their angle with atan2 of libm, whose bits differ between
+// processors.
 constexpr int kPointsMax = 8;
 
 }  // namespace

@@ -11,12 +11,14 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Number of steps for which a contact stays bounded after it did not stick while held.  So a paw
-// that slides or rattles does not make every step solve its equations twice.
+// When a held contact (a ball joint) does not stick, it becomes a bounded contact (an ordinary
+// contact of ODE) for this number of steps.  Without this wait, a paw that slides or rattles would
+// make every step solve its equations twice.
 constexpr int8_t kWaitSteps = 16;
 
 // Maximum number of times that the equations of a step are solved with held contacts.  After each
-// time, the contacts that did not stick become bounded; after the last time, all contacts do.
+// time, the contacts that did not stick become bounded; after the last time, all contacts become
+// bounded.
 constexpr int kHeldSolvesMax = 3;
 static_assert(kHeldSolvesMax + 1 == ContactSolver::kSolvesMax);
 
@@ -64,8 +66,8 @@ void ContactSolver::Step(const std::vector<ContactPoint>& points,
 }
 
 // Chooses the features (places of the robot that can touch) whose contacts may be held in the next
-// step: those that stick in this step.  A feature that slides or does not touch must first stick in
-// a step in which its contact is bounded.
+// step: the features that stick in this step.  A feature that slides or does not touch must first
+// stick in a step in which its contact is bounded.
 void ContactSolver::ChooseNext(const std::vector<ContactPoint>& points) {
   is_sticking_.assign(wait_.size(), false);
   for (size_t i = 0; i < points.size(); ++i) {

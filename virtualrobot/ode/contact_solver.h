@@ -6,7 +6,7 @@
 // in the last step is first "held": a ball joint of the same softness replaces it, whose three
 // unknowns have no bounds.  After the equations are solved, every held contact is checked.  When a
 // held contact pulls, or its force leaves the friction cone, the bodies are put back and the step
-// is solved again with this contact "bounded", that is, as an ordinary contact of ODE.
+// is solved again.  This time the contact is "bounded", that is, an ordinary contact of ODE.
 //
 // Therefore held contacts obey Coulomb's law exactly.  For bounded contacts, ODE computes the limit
 // of friction from normal forces that it found without friction.

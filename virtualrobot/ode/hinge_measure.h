@@ -21,7 +21,7 @@ HingeAxis HingeAxisOf(const JointModel& joint);
 // Returns the rotation of `child` against `parent` about `axis`, in [-pi, pi] rad.
 double MeasureAngle(const HingeAxis& axis, dxBody* parent, dxBody* child);
 
-// Returns the rate of change of this rotation, in rad/s.
+// Returns the rate of change of the angle that MeasureAngle() measures, in rad/s.
 double MeasureSpeed(const HingeAxis& axis, dxBody* parent, dxBody* child);
 
 }  // namespace openr_host

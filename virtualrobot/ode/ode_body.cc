@@ -22,8 +22,8 @@ using Eigen::Isometry3d;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// A hand that holds the trunk (our choices): how fast it follows, and its limits of speed, force
-// and torque.
+// Numbers of a hand that holds the trunk (our choices): the time in which it follows, and its
+// limits of speed, force and torque.
 constexpr double kHandTime_s = 0.05;
 constexpr double kHandSpeed_m_s = 0.5, kHandTurn_rad_s = 2;
 constexpr double kHandForce_n = 60, kHandTorque_nm = 5;
@@ -264,9 +264,9 @@ void OdeBody::Push(int part, const Vector3d& force_W, const Vector3d& p_W) {
 void OdeBody::Hold(const std::optional<Isometry3d>& X_WB) { held_at_ = X_WB; }
 
 // Adds the force and the torque of a hand that holds the trunk.  The hand carries the weight of the
-// robot at its centre of mass, and moves the trunk towards held_at_ with the speed at which the
-// distance shrinks by e in kHandTime_s.  Half of the force that would give the trunk this speed in
-// one step is used, because the legs and the head hang on the trunk and resist.
+// robot at its centre of mass.  It also moves the trunk towards held_at_: the wanted speed is the
+// distance divided by kHandTime_s, up to a limit.  The force is half of what would give the trunk
+// this speed in one step, because the legs and the head hang on the trunk and resist.
 void OdeBody::PullByHand(double step_s) {
   const dBodyID trunk = bodies_[0];
   const double mass_kg = model_.TotalMassKg();
@@ -282,8 +282,8 @@ void OdeBody::PullByHand(double step_s) {
       Limited((v_wanted_W - state_.v_WB) * (0.5 * model_.bodies[0].mass_kg / step_s), kHandForce_n);
   dBodyAddForce(trunk, force_W.x(), force_W.y(), force_W.z());
 
-  // For a small rotation between the two, half the sum of the cross products of their axes is its
-  // axis times its angle.
+  // If the rotation from the present to the wanted orientation is small, half the sum of the cross
+  // products of their axes is the rotation's axis times its angle.
   const Matrix3d R = state_.X_WB.linear();
   Vector3d turn_W = Vector3d::Zero();
   for (int axis = 0; axis < 3; ++axis)

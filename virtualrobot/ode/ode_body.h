@@ -3,8 +3,8 @@
 // and with static boxes.
 //
 // docs/body.md gives the parameters, their sources and their measured effects.  ODE has only one
-// random generator and one thread pool per process.  The generator gets this body's seed before
-// every step and is put back after it; the thread pool is never used.
+// random generator and one thread pool per process.  Before every step, the generator gets this
+// body's seed; after the step, it gets its old state back.  The thread pool is never used.
 #pragma once
 
 #include <cstdint>

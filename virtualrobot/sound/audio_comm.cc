@@ -64,7 +64,7 @@ void OVirtualRobotAudioComm::PlayFrame() {
                              Severity::kWarning, std::move(problem.text));
   }
   if (!plays) return;
-  // After the pause button was pressed, the amplifier has no power either.  This is not reported,
+  // The amplifier also has no power after the pause button was pressed.  This is not reported,
   // because it is no mistake of the program.
   const bool power = robot_.power.motor_power();
   if (!power && !robot_.power.pause()) {

@@ -1,9 +1,9 @@
 // The system object OVirtualRobotAudioComm, with the services Speaker and Mic.
 //
-// This object has no clock of its own.  OVirtualRobotComm, which runs the frames of the robot (8 ms
-// each), sends it a message in each frame in which sound is to be played or recorded, after command
-// vectors have started.  So sound and motion with parts of one synchronisation key begin in the
-// same frame, and a robot without sound costs nothing.
+// This object has no clock of its own.  OVirtualRobotComm runs the frames of the robot (8 ms each).
+// In each frame in which sound is to be played or recorded, it sends a message to this object after
+// command vectors have started.  So sound and motion with parts of one synchronisation key begin in
+// the same frame, and a robot without sound costs nothing.
 #pragma once
 
 #include "runtime/core/code_object.h"
