@@ -195,9 +195,11 @@ void Dispatcher::RunHandler(Object* object, OwnedMessage&& owned) {
   ClearUpperRegisters();
   ArithmeticWatch watch;
   const bool is_watched = object->is_image && ArithmeticWatch::Catches();
-  t_current = {system_, object, object->is_image, is_watched ? &watch : nullptr};
+  // The clock is read first, because with an image as the current object clock() would return the
+  // time of the robot.
   const auto clock = system_->options_.wall_clock_ns;
   const int64_t begin_ns = clock == nullptr ? 0 : clock();
+  t_current = {system_, object, object->is_image, is_watched ? &watch : nullptr};
   try {
     if (!object->Dispatch(message->selector, message->payload)) {
       t_current.image_code = false;

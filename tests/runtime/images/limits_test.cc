@@ -1,6 +1,7 @@
 // What an object may use, what of a stick is in the state hash, and robots that go one by one.
 #include <gtest/gtest.h>
 
+#include "runtime/core/current.h"
 #include "tests/runtime/images/image_fixture.h"
 
 namespace openr_host {
@@ -31,6 +32,22 @@ TEST_F(ImageTest, TheStackItUsesIsMeasured) {
   EXPECT_LT(probe->stack_max, 12000u + shallow + 2000u);
 }
 #endif
+
+// A clock of which each call takes 1 us.  Notes calls that would get the time of the robot.
+int64_t g_clock_ns = 0;
+bool g_is_asked_by_image = false;
+int64_t SlowClock() {
+  g_is_asked_by_image = g_is_asked_by_image || t_current.image_code;
+  return g_clock_ns += 1000;
+}
+
+TEST_F(ImageTest, TheLongestHandlerIsMeasuredWithTheClockOfTheHost) {
+  g_is_asked_by_image = false;
+  Start({.wall_clock_ns = &SlowClock});
+  talker->Ask("count");
+  EXPECT_EQ(system->FindObject(0, "probe")->handler_ns_max, 1000);
+  EXPECT_FALSE(g_is_asked_by_image);
+}
 
 TEST_F(ImageTest, TheStickIsPartOfTheState) {
   Start();
