@@ -8,6 +8,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "openr/live/decode_message.h"
@@ -16,6 +17,7 @@
 #include "openr/live/message_history.h"
 #include "openr/live/run_clock.h"
 #include "openr/live/scene_json.h"
+#include "openr/render/png_file.h"
 #include "openr/rewind/rewind.h"
 #include "openr/simulation/simulation.h"
 #include "runtime/base/spelling.h"
@@ -38,6 +40,21 @@ struct Asked {
   System& system() const { return context.simulation->system(); }
   int robot() const { return request.value("robot", 0); }
 };
+
+// Returns `bytes` in Base64 (RFC 4648).
+std::string Base64(const std::string& bytes) {
+  constexpr std::string_view kDigits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (size_t i = 0; i < bytes.size(); i += 3) {
+    uint32_t group = 0;
+    for (size_t k = 0; k < 3; ++k)
+      group = group << 8 | (i + k < bytes.size() ? static_cast<uint8_t>(bytes[i + k]) : 0);
+    for (size_t k = 0; k < 4; ++k)
+      text += i + k > bytes.size() ? '=' : kDigits[group >> (18 - 6 * k) & 63];
+  }
+  return text;
+}
 
 Json Error(const std::string& text) { return {{"error", text}}; }
 
@@ -220,6 +237,23 @@ Json AnswerClock(const Asked& asked) {
   return asked.context.events->Clock();
 }
 
+Json AnswerCamera(const Asked& asked) {
+  const auto& robots = asked.simulation()->robots();
+  const int robot = asked.robot();
+  if (robot < 0 || robot >= static_cast<int>(robots.size()))
+    return Error(fmt::format("there is no robot {}", robot));
+  if (asked.request.value("layer", "picture") != "picture")
+    return Error("only the layer 'picture' can be shown here");
+  Picture picture;
+  const std::string problem = robots[static_cast<size_t>(robot)]->TakePicture(&picture);
+  if (!problem.empty()) return Error(problem);
+  const std::string png = render::EncodePng(picture.width, picture.height, picture.rgb);
+  return {{"time_s", TimeOf(asked)},
+          {"width", picture.width},
+          {"height", picture.height},
+          {"png", Base64(png)}};
+}
+
 // Returns an event of the run as it is now, for the process of a run that shows an earlier moment.
 Json AnswerEvent(const Asked& asked) {
   const auto name = asked.request.at("name").get<std::string>();
@@ -319,7 +353,8 @@ const std::map<std::string, Json (*)(const Asked&)>& KnownRequests() {
       {"objects", &AnswerObjects}, {"object", &AnswerObject},         {"sensors", &AnswerSensors},
       {"joints", &AnswerJoints},   {"findings", &AnswerFindings},     {"scene", &AnswerScene},
       {"clock", &AnswerClock},     {"connection", &AnswerConnection}, {"rewind", &AnswerRewind},
-      {"branch", &AnswerBranch},   {"event", &AnswerEvent},           {"hashes", &AnswerHashes}};
+      {"branch", &AnswerBranch},   {"event", &AnswerEvent},           {"hashes", &AnswerHashes},
+      {"camera", &AnswerCamera}};
   return requests;
 }
 
