@@ -80,8 +80,8 @@ std::string TemporaryName(const fs::path& beside, int number) {
   return beside.parent_path() / fmt::format(".openr-host-{}-{}.tmp", getpid(), number);
 }
 
-// Returns whether a file may be written in place after replacing it has failed with `error`: the
-// system refuses a new file, not the content.
+// Returns whether a file may be written in place after replacing it has failed with `error`.  That
+// makes sense if the system refuses to make a new file, and none if the disk is full.
 bool MayBeInPlace(int error) {
   return error == EACCES || error == EPERM || error == EROFS || error == EBUSY;
 }

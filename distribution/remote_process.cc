@@ -406,7 +406,8 @@ void RemoteProcess::ResumeWithReply(RemoteObject* object, const Stop& stop, uint
   openr_wire_Resume& resume = to_worker.body._u.resume;
   const OwnedMessage reply =
       system_->requests().Await(stop.box, stop.timeout_us, stop.why, &resume.timed_out);
-  // The worker may be lost: the handler of another object of that worker has crashed meanwhile.
+  // While the handler waited for its reply, the worker may have been lost, for example because the
+  // handler of another of its objects crashed.
   if (is_lost_ || session != session_) return;
   WireArena arena;
   resume.now_us = system_->now_us();

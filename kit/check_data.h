@@ -1,5 +1,5 @@
-// Checks the data that objects send with SetData(&data, sizeof data).  The receiver gets a copy of
-// the bytes, in which pointers are of no use (field-notes.md, 2.6 and 2.7).
+// Finds pointers in the data that objects send with SetData(&data, sizeof data).  The receiver gets
+// a copy of the bytes, in which pointers are of no use (field-notes.md, 2.6 and 2.7).
 #pragma once
 
 #include "kit/check.h"

@@ -22,8 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The robot's address in the samples of Sony's SDK.  A robot that openr runs on this computer is
-// 127.0.0.1, so a line with the old address gets a note.
+// The robot's address in the samples of Sony's SDK.  A robot that openr runs on this computer has
+// the address 127.0.0.1, so a line of a configuration file with the old address gets a note.
 constexpr char kRobotOfThatTime[] = "10.0.1.100";
 
 constexpr char kWlanFile[] = "WLANCONF.TXT";

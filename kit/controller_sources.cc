@@ -59,8 +59,8 @@ Diagnostic AtWord(const fs::path& list, const std::string& text, const std::stri
 
 void ReadList(const fs::path& folder, ControllerSources* sources) {
   const std::string text = ReadText(sources->list).value_or("");
-  // We run make to get the values of the variables, because a list may use functions and conditions
-  // of make.
+  // We run make to get the values of the variables, because the Makefile may build its list of
+  // sources with functions and conditions of make.
   const TempFolder scratch;
   const std::string makefile = scratch.path() + "/print.mk";
   if (!WriteText(makefile, kPrintVariables).empty()) return;

@@ -5,8 +5,8 @@
 //   bench.RunFor(1s);
 //
 // The client acts only at frame boundaries of the virtual time (every 8 ms), where all input from
-// outside enters a robot.  So a run with clients repeats itself, too.  Bench::Verify() makes the
-// test fail if a script has not ended.
+// outside enters a robot.  So a run with clients, too, is the same each time.  Bench::Verify()
+// makes the test fail if a script has not ended.
 #pragma once
 
 #include <cstdint>

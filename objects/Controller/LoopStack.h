@@ -5,7 +5,8 @@
 //
 // OPEN-R gives an object only one stack, and an object whose method does not return handles no more
 // messages (Hohl 2004, 5.3.3).  So there are two implementations, from which the build chooses:
-// LoopStack.cc for the robot has no second stack, kit/controller/LoopStack.cc for the host has one.
+// LoopStack.cc for the robot has no second stack, so a program that is an endless loop stops the
+// object there.  kit/controller/LoopStack.cc for the host has one.
 //
 
 #ifndef LoopStack_h_DEFINED

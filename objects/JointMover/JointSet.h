@@ -42,8 +42,8 @@ public:
     // ended.  Otherwise the joint would jerk to its old set point (BBS 169, 642).
     void Wake(int joint, Sint32 urad);
 
-    // Returns whether there is a vector to send: because a joint moves, or because a gain waits for
-    // a vector.
+    // Returns whether there is a vector to send: because a joint moves, or because the gain of a
+    // joint is to be switched on together with the next vector.
     bool IsBusy() const;
     bool IsMoving(int joint) const;
 

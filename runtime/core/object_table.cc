@@ -139,7 +139,8 @@ std::vector<OwnedMessage> ObjectTable::TakeMessagesTo(Object* object) {
 }
 
 // Takes all messages to `old` out of the run, because nothing will receive them.  Returns the
-// observers that were ready for `old`, including the readies among these messages.
+// readies that observers have given `old`: those that `old` has received, and those among these
+// messages.
 std::vector<StandingReady> ObjectTable::EndMessagesTo(Object* old) {
   std::vector<StandingReady> readies = old->StandingReadies();
   for (const OwnedMessage& message : TakeMessagesTo(old)) {

@@ -131,8 +131,9 @@ class GatewayLoader {
         has_robot_file_(Text(kRobotGatewayFile).has_value()),
         config_(Read(kRobotGatewayFile, GatewaySide::kRobot)) {
     GatewayConfig other = Read(kHostGatewayFile, GatewaySide::kHost);
-    // If both files have a record for OPEN-R calls, the record of ROBOTGW.CFG counts: this run is a
-    // robot, which answers calls itself and sends none to another robot.
+    // A record for OPEN-R calls says to which robot a program sends its calls.  The record of
+    // ROBOTGW.CFG has precedence over that of the other file, because this run is a robot: it
+    // answers calls itself.
     if (!config_.proxy) config_.proxy = std::move(other.proxy);
     std::move(other.services.begin(), other.services.end(), std::back_inserter(config_.services));
     std::move(other.diagnostics.begin(), other.diagnostics.end(),

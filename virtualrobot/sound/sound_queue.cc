@@ -107,7 +107,8 @@ void SoundQueue::Start(int64_t frame, bool behind_another, std::vector<SoundProb
   const SentVector vector = ReadSentVector(playing_.region.get(), sizeof(OSoundInfo),
                                            "sound vector", robot_.system, &found);
   const int64_t wait = WaitOf(vector, &found);
-  // A vector that asks for no delay begins in the middle of the frame, right after the previous
+  // A vector that asks for no delay begins in the middle of `frame`, where the vector before ended.
+  // A delay counts whole frames, from the next one if `frame` has still played a part of that
   // vector.
   start_ = wait == 0 ? frame : frame + (behind_another ? 1 : 0) + wait;
   if (vector.header != nullptr && !NamesItsMemory(vector, robot_.system)) {
