@@ -11,6 +11,7 @@
 #include "cli/counted.h"
 #include "openr/commands/rc_format.h"
 #include "openr/remote/remote_client.h"
+#include "openr/remote/sensor_format.h"
 
 namespace openr_host {
 namespace {

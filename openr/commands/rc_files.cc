@@ -7,17 +7,15 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "ImageFile.h"
-#include "MtnFile.h"
 #include "cli/input_file.h"
 #include "cli/output_file.h"
 #include "openr/commands/rc_actions.h"
 #include "openr/commands/rc_format.h"
+#include "openr/remote/file_checks.h"
 #include "openr/remote/remote_client.h"
 #include "openr/remote/remote_files.h"
 #include "runtime/base/read_file.h"
 #include "runtime/base/wall_clock.h"
-#include "runtime/core/image_file.h"
 
 namespace openr_host {
 namespace {
@@ -48,13 +46,9 @@ class UploadLine {
   bool is_drawn_ = false;
 };
 
-[[noreturn]] void ThrowFor(const std::string& file, const std::string& why) {
-  throw std::runtime_error(fmt::format("{}: {}", file, why));
-}
-
 std::string ReadInput(const std::string& file, const char* kind, const char* extension) {
   const std::string problem = WhyNotReadable(file, kind, extension);
-  if (!problem.empty()) ThrowFor(file, problem);
+  if (!problem.empty()) throw std::runtime_error(fmt::format("{}: {}", file, problem));
   return ReadFileOrThrow(file);
 }
 
@@ -68,36 +62,6 @@ uint32_t Upload(RemoteClient* client, RcFileKind kind, const std::string& name,
                 const std::string& bytes) {
   UploadLine line(name, bytes.size());
   return UploadFile(client, kind, name, bytes, [&line](size_t done) { line.Show(done); });
-}
-
-// Throws when the bytes of `file` are no motion for the robot, so that nothing is sent then.
-void CheckMotion(const std::string& file, const std::string& bytes, const RcInfo& info) {
-  if (bytes.size() > info.largestMotion) {
-    ThrowFor(file, fmt::format("has {} bytes; the robot takes motions of at most {}", bytes.size(),
-                               info.largestMotion));
-  }
-  MtnFile motion;
-  const RobotConstants* const robot = FindRobot(info.design.c_str());
-  const bool good = motion.Read(reinterpret_cast<const Uint8*>(bytes.data()), bytes.size()) &&
-                    (robot == nullptr || motion.MapTo(robot));
-  if (!good) ThrowFor(file, motion.Error());
-}
-
-// Returns the bytes to send for the image `file`.  Throws when the image is not for the processor
-// of the robot.
-std::string BytesOfImage(const std::string& file, const RcInfo& info) {
-  std::string packed = ReadInput(file, "controller image", ".BIN");
-  ImageFile image = ReadImageFile(file);
-  if (info.processor == imageMIPS) {
-    if (image.is_for_robot) return packed;
-    ThrowFor(file, fmt::format("is no image for {}", ImageProcessorName(imageMIPS)));
-  }
-  if (image.is_for_robot) {
-    ThrowFor(file, fmt::format("is an image for {}; this robot needs one for {}",
-                               ImageProcessorName(imageMIPS), ImageProcessorName(info.processor)));
-  }
-  if (!image.problem.empty()) ThrowFor(file, image.problem);
-  return std::move(image.bytes);  // unpacked, because a packed image counts as the robot's
 }
 
 }  // namespace
@@ -125,11 +89,8 @@ void RcUploadMotionAction(RemoteClient* client, const RcFlags& flags) {
 
 void RcUploadControllerAction(RemoteClient* client, const RcFlags& flags) {
   const RcInfo info = AskFileInfo(client);
-  const std::string bytes = BytesOfImage(flags.file, info);
-  if (bytes.size() > info.largestImage) {
-    ThrowFor(flags.file, fmt::format("has {} bytes; the robot takes images of at most {}",
-                                     bytes.size(), info.largestImage));
-  }
+  const std::string bytes =
+      ImageToSend(flags.file, ReadInput(flags.file, "controller image", ".BIN"), info);
   const uint32_t frame = Upload(client, rcfileIMAGE, RC_IMAGE_NAME, bytes);
   PrintRcAnswer(flags.json, frame, {{"name", RC_IMAGE_NAME}, {"bytes", bytes.size()}},
                 fmt::format("{} is on the stick, {} bytes; it runs after the next boot, and "

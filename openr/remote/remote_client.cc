@@ -100,7 +100,7 @@ int RemoteClient::WaitForConnection() const {
 }
 
 void RemoteClient::Throw(const std::string& why) const {
-  throw std::runtime_error(fmt::format("{}: {}", address_.Text(), why));
+  throw RemoteFailure(fmt::format("{}: {}", address_.Text(), why));
 }
 
 void RemoteClient::ThrowSilent() const {

@@ -33,6 +33,13 @@ class RemoteRefusal : public std::runtime_error {
   const uint32_t frame;  // frame number in the answer
 };
 
+// The exception that RemoteClient throws when the robot cannot be reached, is silent for too long
+// or sends what is no answer.  The connection is of no use any more.
+class RemoteFailure : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 // The robot's answer to a request.
 struct RemoteAnswer {
   uint32_t frame = 0;  // number of the frame of 8 ms; 0xffffffff: no sensor values yet
@@ -41,7 +48,7 @@ struct RemoteAnswer {
 
 // A connection to a robot, which answers requests in the order in which they were sent.  The
 // functions throw RemoteRefusal when the robot refuses a request.  When it cannot be reached or is
-// silent for too long, they throw std::runtime_error, whose text says what the user can do.
+// silent for too long, they throw RemoteFailure, whose text says what the user can do.
 class RemoteClient {
  public:
   RemoteClient(const RemoteAddress& address, int timeout_ms)

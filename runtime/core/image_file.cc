@@ -82,17 +82,20 @@ std::string OcfTextOf(const std::string& bytes) {
 }
 
 ImageFile ReadImageFile(const std::string& path) {
-  ImageFile image;
   std::optional<std::string> bytes = ReadFile(path);
-  if (!bytes) {
-    image.problem = errno == EISDIR ? "is no file" : "cannot be read";
-    return image;
-  }
-  image.bytes = *std::move(bytes);
+  if (bytes) return CheckImage(*std::move(bytes));
+  ImageFile image;
+  image.problem = errno == EISDIR ? "is no file" : "cannot be read";
+  return image;
+}
+
+ImageFile CheckImage(std::string bytes) {
+  ImageFile image;
+  image.bytes = std::move(bytes);
   image.is_compressed = IsGzip(image.bytes);
   if (image.is_compressed) {
-    std::string bytes;
-    switch (Gunzip(image.bytes, &bytes)) {
+    std::string unpacked;
+    switch (Gunzip(image.bytes, &unpacked)) {
       case GzipResult::kWhole:
         break;
       case GzipResult::kCutOff:
@@ -103,7 +106,7 @@ ImageFile ReadImageFile(const std::string& path) {
             "is a damaged gzip file; copy it again, or build the object again (openr build)";
         break;
     }
-    image.bytes = std::move(bytes);
+    image.bytes = std::move(unpacked);
   }
   if (image.problem.empty()) image.problem = CheckFormat(image.bytes, &image.is_for_robot);
   return image;

@@ -19,6 +19,9 @@ struct ImageFile {
 // it is an image, is for this machine, and is complete.
 ImageFile ReadImageFile(const std::string& path);
 
+// The same for the bytes of a file.
+ImageFile CheckImage(std::string bytes);
+
 // Returns the .ocf text (name, priority and memory sizes of the object) that is in the bytes of a
 // host image; "" if there is none.
 std::string OcfTextOf(const std::string& bytes);
