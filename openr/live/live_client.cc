@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <poll.h>
 #include <sys/socket.h>
+#include <sys/time.h>
 #include <sys/un.h>
 #include <unistd.h>
 
@@ -14,19 +15,17 @@
 #include "cli/json_text.h"
 
 namespace openr_host {
-namespace {
-
-constexpr int kTimeoutMs = 10'000;
-
-}  // namespace
-
-LiveClient::LiveClient(const LiveRun& run)
-    : name_(fmt::format("run {} (process {})", run.name, run.process)) {
+LiveClient::LiveClient(const LiveRun& run, int timeout_ms)
+    : name_(fmt::format("run {} (process {})", run.name, run.process)), timeout_ms_(timeout_ms) {
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
   std::memcpy(address.sun_path, run.socket.c_str(),
               std::min(run.socket.size(), sizeof address.sun_path - 1));
   descriptor_ = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  // connect() waits while many other clients wait for the run, and send() while the run reads
+  // nothing; a run that is stopped would keep both waiting for ever.
+  const timeval limit = {timeout_ms / 1000, timeout_ms % 1000 * 1000};
+  setsockopt(descriptor_, SOL_SOCKET, SO_SNDTIMEO, &limit, sizeof limit);
   if (descriptor_ < 0 ||
       connect(descriptor_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
     const int error = errno;
@@ -47,7 +46,7 @@ nlohmann::ordered_json LiveClient::Ask(const nlohmann::ordered_json& request) {
   size_t end = 0;
   while ((end = received_.find('\n')) == std::string::npos) {
     pollfd wanted = {descriptor_, POLLIN, 0};
-    if (poll(&wanted, 1, kTimeoutMs) == 0)
+    if (poll(&wanted, 1, timeout_ms_) == 0)
       throw std::runtime_error(name_ + " does not answer; is it stopped?");
     char buffer[16 << 10];
     const ssize_t count = recv(descriptor_, buffer, sizeof buffer, 0);

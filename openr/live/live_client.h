@@ -11,18 +11,21 @@ namespace openr_host {
 
 class LiveClient {
  public:
-  // Connects.  Throws std::runtime_error if the run cannot be reached.
-  explicit LiveClient(const LiveRun& run);
+  static constexpr int kTimeoutMs = 10'000;
+
+  // Connects.  Throws std::runtime_error if the run cannot be reached within `timeout_ms`.
+  explicit LiveClient(const LiveRun& run, int timeout_ms = kTimeoutMs);
   ~LiveClient();
   LiveClient(const LiveClient&) = delete;
   LiveClient& operator=(const LiveClient&) = delete;
 
   // Sends `request` and returns the answer.  Throws std::runtime_error if the run ends before its
-  // answer, or gives none within 10 s.
+  // answer, or gives none within `timeout_ms`.
   nlohmann::ordered_json Ask(const nlohmann::ordered_json& request);
 
  private:
   const std::string name_;
+  const int timeout_ms_;
   int descriptor_ = -1;
   std::string received_;
 };
