@@ -32,6 +32,14 @@ std::vector<fs::path> DataFolders() {
   return {Prefix(), Prefix() / data, RuntimePrefix(), RuntimePrefix() / data};
 }
 
+std::string LibraryBesideProgram(const char* name) {
+  for (const fs::path& folder : {Prefix() / "lib", Prefix() / "lib" / "openr-host"}) {
+    std::error_code error;
+    if (fs::is_regular_file(folder / name, error)) return folder / name;
+  }
+  return name;
+}
+
 }  // namespace
 
 std::string ProgramFile() {
@@ -101,13 +109,16 @@ std::string DataFile(const std::string& name) {
   return name;
 }
 
-std::string RenderLibrary() {
-  const char* const name = "libopenr_render.so";
-  for (const fs::path& folder : {Prefix() / "lib", Prefix() / "lib" / "openr-host"}) {
+std::string PanelFolder() {
+  for (const fs::path& folder : DataFolders()) {
     std::error_code error;
-    if (fs::is_regular_file(folder / name, error)) return folder / name;
+    if (fs::is_regular_file(folder / "panel" / "index.html", error)) return folder / "panel";
   }
-  return name;
+  return "";
 }
+
+std::string PanelLibrary() { return LibraryBesideProgram("libopenr_panel.so"); }
+
+std::string RenderLibrary() { return LibraryBesideProgram("libopenr_render.so"); }
 
 }  // namespace openr_host

@@ -1,0 +1,41 @@
+// Outbox, through which threads give answers for a page to the event loop.
+#pragma once
+
+#include <functional>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace openr_host {
+
+// A page and the threads that work for it share an Outbox.  It may be used in any thread.
+class Outbox {
+ public:
+  // `wake` lets the event loop look into the outbox.
+  explicit Outbox(std::function<void()> wake) : wake_(std::move(wake)) {}
+
+  void Add(std::string text) {
+    const std::lock_guard lock(mutex_);
+    if (!wake_) return;
+    texts_.push_back(std::move(text));
+    wake_();
+  }
+  std::vector<std::string> TakeAll() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(texts_, {});
+  }
+  // Ends the outbox, because its page is gone.  What is added later is dropped.
+  void Close() {
+    const std::lock_guard lock(mutex_);
+    wake_ = nullptr;
+    texts_.clear();
+  }
+
+ private:
+  std::mutex mutex_;
+  std::function<void()> wake_;  // null: closed
+  std::vector<std::string> texts_;
+};
+
+}  // namespace openr_host

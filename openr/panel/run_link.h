@@ -1,0 +1,53 @@
+// RunLink, the connection of one page to the socket of its run (openr/live).
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "openr/live/live_folder.h"
+#include "openr/panel/web_loop.h"
+
+namespace openr_host {
+
+class RunLink final : public WebDescriptor {
+ public:
+  // Bytes for the run that may wait before the page is not read any more.
+  static constexpr size_t kWaitingMax = size_t{256} << 10;
+  // Bytes of the longest line of a run.
+  static constexpr size_t kLineMax = size_t{8} << 20;
+
+  struct Owner {
+    std::function<void(std::string line)> take_line;
+    // Called once when the connection is lost.  The owner may delete the link.
+    std::function<void(const std::string& why)> end;
+    // Called when fewer than kWaitingMax bytes wait again.
+    std::function<void()> resume;
+  };
+
+  // Connects without waiting.  Throws std::runtime_error if that is not possible.
+  RunLink(WebLoop* loop, const LiveRun& run, Owner owner);
+  ~RunLink();
+  RunLink(const RunLink&) = delete;
+  RunLink& operator=(const RunLink&) = delete;
+
+  // Sends a line.  Returns false if the page should send no more until resume().
+  bool Send(const std::string& line);
+
+  bool OnReadable() override;
+  bool OnWritable() override;
+  void OnClosed() override;
+
+ private:
+  void TakeLines();
+
+  WebLoop* const loop_;
+  const std::string name_;
+  Owner owner_;
+  WebLoop::Watched watched_ = nullptr;
+  int descriptor_ = -1;   // the loop owns it
+  std::string received_;  // the begin of the next line
+  std::string to_send_;
+  bool has_answered_ = false;
+};
+
+}  // namespace openr_host

@@ -1,0 +1,292 @@
+#include "openr/panel/web_loop.h"
+
+#include <libwebsockets.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <optional>
+
+namespace openr_host {
+namespace {
+
+// Bytes of the socket's buffer for a page, which the kernel doubles.  Small, because what is in the
+// buffer cannot be replaced by newer values any more: a slow page shall get fewer poses, not later
+// ones.
+constexpr int kSendBufferSize = 128 << 10;
+constexpr size_t kReceivePartMax = size_t{64} << 10;
+constexpr size_t kHeadersMax = size_t{8} << 10;
+constexpr unsigned kDescriptorsMax = 512;
+
+class LwsConnection : public WebConnection {
+ public:
+  explicit LwsConnection(lws* wsi) : wsi_(wsi) {}
+
+  void WantSend() override { lws_callback_on_writable(wsi_); }
+  void CloseWhenSent(int code, const std::string& why) override {
+    if (!close_code_) close_code_ = code;
+    close_why_ = why;
+    WantSend();
+  }
+  void Abort() override {
+    lws_set_timeout(wsi_, PENDING_TIMEOUT_KILLED_BY_PARENT, LWS_TO_KILL_ASYNC);
+  }
+  void SetReading(bool is_on) override { lws_rx_flow_control(wsi_, is_on ? 1 : 0); }
+
+  // Sends the next message of the page.  Returns what libwebsockets' callback returns: not 0 if the
+  // connection must be closed.
+  int Send(WebPage* page) {
+    const std::string text = page->Next();
+    if (!text.empty()) {
+      buffer_.resize(LWS_PRE + text.size());
+      std::memcpy(buffer_.data() + LWS_PRE, text.data(), text.size());
+      if (lws_write(wsi_, buffer_.data() + LWS_PRE, text.size(), LWS_WRITE_TEXT) < 0) return -1;
+      WantSend();
+      return 0;
+    }
+    if (!close_code_) return 0;
+    // A reason has 123 bytes at most (RFC 6455, section 5.5).
+    std::string why = close_why_.substr(0, 120);
+    lws_close_reason(wsi_, static_cast<lws_close_status>(*close_code_),
+                     reinterpret_cast<unsigned char*>(why.data()), why.size());
+    return -1;
+  }
+
+ private:
+  lws* const wsi_;
+  std::vector<unsigned char> buffer_;
+  std::optional<int> close_code_;
+  std::string close_why_;
+};
+
+// Data of one WebSocket.
+struct Session {
+  explicit Session(lws* wsi) : connection(wsi) {}
+  LwsConnection connection;
+  std::unique_ptr<WebPage> page;
+};
+
+std::string HeaderOf(lws* wsi, lws_token_indexes token) {
+  const int length = lws_hdr_total_length(wsi, token);
+  std::string value(static_cast<size_t>(std::max(length, 0)) + 1, '\0');
+  const int copied = lws_hdr_copy(wsi, value.data(), static_cast<int>(value.size()), token);
+  value.resize(static_cast<size_t>(std::max(copied, 0)));
+  return value;
+}
+
+std::string ArgumentOf(lws* wsi, std::string_view name) {
+  char text[256];
+  for (int i = 0; lws_hdr_copy_fragment(wsi, text, sizeof text, WSI_TOKEN_HTTP_URI_ARGS, i) > 0;
+       ++i) {
+    const std::string_view argument = text;
+    if (argument.starts_with(name)) return std::string(argument.substr(name.size()));
+  }
+  return "";
+}
+
+WebRequest RequestOf(lws* wsi) {
+  WebRequest request;
+  request.path = HeaderOf(wsi, WSI_TOKEN_GET_URI);
+  request.is_get = !request.path.empty();
+  request.host = HeaderOf(wsi, WSI_TOKEN_HOST);
+  request.origin = HeaderOf(wsi, WSI_TOKEN_ORIGIN);
+  request.protocol = HeaderOf(wsi, WSI_TOKEN_PROTOCOL);
+  request.run = ArgumentOf(wsi, "run=");
+  return request;
+}
+
+// Adds the headers of `answer` at `*at`.  Returns false if there is no room for them.
+bool AddHeaders(lws* wsi, const WebAnswer& answer, unsigned char** at, unsigned char* end) {
+  for (const auto& [name, value] : answer.headers) {
+    const std::string title = name + ":";
+    if (lws_add_http_header_by_name(wsi, reinterpret_cast<const unsigned char*>(title.c_str()),
+                                    reinterpret_cast<const unsigned char*>(value.data()),
+                                    static_cast<int>(value.size()), at, end) != 0)
+      return false;
+  }
+  return true;
+}
+
+// Sends an answer whose bytes are in `text`.  Returns false if the connection must be closed.
+bool SendText(lws* wsi, const WebAnswer& answer) {
+  std::array<unsigned char, LWS_PRE + kHeadersMax> headers;
+  unsigned char* const begin = headers.data() + LWS_PRE;
+  unsigned char* at = begin;
+  unsigned char* const end = headers.data() + headers.size() - 1;
+  if (lws_add_http_common_headers(wsi, static_cast<unsigned>(answer.status), answer.type.c_str(),
+                                  answer.text.size(), &at, end) != 0 ||
+      !AddHeaders(wsi, answer, &at, end) ||
+      lws_finalize_write_http_header(wsi, begin, &at, end) != 0)
+    return false;
+  std::vector<unsigned char> body(LWS_PRE + answer.text.size());
+  std::memcpy(body.data() + LWS_PRE, answer.text.data(), answer.text.size());
+  return lws_write(wsi, body.data() + LWS_PRE, answer.text.size(), LWS_WRITE_HTTP_FINAL) >= 0;
+}
+
+// Sends `answer`.  Returns what libwebsockets' callback returns: not 0 if the connection must be
+// closed.
+int SendAnswer(lws* wsi, const WebAnswer& answer) {
+  if (answer.file.empty())
+    return !SendText(wsi, answer) || lws_http_transaction_completed(wsi) ? -1 : 0;
+  std::array<unsigned char, kHeadersMax> headers;
+  unsigned char* at = headers.data();
+  if (!AddHeaders(wsi, answer, &at, headers.data() + headers.size())) return -1;
+  const int result = lws_serve_http_file(wsi, answer.file.c_str(), answer.type.c_str(),
+                                         reinterpret_cast<const char*>(headers.data()),
+                                         static_cast<int>(at - headers.data()));
+  return result < 0 || (result > 0 && lws_http_transaction_completed(wsi)) ? -1 : 0;
+}
+
+class LwsLoop : public WebLoop {
+ public:
+  LwsLoop(WebService* service, const char* protocol) : service_(service), protocol_(protocol) {
+    lws_set_log_level(LLL_ERR, nullptr);
+    protocols_[0].name = "http";
+    protocols_[0].callback = &OnHttp;
+    protocols_[1].name = protocol_.c_str();
+    protocols_[1].callback = &OnPage;
+    protocols_[1].per_session_data_size = sizeof(Session*);
+    protocols_[1].rx_buffer_size = kReceivePartMax;
+    protocols_[2].name = kDescriptorProtocol;
+    protocols_[2].callback = &OnDescriptor;
+    lws_context_creation_info info{};
+    info.port = CONTEXT_PORT_NO_LISTEN;
+    info.protocols = protocols_.data();
+    info.user = this;
+    info.fd_limit_per_thread = kDescriptorsMax;
+    info.options = LWS_SERVER_OPTION_EXPLICIT_VHOSTS;
+    context_ = lws_create_context(&info);
+    if (context_ != nullptr) vhost_ = lws_create_vhost(context_, &info);
+  }
+  ~LwsLoop() override {
+    if (context_ != nullptr) lws_context_destroy(context_);
+  }
+  bool is_good() const { return vhost_ != nullptr; }
+
+  void Run() override {
+    while (!is_stopped_ && lws_service(context_, 0) >= 0) {
+    }
+  }
+  void Stop() override {
+    is_stopped_ = true;
+    lws_cancel_service(context_);
+  }
+  void StopAfter(int ms) override {
+    lws_sul_schedule(context_, 0, &stop_timer_.timer, &OnStopTimer,
+                     static_cast<lws_usec_t>(ms) * LWS_US_PER_MS);
+  }
+  void Wake() override { lws_cancel_service(context_); }
+
+  void Serve(int connection) override {
+    setsockopt(connection, SOL_SOCKET, SO_SNDBUF, &kSendBufferSize, sizeof kSendBufferSize);
+    lws_adopt_socket_vhost(vhost_, connection);  // closes the descriptor after an error
+  }
+
+  Watched Watch(int descriptor, WebDescriptor* handler) override {
+    lws_sock_file_fd_type file{};
+    file.filefd = descriptor;
+    lws* const wsi = lws_adopt_descriptor_vhost(vhost_, LWS_ADOPT_RAW_FILE_DESC, file,
+                                                kDescriptorProtocol, nullptr);
+    if (wsi != nullptr) lws_set_opaque_user_data(wsi, handler);
+    return wsi;
+  }
+  void WantWrite(Watched watched) override { lws_callback_on_writable(static_cast<lws*>(watched)); }
+  void Forget(Watched watched) override {
+    lws* const wsi = static_cast<lws*>(watched);
+    lws_set_opaque_user_data(wsi, nullptr);
+    lws_set_timeout(wsi, PENDING_TIMEOUT_KILLED_BY_PARENT, LWS_TO_KILL_ASYNC);
+  }
+
+ private:
+  static constexpr char kDescriptorProtocol[] = "openr-descriptor";
+
+  static LwsLoop* LoopOf(lws* wsi) {
+    return static_cast<LwsLoop*>(lws_context_user(lws_get_context(wsi)));
+  }
+
+  static void OnStopTimer(lws_sorted_usec_list_t* timer) {
+    reinterpret_cast<StopTimer*>(timer)->loop->Stop();
+  }
+
+  static int OnHttp(lws* wsi, lws_callback_reasons reason, void* user, void* in, size_t size) {
+    switch (reason) {
+      case LWS_CALLBACK_HTTP:
+        return SendAnswer(wsi, LoopOf(wsi)->service_->Answer(RequestOf(wsi)));
+      case LWS_CALLBACK_HTTP_CONFIRM_UPGRADE: {
+        // HTTP/2, the other thing that libwebsockets can upgrade to, would go past our checks.
+        if (std::strcmp(static_cast<const char*>(in), "websocket") != 0) return -1;
+        const auto refusal = LoopOf(wsi)->service_->Refuse(RequestOf(wsi));
+        if (refusal == nullptr) return 0;
+        return SendText(wsi, *refusal) ? 1 : -1;
+      }
+      case LWS_CALLBACK_EVENT_WAIT_CANCELLED:
+        LoopOf(wsi)->service_->OnWake();
+        return 0;
+      default:
+        return lws_callback_http_dummy(wsi, reason, user, in, size);
+    }
+  }
+
+  static int OnPage(lws* wsi, lws_callback_reasons reason, void* user, void* in, size_t size) {
+    Session** const session = static_cast<Session**>(user);
+    switch (reason) {
+      case LWS_CALLBACK_ESTABLISHED:
+        *session = new Session(wsi);
+        (*session)->page = LoopOf(wsi)->service_->Open(RequestOf(wsi), &(*session)->connection);
+        return 0;
+      case LWS_CALLBACK_RECEIVE:
+        (*session)->page->Take({static_cast<const char*>(in), size}, lws_frame_is_binary(wsi) == 0,
+                               lws_is_final_fragment(wsi) != 0);
+        return 0;
+      case LWS_CALLBACK_SERVER_WRITEABLE:
+        return (*session)->connection.Send((*session)->page.get());
+      case LWS_CALLBACK_CLOSED:
+        delete *session;
+        *session = nullptr;
+        return 0;
+      default:
+        return 0;
+    }
+  }
+
+  static int OnDescriptor(lws* wsi, lws_callback_reasons reason, void*, void*, size_t) {
+    auto* const handler = static_cast<WebDescriptor*>(lws_get_opaque_user_data(wsi));
+    switch (reason) {
+      case LWS_CALLBACK_RAW_RX_FILE:
+        return handler != nullptr && handler->OnReadable() ? 0 : -1;
+      case LWS_CALLBACK_RAW_WRITEABLE_FILE:
+        return handler != nullptr && handler->OnWritable() ? 0 : -1;
+      case LWS_CALLBACK_RAW_CLOSE_FILE:
+        lws_set_opaque_user_data(wsi, nullptr);
+        if (handler != nullptr) handler->OnClosed();
+        return 0;
+      default:
+        return 0;
+    }
+  }
+
+  // The timer is the first member, so that its address is that of the struct.
+  struct StopTimer {
+    lws_sorted_usec_list_t timer;
+    LwsLoop* loop;
+  };
+
+  WebService* const service_;
+  const std::string protocol_;
+  std::array<lws_protocols, 4> protocols_{};  // the last one is the end of the list
+  lws_context* context_ = nullptr;
+  lws_vhost* vhost_ = nullptr;
+  StopTimer stop_timer_{{}, this};
+  bool is_stopped_ = false;
+};
+
+}  // namespace
+}  // namespace openr_host
+
+extern "C" __attribute__((visibility("default"))) openr_host::WebLoop* openr_make_web_loop(
+    openr_host::WebService* service, const char* protocol) {
+  auto loop = std::make_unique<openr_host::LwsLoop>(service, protocol);
+  return loop->is_good() ? loop.release() : nullptr;
+}

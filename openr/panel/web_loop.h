@@ -1,0 +1,121 @@
+// The interface of libopenr_panel.so: an event loop with HTTP and WebSockets.
+//
+// The implementation is web_loop.cc, the only file that includes libwebsockets.  It is a library of
+// its own that only `openr panel` loads, so that a simulation never has the code of libwebsockets
+// and OpenSSL in its process.  All functions are called in one thread, but for WebLoop::Wake().
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace openr_host {
+
+// A request of HTTP, also the one that begins a WebSocket.
+struct WebRequest {
+  bool is_get = false;
+  std::string path;  // "/index.html": without the query, decoded
+  std::string host;  // headers; "" without the header
+  std::string origin;
+  std::string protocol;  // Sec-WebSocket-Protocol
+  std::string run;       // value of "run=" in the query
+};
+
+// An answer to a request of HTTP: the bytes of `file` or, if `file` is "", those of `text`.
+struct WebAnswer {
+  int status = 200;
+  std::string type = "text/plain; charset=utf-8";
+  std::string text = {};
+  std::string file = {};
+  std::vector<std::pair<std::string, std::string>> headers = {};  // names in lower case
+};
+
+// The socket of a page.
+class WebConnection {
+ public:
+  // Lets the loop call WebPage::Next() as soon as the socket takes bytes.
+  virtual void WantSend() = 0;
+  // Closes the WebSocket with `code` and `why` (RFC 6455, section 7.4) when Next() returns "".
+  virtual void CloseWhenSent(int code, const std::string& why) = 0;
+  // Closes the socket at once, without a word to the page.
+  virtual void Abort() = 0;
+  // Stops or resumes reading from the page.
+  virtual void SetReading(bool is_on) = 0;
+
+ protected:
+  ~WebConnection() = default;
+};
+
+// A page, the other end of a WebSocket.
+class WebPage {
+ public:
+  virtual ~WebPage() = default;
+  // Takes a part of a message of the page.  `is_last`: the message is complete.
+  virtual void Take(std::string_view part, bool is_text, bool is_last) = 0;
+  // Returns the next message for the page; "" if none waits.
+  virtual std::string Next() = 0;
+};
+
+// A descriptor that the loop watches.
+class WebDescriptor {
+ public:
+  // Called when the descriptor can be read.  Returns false if it must be closed.
+  virtual bool OnReadable() = 0;
+  // Called after WebLoop::WantWrite() when the descriptor can be written.  Returns false
+  // if it must be closed.
+  virtual bool OnWritable() { return true; }
+  // Called once after the loop has closed the descriptor, unless Forget() was called before.
+  virtual void OnClosed() = 0;
+
+ protected:
+  ~WebDescriptor() = default;
+};
+
+// The program behind the loop.
+class WebService {
+ public:
+  virtual WebAnswer Answer(const WebRequest& request) = 0;
+  // Returns the answer that refuses a WebSocket; null if it may be opened.
+  virtual std::unique_ptr<WebAnswer> Refuse(const WebRequest& request) = 0;
+  // Called when a WebSocket was opened.  `connection` exists as long as the page that is returned.
+  virtual std::unique_ptr<WebPage> Open(const WebRequest& request, WebConnection* connection) = 0;
+  // Called after WebLoop::Wake().
+  virtual void OnWake() = 0;
+
+ protected:
+  ~WebService() = default;
+};
+
+class WebLoop {
+ public:
+  virtual ~WebLoop() = default;
+
+  // Serves until Stop() was called.
+  virtual void Run() = 0;
+  virtual void Stop() = 0;
+  // Calls Stop() after `ms` milliseconds.
+  virtual void StopAfter(int ms) = 0;
+
+  // Lets Run() call WebService::OnWake().  May be called in any thread.
+  virtual void Wake() = 0;
+
+  // Serves HTTP on a connection that was accepted.  The loop owns the descriptor.
+  virtual void Serve(int connection) = 0;
+
+  // A descriptor that is watched; null after an error.
+  using Watched = void*;
+  // Watches a descriptor, which the loop owns from now on.
+  virtual Watched Watch(int descriptor, WebDescriptor* handler) = 0;
+  virtual void WantWrite(Watched watched) = 0;
+  // Closes the descriptor soon.  Its handler is not called any more.
+  virtual void Forget(Watched watched) = 0;
+};
+
+// Type and name of the function in libopenr_panel.so that makes the loop.  `protocol` is the
+// WebSocket subprotocol of pages.  Returns null if libwebsockets cannot be started.
+using MakeWebLoop = WebLoop*(WebService* service, const char* protocol);
+constexpr char kMakeWebLoopName[] = "openr_make_web_loop";
+
+}  // namespace openr_host
