@@ -59,6 +59,8 @@ grep_in '"PRM:/[^"]*-' cli kit openr runtime virtualrobot distribution objects t
   rule 'robot constants are in virtualrobot/model only'
 files 'cc|h|c' cli kit openr runtime virtualrobot distribution objects testing tools | grep -v '^virtualrobot/ode/' |
   xargs -r grep -nE '#include *[<"]ode/' /dev/null | rule 'only virtualrobot/ode includes ODE'
+grep_in '#include *["<]libwebsockets' cli kit openr runtime virtualrobot distribution objects testing tools |
+  grep -v '^openr/panel/web_loop\.cc:' | rule 'only openr/panel/web_loop.cc includes libwebsockets'
 # process_hooks.cc and file_hooks.cc define these calls for objects, wall_clock.cc is for pacing and
 # time limits; host_*.cc and ipstack are
 # the outside, which enters at frame boundaries.
@@ -71,7 +73,7 @@ grep_in '\b(TODO|FIXME|XXX|HACK)\b' cli kit openr runtime virtualrobot distribut
   rule 'no unfinished marks'
 grep -rnIE '(^|[^a-zA-Z.])/(tmp|work|root|home)/' --include='*.cc' --include='*.h' --include='*.c' \
   --include='*.cmake' --include='CMakeLists.txt' --include='*.sh' --include='*.py' --include='*.md' \
-  . 2>/dev/null | grep -vE '^\./(build|\.git|tests)/' | grep -v 'tools/check.sh' |
+  . 2>/dev/null | grep -vE '^\./(build|\.git|tests|panel/node_modules)/' | grep -v 'tools/check.sh' |
   rule 'no paths of one machine'
 files 'cc|h|c|idl|py|sh' cli kit openr runtime virtualrobot distribution objects examples testing tools tests bench | xargs -r wc -l |
   awk '$2 != "total" && $1 > 500' | rule 'no file has more than 500 lines'

@@ -16,6 +16,7 @@ void AddJoinCommand(CLI::App* app, int* exit_code);
 void AddTopCommand(CLI::App* app, int* exit_code);
 void AddPokeCommand(CLI::App* app, int* exit_code);
 void AddAttachCommand(CLI::App* app, int* exit_code);
+void AddPanelCommand(CLI::App* app, int* exit_code);
 void AddRcCommand(CLI::App* app, int* exit_code);
 void AddGraphCommand(CLI::App* app, int* exit_code);
 void AddMtnCommand(CLI::App* app, int* exit_code);

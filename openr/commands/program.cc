@@ -27,6 +27,7 @@ void AddCommands(CLI::App* app, int* exit_code) {
   AddTopCommand(app, exit_code);
   AddPokeCommand(app, exit_code);
   AddAttachCommand(app, exit_code);
+  AddPanelCommand(app, exit_code);
   AddRcCommand(app, exit_code);
   AddGraphCommand(app, exit_code);
   AddMtnCommand(app, exit_code);

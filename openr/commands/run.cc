@@ -27,9 +27,11 @@
 #include "openr/live/live_answers.h"
 #include "openr/live/live_context.h"
 #include "openr/live/live_events.h"
+#include "openr/live/live_folder.h"
 #include "openr/live/live_server.h"
 #include "openr/live/message_history.h"
 #include "openr/live/run_clock.h"
+#include "openr/panel/panel_process.h"
 #include "openr/rewind/rewind.h"
 #include "openr/run/event_script.h"
 #include "openr/run/interrupt.h"
@@ -121,6 +123,15 @@ std::unique_ptr<LiveServer> MakeLiveServer(const LiveContext& context, const std
     fmt::print(stderr, "openr: openr poke and attach cannot reach this run: {}\n", error.what());
     return nullptr;
   }
+}
+
+// Starts the server of the panel, which reaches the run through its socket, `live`.  Returns null
+// if the run has no panel.
+std::unique_ptr<PanelProcess> StartPanel(const RunFlags& flags, const LiveServer* live,
+                                         const std::string& name) {
+  if (live == nullptr || !WantsPanel(flags)) return nullptr;
+  const std::filesystem::path socket = LiveSocketPath(name);
+  return std::make_unique<PanelProcess>(socket.filename(), flags.panel_port);
 }
 
 // One run of `openr run`, from the flags to the report.
@@ -304,6 +315,7 @@ bool CommandedRun::RunToTheEnd() {
     plan_.clock = &clock_;
     plan_.rewind = &rewind_;
   }
+  const std::unique_ptr<PanelProcess> panel = StartPanel(flags_, live.get(), LiveName());
   Runner runner(&simulation_, plan_, &interrupts_);
   BeginRewind(live.get(), &runner, &watchdog);
   const auto learn_facts = [this, &runner] {

@@ -1,6 +1,7 @@
 #include "openr/commands/run_flags.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <charconv>
 #include <cstdio>
@@ -13,6 +14,7 @@
 #include "cli/output_file.h"
 #include "cli/standard_streams.h"
 #include "openr/commands/common_flags.h"
+#include "openr/panel/panel_process.h"
 #include "openr/simulation/network_setup.h"
 #include "runtime/base/duration.h"
 
@@ -135,10 +137,15 @@ void DescribeOutput(CLI::App* command, RunFlags* flags) {
       ->allow_extra_args(false)
       ->type_name("ROBOT=HOST")
       ->take_all();
-  command->add_flag("--no-panel", flags->no_panel, "No web panel");
-  flags->panel =
-      command->add_option("--panel", flags->panel_address, "Web panel (not in this version)")
-          ->expected(0, 1);
+  CLI::Option* const no_panel = command->add_flag("--no-panel", flags->no_panel, "No web panel");
+  command
+      ->add_flag("--panel", flags->panel,
+                 "Web panel (default if standard output is a terminal and --json is absent)")
+      ->excludes(no_panel);
+  command
+      ->add_option("--panel-port", flags->panel_port,
+                   "Port of the web panel, or the next free one; 0: any free one")
+      ->capture_default_str();
 }
 
 // Returns the reason why a run with the flags `flags` cannot take the picture that `plan`, a value
@@ -222,12 +229,14 @@ void DescribeRunFlags(CLI::App* command, RunFlags* flags) {
   DescribeOutput(command, flags);
 }
 
+bool WantsPanel(const RunFlags& flags) {
+  if (flags.panel || flags.no_panel) return flags.panel;
+  return !flags.json && isatty(StandardOutput()) == 1 && HasPanel();
+}
+
 RunPlan PlanOf(const RunFlags& flags) {
   CheckThatFilesDiffer(flags);
   CheckStandardOutput(flags);
-  if (flags.panel->count() > 0) {
-    throw CLI::ValidationError("--panel", "there is no web panel in this version");
-  }
   const int rc_port = flags.simulation.rc_port;
   if (const std::string problem = WhyNoPort(rc_port); !problem.empty())
     throw CLI::ValidationError("--rc-port", problem);

@@ -25,9 +25,9 @@ struct RunFlags {
   std::string record_file;
   bool no_payloads = false;
   bool json = false;
-  bool no_panel = false;
-  const CLI::Option* panel = nullptr;  // --panel, with or without an address
-  std::string panel_address;
+  bool panel = false;     // --panel
+  bool no_panel = false;  // --no-panel
+  uint16_t panel_port = 8210;
   std::string log = "info";
   std::string console_file;
   std::string stdin_file;
@@ -40,6 +40,10 @@ struct RunFlags {
 // Adds the flags of openr run to `command`.  Their values are stored in `flags` when the command
 // line is read.
 void DescribeRunFlags(CLI::App* command, RunFlags* flags);
+
+// Returns whether the run has a panel: with --panel, and without --no-panel if a person sees its
+// address on a terminal and the panel is built.
+bool WantsPanel(const RunFlags& flags);
 
 // Returns what the flags say about the run.  Throws CLI::ValidationError if two flags do not go
 // together, or a value cannot be used.

@@ -28,12 +28,13 @@ void ExpectJsonRefusal(std::vector<std::string> arguments, int status, const std
 }
 
 TEST(CommandLineTest, WithoutACommandItListsThem) {
-  ExpectRefusal({}, 2, "a command is missing; there are run, join, top, poke, attach, rc, ");
+  ExpectRefusal({}, 2, "a command is missing; there are run, join, top, poke, attach, panel, rc, ");
   ExpectRefusal({"mtn"}, 2, "a command is missing after 'mtn'; there are info, check, dump");
 }
 
 TEST(CommandLineTest, AnUnknownCommandIsNamedAndTheNearestOneSuggested) {
-  ExpectRefusal({"rnu"}, 2, "'rnu' is no command; there are run, join, top, poke, attach, rc, ");
+  ExpectRefusal({"rnu"}, 2,
+                "'rnu' is no command; there are run, join, top, poke, attach, panel, rc, ");
   ExpectRefusal({"rnu"}, 2, "did you mean 'run'?");
   ExpectRefusal({"rc", "127.0.0.1:1", "mvoe", "0", "3"}, 2, "'rc mvoe' is no command");
   ExpectRefusal({"mtn", "chekc", "a.mtn"}, 2, "did you mean 'check'?");
@@ -146,9 +147,12 @@ TEST(CommandLineTest, VersionIsOneJsonObject) {
   EXPECT_TRUE(nlohmann::json::parse(result.out).contains("version"));
 }
 
-TEST(CommandLineTest, ThereIsNoPanelYet) {
-  ExpectRefusal({"run", "--panel"}, 2, "no web panel in this version");
-  ExpectRefusal({"run", "--panel", "127.0.0.1:8210"}, 2, "no web panel in this version");
+TEST(CommandLineTest, ThePanelHasAPortAndIsEitherThereOrNot) {
+  ExpectRefusal({"run", "--panel", "--no-panel"}, 2, "--no-panel");
+  ExpectRefusal({"run", "--panel", "127.0.0.1:8210"}, 2, "'127.0.0.1:8210' is one word too many");
+  ExpectRefusal({"run", "--panel-port", "70000"}, 2, "70000");
+  ExpectRefusal({"panel", "--port", "x"}, 2, "--port");
+  ExpectRefusal({"panel", "--run", "nobody"}, 1, "there is no run 'nobody'");
 }
 
 TEST(CommandLineTest, DurationsNeedAUnit) {

@@ -1,0 +1,32 @@
+// The command openr panel: the server of the page with which people watch and drive a run.
+#include "openr/panel/panel.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "cli/exit_code.h"
+#include "openr/commands/commands.h"
+
+namespace openr_host {
+
+void AddPanelCommand(CLI::App* app, int* exit_code) {
+  CLI::App* const command = app->add_subcommand(
+      "panel", "Serves the web panel for the runs of this computer, until Ctrl-C");
+  auto options = std::make_shared<PanelOptions>();
+  command->add_option("--port", options->port, "Port of 127.0.0.1, or the next free one; 0: any")
+      ->capture_default_str();
+  command->add_option("--run", options->run,
+                      "Name or process id of the run that the page shows first; without it the "
+                      "only run there is");
+  // What openr run says to the server that it starts, and people do not (PanelProcess).
+  command->add_option("--fd", options->run_pipe, "Descriptor whose end of file ends the server")
+      ->group("");
+  command->callback([options, exit_code] {
+    ServePanel(*options);
+    *exit_code = kExitGood;
+  });
+}
+
+}  // namespace openr_host

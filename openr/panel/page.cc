@@ -1,0 +1,171 @@
+#include "openr/panel/page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+#include <stdexcept>
+#include <utility>
+
+#include "cli/json_text.h"
+#include "openr/live/live_client.h"
+
+namespace openr_host {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kPortTimeoutMs = 3000;
+
+// Returns the address of the remote control of a robot of `run`.
+RemoteAddress AddressInRun(const LiveRun& run, size_t robot) {
+  const Json status = LiveClient(run, kPortTimeoutMs).Ask({{"do", "status"}});
+  const auto ports = status.find("rc_ports");
+  if (ports == status.end() || robot >= ports->size())
+    throw std::runtime_error(fmt::format("the run has no remote control of robot {}", robot));
+  const int port = ports->at(robot).get<int>();
+  if (port == 0) {
+    throw std::runtime_error(
+        "the robot does not listen yet, or has no object RCServer; try again soon");
+  }
+  return {"127.0.0.1", static_cast<uint16_t>(port)};
+}
+
+// Returns whether the begin of a message shows that it is an upload, whose data follow.
+bool BeginsUpload(std::string_view text) {
+  return text.substr(0, Page::kMessageMax).find("\"upload\"") != std::string_view::npos;
+}
+
+bool IsUpload(const nlohmann::json& request) {
+  return request.value("do", "") == "rc" && request.value("call", "") == "upload";
+}
+
+}  // namespace
+
+Page::Page(WebLoop* loop, WebConnection* connection, RunsLister* runs)
+    : loop_(loop),
+      connection_(connection),
+      runs_(runs),
+      outbox_(std::make_shared<Outbox>([loop] { loop->Wake(); })) {}
+
+Page::~Page() { Leave(); }
+
+void Page::Leave() {
+  outbox_->Close();
+  bridges_.clear();
+  link_.reset();
+}
+
+void Page::Join(const LiveRun& run) {
+  run_ = run;
+  try {
+    link_ = std::make_unique<RunLink>(
+        loop_, run,
+        RunLink::Owner{[this](std::string line) { Queue(std::move(line)); },
+                       [this](const std::string& why) {
+                         link_.reset();
+                         End(kCloseRunEnded, why);
+                       },
+                       [this] { connection_->SetReading(true); }});
+  } catch (const std::exception& error) {
+    End(kCloseNoRun, error.what());
+  }
+}
+
+void Page::End(int code, const std::string& why) {
+  if (is_closing_) return;
+  Queue(JsonText(Json{{"event", "ended"}, {"why", why}}));
+  is_closing_ = true;
+  connection_->CloseWhenSent(code, why);
+}
+
+void Page::Queue(std::string text) {
+  if (is_closing_) return;
+  if (queue_.Add(std::move(text))) {
+    connection_->WantSend();
+  } else {
+    // The page takes nothing, so it would not take the reason either.
+    is_closing_ = true;
+    connection_->Abort();
+  }
+}
+
+void Page::Collect() {
+  for (std::string& text : outbox_->TakeAll()) Queue(std::move(text));
+}
+
+std::string Page::Next() { return queue_.Next(); }
+
+void Page::Take(std::string_view part, bool is_text, bool is_last) {
+  if (is_closing_) return;
+  if (!is_text) return End(kCloseNoText, "the page has sent a message that is no text");
+  received_ += part;
+  const size_t size_max = BeginsUpload(received_) ? kUploadMax : kMessageMax;
+  if (received_.size() > size_max)
+    return End(kCloseTooLong, fmt::format("a message of more than {} bytes", size_max));
+  if (is_last) Obey(std::exchange(received_, {}));
+}
+
+void Page::Obey(const std::string& text) {
+  nlohmann::json request = nlohmann::json::parse(text, nullptr, false);
+  if (!request.is_object()) return Refuse({}, "the request is no JSON object");
+  try {
+    if (text.size() > kMessageMax && !IsUpload(request)) {
+      End(kCloseTooLong, fmt::format("a message of more than {} bytes", kMessageMax));
+    } else if (const std::string what = request.value("do", ""); what == "runs") {
+      runs_->Ask(outbox_, request.value("id", nlohmann::json()));
+    } else if (what == "rc") {
+      CallRobot(std::move(request), text.size());
+    } else {
+      PassOn(text, request);
+    }
+  } catch (const std::exception& error) {
+    Refuse(request, error.what());
+  }
+}
+
+void Page::PassOn(const std::string& text, const nlohmann::json& request) {
+  if (link_ == nullptr) return Refuse(request, "this page has no run; the request runs lists them");
+  std::string line = text;
+  // Ends of lines are spaces in JSON, but would cut the request in two here.
+  std::replace(line.begin(), line.end(), '\n', ' ');
+  if (!link_->Send(line)) connection_->SetReading(false);
+}
+
+void Page::CallRobot(nlohmann::json request, size_t size) {
+  RcBridge* const bridge = BridgeTo(request);
+  bridge->Add(std::move(request), size);
+}
+
+RcBridge* Page::BridgeTo(const nlohmann::json& request) {
+  const std::string endpoint = request.value("endpoint", "run");
+  const size_t robot = request.value("robot", size_t{0});
+  const std::string key = endpoint == "run" ? fmt::format("run {}", robot) : endpoint;
+  const auto found = bridges_.find(key);
+  if (found != bridges_.end()) return found->second.get();
+  RcCalls::FindAddress find;
+  if (endpoint == "run") {
+    if (!run_) throw std::runtime_error("this page has no run; give the endpoint as HOST:PORT");
+    find = [run = *run_, robot] { return AddressInRun(run, robot); };
+  } else {
+    RemoteAddress address;
+    const std::string problem = ParseRemoteAddress(endpoint, &address);
+    if (!problem.empty()) throw std::runtime_error(problem);
+    find = [address] { return address; };
+  }
+  if (bridges_.size() >= kEndpointsMax) {
+    throw std::runtime_error(
+        fmt::format("a page can use {} robots at most; open another page", kEndpointsMax));
+  }
+  auto& bridge = bridges_[key];
+  bridge = std::make_unique<RcBridge>(std::move(find), outbox_);
+  return bridge.get();
+}
+
+void Page::Refuse(const nlohmann::json& request, const std::string& why) {
+  Json answer = {{"error", why}};
+  if (request.is_object() && request.contains("id")) answer["id"] = request["id"];
+  Queue(JsonText(answer));
+}
+
+}  // namespace openr_host

@@ -1,0 +1,77 @@
+// Page, the server's end of one page that is open in a browser.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "openr/live/live_folder.h"
+#include "openr/panel/outbox.h"
+#include "openr/panel/page_queue.h"
+#include "openr/panel/rc_bridge.h"
+#include "openr/panel/run_link.h"
+#include "openr/panel/runs_lister.h"
+#include "openr/panel/web_loop.h"
+
+namespace openr_host {
+
+// Codes with which the server closes the WebSocket of a page (docs/panel-server.md).  1003 to 1013
+// are those of RFC 6455; 4000 and above are our own.
+enum PageClose {
+  kCloseNoText = 1003,
+  kCloseTooLong = 1009,
+  kCloseTooMany = 1013,
+  kCloseRunEnded = 4001,
+  kCloseNoRun = 4002,
+};
+
+class Page : public WebPage {
+ public:
+  // Bytes of a message of a page: of an upload, and of all others.
+  static constexpr size_t kUploadMax = size_t{12} << 20;
+  static constexpr size_t kMessageMax = size_t{64} << 10;
+  // Number of robots whose remote control one page uses at a time.
+  static constexpr size_t kEndpointsMax = 4;
+
+  Page(WebLoop* loop, WebConnection* connection, RunsLister* runs);
+  ~Page() override;
+
+  // Connects the page to a run.  The page is told if that is not possible.
+  void Join(const LiveRun& run);
+
+  // Tells the page that its run has ended, or why there is none, and closes it.
+  void End(int code, const std::string& why);
+
+  // Takes the answers of threads.
+  void Collect();
+
+  // Closes all connections.  Called before the loop ends, because the page lives longer.
+  void Leave();
+
+  void Take(std::string_view part, bool is_text, bool is_last) override;
+  std::string Next() override;
+
+ private:
+  void Obey(const std::string& text);
+  void PassOn(const std::string& text, const nlohmann::json& request);
+  void CallRobot(nlohmann::json request, size_t size);
+  RcBridge* BridgeTo(const nlohmann::json& request);
+  void Refuse(const nlohmann::json& request, const std::string& why);
+  void Queue(std::string text);
+
+  WebLoop* const loop_;
+  WebConnection* const connection_;
+  RunsLister* const runs_;
+  const std::shared_ptr<Outbox> outbox_;
+  std::optional<LiveRun> run_;
+  std::unique_ptr<RunLink> link_;                             // null: no run
+  std::map<std::string, std::unique_ptr<RcBridge>> bridges_;  // by endpoint
+  std::string received_;                                      // the begin of the next message
+  PageQueue queue_;
+  bool is_closing_ = false;
+};
+
+}  // namespace openr_host

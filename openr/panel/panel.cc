@@ -1,0 +1,343 @@
+#include "openr/panel/panel.h"
+
+#include <arpa/inet.h>
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <netinet/in.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/signalfd.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+#include "cli/install_paths.h"
+#include "cli/standard_streams.h"
+#include "openr/live/live_folder.h"
+#include "openr/panel/access.h"
+#include "openr/panel/page.h"
+#include "openr/panel/runs_lister.h"
+#include "openr/panel/static_files.h"
+#include "openr/panel/web_loop.h"
+
+namespace openr_host {
+namespace {
+
+constexpr size_t kPagesMax = 16;
+// Ports that are tried, from the one that the user wants.
+constexpr int kPortsMax = 100;
+// Time for pages to hear that the run has ended.
+constexpr int kFarewellMs = 300;
+
+constexpr char kNoPage[] =
+    R"(<!doctype html><html lang="en"><meta charset="utf-8"><title>openr panel</title>
+<h1>The page of the panel is not built</h1>
+<p>This openr was built without node and npm (Debian packages nodejs and npm). Install them, then
+configure and build again: <code>./dev build</code>, or <code>cmake --build BUILD --target
+panel_page</code>.</p>
+<p>All else works: <code>openr poke</code>, <code>openr attach</code> and <code>openr rc</code> act
+on a run.</p></html>
+)";
+
+// Returns a socket that listens on 127.0.0.1, on the first free port from `*port`, which becomes
+// its number.
+int Listen(uint16_t* port) {
+  const int first = *port;
+  for (int number = first; number < first + kPortsMax && number <= 65535; ++number) {
+    const int listener = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
+    const int on = 1;
+    setsockopt(listener, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    address.sin_port = htons(static_cast<uint16_t>(number));
+    socklen_t size = sizeof address;
+    auto* const any = reinterpret_cast<sockaddr*>(&address);
+    if (bind(listener, any, size) == 0 && listen(listener, 64) == 0 &&
+        getsockname(listener, any, &size) == 0) {
+      *port = ntohs(address.sin_port);
+      return listener;
+    }
+    const int error = errno;
+    close(listener);
+    if (error != EADDRINUSE)
+      throw std::runtime_error(
+          fmt::format("port {} of 127.0.0.1: {}", number, std::strerror(error)));
+  }
+  throw std::runtime_error(
+      fmt::format("the {} ports of 127.0.0.1 from {} on are taken; give another with --port",
+                  kPortsMax, first));
+}
+
+// Returns the run that `wanted` means: NAME.PROCESS, a name or a process id.  "" is the only run
+// that goes on, if there is just one.
+std::optional<LiveRun> FindRun(const std::string& wanted) {
+  const std::vector<LiveRun> runs = LiveRuns();
+  if (wanted.empty()) return runs.size() == 1 ? std::optional(runs[0]) : std::nullopt;
+  for (const LiveRun& run : runs) {
+    if (std::filesystem::path(run.socket).filename() == wanted) return run;
+  }
+  return FindLiveRun(wanted);
+}
+
+std::string NameOf(const std::optional<LiveRun>& run) {
+  return run ? std::filesystem::path(run->socket).filename().string() : "";
+}
+
+// A descriptor that calls a function when it can be read, and is closed when that returns false.
+class Listener final : public WebDescriptor {
+ public:
+  explicit Listener(
+      std::function<bool()> on_readable, std::function<void()> on_closed = [] {})
+      : on_readable_(std::move(on_readable)), on_closed_(std::move(on_closed)) {}
+  bool OnReadable() override { return on_readable_(); }
+  void OnClosed() override { on_closed_(); }
+
+ private:
+  const std::function<bool()> on_readable_;
+  const std::function<void()> on_closed_;
+};
+
+// Loads libopenr_panel.so and makes the loop.
+std::unique_ptr<WebLoop> LoadLoop(WebService* service, const std::string& protocol) {
+  const std::string library = PanelLibrary();
+  void* const handle = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (handle == nullptr) {
+    throw std::runtime_error(
+        fmt::format("no panel: {}; it needs libwebsockets (Debian package libwebsockets-dev): "
+                    "install it, then configure and build openr again",
+                    dlerror()));
+  }
+  auto* const make = reinterpret_cast<MakeWebLoop*>(dlsym(handle, kMakeWebLoopName));
+  if (make == nullptr)
+    throw std::runtime_error(fmt::format("{}: is of another version; build it again", library));
+  std::unique_ptr<WebLoop> loop(make(service, protocol.c_str()));
+  if (loop == nullptr) throw std::runtime_error("libwebsockets cannot be started");
+  return loop;
+}
+
+class Panel : public WebService {
+ public:
+  explicit Panel(const PanelOptions& options);
+  ~Panel();
+
+  std::string Url() const { return access_.Url(); }
+  void Run() { loop_->Run(); }
+
+  WebAnswer Answer(const WebRequest& request) override;
+  std::unique_ptr<WebAnswer> Refuse(const WebRequest& request) override;
+  std::unique_ptr<WebPage> Open(const WebRequest& request, WebConnection* connection) override;
+  void OnWake() override;
+
+ private:
+  // A page that leaves the set of pages when its WebSocket is closed.
+  class OpenPage;
+
+  WebAnswer WithHeaders(WebAnswer answer) const;
+  bool Accept();
+  void WatchSignals();
+  void WatchRun(int run_pipe);
+  void EndPages();
+
+  bool is_leaving_ = false;
+  uint16_t port_;
+  const int listener_descriptor_;
+  const Access access_;
+  const std::string folder_;  // of the built page; "": not built
+  std::string own_run_;
+  RunsLister runs_;
+  std::set<OpenPage*> pages_;
+  int signals_ = -1;
+  Listener listener_, signal_listener_, run_listener_;
+  std::unique_ptr<WebLoop> loop_;
+};
+
+class Panel::OpenPage : public Page {
+ public:
+  OpenPage(Panel* panel, WebConnection* connection)
+      : Page(panel->loop_.get(), connection, &panel->runs_), panel_(panel) {
+    panel_->pages_.insert(this);
+  }
+  ~OpenPage() override { panel_->pages_.erase(this); }
+
+ private:
+  Panel* const panel_;
+};
+
+Panel::Panel(const PanelOptions& options)
+    : port_(options.port),
+      listener_descriptor_(Listen(&port_)),
+      access_(NewToken(), port_),
+      folder_(PanelFolder()),
+      own_run_(NameOf(FindRun(options.run))),
+      runs_(own_run_),
+      listener_([this] { return Accept(); }),
+      signal_listener_([this] {
+        loop_->Stop();
+        return false;
+      }),
+      run_listener_([] { return false; }, [this] { EndPages(); }),
+      loop_(LoadLoop(this, access_.protocol())) {
+  if (loop_->Watch(listener_descriptor_, &listener_) == nullptr)
+    throw std::runtime_error("libwebsockets cannot watch the panel's port");
+  WatchSignals();
+  if (options.run_pipe >= 0) loop_->Watch(options.run_pipe, &run_listener_);
+}
+
+Panel::~Panel() {
+  is_leaving_ = true;
+  for (OpenPage* const page : pages_) page->Leave();
+}
+
+void Panel::WatchSignals() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGINT);
+  sigaddset(&signals, SIGTERM);
+  sigprocmask(SIG_BLOCK, &signals, nullptr);
+  signals_ = signalfd(-1, &signals, SFD_CLOEXEC | SFD_NONBLOCK);
+  if (signals_ >= 0) loop_->Watch(signals_, &signal_listener_);
+}
+
+bool Panel::Accept() {
+  for (;;) {
+    const int connection =
+        accept4(listener_descriptor_, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);
+    if (connection < 0) return true;
+    loop_->Serve(connection);
+  }
+}
+
+void Panel::EndPages() {
+  if (is_leaving_) return;
+  for (OpenPage* const page : pages_) page->End(kCloseRunEnded, "the run has ended");
+  loop_->StopAfter(pages_.empty() ? 1 : kFarewellMs);
+}
+
+WebAnswer Panel::WithHeaders(WebAnswer answer) const {
+  const auto add = [&answer](const char* name, const std::string& value) {
+    answer.headers.emplace_back(name, value);
+  };
+  // Pages show pictures and plots of their own making (data:, blob:), and set styles of elements.
+  add("content-security-policy",
+      fmt::format("default-src 'self'; connect-src 'self' ws://127.0.0.1:{0} ws://localhost:{0}; "
+                  "img-src 'self' data: blob:; font-src 'self' data:; worker-src 'self' blob:; "
+                  "style-src 'self' 'unsafe-inline'; object-src 'none'; base-uri 'none'; "
+                  "form-action 'none'; frame-ancestors 'none'",
+                  port_));
+  add("x-content-type-options", "nosniff");
+  add("referrer-policy", "no-referrer");  // the token is in the address of the page
+  add("cross-origin-opener-policy", "same-origin");
+  add("cross-origin-resource-policy", "same-origin");
+  return answer;
+}
+
+WebAnswer Panel::Answer(const WebRequest& request) {
+  WebAnswer answer;
+  if (const std::string why = access_.WhyNoFile(request); !why.empty()) {
+    answer.status = 403;
+    answer.text = why + "\n";
+  } else if (!request.is_get) {
+    answer.status = 405;
+    answer.text = "only GET is served\n";
+    answer.headers.emplace_back("allow", "GET");
+  } else if (folder_.empty() && request.path == "/") {
+    answer.type = "text/html; charset=utf-8";
+    answer.text = kNoPage;
+  } else if (answer.file = FindStaticFile(folder_, request.path); answer.file.empty()) {
+    answer.status = 404;
+    answer.text = "there is no such file\n";
+  } else {
+    answer.type = ContentTypeOf(answer.file);
+  }
+  answer.headers.emplace_back("cache-control",
+                              answer.status == 200 ? CacheControlOf(request.path) : "no-store");
+  return WithHeaders(std::move(answer));
+}
+
+std::unique_ptr<WebAnswer> Panel::Refuse(const WebRequest& request) {
+  WebAnswer answer;
+  answer.status = 403;
+  answer.text = access_.WhyNoSocket(request);
+  if (answer.text.empty() && request.path != "/ws") {
+    answer.status = 404;
+    answer.text = "WebSockets are at /ws";
+  }
+  if (answer.text.empty()) return nullptr;
+  answer.text += '\n';
+  return std::make_unique<WebAnswer>(WithHeaders(std::move(answer)));
+}
+
+std::unique_ptr<WebPage> Panel::Open(const WebRequest& request, WebConnection* connection) {
+  const bool is_full = pages_.size() >= kPagesMax;
+  auto page = std::make_unique<OpenPage>(this, connection);
+  if (is_full) {
+    page->End(kCloseTooMany, fmt::format("{} pages are open already; close one", kPagesMax));
+    return page;
+  }
+  try {
+    const std::optional<LiveRun> run = FindRun(request.run.empty() ? own_run_ : request.run);
+    if (run) page->Join(*run);
+  } catch (const std::exception& error) {
+    page->End(kCloseNoRun, error.what());
+  }
+  return page;
+}
+
+void Panel::OnWake() {
+  for (OpenPage* const page : pages_) page->Collect();
+}
+
+// Returns whether the run at the other end of the pipe has ended.
+bool HasRunEnded(int run_pipe) {
+  pollfd wanted = {run_pipe, 0, 0};
+  return poll(&wanted, 1, 0) > 0;
+}
+
+// Prints the address.  The server of a run prints it on standard error, where all words of a run
+// for people are, in one write(), because the run prints there too.
+void PrintAddress(const std::string& url, bool is_of_run) {
+  const std::string line = fmt::format("panel: {}\n", url);
+  if (!is_of_run) {
+    PrintAnswer(line);
+    FlushAnswer();
+    return;
+  }
+  const std::string text = "openr: " + line;
+  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text.data(), text.size());
+  // Leaves the stream, because a program that reads the words of the run waits for its end.
+  const int nowhere = open("/dev/null", O_RDWR | O_CLOEXEC);
+  if (nowhere < 0) return;
+  dup2(nowhere, STDERR_FILENO);
+  close(nowhere);
+}
+
+}  // namespace
+
+void ServePanel(const PanelOptions& options) {
+  {
+    Panel panel(options);
+    // The last word of a run is what has ended it, so nothing is printed behind it.
+    if (options.run_pipe >= 0 && HasRunEnded(options.run_pipe)) return;
+    PrintAddress(panel.Url(), options.run_pipe >= 0);
+    panel.Run();
+  }
+  if (!RcBridge::HasThreads() && !RunsLister::HasThreads()) return;
+  // A thread still waits for a robot.  Ends the process without destructors of static variables,
+  // because the thread may use them.
+  const int exit_code = FinishStandardOutput(0, "openr");
+  fflush(nullptr);
+  _exit(exit_code);
+}
+
+}  // namespace openr_host

@@ -1,0 +1,92 @@
+#include "openr/panel/panel_process.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+
+#include "cli/install_paths.h"
+#include "cli/process_copy.h"
+
+namespace openr_host {
+namespace {
+
+// Descriptor of the pipe in the server.
+constexpr int kPipeInServer = 3;
+
+// Makes this process the server.  Only calls functions that may be called after fork().  Does not
+// return.
+[[noreturn]] void BecomeServer(const char* program, int pipe, char* const* arguments) {
+  setsid();  // Ctrl-C in the terminal of the run and its end do not reach the server
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
+  const int nowhere = open("/dev/null", O_RDWR);
+  dup2(nowhere, STDIN_FILENO);
+  dup2(nowhere, STDOUT_FILENO);
+  // A descriptor that dup2() makes stays open in the next program, but not if both are equal.
+  if (pipe == kPipeInServer) {
+    fcntl(pipe, F_SETFD, 0);
+  } else {
+    dup2(pipe, kPipeInServer);
+  }
+  close_range(kPipeInServer + 1, ~0u, 0);
+  execv(program, arguments);
+  execv("/proc/self/exe", arguments);  // a new build may have removed the file
+  _exit(127);
+}
+
+}  // namespace
+
+PanelProcess::PanelProcess(const std::string& run, uint16_t port) {
+  int ends[2];
+  const auto warn = [] {
+    fmt::print(stderr, "openr: no panel: it cannot be started: {}\n", std::strerror(errno));
+  };
+  if (pipe2(ends, O_CLOEXEC) != 0) {
+    warn();
+    return;
+  }
+  std::string words[] = {"openr",  "panel",
+                         "--run",  run,
+                         "--port", std::to_string(port),
+                         "--fd",   std::to_string(kPipeInServer)};
+  std::array<char*, std::size(words) + 1> arguments{};
+  for (size_t i = 0; i < std::size(words); ++i) arguments[i] = words[i].data();
+  const std::string program = ProgramFile();
+  const pid_t child = fork();
+  if (child == 0) {
+    // Forks again and ends, so that the server is no child of the run: nobody has to wait for the
+    // end of the server, and it leaves no zombie.
+    if (fork() == 0) {
+      close(ends[1]);
+      BecomeServer(program.c_str(), ends[0], arguments.data());
+    }
+    _exit(0);
+  }
+  close(ends[0]);
+  if (child < 0) {
+    warn();
+    close(ends[1]);
+    return;
+  }
+  WaitForEnd(child);
+  pipe_ = ends[1];
+}
+
+PanelProcess::~PanelProcess() {
+  if (pipe_ >= 0) close(pipe_);
+}
+
+bool HasPanel() {
+  return !PanelFolder().empty() && std::filesystem::path(PanelLibrary()).is_absolute();
+}
+
+}  // namespace openr_host

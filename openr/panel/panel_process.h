@@ -1,0 +1,31 @@
+// PanelProcess, with which a run starts the server of its panel.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace openr_host {
+
+// The server is a process of its own, `openr panel`, so that the simulation keeps its one thread.
+// The run never waits for the server, and goes on if the server ends.
+//
+// The server ends when all processes have closed the writing end of a pipe: this process and the
+// copies that it makes of itself with fork().  So it outlives a run that goes on in such a copy.
+class PanelProcess {
+ public:
+  // Starts the server of the run `run` ("default.123"), on the first free port from `port` on.
+  // Prints a warning if that is not possible.
+  PanelProcess(const std::string& run, uint16_t port);
+  // Lets the server end, and does not wait for that.
+  ~PanelProcess();
+  PanelProcess(const PanelProcess&) = delete;
+  PanelProcess& operator=(const PanelProcess&) = delete;
+
+ private:
+  int pipe_ = -1;
+};
+
+// Returns whether there are a built page and the library that serves it.
+bool HasPanel();
+
+}  // namespace openr_host

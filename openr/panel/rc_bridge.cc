@@ -1,0 +1,127 @@
+#include "openr/panel/rc_bridge.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <stdexcept>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "cli/json_text.h"
+
+namespace openr_host {
+namespace {
+
+std::atomic<int> g_bridge_threads = 0;
+
+// Returns a text that is the same for all commands for the same value of a joint.
+std::string JointValueOf(const nlohmann::json& request) {
+  const std::string call = request.value("call", "");
+  if (call != "move" && call != "speed" && call != "accel") return "";
+  const auto joint = request.find("joint");
+  return joint == request.end() ? "" : call + " " + JsonText(*joint);
+}
+
+void Answer(Outbox* outbox, RcCalls::Json answer, const std::vector<nlohmann::json>& ids) {
+  for (const nlohmann::json& id : ids) {
+    if (!id.is_null()) answer["id"] = id;
+    outbox->Add(JsonText(answer));
+  }
+}
+
+}  // namespace
+
+struct RcBridge::Queue {
+  // A call that waits, and the ids of the requests that it answers.
+  struct Call {
+    nlohmann::json request;
+    size_t size;
+    std::string joint_value;  // call and joint, if the call sets a value of a joint; else ""
+    std::vector<nlohmann::json> ids;
+  };
+
+  std::mutex mutex;
+  std::condition_variable changed;
+  std::deque<Call> calls;
+  size_t bytes = 0;
+  bool is_ended = false;
+
+  // Waits for a call.  Returns false when the bridge is gone.
+  bool Take(Call* call) {
+    std::unique_lock lock(mutex);
+    changed.wait(lock, [this] { return is_ended || !calls.empty(); });
+    if (is_ended) return false;
+    *call = std::move(calls.front());
+    calls.pop_front();
+    bytes -= call->size;
+    return true;
+  }
+};
+
+namespace {
+
+void DoCalls(RcBridge::Queue* queue, RcCalls* calls, Outbox* outbox) {
+  RcBridge::Queue::Call call;
+  while (queue->Take(&call)) {
+    const auto progress = [&](size_t sent, size_t size) {
+      outbox->Add(JsonText(
+          RcCalls::Json{{"event", "upload"}, {"id", call.ids[0]}, {"sent", sent}, {"size", size}}));
+    };
+    Answer(outbox, calls->Do(call.request, progress), call.ids);
+  }
+}
+
+}  // namespace
+
+RcBridge::RcBridge(RcCalls::FindAddress find_address, std::shared_ptr<Outbox> outbox)
+    : outbox_(std::move(outbox)), queue_(std::make_shared<Queue>()) {
+  if (g_bridge_threads >= kThreadsMax)
+    throw std::runtime_error("too many connections to robots are being closed; try again soon");
+  ++g_bridge_threads;
+  // The thread is detached because the event loop must not wait for it: a call to a robot that does
+  // not answer takes seconds.
+  std::thread([find_address = std::move(find_address), outbox = outbox_, queue = queue_] {
+    {
+      RcCalls calls(find_address);
+      DoCalls(queue.get(), &calls, outbox.get());
+    }
+    --g_bridge_threads;
+  }).detach();
+}
+
+RcBridge::~RcBridge() {
+  const std::lock_guard lock(queue_->mutex);
+  queue_->is_ended = true;
+  queue_->changed.notify_one();
+}
+
+void RcBridge::Add(nlohmann::json request, size_t size) {
+  std::vector<nlohmann::json> ids = {request.value("id", nlohmann::json())};
+  const std::string joint_value = JointValueOf(request);
+  const std::lock_guard lock(queue_->mutex);
+  auto& calls = queue_->calls;
+  const auto older = std::find_if(calls.begin(), calls.end(), [&](const Queue::Call& call) {
+    return !joint_value.empty() && call.joint_value == joint_value;
+  });
+  if (older != calls.end()) {
+    ids.insert(ids.begin(), older->ids.begin(), older->ids.end());
+    queue_->bytes -= older->size;
+    calls.erase(older);
+  }
+  if (calls.size() >= kCallsMax || queue_->bytes + size > kBytesMax || ids.size() > kCallsMax) {
+    Answer(outbox_.get(), {{"error", "too many commands wait for the robot; is it busy?"}}, ids);
+    return;
+  }
+  queue_->bytes += size;
+  calls.push_back({std::move(request), size, joint_value, std::move(ids)});
+  queue_->changed.notify_one();
+}
+
+bool RcBridge::HasThreads() { return g_bridge_threads > 0; }
+
+}  // namespace openr_host

@@ -1,0 +1,106 @@
+#include "openr/panel/runs_lister.h"
+
+#include <atomic>
+#include <exception>
+#include <filesystem>
+#include <mutex>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "cli/json_text.h"
+#include "openr/live/live_client.h"
+#include "openr/live/live_folder.h"
+
+namespace openr_host {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kStatusTimeoutMs = 500;
+constexpr size_t kQuestionsMax = 64;
+
+std::atomic<int> g_lister_threads = 0;
+
+// Returns what pages show of a run.  A run that does not answer has no model and no time.
+Json DescribeRun(const LiveRun& run) {
+  Json json = {{"name", run.name},
+               {"process", run.process},
+               {"run", std::filesystem::path(run.socket).filename().string()},
+               {"model", nullptr},
+               {"time_s", nullptr}};
+  try {
+    const Json status = LiveClient(run, kStatusTimeoutMs).Ask({{"do", "status"}});
+    json["model"] = status.at("model");
+    json["time_s"] = status.at("time_s");
+  } catch (const std::exception&) {
+    return json;
+  }
+  return json;
+}
+
+Json DescribeRuns(const std::string& own) {
+  try {
+    Json runs = Json::array();
+    for (const LiveRun& run : LiveRuns()) runs.push_back(DescribeRun(run));
+    return {{"runs", std::move(runs)}, {"own", own}};
+  } catch (const std::exception& error) {
+    return {{"error", error.what()}};
+  }
+}
+
+}  // namespace
+
+struct RunsLister::Questions {
+  struct Question {
+    std::shared_ptr<Outbox> outbox;
+    nlohmann::json id;
+
+    void Answer(Json answer) const {
+      if (!id.is_null()) answer["id"] = id;
+      outbox->Add(JsonText(answer));
+    }
+  };
+
+  explicit Questions(std::string the_own) : own(std::move(the_own)) {}
+  const std::string own;
+  std::mutex mutex;
+  std::vector<Question> waiting;
+  bool is_answering = false;  // there is a thread
+
+  void AnswerAll() {
+    for (;;) {
+      std::vector<Question> now;
+      {
+        const std::lock_guard lock(mutex);
+        now = std::exchange(waiting, {});
+        is_answering = !now.empty();
+      }
+      if (now.empty()) return;
+      const Json answer = DescribeRuns(own);
+      for (const Question& question : now) question.Answer(answer);
+    }
+  }
+};
+
+RunsLister::RunsLister(std::string own) : questions_(std::make_shared<Questions>(std::move(own))) {}
+
+void RunsLister::Ask(std::shared_ptr<Outbox> outbox, nlohmann::json id) {
+  Questions::Question question = {std::move(outbox), std::move(id)};
+  const std::lock_guard lock(questions_->mutex);
+  if (questions_->waiting.size() >= kQuestionsMax) {
+    question.Answer({{"error", "too many requests wait for the list of runs"}});
+    return;
+  }
+  questions_->waiting.push_back(std::move(question));
+  if (std::exchange(questions_->is_answering, true)) return;
+  ++g_lister_threads;
+  std::thread([questions = questions_] {
+    questions->AnswerAll();
+    --g_lister_threads;
+  }).detach();
+}
+
+bool RunsLister::HasThreads() { return g_lister_threads > 0; }
+
+}  // namespace openr_host
