@@ -82,6 +82,8 @@ class ProgramRun {
 
   // What it has said on standard error so far.
   const std::string& heard() const { return result_.err; }
+  // The same for standard output.
+  const std::string& said() const { return result_.out; }
 
   pid_t pid() const { return child_; }
   void Signal(int signal) const {

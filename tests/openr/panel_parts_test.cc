@@ -1,0 +1,168 @@
+// Parts of the panel's server, without a server.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <condition_variable>
+#include <filesystem>
+#include <fstream>
+#include <future>
+#include <mutex>
+#include <set>
+#include <stdexcept>
+
+#include "openr/panel/access.h"
+#include "openr/panel/base64.h"
+#include "openr/panel/page_queue.h"
+#include "openr/panel/rc_bridge.h"
+#include "openr/panel/static_files.h"
+#include "tests/openr/program_run.h"
+
+namespace openr_host {
+namespace {
+
+using ::testing::ElementsAre;
+using Json = nlohmann::ordered_json;
+
+TEST(Base64Test, BytesComeBackAsTheyWere) {
+  EXPECT_EQ(ToBase64(""), "");
+  EXPECT_EQ(ToBase64("f"), "Zg==");
+  EXPECT_EQ(ToBase64("fo"), "Zm8=");
+  EXPECT_EQ(ToBase64("foobar"), "Zm9vYmFy");
+  std::string all;
+  for (int i = 0; i < 256; ++i) all += static_cast<char>(i);
+  EXPECT_EQ(FromBase64(ToBase64(all)), all);
+  EXPECT_EQ(FromBase64("Zg=="), "f");
+}
+
+TEST(Base64Test, OtherTextsAreRefused) {
+  for (const char* const text : {"Zg", "Zg=", "Zg=a", "====", "Z===", "Zm9v YmFy", "Zm9-", "=m9v"})
+    EXPECT_EQ(FromBase64(text), std::nullopt) << text;
+}
+
+TEST(AccessTest, TokensDifferAndHave128Bits) {
+  EXPECT_NE(NewToken(), NewToken());
+  EXPECT_EQ(NewToken().size(), 32u);
+  EXPECT_TRUE(IsSameSecret("abc", "abc"));
+  for (const char* const other : {"", "ab", "abcd", "abd", "bbc"})
+    EXPECT_FALSE(IsSameSecret("abc", other));
+}
+
+TEST(StaticFilesTest, OnlyFilesBelowTheFolderAreFound) {
+  const ScratchFolder scratch;
+  scratch.Write("page/index.html", "x");
+  scratch.Write("page/assets/a.js", "x");
+  scratch.Write("page/.hidden", "x");
+  scratch.Write("secret.txt", "x");
+  std::filesystem::create_symlink(scratch.File("secret.txt"), scratch.File("page/link.txt"));
+  const std::string folder = scratch.File("page");
+  EXPECT_EQ(FindStaticFile(folder, "/"), folder + "/index.html");
+  EXPECT_EQ(FindStaticFile(folder, "/index.html"), folder + "/index.html");
+  EXPECT_EQ(FindStaticFile(folder, "/assets/a.js"), folder + "/assets/a.js");
+  for (const char* const path : {"", "index.html", "/assets", "/assets/", "/.hidden", "/link.txt",
+                                 "/../secret.txt", "/assets/../../secret.txt", "//index.html"})
+    EXPECT_EQ(FindStaticFile(folder, path), "") << path;
+  EXPECT_EQ(FindStaticFile("", "/"), "");
+}
+
+TEST(StaticFilesTest, TypesAndAgesFitTheFiles) {
+  EXPECT_EQ(ContentTypeOf("assets/a.b.js"), "text/javascript; charset=utf-8");
+  EXPECT_EQ(ContentTypeOf("a.css"), "text/css; charset=utf-8");
+  EXPECT_EQ(ContentTypeOf("a.unknown"), "application/octet-stream");
+  EXPECT_EQ(CacheControlOf("/assets/a.js"), "private, max-age=31536000, immutable");
+  EXPECT_EQ(CacheControlOf("/"), "no-cache");
+}
+
+TEST(PageQueueTest, OnlyTheNewestStateOfAKindWaits) {
+  PageQueue queue;
+  for (const char* const text :
+       {R"({"event":"pose","n":1})", R"({"event":"values","n":1})", R"({"id":1})",
+        R"({"event":"log","n":1})", R"({"event":"pose","n":2})", R"({"event":"log","n":2})",
+        R"({"event":"poses","n":1})", R"({"event":"poses","n":2})"})
+    EXPECT_TRUE(queue.Add(text));
+  std::vector<std::string> sent;
+  while (!queue.empty()) sent.push_back(queue.Next());
+  EXPECT_THAT(sent,
+              ElementsAre(R"({"event":"values","n":1})", R"({"id":1})", R"({"event":"log","n":1})",
+                          R"({"event":"pose","n":2})", R"({"event":"log","n":2})",
+                          R"({"event":"poses","n":1})", R"({"event":"poses","n":2})"));
+  EXPECT_EQ(queue.Next(), "");
+}
+
+TEST(PageQueueTest, StatesGiveWayToAnswers) {
+  PageQueue queue;
+  const std::string part(PageQueue::kBytesMax / 2, 'x');
+  EXPECT_TRUE(queue.Add(part));
+  EXPECT_TRUE(queue.Add(R"({"event":"graph"})"));
+  EXPECT_TRUE(queue.Add(part));
+  EXPECT_EQ(queue.Next(), part);
+  EXPECT_EQ(queue.Next(), part);
+  EXPECT_TRUE(queue.empty());
+  EXPECT_TRUE(queue.Add(part));
+  EXPECT_TRUE(queue.Add(part));
+  EXPECT_FALSE(queue.Add("x"));
+}
+
+// A bridge to a robot that does not answer before Release(), and then is not there.
+class RcBridgeTest : public ::testing::Test {
+ protected:
+  // Waits until `count` answers have come.
+  std::vector<Json> Answers(size_t count) {
+    std::vector<Json> answers;
+    std::unique_lock lock(mutex_);
+    while (answers.size() < count) {
+      for (const std::string& text : outbox_->TakeAll()) answers.push_back(Json::parse(text));
+      if (answers.size() < count) changed_.wait_for(lock, std::chrono::milliseconds(10));
+    }
+    return answers;
+  }
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::promise<void> release_;
+  std::promise<void> asked_;  // the first call has begun
+  std::atomic<int> calls_ = 0;
+  const std::shared_ptr<Outbox> outbox_ =
+      std::make_shared<Outbox>([this] { changed_.notify_all(); });
+  RcBridge bridge_{[this, released = release_.get_future().share()]() -> RemoteAddress {
+                     if (calls_++ == 0) asked_.set_value();
+                     released.wait();
+                     throw std::runtime_error("no robot");
+                   },
+                   outbox_};
+};
+
+TEST_F(RcBridgeTest, TheNewestValueOfAJointReplacesThoseThatWait) {
+  bridge_.Add({{"call", "connect"}, {"id", 1}}, 10);
+  asked_.get_future().wait();
+  for (const int id : {2, 3}) bridge_.Add({{"call", "move"}, {"joint", "a"}, {"id", id}}, 10);
+  bridge_.Add({{"call", "move"}, {"joint", "b"}, {"id", 4}}, 10);
+  bridge_.Add({{"call", "speed"}, {"joint", "a"}, {"id", 5}}, 10);
+  bridge_.Add({{"call", "move"}, {"joint", "a"}, {"id", 6}}, 10);
+  bridge_.Add({{"call", "stop"}, {"id", 7}}, 10);
+  bridge_.Add({{"call", "stop"}, {"id", 8}}, 10);
+  release_.set_value();
+  std::vector<int> ids;
+  for (const Json& answer : Answers(8)) {
+    EXPECT_EQ(answer.at("error"), "no robot");
+    ids.push_back(answer.at("id"));
+  }
+  EXPECT_THAT(ids, ElementsAre(1, 4, 5, 2, 3, 6, 7, 8));
+  EXPECT_EQ(calls_, 6);
+}
+
+TEST_F(RcBridgeTest, CallsBeyondTheLimitAreRefused) {
+  bridge_.Add({{"call", "connect"}, {"id", 0}}, 10);
+  asked_.get_future().wait();
+  for (size_t i = 1; i <= RcBridge::kCallsMax; ++i) bridge_.Add({{"call", "stop"}, {"id", i}}, 10);
+  bridge_.Add({{"call", "stop"}, {"id", 1000}}, 10);
+  bridge_.Add({{"call", "upload"}, {"id", 1001}}, RcBridge::kBytesMax);
+  const std::vector<Json> refused = Answers(2);
+  EXPECT_EQ(refused[0].at("id"), 1000);
+  EXPECT_EQ(refused[1].at("error"), "too many commands wait for the robot; is it busy?");
+  release_.set_value();
+  EXPECT_EQ(Answers(RcBridge::kCallsMax + 1).size(), RcBridge::kCallsMax + 1);
+}
+
+}  // namespace
+}  // namespace openr_host
