@@ -95,6 +95,9 @@ def jobs(build, pattern, quick):
     if pattern in examples.name:
         found.append((examples.name, [sys.executable, str(examples), "--build", str(build)],
                       {}))
+    browser = ROOT / "tools/browser_test.py"
+    if pattern in browser.name:  # it waits, too: the run goes in real time
+        waiting.append((browser.name, [sys.executable, str(browser), "--build", str(build)], {}))
     return waiting, found
 
 

@@ -1,0 +1,167 @@
+#!/usr/bin/env python3
+"""Drives the page of the panel with a browser: runs panel/test/browser/panel_test.mjs.
+
+The page is that of a real run.  The test program finds in its environment OPENR_PANEL_URL, the
+address of the page with its token; OPENR_PANEL_SHOTS, the folder for its pictures;
+OPENR_PANEL_MOTION, a motion to upload; OPENR_CHROMIUM, the browser.  Its last line is "N passed, N
+failed".  Afterwards the recording of the run is replayed: what a person does in the page is recorded input, so
+the replay must have equal hashes.
+
+The last line is "N passed, N failed, N skipped".  Skips, with the reason, where something is
+missing; where the variable CI is true, that is a failure.
+"""
+import argparse
+import os
+import pathlib
+import queue
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+SCRIPT = ROOT / "panel/test/browser/panel_test.mjs"
+TOTALS = re.compile(r"^(\d+) passed, (\d+) failed$", re.MULTILINE)
+ADDRESS = re.compile(r"panel: (http://\S+)")
+LIMIT_S = 900  # of the test in the browser
+START_LIMIT_S = 120  # until the run has printed the address
+END_LIMIT_S = 120  # until the run has ended and until it was replayed
+
+
+def missing(build):
+    """What the test needs and is not there; "" if all is there."""
+    if not SCRIPT.exists():
+        return "panel/test/browser/panel_test.mjs does not exist"
+    if not shutil.which("node"):
+        return "node is missing (Debian package nodejs)"
+    if not (build / "panel/index.html").exists():
+        return "the page is not built (target panel_page, which needs npm)"
+    if not (build / "lib/libopenr_panel.so").exists():
+        return "the panel's server is not built (Debian package libwebsockets-dev)"
+    if not shutil.which("chromium"):
+        return "chromium is missing (Debian package chromium)"
+    return ""
+
+
+class Run:
+    """A run with a panel, in real time, with its recording."""
+
+    def __init__(self, openr, folder):
+        self.said = []
+        self.lines = queue.Queue()
+        self.process = subprocess.Popen(
+            [openr, "run", "--rc-port", "0", "--panel", "--panel-port", "0", "--run-name", "browser",
+             "--record", str(folder / "run.rec")],
+            stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
+            errors="replace")
+        threading.Thread(target=self._read, daemon=True).start()
+
+    def _read(self):
+        for line in self.process.stderr:
+            self.said.append(line)
+            self.lines.put(line)
+        self.lines.put("")
+
+    def address(self):
+        """Waits for the address of the page; "" if the run has ended without."""
+        end = time.monotonic() + START_LIMIT_S
+        while True:
+            try:
+                line = self.lines.get(timeout=max(0.1, end - time.monotonic()))
+            except queue.Empty:
+                return ""
+            found = ADDRESS.search(line)
+            if found or not line:
+                return found[1] if found else ""
+
+    def end(self):
+        """Presses the pause button, and returns the exit status."""
+        if self.process.poll() is None:
+            self.process.send_signal(signal.SIGINT)
+        try:
+            return self.process.wait(END_LIMIT_S)
+        except subprocess.TimeoutExpired:
+            self.process.kill()
+            return self.process.wait()
+
+
+def end_others(folder):
+    """Ends the runs that have branched off from the run: their sockets are NAME.PROCESS."""
+    for socket in (folder / "openr-host").glob("*.*"):
+        try:
+            os.kill(int(socket.suffix[1:]), signal.SIGTERM)
+        except ProcessLookupError:
+            pass
+
+
+def steps(address, folder, openr, shots):
+    """Runs the test in the browser; returns how many of its steps passed and failed."""
+    motion = folder / "MINE.MTN"
+    shutil.copyfile(pathlib.Path(openr).parent.parent / "stick/OPEN-R/MW/DATA/P/BOW.MTN", motion)
+    environment = {**os.environ, "OPENR_PANEL_URL": address, "OPENR_PANEL_SHOTS": str(shots),
+                   "OPENR_PANEL_MOTION": str(motion), "OPENR_CHROMIUM": shutil.which("chromium")}
+    output = folder / "browser.txt"
+    with output.open("w") as stream:
+        try:
+            subprocess.run(["node", str(SCRIPT)], cwd=ROOT / "panel", env=environment, stdout=stream,
+                           stderr=subprocess.STDOUT, timeout=LIMIT_S, check=False)
+        except subprocess.TimeoutExpired:
+            stream.write(f"the browser is not done after {LIMIT_S} s\n")
+    text = output.read_text(errors="replace")
+    print(text, end="")
+    totals = TOTALS.findall(text)
+    return (int(totals[-1][0]), int(totals[-1][1])) if totals else (0, 1)
+
+
+def drive(openr, folder, shots):
+    """Runs all; returns how many tests passed and failed, and prints why those failed."""
+    # Sockets of runs are in this folder, so the page sees no other runs of this machine.
+    os.environ["XDG_RUNTIME_DIR"] = str(folder)
+    run = Run(openr, folder)
+    address = run.address()
+    if not address:
+        run.end()
+        print("".join(run.said), "the run has no panel", sep="")
+        return 0, 1
+    passed, failed = steps(address, folder, openr, shots)
+    status = run.end()
+    end_others(folder)
+    if failed or status != 0:
+        print("".join(run.said), f"the run has ended with status {status}", sep="")
+    replay = subprocess.run([openr, "replay", str(folder / "run.rec")], stdout=subprocess.PIPE,
+                            stderr=subprocess.STDOUT, timeout=END_LIMIT_S, text=True, check=False)
+    if replay.returncode != 0:
+        print(replay.stdout, "the recording of the run does not replay", sep="")
+    wrong = int(status != 0) + int(replay.returncode != 0)
+    return passed + 2 - wrong, failed + wrong
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--build", required=True, type=pathlib.Path)
+    parser.add_argument("--shots", type=pathlib.Path,
+                        help="folder for pictures; default: panel-shots in the build folder")
+    arguments = parser.parse_args()
+    build = arguments.build.resolve()
+    why = missing(build)
+    if why:
+        is_wrong = os.environ.get("CI") == "true" and SCRIPT.exists()
+        print(f"browser test {'impossible' if is_wrong else 'skipped'}: {why}")
+        print("0 passed, 1 failed" if is_wrong else "0 passed, 0 failed, 1 skipped")
+        return int(is_wrong)
+    shots = (arguments.shots or build / "panel-shots").resolve()
+    shutil.rmtree(shots, ignore_errors=True)
+    shots.mkdir(parents=True)
+    sys.stdout.reconfigure(line_buffering=True)
+    with tempfile.TemporaryDirectory(prefix="openr-browser-") as folder:
+        passed, failed = drive(str(build / "bin/openr"), pathlib.Path(folder), shots)
+    print(f"{passed} passed, {failed} failed")
+    return int(failed > 0)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
