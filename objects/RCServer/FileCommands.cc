@@ -1,36 +1,10 @@
 //
-// Answers the requests of version 2: files of the Memory Stick, shutdown and reboot.
+// Answers the requests for files of the Memory Stick, for shutdown and for reboot.
 //
 
 #include "RequestHandler.h"
 
 #include "TextFormat.h"
-
-// Handles the commands that version 2 adds, and leaves the others to HandleVersion1().
-int
-RequestHandler::HandleFiles(int command, RcReader* in, RcWriter* out)
-{
-    switch (command) {
-    case rcMTN_LIST:
-        return ListMotions(in, out);
-    case rcUPLOAD_BEGIN:
-        return BeginUpload(in, out);
-    case rcUPLOAD_DATA:
-        return TakeUpload(in, out);
-    case rcUPLOAD_END:
-        return EndUpload(in, out);
-    case rcDELETE:
-        return DeleteFile(in);
-    case rcDOWNLOAD:
-        return Download(in, out);
-    case rcREBOOT:
-        return EndRun(in, true);
-    case rcSHUTDOWN:
-        return EndRun(in, false);
-    default:
-        return HandleVersion1(command, in, out);
-    }
-}
 
 // Tells the names from an index on.  The folder is read for each part, so that no list has to be
 // kept for a client; when files come or go between two parts, the indices change.

@@ -8,7 +8,8 @@
 #include "TextFormat.h"
 
 RequestHandler::RequestHandler(RequestPort* port)
-    : port_(port), robot_(0), state_(-1), keyFrame_(-1), version_(RC_VERSION), client_(0)
+    : port_(port), robot_(0), state_(-1), keyFrame_(-1), version_(RC_VERSION), isInBatch_(false),
+      client_(0)
 {
     memset(&sensors_, 0, sizeof(sensors_));
     sensors_.frame = NO_SENSOR_FRAME;
@@ -66,26 +67,39 @@ RequestHandler::BeginAnswer(RcWriter* out, int status)
 void
 RequestHandler::Answer(int client, const RcFramer& request, RcWriter* out)
 {
-    RcReader in(request.Payload(), request.PayloadSize());
-    error_ = "";
     client_ = client;
-    version_ = request.Header().version;
+    AnswerOne(request.Header(), request.Payload(), out);
+}
+
+// Writes the answer to one request, which is a packet or a part of a batch.  When `out` has no room
+// for the answer, writes an error; its text is cut off where the room ends.
+void
+RequestHandler::AnswerOne(const RcHeader& request, const Uint8* payload, RcWriter* out)
+{
+    RcReader in(payload, request.size - RC_HEADER_SIZE);
+    // A version that is not served is answered with version 1, which every client knows.
+    const bool isServed = request.version == RC_VERSION || request.version == RC_VERSION_FILES;
+    const int version = isServed ? request.version : RC_VERSION;
+    version_ = version;
+    error_ = "";
     BeginAnswer(out, rcOK);
     int status;
-    if (version_ == RC_VERSION || version_ == RC_VERSION_FILES) {
-        status = Handle(request.Header().command, &in, out);
+    if (isServed) {
+        status = Handle(request.command, &in, out);
     } else {
         status = Fail(rcerrorVERSION,
-                      TextFormat("protocol version %d is not served, only %d and %d", version_,
-                                 RC_VERSION, RC_VERSION_FILES));
-        version_ = RC_VERSION;  // the answer has this version, as every client knows it
+                      TextFormat("protocol version %d is not served, only %d and %d",
+                                 request.version, RC_VERSION, RC_VERSION_FILES));
     }
+    if (out->HasOverflowed()) status = Fail(rcerrorTOO_LONG, "no room in the batch");
     if (status != rcOK) {
         out->Truncate(0);
         BeginAnswer(out, status);
+        const size_t room = (size_t)(out->Room() - 1);
+        if (error_.size() > room) error_.resize(room);
         out->String(error_);
     }
-    out->PutHeader(request.Header().command, request.Header().tag, version_);
+    out->PutHeader(request.command, request.tag, version);
 }
 
 void
@@ -130,13 +144,6 @@ RequestHandler::FailIndex(const char* what, int index, int count)
 {
     return Fail(rcerrorNO_SUCH_DEVICE, TextFormat("%s %d: the %s has %d, counted from 0", what,
                                                   index, robot_->design, count));
-}
-
-int
-RequestHandler::Handle(int command, RcReader* in, RcWriter* out)
-{
-    return version_ == RC_VERSION ? HandleVersion1(command, in, out)
-                                  : HandleFiles(command, in, out);
 }
 
 // Handles the commands of version 1, which version 2 has as well.

@@ -52,9 +52,12 @@ public:
 
 private:
     void BeginAnswer(RcWriter* out, int status);
+    void AnswerOne(const RcHeader& request, const Uint8* payload, RcWriter* out);
     int Handle(int command, RcReader* in, RcWriter* out);
     int HandleVersion1(int command, RcReader* in, RcWriter* out);
-    int HandleFiles(int command, RcReader* in, RcWriter* out);
+    int HandleVersion2(int command, RcReader* in, RcWriter* out);
+    int CountBatch(RcReader in, int* count);
+    int AnswerBatch(RcReader* in, RcWriter* out);
     int ListMotions(RcReader* in, RcWriter* out);
     int BeginUpload(RcReader* in, RcWriter* out);
     int TakeUpload(RcReader* in, RcWriter* out);
@@ -88,8 +91,9 @@ private:
     Sint32 keyFrame_;
     Sint32 speed_[MAX_JOINTS];  // limits last set by remote control (Hohl 2004, 5.3.6)
     Sint32 acceleration_[MAX_JOINTS];
-    int version_;        // protocol version and client of the present request
-    int client_;
+    int version_;        // protocol version of the present request
+    bool isInBatch_;     // whether the present request is a part of a batch
+    int client_;         // client of the present request
     std::string error_;  // error text of the present request
     MtnFile motion_;     // motion file to check; not a local variable, because its parts are large
     StickStore store_;

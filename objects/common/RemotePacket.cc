@@ -5,6 +5,15 @@
 #include "ByteOrder.h"
 #include "TextFormat.h"
 
+void
+RcHeader::Read(const Uint8* packet)
+{
+    size = GetU16(packet + 2);
+    version = packet[4];
+    command = packet[5];
+    tag = GetU16(packet + 6);
+}
+
 // ---- RcWriter ------------------------------------------------------------------------
 
 RcWriter::RcWriter(Uint8* buffer, int capacity)
@@ -13,7 +22,7 @@ RcWriter::RcWriter(Uint8* buffer, int capacity)
 }
 
 bool
-RcWriter::Room(int count)
+RcWriter::HasRoom(int count)
 {
     if (capacity_ - size_ < count) hasOverflowed_ = true;
     return !hasOverflowed_;
@@ -22,13 +31,13 @@ RcWriter::Room(int count)
 void
 RcWriter::U8(Uint32 value)
 {
-    if (Room(1)) buffer_[size_++] = (Uint8)value;
+    if (HasRoom(1)) buffer_[size_++] = (Uint8)value;
 }
 
 void
 RcWriter::U16(Uint32 value)
 {
-    if (!Room(2)) return;
+    if (!HasRoom(2)) return;
     PutU16(buffer_ + size_, (Uint16)value);
     size_ += 2;
 }
@@ -36,7 +45,7 @@ RcWriter::U16(Uint32 value)
 void
 RcWriter::U32(Uint32 value)
 {
-    if (!Room(4)) return;
+    if (!HasRoom(4)) return;
     PutU32(buffer_ + size_, value);
     size_ += 4;
 }
@@ -53,7 +62,7 @@ void
 RcWriter::String(const std::string& text)
 {
     const int length = text.size() < 255 ? (int)text.size() : 255;
-    if (!Room(1 + length)) return;
+    if (!HasRoom(1 + length)) return;
     buffer_[size_++] = (Uint8)length;
     for (int i = 0; i < length; i++) buffer_[size_++] = (Uint8)Ascii(text[i]);
 }
@@ -61,7 +70,7 @@ RcWriter::String(const std::string& text)
 void
 RcWriter::Bytes(const Uint8* bytes, int size)
 {
-    if (size <= 0 || !Room(size)) return;
+    if (size <= 0 || !HasRoom(size)) return;
     memcpy(buffer_ + size_, bytes, (size_t)size);
     size_ += size;
 }
@@ -168,10 +177,7 @@ RcFramer::Next()
         return BROKEN;
     }
     if (size_ < RC_HEADER_SIZE) return NEEDS_MORE;
-    header_.size = GetU16(buffer_ + 2);
-    header_.version = buffer_[4];
-    header_.command = buffer_[5];
-    header_.tag = GetU16(buffer_ + 6);
+    header_.Read(buffer_);
     if (header_.size < RC_HEADER_SIZE || header_.size > RC_MAX_PACKET) {
         error_ = TextFormat("size of a packet is %d, must be %d to %d", header_.size,
                             RC_HEADER_SIZE, RC_MAX_PACKET);

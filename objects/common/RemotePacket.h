@@ -15,11 +15,10 @@
 const int RC_PORT = 54000;
 const Uint16 RC_MAGIC = 0x4352;  // the bytes 'R', 'C'
 
-// Versions of the protocol.  Version 2 has the commands for files and for the end of the run.  A
-// client uses version 1 for all others, so that it can talk to older robots.
+// Versions of the protocol.  Version 2 adds commands, such as those for files.  A client uses
+// version 1 for all others, so that it can talk to older robots.
 const int RC_VERSION = 1;
 const int RC_VERSION_FILES = 2;
-
 
 const int RC_HEADER_SIZE = 8;          // header of a request
 const int RC_ANSWER_HEADER_SIZE = 16;  // header of an answer
@@ -34,6 +33,9 @@ struct RcHeader {
     Uint8 version;
     Uint8 command;
     Uint16 tag;
+
+    // Reads the header from the RC_HEADER_SIZE bytes of a packet.  Does not check the values.
+    void Read(const Uint8* packet);
 };
 
 // Writes numbers and strings, one after the other, into a buffer of the caller.
@@ -53,6 +55,13 @@ public:
     int Size() const { return size_; }
     bool HasOverflowed() const { return hasOverflowed_; }
 
+    // Return the place of the next byte, and the number of bytes that are free from there on.
+    Uint8* End() const { return buffer_ + size_; }
+    int Room() const { return capacity_ - size_; }
+
+    // Counts `count` bytes that the caller has written to End() himself.  REQUIRES: count <= Room().
+    void Add(int count) { size_ += count; }
+
     // Drops all bytes after the first `size`.
     void Truncate(int size);
 
@@ -63,7 +72,7 @@ public:
     void Bytes(const Uint8* bytes, int size);
 
 private:
-    bool Room(int count);
+    bool HasRoom(int count);
 
     Uint8* buffer_;
     int capacity_;
@@ -82,6 +91,12 @@ public:
     Uint32 U32();
     Sint32 S32();
     std::string String();  // has '?' for every character that is not printable ASCII
+
+    // Skips `count` bytes.
+    void Skip(int count)
+    {
+        if (Has(count)) at_ += count;
+    }
 
     // Return the bytes that were not read yet, and their number.
     const Uint8* Rest() const { return bytes_ + at_; }

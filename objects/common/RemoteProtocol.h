@@ -27,8 +27,9 @@ enum RcCommand {
     rcSENSORS = 0x30,
     rcMTN_PLAY = 0x40,
     rcMTN_STOP = 0x41,
-    // The commands below need version 2 (RemoteFiles.h); rcLOG is reserved in both versions.
-    rcMTN_LIST = 0x42,
+    // The commands below need version 2; rcLOG is reserved in both versions.
+    rcBATCH = 0x03,
+    rcMTN_LIST = 0x42,  // the commands for files are in RemoteFiles.h
     rcUPLOAD_BEGIN = 0x50,
     rcUPLOAD_DATA = 0x51,
     rcUPLOAD_END = 0x52,
@@ -52,8 +53,17 @@ enum RcStatus {
     rcerrorBAD_FILE = 9,  // the file is no motion or image, or not for this robot; or it is broken
     rcerrorBAD_VALUE = 10,
     rcerrorNOT_WRITTEN = 11,  // the stick is full or cannot be written
-    rcerrorNO_UPLOAD = 12     // data for an upload that was not begun, or has ended with an error
+    rcerrorNO_UPLOAD = 12,    // data for an upload that was not begun, or has ended with an error
+    rcerrorNOT_IN_BATCH = 13,  // the command must be sent in a packet of its own
+    rcerrorTOO_LONG = 14       // the answer has no room in the batch
 };
+
+// Size of the smallest answer to a request in a batch, in bytes: any answer with a payload of up to
+// 24 bytes, or an error with at least 23 characters of its text.
+const int RC_SMALLEST_BATCH_ANSWER = RC_ANSWER_HEADER_SIZE + 24;
+
+// Largest number of requests in a batch: their smallest answers fit into the answer to the batch.
+const int RC_MAX_BATCH = (RC_MAX_PACKET - RC_ANSWER_HEADER_SIZE) / RC_SMALLEST_BATCH_ANSWER;
 
 // The header of an answer.
 struct RcAnswerHeader {

@@ -83,6 +83,10 @@ class RcCommands {
         ->add_option("VALUE", flags_->value, "Degrees")
         ->required()
         ->check(JointValue(false));
+    Add(rc_, "pose", "Moves several joints with one packet", &RcPoseAction)
+        ->add_option("JOINT=DEG", flags_->goals, "A joint and its degrees: neck_pan=30")
+        ->required()
+        ->expected(1, RC_MAX_BATCH);
     AddLimit("speed", "Limits the speed of a joint", rcSPEED, "deg/s");
     AddLimit("accel", "Limits the acceleration of a joint", rcACCEL, "deg/s^2");
     AddLight("led", "Switches a light; a controller of the robot may switch it back", rcLED);

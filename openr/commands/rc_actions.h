@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "RemoteProtocol.h"
 
@@ -24,7 +25,8 @@ struct RcFlags {
   std::string file;
   int loops = 1;
   int key_frames = 0;
-  std::string output;  // file of the host for a download; "": as on the stick
+  std::string output;              // file of the host for a download; "": as on the stick
+  std::vector<std::string> goals;  // "neck_pan=30"
 };
 
 // A function that sends requests through `client` and prints the answers to standard output.
@@ -36,6 +38,9 @@ void RcGetAction(RemoteClient* client, const RcFlags& flags);
 void RcSensorsAction(RemoteClient* client, const RcFlags& flags);
 void RcPlayAction(RemoteClient* client, const RcFlags& flags);
 void RcStopAction(RemoteClient* client, const RcFlags& flags);
+
+// Actions for several joints, and for their motors (rc_joints.cc).
+void RcPoseAction(RemoteClient* client, const RcFlags& flags);
 
 // Actions for files of the robot's stick, and for the end of the run (rc_files.cc).
 void RcListAction(RemoteClient* client, const RcFlags& flags);

@@ -14,6 +14,24 @@
 #include <cstring>
 
 namespace openr_host {
+namespace {
+
+std::vector<uint8_t> MakePacket(int version, int command, uint16_t tag,
+                                const std::vector<uint8_t>& payload) {
+  std::vector<uint8_t> packet(RC_HEADER_SIZE + payload.size());
+  RcWriter writer(packet.data(), static_cast<int>(packet.size()));
+  for (int i = 0; i < RC_HEADER_SIZE; ++i) writer.U8(0);
+  writer.Bytes(payload.data(), static_cast<int>(payload.size()));
+  writer.PutHeader(command, tag, version);
+  return packet;
+}
+
+// Returns the text of an answer with an error.
+std::string ErrorText(const std::vector<uint8_t>& payload) {
+  return RcReader(payload.data(), static_cast<int>(payload.size())).String();
+}
+
+}  // namespace
 
 std::string ParseRemoteAddress(const std::string& text, RemoteAddress* address) {
   const size_t colon = text.rfind(':');
@@ -174,15 +192,7 @@ void RemoteClient::ReceivePacket() {
 }
 
 uint16_t RemoteClient::SendRequest(int command, const std::vector<uint8_t>& payload) {
-  std::vector<uint8_t> packet(RC_HEADER_SIZE + payload.size());
-  RcWriter writer(packet.data(), static_cast<int>(packet.size()));
-  writer.U16(RC_MAGIC);
-  writer.U16(static_cast<Uint32>(packet.size()));
-  writer.U8(static_cast<Uint32>(version_));
-  writer.U8(static_cast<Uint32>(command));
-  writer.U16(++tag_);
-  std::copy(payload.begin(), payload.end(), packet.begin() + RC_HEADER_SIZE);
-  Send(packet);
+  Send(MakePacket(version_, command, ++tag_, payload));
   return tag_;
 }
 
@@ -195,8 +205,7 @@ RemoteAnswer RemoteClient::ReceiveAnswer(uint16_t tag) {
   const int begin = RC_ANSWER_HEADER_SIZE - RC_HEADER_SIZE;
   answer.payload.assign(framer_.Payload() + begin, framer_.Payload() + framer_.PayloadSize());
   if (header.status != rcOK) {
-    RcReader reader(answer.payload.data(), static_cast<int>(answer.payload.size()));
-    throw RemoteRefusal(header.status, header.frame, reader.String());
+    throw RemoteRefusal(header.status, header.frame, ErrorText(answer.payload));
   }
   if (header.header.tag != tag) ThrowMalformed();
   return answer;
@@ -213,6 +222,35 @@ std::vector<RemoteAnswer> RemoteClient::RequestAll(
   std::vector<RemoteAnswer> answers;
   for (const uint16_t tag : tags) answers.push_back(ReceiveAnswer(tag));
   return answers;
+}
+
+std::vector<RemoteReply> RemoteClient::Batch(const std::vector<RemoteCall>& calls) {
+  UseVersion(RC_VERSION_FILES);
+  std::vector<uint8_t> payload;
+  for (const RemoteCall& call : calls) {
+    const auto packet = MakePacket(version_, call.command, 0, call.payload);
+    payload.insert(payload.end(), packet.begin(), packet.end());
+  }
+  return ReadBatch(Request(rcBATCH, payload), calls.size());
+}
+
+std::vector<RemoteReply> RemoteClient::ReadBatch(const RemoteAnswer& answer, size_t count) const {
+  std::vector<RemoteReply> replies;
+  RcFramer framer;
+  framer.Take(answer.payload.data(), static_cast<int>(answer.payload.size()));
+  while (framer.Next() == RcFramer::PACKET) {
+    RcAnswerHeader header;
+    if (!header.Read(framer)) ThrowMalformed();
+    const int begin = RC_ANSWER_HEADER_SIZE - RC_HEADER_SIZE;
+    RemoteReply reply;
+    reply.status = header.status;
+    reply.answer.frame = header.frame;
+    reply.answer.payload.assign(framer.Payload() + begin, framer.Payload() + framer.PayloadSize());
+    if (reply.status != rcOK) reply.error = ErrorText(reply.answer.payload);
+    replies.push_back(std::move(reply));
+  }
+  if (replies.size() != count) ThrowMalformed();
+  return replies;
 }
 
 RemoteDevices::RemoteDevices(RemoteClient* client, RcDeviceKind kind) {

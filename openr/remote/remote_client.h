@@ -46,6 +46,19 @@ struct RemoteAnswer {
   std::vector<uint8_t> payload;
 };
 
+// A request, for a batch.  `payload` has no header.
+struct RemoteCall {
+  int command;
+  std::vector<uint8_t> payload;
+};
+
+// The robot's answer to a request in a batch.
+struct RemoteReply {
+  int status = rcOK;  // RcStatus; when it is not rcOK, `error` says why
+  std::string error;
+  RemoteAnswer answer;
+};
+
 // A connection to a robot, which answers requests in the order in which they were sent.  The
 // functions throw RemoteRefusal when the robot refuses a request.  When it cannot be reached or is
 // silent for too long, they throw RemoteFailure, whose text says what the user can do.
@@ -67,6 +80,10 @@ class RemoteClient {
   // instead of many.
   std::vector<RemoteAnswer> RequestAll(int command,
                                        const std::vector<std::vector<uint8_t>>& payloads);
+
+  // Sends up to RC_MAX_BATCH requests in one packet, in version 2 of the protocol, and returns
+  // their answers in the same order.  A request that the robot refuses does not end the batch.
+  std::vector<RemoteReply> Batch(const std::vector<RemoteCall>& calls);
 
   // Sends a request with the payload `payload`, a struct of RemoteProtocol.h, and returns the
   // answer.
@@ -98,6 +115,7 @@ class RemoteClient {
   RemoteAnswer ReceiveAnswer(uint16_t tag);
   void Send(const std::vector<uint8_t>& bytes);
   void ReceivePacket();
+  std::vector<RemoteReply> ReadBatch(const RemoteAnswer& answer, size_t count) const;
   bool WaitFor(short events) const;
   [[noreturn]] void ThrowMalformed() const;
   [[noreturn]] void ThrowSilent() const;

@@ -172,6 +172,18 @@ TEST_F(RemoteControlTest, ACommandBeyondTheLimitEndsAtTheLimit) {
   EXPECT_EQ(answer["limited"], true);
 }
 
+TEST_F(RemoteControlTest, SeveralJointsMoveWithOnePacket) {
+  const json answer = Answer({"pose", "neck_roll=-80", "tail_tilt=10", "2=5"});
+  EXPECT_EQ(answer["in_force"]["neck_roll"], 5.0) << "the last one counts";
+  EXPECT_EQ(answer["in_force"]["tail_tilt"], 10.0);
+  const json sensors = SensorsAfter(answer["frame"].get<uint32_t>() + 250);
+  EXPECT_NEAR(sensors["joints_deg"]["neck_roll"].get<double>(), 5, 2);
+  const ProgramResult wrong = Rc({"pose", "neck_roll"});
+  EXPECT_EQ(wrong.status, 1);
+  EXPECT_NE(wrong.err.find("'neck_roll' is no joint with a number of degrees"), std::string::npos)
+      << wrong.err;
+}
+
 TEST_F(RemoteControlTest, SpeedAndAccelerationAreLimitedAndTold) {
   EXPECT_EQ(Answer({"speed", "neck_tilt", "50"})["in_force"], 50.0);
   EXPECT_EQ(Answer({"accel", "neck_tilt", "100"})["in_force"], 100.0);
