@@ -198,7 +198,7 @@ JointMover::NotifyMover(const ONotifyEvent& event)
             core_.Stop();
             break;
         default:
-            core_.MoveJoint(command);
+            core_.Do(command);
             break;
         }
     }
@@ -247,13 +247,13 @@ JointMover::Measure(int joint)
 }
 
 void
-JointMover::EnableGain(int joint)
+JointMover::EnableGain(int joint, const Sint32 gain[3])
 {
-    const Uint16* gain = robot_->joints[joint].gain;
+    const Uint16* shift = robot_->joints[joint].gain + 3;
     OStatus status = OPENR::EnableJointGain(joint_[joint]);
     if (status == oSUCCESS) {
-        status = OPENR::SetJointGain(joint_[joint], gain[0], gain[1], gain[2], gain[3], gain[4],
-                                     gain[5]);
+        status = OPENR::SetJointGain(joint_[joint], (word)gain[0], (word)gain[1], (word)gain[2],
+                                     shift[0], shift[1], shift[2]);
     }
     if (status == oSUCCESS) return;
     OSYSLOG1((osyslogERROR, "JointMover: no gain on %s, status %u", robot_->joints[joint].name,
@@ -264,6 +264,15 @@ void
 JointMover::DisableGain(int joint)
 {
     OPENR::DisableJointGain(joint_[joint]);
+}
+
+void
+JointMover::SetMotorPower(bool on)
+{
+    const OStatus status = OPENR::SetMotorPower(on ? opowerON : opowerOFF);
+    if (status == oSUCCESS) return;
+    OSYSLOG1((osyslogERROR, "JointMover: cannot switch motor power %s, status %u",
+              on ? "on" : "off", (unsigned)status));
 }
 
 void

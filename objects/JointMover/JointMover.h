@@ -47,8 +47,9 @@ private:
 
     // Functions of MoverPort
     virtual Sint32 Measure(int joint);
-    virtual void EnableGain(int joint);
+    virtual void EnableGain(int joint, const Sint32 gain[3]);
     virtual void DisableGain(int joint);
+    virtual void SetMotorPower(bool on);
     virtual void StateChanged(MoverState state);
     virtual void Report(const SetValueMessage& message);
     virtual void InitialPostureReached();

@@ -2,16 +2,18 @@
 
 #include "Angle.h"
 
-JointSet::JointSet(MoverPort* port) : port_(port), robot_(0) {}
+JointSet::JointSet(MoverPort* port) : port_(port), robot_(0), hasPower_(true) {}
 
 void
 JointSet::Begin(const RobotConstants* robot)
 {
     robot_ = robot;
+    hasPower_ = true;
     for (int j = 0; j < robot->numJoints; j++) {
         gain_[j] = gainOFF;
         wakeVector_[j] = -1;
         wakeGoal_[j] = 0;
+        for (int i = 0; i < 3; i++) pid_[j][i] = robot->joints[j].gain[i];
         trajectory_[j].Reset(port_->Measure(j));
         SetSpeed(j, robot->joints[j].maxSpeedCdeg);
         SetAcceleration(j, robot->defaultAccelerationCdeg);
@@ -22,7 +24,7 @@ void
 JointSet::EnableAllGains()
 {
     for (int j = 0; j < robot_->numJoints; j++) {
-        port_->EnableGain(j);
+        port_->EnableGain(j, pid_[j]);
         gain_[j] = gainON;
     }
 }
@@ -62,8 +64,33 @@ JointSet::TurnOff(int joint)
 }
 
 void
+JointSet::SwitchPowerOff()
+{
+    // The gains come first, because the robot's controller would go on summing up errors that it
+    // cannot reduce (BBS 143).
+    for (int j = 0; j < robot_->numJoints; j++) TurnOff(j);
+    hasPower_ = false;
+    port_->SetMotorPower(false);
+}
+
+void
+JointSet::SwitchPowerOn()
+{
+    port_->SetMotorPower(true);
+    hasPower_ = true;
+}
+
+void
+JointSet::SetGain(int joint, const Sint32 gain[3])
+{
+    for (int i = 0; i < 3; i++) pid_[joint][i] = gain[i];
+    if (gain_[joint] == gainON) port_->EnableGain(joint, pid_[joint]);
+}
+
+void
 JointSet::Wake(int joint, Sint32 urad)
 {
+    if (!hasPower_) return;
     if (gain_[joint] == gainOFF) {
         gain_[joint] = gainWAITING;
         wakeVector_[joint] = -1;
@@ -107,7 +134,7 @@ JointSet::VectorEnded(Sint32 vector)
 {
     for (int j = 0; j < robot_->numJoints; j++) {
         if (gain_[j] != gainWAITING || wakeVector_[j] != vector) continue;
-        port_->EnableGain(j);
+        port_->EnableGain(j, pid_[j]);
         gain_[j] = gainON;
         trajectory_[j].SetGoal(wakeGoal_[j]);
     }

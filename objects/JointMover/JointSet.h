@@ -17,7 +17,8 @@ public:
     explicit JointSet(MoverPort* port);
 
     // Puts every joint at rest at its measured position.  Each joint gets the highest speed of its
-    // row in `robot` and the default acceleration.  The gains of all joints count as off.
+    // row in `robot` and the default acceleration.  The gains of all joints count as off, and motor
+    // power as on.
     void Begin(const RobotConstants* robot);
 
     int NumJoints() const { return robot_->numJoints; }
@@ -40,7 +41,18 @@ public:
     // Switches the gain of the joint on again and moves the joint to `urad`.  The next vector
     // commands the joint to its measured position, and the gain is enabled when this vector has
     // ended.  Otherwise the joint would jerk to its old set point (BBS 169, 642).
+    //
+    // Has no effect while motor power is off.
     void Wake(int joint, Sint32 urad);
+
+    // SwitchPowerOff() switches the gains of all joints off and then motor power.  SwitchPowerOn()
+    // switches motor power on, and leaves the gains off.
+    void SwitchPowerOff();
+    void SwitchPowerOn();
+    bool HasPower() const { return hasPower_; }
+
+    // Sets the P, I and D gain of the joint.  While the gain is off, they wait until it is on.
+    void SetGain(int joint, const Sint32 gain[3]);
 
     // Returns whether there is a vector to send: because a joint moves, or because the gain of a
     // joint is to be switched on together with the next vector.
@@ -63,6 +75,8 @@ private:
     const RobotConstants* robot_;
     Trajectory trajectory_[MAX_JOINTS];
     Gain gain_[MAX_JOINTS];
+    Sint32 pid_[MAX_JOINTS][3];  // P, I and D gain of each joint
+    bool hasPower_;
     Sint32 wakeVector_[MAX_JOINTS];  // number of the vector; -1: the vector was not made yet
     Sint32 wakeGoal_[MAX_JOINTS];
 };

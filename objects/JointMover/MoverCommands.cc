@@ -35,6 +35,66 @@ MoverCore::MoveJoint(const MoverCommand& command)
         joints_.SetAcceleration(command.joint, command.value);
 }
 
+// Returns the position at which a limp joint is to be held.  A joint that has hardly moved is held
+// where it was, because otherwise it would creep when it is switched off and on again and again.
+Sint32
+MoverCore::HoldPosition(int joint) const
+{
+    const Sint32 before = joints_.Position(joint);
+    const Sint32 measured = port_->Measure(joint);
+    const Sint32 difference = measured - before;
+    return difference < CREEP_URAD && -difference < CREEP_URAD ? before : measured;
+}
+
+void
+MoverCore::SwitchMotor(const MoverCommand& command)
+{
+    if (state_ < moverACCEPTING_COMMANDS || command.joint >= robot_->numJoints) return;
+    const bool on = command.kind == moverkindMOTOR_ON;
+    const bool all = command.joint < 0;
+    const bool changesPower = all && on != joints_.HasPower();
+    if (changesPower && on) joints_.SwitchPowerOn();
+    if (changesPower && !on) {
+        memset(deferred_, 0, sizeof(deferred_));
+        Stop();
+        joints_.SwitchPowerOff();
+    }
+    const int first = all ? 0 : command.joint;
+    const int last = all ? robot_->numJoints - 1 : command.joint;
+    for (int j = first; j <= last; j++) {
+        if (on && joints_.IsOff(j)) SetPosition(j, HoldPosition(j), true);
+        if (on || joints_.IsOff(j)) continue;
+        joints_.TurnOff(j);
+        deferred_[j] = false;
+    }
+    if (changesPower) Report(-1, 0);  // no motion plays now
+}
+
+void
+MoverCore::SetGain(const MoverCommand& command)
+{
+    if (state_ < moverACCEPTING_COMMANDS) return;
+    if (command.joint < 0 || command.joint >= robot_->numJoints) return;
+    joints_.SetGain(command.joint, command.gain);
+}
+
+void
+MoverCore::Do(const MoverCommand& command)
+{
+    switch (command.kind) {
+    case moverkindMOTOR_OFF:
+    case moverkindMOTOR_ON:
+        SwitchMotor(command);
+        break;
+    case moverkindGAINS:
+        SetGain(command);
+        break;
+    default:
+        MoveJoint(command);
+        break;
+    }
+}
+
 void
 MoverCore::Batch(const BatchMoverCommand& command)
 {
@@ -63,6 +123,10 @@ MoverCore::Play(const MoverCommand& command, const Uint8* bytes, size_t size, st
 {
     if (!AcceptsMotion()) {
         *error = std::string("JointMover is in state ") + MoverStateName(state_);
+        return false;
+    }
+    if (!joints_.HasPower()) {
+        *error = "motor power is off";
         return false;
     }
     if (!motion_.Read(bytes, size) || !motion_.MapTo(robot_)) {

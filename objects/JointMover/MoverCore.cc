@@ -235,6 +235,7 @@ MoverCore::FillReport(SetValueMessage* message, const Sint32* commanded)
     memset(message, 0, sizeof(*message));
     message->state = state_;
     message->keyFrame = -1;
+    message->motorsOff = joints_.HasPower() ? 0 : 1;
     for (int j = 0; j < robot_->numJoints; j++) {
         message->commanded[j] = commanded != 0 ? commanded[j] : joints_.Position(j);
         message->measured[j] = port_->Measure(j);

@@ -37,6 +37,9 @@ const int MAX_VECTORS_UNDER_WAY = 2;
 // frame (Hohl 2004, section 4.1.2: smaller than 45 degrees).
 const Sint32 PREPARE_LIMIT_URAD = 785398;
 
+// Distance, in urad, that a limp joint may have moved to be held where it was: 0.1 degree.
+const Sint32 CREEP_URAD = 1745;
+
 // The positions for the next command vector, for every joint of the robot, in urad (10^-6 rad).
 struct VectorPlan {
     int numFrames;  // number of frames: 1 to MAX_VECTOR_FRAMES
@@ -61,10 +64,21 @@ public:
     // Called when the oldest vector has ended.
     void VectorEnded();
 
+    // Carries out a command other than PLAY and STOP.
+    void Do(const MoverCommand& command);
+
     // Sets the position, speed or acceleration of one joint.  Has no effect before the robot
     // stands, and no effect on joints that are switched off.  If a motion moves the joint, the
     // joint goes to the new position after the motion.
     void MoveJoint(const MoverCommand& command);
+
+    // Switches the motor of a joint off or on, or with MOVER_ALL_JOINTS the power of all motors,
+    // which ends a motion.  Only a command to switch on, or for a single joint a position in a
+    // buffer of a controller, wakes a joint that is off (Hohl 2004, section 5.3.6).
+    void SwitchMotor(const MoverCommand& command);
+
+    // Sets the gains of a joint.
+    void SetGain(const MoverCommand& command);
 
     // Carries out the differences between this buffer of a controller and the buffer before.  A
     // buffer can also switch joints off and on again, which MoveJoint() cannot do.
@@ -97,6 +111,7 @@ private:
     void BeginMotion();
     void EndMotion();
     bool NeedsPreparation() const;
+    Sint32 HoldPosition(int joint) const;
     bool HasArrived() const;
     void MakeFrame(Sint32 urad[MAX_JOINTS]);
     void Remember(const VectorPlan& plan);

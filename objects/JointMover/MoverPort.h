@@ -16,9 +16,13 @@ public:
     // Returns the present angle of a joint in urad (10^-6 rad).
     virtual Sint32 Measure(int joint) = 0;
 
-    // EnableGain() enables the gain of a joint and sets its six values; DisableGain() disables it.
-    virtual void EnableGain(int joint) = 0;
+    // EnableGain() enables the gain of a joint and sets its values: the P, I and D gain in `gain`,
+    // and the shifts of the robot's table.  DisableGain() disables the gain.
+    virtual void EnableGain(int joint, const Sint32 gain[3]) = 0;
     virtual void DisableGain(int joint) = 0;
+
+    // Switches the power of all motors on or off.
+    virtual void SetMotorPower(bool on) = 0;
 
     // Called when the state has changed.
     virtual void StateChanged(MoverState state) = 0;

@@ -215,14 +215,43 @@ RCServer::ShutDownRobot()
     }
 }
 
-// Reads the battery and converts its temperature.  The robot measures in 0.1 kelvin, from 0 to
-// 5000.  Because the range in Hohl 2004, table 3.6, ends at 227.00 degrees, 0 degrees are 273
-// kelvin here.
+// Converts the temperature of the battery to 0.01 degree Celsius.  The robot measures in 0.1 kelvin,
+// from 0 to 5000.  Because the range in Hohl 2004, table 3.6, ends at 227.00 degrees, 0 degrees are
+// 273 kelvin here.
+static Sint32
+CentiCelsius(word temperature)
+{
+    return (Sint32)temperature * 10 - 27300;
+}
+
 void
 RCServer::ReadBattery(Sint32* capacity, Sint32* temperature)
 {
     OPowerStatus power;
     if (OPENR::GetPowerStatus(&power) != oSUCCESS) return;
     *capacity = power.remainingCapacity;
-    *temperature = (Sint32)power.temperature * 10 - 27300;
+    *temperature = CentiCelsius(power.temperature);
+}
+
+bool
+RCServer::ReadPower(RcPower* power)
+{
+    OPowerStatus status;
+    if (OPENR::GetPowerStatus(&status) != oSUCCESS) return false;
+    power->robotStatus = (Uint32)status.robotStatus;
+    power->batteryStatus = status.batteryStatus;
+    power->capacity = status.remainingCapacity;
+    power->fullCapacity = status.fullyChargedCapacity;
+    power->voltage = status.voltage;
+    power->current = status.current;
+    power->temperature = CentiCelsius(status.temperature);
+    return true;
+}
+
+bool
+RCServer::ReadGains(int joint, Uint16 gains[6])
+{
+    memset(gains, 0, 6 * sizeof(gains[0]));
+    return OPENR::GetJointGain(sensorReader_.Joint(joint), &gains[0], &gains[1], &gains[2],
+                               &gains[3], &gains[4], &gains[5]) == oSUCCESS;
 }

@@ -87,6 +87,8 @@ private:
     virtual void PostLedEar(const LedEarState& change);
     virtual bool ReadFile(const std::string& path, std::vector<Uint8>* bytes, std::string* error);
     virtual void ReadBattery(Sint32* capacity, Sint32* temperature);
+    virtual bool ReadPower(RcPower* power);
+    virtual bool ReadGains(int joint, Uint16 gains[6]);
     virtual void EndRun(bool reboot);
 
     OStatus NewBuffer(int index);

@@ -27,6 +27,15 @@ RequestHandler::Busy(bool duringMotion)
     return rcOK;
 }
 
+// Returns rcOK while the motors have power, for commands that would have no effect without.
+// Otherwise writes the reason to error_ and returns rcerrorBUSY.
+int
+RequestHandler::Limp()
+{
+    if (!motorsOff_) return rcOK;
+    return Fail(rcerrorBUSY, "the motors are off; MOTOR_ON for all joints (255) switches them on");
+}
+
 int
 RequestHandler::Post(const MoverCommand& command)
 {
@@ -41,7 +50,8 @@ RequestHandler::CommandJoint(int command, RcReader* in, RcWriter* out)
     const Sint32 asked = in->S32();
     if (!in->IsComplete()) return FailSize();
     if (index >= robot_->numJoints) return FailIndex("joint", index, robot_->numJoints);
-    const int busy = Busy(command != rcMOVE);
+    int busy = Busy(command != rcMOVE);
+    if (busy == rcOK && command == rcMOVE) busy = Limp();
     if (busy != rcOK) return busy;
 
     const JointConstants& joint = robot_->joints[index];
@@ -96,6 +106,7 @@ RequestHandler::PlayMotion(RcReader* in, RcWriter* out)
     RcPlayRequest request;
     if (!request.Read(in)) return FailSize();
     int status = Busy(false);
+    if (status == rcOK) status = Limp();
     if (status != rcOK) return status;
     if (request.loops < 1) return Fail(rcerrorBAD_VALUE, "0 loops, must be 1 or more");
     MoverCommand command;

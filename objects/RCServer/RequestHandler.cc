@@ -8,7 +8,7 @@
 #include "TextFormat.h"
 
 RequestHandler::RequestHandler(RequestPort* port)
-    : port_(port), robot_(0), state_(-1), keyFrame_(-1), version_(RC_VERSION), isInBatch_(false),
+    : port_(port), robot_(0), state_(-1), keyFrame_(-1), motorsOff_(false), version_(RC_VERSION), isInBatch_(false),
       client_(0)
 {
     memset(&sensors_, 0, sizeof(sensors_));
@@ -40,6 +40,7 @@ RequestHandler::SetMover(const SetValueMessage& message)
 {
     state_ = message.state;
     keyFrame_ = message.keyFrame;
+    motorsOff_ = message.motorsOff != 0;
 }
 
 // Called when JointMover is ready, which is only when the robot stands.  Because JointMover reports

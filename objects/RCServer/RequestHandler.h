@@ -65,6 +65,10 @@ private:
     int DeleteFile(RcReader* in);
     int Download(RcReader* in, RcWriter* out);
     int EndRun(RcReader* in, bool reboot);
+    int SwitchMotor(int command, RcReader* in);
+    int SetOrTellGains(RcReader* in, RcWriter* out);
+    int SetGains(int joint, RcReader* in, RcGains* gains);
+    int TellPower(RcReader* in, RcWriter* out);
     int Describe(RcReader* in, RcWriter* out);
     int GetJoint(RcReader* in, RcWriter* out);
     int CommandJoint(int command, RcReader* in, RcWriter* out);
@@ -75,6 +79,7 @@ private:
     int StopMotion(RcReader* in);
     int LoadMotion(const std::string& file, MoverCommand* command, RcPlayAnswer* answer);
     int Busy(bool duringMotion);
+    int Limp();
     int Post(const MoverCommand& command);
     int Fail(int status, const std::string& why);
     int FailSize();
@@ -89,6 +94,7 @@ private:
     SensorValues sensors_;
     int state_;  // MoverState in the newest report of JointMover; -1: no report yet
     Sint32 keyFrame_;
+    bool motorsOff_;  // whether a client has switched motor power off
     Sint32 speed_[MAX_JOINTS];  // limits last set by remote control (Hohl 2004, 5.3.6)
     Sint32 acceleration_[MAX_JOINTS];
     int version_;        // protocol version of the present request

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "Messages.h"
+#include "RemoteProtocol.h"
 
 class RequestPort {
 public:
@@ -30,6 +31,13 @@ public:
     // Reads the remaining capacity of the battery in percent and its temperature in 0.01 degree
     // Celsius.
     virtual void ReadBattery(Sint32* capacity, Sint32* temperature) = 0;
+
+    // Reads the power status.  Returns false when the robot does not tell it.
+    virtual bool ReadPower(RcPower* power) = 0;
+
+    // Reads the P, I and D gain of a joint and their shifts.  Returns false when the gain is
+    // disabled; then all six are 0.
+    virtual bool ReadGains(int joint, Uint16 gains[6]) = 0;
 
     // Shuts the robot down as soon as the present answer was sent.  With `reboot`, the robot boots
     // again at once.

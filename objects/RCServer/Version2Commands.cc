@@ -15,6 +15,13 @@ RequestHandler::HandleVersion2(int command, RcReader* in, RcWriter* out)
     switch (command) {
     case rcBATCH:
         return AnswerBatch(in, out);
+    case rcGAINS:
+        return SetOrTellGains(in, out);
+    case rcMOTOR_OFF:
+    case rcMOTOR_ON:
+        return SwitchMotor(command, in);
+    case rcPOWER:
+        return TellPower(in, out);
     case rcMTN_LIST:
         return ListMotions(in, out);
     case rcUPLOAD_BEGIN:

@@ -21,8 +21,14 @@ enum MoverCommandKind {
     moverkindSPEED = 2,         // uses the fields `joint` and `value`
     moverkindACCELERATION = 3,  // uses the fields `joint` and `value`
     moverkindPLAY = 4,          // uses the fields `file`, `loops` and `keyFramesPerVector`
-    moverkindSTOP = 5           // ends the motion that plays
+    moverkindSTOP = 5,          // ends the motion that plays
+    moverkindMOTOR_OFF = 6,     // uses the field `joint`; MOVER_ALL_JOINTS: motor power
+    moverkindMOTOR_ON = 7,      // uses the field `joint`; MOVER_ALL_JOINTS: motor power
+    moverkindGAINS = 8          // uses the fields `joint` and `gain`
 };
+
+// Value of MoverCommand::joint that stands for all joints.
+const Sint32 MOVER_ALL_JOINTS = -1;
 
 // The command that RCServer.Mover and Controller.Mover send to JointMover.Mover.
 struct MoverCommand {
@@ -32,8 +38,9 @@ struct MoverCommand {
     Sint32 loops;               // how many times the motion is played, >= 1
     Sint32 keyFramesPerVector;  // 0: JointMover chooses the number
     char file[MTN_NAME_SIZE];   // "WALK.MTN"
+    Sint32 gain[3];             // P, I and D gain
 };
-COMPILE_TIME_CHECK(MoverCommandHasNoPadding, sizeof(MoverCommand) == 5 * 4 + MTN_NAME_SIZE);
+COMPILE_TIME_CHECK(MoverCommandHasNoPadding, sizeof(MoverCommand) == 8 * 4 + MTN_NAME_SIZE);
 
 enum BatchJointFlags {
     batchPOSITION_GIVEN = 1,  // `position` is valid; otherwise the joint stays where it is
@@ -66,7 +73,7 @@ struct SetValueMessage {
     Uint8 isOver;              // 1: the motion of `file` has ended or was refused
     Uint8 earMask;             // plungers (ears) that the motion moves: bit i stands for plunger i
     Uint8 earOn;               // bits of earMask whose plungers are on in `keyFrame`
-    Uint8 reserved;            // always 0
+    Uint8 motorsOff;           // 1: a command has switched motor power off
     char file[MTN_NAME_SIZE];  // file of the motion; "": no motion
     Sint32 commanded[MAX_JOINTS];
     Sint32 measured[MAX_JOINTS];

@@ -105,6 +105,50 @@ RcJointState::Read(RcReader* in)
 }
 
 void
+RcGains::Write(RcWriter* out) const
+{
+    out->U8(isOn);
+    out->U8(0);
+    for (int i = 0; i < 3; i++) out->U16(gain[i]);
+    for (int i = 0; i < 3; i++) out->U16(shift[i]);
+}
+
+bool
+RcGains::Read(RcReader* in)
+{
+    isOn = in->U8();
+    in->U8();
+    for (int i = 0; i < 3; i++) gain[i] = in->U16();
+    for (int i = 0; i < 3; i++) shift[i] = in->U16();
+    return in->IsComplete();
+}
+
+void
+RcPower::Write(RcWriter* out) const
+{
+    out->U32(robotStatus);
+    out->U16(batteryStatus);
+    out->U16(capacity);
+    out->U16(fullCapacity);
+    out->U16(voltage);
+    out->S32(current);
+    out->S32(temperature);
+}
+
+bool
+RcPower::Read(RcReader* in)
+{
+    robotStatus = in->U32();
+    batteryStatus = in->U16();
+    capacity = in->U16();
+    fullCapacity = in->U16();
+    voltage = in->U16();
+    current = in->S32();
+    temperature = in->S32();
+    return in->IsComplete();
+}
+
+void
 RcSensors::Write(RcWriter* out) const
 {
     const std::vector<Sint32>* const groups[5] = { &joints, &binary, &other, &misc, &keyFrame };

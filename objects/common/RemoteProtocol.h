@@ -29,6 +29,10 @@ enum RcCommand {
     rcMTN_STOP = 0x41,
     // The commands below need version 2; rcLOG is reserved in both versions.
     rcBATCH = 0x03,
+    rcGAINS = 0x14,
+    rcMOTOR_OFF = 0x15,
+    rcMOTOR_ON = 0x16,
+    rcPOWER = 0x31,
     rcMTN_LIST = 0x42,  // the commands for files are in RemoteFiles.h
     rcUPLOAD_BEGIN = 0x50,
     rcUPLOAD_DATA = 0x51,
@@ -127,6 +131,37 @@ struct RcJointState {
     Sint32 position;  // measured position
     Sint32 speed;     // limits of speed and acceleration, last set by remote control
     Sint32 acceleration;
+
+    void Write(RcWriter* out) const;
+    bool Read(RcReader* in);
+};
+
+// Joint of MOTOR_OFF and MOTOR_ON that stands for all joints and motor power.
+const Uint8 RC_ALL_JOINTS = 255;
+
+// Largest P, I or D gain.  People used P gains up to 63; a report says that the robot takes 7 bits
+// (docs/openr/field-notes.md 7.14 and 7.15).
+const int RC_MAX_GAIN = 127;
+
+// Gains of the servo of a joint.  A gain g with shift s acts like g x 2^(s-16).
+struct RcGains {
+    Uint8 isOn;        // 1: the gain is enabled; 0: the joint is limp
+    Uint16 gain[3];    // P, I, D
+    Uint16 shift[3];
+
+    void Write(RcWriter* out) const;
+    bool Read(RcReader* in);
+};
+
+// Power and battery of the robot, from OPENR::GetPowerStatus().
+struct RcPower {
+    Uint32 robotStatus;    // bits orsb... of the SDK
+    Uint16 batteryStatus;  // bits obsb...
+    Uint16 capacity;       // remaining capacity in %
+    Uint16 fullCapacity;   // in mAh
+    Uint16 voltage;        // in mV
+    Sint32 current;        // in mA
+    Sint32 temperature;    // in 0.01 degree Celsius
 
     void Write(RcWriter* out) const;
     bool Read(RcReader* in);

@@ -17,6 +17,9 @@ public:
     // Opens the primitives (devices) of all joints and sensors.  Call this function in DoInit().
     OStatus Open(const RobotConstants* robot);
 
+    // Returns the primitive of a joint.
+    OPrimitiveID Joint(int joint) const { return joint_[joint]; }
+
     // Reads the newest sample of every joint and sensor in `vector` into `values`.
     void Read(OSensorFrameVectorData* vector, SensorValues* values);
 

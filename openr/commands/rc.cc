@@ -89,6 +89,7 @@ class RcCommands {
         ->expected(1, RC_MAX_BATCH);
     AddLimit("speed", "Limits the speed of a joint", rcSPEED, "deg/s");
     AddLimit("accel", "Limits the acceleration of a joint", rcACCEL, "deg/s^2");
+    AddMotors();
     AddLight("led", "Switches a light; a controller of the robot may switch it back", rcLED);
     AddLight("ear", "Moves an ear; a controller of the robot may move it back", rcEAR);
     AddMotions();
@@ -125,6 +126,20 @@ class RcCommands {
     command->add_option("STATE", flags_->state, "on or off")
         ->required()
         ->check(CLI::IsMember({"on", "off"}));
+  }
+
+  void AddMotors() {
+    CLI::App* const motor =
+        Add(rc_, "motor", "Switches motors; only this switches them on again", &RcMotorAction);
+    motor->add_option("STATE", flags_->state, "on or off")
+        ->required()
+        ->check(CLI::IsMember({"on", "off"}));
+    motor->add_option("JOINT", flags_->device, "One joint; without it all joints and motor power");
+    AddJoint("gains", "Shows or sets the gains of a joint's servo", &RcGainsAction)
+        ->add_option("P I D", flags_->gains, "The new gains")
+        ->expected(3)
+        ->check(CLI::Range(0, RC_MAX_GAIN));
+    Add(rc_, "power", "Motor power and battery", &RcPowerAction);
   }
 
   void AddSensors() {

@@ -27,6 +27,7 @@ struct RcFlags {
   int key_frames = 0;
   std::string output;              // file of the host for a download; "": as on the stick
   std::vector<std::string> goals;  // "neck_pan=30"
+  std::vector<int> gains;          // P, I and D; empty: only show them
 };
 
 // A function that sends requests through `client` and prints the answers to standard output.
@@ -41,6 +42,9 @@ void RcStopAction(RemoteClient* client, const RcFlags& flags);
 
 // Actions for several joints, and for their motors (rc_joints.cc).
 void RcPoseAction(RemoteClient* client, const RcFlags& flags);
+void RcMotorAction(RemoteClient* client, const RcFlags& flags);
+void RcGainsAction(RemoteClient* client, const RcFlags& flags);
+void RcPowerAction(RemoteClient* client, const RcFlags& flags);
 
 // Actions for files of the robot's stick, and for the end of the run (rc_files.cc).
 void RcListAction(RemoteClient* client, const RcFlags& flags);

@@ -1,4 +1,5 @@
 // The actions of `openr rc` for several joints at a time, and for the motors of joints.
+#include <OPENR/OPower.h>
 #include <fmt/format.h>
 
 #include <charconv>
@@ -69,6 +70,66 @@ void RcPoseAction(RemoteClient* client, const RcFlags& flags) {
     }
   }
   PrintRcAnswer(flags.json, replies[0].answer.frame, {{"in_force", json}}, text);
+}
+
+void RcMotorAction(RemoteClient* client, const RcFlags& flags) {
+  uint8_t joint = RC_ALL_JOINTS;
+  std::string name = "all motors";
+  if (!flags.device.empty()) {
+    const RemoteDevices joints(client, rcdeviceJOINT);
+    joint = static_cast<uint8_t>(joints.Find(flags.device));
+    name = joints.all()[joint].name;
+  }
+  client->UseVersion(RC_VERSION_FILES);
+  const bool on = flags.state == "on";
+  const RemoteAnswer answer = client->Request(on ? rcMOTOR_ON : rcMOTOR_OFF, {joint});
+  PrintRcAnswer(flags.json, answer.frame, {{"motor", name}, {"on", on}},
+                fmt::format("{} {}", name, on ? "on" : "off"));
+}
+
+void RcGainsAction(RemoteClient* client, const RcFlags& flags) {
+  const RemoteDevices joints(client, rcdeviceJOINT);
+  const int joint = joints.Find(flags.device);
+  const std::string& name = joints.all()[static_cast<size_t>(joint)].name;
+  client->UseVersion(RC_VERSION_FILES);
+  uint8_t bytes[7];
+  RcWriter writer(bytes, sizeof bytes);
+  writer.U8(static_cast<Uint32>(joint));
+  for (const int gain : flags.gains) writer.U16(static_cast<Uint32>(gain));
+  const RemoteAnswer answer = client->Request(rcGAINS, {bytes, bytes + writer.Size()});
+  const auto gains = client->Read<RcGains>(answer);
+  const Json json = {{"joint", name},
+                     {"on", gains.isOn != 0},
+                     {"gains", {gains.gain[0], gains.gain[1], gains.gain[2]}},
+                     {"shifts", {gains.shift[0], gains.shift[1], gains.shift[2]}}};
+  PrintRcAnswer(flags.json, answer.frame, json,
+                fmt::format("{} gains P {} I {} D {}, shifts {} {} {}{}", name, gains.gain[0],
+                            gains.gain[1], gains.gain[2], gains.shift[0], gains.shift[1],
+                            gains.shift[2], gains.isOn != 0 ? "" : "; its motor is off"));
+}
+
+void RcPowerAction(RemoteClient* client, const RcFlags& flags) {
+  client->UseVersion(RC_VERSION_FILES);
+  const RemoteAnswer answer = client->Request(rcPOWER);
+  const auto power = client->Read<RcPower>(answer);
+  const bool motors = (power.robotStatus & orsbMOTOR_POWER) != 0;
+  const bool station = (power.robotStatus & orsbSTATION_CONNECTED) != 0;
+  const Json json = {{"motor_power", motors},
+                     {"on_station", station},
+                     {"robot_status", power.robotStatus},
+                     {"battery_status", power.batteryStatus},
+                     {"capacity_percent", power.capacity},
+                     {"full_capacity_mah", power.fullCapacity},
+                     {"voltage_v", power.voltage / 1000.0},
+                     {"current_a", power.current / 1000.0},
+                     {"temperature_c", power.temperature / 100.0}};
+  PrintRcAnswer(
+      flags.json, answer.frame, json,
+      fmt::format("motor power {}{}; battery {} % of {} mAh, {:.3f} V, {:.3f} A, {:.2f} degree C; "
+                  "robot status {:#010x}, battery status {:#06x}",
+                  motors ? "on" : "off", station ? ", on the charging station" : "", power.capacity,
+                  power.fullCapacity, power.voltage / 1000.0, power.current / 1000.0,
+                  power.temperature / 100.0, power.robotStatus, power.batteryStatus));
 }
 
 }  // namespace openr_host

@@ -23,8 +23,12 @@ class Dog : public MoverPort {
   }
 
   Sint32 Measure(int joint) override { return angle[joint]; }
-  void EnableGain(int joint) override { gain[joint] = true; }
+  void EnableGain(int joint, const Sint32 pid[3]) override {
+    gain[joint] = true;
+    gains[joint] = {pid[0], pid[1], pid[2]};
+  }
   void DisableGain(int joint) override { gain[joint] = false; }
+  void SetMotorPower(bool on) override { motor_power = on; }
   void StateChanged(MoverState state) override { said.push_back(MoverStateName(state)); }
   void Report(const SetValueMessage& message) override { reports.push_back(message); }
   void InitialPostureReached() override { ++times_standing; }
@@ -52,12 +56,12 @@ class Dog : public MoverPort {
   int Joint(const char* locator) const { return FindJoint(robot, locator); }
   void Move(const char* locator, int32_t urad) { Command(moverkindPOSITION, locator, urad); }
   void Command(int kind, const char* locator, int32_t value) {
-    MoverCommand command = {kind, Joint(locator), value, 0, 0, {}};
+    MoverCommand command = {kind, Joint(locator), value, 0, 0, {}, {}};
     core.MoveJoint(command);
   }
   std::string Start(const MtnBytes& mtn, int loops = 1) {
     const std::vector<uint8_t> bytes = mtn.Bytes();
-    MoverCommand command = {moverkindPLAY, 0, 0, loops, 0, "TEST.MTN"};
+    MoverCommand command = {moverkindPLAY, 0, 0, loops, 0, "TEST.MTN", {}};
     std::string error;
     return core.Play(command, bytes.data(), bytes.size(), &error) ? "" : error;
   }
@@ -75,6 +79,8 @@ class Dog : public MoverPort {
   MoverCore core;
   std::map<int, int32_t> angle;
   std::map<int, bool> gain;
+  std::map<int, std::vector<int>> gains;  // P, I and D gain that were set last
+  bool motor_power = true;
   std::vector<std::string> said;
   std::vector<SetValueMessage> reports;
   std::vector<std::map<int, int32_t>> frames;  // every frame played

@@ -147,6 +147,8 @@ class FilesTest : public testing::Test, private RequestPort {
   void PostLedEar(const LedEarState&) override {}
   bool ReadFile(const std::string&, std::vector<Uint8>*, std::string*) override { return false; }
   void ReadBattery(Sint32*, Sint32*) override {}
+  bool ReadPower(RcPower*) override { return false; }
+  bool ReadGains(int, Uint16*) override { return false; }
   void EndRun(bool reboot) override { ends_.push_back(reboot); }
 };
 

@@ -44,12 +44,21 @@ class RemoteRobot : public RequestPort {
     *capacity = 87;
     *temperature = 2500;
   }
+  bool ReadPower(RcPower* power) override {
+    *power = {0x12345678, 0x90, 87, 2000, 7400, -1300, 2500};
+    return tells_power;
+  }
+  bool ReadGains(int joint, Uint16 gains[6]) override {
+    for (int i = 0; i < 6; ++i) gains[i] = limp ? 0 : FindRobot("ERS-210")->joints[joint].gain[i];
+    return !limp;
+  }
   void EndRun(bool) override {}
 
-  void Say(int state, int key_frame) {
+  void Say(int state, int key_frame, bool motors_off = false) {
     SetValueMessage message = {};
     message.state = state;
     message.keyFrame = key_frame;
+    message.motorsOff = motors_off ? 1 : 0;
     handler.SetMover(message);
   }
 
@@ -131,6 +140,8 @@ class RemoteRobot : public RequestPort {
   std::vector<LedEarState> lights;
   std::map<std::string, std::vector<uint8_t>> files;
   bool full = false;
+  bool tells_power = true;
+  bool limp = false;  // whether the gains are disabled
   std::vector<uint8_t> payload;
   std::string error;
   int version = 0;  // protocol version of the last answer

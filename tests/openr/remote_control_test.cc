@@ -190,6 +190,21 @@ TEST_F(RemoteControlTest, SpeedAndAccelerationAreLimitedAndTold) {
   EXPECT_EQ(Answer({"get", "neck_tilt"})["speed_deg_s"], 50.0);
 }
 
+TEST_F(RemoteControlTest, MotorsGainsAndPowerAreToldAndSet) {
+  EXPECT_EQ(Answer({"power"})["motor_power"], true);
+  EXPECT_EQ(Answer({"motor", "off"})["motor"], "all motors");
+  EXPECT_EQ(Answer({"power"})["motor_power"], false);
+  const ProgramResult busy = Rc({"move", "neck_pan", "0"});
+  EXPECT_NE(busy.err.find("the motors are off"), std::string::npos) << busy.err;
+  EXPECT_EQ(Answer({"motor", "on"})["on"], true);
+  EXPECT_EQ(Answer({"motor", "off", "tail_tilt"})["motor"], "tail_tilt");
+  EXPECT_EQ(Answer({"gains", "tail_tilt"})["on"], false);
+  EXPECT_EQ(Answer({"motor", "on", "tail_tilt"})["on"], true);
+  const json set = Answer({"gains", "mouth", "30", "0", "5"});
+  EXPECT_EQ(set["gains"], (json{30, 0, 5}));
+  EXPECT_EQ(Rc({"gains", "mouth", "30", "0", "128"}).status, 2);
+}
+
 TEST_F(RemoteControlTest, LightsAndEarsAreSwitched) {
   EXPECT_EQ(Answer({"led", "0", "on"})["on"], true);
   EXPECT_EQ(Answer({"ear", "Left ear", "off"})["on"], false);

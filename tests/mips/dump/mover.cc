@@ -19,7 +19,8 @@ class Dog : public MoverPort {
     core.Begin(robot);
   }
   virtual Sint32 Measure(int joint) { return angle_[joint]; }
-  virtual void EnableGain(int joint) { gain_[joint] = true; }
+  virtual void EnableGain(int joint, const Sint32*) { gain_[joint] = true; }
+  virtual void SetMotorPower(bool on) { printf("power %d\n", on ? 1 : 0); }
   virtual void DisableGain(int joint) { gain_[joint] = false; }
   virtual void StateChanged(MoverState state) { printf("state %s\n", MoverStateName(state)); }
   virtual void Report(const SetValueMessage& message) {

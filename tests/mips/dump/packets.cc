@@ -56,6 +56,14 @@ class Robot : public RequestPort {
     *bytes = MakeMotion(4, 6, &draw_);
     return true;
   }
+  virtual bool ReadPower(RcPower* power) {
+    memset(power, 0, sizeof(*power));
+    return true;
+  }
+  virtual bool ReadGains(int joint, Uint16* gains) {
+    for (int i = 0; i < 6; i++) gains[i] = static_cast<Uint16>(joint + i);
+    return true;
+  }
   virtual void ReadBattery(Sint32* capacity, Sint32* temperature) {
     *capacity = 87;
     *temperature = 2500;

@@ -66,6 +66,14 @@ class ServerPort : public RequestPort {
     return true;
   }
   virtual void ReadBattery(Sint32* capacity, Sint32* temperature) { *capacity = *temperature = 0; }
+  virtual bool ReadPower(RcPower* power) {
+    memset(power, 0, sizeof(*power));
+    return true;
+  }
+  virtual bool ReadGains(int, Uint16* gains) {
+    memset(gains, 0, 6 * sizeof(*gains));
+    return false;
+  }
   virtual void EndRun(bool) {}
 };
 
@@ -167,7 +175,8 @@ void MeasureServer() {
 class Dog : public MoverPort {
  public:
   virtual Sint32 Measure(int) { return 0; }
-  virtual void EnableGain(int) {}
+  virtual void EnableGain(int, const Sint32*) {}
+  virtual void SetMotorPower(bool) {}
   virtual void DisableGain(int) {}
   virtual void StateChanged(MoverState) {}
   virtual void Report(const SetValueMessage&) {}
@@ -184,16 +193,16 @@ void PlayFile() {
   std::vector<Uint8> bytes;
   std::string error;
   ReadMotion(&bytes, &error);
-  static MoverCommand command = {moverkindPLAY, 0, 0, 2, 0, "TEST.MTN"};
+  static MoverCommand command = {moverkindPLAY, 0, 0, 2, 0, "TEST.MTN", {0, 0, 0}};
   mover->Play(command, bytes.empty() ? 0 : &bytes[0], bytes.size(), &error);
 }
 void PlayNothing() {
-  static MoverCommand command = {moverkindPLAY, 0, 0, 2, 0, "TEST.MTN"};
+  static MoverCommand command = {moverkindPLAY, 0, 0, 2, 0, "TEST.MTN", {0, 0, 0}};
   std::string error;
   mover->Play(command, &motion[0], motion.size() / 2, &error);
 }
 void MoveOne() {
-  static MoverCommand command = {moverkindPOSITION, 1, 100000, 0, 0, ""};
+  static MoverCommand command = {moverkindPOSITION, 1, 100000, 0, 0, "", {0, 0, 0}};
   mover->MoveJoint(command);
 }
 

@@ -1,0 +1,161 @@
+// Motors and gains in JointMover's logic: MOTOR_OFF, MOTOR_ON and GAINS of the remote control.
+#include <gtest/gtest.h>
+
+#include "mover_dog.h"
+
+namespace openr_host {
+namespace {
+
+constexpr char kTiltJoint[] = "PRM:/r1/c1-Joint2:j1";
+
+class MoverMotorsTest : public testing::Test {
+ protected:
+  void Switch(int kind, int joint) {
+    MoverCommand command = {kind, joint, 0, 0, 0, {}, {}};
+    dog_.core.Do(command);
+  }
+  int NumLimp() const {
+    int count = 0;
+    for (const auto& [joint, on] : dog_.gain) count += on ? 0 : 1;
+    return count;
+  }
+
+  StandingDog dog_;
+  const int tilt_ = dog_.Joint(kTiltJoint);
+};
+
+TEST_F(MoverMotorsTest, AllMotorsLosePowerAndEveryGainIsOff) {
+  Switch(moverkindMOTOR_OFF, MOVER_ALL_JOINTS);
+  EXPECT_FALSE(dog_.motor_power);
+  EXPECT_EQ(NumLimp(), dog_.robot->numJoints);
+  ASSERT_EQ(dog_.reports.size(), 1u);
+  EXPECT_EQ(dog_.reports[0].motorsOff, 1);
+  EXPECT_EQ(dog_.reports[0].state, moverACCEPTING_COMMANDS);
+}
+
+TEST_F(MoverMotorsTest, OnlyMotorOnBringsPowerBack) {
+  Switch(moverkindMOTOR_OFF, MOVER_ALL_JOINTS);
+  dog_.Move(kTiltJoint, -300000);
+  dog_.Command(moverkindSPEED, kTiltJoint, 5000);
+  dog_.Command(moverkindACCELERATION, kTiltJoint, 5000);
+  BatchMoverCommand buffer = dog_.Buffer();
+  buffer.joint[tilt_].position = -300000;
+  buffer.joint[tilt_].flags = batchPOSITION_GIVEN;
+  dog_.core.Batch(buffer);
+  EXPECT_EQ(dog_.Start(MtnBytes::OneJoint(kTiltJoint, {0, 10000})), "motor power is off");
+  Switch(moverkindMOTOR_ON, tilt_);
+  dog_.Play();
+  EXPECT_FALSE(dog_.motor_power);
+  EXPECT_EQ(NumLimp(), dog_.robot->numJoints);
+  EXPECT_TRUE(dog_.frames.empty()) << "no vector is sent to joints without power";
+}
+
+TEST_F(MoverMotorsTest, JointsThatAreSwitchedOnStayWhereTheyHang) {
+  Switch(moverkindMOTOR_OFF, MOVER_ALL_JOINTS);
+  dog_.angle[tilt_] = -200000;  // moved by hand
+  Switch(moverkindMOTOR_ON, MOVER_ALL_JOINTS);
+  EXPECT_TRUE(dog_.motor_power);
+  EXPECT_EQ(NumLimp(), dog_.robot->numJoints) << "the gains follow after a vector";
+  EXPECT_EQ(dog_.reports.back().motorsOff, 0);
+  dog_.Play();
+  EXPECT_EQ(NumLimp(), 0);
+  ASSERT_FALSE(dog_.frames.empty());
+  for (const auto& frame : dog_.frames) EXPECT_EQ(frame.at(tilt_), -200000);
+  dog_.Move(kTiltJoint, -300000);
+  dog_.Play();
+  EXPECT_EQ(dog_.angle[tilt_], -300000);
+}
+
+TEST_F(MoverMotorsTest, AJointThatHasHardlyMovedIsHeldWhereItWas) {
+  const int32_t before = dog_.angle[tilt_];
+  Switch(moverkindMOTOR_OFF, MOVER_ALL_JOINTS);
+  dog_.angle[tilt_] = before - 1700;
+  Switch(moverkindMOTOR_ON, MOVER_ALL_JOINTS);
+  dog_.Play();
+  EXPECT_EQ(dog_.angle[tilt_], before);
+  Switch(moverkindMOTOR_OFF, MOVER_ALL_JOINTS);
+  dog_.angle[tilt_] = before - 1800;
+  Switch(moverkindMOTOR_ON, MOVER_ALL_JOINTS);
+  dog_.Play();
+  EXPECT_EQ(dog_.angle[tilt_], before - 1800);
+}
+
+TEST_F(MoverMotorsTest, AMotionEndsWhenPowerIsSwitchedOff) {
+  ASSERT_EQ(dog_.Start(MtnBytes::OneJoint(kTiltJoint, {0, 10000, 20000, 30000, 40000, 50000})), "");
+  dog_.PlayVector();
+  Switch(moverkindMOTOR_OFF, MOVER_ALL_JOINTS);
+  EXPECT_EQ(dog_.core.State(), moverACCEPTING_COMMANDS);
+  EXPECT_EQ(dog_.reports.back().keyFrame, -1);
+  EXPECT_EQ(dog_.reports.back().motorsOff, 1);
+  const size_t frames = dog_.frames.size();
+  dog_.Play();
+  EXPECT_LE(dog_.frames.size(), frames + 16) << "only vectors that were sent before";
+}
+
+TEST_F(MoverMotorsTest, OneJointIsLimpWhileTheOthersGoOn) {
+  const int pan = dog_.Joint("PRM:/r1/c1/c2-Joint2:j2");
+  Switch(moverkindMOTOR_OFF, tilt_);
+  EXPECT_TRUE(dog_.motor_power);
+  EXPECT_EQ(NumLimp(), 1);
+  EXPECT_TRUE(dog_.reports.empty());
+  dog_.Move(kTiltJoint, -300000);
+  dog_.Move("PRM:/r1/c1/c2-Joint2:j2", 100000);
+  dog_.Play();
+  EXPECT_EQ(dog_.angle[pan], 100000);
+  EXPECT_NE(dog_.angle[tilt_], -300000);
+  Switch(moverkindMOTOR_ON, tilt_);
+  dog_.Play();
+  EXPECT_EQ(NumLimp(), 0);
+}
+
+TEST_F(MoverMotorsTest, AJointSwitchedOnDuringAMotionWakesBehindIt) {
+  Switch(moverkindMOTOR_OFF, tilt_);
+  ASSERT_EQ(dog_.Start(MtnBytes::OneJoint(kTiltJoint, {0, 10000, 20000, 30000})), "");
+  const int32_t hangs = dog_.angle[tilt_];
+  Switch(moverkindMOTOR_ON, tilt_);
+  EXPECT_FALSE(dog_.gain[tilt_]);
+  dog_.Play();
+  EXPECT_TRUE(dog_.gain[tilt_]);
+  EXPECT_EQ(dog_.angle[tilt_], hangs);
+}
+
+TEST_F(MoverMotorsTest, AllMotorsOnWhileTheyAreOnIsNoReport) {
+  Switch(moverkindMOTOR_ON, MOVER_ALL_JOINTS);
+  EXPECT_TRUE(dog_.reports.empty());
+  EXPECT_EQ(NumLimp(), 0);
+}
+
+TEST_F(MoverMotorsTest, GainsTheRobotBeginsWithAreThoseOfItsTable) {
+  EXPECT_EQ(dog_.gains[dog_.Joint("PRM:/r2/c1-Joint2:j1")], (std::vector<int>{22, 4, 8}));
+}
+
+TEST_F(MoverMotorsTest, GainsAreSetAtOnceOrWhenTheJointIsSwitchedOn) {
+  MoverCommand command = {moverkindGAINS, tilt_, 0, 0, 0, {}, {30, 0, 5}};
+  dog_.core.Do(command);
+  EXPECT_EQ(dog_.gains[tilt_], (std::vector<int>{30, 0, 5}));
+  Switch(moverkindMOTOR_OFF, tilt_);
+  command.gain[0] = 31;
+  dog_.core.Do(command);
+  EXPECT_FALSE(dog_.gain[tilt_]);
+  EXPECT_EQ(dog_.gains[tilt_], (std::vector<int>{30, 0, 5}));
+  Switch(moverkindMOTOR_ON, tilt_);
+  dog_.Play();
+  EXPECT_EQ(dog_.gains[tilt_], (std::vector<int>{31, 0, 5}));
+}
+
+TEST_F(MoverMotorsTest, CommandsBeforeTheRobotStandsAndForNoJointHaveNoEffect) {
+  Dog dog;
+  for (const int kind : {moverkindMOTOR_OFF, moverkindMOTOR_ON, moverkindGAINS}) {
+    for (const int joint : {-1, 0, 18, 1000000}) {
+      MoverCommand command = {kind, joint, 0, 0, 0, {}, {99, 99, 99}};
+      dog.core.Do(command);
+      if (joint > 17) dog_.core.Do(command);
+    }
+  }
+  EXPECT_TRUE(dog.motor_power);
+  EXPECT_TRUE(dog.gains.empty());
+  EXPECT_EQ(NumLimp(), 0);
+}
+
+}  // namespace
+}  // namespace openr_host
