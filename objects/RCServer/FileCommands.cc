@@ -132,5 +132,6 @@ RequestHandler::EndRun(RcReader* in, bool reboot)
 {
     if (!in->IsComplete()) return FailSize();
     port_->EndRun(reboot);
+    endsRun_ = true;
     return rcOK;
 }

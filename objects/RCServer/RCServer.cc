@@ -27,9 +27,8 @@ RCServer::RCServer()
         client_[i].state = clientCLOSED;
         client_[i].receiveData = 0;
         client_[i].sendData = 0;
-        client_[i].isLast = false;
-        client_[i].endsRun = false;
-        client_[i].isWaiting = false;
+        client_[i].isReceiving = false;
+        client_[i].isSending = false;
         client_[i].lastFrame = 0;
     }
 }
@@ -67,10 +66,10 @@ RCServer::DoStart(const OSystemEvent&)
     ENABLE_ALL_SUBJECT;
     ASSERT_READY_TO_ALL_OBSERVER;
     ipstack_ = antStackRef("IPStack");
-    for (int i = 0; i < NUM_PLACES; i++) {
+    for (int i = 0; i < RC_PLACES; i++) {
         if (NewBuffer(i) != oSUCCESS) return oFAIL;
     }
-    for (int i = 0; i < NUM_PLACES; i++) Listen(i);
+    for (int i = 0; i < RC_PLACES; i++) Listen(i);
     OSYSLOG1((osyslogINFO, "state: listening"));
     return oSUCCESS;
 }
@@ -105,6 +104,7 @@ RCServer::NotifySensor(const ONotifyEvent& event)
     observer[event.ObsIndex()]->AssertReady(event.SenderID());
     RetryListening(sensors_.frame);
     PlaceWaiting(sensors_.frame);
+    SendEvents();
     EndRunInTime(sensors_.frame);
 }
 
@@ -113,6 +113,7 @@ RCServer::NotifySetValue(const ONotifyEvent& event)
 {
     for (int i = 0; i < event.NumOfData(); i++) {
         handler_.SetMover(*(const SetValueMessage*)event.Data(i));
+        SendEvents();  // for each message, because a client wants every key frame
     }
     observer[event.ObsIndex()]->AssertReady(event.SenderID());
 }

@@ -6,10 +6,10 @@
 //   RCServer.Sensor   <- sensor values, and the frame number that every answer has
 //   RCServer.SetValue <- state and key frame of JointMover
 //
-// Each client has an endpoint (a TCP connection of the robot's network), a buffer in shared memory
-// and at most one operation that runs: listen, receive, send or close.  An error ends the
-// connection of this client only.  RequestHandler knows the meaning of requests; this class
-// transports bytes and messages.
+// Each client has an endpoint (a TCP connection of the robot's network) and a buffer in shared
+// memory.  While a client is connected, at most one receive and one send run.  An error ends the
+// connection of this client only.  ClientSession and RequestHandler know the meaning of the bytes;
+// this class transports bytes and messages.
 //
 
 #ifndef RCServer_h_DEFINED
@@ -20,8 +20,8 @@
 #include <OPENR/OObserver.h>
 #include <ant.h>
 
+#include "ClientSession.h"
 #include "MoverQueue.h"
-#include "RequestHandler.h"
 #include "SensorReader.h"
 #include "def.h"
 
@@ -49,13 +49,10 @@ public:
     void CloseCont(ANTENVMSG msg);
 
 private:
-    // Maximum number of clients that are served at the same time.
-    static const int NUM_PLACES = 8;
-
     // Maximum number of connections.  One more client may connect while all places are taken.  This
     // client gets the place of a client that has been silent for long, or an answer that says why
     // it gets no place (PlaceWaiting()).
-    static const int NUM_CLIENTS = NUM_PLACES + 1;
+    static const int NUM_CLIENTS = RC_PLACES + 1;
     COMPILE_TIME_CHECK(EveryClientHasAnUpload, NUM_CLIENTS == RequestHandler::MAX_CLIENTS);
 
     // What a client has asked for.
@@ -64,8 +61,7 @@ private:
     enum ClientState {
         clientCLOSED,
         clientLISTENING,
-        clientRECEIVING,
-        clientSENDING,
+        clientOPEN,
         clientCLOSING
     };
 
@@ -75,10 +71,9 @@ private:
         antSharedBuffer buffer;
         byte* receiveData;
         byte* sendData;
-        RcFramer framer;
-        bool isLast;       // whether the connection ends when the present answer was sent
-        bool endsRun;      // whether the present answer is that to a request for shutdown or reboot
-        bool isWaiting;    // whether all places were taken when the client connected
+        ClientSession session;
+        bool isReceiving;  // whether a receive, or a send, runs
+        bool isSending;
         Uint32 lastFrame;  // frame in which the client last sent bytes
     };
 
@@ -95,13 +90,14 @@ private:
     void Listen(int index);
     void ListenForMore();
     void Receive(int index);
-    void AnswerRequests(int index);
+    void Serve(int index);
+    void SendEvents();
     void Send(int index, int size);
     void Close(int index);
     void RetryListening(Uint32 frame);
     int NumServed() const;
     void PlaceWaiting(Uint32 frame);
-    void TurnAway(int index, const RcFramer* request);
+    void TurnAway(int index);
     void SendMover();
     void SendLedEar();
     void EndRunInTime(Uint32 frame);

@@ -10,15 +10,9 @@
 
 #include "entry.h"
 
-// Sizes, in bytes, of the two parts of a client's shared buffer: received bytes, and answers to
-// send.  Answers are collected until they fill a packet, and then one more answer of full size must
-// still fit.
+// Sizes, in bytes, of the two parts of a client's shared buffer: received bytes, and bytes to send.
 static const int RECEIVE_SIZE = RC_MAX_PACKET;
-static const int SEND_SIZE = 2 * RC_MAX_PACKET;
-
-// Size, in bytes, that most answers do not exceed.  Requests that arrived together are answered in
-// one send, as long as another answer of this size keeps the send below RC_MAX_PACKET.
-static const int USUAL_ANSWER_SIZE = 256;
+static const int SEND_SIZE = ClientSession::SEND_SIZE;
 
 // Memory of an endpoint, in bytes: twice the largest send, as in Sony's samples (network guide,
 // chapter 1).
@@ -27,9 +21,8 @@ static const int ENDPOINT_POOL_SIZE = 2 * SEND_SIZE;
 // Time between two tries to listen: one second, in frames of 8 ms.
 static const Uint32 RETRY_FRAMES = 125;
 
-// Time after which a client that has sent nothing loses its place to a waiting client: ten seconds,
-// in frames of 8 ms.
-static const Uint32 IDLE_FRAMES = 1250;
+// RC_IDLE_SECONDS in frames of 8 ms.
+static const Uint32 IDLE_FRAMES = RC_IDLE_SECONDS * RETRY_FRAMES;
 
 // Returns the continuation (user data) of a network message: the index of the client to which the
 // result of the message belongs.
@@ -77,10 +70,9 @@ RCServer::Listen(int index)
         return;
     }
     client.endpoint = create.moduleRef;
-    client.isLast = false;
-    client.isWaiting = false;
-    client.endsRun = false;
-    client.framer.Reset();
+    client.session.Begin(index, &handler_);
+    client.isReceiving = false;
+    client.isSending = false;
     TCPEndpointListenMsg listen(client.endpoint, IP_ADDR_ANY, RC_PORT);
     listen.continuation = Continuation(index);
     listen.Send(ipstack_, myOID_, Extra_Entry[entryListenCont], sizeof(listen));
@@ -117,8 +109,7 @@ RCServer::NumServed() const
 {
     int count = 0;
     for (int i = 0; i < NUM_CLIENTS; i++) {
-        const ClientState state = client_[i].state;
-        if ((state == clientRECEIVING || state == clientSENDING) && !client_[i].isWaiting) count++;
+        if (client_[i].state == clientOPEN && !client_[i].session.IsWaiting()) count++;
     }
     return count;
 }
@@ -131,8 +122,9 @@ RCServer::PlaceWaiting(Uint32 frame)
     int waiting = -1;
     int silent = -1;
     for (int i = 0; i < NUM_CLIENTS; i++) {
-        if (client_[i].state != clientRECEIVING) continue;
-        if (client_[i].isWaiting) {
+        // A client that is not receiving has sent requests, whose answers are on their way.
+        if (client_[i].state != clientOPEN || !client_[i].isReceiving) continue;
+        if (client_[i].session.IsWaiting()) {
             waiting = i;
         } else if (silent < 0 ||
                    frame - client_[i].lastFrame > frame - client_[silent].lastFrame) {
@@ -140,30 +132,26 @@ RCServer::PlaceWaiting(Uint32 frame)
         }
     }
     if (isStopped_ || waiting < 0) return;
-    if (NumServed() < NUM_PLACES) {
-        client_[waiting].isWaiting = false;
+    if (NumServed() < RC_PLACES) {
+        client_[waiting].session.SetWaiting(false);
     } else if (silent >= 0 && frame - client_[silent].lastFrame >= IDLE_FRAMES) {
         OSYSLOG1((osyslogWARNING, "RCServer: client %d was silent for %u s and gives way to another",
                   silent, (frame - client_[silent].lastFrame) / RETRY_FRAMES));
         Close(silent);
-        client_[waiting].isWaiting = false;
+        client_[waiting].session.SetWaiting(false);
     } else if (frame - client_[waiting].lastFrame >= IDLE_FRAMES) {
-        TurnAway(waiting, 0);  // it sent no request, and other clients may want to connect
+        TurnAway(waiting);  // it sent no request, and other clients may want to connect
     }
 }
 
-// Answers client `index` that all places are taken, and ends its connection.  `request` is 0 when
-// the client has sent none.
+// Answers client `index`, which has sent no request, that all places are taken, and ends its
+// connection.
 void
-RCServer::TurnAway(int index, const RcFramer* request)
+RCServer::TurnAway(int index)
 {
-    Client& client = client_[index];
     OSYSLOG1((osyslogWARNING, "RCServer: client %d is turned away, all %d places are taken", index,
-              NUM_PLACES));
-    RcWriter out(client.sendData, RC_MAX_PACKET);
-    handler_.AnswerNoPlace(request, NUM_PLACES, (int)(IDLE_FRAMES / RETRY_FRAMES), &out);
-    client.isLast = true;
-    Send(index, out.Size());
+              RC_PLACES));
+    Send(index, client_[index].session.TurnAway(client_[index].sendData));
 }
 
 void
@@ -179,7 +167,8 @@ RCServer::ListenCont(ANTENVMSG msg)
         return;
     }
     client_[index].lastFrame = sensors_.frame;
-    client_[index].isWaiting = NumServed() >= NUM_PLACES;
+    client_[index].session.SetWaiting(NumServed() >= RC_PLACES);
+    client_[index].state = clientOPEN;
     Receive(index);
     PlaceWaiting(sensors_.frame);
     ListenForMore();
@@ -192,7 +181,7 @@ RCServer::Receive(int index)
     TCPEndpointReceiveMsg receive(client.endpoint, client.receiveData, 1, RECEIVE_SIZE);
     receive.continuation = Continuation(index);
     receive.Send(ipstack_, myOID_, Extra_Entry[entryReceiveCont], sizeof(receive));
-    client.state = clientRECEIVING;
+    client.isReceiving = true;
 }
 
 void
@@ -200,44 +189,47 @@ RCServer::ReceiveCont(ANTENVMSG msg)
 {
     const TCPEndpointReceiveMsg* receive = (TCPEndpointReceiveMsg*)antEnvMsg::Receive(msg);
     const int index = IndexOf(receive);
-    if (isStopped_ || client_[index].state != clientRECEIVING) return;
-    if (receive->error != TCP_SUCCESS) {
+    if (isStopped_ || client_[index].state != clientOPEN) return;
+    client_[index].isReceiving = false;
+    if (receive->error == TCP_SUCCESS) {
+        client_[index].lastFrame = sensors_.frame;
+        client_[index].session.Take(client_[index].receiveData, receive->sizeMin);
+        Serve(index);
+    } else if (client_[index].isSending) {
+        client_[index].session.SetLast();  // what is being sent still goes out
+    } else {
         Close(index);  // usually because the client has closed the connection
-        return;
     }
-    client_[index].lastFrame = sensors_.frame;
-    client_[index].framer.Take(client_[index].receiveData, receive->sizeMin);
-    AnswerRequests(index);
 }
 
-// Answers all requests that have arrived completely and sends the answers.  When no request is
-// complete, receives more bytes.
+// Sends the answers to all requests that have arrived completely, or when no request is complete,
+// the due packets of streams.  Does nothing while a send runs, whose end calls this function again.
 void
-RCServer::AnswerRequests(int index)
+RCServer::Serve(int index)
 {
     Client& client = client_[index];
-    int size = 0;
-    while (!client.isLast && size + USUAL_ANSWER_SIZE <= RC_MAX_PACKET) {
-        RcWriter out(client.sendData + size, RC_MAX_PACKET);
-        const RcFramer::Result result = client.framer.Next();
-        if (result == RcFramer::NEEDS_MORE) break;
-        if (result == RcFramer::PACKET && client.isWaiting) return TurnAway(index, &client.framer);
-        if (result == RcFramer::PACKET) {
-            const RunEnd before = runEnd_;
-            handler_.Answer(index, client.framer, &out);
-            if (runEnd_ != before) client.isLast = client.endsRun = true;
-        } else {
-            OSYSLOG1((osyslogWARNING, "RCServer: client %d closed: %s", index,
-                      client.framer.Error().c_str()));
-            handler_.AnswerBroken(client.framer.Error(), &out);
-            client.isLast = true;
-        }
-        size += out.Size();
+    if (client.isSending) return;
+    const bool wasWaiting = client.session.IsWaiting();
+    int size = client.session.NextAnswers(client.sendData);
+    if (!client.session.Error().empty()) {
+        OSYSLOG1((osyslogWARNING, "RCServer: client %d closed: %s", index,
+                  client.session.Error().c_str()));
+    } else if (wasWaiting && size > 0) {
+        OSYSLOG1((osyslogWARNING, "RCServer: client %d is turned away, all %d places are taken",
+                  index, RC_PLACES));
     }
-    if (size > 0) {
-        Send(index, size);
-    } else {
-        Receive(index);
+    if (size == 0 && !client.isReceiving) Receive(index);
+    if (size == 0) size = client.session.NextEvents(client.sendData);
+    if (size > 0) Send(index, size);
+}
+
+// Sends the due packets of streams to all clients that have subscribed.
+void
+RCServer::SendEvents()
+{
+    if (isStopped_) return;
+    for (int i = 0; i < NUM_CLIENTS; i++) {
+        if (client_[i].state == clientOPEN && handler_.HasEvents(i)) Serve(i);
     }
 }
 
@@ -248,7 +240,7 @@ RCServer::Send(int index, int size)
     TCPEndpointSendMsg send(client.endpoint, client.sendData, size);
     send.continuation = Continuation(index);
     send.Send(ipstack_, myOID_, Extra_Entry[entrySendCont], sizeof(send));
-    client.state = clientSENDING;
+    client.isSending = true;
 }
 
 void
@@ -256,24 +248,25 @@ RCServer::SendCont(ANTENVMSG msg)
 {
     const TCPEndpointSendMsg* send = (TCPEndpointSendMsg*)antEnvMsg::Receive(msg);
     const int index = IndexOf(send);
-    if (isStopped_ || client_[index].state != clientSENDING) return;
+    if (isStopped_ || client_[index].state != clientOPEN) return;
+    client_[index].isSending = false;
+    if (send->error == TCP_SUCCESS && !client_[index].session.IsLast()) {
+        Serve(index);
+        return;
+    }
     // Because the client has asked for the end, the run ends also when the answer was not sent.
-    if (client_[index].endsRun) {
+    if (client_[index].session.EndsRun()) {
         isEnding_ = true;
         endFrame_ = sensors_.frame;
     }
-    if (send->error != TCP_SUCCESS || client_[index].isLast) {
-        Close(index);
-    } else {
-        AnswerRequests(index);
-    }
+    Close(index);
 }
 
 void
 RCServer::Close(int index)
 {
     Client& client = client_[index];
-    handler_.EndClient(index);
+    client.session.End();
     TCPEndpointCloseMsg close(client.endpoint);
     close.continuation = Continuation(index);
     close.Send(ipstack_, myOID_, Extra_Entry[entryCloseCont], sizeof(close));

@@ -8,11 +8,20 @@
 #include "TextFormat.h"
 
 RequestHandler::RequestHandler(RequestPort* port)
-    : port_(port), robot_(0), state_(-1), keyFrame_(-1), motorsOff_(false), version_(RC_VERSION), isInBatch_(false),
-      client_(0)
+    : port_(port),
+      robot_(0),
+      state_(-1),
+      motorsOff_(false),
+      version_(RC_VERSION),
+      isInBatch_(false),
+      client_(0),
+      tag_(0),
+      endsRun_(false)
 {
     memset(&sensors_, 0, sizeof(sensors_));
     sensors_.frame = NO_SENSOR_FRAME;
+    memset(&report_, 0, sizeof(report_));
+    report_.keyFrame = -1;
     memset(speed_, 0, sizeof(speed_));
     memset(acceleration_, 0, sizeof(acceleration_));
 }
@@ -39,7 +48,8 @@ void
 RequestHandler::SetMover(const SetValueMessage& message)
 {
     state_ = message.state;
-    keyFrame_ = message.keyFrame;
+    report_ = message;
+    for (int i = 0; i < MAX_CLIENTS; i++) streams_[i].NewValues(rcstreamSET_VALUES, sensors_.frame);
     motorsOff_ = message.motorsOff != 0;
 }
 
@@ -69,6 +79,7 @@ void
 RequestHandler::Answer(int client, const RcFramer& request, RcWriter* out)
 {
     client_ = client;
+    endsRun_ = false;
     AnswerOne(request.Header(), request.Payload(), out);
 }
 
@@ -82,6 +93,7 @@ RequestHandler::AnswerOne(const RcHeader& request, const Uint8* payload, RcWrite
     const bool isServed = request.version == RC_VERSION || request.version == RC_VERSION_FILES;
     const int version = isServed ? request.version : RC_VERSION;
     version_ = version;
+    tag_ = request.tag;
     error_ = "";
     BeginAnswer(out, rcOK);
     int status;
@@ -101,6 +113,13 @@ RequestHandler::AnswerOne(const RcHeader& request, const Uint8* payload, RcWrite
         out->String(error_);
     }
     out->PutHeader(request.command, request.tag, version);
+}
+
+void
+RequestHandler::EndClient(int client)
+{
+    upload_[client].Abort();
+    streams_[client].Clear();
 }
 
 void
@@ -308,6 +327,13 @@ int
 RequestHandler::TellSensors(RcReader* in, RcWriter* out)
 {
     if (!in->IsComplete()) return FailSize();
+    WriteSensors(out);
+    return rcOK;
+}
+
+void
+RequestHandler::WriteSensors(RcWriter* out)
+{
     RcSensors answer;
     answer.state = (Uint8)state_;
     for (int j = 0; j < robot_->numJoints; j++)
@@ -321,7 +347,6 @@ RequestHandler::TellSensors(RcReader* in, RcWriter* out)
     port_->ReadBattery(&capacity, &temperature);
     answer.misc.push_back(capacity);
     answer.misc.push_back(temperature);
-    answer.keyFrame.push_back(keyFrame_);
+    answer.keyFrame.push_back(report_.keyFrame);
     answer.Write(out);
-    return rcOK;
 }

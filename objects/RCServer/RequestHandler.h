@@ -3,12 +3,14 @@
 // (docs/remote-control.md).
 //
 // All clients share the robot: when one client sets a limit of speed or acceleration, the limit is
-// valid for all, and the last command counts.  The only state of a single connection is its upload.
+// valid for all, and the last command counts.  The state of a single connection is its upload and
+// its subscriptions.
 //
 
 #ifndef RequestHandler_h_DEFINED
 #define RequestHandler_h_DEFINED
 
+#include "ClientStreams.h"
 #include "FileUpload.h"
 #include "MtnFile.h"
 #include "RemoteProtocol.h"
@@ -29,7 +31,7 @@ public:
     std::string Begin(const RobotConstants* robot, const std::string& stickRoot = "");
 
     // Set the newest sensor values of the robot, and the newest report of JointMover.
-    void SetSensors(const SensorValues& values) { sensors_ = values; }
+    void SetSensors(const SensorValues& values);
     void SetMover(const SetValueMessage& message);
     // Called when JointMover accepts commands.
     void MoverIsReady();
@@ -38,8 +40,19 @@ public:
     // REQUIRES: `out` is empty and has room for RC_MAX_PACKET bytes; 0 <= client < MAX_CLIENTS.
     void Answer(int client, const RcFramer& request, RcWriter* out);
 
-    // Ends the upload of a client whose connection has ended.
-    void EndClient(int client) { upload_[client].Abort(); }
+    // Returns whether the request that was answered last has asked for the end of the run.
+    bool EndsRun() const { return endsRun_; }
+
+    // Returns the frame number of the newest sensor values.
+    Uint32 Frame() const { return sensors_.frame; }
+
+    // Returns whether a packet of a stream is due for a client, and writes to `out` all that are.
+    // REQUIRES: `out` is empty and has room for RC_MAX_PACKET bytes.
+    bool HasEvents(int client) const { return streams_[client].Due(sensors_.frame) >= 0; }
+    void WriteEvents(int client, RcWriter* out);
+
+    // Ends the upload and the subscriptions of a client whose connection has ended.
+    void EndClient(int client);
 
     // Writes to `out` the answer to bytes that are no packet; `error` is the reason.  The
     // connection ends after this answer.
@@ -69,6 +82,11 @@ private:
     int SetOrTellGains(RcReader* in, RcWriter* out);
     int SetGains(int joint, RcReader* in, RcGains* gains);
     int TellPower(RcReader* in, RcWriter* out);
+    int Subscribe(RcReader* in, RcWriter* out);
+    int Unsubscribe(RcReader* in);
+    int FailStream(int stream);
+    void WriteSensors(RcWriter* out);
+    void WriteSetValues(RcWriter* out) const;
     int Describe(RcReader* in, RcWriter* out);
     int GetJoint(RcReader* in, RcWriter* out);
     int CommandJoint(int command, RcReader* in, RcWriter* out);
@@ -93,18 +111,21 @@ private:
     const RobotConstants* robot_;
     SensorValues sensors_;
     int state_;  // MoverState in the newest report of JointMover; -1: no report yet
-    Sint32 keyFrame_;
+    SetValueMessage report_;  // the newest report of JointMover
     bool motorsOff_;  // whether a client has switched motor power off
     Sint32 speed_[MAX_JOINTS];  // limits last set by remote control (Hohl 2004, 5.3.6)
     Sint32 acceleration_[MAX_JOINTS];
     int version_;        // protocol version of the present request
     bool isInBatch_;     // whether the present request is a part of a batch
     int client_;         // client of the present request
+    Uint16 tag_;         // tag of the present request
+    bool endsRun_;       // whether the present request has asked for the end of the run
     std::string error_;  // error text of the present request
     MtnFile motion_;     // motion file to check; not a local variable, because its parts are large
     StickStore store_;
     Uint8 part_[RC_MAX_DOWNLOAD_DATA];  // part of a file to send; too large for the stack
     FileUpload upload_[MAX_CLIENTS];
+    ClientStreams streams_[MAX_CLIENTS];
 };
 
 #endif  // RequestHandler_h_DEFINED

@@ -22,6 +22,10 @@ RequestHandler::HandleVersion2(int command, RcReader* in, RcWriter* out)
         return SwitchMotor(command, in);
     case rcPOWER:
         return TellPower(in, out);
+    case rcSUBSCRIBE:
+        return Subscribe(in, out);
+    case rcUNSUBSCRIBE:
+        return Unsubscribe(in);
     case rcMTN_LIST:
         return ListMotions(in, out);
     case rcUPLOAD_BEGIN:

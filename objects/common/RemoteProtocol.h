@@ -33,6 +33,9 @@ enum RcCommand {
     rcMOTOR_OFF = 0x15,
     rcMOTOR_ON = 0x16,
     rcPOWER = 0x31,
+    rcSUBSCRIBE = 0x32,  // RemoteStreams.h
+    rcUNSUBSCRIBE = 0x33,
+    rcEVENT = 0x3f,  // a packet of a stream; from a client, that it has taken packets: no answer
     rcMTN_LIST = 0x42,  // the commands for files are in RemoteFiles.h
     rcUPLOAD_BEGIN = 0x50,
     rcUPLOAD_DATA = 0x51,

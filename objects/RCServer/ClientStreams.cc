@@ -1,0 +1,64 @@
+#include "ClientStreams.h"
+
+#include <string.h>
+
+void
+ClientStreams::Clear()
+{
+    memset(stream_, 0, sizeof(stream_));
+}
+
+void
+ClientStreams::Begin(int stream, Uint16 period, Uint16 tag)
+{
+    Stream& begun = stream_[stream];
+    memset(&begun, 0, sizeof(begun));
+    begun.isOn = true;
+    begun.period = period;
+    begun.tag = tag;
+}
+
+// Returns whether the period since lastFrame is over.  A frame number that has begun anew is a large
+// difference here, so that the packet comes early and not never.
+bool
+ClientStreams::IsPeriodOver(const Stream& stream, Uint32 frame) const
+{
+    return !stream.wasSent || frame - stream.lastFrame >= stream.period;
+}
+
+// For sensor values, which come in every vector, only those count of which a packet is due.  For
+// set values all count, because each is a key frame.
+void
+ClientStreams::NewValues(int stream, Uint32 frame)
+{
+    Stream& changed = stream_[stream];
+    if (!changed.isOn) return;
+    if (stream == rcstreamSENSORS) {
+        if (!IsPeriodOver(changed, frame)) return;
+        changed.wasSent = true;
+        changed.lastFrame = frame;
+    }
+    if (changed.numNew < 0xffff) changed.numNew++;
+}
+
+int
+ClientStreams::Due(Uint32 frame) const
+{
+    for (int i = 0; i < NUM_RC_STREAMS; i++) {
+        if (!stream_[i].isOn || stream_[i].numNew == 0) continue;
+        if (i == rcstreamSENSORS || IsPeriodOver(stream_[i], frame)) return i;
+    }
+    return -1;
+}
+
+Uint16
+ClientStreams::Sent(int stream, Uint32 frame)
+{
+    Stream& sent = stream_[stream];
+    const Uint16 leftOut = (Uint16)(sent.numNew - 1);
+    sent.numNew = 0;
+    if (stream == rcstreamSENSORS) return leftOut;
+    sent.wasSent = true;
+    sent.lastFrame = frame;
+    return leftOut;
+}

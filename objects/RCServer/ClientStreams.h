@@ -1,0 +1,53 @@
+//
+// The subscriptions of one client: which streams it wants, and whether a packet of one is due.
+//
+// A packet of a stream has the newest values at the time when it is sent.  A client that does not
+// take its packets in time gets fewer, so a stream needs no memory for old values.
+//
+
+#ifndef ClientStreams_h_DEFINED
+#define ClientStreams_h_DEFINED
+
+#include "RemoteStreams.h"
+
+class ClientStreams {
+public:
+    ClientStreams() { Clear(); }
+
+    // Ends all subscriptions.
+    void Clear();
+
+    // Begins or replaces the subscription of a stream.  `period` is the smallest number of frames
+    // between two packets.  `tag` is the tag of the packets.
+    void Begin(int stream, Uint16 period, Uint16 tag);
+    void End(int stream) { stream_[stream].isOn = false; }
+
+    // Counts new values of a stream.  Has no effect without a subscription.  `frame` is the frame
+    // number of the newest sensor values.
+    void NewValues(int stream, Uint32 frame);
+
+    // Returns the stream of which a packet is due in `frame`; -1: none is.
+    int Due(Uint32 frame) const;
+
+    // Called when a packet of `stream` is made.  Returns the number of values that were left out
+    // since the packet before.
+    Uint16 Sent(int stream, Uint32 frame);
+
+    Uint16 Tag(int stream) const { return stream_[stream].tag; }
+
+private:
+    struct Stream {
+        bool isOn;
+        Uint16 tag;
+        Uint16 period;
+        bool wasSent;      // whether lastFrame is valid
+        Uint32 lastFrame;  // frame of the last packet, or for sensor values of the last due one
+        Uint16 numNew;     // values since the last packet, those of which a packet would be due
+    };
+
+    bool IsPeriodOver(const Stream& stream, Uint32 frame) const;
+
+    Stream stream_[NUM_RC_STREAMS];
+};
+
+#endif  // ClientStreams_h_DEFINED

@@ -1,0 +1,58 @@
+//
+// Packets of the remote control that the robot sends unasked to clients that have subscribed
+// (version 2, docs/remote-control.md).
+//
+
+#ifndef RemoteStreams_h_DEFINED
+#define RemoteStreams_h_DEFINED
+
+#include <string>
+#include <vector>
+
+#include "FixedTypes.h"
+#include "RemotePacket.h"
+
+enum RcStream {
+    rcstreamSENSORS = 0,     // values of RcSensors
+    rcstreamSET_VALUES = 1,  // what JointMover reports: RcSetValues
+    NUM_RC_STREAMS
+};
+
+// Number of frames in a sensor vector; periods of streams are multiples of it.
+const int RC_FRAMES_PER_VECTOR = 4;
+
+struct RcSubscribe {
+    Uint8 stream;   // a RcStream
+    Uint16 period;  // smallest number of frames between two packets
+
+    void Write(RcWriter* out) const;
+    bool Read(RcReader* in);
+};
+
+// The beginning of the payload of EVENT, before the values of the stream.
+struct RcEventHead {
+    Uint8 stream;    // a RcStream
+    Uint16 leftOut;  // number of values that the client has missed since the packet before
+
+    void Write(RcWriter* out) const;
+    void Read(RcReader* in);  // leaves the values
+};
+
+// A report of JointMover: the state, and while a motion plays the key frame.  Positions are in 0.01
+// degree.
+struct RcSetValues {
+    Uint8 state;      // MoverState
+    Uint8 isOver;     // 1: the motion of `file` has ended or was refused
+    Uint8 motorsOff;  // 1: motor power is off by MOTOR_OFF
+    Uint8 earMask;    // ears that the motion moves, and those of them that are on
+    Uint8 earOn;
+    Sint32 keyFrame;   // key frame to which the positions belong; -1: no motion plays
+    std::string file;  // file of the motion; "": none
+    std::vector<Sint32> commanded;
+    std::vector<Sint32> measured;  // as many as commanded
+
+    void Write(RcWriter* out) const;
+    bool Read(RcReader* in);
+};
+
+#endif  // RemoteStreams_h_DEFINED
