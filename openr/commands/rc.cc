@@ -79,6 +79,7 @@ class RcCommands {
     Add(rc_, "info", "What robot this is, and what it does", &RcInfoAction);
     AddJoint("get", "Position of a joint", &RcGetAction);
     AddSensors();
+    AddStreams();
     AddJoint("move", "Moves a joint", RcJointAction(rcMOVE, "deg"))
         ->add_option("VALUE", flags_->value, "Degrees")
         ->required()
@@ -146,6 +147,19 @@ class RcCommands {
     CLI::App* const command = Add(rc_, "sensors", "All sensor values", &RcSensorsAction);
     command->add_flag("--watch", flags_->watch, "Again and again, until Ctrl-C");
     AddDurationFlag(command, "--every", &flags_->every_us, "Time between two");
+  }
+
+  void AddStreams() {
+    CLI::App* const command =
+        Add(rc_, "stream", "What the robot sends by itself, until Ctrl-C", &RcStreamAction);
+    command->add_option("STREAM", flags_->stream, "sensors, or keyframes of motions")
+        ->required()
+        ->check(CLI::IsMember({"sensors", "keyframes"}));
+    AddDurationFlag(command, "--every", &flags_->stream_us,
+                    "Shortest time between two; in steps of 32 ms of the robot's clock");
+    command->add_option("--count", flags_->count, "How many; 0: no end")
+        ->check(CLI::Range(0, 1'000'000'000))
+        ->capture_default_str();
   }
 
   void AddMotions() {

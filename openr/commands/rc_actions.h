@@ -22,11 +22,14 @@ struct RcFlags {
   std::string state;  // "on" or "off"
   bool watch = false;
   int64_t every_us = 500'000;
+  int64_t stream_us = 32'000;
   std::string file;
   int loops = 1;
   int key_frames = 0;
   std::string output;              // file of the host for a download; "": as on the stick
   std::vector<std::string> goals;  // "neck_pan=30"
+  std::string stream;              // "sensors" or "keyframes"
+  int count = 0;                   // events to take; 0: until Ctrl-C
   std::vector<int> gains;          // P, I and D; empty: only show them
 };
 
@@ -45,6 +48,9 @@ void RcPoseAction(RemoteClient* client, const RcFlags& flags);
 void RcMotorAction(RemoteClient* client, const RcFlags& flags);
 void RcGainsAction(RemoteClient* client, const RcFlags& flags);
 void RcPowerAction(RemoteClient* client, const RcFlags& flags);
+
+// Actions that take what the robot sends unasked (rc_streams.cc).
+void RcStreamAction(RemoteClient* client, const RcFlags& flags);
 
 // Actions for files of the robot's stick, and for the end of the run (rc_files.cc).
 void RcListAction(RemoteClient* client, const RcFlags& flags);

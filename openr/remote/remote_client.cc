@@ -173,15 +173,20 @@ void RemoteClient::Send(const std::vector<uint8_t>& bytes) {
 }
 
 void RemoteClient::ReceivePacket() {
+  if (!ReceivePacketInTime()) ThrowSilent();
+}
+
+// Returns false when no whole packet has come within timeout_ms_.
+bool RemoteClient::ReceivePacketInTime() {
   for (;;) {
     const RcFramer::Result result = framer_.Next();
-    if (result == RcFramer::PACKET) return;
+    if (result == RcFramer::PACKET) return true;
     if (result == RcFramer::BROKEN) {
       Throw(fmt::format("this is no remote control: {}; is the port the one 'openr run' printed?",
                         framer_.Error()));
     }
     uint8_t bytes[RC_MAX_PACKET];
-    if (!WaitFor(POLLIN)) ThrowSilent();
+    if (!WaitFor(POLLIN)) return false;
     const ssize_t n = recv(socket_, bytes, sizeof bytes, 0);
     if (n > 0) {
       framer_.Take(bytes, static_cast<int>(n));
@@ -196,10 +201,50 @@ uint16_t RemoteClient::SendRequest(int command, const std::vector<uint8_t>& payl
   return tag_;
 }
 
-RemoteAnswer RemoteClient::ReceiveAnswer(uint16_t tag) {
+RcAnswerHeader RemoteClient::ReceiveHeader() {
   RcAnswerHeader header;
   ReceivePacket();
   if (!header.Read(framer_)) ThrowMalformed();
+  return header;
+}
+
+// Keeps the packet that was received last if it is an event.  Returns false if it is an answer.
+bool RemoteClient::KeepEvent(const RcAnswerHeader& header) {
+  if (header.header.command != rcEVENT) return false;
+  const int begin = RC_ANSWER_HEADER_SIZE - RC_HEADER_SIZE;
+  RcReader in(framer_.Payload() + begin, framer_.PayloadSize() - begin);
+  RcEventHead head;
+  head.Read(&in);
+  if (in.HasFailed()) ThrowMalformed();
+  Send(MakePacket(RC_VERSION_FILES, rcEVENT, header.header.tag, {}));  // lets the next ones come
+  if (events_.size() == kEventsMax) events_.pop_front();
+  events_.push_back({header.header.tag, header.frame, head.stream, head.leftOut,
+                     std::vector<uint8_t>(in.Rest(), in.Rest() + in.RestSize())});
+  return true;
+}
+
+uint16_t RemoteClient::Subscribe(RcStream stream, int period) {
+  UseVersion(RC_VERSION_FILES);
+  RequestWith(rcSUBSCRIBE, RcSubscribe{static_cast<Uint8>(stream), static_cast<Uint16>(period)});
+  return tag_;
+}
+
+RemoteEvent RemoteClient::NextEvent() {
+  while (events_.empty()) {
+    if (!ReceivePacketInTime()) {
+      Request(rcINFO);  // throws when the robot is gone
+    } else if (RcAnswerHeader header; !header.Read(framer_) || !KeepEvent(header)) {
+      ThrowMalformed();
+    }
+  }
+  const RemoteEvent event = std::move(events_.front());
+  events_.pop_front();
+  return event;
+}
+
+RemoteAnswer RemoteClient::ReceiveAnswer(uint16_t tag) {
+  RcAnswerHeader header = ReceiveHeader();
+  while (KeepEvent(header)) header = ReceiveHeader();
   RemoteAnswer answer;
   answer.frame = header.frame;
   const int begin = RC_ANSWER_HEADER_SIZE - RC_HEADER_SIZE;

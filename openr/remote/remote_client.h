@@ -3,11 +3,13 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "RemoteProtocol.h"
+#include "RemoteStreams.h"
 
 namespace openr_host {
 
@@ -52,6 +54,15 @@ struct RemoteCall {
   std::vector<uint8_t> payload;
 };
 
+// A packet of a stream, which the robot sends unasked (RemoteStreams.h).
+struct RemoteEvent {
+  uint16_t tag = 0;  // what Subscribe() has returned
+  uint32_t frame = 0;
+  int stream = 0;               // RcStream
+  int left_out = 0;             // number of values missed since the event before
+  std::vector<uint8_t> values;  // RcSensors or RcSetValues
+};
+
 // The robot's answer to a request in a batch.
 struct RemoteReply {
   int status = rcOK;  // RcStatus; when it is not rcOK, `error` says why
@@ -85,6 +96,16 @@ class RemoteClient {
   // their answers in the same order.  A request that the robot refuses does not end the batch.
   std::vector<RemoteReply> Batch(const std::vector<RemoteCall>& calls);
 
+  // Subscribes to a stream and returns the tag of its events.  `period` is the smallest number of
+  // frames between two events.
+  uint16_t Subscribe(RcStream stream, int period);
+
+  // Waits for the next event, without a limit as long as the robot answers.  Asks for INFO from
+  // time to time, because a client that sends nothing may lose its place.  Events that arrive while
+  // an answer is awaited are kept for this function, the newest kEventsMax of them.
+  RemoteEvent NextEvent();
+  static constexpr size_t kEventsMax = 1000;
+
   // Sends a request with the payload `payload`, a struct of RemoteProtocol.h, and returns the
   // answer.
   template <typename Payload>
@@ -93,6 +114,12 @@ class RemoteClient {
     RcWriter writer(bytes, sizeof bytes);
     payload.Write(&writer);
     return Request(command, {bytes, bytes + writer.Size()});
+  }
+
+  // Reads the values of `event` into RcSensors or RcSetValues.
+  template <typename Values>
+  Values Read(const RemoteEvent& event) const {
+    return Read<Values>(RemoteAnswer{event.frame, event.values});
   }
 
   // Reads the payload of `answer` into a struct of RemoteProtocol.h.
@@ -115,6 +142,9 @@ class RemoteClient {
   RemoteAnswer ReceiveAnswer(uint16_t tag);
   void Send(const std::vector<uint8_t>& bytes);
   void ReceivePacket();
+  bool ReceivePacketInTime();
+  RcAnswerHeader ReceiveHeader();
+  bool KeepEvent(const RcAnswerHeader& header);
   std::vector<RemoteReply> ReadBatch(const RemoteAnswer& answer, size_t count) const;
   bool WaitFor(short events) const;
   [[noreturn]] void ThrowMalformed() const;
@@ -129,6 +159,7 @@ class RemoteClient {
   uint16_t tag_ = 0;
   int version_ = RC_VERSION;
   RcFramer framer_;
+  std::deque<RemoteEvent> events_;  // arrived and not yet returned by NextEvent()
 };
 
 // The devices of one kind, such as joints, that the robot has.  Users may give a device's short

@@ -1,0 +1,91 @@
+// The actions of `openr rc` that take packets of the robot's streams.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "openr/commands/rc_actions.h"
+#include "openr/commands/rc_format.h"
+#include "openr/remote/remote_client.h"
+#include "openr/remote/sensor_format.h"
+
+namespace openr_host {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int64_t kVectorUs = 32'000;  // a sensor vector has 4 frames of 8 ms
+constexpr int kPeriodMax = 65532;      // frames; the largest multiple of 4 in 16 bits
+
+// Returns the number of frames of the period for `every_us`, rounded up to whole sensor vectors.
+int PeriodOf(int64_t every_us) {
+  const int64_t vectors = (every_us + kVectorUs - 1) / kVectorUs;
+  return static_cast<int>(
+      std::min<int64_t>(std::max<int64_t>(vectors, 1) * RC_FRAMES_PER_VECTOR, kPeriodMax));
+}
+
+// Formats set values with the names of the joints.
+class SetValueFormat {
+ public:
+  explicit SetValueFormat(RemoteClient* client) : joints_(RemoteDevices(client, rcdeviceJOINT)) {}
+
+  Json ToJson(const RcSetValues& values) const {
+    Json json = {{"state", StateName(values.state)},
+                 {"key_frame", values.keyFrame},
+                 {"file", values.file},
+                 {"is_over", values.isOver != 0},
+                 {"commanded_deg", Json::object()},
+                 {"measured_deg", Json::object()}};
+    for (size_t i = 0; i < Count(values); ++i) {
+      json["commanded_deg"][joints_.all()[i].name] = values.commanded[i] / 100.0;
+      json["measured_deg"][joints_.all()[i].name] = values.measured[i] / 100.0;
+    }
+    return json;
+  }
+
+  std::string ToText(const RcSetValues& values) const {
+    std::string text = StateName(values.state);
+    if (values.keyFrame < 0) return text + (values.isOver != 0 ? values.file + " is over" : "");
+    text += fmt::format(" {} key frame {}: commanded, measured", values.file, values.keyFrame);
+    for (size_t i = 0; i < Count(values); ++i) {
+      text += fmt::format("\n  {:<12} {:8.2f} {:8.2f} deg", joints_.all()[i].name,
+                          values.commanded[i] / 100.0, values.measured[i] / 100.0);
+    }
+    return text;
+  }
+
+ private:
+  size_t Count(const RcSetValues& values) const {
+    return std::min(joints_.all().size(), values.commanded.size());
+  }
+
+  RemoteDevices joints_;
+};
+
+// Adds to an event how many the client has missed before it.
+void PrintEvent(const RcFlags& flags, const RemoteEvent& event, Json json, std::string text) {
+  if (event.left_out > 0) text += fmt::format("\n  {} left out before", event.left_out);
+  json["left_out"] = event.left_out;
+  PrintRcAnswer(flags.json, event.frame, json, text);
+}
+
+}  // namespace
+
+void RcStreamAction(RemoteClient* client, const RcFlags& flags) {
+  const SensorFormat sensors(client);
+  const SetValueFormat set_values(client);
+  const bool is_sensors = flags.stream == "sensors";
+  client->Subscribe(is_sensors ? rcstreamSENSORS : rcstreamSET_VALUES, PeriodOf(flags.stream_us));
+  for (int i = 0; flags.count == 0 || i < flags.count; ++i) {
+    const RemoteEvent event = client->NextEvent();
+    if (is_sensors) {
+      const auto values = client->Read<RcSensors>(event);
+      PrintEvent(flags, event, sensors.ToJson(values), sensors.ToText(values));
+    } else {
+      const auto values = client->Read<RcSetValues>(event);
+      PrintEvent(flags, event, set_values.ToJson(values), set_values.ToText(values));
+    }
+  }
+}
+
+}  // namespace openr_host
