@@ -57,7 +57,6 @@ ClientStreams::Sent(int stream, Uint32 frame)
     Stream& sent = stream_[stream];
     const Uint16 leftOut = (Uint16)(sent.numNew - 1);
     sent.numNew = 0;
-    if (stream == rcstreamSENSORS) return leftOut;
     sent.wasSent = true;
     sent.lastFrame = frame;
     return leftOut;

@@ -41,7 +41,7 @@ private:
         Uint16 tag;
         Uint16 period;
         bool wasSent;      // whether lastFrame is valid
-        Uint32 lastFrame;  // frame of the last packet, or for sensor values of the last due one
+        Uint32 lastFrame;  // frame of the last packet, or of the last that was due
         Uint16 numNew;     // values since the last packet, those of which a packet would be due
     };
 

@@ -31,6 +31,7 @@ RequestHandler::Begin(const RobotConstants* robot, const std::string& stickRoot)
 {
     robot_ = robot;
     store_.SetRoot(stickRoot);
+    log_.Begin(robot);
     std::string kept;
     for (int i = 0; i < MAX_CLIENTS; i++) {
         upload_[i].SetPlace(i);
@@ -49,6 +50,7 @@ RequestHandler::SetMover(const SetValueMessage& message)
 {
     state_ = message.state;
     report_ = message;
+    log_.Add(message, sensors_);
     for (int i = 0; i < MAX_CLIENTS; i++) streams_[i].NewValues(rcstreamSET_VALUES, sensors_.frame);
     motorsOff_ = message.motorsOff != 0;
 }

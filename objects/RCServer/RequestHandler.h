@@ -12,6 +12,7 @@
 
 #include "ClientStreams.h"
 #include "FileUpload.h"
+#include "MotionLog.h"
 #include "MtnFile.h"
 #include "RemoteProtocol.h"
 #include "RequestPort.h"
@@ -87,6 +88,7 @@ private:
     int FailStream(int stream);
     void WriteSensors(RcWriter* out);
     void WriteSetValues(RcWriter* out) const;
+    int TellLog(RcReader* in, RcWriter* out);
     int Describe(RcReader* in, RcWriter* out);
     int GetJoint(RcReader* in, RcWriter* out);
     int CommandJoint(int command, RcReader* in, RcWriter* out);
@@ -122,6 +124,7 @@ private:
     bool endsRun_;       // whether the present request has asked for the end of the run
     std::string error_;  // error text of the present request
     MtnFile motion_;     // motion file to check; not a local variable, because its parts are large
+    MotionLog log_;
     StickStore store_;
     Uint8 part_[RC_MAX_DOWNLOAD_DATA];  // part of a file to send; too large for the stack
     FileUpload upload_[MAX_CLIENTS];

@@ -38,6 +38,8 @@ RequestHandler::HandleVersion2(int command, RcReader* in, RcWriter* out)
         return DeleteFile(in);
     case rcDOWNLOAD:
         return Download(in, out);
+    case rcLOG:
+        return TellLog(in, out);
     case rcREBOOT:
         return EndRun(in, true);
     case rcSHUTDOWN:

@@ -27,7 +27,7 @@ enum RcCommand {
     rcSENSORS = 0x30,
     rcMTN_PLAY = 0x40,
     rcMTN_STOP = 0x41,
-    // The commands below need version 2; rcLOG is reserved in both versions.
+    // The commands below need version 2.
     rcBATCH = 0x03,
     rcGAINS = 0x14,
     rcMOTOR_OFF = 0x15,
@@ -42,7 +42,7 @@ enum RcCommand {
     rcUPLOAD_END = 0x52,
     rcDELETE = 0x53,
     rcDOWNLOAD = 0x54,
-    rcLOG = 0x60,
+    rcLOG = 0x60,  // RemoteLog.h
     rcREBOOT = 0x70,
     rcSHUTDOWN = 0x71
 };

@@ -94,6 +94,7 @@ class RcCommands {
     AddLight("led", "Switches a light; a controller of the robot may switch it back", rcLED);
     AddLight("ear", "Moves an ear; a controller of the robot may move it back", rcEAR);
     AddMotions();
+    AddLog();
     AddController();
     Add(rc_, "reboot", "Shuts the robot down and boots it again", &RcRebootAction);
     Add(rc_, "shutdown", "Shuts the robot down", &RcShutdownAction);
@@ -162,6 +163,13 @@ class RcCommands {
         ->capture_default_str();
   }
 
+  void AddLog() {
+    Add(rc_, "log", "Writes the last key frames of motions that the robot has", &RcLogAction)
+        ->add_option("FILE", flags_->log, "The log file to write")
+        ->required()
+        ->check(IsWritable());
+  }
+
   void AddMotions() {
     CLI::App* const mtn = rc_->add_subcommand("mtn", "Motions on the robot's stick");
     mtn->require_subcommand(1);
@@ -175,6 +183,9 @@ class RcCommands {
                      "Key frames per command vector: 2, 4, 6 or 8; 0: as the robot likes")
         ->check(KeyFramesPerVector())
         ->capture_default_str();
+    play->add_option("--log", flags_->log,
+                     "Waits for the end and writes the key frames to this file")
+        ->check(IsWritable());
     Add(mtn, "stop", "Stops the motion", &RcStopAction);
     Add(mtn, "list", "The motions on the stick, with their sizes", &RcListAction);
     Add(mtn, "upload", "Puts a motion on the stick", &RcUploadMotionAction)

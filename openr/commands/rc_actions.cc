@@ -9,8 +9,10 @@
 #include "MoverState.h"
 #include "MtnPlayer.h"
 #include "cli/counted.h"
+#include "cli/output_file.h"
 #include "openr/commands/rc_format.h"
 #include "openr/remote/remote_client.h"
+#include "openr/remote/remote_log.h"
 #include "openr/remote/sensor_format.h"
 
 namespace openr_host {
@@ -32,6 +34,20 @@ constexpr double kCdegPerDeg = 100;
 
 void Say(const RcFlags& flags, uint32_t frame, const Json& json, const std::string& text) {
   PrintRcAnswer(flags.json, frame, json, text);
+}
+
+// Time between two requests for the log.  The robot keeps the records of 8 s of its own time.
+constexpr useconds_t kLogPollUs = 5'000;
+
+void WriteLog(const RcFlags& flags, const RemoteLog& log) {
+  const std::string problem = WriteFile(flags.log, log.File());
+  if (!problem.empty()) throw std::runtime_error(problem);
+  std::string text = fmt::format("{} in {}", Counted(log.count(), "key frame"), flags.log);
+  if (log.lost() > 0) {
+    text += fmt::format("; the robot had dropped {} before", Counted(log.lost(), "other"));
+  }
+  Say(flags, log.frame(), {{"log", flags.log}, {"records", log.count()}, {"lost", log.lost()}},
+      text);
 }
 
 // A device of the robot: the index that requests name it by, and its name for messages.
@@ -130,6 +146,8 @@ void RcPlayAction(RemoteClient* client, const RcFlags& flags) {
   request.file = flags.file;
   request.loops = static_cast<Uint16>(flags.loops);
   request.keyFramesPerVector = static_cast<Uint8>(flags.key_frames);
+  RemoteLog log(client);
+  if (!flags.log.empty()) log.SkipOld();
   const RemoteAnswer answer = client->RequestWith(rcMTN_PLAY, request);
   const RcPlayAnswer play = client->Read<RcPlayAnswer>(answer);
   const int per_vector = flags.key_frames > 0 ? flags.key_frames : DEFAULT_KEYFRAMES_PER_VECTOR;
@@ -142,6 +160,16 @@ void RcPlayAction(RemoteClient* client, const RcFlags& flags) {
       fmt::format("plays {}: {} key frames, {} per vector; {:.3f} s, {}", flags.file,
                   play.keyFrames, per_vector, play.durationMs / 1000.0,
                   play.loops == 1 ? "once" : fmt::format("{} times", play.loops)));
+  if (flags.log.empty()) return;
+  while (log.Take() != moverACCEPTING_COMMANDS) usleep(kLogPollUs);
+  log.Take();  // the last key frames, which may have come before the state
+  WriteLog(flags, log);
+}
+
+void RcLogAction(RemoteClient* client, const RcFlags& flags) {
+  RemoteLog log(client);
+  log.Take();
+  WriteLog(flags, log);
 }
 
 void RcStopAction(RemoteClient* client, const RcFlags& flags) {

@@ -26,6 +26,7 @@ struct RcFlags {
   std::string file;
   int loops = 1;
   int key_frames = 0;
+  std::string log;                 // file of the host for the log of a motion; "": none
   std::string output;              // file of the host for a download; "": as on the stick
   std::vector<std::string> goals;  // "neck_pan=30"
   std::string stream;              // "sensors" or "keyframes"
@@ -51,6 +52,7 @@ void RcPowerAction(RemoteClient* client, const RcFlags& flags);
 
 // Actions that take what the robot sends unasked (rc_streams.cc).
 void RcStreamAction(RemoteClient* client, const RcFlags& flags);
+void RcLogAction(RemoteClient* client, const RcFlags& flags);
 
 // Actions for files of the robot's stick, and for the end of the run (rc_files.cc).
 void RcListAction(RemoteClient* client, const RcFlags& flags);

@@ -199,6 +199,17 @@ TEST_F(ClientSessionTest, InVersion1AnAcknowledgementIsAnUnknownCommand) {
   EXPECT_EQ(answers[0].head.status, rcerrorUNKNOWN_COMMAND);
 }
 
+TEST_F(ClientSessionTest, AfterALateEventTheNextOneIsAPeriodLater) {
+  Subscribe(rcstreamSENSORS, 12);
+  Vector(2503);
+  Vector(2507);
+  EXPECT_EQ(Events().size(), 1u);
+  Vector(2515);
+  EXPECT_TRUE(Events().empty());
+  Vector(2519);
+  EXPECT_EQ(Events().size(), 1u);
+}
+
 TEST_F(ClientSessionTest, EveryKeyFrameIsReported) {
   Subscribe(rcstreamSET_VALUES, 0);
   for (const int key_frame : {0, 2, 4, -1}) {

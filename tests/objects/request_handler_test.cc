@@ -260,7 +260,7 @@ TEST(RequestHandlerTest, ReservedAndUnknownCommandsAreToldApart) {
   }
   EXPECT_EQ(robot.Ask(0xff, {}), rcerrorUNKNOWN_COMMAND);
   EXPECT_EQ(robot.Ask(rcDOWNLOAD, {}), rcerrorUNKNOWN_COMMAND) << "version 1 does not reserve it";
-  EXPECT_EQ(robot.Ask(rcLOG, {}, RC_VERSION_FILES), rcerrorNOT_IMPLEMENTED);
+  EXPECT_EQ(robot.Ask(rcLOG, {}, RC_VERSION_FILES), rcerrorMALFORMED) << "version 2 has it";
   EXPECT_EQ(robot.Ask(0xff, {}, RC_VERSION_FILES), rcerrorUNKNOWN_COMMAND);
 }
 

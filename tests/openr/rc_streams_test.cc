@@ -63,6 +63,21 @@ TEST_F(RcStreamsTest, AnswersComeInOrderWhileEventsArrive) {
   }
 }
 
+TEST_F(RcStreamsTest, TheLogOfAMotionIsAFileOfTheReport) {
+  const ScratchFolder folder;
+  const auto answers =
+      robot_->Answers({"mtn", "play", "WALK.MTN", "--log", folder.File("LOG.LOG")});
+  ASSERT_EQ(answers.size(), 2u);
+  const std::string file = folder.Read("LOG.LOG");
+  EXPECT_EQ(file.substr(0, 8), "AIBO_1.1");
+  EXPECT_GT(answers[1]["records"], 0);
+  EXPECT_EQ(file.size(), 8 + 72 * answers[1]["records"].get<size_t>());
+  const auto again = robot_->Answers({"log", folder.File("AGAIN.LOG")});
+  ASSERT_EQ(again.size(), 1u);
+  EXPECT_EQ(folder.Read("AGAIN.LOG").size(), 8 + 72 * again[0]["records"].get<size_t>());
+  EXPECT_EQ(robot_->Rc({"log", folder.File("none/LOG.LOG")}).status, 2);
+}
+
 // A connection that subscribes and then neither reads nor sends.
 class DeafClient {
  public:

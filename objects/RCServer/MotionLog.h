@@ -1,0 +1,44 @@
+//
+// The last key frames of motions, as records of Hohl 2004, table 3.9 (RemoteLog.h).
+//
+// Records have numbers, counted from 0 since the robot has booted.  The last CAPACITY of them are
+// kept, so that several clients can read them, each at its own pace.
+//
+
+#ifndef MotionLog_h_DEFINED
+#define MotionLog_h_DEFINED
+
+#include "Messages.h"
+#include "RemoteLog.h"
+#include "SensorValues.h"
+
+class MotionLog {
+public:
+    // Number of records that are kept: 8 s of a motion with a record every 32 ms.
+    static const int CAPACITY = 256;
+
+    MotionLog() : robot_(0), numJoints_(0), count_(0) {}
+
+    void Begin(const RobotConstants* robot);
+
+    // Adds a record of the report when a motion plays.  `sensors` are the newest sensor values,
+    // for the paws.
+    void Add(const SetValueMessage& report, const SensorValues& sensors);
+
+    // Return the number of records so far, and the number of the oldest one that is kept.
+    Uint32 Count() const { return count_; }
+    Uint32 Oldest() const { return count_ > (Uint32)CAPACITY ? count_ - CAPACITY : 0; }
+
+    int RecordSize() const { return LogRecordSize(numJoints_); }
+
+    // Returns a record.  REQUIRES: Oldest() <= number < Count().
+    const Uint8* Record(Uint32 number) const { return record_[number % CAPACITY]; }
+
+private:
+    const RobotConstants* robot_;
+    int numJoints_;  // joints of a record
+    Uint32 count_;
+    Uint8 record_[CAPACITY][RC_MAX_LOG_RECORD];
+};
+
+#endif  // MotionLog_h_DEFINED

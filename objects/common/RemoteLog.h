@@ -1,0 +1,54 @@
+//
+// The log of motions over the remote control (version 2): records as in Hohl 2004, table 3.9.
+//
+// A record is, in little-endian numbers of 16 bits unless it says otherwise:
+//
+//   key frame
+//   commanded positions, one for each joint of the log
+//   8 bits: number of measured values, that of the joints plus 4
+//   measured positions, then the four paws, 0 or 1
+//   8 bits: number of simulated values, 0: a client that has them puts them there
+//
+// The joints are those of the vendor's motion files, 15 on the ERS-210, in the order of the robot.
+// Positions are in 0.01 degree.
+//
+
+#ifndef RemoteLog_h_DEFINED
+#define RemoteLog_h_DEFINED
+
+#include "FixedTypes.h"
+#include "RemotePacket.h"
+#include "RobotDescription.h"
+
+// The first bytes of a log file, before the records.
+#define RC_LOG_HEADER "AIBO_1.1"
+
+// Number that asks for no record but for the number of records.
+const Uint32 RC_LOG_END = 0xffffffff;
+
+const int RC_LOG_PAWS = 4;
+
+// Size of a record with `numJoints` joints, in bytes.
+inline int
+LogRecordSize(int numJoints)
+{
+    return 2 + 2 * numJoints + 1 + 2 * (numJoints + RC_LOG_PAWS) + 1;
+}
+
+const int RC_MAX_LOG_RECORD = 2 + 2 * MAX_JOINTS + 1 + 2 * (MAX_JOINTS + RC_LOG_PAWS) + 1;
+
+// The beginning of an answer to LOG, before the records.
+struct RcLogHead {
+    Uint32 count;  // number of records since the robot has booted
+    Uint32 first;  // number of the first record in this answer
+    Uint8 state;   // MoverState
+    Uint8 here;    // number of records in this answer
+    Uint16 size;   // size of a record, in bytes
+
+    static const int SIZE = 12;
+
+    void Write(RcWriter* out) const;
+    void Read(RcReader* in);  // leaves the records
+};
+
+#endif  // RemoteLog_h_DEFINED
