@@ -65,6 +65,7 @@ RCServer::DoStart(const OSystemEvent&)
 {
     ENABLE_ALL_SUBJECT;
     ASSERT_READY_TO_ALL_OBSERVER;
+    observer[obsImage]->DeassertReady();  // WantImage() asserts ready
     ipstack_ = antStackRef("IPStack");
     for (int i = 0; i < RC_PLACES; i++) {
         if (NewBuffer(i) != oSUCCESS) return oFAIL;
@@ -116,6 +117,24 @@ RCServer::NotifySetValue(const ONotifyEvent& event)
         SendEvents();  // for each message, because a client wants every key frame
     }
     observer[event.ObsIndex()]->AssertReady(event.SenderID());
+}
+
+// Keeps the layer that a client waits for.  Ready is not asserted again, so that the camera sends no
+// more images.
+void
+RCServer::NotifyImage(const ONotifyEvent& event)
+{
+    const int layer = handler_.WantedLayer();
+    if (layer < 0) return;  // because this image was sent before the client had gone
+    OFbkImageVectorData* vector = (OFbkImageVectorData*)event.Data(event.NumOfData() - 1);
+    const OFbkImageInfo* info = vector->GetInfo(layer);
+    CameraLayer image;
+    image.frame = (Uint32)info->frameNumber;
+    image.width = (Uint16)info->width;
+    image.height = (Uint16)info->height;
+    image.bytes = vector->GetData(layer);
+    image.size = (Uint32)info->dataSize;
+    handler_.SetPicture(image);
 }
 
 void
@@ -178,6 +197,17 @@ bool
 RCServer::ReadFile(const std::string& path, std::vector<Uint8>* bytes, std::string* error)
 {
     return ReadStickFile(path, bytes, error);
+}
+
+void
+RCServer::WantImage(bool wanted)
+{
+    if (isStopped_) return;
+    if (wanted) {
+        observer[obsImage]->AssertReady();
+    } else {
+        observer[obsImage]->DeassertReady();
+    }
 }
 
 void

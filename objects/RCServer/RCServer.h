@@ -5,6 +5,7 @@
 //   RCServer.LedEar   -> Controller, which commands LEDs and ears
 //   RCServer.Sensor   <- sensor values, and the frame number that every answer has
 //   RCServer.SetValue <- state and key frame of JointMover
+//   RCServer.Image    <- images of the camera, while a client has asked for a picture
 //
 // Each client has an endpoint (a TCP connection of the robot's network) and a buffer in shared
 // memory.  While a client is connected, at most one receive and one send run.  An error ends the
@@ -42,6 +43,7 @@ public:
     void ReadyLedEar(const OReadyEvent& event);
     void NotifySensor(const ONotifyEvent& event);
     void NotifySetValue(const ONotifyEvent& event);
+    void NotifyImage(const ONotifyEvent& event);
 
     void ListenCont(ANTENVMSG msg);
     void ReceiveCont(ANTENVMSG msg);
@@ -84,6 +86,7 @@ private:
     virtual void ReadBattery(Sint32* capacity, Sint32* temperature);
     virtual bool ReadPower(RcPower* power);
     virtual bool ReadGains(int joint, Uint16 gains[6]);
+    virtual void WantImage(bool wanted);
     virtual void EndRun(bool reboot);
 
     OStatus NewBuffer(int index);

@@ -122,6 +122,7 @@ RequestHandler::EndClient(int client)
 {
     upload_[client].Abort();
     streams_[client].Clear();
+    EndPicture(client);
 }
 
 void

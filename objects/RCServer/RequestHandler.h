@@ -14,6 +14,7 @@
 #include "FileUpload.h"
 #include "MotionLog.h"
 #include "MtnFile.h"
+#include "PictureSlot.h"
 #include "RemoteProtocol.h"
 #include "RequestPort.h"
 #include "SensorValues.h"
@@ -34,6 +35,11 @@ public:
     // Set the newest sensor values of the robot, and the newest report of JointMover.
     void SetSensors(const SensorValues& values);
     void SetMover(const SetValueMessage& message);
+    // Returns the layer of the picture that a client waits for; -1: no client waits.
+    int WantedLayer() const { return picture_.IsWaiting() ? picture_.Layer() : -1; }
+    // Gives the picture to the client that waits for it.
+    void SetPicture(const CameraLayer& layer);
+
     // Called when JointMover accepts commands.
     void MoverIsReady();
 
@@ -52,7 +58,7 @@ public:
     bool HasEvents(int client) const { return streams_[client].Due(sensors_.frame) >= 0; }
     void WriteEvents(int client, RcWriter* out);
 
-    // Ends the upload and the subscriptions of a client whose connection has ended.
+    // Ends the upload, the subscriptions and the picture of a client whose connection has ended.
     void EndClient(int client);
 
     // Writes to `out` the answer to bytes that are no packet; `error` is the reason.  The
@@ -88,6 +94,9 @@ private:
     int FailStream(int stream);
     void WriteSensors(RcWriter* out);
     void WriteSetValues(RcWriter* out) const;
+    int AskForPicture(RcReader* in);
+    int TellPicturePart(RcReader* in, RcWriter* out);
+    void EndPicture(int client);
     int TellLog(RcReader* in, RcWriter* out);
     int Describe(RcReader* in, RcWriter* out);
     int GetJoint(RcReader* in, RcWriter* out);
@@ -125,6 +134,7 @@ private:
     std::string error_;  // error text of the present request
     MtnFile motion_;     // motion file to check; not a local variable, because its parts are large
     MotionLog log_;
+    PictureSlot picture_;
     StickStore store_;
     Uint8 part_[RC_MAX_DOWNLOAD_DATA];  // part of a file to send; too large for the stack
     FileUpload upload_[MAX_CLIENTS];

@@ -39,6 +39,9 @@ public:
     // disabled; then all six are 0.
     virtual bool ReadGains(int joint, Uint16 gains[6]) = 0;
 
+    // Begins or ends to ask for images of the camera.
+    virtual void WantImage(bool wanted) = 0;
+
     // Shuts the robot down as soon as the present answer was sent.  With `reboot`, the robot boots
     // again at once.
     virtual void EndRun(bool reboot) = 0;

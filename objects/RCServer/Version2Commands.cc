@@ -26,6 +26,10 @@ RequestHandler::HandleVersion2(int command, RcReader* in, RcWriter* out)
         return Subscribe(in, out);
     case rcUNSUBSCRIBE:
         return Unsubscribe(in);
+    case rcCAMERA:
+        return AskForPicture(in);
+    case rcCAMERA_PART:
+        return TellPicturePart(in, out);
     case rcMTN_LIST:
         return ListMotions(in, out);
     case rcUPLOAD_BEGIN:

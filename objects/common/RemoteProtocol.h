@@ -35,6 +35,8 @@ enum RcCommand {
     rcPOWER = 0x31,
     rcSUBSCRIBE = 0x32,  // RemoteStreams.h
     rcUNSUBSCRIBE = 0x33,
+    rcCAMERA = 0x34,  // RemoteCamera.h
+    rcCAMERA_PART = 0x35,
     rcEVENT = 0x3f,  // a packet of a stream; from a client, that it has taken packets: no answer
     rcMTN_LIST = 0x42,  // the commands for files are in RemoteFiles.h
     rcUPLOAD_BEGIN = 0x50,
@@ -62,7 +64,8 @@ enum RcStatus {
     rcerrorNOT_WRITTEN = 11,  // the stick is full or cannot be written
     rcerrorNO_UPLOAD = 12,    // data for an upload that was not begun, or has ended with an error
     rcerrorNOT_IN_BATCH = 13,  // the command must be sent in a packet of its own
-    rcerrorTOO_LONG = 14       // the answer has no room in the batch
+    rcerrorTOO_LONG = 14,      // the answer has no room in the batch
+    rcerrorNO_PICTURE = 15     // a part of a picture for which this client has not asked
 };
 
 // Size of the smallest answer to a request in a batch, in bytes: any answer with a payload of up to

@@ -95,6 +95,7 @@ class RcCommands {
     AddLight("ear", "Moves an ear; a controller of the robot may move it back", rcEAR);
     AddMotions();
     AddLog();
+    AddCamera();
     AddController();
     Add(rc_, "reboot", "Shuts the robot down and boots it again", &RcRebootAction);
     Add(rc_, "shutdown", "Shuts the robot down", &RcShutdownAction);
@@ -161,6 +162,20 @@ class RcCommands {
     command->add_option("--count", flags_->count, "How many; 0: no end")
         ->check(CLI::Range(0, 1'000'000'000))
         ->capture_default_str();
+  }
+
+  void AddCamera() {
+    CLI::App* const command =
+        Add(rc_, "camera", "Writes a picture of the camera, as .ppm", &RcCameraAction);
+    command->add_option("-o,--output", flags_->output, "The file to write")
+        ->required()
+        ->check(IsWritable());
+    command
+        ->add_option("--layer", flags_->layer,
+                     "h (176 x 144), m (88 x 72), l (44 x 36), c (detected colours)")
+        ->check(CLI::IsMember({"h", "m", "l", "c"}))
+        ->capture_default_str();
+    command->add_flag("--raw", flags_->raw, "All bands of the layer, as the robot has them");
   }
 
   void AddLog() {

@@ -26,6 +26,8 @@ struct RcFlags {
   std::string file;
   int loops = 1;
   int key_frames = 0;
+  std::string layer = "m";         // of the camera's picture: "h", "m", "l" or "c"
+  bool raw = false;                // whether to write the bytes of the layer as the robot has them
   std::string log;                 // file of the host for the log of a motion; "": none
   std::string output;              // file of the host for a download; "": as on the stick
   std::vector<std::string> goals;  // "neck_pan=30"
@@ -49,6 +51,9 @@ void RcPoseAction(RemoteClient* client, const RcFlags& flags);
 void RcMotorAction(RemoteClient* client, const RcFlags& flags);
 void RcGainsAction(RemoteClient* client, const RcFlags& flags);
 void RcPowerAction(RemoteClient* client, const RcFlags& flags);
+
+// Fetches a picture of the camera (rc_camera.cc).
+void RcCameraAction(RemoteClient* client, const RcFlags& flags);
 
 // Actions that take what the robot sends unasked (rc_streams.cc).
 void RcStreamAction(RemoteClient* client, const RcFlags& flags);

@@ -149,6 +149,7 @@ class FilesTest : public testing::Test, private RequestPort {
   void ReadBattery(Sint32*, Sint32*) override {}
   bool ReadPower(RcPower*) override { return false; }
   bool ReadGains(int, Uint16*) override { return false; }
+  void WantImage(bool) override {}
   void EndRun(bool reboot) override { ends_.push_back(reboot); }
 };
 

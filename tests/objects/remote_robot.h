@@ -19,7 +19,7 @@ class RemoteRobot : public RequestPort {
   RemoteRobot() : handler(this) {
     handler.Begin(FindRobot("ERS-210"));
     SensorValues values = {};
-    values.frame = 2500;
+    values.frame = frame;
     for (int j = 0; j < MAX_JOINTS; ++j) values.joint[j] = j * 17453;
     for (int i = 0; i < MAX_SENSORS; ++i) values.sensor[i] = 100 + i;
     handler.SetSensors(values);
@@ -52,6 +52,7 @@ class RemoteRobot : public RequestPort {
     for (int i = 0; i < 6; ++i) gains[i] = limp ? 0 : FindRobot("ERS-210")->joints[joint].gain[i];
     return !limp;
   }
+  void WantImage(bool wanted) override { wants_image = wanted; }
   void EndRun(bool) override {}
 
   void Say(int state, int key_frame, bool motors_off = false) {
@@ -63,14 +64,15 @@ class RemoteRobot : public RequestPort {
   }
 
   // Sends a request and returns the status; the answer's payload is in `payload`.
-  int Ask(int command, const std::vector<uint8_t>& request, int version = RC_VERSION) {
+  int Ask(int command, const std::vector<uint8_t>& request, int version = RC_VERSION,
+          int client = 0) {
     const std::vector<uint8_t> bytes = Packet(command, request, version);
     RcFramer framer;
     framer.Take(bytes.data(), static_cast<int>(bytes.size()));
     EXPECT_EQ(framer.Next(), RcFramer::PACKET);
     uint8_t answer[RC_MAX_PACKET];
     RcWriter out(answer, RC_MAX_PACKET);
-    handler.Answer(0, framer, &out);
+    handler.Answer(client, framer, &out);
     return ReadAnswer(answer, out.Size(), command, 4711);
   }
 
@@ -80,7 +82,7 @@ class RemoteRobot : public RequestPort {
     EXPECT_EQ(framer.Next(), RcFramer::PACKET);
     RcAnswerHeader header;
     EXPECT_TRUE(header.Read(framer));
-    EXPECT_EQ(header.frame, 2500u) << "every answer carries the frame number";
+    EXPECT_EQ(header.frame, frame) << "every answer carries the frame number";
     version = header.header.version;
     EXPECT_EQ(header.header.command, command);
     EXPECT_EQ(header.header.tag, tag);
@@ -140,7 +142,9 @@ class RemoteRobot : public RequestPort {
   std::vector<LedEarState> lights;
   std::map<std::string, std::vector<uint8_t>> files;
   bool full = false;
+  uint32_t frame = 2500;  // that every answer must have
   bool tells_power = true;
+  bool wants_image = false;
   bool limp = false;  // whether the gains are disabled
   std::vector<uint8_t> payload;
   std::string error;

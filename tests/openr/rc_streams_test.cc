@@ -78,6 +78,21 @@ TEST_F(RcStreamsTest, TheLogOfAMotionIsAFileOfTheReport) {
   EXPECT_EQ(robot_->Rc({"log", folder.File("none/LOG.LOG")}).status, 2);
 }
 
+TEST_F(RcStreamsTest, APictureOfTheCameraIsAFile) {
+  const ScratchFolder folder;
+  const auto answers = robot_->Answers({"camera", "-o", folder.File("dog.ppm"), "--layer", "l"});
+  ASSERT_EQ(answers.size(), 1u);
+  EXPECT_EQ(answers[0]["bands"], 6);
+  const std::string picture = folder.Read("dog.ppm");
+  EXPECT_EQ(picture.substr(0, 13), "P6\n44 36\n255\n");
+  EXPECT_EQ(picture.size(), 13u + 44 * 36 * 3);
+  robot_->Answers({"camera", "-o", folder.File("dog.raw"), "--layer", "l", "--raw"});
+  EXPECT_EQ(folder.Read("dog.raw").size(), 44u * 36 * 6);
+  robot_->Answers({"camera", "-o", folder.File("dog.pgm"), "--layer", "c"});
+  EXPECT_EQ(folder.Read("dog.pgm").substr(0, 13), "P5\n88 72\n255\n");
+  EXPECT_EQ(robot_->Rc({"camera", "-o", folder.File("dog.ppm"), "--layer", "x"}).status, 2);
+}
+
 // A connection that subscribes and then neither reads nor sends.
 class DeafClient {
  public:

@@ -56,6 +56,7 @@ class Robot : public RequestPort {
     *bytes = MakeMotion(4, 6, &draw_);
     return true;
   }
+  virtual void WantImage(bool) {}
   virtual bool ReadPower(RcPower* power) {
     memset(power, 0, sizeof(*power));
     return true;

@@ -66,6 +66,7 @@ class ServerPort : public RequestPort {
     return true;
   }
   virtual void ReadBattery(Sint32* capacity, Sint32* temperature) { *capacity = *temperature = 0; }
+  virtual void WantImage(bool) {}
   virtual bool ReadPower(RcPower* power) {
     memset(power, 0, sizeof(*power));
     return true;

@@ -1,0 +1,63 @@
+//
+// The one picture of the camera that RCServer keeps, for the client that has asked for it.
+//
+
+#ifndef PictureSlot_h_DEFINED
+#define PictureSlot_h_DEFINED
+
+#include "RemoteCamera.h"
+
+// A layer of an image of the camera, as the robot has sent it.
+struct CameraLayer {
+    Uint32 frame;  // frame number of the image
+    Uint16 width;  // in pixels
+    Uint16 height;
+    const Uint8* bytes;
+    Uint32 size;  // in bytes
+};
+
+class PictureSlot {
+public:
+    PictureSlot() : owner_(-1), layer_(0), lastFrame_(0), isHere_(false) {}
+
+    // Returns the client to which the slot belongs; -1: to none.
+    int Owner() const { return owner_; }
+
+    // Returns whether the owner has not asked for the picture or for a part of it in the last two
+    // seconds, so that another client may take the slot.
+    bool IsForgotten(Uint32 frame) const { return frame - lastFrame_ >= FORGOTTEN_FRAMES; }
+
+    // Gives the slot to a client, which waits for a picture from now on.
+    void Take(int client, int layer, Uint32 frame);
+
+    // Empties the slot.
+    void Clear() { owner_ = -1; }
+
+    // Notes that the owner has asked for a part.
+    void Touch(Uint32 frame) { lastFrame_ = frame; }
+
+    int Layer() const { return layer_; }
+    bool IsWaiting() const { return owner_ >= 0 && !isHere_; }
+    bool IsHere() const { return isHere_; }
+
+    // Keeps a copy of the layer.  REQUIRES: IsWaiting().
+    void Put(const CameraLayer& layer);
+
+    // Returns the number of parts, and writes part number `part` with its head.  REQUIRES: IsHere();
+    // 0 <= part < NumParts().
+    int NumParts() const;
+    void WritePart(int part, RcWriter* out) const;
+
+private:
+    // Two seconds, in frames of 8 ms.
+    static const Uint32 FORGOTTEN_FRAMES = 250;
+
+    int owner_;
+    int layer_;
+    Uint32 lastFrame_;  // frame in which the owner last asked for something
+    bool isHere_;
+    CameraLayer kept_;  // `bytes` is not used
+    Uint8 bytes_[RC_MAX_PICTURE];
+};
+
+#endif  // PictureSlot_h_DEFINED
