@@ -106,7 +106,7 @@ RequestHandler::AnswerOne(const RcHeader& request, const Uint8* payload, RcWrite
                       TextFormat("protocol version %d is not served, only %d and %d",
                                  request.version, RC_VERSION, RC_VERSION_FILES));
     }
-    if (out->HasOverflowed()) status = Fail(rcerrorTOO_LONG, "no room in the batch");
+    if (out->HasOverflowed()) status = Fail(rcerrorTOO_LONG, "the answer has no room");
     if (status != rcOK) {
         out->Truncate(0);
         BeginAnswer(out, status);

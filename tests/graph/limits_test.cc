@@ -74,6 +74,22 @@ std::vector<std::string> FileRequests(const std::string& motion) {
 }
 constexpr const char* kWalk = "/MS/OPEN-R/MW/DATA/P/WALK.MTN";
 
+// The requests of version 2, alone and in a batch, but those that end the run.
+void AskVersion2(Graph* graph, openr::testing::TcpClient* client) {
+  for (int command = 0; command < 0x80; ++command) {
+    if (command == rcREBOOT || command == rcSHUTDOWN || command == rcEVENT) continue;
+    for (const auto& payload : {std::string(), std::string(1, 1), std::string(2, 0),
+                                std::string("\0\4\0", 3), std::string(7, 1)}) {
+      const std::string packet = Packet(command, payload, RC_VERSION_FILES);
+      const std::string batch = Packet(rcBATCH, packet + packet, RC_VERSION_FILES);
+      EXPECT_GT(Ask(graph, client, packet + batch, std::chrono::milliseconds(200)), 0u) << command;
+    }
+  }
+  const std::string layer_h = Packet(rcCAMERA, std::string(1, 0), RC_VERSION_FILES);
+  const std::string part = Packet(rcCAMERA_PART, std::string(2, 0), RC_VERSION_FILES);
+  EXPECT_GT(Ask(graph, client, layer_h + part, std::chrono::milliseconds(300)), 0u);
+}
+
 // Every request of the remote control, with and without arguments, good files and bad.
 void AskEverything(Graph* graph) {
   auto& client = graph->AddClient();
@@ -83,6 +99,7 @@ void AskEverything(Graph* graph) {
       EXPECT_GT(Ask(graph, &client, packet, std::chrono::milliseconds(100)), 0u) << command;
     }
   }
+  AskVersion2(graph, &client);
   for (const char* file : {"BOW.MTN", "NONE.MTN", "WALK.MTN", "LIE.MTN"}) {
     const std::string packets = Packet(rcMTN_PLAY, PlayRequest(file)) + "no packet";
     EXPECT_GT(Ask(graph, &client, packets, std::chrono::seconds(12)), 0u) << file;

@@ -108,7 +108,7 @@ TEST_F(BatchTest, AnAnswerWithoutRoomIsReplacedByAnError) {
   const std::vector<Part> parts = Answers();
   ASSERT_EQ(parts.size(), static_cast<size_t>(RC_MAX_BATCH));
   EXPECT_EQ(parts[0].status, rcerrorTOO_LONG) << "24 answers must still fit behind it";
-  EXPECT_EQ(parts[0].error, "no room in the batch");
+  EXPECT_EQ(parts[0].error, "the answer has no room");
   EXPECT_EQ(parts.back().status, rcerrorTOO_LONG);
 }
 
@@ -128,7 +128,6 @@ TEST_F(BatchTest, ALongErrorTextIsCutOffWhereTheRoomEnds) {
   }
 }
 
-// The robot of every model answers a full batch of each short command within a packet.
 TEST_F(BatchTest, AnswersWithAnEffectAreNeverTooLong) {
   robot_.AddMotion("NOD.MTN", MtnBytes::OneJoint("PRM:/r1/c1-Joint2:j1", {0, 10}).Bytes());
   const std::vector<std::pair<int, Bytes>> requests = {
@@ -138,6 +137,12 @@ TEST_F(BatchTest, AnswersWithAnEffectAreNeverTooLong) {
       {rcLED, {0, 1}},
       {rcEAR, {0, 1}},
       {rcMTN_STOP, {}},
+      {rcMOTOR_OFF, {0}},
+      {rcMOTOR_ON, {0}},
+      {rcGAINS, {0, 9, 0, 9, 0, 9, 0}},
+      {rcCAMERA, {0}},
+      {rcSUBSCRIBE, {0, 4, 0}},
+      {rcUNSUBSCRIBE, {0}},
       {rcMTN_PLAY, RemoteRobot::PlayRequest("NOD.MTN")}};
   for (const auto& [command, payload] : requests) {
     batch_.clear();
@@ -146,6 +151,31 @@ TEST_F(BatchTest, AnswersWithAnEffectAreNeverTooLong) {
     ASSERT_EQ(parts.size(), static_cast<size_t>(RC_MAX_BATCH));
     for (const Part& part : parts) EXPECT_NE(part.status, rcerrorTOO_LONG) << command;
     EXPECT_EQ(parts[0].status, rcOK) << command;
+  }
+}
+
+// Also the robots with most devices and longest names.
+TEST_F(BatchTest, NoAnswerIsTooLongForAPacket) {
+  for (const char* design : {"ERS-210", "ERS-220", "ERS-7"}) {
+    robot_.handler.Begin(FindRobot(design));
+    for (const int command : {rcINFO, rcSENSORS, rcPOWER}) {
+      EXPECT_EQ(robot_.Ask(command, {}, RC_VERSION_FILES), rcOK) << command;
+    }
+    for (uint8_t kind = 0; kind < NUM_RC_DEVICES; ++kind) {
+      for (uint8_t i = 0; robot_.Ask(rcDESCRIBE, {kind, i}) == rcOK; ++i) {
+        EXPECT_LE(robot_.payload.size(), 200u);
+      }
+      EXPECT_EQ(robot_.Ask(rcDESCRIBE, {kind, 99}), rcerrorNO_SUCH_DEVICE);
+    }
+    ASSERT_EQ(robot_.Ask(rcSUBSCRIBE, {0, 4, 0}, RC_VERSION_FILES), rcOK);
+    ASSERT_EQ(robot_.Ask(rcSUBSCRIBE, {1, 0, 0}, RC_VERSION_FILES), rcOK);
+    robot_.handler.SetSensors({2500, {}, {}});
+    robot_.Say(moverMTN, 1);
+    uint8_t bytes[RC_MAX_PACKET];
+    RcWriter out(bytes, RC_MAX_PACKET);
+    robot_.handler.WriteEvents(0, &out);
+    EXPECT_FALSE(out.HasOverflowed());
+    EXPECT_GT(out.Size(), 300);
   }
 }
 
