@@ -86,8 +86,8 @@ private:
     bool isWaiting_;
     bool hasSpoken_;     // whether the client has sent something since the last packet of a stream
     Uint32 eventFrame_;  // frame of that packet
-    int heldAt_;    // place in the buffer of an answer that had no room in the last send
-    int heldSize_;  // its size; 0: there is none
+    int heldAt_;         // place in the buffer of an answer that had no room in the last send
+    int heldSize_;       // its size; 0: there is none
 };
 
 #endif  // ClientSession_h_DEFINED

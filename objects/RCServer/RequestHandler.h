@@ -137,8 +137,10 @@ private:
     PictureSlot picture_;
     StickStore store_;
     Uint8 part_[RC_MAX_DOWNLOAD_DATA];  // part of a file to send; too large for the stack
-    FileUpload upload_[MAX_CLIENTS];
     ClientStreams streams_[MAX_CLIENTS];
+    // The last member, because a constructor behind it would need code that destroys uploads when
+    // that constructor throws.  Such code calls std::terminate(), which the robot lacks.
+    FileUpload upload_[MAX_CLIENTS];
 };
 
 #endif  // RequestHandler_h_DEFINED
