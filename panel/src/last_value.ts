@@ -1,0 +1,56 @@
+// LastValue: sends a value that changes quickly, such as that of a slider, at most so often, and
+// always the last one.
+
+export interface Timers {
+  now(): number;
+  after(ms: number, action: () => void): void;
+}
+
+const browserTimers: Timers = {
+  now: () => performance.now(),
+  after: (ms, action) => {
+    setTimeout(action, ms);
+  },
+};
+
+export class LastValue<T> {
+  private pending: { value: T } | null = null;
+  private isWaiting = false;
+  private sentAt = -Infinity;
+
+  // `send` may return a promise: the next value then waits for it.
+  constructor(
+    private readonly periodMs: number,
+    private readonly send: (value: T) => Promise<unknown> | void,
+    private readonly timers: Timers = browserTimers,
+  ) {}
+
+  set(value: T): void {
+    this.pending = { value };
+    this.pump();
+  }
+
+  private pump(): void {
+    if (this.isWaiting || this.pending === null) return;
+    const wait = this.sentAt + this.periodMs - this.timers.now();
+    this.isWaiting = true;
+    if (wait > 0) {
+      this.timers.after(wait, () => this.sendNow());
+    } else {
+      this.sendNow();
+    }
+  }
+
+  private sendNow(): void {
+    const pending = this.pending;
+    this.pending = null;
+    this.sentAt = this.timers.now();
+    const goOn = () => {
+      this.isWaiting = false;
+      this.pump();
+    };
+    const sent = pending === null ? undefined : this.send(pending.value);
+    if (sent === undefined) goOn();
+    else sent.then(goOn, goOn);
+  }
+}

@@ -1,0 +1,217 @@
+// Session: the run that the page shows, its newest events, and the requests to it. Views subscribe
+// to what they draw.
+import { Connection, type LinkState } from './connection';
+import type {
+  Answer,
+  Clock,
+  FindingsEvent,
+  GraphEvent,
+  LogEvent,
+  PoseEvent,
+  Request,
+  Runs,
+  Scene,
+  UploadEvent,
+  ValuesEvent,
+} from './protocol';
+
+export interface Topics {
+  link: { state: LinkState; why: string };
+  scene: Scene;
+  pose: PoseEvent;
+  values: ValuesEvent;
+  graph: GraphEvent;
+  findings: FindingsEvent;
+  log: LogEvent;
+  clock: Clock;
+  upload: UploadEvent;
+  runs: Runs;
+  robot: number;
+  newRun: string;
+  branched: string;
+  notice: { text: string; kind: 'good' | 'bad' };
+}
+
+type Topic = keyof Topics;
+type Listener<T extends Topic> = (value: Topics[T]) => void;
+
+const EVENTS = ['pose', 'values', 'graph', 'log', 'findings', 'clock'] as const;
+const RUNS_PERIOD_MS = 4000;
+
+export class Session {
+  scene: Scene | null = null;
+  values: ValuesEvent | null = null;
+  clock: Clock | null = null;
+  graph: GraphEvent | null = null;
+  runs: Runs | null = null;
+  link: LinkState = 'connecting';
+  run: string;
+  robot = 0;
+
+  private connection: Connection | null = null;
+  private readonly listeners = new Map<Topic, Listener<Topic>[]>();
+
+  constructor(
+    private readonly token: string,
+    run: string,
+  ) {
+    this.run = run;
+    window.setInterval(() => this.askRuns(), RUNS_PERIOD_MS);
+  }
+
+  on<T extends Topic>(topic: T, listener: Listener<T>): void {
+    const all = this.listeners.get(topic) ?? [];
+    all.push(listener as Listener<Topic>);
+    this.listeners.set(topic, all);
+  }
+
+  emit<T extends Topic>(topic: T, value: Topics[T]): void {
+    for (const listener of this.listeners.get(topic) ?? []) {
+      try {
+        listener(value);
+      } catch (error) {
+        // A message that a view cannot read must not stop the other views.
+        console.error(`panel: ${topic}:`, error);
+      }
+    }
+  }
+
+  // Shows the run `run`; an empty name is the run that started the server.
+  join(run: string): void {
+    this.connection?.close();
+    this.run = run;
+    this.scene = null;
+    this.values = null;
+    this.clock = null;
+    this.graph = null;
+    this.robot = 0;
+    this.emit('newRun', run);
+    this.connection = new Connection(run, this.token, {
+      onState: (state, why) => this.onState(state, why),
+      onEvent: (name, event) => this.onEvent(name, event),
+    });
+  }
+
+  chooseRobot(robot: number): void {
+    this.robot = robot;
+    this.emit('robot', robot);
+  }
+
+  ask<T = Answer>(request: Request): Promise<T> {
+    if (this.connection === null) return Promise.reject(new Error('there is no run'));
+    return this.connection.ask<T>(request);
+  }
+
+  get idOfNext(): number {
+    return this.connection?.idOfNext ?? 0;
+  }
+
+  // Asks, and shows the error if there is one. Returns null then.
+  async tell<T = Answer>(request: Request, what: string): Promise<T | null> {
+    try {
+      return await this.ask<T>(request);
+    } catch (error) {
+      this.bad(`${what}: ${(error as Error).message}`);
+      return null;
+    }
+  }
+
+  input(line: string, robot = this.robot): Promise<Answer | null> {
+    return this.tell({ do: 'input', robot, line }, line);
+  }
+
+  rc<T = Answer>(call: string, more: Record<string, unknown>, what: string): Promise<T | null> {
+    return this.tell<T>({ do: 'rc', call, endpoint: 'run', robot: this.robot, ...more }, what);
+  }
+
+  async setClock(change: Record<string, unknown>): Promise<void> {
+    const clock = await this.tell<Clock & Answer>({ do: 'clock', ...change }, 'Time');
+    if (clock !== null) this.takeClock(clock);
+  }
+
+  async rewind(change: Record<string, unknown>): Promise<boolean> {
+    const clock = await this.tell<Clock & Answer>({ do: 'rewind', ...change }, 'Going back');
+    if (clock !== null) this.takeClock(clock);
+    return clock !== null;
+  }
+
+  get canRewind(): boolean {
+    return this.link === 'open' && this.clock?.rewind?.possible === true;
+  }
+
+  good(text: string): void {
+    this.emit('notice', { text, kind: 'good' });
+  }
+
+  bad(text: string): void {
+    this.emit('notice', { text, kind: 'bad' });
+  }
+
+  private askRuns(): void {
+    if (this.link !== 'open' || document.hidden) return;
+    this.ask<Runs & Answer>({ do: 'runs' }).then(
+      (runs) => {
+        this.runs = runs;
+        this.emit('runs', runs);
+      },
+      () => undefined,
+    );
+  }
+
+  private onState(state: LinkState, why: string): void {
+    this.link = state;
+    this.emit('link', { state, why });
+    if (state === 'open') void this.begin();
+  }
+
+  private async begin(): Promise<void> {
+    this.askRuns();
+    const scene = await this.tell<Scene & Answer>({ do: 'scene' }, 'The scene of the run');
+    if (scene !== null) {
+      this.scene = scene;
+      if (this.robot >= (scene.robots?.length ?? 1)) this.robot = 0;
+      this.emit('scene', scene);
+    }
+    await this.tell({ do: 'watch', period_ms: 16, events: [...EVENTS] }, 'Watching the run');
+  }
+
+  private takeClock(clock: Clock): void {
+    if (typeof clock.time_s !== 'number') return;
+    this.clock = clock;
+    this.emit('clock', clock);
+  }
+
+  private onEvent(name: string, event: Answer): void {
+    const data = event as unknown;
+    switch (name) {
+      case 'pose':
+        this.emit('pose', data as PoseEvent);
+        break;
+      case 'values':
+        this.values = data as ValuesEvent;
+        this.emit('values', this.values);
+        break;
+      case 'graph':
+        this.graph = data as GraphEvent;
+        this.emit('graph', this.graph);
+        break;
+      case 'findings':
+        this.emit('findings', data as FindingsEvent);
+        break;
+      case 'log':
+        this.emit('log', data as LogEvent);
+        break;
+      case 'clock':
+        this.takeClock(data as Clock);
+        break;
+      case 'upload':
+        this.emit('upload', data as UploadEvent);
+        break;
+      case 'ended':
+        this.onState('ended', typeof event['why'] === 'string' ? event['why'] : '');
+        break;
+      default:
+        break; // a newer run may send events that this page does not know
+    }
+  }
+}
