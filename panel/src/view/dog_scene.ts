@@ -1,0 +1,233 @@
+// DogScene: one robot and its world as a three.js scene.
+import * as THREE from 'three';
+import { RoundedBoxGeometry } from 'three/addons/geometries/RoundedBoxGeometry.js';
+import type { Pose, RobotData, RobotPose, ShapeData } from '../protocol';
+
+const FLOOR_REACH_M = 2.6;
+const SHADOW_REACH_M = 0.42;
+
+export interface Hit {
+  link: string;
+  touch: string | null;
+  point: THREE.Vector3;
+}
+
+function placeAt(object: THREE.Object3D, pose: Pose): void {
+  object.position.set(pose[0], pose[1], pose[2]);
+  object.quaternion.set(pose[4], pose[5], pose[6], pose[3]);
+}
+
+const geometries = new Map<string, THREE.BufferGeometry>();
+
+function geometryOf(shape: ShapeData): THREE.BufferGeometry {
+  const key = `${shape.size.join()}/${shape.radius}`;
+  let geometry = geometries.get(key);
+  if (geometry === undefined) {
+    const [x, y, z] = shape.size;
+    const radius = Math.min(shape.radius, Math.min(x, y, z) / 2);
+    geometry = new RoundedBoxGeometry(x, y, z, radius > 0.006 ? 5 : 2, Math.max(radius, 1e-5));
+    geometries.set(key, geometry);
+  }
+  return geometry;
+}
+
+function makeMesh(shape: ShapeData): THREE.Mesh<THREE.BufferGeometry, THREE.MeshStandardMaterial> {
+  const gloss = shape.gloss ?? 0.3;
+  const material = new THREE.MeshStandardMaterial({
+    color: shape.colour,
+    roughness: 0.78 - 0.55 * gloss,
+    metalness: 0.04,
+    envMapIntensity: 0.45 + 0.5 * gloss,
+  });
+  const mesh = new THREE.Mesh(geometryOf(shape), material);
+  mesh.castShadow = true;
+  mesh.receiveShadow = true;
+  return mesh;
+}
+
+// The floor: lines every `grid` metres, and stronger ones every five, that fade with the distance.
+function makeFloor(grid: number): THREE.Mesh<THREE.PlaneGeometry, THREE.ShaderMaterial> {
+  const material = new THREE.ShaderMaterial({
+    transparent: true,
+    depthWrite: false,
+    uniforms: {
+      grid: { value: grid },
+      line: { value: new THREE.Color() },
+      centre: { value: new THREE.Vector2() },
+      reach: { value: FLOOR_REACH_M },
+    },
+    vertexShader: `varying vec2 at;
+      void main() {
+        vec4 world = modelMatrix * vec4(position, 1.0);
+        at = world.xy;
+        gl_Position = projectionMatrix * viewMatrix * world;
+      }`,
+    fragmentShader: `varying vec2 at;
+      uniform float grid; uniform vec3 line; uniform vec2 centre; uniform float reach;
+      float lines(float x, float width) {
+        float from = abs(fract(x - 0.5) - 0.5), blur = fwidth(x);
+        return (1.0 - smoothstep(width, width + 1.2 * blur, from)) * clamp(width / blur * 6.0, 0.25, 1.0);
+      }
+      void main() {
+        vec2 cell = at / grid;
+        float thin = max(lines(cell.x, 0.006), lines(cell.y, 0.006));
+        float thick = max(lines(cell.x / 5.0, 0.003), lines(cell.y / 5.0, 0.003));
+        float fade = 1.0 - smoothstep(0.15 * reach, reach, distance(at, centre));
+        gl_FragColor = vec4(line, (0.30 * thin + 0.45 * thick) * fade);
+        #include <colorspace_fragment>
+      }`,
+  });
+  const mesh = new THREE.Mesh(new THREE.PlaneGeometry(40, 40), material);
+  mesh.renderOrder = -1;
+  return mesh;
+}
+
+interface Led {
+  index: number;
+  mesh: THREE.Mesh<THREE.BufferGeometry, THREE.MeshStandardMaterial>;
+  glow: THREE.Color;
+}
+
+interface Ear {
+  index: number;
+  pivot: THREE.Group;
+  axis: THREE.Vector3;
+}
+
+export class DogScene {
+  readonly scene = new THREE.Scene();
+  private readonly links: THREE.Group[] = [];
+  private readonly meshes: THREE.Object3D[] = [];
+  private readonly leds: Led[] = [];
+  private readonly ears: Ear[] = [];
+  private readonly floor: THREE.Mesh<THREE.PlaneGeometry, THREE.ShaderMaterial>;
+  private readonly shadows: THREE.Mesh;
+  private readonly sky = new THREE.HemisphereLight(0xffffff, 0x8a8f98, 1);
+  private readonly sun = new THREE.DirectionalLight(0xfff4e4, 2.2);
+  private trunk: Pose = [0, 0, 0.15, 1, 0, 0, 0];
+
+  constructor(robot: RobotData, world: ShapeData[], gridM: number) {
+    for (const shape of world) {
+      const mesh = makeMesh(shape);
+      placeAt(mesh, shape.pose);
+      this.scene.add(mesh);
+    }
+    robot.links.forEach((link, i) => {
+      const group = new THREE.Group();
+      group.visible = false;
+      for (const shape of link.shapes ?? []) this.addShape(group, shape, link.name);
+      this.links[i] = group;
+      this.scene.add(group);
+    });
+    this.floor = makeFloor(gridM > 0 ? gridM : 0.1);
+    this.shadows = new THREE.Mesh(
+      new THREE.PlaneGeometry(2.4, 2.4),
+      new THREE.ShadowMaterial({ opacity: 0.3 }),
+    );
+    this.shadows.receiveShadow = true;
+    this.shadows.position.z = 0.0004;
+    this.scene.add(this.floor, this.shadows, this.sky, this.sun, this.sun.target);
+    this.sky.position.set(0, 0, 1);
+    this.prepareShadow();
+  }
+
+  setColours(line: string, isDark: boolean): void {
+    const lines = this.floor.material.uniforms['line'];
+    if (lines !== undefined) (lines.value as THREE.Color).set(line);
+    this.sky.intensity = isDark ? 0.55 : 0.8;
+    this.sun.intensity = isDark ? 2.1 : 2.4;
+    (this.shadows.material as THREE.ShadowMaterial).opacity = isDark ? 0.55 : 0.26;
+  }
+
+  get trunkPose(): Pose {
+    return this.trunk;
+  }
+
+  // Direction in which the dog looks, as an angle about the vertical.
+  get heading(): number {
+    const [, , , w, x, y, z] = this.trunk;
+    return Math.atan2(2 * (x * y + w * z), 1 - 2 * (y * y + z * z));
+  }
+
+  apply(pose: RobotPose): void {
+    this.links.forEach((group, i) => {
+      const at = pose.links?.[i];
+      group.visible = at !== undefined;
+      if (at !== undefined) placeAt(group, at);
+    });
+    if (pose.links?.[0] !== undefined) this.trunk = pose.links[0];
+    for (const led of this.leds) {
+      const isOn = (pose.leds?.[led.index] ?? 0) !== 0;
+      led.mesh.material.emissive.copy(led.glow);
+      led.mesh.material.emissiveIntensity = isOn ? 1.6 : 0;
+    }
+    for (const ear of this.ears)
+      ear.pivot.quaternion.setFromAxisAngle(ear.axis, pose.ears?.[ear.index] ?? 0);
+    this.moveLights();
+  }
+
+  pick(ray: THREE.Raycaster): Hit | null {
+    for (const hit of ray.intersectObjects(this.meshes, false)) {
+      const { link, touch } = hit.object.userData as { link: string; touch: string | null };
+      return { link, touch, point: hit.point };
+    }
+    return null;
+  }
+
+  dispose(): void {
+    this.scene.traverse((object) => {
+      if (object instanceof THREE.Mesh) (object.material as THREE.Material).dispose();
+    });
+    this.sun.shadow.map?.dispose();
+  }
+
+  private addShape(group: THREE.Group, shape: ShapeData, link: string): void {
+    const mesh = makeMesh(shape);
+    mesh.userData = { link, touch: shape.touch ?? null };
+    this.meshes.push(mesh);
+    placeAt(mesh, shape.pose);
+    if (shape.led !== undefined) {
+      this.leds.push({ index: shape.led, mesh, glow: new THREE.Color(shape.glow ?? '#ffffff') });
+    }
+    if (shape.ear === undefined) {
+      group.add(mesh);
+      return;
+    }
+    const [x, y, z] = shape.pivot ?? [0, 0, 0];
+    const pivot = new THREE.Group();
+    pivot.position.set(x, y, z);
+    mesh.position.sub(pivot.position);
+    pivot.add(mesh);
+    group.add(pivot);
+    this.ears.push({
+      index: shape.ear,
+      pivot,
+      axis: new THREE.Vector3(...(shape.axis ?? [0, -1, 0])).normalize(),
+    });
+  }
+
+  private prepareShadow(): void {
+    this.sun.castShadow = true;
+    this.sun.shadow.mapSize.set(1024, 1024);
+    this.sun.shadow.radius = 5;
+    this.sun.shadow.normalBias = 0.004;
+    this.sun.shadow.bias = -0.0008;
+    const camera = this.sun.shadow.camera;
+    camera.left = camera.bottom = -SHADOW_REACH_M;
+    camera.right = camera.top = SHADOW_REACH_M;
+    camera.near = 0.3;
+    camera.far = 3;
+    this.moveLights();
+  }
+
+  // The light that makes shadows goes with the dog, so that its shadow map can be small and fine.
+  private moveLights(): void {
+    const [x, y] = this.trunk;
+    this.sun.target.position.set(x, y, 0.08);
+    this.sun.position.set(x - 0.45, y - 0.6, 1.35);
+    this.shadows.position.x = x;
+    this.shadows.position.y = y;
+    const centre = this.floor.material.uniforms['centre'];
+    if (centre !== undefined) (centre.value as THREE.Vector2).set(x, y);
+  }
+}

@@ -1,0 +1,83 @@
+// Orbit: where the camera is, around a point that follows the dog. Angles in radians, z is up.
+
+export interface Point {
+  x: number;
+  y: number;
+  z: number;
+}
+
+export type ViewName = 'front' | 'side' | 'top' | 'free';
+
+const FREE = { yaw: -0.66, pitch: 0.36, distance: 0.98 };
+const PITCH_MIN = -0.05;
+const PITCH_MAX = Math.PI / 2 - 0.001;
+const DISTANCE_MIN = 0.25;
+const DISTANCE_MAX = 6;
+
+export class Orbit {
+  yaw = FREE.yaw; // of the camera, seen from the target; 0 is along x
+  pitch = FREE.pitch; // above the floor
+  distance = FREE.distance;
+  readonly target: Point = { x: 0, y: 0, z: 0.12 };
+  private isPlaced = false;
+
+  // Turns the camera by a drag over `dx`, `dy` pixels.
+  drag(dx: number, dy: number): void {
+    this.yaw -= dx * 0.008;
+    this.pitch = Math.min(PITCH_MAX, Math.max(PITCH_MIN, this.pitch + dy * 0.006));
+  }
+
+  zoom(steps: number): void {
+    this.distance = Math.min(DISTANCE_MAX, Math.max(DISTANCE_MIN, this.distance * 1.1 ** steps));
+  }
+
+  // `heading`: the direction in which the dog looks.
+  look(view: ViewName, heading: number): void {
+    this.distance = FREE.distance;
+    this.pitch = view === 'top' ? PITCH_MAX : view === 'free' ? FREE.pitch : 0.1;
+    this.yaw =
+      heading +
+      (view === 'front' ? 0 : view === 'side' ? -Math.PI / 2 : view === 'top' ? Math.PI : FREE.yaw);
+  }
+
+  // Moves the target towards the trunk at `at`. Returns whether the camera has moved visibly.
+  follow(at: Point, share: number): boolean {
+    const z = Math.max(0.1, at.z - 0.02);
+    const k = this.isPlaced ? share : 1;
+    this.isPlaced = true;
+    const dx = (at.x - this.target.x) * k;
+    const dy = (at.y - this.target.y) * k;
+    const dz = (z - this.target.z) * k;
+    this.target.x += dx;
+    this.target.y += dy;
+    this.target.z += dz;
+    return Math.abs(dx) + Math.abs(dy) + Math.abs(dz) > 1e-5;
+  }
+
+  // Place of the camera.
+  eye(): Point {
+    const flat = Math.cos(this.pitch) * this.distance;
+    return {
+      x: this.target.x + Math.cos(this.yaw) * flat,
+      y: this.target.y + Math.sin(this.yaw) * flat,
+      z: this.target.z + Math.sin(this.pitch) * this.distance,
+    };
+  }
+}
+
+// Returns the rectangles of `count` tiles in a picture of `width` x `height`, from the upper left.
+export function tiles(
+  count: number,
+  width: number,
+  height: number,
+): { x: number; y: number; width: number; height: number }[] {
+  const columns = Math.max(1, Math.ceil(Math.sqrt((count * width) / Math.max(1, height) / 1.2)));
+  const used = Math.min(columns, count);
+  const rows = Math.ceil(count / Math.max(1, used));
+  return Array.from({ length: count }, (_, i) => ({
+    x: ((i % used) * width) / used,
+    y: (Math.floor(i / used) * height) / rows,
+    width: width / used,
+    height: height / rows,
+  }));
+}

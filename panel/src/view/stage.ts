@@ -1,0 +1,215 @@
+// Stage: the picture of the dogs. It draws when something has moved, at most once per picture of
+// the screen.
+import * as THREE from 'three';
+import { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js';
+import { el } from '../dom';
+import type { PoseEvent, Scene } from '../protocol';
+import { colourOf, isDark, onTheme } from '../theme';
+import { DogScene, type Hit } from './dog_scene';
+import { Orbit, tiles, type ViewName } from './orbit';
+
+const FOV_DEG = 26;
+
+// A computer that needs longer than this for a picture gets coarser ones.
+const SLOW_MS = 45;
+
+export interface StageHit extends Hit {
+  robot: number;
+}
+
+export class Stage {
+  readonly canvas = el('canvas', {
+    tabindex: 0,
+    role: 'img',
+    'aria-label':
+      'The dog in 3-D. Drag beside it to look around, wheel to zoom; keys: arrows, plus, minus, 0.',
+  });
+  readonly orbit = new Orbit();
+  private readonly renderer: THREE.WebGLRenderer | null;
+  private readonly camera = new THREE.PerspectiveCamera(FOV_DEG, 1, 0.02, 60);
+  private dogs: DogScene[] = [];
+  private pose: PoseEvent | null = null;
+  private isDirty = false;
+  private isPoseNew = false;
+  private ratio = Math.min(2, window.devicePixelRatio);
+  private slowPictures = 0;
+  private lastDraw = 0;
+  private readonly calm = window.matchMedia('(prefers-reduced-motion: reduce)');
+
+  constructor() {
+    this.renderer = this.makeRenderer();
+    onTheme(() => this.setColours());
+    new ResizeObserver(() => this.touch()).observe(this.canvas);
+  }
+
+  // False where the browser has no WebGL.
+  get works(): boolean {
+    return this.renderer !== null;
+  }
+
+  get robotCount(): number {
+    return this.dogs.length;
+  }
+
+  setScene(scene: Scene): void {
+    for (const dog of this.dogs) dog.dispose();
+    this.dogs = (scene.robots ?? []).map(
+      (robot) => new DogScene(robot, scene.world?.shapes ?? [], scene.grid_m),
+    );
+    this.setEnvironment();
+    this.setColours();
+  }
+
+  setPose(pose: PoseEvent): void {
+    this.pose = pose;
+    this.isPoseNew = true;
+    this.touch();
+  }
+
+  look(view: ViewName, robot: number): void {
+    this.orbit.look(view, this.dogs[robot]?.heading ?? 0);
+    this.touch();
+  }
+
+  // Draws soon.
+  touch(): void {
+    if (this.isDirty) return;
+    this.isDirty = true;
+    requestAnimationFrame(() => this.draw());
+  }
+
+  // Returns what lies under a place of the page.
+  pick(clientX: number, clientY: number): { robot: number; hit: StageHit | null } {
+    const box = this.canvas.getBoundingClientRect();
+    const [x, y] = [clientX - box.left, clientY - box.top];
+    const all = tiles(this.dogs.length, box.width, box.height);
+    const robot = Math.max(
+      0,
+      all.findIndex((t) => x >= t.x && x < t.x + t.width && y >= t.y && y < t.y + t.height),
+    );
+    const tile = all[robot];
+    const dog = this.dogs[robot];
+    if (tile === undefined || dog === undefined) return { robot: 0, hit: null };
+    this.aim(dog, tile.width / tile.height);
+    const ray = new THREE.Raycaster();
+    ray.setFromCamera(
+      new THREE.Vector2(
+        (2 * (x - tile.x)) / tile.width - 1,
+        1 - (2 * (y - tile.y)) / tile.height,
+      ),
+      this.camera,
+    );
+    const hit = dog.pick(ray);
+    return { robot, hit: hit === null ? null : { ...hit, robot } };
+  }
+
+  // Returns the width of a pixel in metres at `point`, and the directions of the picture.
+  pixelAt(point: THREE.Vector3): { metres: number; right: THREE.Vector3; up: THREE.Vector3 } {
+    const right = new THREE.Vector3();
+    const up = new THREE.Vector3();
+    const back = new THREE.Vector3();
+    this.camera.matrixWorld.extractBasis(right, up, back);
+    const depth = -point.clone().applyMatrix4(this.camera.matrixWorldInverse).z;
+    const rows = tiles(this.dogs.length, this.canvas.clientWidth, this.canvas.clientHeight)[0];
+    const height = 2 * depth * Math.tan((FOV_DEG * Math.PI) / 360);
+    return { metres: height / (rows?.height ?? 1), right, up };
+  }
+
+  trunkOf(robot: number): [number, number, number, number] {
+    const pose = this.dogs[robot]?.trunkPose;
+    return pose === undefined ? [1, 0, 0, 0] : [pose[3], pose[4], pose[5], pose[6]];
+  }
+
+  private makeRenderer(): THREE.WebGLRenderer | null {
+    try {
+      const renderer = new THREE.WebGLRenderer({
+        canvas: this.canvas,
+        antialias: true,
+        alpha: true,
+        powerPreference: 'high-performance',
+      });
+      renderer.shadowMap.enabled = true;
+      renderer.shadowMap.type = THREE.PCFSoftShadowMap;
+      renderer.toneMapping = THREE.ACESFilmicToneMapping;
+      renderer.toneMappingExposure = 0.92;
+      renderer.setScissorTest(true);
+      this.camera.up.set(0, 0, 1);
+      return renderer;
+    } catch {
+      return null;
+    }
+  }
+
+  private setEnvironment(): void {
+    if (this.renderer === null) return;
+    const generator = new THREE.PMREMGenerator(this.renderer);
+    const environment = generator.fromScene(new RoomEnvironment(), 0.04).texture;
+    for (const dog of this.dogs) {
+      dog.scene.environment = environment;
+      dog.scene.environmentIntensity = 0.5;
+      dog.scene.environmentRotation.x = Math.PI / 2;
+    }
+    generator.dispose();
+  }
+
+  private setColours(): void {
+    for (const dog of this.dogs) dog.setColours(colourOf('grid'), isDark());
+    this.touch();
+  }
+
+  private aim(dog: DogScene, aspect: number): void {
+    const [x, y, z] = dog.trunkPose;
+    const share = this.dogs.length > 1 || this.calm.matches ? 1 : 0.12;
+    if (this.orbit.follow({ x, y, z }, share)) this.touch();
+    const eye = this.orbit.eye();
+    const { target } = this.orbit;
+    this.camera.aspect = aspect;
+    // A narrow picture shows less to the sides, so the camera goes back there.
+    this.camera.fov = aspect < 1.1 ? FOV_DEG * Math.min(2, 1.1 / aspect) : FOV_DEG;
+    this.camera.position.set(eye.x, eye.y, eye.z);
+    this.camera.lookAt(target.x, target.y, target.z);
+    this.camera.updateProjectionMatrix();
+    this.camera.updateMatrixWorld();
+  }
+
+  private draw(): void {
+    this.isDirty = false;
+    const renderer = this.renderer;
+    const width = this.canvas.clientWidth;
+    const height = this.canvas.clientHeight;
+    if (renderer === null || width === 0 || height === 0 || document.hidden) return;
+    this.watchSpeed();
+    this.fit(renderer, width, height);
+    const all = tiles(this.dogs.length, width, height);
+    this.dogs.forEach((dog, i) => {
+      const tile = all[i];
+      const pose = this.pose?.robots?.[i];
+      if (tile === undefined) return;
+      if (pose !== undefined && this.isPoseNew) dog.apply(pose);
+      this.aim(dog, tile.width / tile.height);
+      const y = height - tile.y - tile.height; // WebGL counts from below
+      renderer.setViewport(tile.x, y, tile.width, tile.height);
+      renderer.setScissor(tile.x, y, tile.width, tile.height);
+      renderer.render(dog.scene, this.camera);
+    });
+    this.isPoseNew = false;
+  }
+
+  private fit(renderer: THREE.WebGLRenderer, width: number, height: number): void {
+    const size = renderer.getSize(new THREE.Vector2());
+    if (size.x === width && size.y === height && renderer.getPixelRatio() === this.ratio) return;
+    renderer.setPixelRatio(this.ratio);
+    renderer.setSize(width, height, false);
+  }
+
+  private watchSpeed(): void {
+    const now = performance.now();
+    const took = now - this.lastDraw;
+    this.lastDraw = now;
+    if (took > 400) return; // nothing moved
+    this.slowPictures = took > SLOW_MS ? this.slowPictures + 1 : 0;
+    if (this.slowPictures < 20) return;
+    this.slowPictures = 0;
+    this.ratio = Math.max(0.6, this.ratio * 0.8);
+  }
+}
