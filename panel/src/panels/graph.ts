@@ -7,8 +7,7 @@ import { makeConnectionDetail } from './connection_detail';
 import {
   curveThrough,
   layOut,
-  NODE_HEIGHT,
-  NODE_WIDTH,
+  LONE_HEIGHT,
   serviceName,
   shapeOf,
   type Placed,
@@ -16,7 +15,7 @@ import {
 } from './graph_layout';
 
 // Characters of the lines of a node that fit into it.
-const LINE_MAX = 29;
+const LINE_MAX = 28;
 
 function clip(text: string, max = LINE_MAX): string {
   return text.length > max ? `${text.slice(0, max - 1)}…` : text;
@@ -24,29 +23,39 @@ function clip(text: string, max = LINE_MAX): string {
 
 class NodeView {
   readonly element = svg('g', { class: 'node' });
-  private readonly name = svg('text', { x: 10, y: 18, class: 'name' });
-  private readonly state = svg('text', { x: 10, y: 35, class: 'state' });
-  private readonly load = svg('text', { x: 10, y: 52, class: 'load' });
+  private readonly name = svg('text', { class: 'name' });
+  private readonly state = svg('text', { class: 'state' });
+  private readonly load = svg('text', { class: 'load' });
   private readonly title = svg('title');
+  private readonly isSmall: boolean;
 
   constructor(place: Placed) {
+    this.isSmall = place.height <= LONE_HEIGHT;
     this.element.setAttribute('transform', `translate(${place.x},${place.y})`);
     this.element.append(
       this.title,
-      svg('rect', { width: NODE_WIDTH, height: NODE_HEIGHT, rx: 4 }),
-      this.name,
-      this.state,
-      this.load,
+      svg('rect', { width: place.width, height: place.height, rx: 4 }),
     );
+    const lines = this.isSmall ? [this.name, this.load] : [this.name, this.state, this.load];
+    const top = place.height / 2 - (lines.length - 1) * 8.5 + 4;
+    lines.forEach((line, i) => {
+      line.setAttribute('x', '10');
+      line.setAttribute('y', String(top + i * 17));
+      this.element.append(line);
+    });
   }
 
   show(object: GraphObject): void {
     const waits = object.waits_for ?? '';
     const queue = object.waiting > 0 ? ` · queue ${object.waiting}` : '';
-    const found = object.findings > 0 ? `  ▲${object.findings}` : '';
-    setText(this.name, clip(`${object.name}${found}`, 24));
-    setText(this.state, waits ? clip(`◔ waits for ${waits}`) : clip(object.state || 'no state'));
-    setText(this.load, clip(`${rateText(object.per_s)} · ${costText(object.cost_us)}${queue}`));
+    const found = object.findings > 0 ? ` ▲${object.findings}` : '';
+    const load = `${rateText(object.per_s)} · ${costText(object.cost_us)}${queue}`;
+    const waitText = `◔ waits for ${waits}`;
+    const name = clip(`${object.name}${found}`, 25);
+    setText(this.name, name);
+    setClass(this.name, 'long', name.length > 18);
+    setText(this.state, clip(waits ? waitText : object.state || 'no state'));
+    setText(this.load, clip(waits && this.isSmall ? waitText : load));
     setText(
       this.title,
       [
@@ -216,7 +225,7 @@ class GraphView {
   private build(objects: GraphObject[], connections: GraphConnection[], direction: 'LR' | 'TB'): void {
     const layout = layOut(objects, connections, direction);
     const picture = svg('svg', {
-      viewBox: `0 0 ${layout.width} ${layout.height}`,
+      viewBox: `-6 -6 ${layout.width + 12} ${layout.height + 12}`,
       role: 'group',
       'aria-label': 'Objects and connections',
     });

@@ -21,10 +21,14 @@ export interface GraphLayout {
   routes: Map<string, Route>;
 }
 
-export const NODE_WIDTH = 178;
-export const NODE_HEIGHT = 66;
-const LABEL_HEIGHT = 15;
-const CHARACTER_WIDTH = 6.2;
+export const NODE_WIDTH = 172;
+const NODE_HEIGHT = 66;
+// Objects without connections are small, and lie in rows below the others.
+export const LONE_HEIGHT = 40;
+const LONE_GAP = 12;
+const PORT_GAP = 14;
+const LABEL_HEIGHT = 14;
+const CHARACTER_WIDTH = 6.4;
 
 // "RCServer.Mover.MoverCommand.S" is the service "Mover".
 export function serviceName(service: string): string {
@@ -36,48 +40,112 @@ export function shapeOf(objects: GraphObject[], connections: GraphConnection[]):
   return JSON.stringify([objects.map((each) => each.name), connections.map((each) => each.id)]);
 }
 
+interface Port {
+  node: string;
+  isAfter: boolean; // at the side of the node where later ranks are
+  route: Route;
+  isEnd: boolean;
+}
+
 export function layOut(
   objects: GraphObject[],
   connections: GraphConnection[],
   direction: 'LR' | 'TB',
 ): GraphLayout {
   const graph = new dagre.graphlib.Graph({ multigraph: true });
-  graph.setGraph({
-    rankdir: direction,
-    nodesep: 14,
-    ranksep: direction === 'LR' ? 26 : 22,
-    edgesep: 8,
-    marginx: 8,
-    marginy: 8,
-  });
+  graph.setGraph({ rankdir: direction, nodesep: 14, ranksep: direction === 'LR' ? 14 : 30, edgesep: 4 });
   graph.setDefaultEdgeLabel(() => ({}));
-  for (const object of objects)
-    graph.setNode(object.name, { width: NODE_WIDTH, height: NODE_HEIGHT });
+  const ends = connections.flatMap((each) => [each.from, each.to]);
+  for (const name of new Set(ends)) {
+    // Each port needs room at the side of its node, of which there are two.
+    const ports = ends.filter((each) => each === name).length;
+    const room = (ports + 1) * PORT_GAP;
+    const isFlat = direction === 'LR';
+    graph.setNode(name, {
+      width: isFlat ? NODE_WIDTH : Math.max(NODE_WIDTH, room * 1.2),
+      height: isFlat ? Math.max(NODE_HEIGHT, room * 0.8) : NODE_HEIGHT,
+    });
+  }
   for (const each of connections) {
-    // An object that has gone may still have connections.
-    for (const name of [each.from, each.to])
-      if (!graph.hasNode(name)) graph.setNode(name, { width: NODE_WIDTH, height: NODE_HEIGHT });
-    const label = serviceName(each.subject).length + 8;
-    graph.setEdge(
-      each.from,
-      each.to,
-      { width: label * CHARACTER_WIDTH, height: LABEL_HEIGHT, labelpos: 'c' },
-      each.id,
-    );
+    const width = labelWidth(each);
+    graph.setEdge(each.from, each.to, { width, height: LABEL_HEIGHT, labelpos: 'c' }, each.id);
   }
   dagre.layout(graph);
-  const nodes = new Map<string, Placed>();
+  const layout: GraphLayout = { width: 0, height: 0, nodes: new Map(), routes: new Map() };
   for (const name of graph.nodes()) {
     const { x, y, width, height } = graph.node(name);
-    nodes.set(name, { x: x - width / 2, y: y - height / 2, width, height });
+    layout.nodes.set(name, { x: x - width / 2, y: y - height / 2, width, height });
   }
-  const routes = new Map<string, Route>();
   for (const edge of graph.edges()) {
     const { points, x, y } = graph.edge(edge) as { points: Route['points']; x: number; y: number };
-    if (edge.name !== undefined) routes.set(edge.name, { points, label: { x, y } });
+    if (edge.name !== undefined) layout.routes.set(edge.name, { points, label: { x, y } });
   }
-  const { width = 0, height = 0 } = graph.graph();
-  return { width, height, nodes, routes };
+  spreadPorts(layout, connections, direction === 'LR');
+  makeRoomForLabels(layout, connections);
+  layout.width = Math.max(layout.width, graph.graph().width ?? 0);
+  layout.height = connections.length > 0 ? (graph.graph().height ?? 0) : 0;
+  addLoneObjects(layout, objects);
+  return layout;
+}
+
+// Lets the lines of a node begin and end side by side, in the order in which they go on.
+function spreadPorts(layout: GraphLayout, connections: GraphConnection[], isFlat: boolean): void {
+  const sides = new Map<string, Port[]>();
+  const add = (port: Port) => {
+    const key = `${port.node}/${port.isAfter}`;
+    sides.set(key, [...(sides.get(key) ?? []), port]);
+  };
+  for (const each of connections) {
+    const [from, to] = [layout.nodes.get(each.from), layout.nodes.get(each.to)];
+    const route = layout.routes.get(each.id);
+    if (from === undefined || to === undefined || route === undefined || each.from === each.to) continue;
+    const isForward = isFlat ? from.x < to.x : from.y < to.y;
+    add({ node: each.from, isAfter: isForward, route, isEnd: false });
+    add({ node: each.to, isAfter: !isForward, route, isEnd: true });
+  }
+  for (const ports of sides.values()) {
+    const next = (port: Port) => port.route.points[port.isEnd ? port.route.points.length - 2 : 1] ?? port.route.label;
+    ports.sort((a, b) => (isFlat ? next(a).y - next(b).y : next(a).x - next(b).x));
+    ports.forEach((port, i) => {
+      const node = layout.nodes.get(port.node) as Placed;
+      const share = (i + 1) / (ports.length + 1);
+      const at = isFlat
+        ? { x: node.x + (port.isAfter ? node.width : 0), y: node.y + share * node.height }
+        : { x: node.x + share * node.width, y: node.y + (port.isAfter ? node.height : 0) };
+      port.route.points[port.isEnd ? port.route.points.length - 1 : 0] = at;
+    });
+  }
+}
+
+function labelWidth(connection: GraphConnection): number {
+  return (serviceName(connection.subject).length + 6) * CHARACTER_WIDTH;
+}
+
+// Moves labels into the picture that would reach over its left edge, and widens it to the right.
+function makeRoomForLabels(layout: GraphLayout, connections: GraphConnection[]): void {
+  for (const each of connections) {
+    const label = layout.routes.get(each.id)?.label;
+    if (label === undefined) continue;
+    label.x = Math.max(label.x, labelWidth(each) / 2);
+    layout.width = Math.max(layout.width, label.x + labelWidth(each) / 2);
+  }
+}
+
+function addLoneObjects(layout: GraphLayout, objects: GraphObject[]): void {
+  const lone = objects.filter((each) => !layout.nodes.has(each.name));
+  layout.width = Math.max(layout.width, NODE_WIDTH);
+  const perRow = Math.max(1, Math.floor((layout.width + LONE_GAP) / (NODE_WIDTH + LONE_GAP)));
+  const top = layout.height + (layout.height > 0 && lone.length > 0 ? LONE_GAP * 1.5 : 0);
+  lone.forEach((each, i) => {
+    layout.nodes.set(each.name, {
+      x: (i % perRow) * (NODE_WIDTH + LONE_GAP),
+      y: top + Math.floor(i / perRow) * (LONE_HEIGHT + LONE_GAP),
+      width: NODE_WIDTH,
+      height: LONE_HEIGHT,
+    });
+  });
+  const rows = Math.ceil(lone.length / perRow);
+  layout.height = top + Math.max(0, rows * (LONE_HEIGHT + LONE_GAP) - LONE_GAP);
 }
 
 // A smooth line through `points`: straight to the middle of each leg, and around each corner.

@@ -73,9 +73,9 @@ class JointRow {
     const measured = pair?.[1] ?? null;
     setText(this.measured, degrees(measured));
     const at = measured === null ? 0 : fraction(this.joint, measured);
-    const target = fraction(this.joint, Number(this.slider.value));
+    const want = fraction(this.joint, Number(this.slider.value));
     this.track.style.setProperty('--at', at.toFixed(4));
-    this.track.style.setProperty('--target', target.toFixed(4));
+    this.track.style.setProperty('--want', want.toFixed(4));
     setClass(this.track, 'unknown', measured === null);
     setClass(this.element, 'largest', isLargest);
     const error = errorOf(pair);

@@ -92,7 +92,7 @@ export function makeSensors(session: Session): HTMLElement {
     'div',
     { class: 'sensor-list' },
     el('div', { class: 'sensor' }, el('span', { class: 'name' }, 'battery'), el('span', { class: 'spark' }), level, battery),
-    el('div', { class: 'sensor' }, el('span', { class: 'name' }, 'battery temperature'), el('span', { class: 'spark' }), el('span'), celsius),
+    el('div', { class: 'sensor' }, el('span', { class: 'name' }, 'battery temp.'), el('span', { class: 'spark' }), el('span'), celsius),
   );
   const element = el('div', { class: 'sensors' }, list, power, makeCamera(session));
   let rows: SensorRow[] = [];

@@ -87,9 +87,13 @@ class TimeBar {
       this.isDragged = false;
     });
     this.element.append(
-      el('div', { class: 'group run' }, this.play, this.now),
-      el('div', { class: 'group steps', role: 'group', 'aria-label': 'One step' }, ...this.steps),
-      el('label', { class: 'group rate' }, el('span', { class: 'caption' }, 'Rate'), this.rate, this.speed),
+      el(
+        'div',
+        { class: 'transport' },
+        el('div', { class: 'group run' }, this.play, this.now),
+        el('div', { class: 'group steps', role: 'group', 'aria-label': 'One step' }, ...this.steps),
+        el('label', { class: 'group rate' }, el('span', { class: 'caption' }, 'Rate'), this.rate, this.speed),
+      ),
       el('div', { class: 'group past' }, this.back, this.from, this.past, this.to, this.present, this.goOn),
       this.memory,
     );

@@ -104,6 +104,7 @@ export class DogScene {
   private readonly shadows: THREE.Mesh;
   private readonly sky = new THREE.HemisphereLight(0xffffff, 0x8a8f98, 1);
   private readonly sun = new THREE.DirectionalLight(0xfff4e4, 2.2);
+  private isDark = false;
   private trunk: Pose = [0, 0, 0.15, 1, 0, 0, 0];
 
   constructor(robot: RobotData, world: ShapeData[], gridM: number) {
@@ -131,12 +132,33 @@ export class DogScene {
     this.prepareShadow();
   }
 
+  // `environment`: what glossy parts mirror; null where that would cost too much.
+  setEnvironment(environment: THREE.Texture | null): void {
+    const isRich = environment !== null;
+    this.scene.environment = environment;
+    this.scene.environmentIntensity = 0.5;
+    this.scene.environmentRotation.x = Math.PI / 2;
+    const size = isRich ? 1024 : 512;
+    if (this.sun.shadow.mapSize.x !== size) {
+      this.sun.shadow.mapSize.set(size, size);
+      this.sun.shadow.map?.dispose();
+      this.sun.shadow.map = null;
+    }
+    this.setLights();
+  }
+
   setColours(line: string, isDark: boolean): void {
     const lines = this.floor.material.uniforms['line'];
     if (lines !== undefined) (lines.value as THREE.Color).set(line);
-    this.sky.intensity = isDark ? 0.55 : 0.8;
-    this.sun.intensity = isDark ? 2.1 : 2.4;
-    (this.shadows.material as THREE.ShadowMaterial).opacity = isDark ? 0.55 : 0.26;
+    this.isDark = isDark;
+    this.setLights();
+  }
+
+  private setLights(): void {
+    const extra = this.scene.environment === null ? 0.55 : 0;
+    this.sky.intensity = (this.isDark ? 0.55 : 0.8) + extra;
+    this.sun.intensity = this.isDark ? 2.1 : 2.4;
+    (this.shadows.material as THREE.ShadowMaterial).opacity = this.isDark ? 0.55 : 0.26;
   }
 
   get trunkPose(): Pose {

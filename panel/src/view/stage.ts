@@ -10,8 +10,26 @@ import { Orbit, tiles, type ViewName } from './orbit';
 
 const FOV_DEG = 26;
 
-// A computer that needs longer than this for a picture gets coarser ones.
+// A computer that needs longer than this for a picture gets cheaper ones.
 const SLOW_MS = 45;
+const SLOW_PICTURES = 15;
+
+// How much a picture may cost, from the best to the cheapest one. `gapMs` is the least time between
+// two pictures: where the processor draws, it must have time for all else.
+const QUALITIES = [
+  { ratio: 2, isRich: true, gapMs: 0 },
+  { ratio: 1, isRich: true, gapMs: 0 },
+  { ratio: 0.85, isRich: false, gapMs: 60 },
+  { ratio: 0.6, isRich: false, gapMs: 140 },
+] as const;
+
+// Returns whether the processor draws, because there is no graphics card.
+function isDrawnBySoftware(renderer: THREE.WebGLRenderer): boolean {
+  const gl = renderer.getContext();
+  const info = gl.getExtension('WEBGL_debug_renderer_info');
+  const name = info === null ? '' : String(gl.getParameter(info.UNMASKED_RENDERER_WEBGL));
+  return /swiftshader|llvmpipe|softpipe|software/i.test(name);
+}
 
 export interface StageHit extends Hit {
   robot: number;
@@ -31,13 +49,15 @@ export class Stage {
   private pose: PoseEvent | null = null;
   private isDirty = false;
   private isPoseNew = false;
-  private ratio = Math.min(2, window.devicePixelRatio);
+  private quality = 0;
+  private environment: THREE.Texture | null = null;
   private slowPictures = 0;
   private lastDraw = 0;
   private readonly calm = window.matchMedia('(prefers-reduced-motion: reduce)');
 
   constructor() {
     this.renderer = this.makeRenderer();
+    if (this.renderer !== null && isDrawnBySoftware(this.renderer)) this.quality = 2;
     onTheme(() => this.setColours());
     new ResizeObserver(() => this.touch()).observe(this.canvas);
   }
@@ -56,7 +76,7 @@ export class Stage {
     this.dogs = (scene.robots ?? []).map(
       (robot) => new DogScene(robot, scene.world?.shapes ?? [], scene.grid_m),
     );
-    this.setEnvironment();
+    this.applyQuality();
     this.setColours();
   }
 
@@ -75,7 +95,9 @@ export class Stage {
   touch(): void {
     if (this.isDirty) return;
     this.isDirty = true;
-    requestAnimationFrame(() => this.draw());
+    const wait = QUALITIES[this.quality]!.gapMs - (performance.now() - this.lastDraw);
+    if (wait > 0) window.setTimeout(() => requestAnimationFrame(() => this.draw()), wait);
+    else requestAnimationFrame(() => this.draw());
   }
 
   // Returns what lies under a place of the page.
@@ -131,7 +153,7 @@ export class Stage {
       renderer.shadowMap.enabled = true;
       renderer.shadowMap.type = THREE.PCFSoftShadowMap;
       renderer.toneMapping = THREE.ACESFilmicToneMapping;
-      renderer.toneMappingExposure = 0.92;
+      renderer.toneMappingExposure = 0.8;
       renderer.setScissorTest(true);
       this.camera.up.set(0, 0, 1);
       return renderer;
@@ -140,16 +162,18 @@ export class Stage {
     }
   }
 
-  private setEnvironment(): void {
-    if (this.renderer === null) return;
+  private applyQuality(): void {
+    const { isRich } = QUALITIES[this.quality]!;
+    if (isRich) this.environment ??= this.makeEnvironment();
+    for (const dog of this.dogs) dog.setEnvironment(isRich ? this.environment : null);
+  }
+
+  private makeEnvironment(): THREE.Texture | null {
+    if (this.renderer === null) return null;
     const generator = new THREE.PMREMGenerator(this.renderer);
-    const environment = generator.fromScene(new RoomEnvironment(), 0.04).texture;
-    for (const dog of this.dogs) {
-      dog.scene.environment = environment;
-      dog.scene.environmentIntensity = 0.5;
-      dog.scene.environmentRotation.x = Math.PI / 2;
-    }
+    const { texture } = generator.fromScene(new RoomEnvironment(), 0.04);
     generator.dispose();
+    return texture;
   }
 
   private setColours(): void {
@@ -196,20 +220,22 @@ export class Stage {
   }
 
   private fit(renderer: THREE.WebGLRenderer, width: number, height: number): void {
+    const ratio = Math.min(QUALITIES[this.quality]!.ratio, window.devicePixelRatio);
     const size = renderer.getSize(new THREE.Vector2());
-    if (size.x === width && size.y === height && renderer.getPixelRatio() === this.ratio) return;
-    renderer.setPixelRatio(this.ratio);
+    if (size.x === width && size.y === height && renderer.getPixelRatio() === ratio) return;
+    renderer.setPixelRatio(ratio);
     renderer.setSize(width, height, false);
   }
 
   private watchSpeed(): void {
     const now = performance.now();
-    const took = now - this.lastDraw;
+    const took = now - this.lastDraw - QUALITIES[this.quality]!.gapMs;
     this.lastDraw = now;
-    if (took > 400) return; // nothing moved
+    if (took > 600) return; // nothing moved
     this.slowPictures = took > SLOW_MS ? this.slowPictures + 1 : 0;
-    if (this.slowPictures < 20) return;
+    if (this.slowPictures < SLOW_PICTURES || this.quality + 1 >= QUALITIES.length) return;
     this.slowPictures = 0;
-    this.ratio = Math.max(0.6, this.ratio * 0.8);
+    ++this.quality;
+    this.applyQuality();
   }
 }
