@@ -24,6 +24,8 @@ export function confirmButton(texts: ConfirmTexts, act: () => void): HTMLElement
     window.clearTimeout(timer);
     const hadFocus = place.contains(document.activeElement);
     place.classList.remove('asking');
+    place.removeAttribute('role');
+    place.removeAttribute('aria-label');
     place.replaceChildren(first);
     if (hadFocus) first.focus();
   }

@@ -25,7 +25,7 @@ interface Waiting {
 
 export class Connection {
   private socket: WebSocket | null = null;
-  private readonly waiting = new Map<number, Waiting>();
+  private readonly waiting = new Map<unknown, Waiting>();
   private nextId = 1;
   private attempt = 0;
   private timer = 0;
@@ -41,12 +41,14 @@ export class Connection {
   }
 
   // Sends a request. The promise is rejected with the text of the error that the run answers.
+  // A request with an id of its own, that of a connection of the graph, keeps it.
   ask<T = Answer>(request: Request): Promise<T> {
     const socket = this.socket;
     if (socket === null || socket.readyState !== WebSocket.OPEN)
       return Promise.reject(new Error('there is no connection to the run'));
-    const id = this.nextId++;
+    const id = request['id'] ?? this.nextId++;
     return new Promise<T>((resolve, reject) => {
+      this.waiting.get(id)?.reject(new Error('asked again'));
       this.waiting.set(id, { resolve: (answer) => resolve(answer as T), reject });
       socket.send(JSON.stringify({ ...request, id }));
     });
@@ -114,9 +116,9 @@ export class Connection {
       return;
     }
     const id = answer['id'];
-    const waiting = typeof id === 'number' ? this.waiting.get(id) : undefined;
+    const waiting = this.waiting.get(id);
     if (waiting === undefined) return;
-    this.waiting.delete(id as number);
+    this.waiting.delete(id);
     if (typeof answer['error'] === 'string') waiting.reject(new Error(answer['error']));
     else waiting.resolve(answer);
   }

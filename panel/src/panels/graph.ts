@@ -147,12 +147,13 @@ class GraphView {
   private rows = new Map<string, HTMLElement>();
   private shape = '';
   private chosen = '';
+  private isFormChosen = false; // a person has said whether to show a picture or a list
 
   constructor(private readonly session: Session) {
     this.detail = makeConnectionDetail(session, () => this.choose(''));
     this.choices = [
-      button('Picture', () => this.showAs('picture'), { 'aria-pressed': 'true' }),
-      button('List', () => this.showAs('list'), { 'aria-pressed': 'false' }),
+      button('Picture', () => this.chooseForm('picture'), { 'aria-pressed': 'true' }),
+      button('List', () => this.chooseForm('list'), { 'aria-pressed': 'false' }),
     ];
     this.element.append(
       el('div', { class: 'bar' }, this.summary, el('span', { class: 'segmented', role: 'group', 'aria-label': 'Graph as' }, ...this.choices)),
@@ -172,13 +173,18 @@ class GraphView {
     if (this.session.graph !== null) this.show(this.session.graph);
   }
 
+  private chooseForm(kind: 'picture' | 'list'): void {
+    this.isFormChosen = true;
+    this.showAs(kind);
+    this.reshow();
+  }
+
   private showAs(kind: 'picture' | 'list'): void {
     this.picture.hidden = kind !== 'picture';
     this.table.hidden = kind !== 'list';
     this.choices.forEach((each, i) =>
       each.setAttribute('aria-pressed', String((i === 0) === (kind === 'picture'))),
     );
-    this.reshow();
   }
 
   private choose(id: string): void {
@@ -195,6 +201,8 @@ class GraphView {
     const connections = (graph.connections ?? []).filter((each) => each.robot === this.session.robot);
     this.showSummary(objects, connections);
     const narrow = this.element.clientWidth < 560;
+    // The picture would be too small to be read on a phone.
+    if (!this.isFormChosen) this.showAs(this.element.clientWidth < 400 ? 'list' : 'picture');
     const shape = `${narrow}${shapeOf(objects, connections)}`;
     if (shape !== this.shape) {
       this.shape = shape;
@@ -230,7 +238,7 @@ class GraphView {
       'aria-label': 'Objects and connections',
     });
     picture.style.setProperty('--width', `${layout.width}px`);
-    picture.style.setProperty('--ratio', String(layout.width / layout.height));
+    picture.style.setProperty('--least', direction === 'LR' ? '0.72' : '0.8');
     const arrow = svg('marker', { id: 'arrow', viewBox: '0 0 8 8', refX: 7, refY: 4, markerWidth: 7, markerHeight: 7, orient: 'auto-start-reverse' });
     arrow.append(svg('path', { d: 'M0,0.5L8,4L0,7.5Z' }));
     picture.append(svg('defs', {}, arrow));

@@ -53,7 +53,7 @@ export function layOut(
   direction: 'LR' | 'TB',
 ): GraphLayout {
   const graph = new dagre.graphlib.Graph({ multigraph: true });
-  graph.setGraph({ rankdir: direction, nodesep: 14, ranksep: direction === 'LR' ? 14 : 30, edgesep: 4 });
+  graph.setGraph({ rankdir: direction, nodesep: 14, ranksep: direction === 'LR' ? 14 : 60, edgesep: 4 });
   graph.setDefaultEdgeLabel(() => ({}));
   const ends = connections.flatMap((each) => [each.from, each.to]);
   for (const name of new Set(ends)) {

@@ -159,6 +159,7 @@ class Joints {
   private sortedAt = 0;
   private largestIndex = -1;
   private connected = '';
+  private wasPast = false;
 
   constructor(private readonly session: Session) {
     this.speed = new LimitSlider(session, 'speed', 'Speed', '°/s');
@@ -179,10 +180,21 @@ class Joints {
     session.on('scene', () => this.build());
     session.on('robot', () => this.build());
     session.on('newRun', () => (this.connected = ''));
-    session.on('values', (values) => {
-      const robot = values.robots[session.robot];
-      if (robot !== undefined) this.show(robot);
+    session.on('values', () => this.reshow());
+    // No values come while the run is paused, so the lock also follows the clock.
+    session.on('clock', () => {
+      if (this.isPast !== this.wasPast) this.reshow();
     });
+    window.addEventListener('panel-shown', () => this.reshow());
+  }
+
+  private get isPast(): boolean {
+    return (this.session.clock?.rewind?.shows_s ?? null) !== null;
+  }
+
+  private reshow(): void {
+    const robot = this.session.values?.robots[this.session.robot];
+    if (robot !== undefined) this.show(robot);
   }
 
   private build(): void {
@@ -191,8 +203,7 @@ class Joints {
     this.list.replaceChildren(...this.rows.map((each) => each.element));
     this.speed.setJoints(joints);
     this.accel.setJoints(joints);
-    const values = this.session.values?.robots[this.session.robot];
-    if (values !== undefined) this.show(values);
+    this.reshow();
   }
 
   // Reads the limits in force, once the person has used the remote control.
@@ -209,7 +220,8 @@ class Joints {
   private show(robot: RobotValues): void {
     if (this.element.offsetParent === null) return;
     const isPlaying = LOCKING_STATES.includes(robot.state);
-    const isPast = (this.session.clock?.rewind?.shows_s ?? null) !== null;
+    const { isPast } = this;
+    this.wasPast = isPast;
     this.lockText.hidden = !isPlaying && !isPast;
     setText(
       this.lockText,

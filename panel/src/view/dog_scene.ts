@@ -155,7 +155,7 @@ export class DogScene {
   }
 
   private setLights(): void {
-    const extra = this.scene.environment === null ? 0.55 : 0;
+    const extra = this.scene.environment === null ? 0.9 : 0;
     this.sky.intensity = (this.isDark ? 0.55 : 0.8) + extra;
     this.sun.intensity = this.isDark ? 2.1 : 2.4;
     (this.shadows.material as THREE.ShadowMaterial).opacity = this.isDark ? 0.55 : 0.26;
@@ -246,7 +246,7 @@ export class DogScene {
   private moveLights(): void {
     const [x, y] = this.trunk;
     this.sun.target.position.set(x, y, 0.08);
-    this.sun.position.set(x - 0.45, y - 0.6, 1.35);
+    this.sun.position.set(x + 0.22, y - 0.5, 1.4);
     this.shadows.position.x = x;
     this.shadows.position.y = y;
     const centre = this.floor.material.uniforms['centre'];

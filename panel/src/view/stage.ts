@@ -20,7 +20,7 @@ const QUALITIES = [
   { ratio: 2, isRich: true, gapMs: 0 },
   { ratio: 1, isRich: true, gapMs: 0 },
   { ratio: 0.85, isRich: false, gapMs: 60 },
-  { ratio: 0.6, isRich: false, gapMs: 140 },
+  { ratio: 0.7, isRich: false, gapMs: 150 },
 ] as const;
 
 // Returns whether the processor draws, because there is no graphics card.

@@ -1,0 +1,157 @@
+// What the steps of the browser test share: the browser, pictures, waiting, and counting clicks.
+import fs from 'node:fs';
+import path from 'node:path';
+import { chromium } from 'playwright-core';
+
+// WebGL without a graphics card.
+const ARGUMENTS = [
+  '--no-sandbox',
+  '--disable-gpu',
+  '--use-gl=angle',
+  '--use-angle=swiftshader',
+  '--enable-unsafe-swiftshader',
+];
+
+export async function launch() {
+  const executablePath = process.env['OPENR_CHROMIUM'] ?? '/usr/bin/chromium';
+  return chromium.launch({ executablePath, args: ARGUMENTS });
+}
+
+export function need(condition, text) {
+  if (!condition) throw new Error(text);
+}
+
+// Waits until `read` returns a value for which `isGood` holds, and returns it.
+export async function until(what, read, isGood, timeoutMs = 20_000) {
+  const end = Date.now() + timeoutMs;
+  let value;
+  do {
+    value = await read();
+    if (isGood(value)) return value;
+    await new Promise((resolve) => setTimeout(resolve, 100));
+  } while (Date.now() < end);
+  throw new Error(`${what}; after ${timeoutMs / 1000} s the page shows ${JSON.stringify(value)}`);
+}
+
+export function numberOf(text) {
+  return Number.parseFloat(String(text).replace('\u2212', '-'));
+}
+
+// "1:02.500" is 62.5.
+export function secondsOf(text) {
+  const [minutes = '0', seconds = '0'] = String(text).split(':');
+  return Number(minutes) * 60 + Number(seconds);
+}
+
+export class Steps {
+  passed = 0;
+  failed = [];
+
+  // `only`: text that names of steps must contain; "": all.
+  constructor(folder, only = '') {
+    this.folder = folder;
+    this.only = only;
+    if (folder) fs.mkdirSync(folder, { recursive: true });
+  }
+
+  async step(name, page, act) {
+    if (!name.includes(this.only)) return;
+    const began = Date.now();
+    try {
+      await act();
+      this.passed += 1;
+      console.log(`ok      ${name} (${((Date.now() - began) / 1000).toFixed(1)} s)`);
+    } catch (error) {
+      this.failed.push(name);
+      console.log(`FAILED  ${name}: ${error.message}`);
+      await this.picture(page, `failed ${name}`).catch(() => undefined);
+    }
+  }
+
+  async picture(page, name) {
+    if (!this.folder) return;
+    const file = `${name.toLowerCase().replace(/[^a-z0-9]+/g, '-')}.png`;
+    await page.screenshot({ path: path.join(this.folder, file) });
+  }
+
+  end() {
+    console.log(`${this.passed} passed, ${this.failed.length} failed`);
+    return this.failed.length === 0 ? 0 : 1;
+  }
+}
+
+// The controls of the page, as a person finds them.
+export class Panel {
+  clicks = 0;
+
+  constructor(page) {
+    this.page = page;
+  }
+
+  async click(locator) {
+    this.clicks += 1;
+    await locator.click({ timeout: 15_000 });
+  }
+
+  button(name) {
+    return this.page.getByRole('button', { name, exact: true });
+  }
+
+  // Brings a panel to the front, if it is not seen already.
+  async show(title) {
+    const tab = this.page.getByRole('tab', { name: title, exact: true });
+    if ((await tab.getAttribute('aria-selected')) !== 'true') await this.click(tab);
+  }
+
+  // Counts the clicks of `act`, which must be three or fewer.
+  async inThreeClicks(act) {
+    this.clicks = 0;
+    await act();
+    need(this.clicks <= 3, `it took ${this.clicks} clicks; three are allowed`);
+  }
+
+  state() {
+    return this.page.locator('header .chip').first().textContent();
+  }
+
+  async time() {
+    return secondsOf(await this.page.getByLabel('Virtual time').textContent());
+  }
+
+  joint(title) {
+    return this.page.getByRole('group', { name: title, exact: true });
+  }
+
+  async measured(title) {
+    return numberOf(await this.joint(title).locator('.measured').textContent());
+  }
+
+  // Drags the handle of a joint to `share` of its range.
+  async dragJoint(title, share) {
+    const slider = this.page.getByRole('slider', { name: title, exact: true });
+    await slider.scrollIntoViewIfNeeded();
+    const box = await slider.boundingBox();
+    const [min, max, value] = await slider.evaluate((e) => [e.min, e.max, e.value].map(Number));
+    const at = (part) => box.x + 4 + part * (box.width - 8);
+    this.clicks += 1;
+    await this.page.mouse.move(at((value - min) / (max - min)), box.y + box.height / 2);
+    await this.page.mouse.down();
+    await this.page.mouse.move(at(share), box.y + box.height / 2, { steps: 8 });
+    await this.page.mouse.up();
+    return min + share * (max - min);
+  }
+
+  sensor(name) {
+    return this.page.locator(`[data-sensor="${name}"] .value`).textContent();
+  }
+
+  // Texts of the messages at the lower edge that say that something went wrong.
+  async errors() {
+    return this.page.locator('.notice.bad .text').allTextContents();
+  }
+
+  async closeNotices() {
+    for (const close of await this.page.locator('.notice .close').all())
+      await close.click({ timeout: 2000 }).catch(() => undefined);
+  }
+}

@@ -1,0 +1,56 @@
+// Drives the panel of a run in a browser, with the controls of the page only.
+//
+//   OPENR_PANEL_URL=http://127.0.0.1:8210/?token=... node test/browser/panel_test.mjs [WORD]
+//
+// OPENR_PANEL_SHOTS: folder for pictures of the page. OPENR_PANEL_MOTION: a motion to upload.
+// OPENR_CHROMIUM: the browser. WORD: only steps whose names contain it.
+import fs from 'node:fs';
+import { launch, Panel, Steps } from './browser.mjs';
+import { stepsOfHands } from './steps_hands.mjs';
+import { stepsOfRobot } from './steps_robot.mjs';
+import { stepsOfTime } from './steps_time.mjs';
+import { stepsOfPhone } from './steps_phone.mjs';
+import { stepsOfViews } from './steps_views.mjs';
+
+const url = process.env['OPENR_PANEL_URL'];
+const motion = process.env['OPENR_PANEL_MOTION'] ?? '';
+if (!url || (motion !== '' && !fs.existsSync(motion))) {
+  console.error('Set OPENR_PANEL_URL to the address that openr run prints, OPENR_PANEL_MOTION to an .MTN file.');
+  process.exit(2);
+}
+
+const steps = new Steps(process.env['OPENR_PANEL_SHOTS'] ?? '', process.argv[2] ?? '');
+const browser = await launch();
+const problems = [];
+try {
+  const page = await browser.newPage({
+    viewport: { width: 1440, height: 900 },
+    colorScheme: 'dark',
+    acceptDownloads: true,
+  });
+  page.on('pageerror', (error) => problems.push(error.message));
+  page.on('console', (message) => {
+    if (message.type() === 'error') problems.push(message.text());
+  });
+  const elsewhere = [];
+  page.on('request', (request) => {
+    if (!request.url().startsWith(new URL(url).origin) && !/^(data|blob):/.test(request.url()))
+      elsewhere.push(request.url());
+  });
+  await page.goto(url);
+  const panel = new Panel(page);
+  await stepsOfViews(steps, panel);
+  await stepsOfHands(steps, panel);
+  await stepsOfRobot(steps, panel, motion);
+  await stepsOfTime(steps, panel);
+  await stepsOfPhone(steps, browser, panel);
+  await steps.step('the page loads nothing from elsewhere', page, () => {
+    if (elsewhere.length > 0) throw new Error(elsewhere.join(', '));
+  });
+  await steps.step('the page has no errors in its console', page, () => {
+    if (problems.length > 0) throw new Error([...new Set(problems)].join('; '));
+  });
+} finally {
+  await browser.close();
+}
+process.exit(steps.end());

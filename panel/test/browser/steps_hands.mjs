@@ -1,0 +1,90 @@
+// Steps about what a person does to the dog: sliders, pressing, pushing, lifting.
+import { need, until } from './browser.mjs';
+
+export async function stepsOfHands(steps, panel) {
+  const { page } = panel;
+
+  await steps.step('three clicks: turn the head', page, () =>
+    panel.inThreeClicks(async () => {
+      await panel.show('Joints');
+      const goal = await panel.dragJoint('Neck pan', 0.75);
+      await until(
+        `the neck did not come to ${goal.toFixed(1)} degrees`,
+        () => panel.measured('Neck pan'),
+        (deg) => Math.abs(deg - goal) < 3,
+      );
+      need((await panel.errors()).length === 0, (await panel.errors()).join('; '));
+      await steps.picture(page, 'head turned');
+    }),
+  );
+
+  await steps.step('a slider obeys the keyboard', page, async () => {
+    const before = await panel.measured('Neck pan');
+    await page.getByRole('slider', { name: 'Neck pan', exact: true }).focus();
+    for (let i = 0; i < 10; ++i) await page.keyboard.press('PageDown');
+    await until(
+      'the neck did not turn back',
+      () => panel.measured('Neck pan'),
+      (deg) => deg < before - 8,
+    );
+  });
+
+  await steps.step('speed of all joints is set, at most to the largest of each', page, async () => {
+    const slider = page.getByRole('slider', { name: 'Speed of all joints' });
+    await slider.focus();
+    for (let i = 0; i < 2; ++i) await page.keyboard.press('PageDown');
+    await page.locator('.notice.good', { hasText: 'Speed of all joints' }).first().waitFor({ timeout: 20_000 });
+    need((await panel.errors()).length === 0, (await panel.errors()).join('; '));
+  });
+
+  await steps.step('three clicks: press the chin', page, () =>
+    panel.inThreeClicks(async () => {
+      await panel.show('Sensors');
+      const chin = page.getByRole('button', { name: 'Press chin' });
+      need((await panel.sensor('chin')) === 'released', 'the chin was pressed before');
+      const box = await chin.boundingBox();
+      panel.clicks += 1;
+      await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+      await page.mouse.down();
+      await until('the sensor shows no press', () => panel.sensor('chin'), (s) => s === 'pressed');
+      await page.mouse.up();
+      await until('the sensor stayed pressed', () => panel.sensor('chin'), (s) => s === 'released');
+    }),
+  );
+
+  await steps.step('the keyboard presses the back as long as a key is held', page, async () => {
+    await page.getByRole('button', { name: 'Press back', exact: true }).focus();
+    await page.keyboard.down('Space');
+    await until('the sensor shows no press', () => panel.sensor('back'), (s) => s === 'pressed');
+    await page.keyboard.up('Space');
+    await until('the sensor stayed pressed', () => panel.sensor('back'), (s) => s === 'released');
+  });
+
+  await steps.step('a drag on the dog shows a force and pushes', page, async () => {
+    await panel.closeNotices();
+    const box = await page.locator('.picture canvas').boundingBox();
+    const [x, y] = [box.x + box.width * 0.49, box.y + box.height * 0.5];
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x - 45, y - 5, { steps: 6 });
+    const force = await until(
+      'no arrow appeared',
+      () => page.locator('.force.shown text').allTextContents(),
+      (all) => all.length === 1,
+      5000,
+    );
+    await page.mouse.up();
+    need(/^4\.\d N$/.test(force[0]), `the arrow of 45 pixels says ${force[0]}`);
+    await page.waitForTimeout(600);
+    need((await panel.errors()).length === 0, (await panel.errors()).join('; '));
+  });
+
+  await steps.step('the dog is lifted and set down', page, async () => {
+    await panel.show('Sensors');
+    await panel.click(panel.button('Lift 10 cm'));
+    await until('a paw stayed on the floor', () => panel.sensor('paw_LF'), (s) => s === 'released');
+    await steps.picture(page, 'lifted');
+    await panel.click(panel.button('Set down'));
+    await until('the paw did not come back', () => panel.sensor('paw_LF'), (s) => s === 'pressed');
+  });
+}

@@ -1,0 +1,77 @@
+// Steps about time: pause, steps, rate, going back, and going on from there.
+import { need, until } from './browser.mjs';
+
+export async function stepsOfTime(steps, panel) {
+  const { page } = panel;
+
+  await steps.step('a pause stops the time, steps go on a little', page, async () => {
+    await panel.click(panel.button('❚❚ Pause'));
+    await panel.button('▶ Run').waitFor({ timeout: 5000 });
+    await page.waitForTimeout(500);
+    const before = await panel.time();
+    await page.waitForTimeout(700);
+    need((await panel.time()) === before, 'the time went on');
+    await panel.click(panel.button('Frame'));
+    await until('one frame is not 8 ms', () => panel.time(), (t) => Math.abs(t - before - 0.008) < 0.0081);
+    await panel.click(panel.button('Message'));
+    const vector = await panel.time();
+    await panel.click(panel.button('Vector'));
+    await until('a vector did not go on', () => panel.time(), (t) => t > vector && t < vector + 0.2);
+    await panel.click(panel.button('▶ Run'));
+    await until('the time did not go on', () => panel.time(), (t) => t > before + 1);
+  });
+
+  await steps.step('the rate can be chosen', page, async () => {
+    const rate = page.getByLabel('Rate: virtual seconds per second');
+    await rate.selectOption('0.25');
+    await until(
+      'the run did not get slower',
+      () => page.locator('.speed').textContent(),
+      (text) => Number(/([\d.]+)×/.exec(text)?.[1]) < 0.5,
+    );
+    await rate.selectOption('1');
+  });
+
+  await steps.step('three clicks: go back five seconds', page, () =>
+    panel.inThreeClicks(async () => {
+      const before = await panel.time();
+      await panel.click(panel.button('Back five seconds'));
+      await page.locator('.moment[data-kind="past"]').waitFor({ timeout: 15_000 });
+      const after = await panel.time();
+      need(after < before - 3.5 && after > before - 6.5, `from ${before} s the page went to ${after} s`);
+      await page.waitForTimeout(600);
+      need((await panel.time()) === after, 'the past went on');
+      await steps.picture(page, 'five seconds ago');
+    }),
+  );
+
+  await steps.step('sliders are locked while the past is shown', page, async () => {
+    await panel.show('Joints');
+    await until(
+      'the slider is free',
+      () => page.getByRole('slider', { name: 'Neck pan', exact: true }).isDisabled(),
+      (is) => is,
+    );
+  });
+
+  await steps.step('the time slider goes to another moment, and to the present', page, async () => {
+    const before = await panel.time();
+    await page.getByRole('slider', { name: 'Moment shown' }).focus();
+    for (let i = 0; i < 2; ++i) await page.keyboard.press('PageDown');
+    await until('the moment shown did not change', () => panel.time(), (t) => t < before - 0.2);
+    await panel.click(panel.button('Present'));
+    await until('the present is not shown', () => page.locator('.moment[data-kind="past"]').count(), (n) => n === 0);
+  });
+
+  await steps.step('a new run goes on from the past', page, async () => {
+    const run = page.getByLabel('Run', { exact: true });
+    const first = await run.inputValue();
+    await panel.click(panel.button('Back five seconds'));
+    await page.locator('.moment[data-kind="past"]').waitFor({ timeout: 15_000 });
+    const from = await panel.time();
+    await panel.click(panel.button('Go on from here'));
+    await until('the page did not go to a new run', () => run.inputValue(), (name) => name !== '' && name !== first);
+    await until('the new run did not go on', () => panel.time(), (t) => t > from && t < from + 30);
+    await steps.picture(page, 'branch');
+  });
+}

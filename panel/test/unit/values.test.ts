@@ -1,0 +1,140 @@
+import { describe, expect, it } from 'vitest';
+import { clockTime, costText, degrees, fixed, rateText, sensorText } from '../../src/format';
+import { LastValue } from '../../src/last_value';
+import { Ring } from '../../src/ring';
+import { byError, errorOf, JointGoal } from '../../src/panels/joint_goal';
+import { matches } from '../../src/panels/log';
+import { waitBeforeAttemptMs } from '../../src/connection';
+
+describe('numbers', () => {
+  it('are unknown where the run sends none', () => {
+    expect(degrees(null)).toBe('unknown');
+    expect(fixed(Number.NaN, 1)).toBe('unknown');
+    expect(sensorText(null, 'force')).toBe('unknown');
+  });
+
+  it('have a minus sign, but not for a zero', () => {
+    expect(fixed(-1.25, 1)).toBe('\u22121.3');
+    expect(fixed(-0.01, 1)).toBe('0.0');
+  });
+
+  it('are shown in SI units', () => {
+    expect(sensorText(490332, 'force')).toBe('0.490 N');
+    expect(sensorText(-9806650, 'acceleration')).toBe('\u22129.81 m/s²');
+    expect(sensorText(30000000, 'temperature')).toBe('30.0 °C');
+    expect(sensorText(1, 'switch')).toBe('pressed');
+    expect(sensorText(512, 'counts')).toBe('512 counts');
+  });
+
+  it('show virtual time to a millisecond', () => {
+    expect(clockTime(75.25)).toBe('1:15.250');
+    expect(clockTime(59.9999)).toBe('1:00.000');
+  });
+
+  it('show rates and costs', () => {
+    expect(rateText(0)).toBe('0/s');
+    expect(rateText(2.66)).toBe('2.7/s');
+    expect(costText(1500)).toBe('1.5 ms');
+    expect(costText(250)).toBe('250 µs');
+  });
+});
+
+describe('Ring', () => {
+  it('keeps the last items in order', () => {
+    const ring = new Ring<number>(3);
+    for (const i of [1, 2, 3, 4, 5]) ring.push(i);
+    expect(ring.toArray()).toEqual([3, 4, 5]);
+    expect(ring.at(0)).toBe(3);
+    expect(ring.last()).toBe(5);
+  });
+});
+
+describe('LastValue', () => {
+  const setUp = () => {
+    const sent: number[] = [];
+    const later: { at: number; action: () => void }[] = [];
+    const clock = { now: 0 };
+    const value = new LastValue<number>(50, (v) => void sent.push(v), {
+      now: () => clock.now,
+      after: (ms, action) => later.push({ at: clock.now + ms, action }),
+    });
+    const goTo = (now: number) => {
+      clock.now = now;
+      for (const each of later.splice(0)) each.action();
+    };
+    return { value, sent, goTo };
+  };
+
+  it('sends the first value at once and then only the last one', () => {
+    const { value, sent, goTo } = setUp();
+    for (const i of [1, 2, 3, 4]) value.set(i);
+    expect(sent).toEqual([1]);
+    goTo(50);
+    expect(sent).toEqual([1, 4]);
+  });
+
+  it('waits for the answer to a value before it sends the next one', async () => {
+    let answer: () => void = () => undefined;
+    const sent: number[] = [];
+    const value = new LastValue<number>(
+      0,
+      (v) => {
+        sent.push(v);
+        return new Promise<void>((resolve) => (answer = resolve));
+      },
+      { now: () => 0, after: (_, action) => action() },
+    );
+    value.set(1);
+    value.set(2);
+    value.set(3);
+    expect(sent).toEqual([1]);
+    answer();
+    await Promise.resolve();
+    await Promise.resolve();
+    expect(sent).toEqual([1, 3]);
+  });
+});
+
+describe('JointGoal', () => {
+  it('keeps what the person chose until the target has come there', () => {
+    const goal = new JointGoal();
+    goal.set(30, 0);
+    expect(goal.show(0, 10)).toBe(30);
+    expect(goal.show(20, 3000)).toBe(30);
+    expect(goal.show(29.8, 4000)).toBe(29.8);
+    expect(goal.show(10, 4100)).toBe(10);
+  });
+
+  it('gives up when the target does not come nearer', () => {
+    const goal = new JointGoal();
+    goal.set(30, 0);
+    expect(goal.show(5, 100)).toBe(30);
+    expect(goal.show(5, 4200)).toBe(5);
+  });
+});
+
+describe('errors of joints', () => {
+  it('are unknown without a target', () => {
+    expect(errorOf([null, 4])).toBeNull();
+    expect(errorOf(undefined)).toBeNull();
+  });
+
+  it('put the largest one first and unknown ones last', () => {
+    expect(byError([[0, 1], [null, 50], [3, -3], [0, 0]])).toEqual([2, 0, 3, 1]);
+  });
+});
+
+describe('the filter of the log', () => {
+  it('wants every word, and none that begins with a minus', () => {
+    expect(matches('state: standing', 'STAND state')).toBe(true);
+    expect(matches('state: standing', 'stand -state')).toBe(false);
+    expect(matches('anything', '')).toBe(true);
+    expect(matches('a - b', '-')).toBe(true);
+  });
+});
+
+describe('connecting again', () => {
+  it('waits longer each time, up to eight seconds', () => {
+    expect([0, 1, 2, 3, 4, 5, 50].map(waitBeforeAttemptMs)).toEqual([500, 1000, 2000, 4000, 8000, 8000, 8000]);
+  });
+});
