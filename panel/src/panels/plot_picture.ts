@@ -27,7 +27,8 @@ const LEFT = 46;
 const RIGHT = 10;
 const TOP = 6;
 const BOTTOM = 18;
-const GAP = 12;
+const GAP = 8;
+const LEGEND = 17; // height of the names of the lines, above each lane
 const FONT = 'ui-sans-serif, system-ui, sans-serif';
 
 // Commanded and measured of one joint have the same colour, and differ by dashes.
@@ -56,8 +57,9 @@ function drawLane(
   const lines = lane.series.map((each) => history.points(each, plot.robot, plot.from, plot.to));
   const values = lines.flatMap((points) => points.flatMap(([, value]) => (value === null ? [] : [value])));
   const { min, max } = rangeAround(values, lane.unit);
-  const y = (value: number) => lane.top + lane.height * (1 - (value - min) / (max - min));
-  const marks = lane.unit === '0/1' ? [0, 1] : ticks(min, max, Math.max(2, Math.floor(lane.height / 34)));
+  const height = Math.max(10, lane.height - LEGEND);
+  const y = (value: number) => lane.top + LEGEND + height * (1 - (value - min) / (max - min));
+  const marks = lane.unit === '0/1' ? [0, 1] : ticks(min, max, Math.max(2, Math.floor(height / 30)));
   const step = (marks[1] ?? 1) - (marks[0] ?? 0) || 1;
   for (const mark of marks) {
     parent.append(
@@ -65,7 +67,7 @@ function drawLane(
       text(LEFT - 6, y(mark) + 3.5, fixed(mark, digitsFor(step)), colours.muted, { 'text-anchor': 'end' }),
     );
   }
-  let labelX = LEFT + 6;
+  let labelX = LEFT;
   lines.forEach((points, i) => {
     const series = lane.series[i] as Series;
     const colour = colours.series[colourIndex(plot.series, series) % colours.series.length] as string;
@@ -74,7 +76,6 @@ function drawLane(
     const last = points[points.length - 1]?.[1] ?? null;
     const label = `${series.label} ${fixed(last, 2)} ${lane.unit === '0/1' ? '' : lane.unit}`.trim();
     parent.append(
-      svg('rect', { x: labelX - 3, y: lane.top + 1, width: 24 + label.length * 6, height: 14, fill: colours.background, opacity: 0.8 }),
       svg('path', { d: `M${labelX},${lane.top + 8}h16`, ...style }),
       text(labelX + 20, lane.top + 11.5, label, colours.text, { 'data-series': series.id }),
     );

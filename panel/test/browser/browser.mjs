@@ -54,17 +54,20 @@ export class Steps {
     if (folder) fs.mkdirSync(folder, { recursive: true });
   }
 
+  // Returns whether the step was good, or was not asked for.
   async step(name, page, act) {
-    if (!name.includes(this.only)) return;
+    if (!name.includes(this.only)) return true;
     const began = Date.now();
     try {
       await act();
       this.passed += 1;
       console.log(`ok      ${name} (${((Date.now() - began) / 1000).toFixed(1)} s)`);
+      return true;
     } catch (error) {
       this.failed.push(name);
-      console.log(`FAILED  ${name}: ${error.message}`);
+      console.log(`FAILED  ${name}: ${error.message.split('\nBrowser logs')[0]}`);
       await this.picture(page, `failed ${name}`).catch(() => undefined);
+      return false;
     }
   }
 

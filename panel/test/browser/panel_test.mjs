@@ -10,7 +10,7 @@ import { stepsOfHands } from './steps_hands.mjs';
 import { stepsOfRobot } from './steps_robot.mjs';
 import { stepsOfTime } from './steps_time.mjs';
 import { stepsOfPhone } from './steps_phone.mjs';
-import { stepsOfViews } from './steps_views.mjs';
+import { stepsOfConnecting, stepsOfViews } from './steps_views.mjs';
 
 const url = process.env['OPENR_PANEL_URL'];
 const motion = process.env['OPENR_PANEL_MOTION'] ?? '';
@@ -39,11 +39,12 @@ try {
   });
   await page.goto(url);
   const panel = new Panel(page);
+  if (!(await stepsOfConnecting(steps, panel))) process.exit(steps.end());
   await stepsOfViews(steps, panel);
   await stepsOfHands(steps, panel);
   await stepsOfRobot(steps, panel, motion);
-  await stepsOfTime(steps, panel);
   await stepsOfPhone(steps, browser, panel);
+  await stepsOfTime(steps, panel);
   await steps.step('the page loads nothing from elsewhere', page, () => {
     if (elsewhere.length > 0) throw new Error(elsewhere.join(', '));
   });

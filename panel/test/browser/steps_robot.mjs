@@ -26,12 +26,10 @@ export async function stepsOfRobot(steps, panel, motion) {
   );
 
   if (motion !== '') {
-    await steps.step('a motion is deleted and uploaded again', page, async () => {
-      const row = page.locator(`.motion[data-name="${name}"]`);
-      await panel.click(panel.button(`Delete ${name}`));
-      await panel.click(row.getByRole('button', { name: 'Delete', exact: true }));
-      await until('the motion is still listed', () => row.count(), (n) => n === 0);
+    const row = page.locator(`.motion[data-name="${name}"]`);
+    await steps.step('a motion is uploaded', page, async () => {
       await chooseFile(panel, 'Upload .MTN', motion);
+      await page.locator('.notice.good', { hasText: 'uploaded' }).first().waitFor({ timeout: 20_000 });
       await until('the motion is not listed', () => row.count(), (n) => n === 1);
     });
 
@@ -42,6 +40,13 @@ export async function stepsOfRobot(steps, panel, motion) {
       await until('no progress is shown', text, (s) => /loop \d of 3/.test(s), 60_000);
       await panel.click(panel.button('■ Stop'));
       await until('the motion did not stop', () => panel.state(), (s) => s === 'accepting-commands');
+    });
+
+    await steps.step('a motion is deleted after a question', page, async () => {
+      await panel.click(panel.button(`Delete ${name}`));
+      need((await row.count()) === 1, 'the motion was deleted without a question');
+      await panel.click(row.getByRole('button', { name: 'Delete', exact: true }));
+      await until('the motion is still listed', () => row.count(), (n) => n === 0);
     });
   }
 

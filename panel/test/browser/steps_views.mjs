@@ -10,12 +10,18 @@ async function saved(panel, name) {
   return fs.readFileSync(await (await wait).path(), 'utf8');
 }
 
-export async function stepsOfViews(steps, panel) {
+// Returns whether the other steps make sense.
+export async function stepsOfConnecting(steps, panel) {
   const { page } = panel;
-  await steps.step('the page connects and hides its token', page, async () => {
+  return steps.step('the page connects and hides its token', page, async () => {
     await page.locator('.link[data-state="open"]').waitFor({ timeout: 20_000 });
     need(!page.url().includes('token'), `the address still has the token: ${page.url()}`);
+    await page.locator('.joint').nth(1).waitFor({ timeout: 10_000 });
   });
+}
+
+export async function stepsOfViews(steps, panel) {
+  const { page } = panel;
 
   await steps.step('the dog stands up', page, async () => {
     await until('JointMover did not get ready', () => panel.state(), (s) => s === 'accepting-commands', 90_000);
