@@ -45,6 +45,9 @@ function start(): void {
     layout.element,
     makeNotices(session),
   );
+  session.on('runs', (runs) => {
+    document.title = `${session.run || runs.own} · openr panel`;
+  });
   session.join(session.run);
 }
 

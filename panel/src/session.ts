@@ -38,6 +38,15 @@ type Listener<T extends Topic> = (value: Topics[T]) => void;
 const EVENTS = ['pose', 'values', 'graph', 'log', 'findings', 'clock'] as const;
 const RUNS_PERIOD_MS = 4000;
 
+// Members that an event must have as lists. Events without them are left out.
+const LISTS: Record<string, string[]> = {
+  pose: ['robots'],
+  values: ['robots'],
+  graph: ['objects', 'connections'],
+  findings: ['findings'],
+  log: ['lines'],
+};
+
 export class Session {
   scene: Scene | null = null;
   values: ValuesEvent | null = null;
@@ -49,6 +58,7 @@ export class Session {
   robot = 0;
 
   private connection: Connection | null = null;
+  private readonly failed = new Set<Topic>(); // topics that a view could not read
   private readonly listeners = new Map<Topic, Listener<Topic>[]>();
 
   constructor(
@@ -71,7 +81,8 @@ export class Session {
         listener(value);
       } catch (error) {
         // A message that a view cannot read must not stop the other views.
-        console.error(`panel: ${topic}:`, error);
+        if (!this.failed.has(topic)) console.error(`panel: ${topic}:`, error);
+        this.failed.add(topic);
       }
     }
   }
@@ -167,7 +178,7 @@ export class Session {
   private async begin(): Promise<void> {
     this.askRuns();
     const scene = await this.tell<Scene & Answer>({ do: 'scene' }, 'The scene of the run');
-    if (scene !== null) {
+    if (scene !== null && Array.isArray(scene.robots)) {
       this.scene = scene;
       if (this.robot >= (scene.robots?.length ?? 1)) this.robot = 0;
       this.emit('scene', scene);
@@ -183,6 +194,7 @@ export class Session {
 
   private onEvent(name: string, event: Answer): void {
     const data = event as unknown;
+    if ((LISTS[name] ?? []).some((member) => !Array.isArray(event[member]))) return;
     switch (name) {
       case 'pose':
         this.emit('pose', data as PoseEvent);

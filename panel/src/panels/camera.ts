@@ -29,7 +29,7 @@ export function makeCamera(session: Session): HTMLElement {
   const element = el(
     'div',
     { class: 'camera' },
-    el('div', { class: 'bar' }, el('h3', {}, 'Camera'), el('span', { class: 'segmented', role: 'group' }, ...choices)),
+    el('div', { class: 'bar' }, el('h2', {}, 'Camera'), el('span', { class: 'segmented', role: 'group' }, ...choices)),
     el('div', { class: 'camera-picture' }, image),
     text,
   );

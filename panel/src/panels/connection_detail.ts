@@ -32,7 +32,7 @@ function messageElement(message: ConnectionMessage, isOpen: boolean): HTMLDetail
 }
 
 export function makeConnectionDetail(session: Session, close: () => void): ConnectionDetail {
-  const title = el('h3', {}, '');
+  const title = el('h2', {}, '');
   const list = el('div', { class: 'messages' });
   const hold = button('Hold', () => setHeld(!isHeld), { 'aria-pressed': 'false', title: 'Keeps the messages shown' });
   const element = el(

@@ -54,7 +54,7 @@ class NodeView {
     const name = clip(`${object.name}${found}`, 25);
     setText(this.name, name);
     setClass(this.name, 'long', name.length > 18);
-    setText(this.state, clip(waits ? waitText : object.state || 'no state'));
+    setText(this.state, waits ? clip(waitText, 25) : clip(object.state || 'no state'));
     setText(this.load, clip(waits && this.isSmall ? waitText : load));
     setText(
       this.title,

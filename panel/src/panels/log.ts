@@ -87,7 +87,7 @@ export function findingButton(session: Session, finding: Finding): HTMLElement {
 
 export function makeLog(session: Session): HTMLElement {
   const log = new LogView(session);
-  const title = el('h3', {}, 'Findings');
+  const title = el('h2', {}, 'Findings');
   const list = el('div', { class: 'finding-list' }, el('p', { class: 'hint' }, 'None.'));
   const show = (findings: Finding[]) => {
     setText(title, findings.length === 0 ? 'Findings' : `Findings (${findings.length})`);

@@ -19,7 +19,7 @@ const BEGIN_MAX_S = 20;
 
 class Motions {
   readonly element = el('div', { class: 'motions' });
-  private readonly list = el('div', { class: 'motion-list', role: 'list' });
+  private readonly list = el('div', { class: 'motion-list' });
   private readonly loops = el('input', {
     type: 'number',
     min: 1,
@@ -74,6 +74,7 @@ class Motions {
   private forget(): void {
     this.playing = null;
     this.progressRow.hidden = true;
+    this.list.removeAttribute('role');
     this.list.replaceChildren(this.empty);
   }
 
@@ -83,6 +84,8 @@ class Motions {
     setDisabled(this.load, false);
     if (answer === null) return;
     const rows = (answer.motions ?? []).map((each) => this.row(each));
+    if (rows.length > 0) this.list.setAttribute('role', 'list');
+    else this.list.removeAttribute('role');
     this.list.replaceChildren(
       ...(rows.length > 0 ? rows : [el('p', { class: 'empty' }, 'The robot has no motions yet. Upload one.')]),
     );

@@ -6,7 +6,7 @@ import type { Session } from '../session';
 import { makeUpload } from './upload';
 
 function section(title: string, ...children: (HTMLElement | string)[]): HTMLElement {
-  return el('section', { class: 'block' }, el('h3', {}, title), ...children);
+  return el('section', { class: 'block' }, el('h2', {}, title), ...children);
 }
 
 // Buttons that switch lights or ears; a sign and a word say whether they are on.
