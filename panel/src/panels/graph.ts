@@ -145,6 +145,7 @@ class GraphView {
   private nodes = new Map<string, NodeView>();
   private edges = new Map<string, EdgeView>();
   private rows = new Map<string, HTMLElement>();
+  private objectRows = new Map<string, HTMLElement>();
   private shape = '';
   private chosen = '';
   private isFormChosen = false; // a person has said whether to show a picture or a list
@@ -201,14 +202,18 @@ class GraphView {
     const connections = (graph.connections ?? []).filter((each) => each.robot === this.session.robot);
     this.showSummary(objects, connections);
     const narrow = this.element.clientWidth < 560;
-    // The picture would be too small to be read on a phone.
-    if (!this.isFormChosen) this.showAs(this.element.clientWidth < 400 ? 'list' : 'picture');
+    // The picture would be too small to be read in a narrow panel.
+    if (!this.isFormChosen) this.showAs(narrow ? 'list' : 'picture');
     const shape = `${narrow}${shapeOf(objects, connections)}`;
     if (shape !== this.shape) {
       this.shape = shape;
       this.build(objects, connections, narrow ? 'TB' : 'LR');
+      this.buildTable(objects, connections);
     }
-    for (const object of objects) this.nodes.get(object.name)?.show(object);
+    for (const object of objects) {
+      this.nodes.get(object.name)?.show(object);
+      this.showObjectRow(object);
+    }
     for (const each of connections) {
       this.edges.get(each.id)?.show(each, each.id === this.chosen);
       const row = this.rows.get(each.id);
@@ -257,18 +262,41 @@ class GraphView {
       picture.append(node.element);
     }
     this.picture.replaceChildren(picture as unknown as HTMLElement);
-    this.buildTable(connections);
   }
 
-  private buildTable(connections: GraphConnection[]): void {
+  private buildTable(objects: GraphObject[], connections: GraphConnection[]): void {
     this.rows.clear();
+    this.objectRows.clear();
+    const spans = () => Array.from({ length: 4 }, () => el('span'));
+    for (const object of objects) {
+      const name = el('span', { class: 'pair' }, object.name);
+      this.objectRows.set(object.name, el('div', { class: 'graph-row object' }, name, ...spans()));
+    }
     for (const each of connections) {
       const name = el('span', { class: 'pair' }, `${each.from} → ${each.to} `, el('small', {}, serviceName(each.subject)));
       const row = button('', () => this.choose(each.id === this.chosen ? '' : each.id), { class: 'graph-row' });
-      row.append(name, el('span'), el('span'), el('span'), el('span'));
+      row.append(name, ...spans());
       this.rows.set(each.id, row);
     }
-    this.table.replaceChildren(...this.rows.values());
+    this.table.replaceChildren(
+      el('h2', {}, 'Objects'),
+      ...this.objectRows.values(),
+      el('h2', {}, 'Connections'),
+      ...this.rows.values(),
+    );
+  }
+
+  private showObjectRow(object: GraphObject): void {
+    const row = this.objectRows.get(object.name);
+    if (row === undefined) return;
+    const texts = [
+      object.waits_for ? `◔ waits for ${object.waits_for}` : object.state || 'no state',
+      rateText(object.per_s),
+      costText(object.cost_us),
+      `${object.waiting} waiting`,
+    ];
+    texts.forEach((text, i) => setText(row.children[i + 1] as Element, text));
+    setClass(row, 'waits', Boolean(object.waits_for));
   }
 }
 

@@ -122,7 +122,11 @@ class TimeBar {
       this.session.bad(`Cannot go back: ${whyNoRewind(this.session.clock)}`);
       return;
     }
-    void this.session.rewind({ back_s: BACK_S });
+    const rewind = this.session.clock?.rewind;
+    const from = rewind?.from_s ?? 0;
+    const now = this.shows ?? rewind?.to_s ?? 0;
+    // Where less than five seconds are kept, the oldest moment is the best there is.
+    void this.session.rewind(now - BACK_S < from ? { to_s: from } : { back_s: BACK_S });
   }
 
   private async branch(): Promise<void> {

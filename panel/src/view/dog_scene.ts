@@ -155,7 +155,7 @@ export class DogScene {
   }
 
   private setLights(): void {
-    const extra = this.scene.environment === null ? 0.9 : 0;
+    const extra = this.scene.environment === null ? 1.3 : 0;
     this.sky.intensity = (this.isDark ? 0.55 : 0.8) + extra;
     this.sun.intensity = this.isDark ? 2.1 : 2.4;
     (this.shadows.material as THREE.ShadowMaterial).opacity = this.isDark ? 0.55 : 0.26;

@@ -1,6 +1,22 @@
 // Steps about what a person does to the dog: sliders, pressing, pushing, lifting.
 import { need, until } from './browser.mjs';
 
+// Moves the pointer over the dog, from the middle of the picture outwards, until the picture says
+// `title`. Returns the place, or null.
+async function findInPicture(page, title) {
+  const canvas = page.locator('.picture canvas');
+  const box = await canvas.boundingBox();
+  const offsets = Array.from({ length: 13 }, (_, i) => Math.ceil(i / 2) * (i % 2 === 0 ? 14 : -14));
+  for (const dy of offsets) {
+    for (const dx of offsets) {
+      const [x, y] = [box.x + box.width / 2 + dx, box.y + box.height / 2 + dy];
+      await page.mouse.move(x, y);
+      if ((await canvas.getAttribute('title')) === title) return [x, y];
+    }
+  }
+  return null;
+}
+
 export async function stepsOfHands(steps, panel) {
   const { page } = panel;
 
@@ -58,6 +74,20 @@ export async function stepsOfHands(steps, panel) {
     await until('the sensor shows no press', () => panel.sensor('back'), (s) => s === 'pressed');
     await page.keyboard.up('Space');
     await until('the sensor stayed pressed', () => panel.sensor('back'), (s) => s === 'released');
+  });
+
+  await steps.step('the back is pressed in the picture', page, async () => {
+    await panel.click(panel.button('Top'));
+    await panel.show('Sensors');
+    await page.waitForTimeout(800);
+    const at = await findInPicture(page, 'Press back');
+    need(at !== null, 'no place of the picture says "Press back"');
+    await page.mouse.down();
+    await until('the sensor shows no press', () => panel.sensor('back'), (s) => s === 'pressed');
+    await page.mouse.up();
+    await until('the sensor stayed pressed', () => panel.sensor('back'), (s) => s === 'released');
+    await panel.click(panel.button('Reset'));
+    await page.waitForTimeout(800);
   });
 
   await steps.step('a drag on the dog shows a force and pushes', page, async () => {

@@ -74,4 +74,25 @@ export async function stepsOfTime(steps, panel) {
     await until('the new run did not go on', () => panel.time(), (t) => t > from && t < from + 30);
     await steps.picture(page, 'branch');
   });
+
+  await steps.step('the new run obeys the remote control', page, async () => {
+    await panel.closeNotices();
+    await panel.show('Joints');
+    const goal = await panel.dragJoint('Neck pan', 0.3);
+    await until(
+      `the neck did not come to ${goal.toFixed(1)} degrees`,
+      () => panel.measured('Neck pan'),
+      (deg) => Math.abs(deg - goal) < 3,
+    );
+    need((await panel.errors()).length === 0, (await panel.errors()).join('; '));
+  });
+
+  await steps.step('the page says that the run has ended', page, async () => {
+    await panel.show('Robot');
+    await panel.click(panel.button('Shut down'));
+    const question = page.getByRole('group', { name: 'Shut the robot down?' });
+    await panel.click(question.getByRole('button', { name: 'Shut down' }));
+    await page.locator('.banner', { hasText: 'The run has ended' }).waitFor({ timeout: 30_000 });
+    await steps.picture(page, 'ended');
+  });
 }

@@ -89,7 +89,7 @@ export async function stepsOfViews(steps, panel) {
   await steps.step('the graph is a list as well', page, async () => {
     await panel.click(panel.button('List'));
     await page.locator('.graph-row').first().waitFor();
-    const text = await page.locator('.graph-row').first().textContent();
+    const text = await page.locator('button.graph-row').first().textContent();
     need(/ready|unknown/.test(text), `a row does not say whether it is ready: ${text}`);
     await panel.click(panel.button('Picture'));
   });
