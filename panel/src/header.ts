@@ -115,7 +115,9 @@ export function makeLinkBanner(session: Session, join: (run: string) => void): H
   const next = el('span', { class: 'next' });
   const banner = el('div', { class: 'banner', role: 'alert', hidden: true }, text, next);
   const show = () => {
-    const others = (session.runs?.runs ?? []).filter((each) => each.run !== session.run);
+    const others = (session.runs?.runs ?? []).filter(
+      (each) => each.run !== (session.run || session.runs?.own),
+    );
     next.replaceChildren(
       ...(session.link === 'ended'
         ? others.slice(0, 4).map((each) => button(`Show ${each.run}`, () => join(each.run)))

@@ -28,7 +28,8 @@ const RIGHT = 10;
 const TOP = 6;
 const BOTTOM = 18;
 const GAP = 8;
-const LEGEND = 17; // height of the names of the lines, above each lane
+const LEGEND = 15; // height of a row of names of lines, above each lane
+const CHARACTER = 6;
 const FONT = 'ui-sans-serif, system-ui, sans-serif';
 
 // Commanded and measured of one joint have the same colour, and differ by dashes.
@@ -46,41 +47,80 @@ function digitsFor(step: number): number {
   return step >= 1 ? 0 : Math.min(4, Math.ceil(-Math.log10(step) - 1e-9));
 }
 
+interface Lane {
+  unit: string;
+  series: Series[];
+  top: number;
+  height: number;
+}
+
+interface Name {
+  text: string;
+  x: number;
+  row: number;
+}
+
+// Places names of lines side by side, in as many rows as they need.
+function placeNames(names: string[], width: number): Name[] {
+  let x = LEFT;
+  let row = 0;
+  return names.map((name) => {
+    const length = 34 + name.length * CHARACTER;
+    if (x > LEFT && x + length > width) {
+      x = LEFT;
+      ++row;
+    }
+    const placed = { text: name, x, row };
+    x += length;
+    return placed;
+  });
+}
+
 function drawLane(
   parent: SVGElement,
   history: History,
   plot: PlotRequest,
-  lane: { unit: string; series: Series[]; top: number; height: number },
+  lane: Lane,
   x: (t: number) => number,
 ): void {
   const { colours } = plot;
   const lines = lane.series.map((each) => history.points(each, plot.robot, plot.from, plot.to));
+  const unit = lane.unit === '0/1' ? '' : lane.unit;
+  const names = placeNames(
+    lane.series.map((each, i) => {
+      const points = lines[i] ?? [];
+      return `${each.label} ${fixed(points[points.length - 1]?.[1] ?? null, 2)} ${unit}`.trim();
+    }),
+    plot.width,
+  );
+  const top = lane.top + LEGEND * ((names[names.length - 1]?.row ?? 0) + 1) + 2;
+  const height = Math.max(10, lane.top + lane.height - top);
   const values = lines.flatMap((points) => points.flatMap(([, value]) => (value === null ? [] : [value])));
   const { min, max } = rangeAround(values, lane.unit);
-  const height = Math.max(10, lane.height - LEGEND);
-  const y = (value: number) => lane.top + LEGEND + height * (1 - (value - min) / (max - min));
-  const marks = lane.unit === '0/1' ? [0, 1] : ticks(min, max, Math.max(2, Math.floor(height / 30)));
+  const y = (value: number) => top + height * (1 - (value - min) / (max - min));
+  drawMarks(parent, plot, lane.unit === '0/1' ? [0, 1] : ticks(min, max, Math.max(2, Math.floor(height / 30))), y);
+  lines.forEach((points, i) => {
+    const series = lane.series[i] as Series;
+    const name = names[i] as Name;
+    const colour = colours.series[colourIndex(plot.series, series) % colours.series.length] as string;
+    const style = { fill: 'none', stroke: colour, 'stroke-width': 1.5, 'stroke-dasharray': series.isDashed ? '4 3' : undefined };
+    const middle = lane.top + name.row * LEGEND + 8;
+    parent.append(
+      svg('path', { d: pathOf(points, x, y), ...style, 'stroke-linejoin': 'round' }),
+      svg('path', { d: `M${name.x},${middle}h16`, ...style }),
+      text(name.x + 20, middle + 3.5, name.text, colours.text, { 'data-series': series.id }),
+    );
+  });
+}
+
+function drawMarks(parent: SVGElement, plot: PlotRequest, marks: number[], y: (value: number) => number): void {
   const step = (marks[1] ?? 1) - (marks[0] ?? 0) || 1;
   for (const mark of marks) {
     parent.append(
-      svg('path', { d: `M${LEFT},${y(mark).toFixed(1)}H${plot.width - RIGHT}`, stroke: colours.line, 'stroke-width': 1 }),
-      text(LEFT - 6, y(mark) + 3.5, fixed(mark, digitsFor(step)), colours.muted, { 'text-anchor': 'end' }),
+      svg('path', { d: `M${LEFT},${y(mark).toFixed(1)}H${plot.width - RIGHT}`, stroke: plot.colours.line, 'stroke-width': 1 }),
+      text(LEFT - 6, y(mark) + 3.5, fixed(mark, digitsFor(step)), plot.colours.muted, { 'text-anchor': 'end' }),
     );
   }
-  let labelX = LEFT;
-  lines.forEach((points, i) => {
-    const series = lane.series[i] as Series;
-    const colour = colours.series[colourIndex(plot.series, series) % colours.series.length] as string;
-    const style = { fill: 'none', stroke: colour, 'stroke-width': 1.5, 'stroke-dasharray': series.isDashed ? '4 3' : undefined };
-    parent.append(svg('path', { d: pathOf(points, x, y), ...style, 'stroke-linejoin': 'round' }));
-    const last = points[points.length - 1]?.[1] ?? null;
-    const label = `${series.label} ${fixed(last, 2)} ${lane.unit === '0/1' ? '' : lane.unit}`.trim();
-    parent.append(
-      svg('path', { d: `M${labelX},${lane.top + 8}h16`, ...style }),
-      text(labelX + 20, lane.top + 11.5, label, colours.text, { 'data-series': series.id }),
-    );
-    labelX += 34 + label.length * 6;
-  });
 }
 
 export function drawPlot(history: History, plot: PlotRequest): SVGSVGElement {
