@@ -69,10 +69,16 @@ class SensorRow {
     this.bar.style.setProperty('--zero', String(Math.min(1, Math.max(0, -min / (max - min)))));
   }
 
-  show(raw: number | null | undefined, isVisible: boolean): void {
-    const value = raw === null || raw === undefined ? null : raw * quantityOf(this.sensor.unit).scale;
-    this.past.push(value);
-    if (!isVisible) return;
+  add(raw: number | null | undefined): void {
+    this.past.push(this.inUnit(raw));
+  }
+
+  private inUnit(raw: number | null | undefined): number | null {
+    return raw === null || raw === undefined ? null : raw * quantityOf(this.sensor.unit).scale;
+  }
+
+  show(raw: number | null | undefined): void {
+    const value = this.inUnit(raw);
     setText(this.value, sensorText(raw, this.sensor.unit));
     setClass(this.element, 'unknown', value === null);
     setClass(this.element, 'on', this.sensor.unit === 'switch' && value !== null && value !== 0);
@@ -103,15 +109,20 @@ export function makeSensors(session: Session): HTMLElement {
   };
   session.on('scene', build);
   session.on('robot', build);
-  session.on('values', (values) => {
-    const robot = values.robots[session.robot];
+  const show = (isNew: boolean) => {
+    const robot = session.values?.robots[session.robot];
     if (robot === undefined) return;
     const isShown = element.offsetParent !== null;
-    rows.forEach((row, i) => row.show(robot.sensors?.[i], isShown));
+    rows.forEach((row, i) => {
+      if (isNew) row.add(robot.sensors?.[i]);
+      if (isShown) row.show(robot.sensors?.[i]);
+    });
     const percent = robot.battery?.percent;
     setText(battery, percent === undefined ? 'unknown' : `${percent} %${robot.battery?.charging ? ' charging' : ''}`);
     setText(celsius, robot.battery?.celsius === undefined ? 'unknown' : `${fixed(robot.battery.celsius, 1)} °C`);
     level.style.setProperty('--at', String((percent ?? 0) / 100));
-  });
+  };
+  session.on('values', () => show(true));
+  window.addEventListener('panel-shown', () => show(false));
   return element;
 }

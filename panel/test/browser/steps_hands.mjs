@@ -57,7 +57,7 @@ export async function stepsOfHands(steps, panel) {
     panel.inThreeClicks(async () => {
       await panel.show('Sensors');
       const chin = page.getByRole('button', { name: 'Press chin' });
-      need((await panel.sensor('chin')) === 'released', 'the chin was pressed before');
+      await until('the chin was pressed before', () => panel.sensor('chin'), (s) => s === 'released', 5000);
       const box = await chin.boundingBox();
       panel.clicks += 1;
       await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
