@@ -17,6 +17,7 @@ export async function stepsOfConnecting(steps, panel) {
     await page.locator('.link[data-state="open"]').waitFor({ timeout: 20_000 });
     need(!page.url().includes('token'), `the address still has the token: ${page.url()}`);
     await page.locator('.joint').nth(1).waitFor({ timeout: 10_000 });
+    await until('the page shows no time', () => panel.time(), (t) => t > 0);
   });
 }
 
