@@ -55,8 +55,9 @@ export class Steps {
   }
 
   // Returns whether the step was good, or was not asked for.
-  async step(name, page, act) {
-    if (!name.includes(this.only)) return true;
+  // `isAlways`: other steps need this one, so it is taken whatever was asked for.
+  async step(name, page, act, isAlways = false) {
+    if (!isAlways && !name.includes(this.only)) return true;
     const began = Date.now();
     try {
       await act();

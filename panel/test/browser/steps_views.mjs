@@ -18,7 +18,7 @@ export async function stepsOfConnecting(steps, panel) {
     need(!page.url().includes('token'), `the address still has the token: ${page.url()}`);
     await page.locator('.joint').nth(1).waitFor({ timeout: 10_000 });
     await until('the page shows no time', () => panel.time(), (t) => t > 0);
-  });
+  }, true);
 }
 
 export async function stepsOfViews(steps, panel) {
