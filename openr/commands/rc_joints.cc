@@ -9,6 +9,7 @@
 
 #include "openr/commands/rc_actions.h"
 #include "openr/commands/rc_format.h"
+#include "openr/remote/power_format.h"
 #include "openr/remote/remote_client.h"
 
 namespace openr_host {
@@ -114,15 +115,7 @@ void RcPowerAction(RemoteClient* client, const RcFlags& flags) {
   const auto power = client->Read<RcPower>(answer);
   const bool motors = (power.robotStatus & orsbMOTOR_POWER) != 0;
   const bool station = (power.robotStatus & orsbSTATION_CONNECTED) != 0;
-  const Json json = {{"motor_power", motors},
-                     {"on_station", station},
-                     {"robot_status", power.robotStatus},
-                     {"battery_status", power.batteryStatus},
-                     {"capacity_percent", power.capacity},
-                     {"full_capacity_mah", power.fullCapacity},
-                     {"voltage_v", power.voltage / 1000.0},
-                     {"current_a", power.current / 1000.0},
-                     {"temperature_c", power.temperature / 100.0}};
+  const Json json = PowerJson(power);
   PrintRcAnswer(
       flags.json, answer.frame, json,
       fmt::format("motor power {}{}; battery {} % of {} mAh, {:.3f} V, {:.3f} A, {:.2f} degree C; "

@@ -11,6 +11,7 @@
 
 #include "openr/panel/base64.h"
 #include "openr/remote/file_checks.h"
+#include "openr/remote/power_format.h"
 #include "openr/remote/remote_files.h"
 #include "openr/remote/sensor_format.h"
 
@@ -271,9 +272,15 @@ Json RcCalls::Download(const Request& request, const Progress&) {
   return {{"data", ToBase64(bytes)}};
 }
 
-Json RcCalls::Motors(const Request&, const Progress&) { return {{"error", "not served yet"}}; }
+Json RcCalls::Motors(const Request& request, const Progress&) {
+  const int command = request.at("on").get<bool>() ? rcMOTOR_ON : rcMOTOR_OFF;
+  Client(RC_VERSION_FILES)->Request(command, {RC_ALL_JOINTS});
+  return Json::object();
+}
 
-Json RcCalls::Power(const Request&, const Progress&) { return {{"error", "not served yet"}}; }
+Json RcCalls::Power(const Request&, const Progress&) {
+  return PowerJson(client_->Read<RcPower>(Client(RC_VERSION_FILES)->Request(rcPOWER)));
+}
 
 Json RcCalls::Reboot(const Request&, const Progress&) {
   Client(RC_VERSION_FILES)->Request(rcREBOOT);

@@ -110,6 +110,10 @@ TEST_F(PanelRunTest, APageUsesTheRemoteControl) {
   EXPECT_EQ(call({{"call", "speed"}, {"joint", "neck_pan"}, {"value", 50}}).at("value"), 50);
   EXPECT_EQ(call({{"call", "led"}, {"index", 0}, {"on", true}, {"id", 5}}), Json({{"id", 5}}));
   EXPECT_TRUE(call({{"call", "sensors"}}).contains("joints_deg"));
+  EXPECT_EQ(call({{"call", "power"}}).at("motor_power"), true);
+  EXPECT_EQ(call({{"call", "motors"}, {"on", false}}), Json::object());
+  EXPECT_EQ(call({{"call", "power"}}).at("motor_power"), false);
+  EXPECT_EQ(call({{"call", "motors"}, {"on", true}}), Json::object());
   EXPECT_THAT(call({{"call", "move"}, {"joint", "tale"}, {"deg", 1}}).at("error"),
               HasSubstr("the robot has no 'tale'"));
   EXPECT_THAT(call({{"call", "sit"}}).at("error"), HasSubstr("'sit' is no call"));

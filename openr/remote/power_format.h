@@ -1,0 +1,14 @@
+// Describes the power and the battery of a robot for programs.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "RemoteProtocol.h"
+
+namespace openr_host {
+
+// Returns the answer to POWER (docs/remote-control.md) as JSON: volts, amperes, degrees Celsius,
+// and the two status words of the SDK.
+nlohmann::ordered_json PowerJson(const RcPower& power);
+
+}  // namespace openr_host
