@@ -287,7 +287,7 @@ void CommandedRun::BeginRewind(LiveServer* live, Runner* runner, Watchdog* watch
     clock_.set_rate(rate);
     clock_.GoOn();
     is_silent_ = false;
-    return fmt::format("{}.{}", LiveName(), getpid());
+    return std::filesystem::path(LiveSocketPath(LiveName())).filename().string();
   };
   rewind_.Begin(std::move(parts));
 }

@@ -329,7 +329,7 @@ std::string HexOf(const std::string& content) {
 }
 
 Json AnswerConnection(const Asked& asked) {
-  const auto wanted = asked.request.at("id").get<std::string>();
+  const auto wanted = asked.request.at("connection").get<std::string>();
   for (const Connection& each : asked.system().connections()) {
     if (ConnectionName(each.robot, each.subject, each.observer) != wanted) continue;
     Json messages = Json::array();

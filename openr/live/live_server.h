@@ -24,7 +24,7 @@ class LiveServer {
   // is closed.
   static constexpr size_t kRequestMax = size_t{64} << 10;
   static constexpr size_t kAnswersMax = size_t{4} << 20;
-  static constexpr size_t kClientsMax = 16;
+  static constexpr size_t kClientsMax = 32;  // the panel may have 16 pages
 
   // Type of the function that makes the answer to a request (AnswerLive() in a run).
   using Answer = std::function<nlohmann::ordered_json(const nlohmann::json& request)>;

@@ -20,7 +20,6 @@
 #include "openr/rewind/message_pipe.h"
 #include "openr/simulation/simulation.h"
 #include "runtime/base/assert.h"
-#include "runtime/base/duration.h"
 #include "runtime/base/wall_clock.h"
 #include "runtime/stick/memory_stick.h"
 
@@ -210,7 +209,7 @@ Rewind::Checkpoint* Rewind::LastBefore(int64_t time_us, uint64_t messages) {
 
 std::string Rewind::ShowTime(int64_t time_us) {
   if (time_us > system().now_us())
-    return fmt::format("t={} is in the future", FormatDuration(time_us));
+    return fmt::format("t={:.3f} s is in the future", InSeconds(time_us));
   return Show(LastBefore(time_us, UINT64_MAX), {{"time_us", time_us}});
 }
 
@@ -228,8 +227,8 @@ std::string Rewind::Show(Checkpoint* checkpoint, const Json& target) {
   if (checkpoint == nullptr)
     return checkpoints_.empty() ? "there is no checkpoint yet; checkpoints are taken while a "
                                   "client watches the run"
-                                : fmt::format("the first checkpoint is of t={}",
-                                              FormatDuration(checkpoints_.front().time_us));
+                                : fmt::format("the first checkpoint is of t={:.3f} s",
+                                              InSeconds(checkpoints_.front().time_us));
   // A view can only go forward.
   const bool is_later =
       checkpoint == shown_ && (target.contains("time_us") ? target["time_us"] >= shown_us_

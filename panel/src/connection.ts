@@ -41,14 +41,12 @@ export class Connection {
   }
 
   // Sends a request. The promise is rejected with the text of the error that the run answers.
-  // A request with an id of its own, that of a connection of the graph, keeps it.
   ask<T = Answer>(request: Request): Promise<T> {
     const socket = this.socket;
     if (socket === null || socket.readyState !== WebSocket.OPEN)
       return Promise.reject(new Error('there is no connection to the run'));
-    const id = request['id'] ?? this.nextId++;
+    const id = this.nextId++;
     return new Promise<T>((resolve, reject) => {
-      this.waiting.get(id)?.reject(new Error('asked again'));
       this.waiting.set(id, { resolve: (answer) => resolve(answer as T), reject });
       socket.send(JSON.stringify({ ...request, id }));
     });

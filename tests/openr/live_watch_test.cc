@@ -136,7 +136,7 @@ TEST_F(LiveWatchTest, WrongRequestsAboutTheClockSayWhy) {
   EXPECT_EQ(error(R"({"do":"clock","step":"frame","count":0})"), "the count is 1 to 1000");
   EXPECT_EQ(error(R"({"do":"watch","events":["poses"]})"), "there is no event \"poses\"");
   EXPECT_THAT(error(R"({"do":"watch","events":7})"), HasSubstr("type must be string"));
-  EXPECT_EQ(error(R"({"do":"connection","id":"0:A>B"})"), "there is no connection '0:A>B'");
+  EXPECT_EQ(error(R"({"do":"connection","connection":"0:A>B"})"), "there is no connection '0:A>B'");
   EXPECT_EQ(error(R"({"do":"clock","rate":2})"), "no error");
 }
 
@@ -147,7 +147,7 @@ TEST_F(LiveWatchTest, AConnectionShowsItsLastMessagesInWords) {
     return values.at("robots")[0].at("state") == "accepting-commands";
   });
   const auto messages_of = [&](const std::string& id) {
-    return watcher->Ask(R"({"do":"connection","id":")" + id + "\"}").at("messages").dump();
+    return watcher->Ask(R"({"do":"connection","connection":")" + id + "\"}").at("messages").dump();
   };
   EXPECT_THAT(messages_of("0:JointMover.MainExecution.MainExecutionMessage.S>"
                           "Controller.MainExecution.MainExecutionMessage.O"),

@@ -112,7 +112,9 @@ TEST_F(PanelRunTest, APageUsesTheRemoteControl) {
   EXPECT_TRUE(call({{"call", "sensors"}}).contains("joints_deg"));
   EXPECT_EQ(call({{"call", "power"}}).at("motor_power"), true);
   EXPECT_EQ(call({{"call", "motors"}, {"on", false}}), Json::object());
-  EXPECT_EQ(call({{"call", "power"}}).at("motor_power"), false);
+  // RCServer has answered before JointMover switches the power.
+  while (call({{"call", "power"}}).at("motor_power") == true) {
+  }
   EXPECT_EQ(call({{"call", "motors"}, {"on", true}}), Json::object());
   EXPECT_THAT(call({{"call", "move"}, {"joint", "tale"}, {"deg", 1}}).at("error"),
               HasSubstr("the robot has no 'tale'"));

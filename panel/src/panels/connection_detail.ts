@@ -54,7 +54,7 @@ export function makeConnectionDetail(session: Session, close: () => void): Conne
     const asked = id;
     if (asked === '' || isHeld || element.offsetParent === null || session.link !== 'open') return;
     try {
-      const answer = await session.ask<{ messages: ConnectionMessage[] } & Answer>({ do: 'connection', id: asked });
+      const answer = await session.ask<{ messages: ConnectionMessage[] } & Answer>({ do: 'connection', connection: asked });
       if (asked === id && !isHeld) showMessages(answer.messages ?? []);
     } catch (error) {
       if (asked === id) list.replaceChildren(el('p', { class: 'hint' }, (error as Error).message));
