@@ -73,11 +73,11 @@ def quick_programs(build):
 
 
 def jobs(build, pattern, quick):
-    """Name, command and environment of everything to run: what waits, and the others."""
-    waiting, found = [], []
+    """Name, command and environment of everything to run: what waits, the others, and what runs alone."""
+    waiting, found, alone = [], [], []
     gtest = [f"--gtest_filter=*{pattern}*"] if pattern else []
     if quick:
-        return [], [(program.name, [str(program)] + gtest, {}) for program in quick_programs(build)]
+        return [], [(program.name, [str(program)] + gtest, {}) for program in quick_programs(build)], []
     for program in sorted((build / "bin").glob("*_tests")):
         command = [str(program)] + gtest
         if program.name in SHARDS:
@@ -96,9 +96,13 @@ def jobs(build, pattern, quick):
         found.append((examples.name, [sys.executable, str(examples), "--build", str(build)],
                       {}))
     browser = ROOT / "tools/browser_test.py"
-    if pattern in browser.name:  # it waits, too: the run goes in real time
-        waiting.append((browser.name, [sys.executable, str(browser), "--build", str(build)], {}))
-    return waiting, found
+    if pattern in browser.name:
+        # A browser without a graphics card needs both cores, and the run goes in real time.
+        alone.append((browser.name, [sys.executable, str(browser), "--build", str(build)], {}))
+    page = ROOT / "tools/page_test.py"
+    if pattern in page.name:
+        found.append((page.name, [sys.executable, str(page), "--build", str(build)], {}))
+    return waiting, found, alone
 
 
 def keep(folder, name, command, shard, output):
@@ -120,20 +124,26 @@ def main():
     sums = [0, 0, 0]
     build = arguments.build.resolve()
     shutil.rmtree(build / "failed", ignore_errors=True)
-    waiting, others = jobs(build, arguments.filter, arguments.quick)
+    waiting, others, alone = jobs(build, arguments.filter, arguments.quick)
     failures = []
+
+    def count(job, result):
+        name, passed, failed, skipped, output, seconds = result
+        if failed:
+            print(output)
+            failures.append((name, *keep(build / "failed", *job, output)))
+        extra = f", {skipped} skipped" if skipped else ""
+        print(f"{name}: {passed} passed, {failed} failed{extra} ({seconds:.1f} s)", flush=True)
+        sums[:] = [a + b for a, b in zip(sums, (passed, failed, skipped))]
+
     with concurrent.futures.ThreadPoolExecutor(max(1, len(waiting))) as waiters, \
             concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         todo = {waiters.submit(run, *job): job for job in waiting}
         todo.update({pool.submit(run, *job): job for job in others})
         for future in concurrent.futures.as_completed(todo):
-            name, passed, failed, skipped, output, seconds = future.result()
-            if failed:
-                print(output)
-                failures.append((name, *keep(build / "failed", *todo[future], output)))
-            extra = f", {skipped} skipped" if skipped else ""
-            print(f"{name}: {passed} passed, {failed} failed{extra} ({seconds:.1f} s)", flush=True)
-            sums = [a + b for a, b in zip(sums, (passed, failed, skipped))]
+            count(todo[future], future.result())
+    for job in alone:
+        count(job, run(*job))
     for name, file, tests in failures:
         print(f"FAILED in {name}, kept in {file}:")
         print("\n".join(f"  {test}" for test in tests or ["(it names no test)"]))
