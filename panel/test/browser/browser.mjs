@@ -155,7 +155,11 @@ export class Panel {
   }
 
   async closeNotices() {
-    for (const close of await this.page.locator('.notice .close').all())
-      await close.click({ timeout: 2000 }).catch(() => undefined);
+    const close = this.page.locator('.notice .close');
+    const closeOne = async () => {
+      await close.first().click({ timeout: 1000 }).catch(() => undefined);
+      return close.count();
+    };
+    await until('a message stays', closeOne, (count) => count === 0);
   }
 }

@@ -45,7 +45,7 @@ TEST_F(ImageTest, TheLongestHandlerIsMeasuredWithTheClockOfTheHost) {
   g_is_asked_by_image = false;
   Start({.wall_clock_ns = &SlowClock});
   talker->Ask("count");
-  EXPECT_EQ(system->FindObject(0, "probe")->handler_ns_max, 1000);
+  EXPECT_GE(system->FindObject(0, "probe")->handler_ns_max, 1000);
   EXPECT_FALSE(g_is_asked_by_image);
 }
 

@@ -1,0 +1,45 @@
+#!/usr/bin/env python3
+"""Makes docs/pictures/panel.gif, the moving picture of the panel, from a real run.
+
+Needs chromium, node, the built page, and ffmpeg (Debian packages of these names).
+"""
+import argparse
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+import browser_test  # noqa: E402: the folder is put into the path first
+
+PICTURE = browser_test.ROOT / "docs/pictures/panel.gif"
+# One palette for all frames; pixels that stay the same are not stored again.
+FILTER = "split[a][b];[a]palettegen=max_colors=128:stats_mode=diff[p];[b][p]paletteuse=dither=none"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--build", required=True, type=pathlib.Path)
+    build = parser.parse_args().build.resolve()
+    why = browser_test.missing(build)
+    if why:
+        sys.exit(why)
+    with tempfile.TemporaryDirectory(prefix="openr-picture-") as name:
+        folder = pathlib.Path(name)
+        os.environ["XDG_RUNTIME_DIR"] = name
+        run = browser_test.Run(str(build / "bin/openr"), folder)
+        address = run.address()
+        environment = {**os.environ, "OPENR_PANEL_URL": address, "OPENR_PANEL_SHOTS": f"{name}/shots"}
+        try:
+            subprocess.run(["node", "test/browser/frames.mjs"], cwd=browser_test.ROOT / "panel",
+                           env=environment, check=True)
+        finally:
+            run.end()
+        subprocess.run(["ffmpeg", "-loglevel", "error", "-y", "-framerate", "6.25", "-i",
+                        f"{name}/shots/%03d.png", "-vf", FILTER, str(PICTURE)], check=True)
+    print(f"{PICTURE}: {PICTURE.stat().st_size} bytes")
+
+
+if __name__ == "__main__":
+    main()
