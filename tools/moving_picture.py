@@ -15,7 +15,7 @@ import browser_test  # noqa: E402: the folder is put into the path first
 
 PICTURE = browser_test.ROOT / "docs/pictures/panel.gif"
 # One palette for all frames; pixels that stay the same are not stored again.
-FILTER = "split[a][b];[a]palettegen=max_colors=128:stats_mode=diff[p];[b][p]paletteuse=dither=none"
+FILTER = "scale=1080:-1:flags=area,split[a][b];[a]palettegen=max_colors=128:stats_mode=diff[p];[b][p]paletteuse=dither=none"
 
 
 def main():

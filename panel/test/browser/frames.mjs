@@ -11,7 +11,7 @@ const folder = process.env['OPENR_PANEL_SHOTS'];
 const FRAMES = 20; // frames of 8 ms between two pictures
 
 const browser = await launch();
-const page = await browser.newPage({ viewport: { width: 1120, height: 700 }, colorScheme: 'dark' });
+const page = await browser.newPage({ viewport: { width: 1440, height: 900 }, colorScheme: 'dark' });
 await page.goto(url);
 const panel = new Panel(page);
 fs.mkdirSync(folder, { recursive: true });
@@ -30,6 +30,7 @@ async function film(count) {
 
 await until('the dog does not stand up', () => panel.state(), (s) => s === 'accepting-commands', 120_000);
 await panel.click(panel.button('Show the motions of the robot'));
+await page.getByLabel('Loops', { exact: true }).fill('8');
 await panel.click(panel.button('Play WALK.MTN'));
 await until('the motion did not begin', () => panel.state(), (s) => s.includes('mtn'));
 await film(24);
