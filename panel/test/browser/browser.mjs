@@ -22,7 +22,7 @@ export function need(condition, text) {
 }
 
 // Waits until `read` returns a value for which `isGood` holds, and returns it.
-export async function until(what, read, isGood, timeoutMs = 20_000) {
+export async function until(what, read, isGood, timeoutMs = 60_000) {
   const end = Date.now() + timeoutMs;
   let value;
   do {
@@ -94,7 +94,7 @@ export class Panel {
 
   async click(locator) {
     this.clicks += 1;
-    await locator.click({ timeout: 15_000 });
+    await locator.click({ timeout: 60_000 });
   }
 
   button(name) {

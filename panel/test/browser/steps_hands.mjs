@@ -49,7 +49,7 @@ export async function stepsOfHands(steps, panel) {
     const slider = page.getByRole('slider', { name: 'Speed of all joints' });
     await slider.focus();
     for (let i = 0; i < 2; ++i) await page.keyboard.press('PageDown');
-    await page.locator('.notice.good', { hasText: 'Speed of all joints' }).first().waitFor({ timeout: 20_000 });
+    await page.locator('.notice.good', { hasText: 'Speed of all joints' }).first().waitFor({ timeout: 60_000 });
     need((await panel.errors()).length === 0, (await panel.errors()).join('; '));
   });
 
@@ -57,7 +57,7 @@ export async function stepsOfHands(steps, panel) {
     panel.inThreeClicks(async () => {
       await panel.show('Sensors');
       const chin = page.getByRole('button', { name: 'Press chin' });
-      await until('the chin was pressed before', () => panel.sensor('chin'), (s) => s === 'released', 5000);
+      await until('the chin was pressed before', () => panel.sensor('chin'), (s) => s === 'released');
       const box = await chin.boundingBox();
       panel.clicks += 1;
       await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
@@ -101,7 +101,6 @@ export async function stepsOfHands(steps, panel) {
       'no arrow appeared',
       () => page.locator('.force.shown text').allTextContents(),
       (all) => all.length === 1,
-      5000,
     );
     await page.mouse.up();
     need(/^4\.\d N$/.test(force[0]), `the arrow of 45 pixels says ${force[0]}`);

@@ -13,8 +13,8 @@ export async function stepsOfPhone(steps, browser, wide) {
       const page = await browser.newPage({ viewport: { width, height }, colorScheme: 'light' });
       try {
         await page.goto(process.env['OPENR_PANEL_URL']);
-        await page.locator('.link[data-state="open"]').waitFor({ timeout: 20_000 });
-        await page.locator('.joint').nth(1).waitFor({ timeout: 10_000 });
+        await page.locator('.link[data-state="open"]').waitFor({ timeout: 60_000 });
+        await page.locator('.joint').nth(1).waitFor({ timeout: 60_000 });
         await page.waitForTimeout(1500);
         const over = await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
         need(over <= 0, `the page is ${over} pixels too wide`);

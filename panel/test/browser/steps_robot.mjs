@@ -3,7 +3,7 @@ import path from 'node:path';
 import { need, until } from './browser.mjs';
 
 async function chooseFile(panel, label, file) {
-  const wait = panel.page.waitForEvent('filechooser', { timeout: 10_000 });
+  const wait = panel.page.waitForEvent('filechooser', { timeout: 60_000 });
   await panel.click(panel.button(label));
   await (await wait).setFiles(file);
 }
@@ -18,7 +18,7 @@ export async function stepsOfRobot(steps, panel, motion) {
       await panel.click(panel.button('Play BOW.MTN'));
       await until('the motion did not begin', () => panel.state(), (s) => s.includes('mtn'));
       await panel.show('Joints');
-      await page.locator('.lock').waitFor({ timeout: 5000 });
+      await page.locator('.lock').waitFor({ timeout: 60_000 });
       need(await page.getByRole('slider', { name: 'Neck pan', exact: true }).isDisabled(), 'sliders are not locked');
       await steps.picture(page, 'motion plays');
       await until('the motion did not end', () => panel.state(), (s) => s === 'accepting-commands', 60_000);
@@ -29,7 +29,7 @@ export async function stepsOfRobot(steps, panel, motion) {
     const row = page.locator(`.motion[data-name="${name}"]`);
     await steps.step('a motion is uploaded', page, async () => {
       await chooseFile(panel, 'Upload .MTN', motion);
-      await page.locator('.notice.good', { hasText: 'uploaded' }).first().waitFor({ timeout: 20_000 });
+      await page.locator('.notice.good', { hasText: 'uploaded' }).first().waitFor({ timeout: 60_000 });
       await until('the motion is not listed', () => row.count(), (n) => n === 1);
     });
 
@@ -53,7 +53,7 @@ export async function stepsOfRobot(steps, panel, motion) {
   await steps.step('a file that is no motion is refused with a reason', page, async () => {
     await panel.closeNotices();
     await chooseFile(panel, 'Upload .MTN', { name: 'BAD.MTN', mimeType: 'application/octet-stream', buffer: Buffer.from('no motion') });
-    await page.locator('.notice.bad', { hasText: 'BAD.MTN was not uploaded' }).waitFor({ timeout: 15_000 });
+    await page.locator('.notice.bad', { hasText: 'BAD.MTN was not uploaded' }).waitFor({ timeout: 60_000 });
     await panel.closeNotices();
   });
 

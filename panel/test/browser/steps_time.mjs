@@ -6,7 +6,7 @@ export async function stepsOfTime(steps, panel) {
 
   await steps.step('a pause stops the time, steps go on a little', page, async () => {
     await panel.click(panel.button('❚❚ Pause'));
-    await panel.button('▶ Run').waitFor({ timeout: 5000 });
+    await panel.button('▶ Run').waitFor({ timeout: 60_000 });
     await page.waitForTimeout(500);
     const before = await panel.time();
     await page.waitForTimeout(700);
@@ -37,7 +37,7 @@ export async function stepsOfTime(steps, panel) {
     panel.inThreeClicks(async () => {
       const before = await panel.time();
       await panel.click(panel.button('Back five seconds'));
-      await page.locator('.moment[data-kind="past"]').waitFor({ timeout: 15_000 });
+      await page.locator('.moment[data-kind="past"]').waitFor({ timeout: 60_000 });
       const after = await panel.time();
       need(after < before - 3.5 && after > before - 6.5, `from ${before} s the page went to ${after} s`);
       await page.waitForTimeout(600);
@@ -68,7 +68,7 @@ export async function stepsOfTime(steps, panel) {
     const run = page.getByLabel('Run', { exact: true });
     const first = await run.inputValue();
     await panel.click(panel.button('Back five seconds'));
-    await page.locator('.moment[data-kind="past"]').waitFor({ timeout: 15_000 });
+    await page.locator('.moment[data-kind="past"]').waitFor({ timeout: 60_000 });
     const from = await panel.time();
     await panel.click(panel.button('Go on from here'));
     await until('the page did not go to a new run', () => run.inputValue(), (name) => name !== '' && name !== first);
@@ -93,7 +93,7 @@ export async function stepsOfTime(steps, panel) {
     await panel.click(panel.button('Shut down'));
     const question = page.getByRole('group', { name: 'Shut the robot down?' });
     await panel.click(question.getByRole('button', { name: 'Shut down' }));
-    await page.locator('.banner', { hasText: 'The run has ended' }).waitFor({ timeout: 30_000 });
+    await page.locator('.banner', { hasText: 'The run has ended' }).waitFor({ timeout: 60_000 });
     await steps.picture(page, 'ended');
   });
 }

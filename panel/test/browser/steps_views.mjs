@@ -5,7 +5,7 @@ import { need, until } from './browser.mjs';
 const CONNECTION = '.edge.active text';
 
 async function saved(panel, name) {
-  const wait = panel.page.waitForEvent('download', { timeout: 15_000 });
+  const wait = panel.page.waitForEvent('download', { timeout: 60_000 });
   await panel.click(panel.button(name));
   return fs.readFileSync(await (await wait).path(), 'utf8');
 }
@@ -14,9 +14,9 @@ async function saved(panel, name) {
 export async function stepsOfConnecting(steps, panel) {
   const { page } = panel;
   return steps.step('the page connects and hides its token', page, async () => {
-    await page.locator('.link[data-state="open"]').waitFor({ timeout: 20_000 });
+    await page.locator('.link[data-state="open"]').waitFor({ timeout: 60_000 });
     need(!page.url().includes('token'), `the address still has the token: ${page.url()}`);
-    await page.locator('.joint').nth(1).waitFor({ timeout: 10_000 });
+    await page.locator('.joint').nth(1).waitFor({ timeout: 60_000 });
     await until('the page shows no time', () => panel.time(), (t) => t > 0);
   }, true);
 }
@@ -25,7 +25,7 @@ export async function stepsOfViews(steps, panel) {
   const { page } = panel;
 
   await steps.step('the dog stands up', page, async () => {
-    await until('JointMover did not get ready', () => panel.state(), (s) => s === 'accepting-commands', 90_000);
+    await until('JointMover did not get ready', () => panel.state(), (s) => s === 'accepting-commands', 240_000);
     await steps.picture(page, 'wide dark');
   });
 
