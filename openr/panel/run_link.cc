@@ -55,7 +55,9 @@ bool RunLink::Send(const std::string& line) {
 
 bool RunLink::OnReadable() {
   char buffer[64 << 10];
-  for (;;) {
+  // A run that writes as fast as this reads must not keep the loop from its pages.
+  constexpr int kReadsMax = 8;
+  for (int i = 0; i < kReadsMax; ++i) {
     const ssize_t count = recv(descriptor_, buffer, sizeof buffer, 0);
     if (count < 0) return errno == EAGAIN || errno == EINTR;
     if (count == 0) return false;
@@ -63,6 +65,7 @@ bool RunLink::OnReadable() {
     TakeLines();
     if (received_.size() > kLineMax) return false;
   }
+  return true;
 }
 
 void RunLink::TakeLines() {
@@ -90,7 +93,7 @@ void RunLink::OnClosed() {
   watched_ = nullptr;
   const auto end = owner_.end;  // the owner may delete this link
   end(has_answered_ ? name_ + " has ended"
-                    : name_ + " has ended, or serves as many clients as it can (16)");
+                    : name_ + " has ended, or serves as many clients as it can (32)");
 }
 
 }  // namespace openr_host
