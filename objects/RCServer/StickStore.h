@@ -36,8 +36,8 @@ public:
     std::string Path(const StickName& file) const { return Path(file.kind, file.name); }
 
     // Reads the names of all motions.  Count() returns their number, Name() their names, sorted.
-    // Of more than 682 motions the last ones are left out; the robot's file system lists no more
-    // than 682 files of a folder.
+    // Reads at most 682 motions and leaves out the last ones of more, because the robot's file
+    // system lists no more than 682 files of a folder.
     void ReadMotions();
     int Count() const { return count_; }
     const char* Name(int index) const { return names_[index]; }

@@ -36,7 +36,7 @@ class Network;
 class Simulation;
 class System;
 
-// What Rewind needs of the program.
+// Functions of the program that Rewind calls, and the run that it rewinds.
 struct RewindParts {
   Simulation* simulation = nullptr;
   std::string why_not;  // the reason why this run cannot be rewound; "": it can
@@ -116,7 +116,7 @@ class Rewind {
   std::string Show(Checkpoint* checkpoint, const nlohmann::json& target);
   Checkpoint* LastBefore(int64_t time_us, uint64_t messages);
 
-  // In the process of a checkpoint or of a view.
+  // Functions that run in the process of a checkpoint or of a view.
   void Wait(int socket, const SavedStick& stick, ProcessFiles* files);
   bool RunView(int socket, const SavedStick& stick, ProcessFiles* files,
                const nlohmann::json& request);

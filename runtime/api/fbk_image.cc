@@ -24,8 +24,8 @@ BandPlace PlaceOf(ODataType type, OFbkImageBand band) {
       return band <= ofbkimageBAND_Cb ? BandPlace{static_cast<int>(band), 3} : kNone;
     case odataFBK_YCrCb_HPF:
       if (band <= ofbkimageBAND_Cb) return {static_cast<int>(band), 6};
-      // In the image, LH, HL and HH follow Cb.  In OFbkImageBand the constant of CDT is between Cb
-      // and LH, so the index in the image is one less than the constant.
+      // The bands LH, HL and HH of an image follow its band Cb.  In OFbkImageBand the constant of
+      // CDT is between Cb and LH, so the index in the image is one less than the constant.
       if (band >= ofbkimageBAND_Y_LH && band <= ofbkimageBAND_Y_HH) {
         return {static_cast<int>(band) - 1, 6};
       }

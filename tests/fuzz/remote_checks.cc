@@ -1,4 +1,4 @@
-// What RemoteDriver checks: the answers that clients hear, and the files of the stick.
+// The checks of RemoteDriver: of the answers that clients hear, and of the files of the stick.
 #include <fmt/format.h>
 
 #include <fstream>
@@ -97,7 +97,7 @@ void RemoteDriver::HearPacket(Client* client, const std::string& packet) {
   }
 }
 
-// One client asks for INFO after each step of the others and must get its answer at once.
+// Lets one client ask for INFO after each step of the others.  It must get its answer at once.
 void RemoteDriver::AskWitness() {
   constexpr int kIndex = RC_PLACES - 1;
   Client* const witness = clients_[kIndex].get();

@@ -1,4 +1,4 @@
-// What objects printed, with a filter, and what the run has found.
+// The log: the lines that objects printed, with a filter, and the findings of the run.
 import { button, el, setText } from '../dom';
 import { clockTime } from '../format';
 import { Ring } from '../ring';

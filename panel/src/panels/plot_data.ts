@@ -1,4 +1,4 @@
-// What the plots show: the values of the last minute, and how lines, scales and files are made of
+// The data of the plots: the values of the last minute, and how lines, scales and files are made of
 // them.
 import { quantityOf } from '../format';
 import type { RobotValues, Scene, ValuesEvent } from '../protocol';
