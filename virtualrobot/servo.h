@@ -19,7 +19,7 @@ inline constexpr double kAdSteps = 1023;  // steps of the A/D converter between 
 
 struct ServoSettings {
   double no_load_speed_ratio = 2.0;  // no-load speed, divided by the model's highest planned speed
-  double limp_friction = 0.02;       // dry friction of a limp joint, divided by the stall torque
+  double limp_friction = 0.01;       // dry friction of a limp joint, divided by the stall torque
   double limp_creep_rad_s = 0.02;    // below this speed, dry friction acts like viscous friction
   double stop_stiffness_per_rad = 100;  // stiffness of a stop, divided by the stall torque
   double stop_damping_s_per_rad = 0.5;  // damping of a stop, divided by the stall torque

@@ -83,7 +83,7 @@ TEST_F(ServoTest, LimpFrictionIsSmallAndOpposesMotion) {
   servo_.BeginFrame({}, 0);
   const TorqueLine line = servo_.Step(0, 1.0, kStep_s);
   EXPECT_EQ(line.zero_speed_nm, 0);
-  EXPECT_NEAR(line.slope_nm_s * 1.0, 0.02 * joint_.stall_torque_nm, 1e-12);
+  EXPECT_NEAR(line.slope_nm_s * 1.0, 0.01 * joint_.stall_torque_nm, 1e-12);
 }
 
 TEST_F(ServoTest, StopPushesBackAlsoALimpJoint) {

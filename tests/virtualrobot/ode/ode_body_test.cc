@@ -33,6 +33,17 @@ TEST(OdeBodyTest, LimpRobotSagsAndComesToRestWhereItLay) {
   EXPECT_LT((harness.Position_mm() - at_10s_mm).norm(), 0.5);
 }
 
+TEST(OdeBodyTest, AStandingRobotFallsDownWhenItsJointsGoLimp) {
+  OdeBody body(Ers210(), World{});
+  BodyHarness harness(Ers210(), &body);
+  harness.StandUp();
+  EXPECT_GT(harness.Position_mm().z(), 130);
+  for (JointCommand& command : harness.commands) command.enabled = false;
+  harness.Hold(1);
+  EXPECT_LT(harness.Position_mm().z(), 80);
+  EXPECT_LT(std::fabs(harness.RpyDegrees().x()), 5);
+}
+
 TEST(OdeBodyTest, DisabledJointAsksForNoDrive) {
   OdeBody body(Ers210(), World{});
   BodyHarness harness(Ers210(), &body);
