@@ -35,6 +35,13 @@ const std::vector<JointCommand>& Devices::Commands(bool motor_power) {
   return commands_;
 }
 
+void Devices::SwitchOff() {
+  joints.assign(joints.size(), {});
+  leds.assign(leds.size(), {});
+  plungers.assign(plungers.size(), {});
+  commander_ = kNoObject;
+}
+
 void Devices::SetTarget(int joint, slongword urad) {
   ASSERT(joint >= 0 && static_cast<size_t>(joint) < joints.size(), "joint {}", joint);
   JointDevice& device = joints[static_cast<size_t>(joint)];

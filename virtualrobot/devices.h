@@ -66,6 +66,9 @@ class Devices {
   OStatus DisableGain(int joint);
   OStatus SetGain(int joint, const GainWords& gains);
 
+  // Sets all devices to their state at boot: lights off, no gains, no set points.
+  void SwitchOff();
+
   void HashState(Hasher* hasher) const;
 
   std::vector<JointDevice> joints;

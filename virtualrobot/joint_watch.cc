@@ -45,6 +45,11 @@ std::string Listed(const std::vector<std::string>& names) {
 JointWatch::JointWatch(const RobotModel& model, const Devices& devices)
     : model_(model), devices_(devices), joints_(model.joints.size()) {}
 
+void JointWatch::SwitchOff() {
+  joints_.assign(joints_.size(), {});
+  limp_frames_ = 0;
+}
+
 void JointWatch::ServosChanged(const BodyState& body, bool motor_power,
                                std::vector<std::string>* problems) {
   for (size_t j = 0; j < joints_.size(); ++j) {

@@ -44,6 +44,9 @@ class JointWatch {
   // is not known.  Called after every frame.
   int NoteFrame(const BodyState& body);
 
+  // Forgets what it has seen, because the robot is switched off.
+  void SwitchOff();
+
   void HashState(Hasher* hasher) const;
 
  private:

@@ -98,6 +98,14 @@ void Power::SetCharging(bool on) {
   NotifyChange();
 }
 
+void Power::SwitchOff() {
+  watchers_.clear();
+  motor_power_ = pause_ = false;
+  boot_condition = OBootCondition(obcbBOOT_TIMER);
+  next_boot = OBootCondition();
+  last_ = Status();
+}
+
 void Power::SetTimeDifference(sbyte hours) {
   time_difference_ = hours;
   NotifyChange();

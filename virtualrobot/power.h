@@ -50,6 +50,10 @@ class Power {
   // a frame (8 ms).
   void Update();
 
+  // Switches the robot off, so that its boot timer boots it.  Nobody observes the power any more.
+  // Battery, clock and volume switch stay as they are.
+  void SwitchOff();
+
   void SetTimeDifference(sbyte hours);
   sbyte time_difference() const { return time_difference_; }
   void SetVolume(byte volume);

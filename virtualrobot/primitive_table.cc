@@ -65,6 +65,10 @@ Primitive* PrimitiveTable::Find(OPrimitiveID id) {
   return index < primitives_.size() ? &primitives_[index] : nullptr;
 }
 
+void PrimitiveTable::CloseAll() {
+  for (Primitive& primitive : primitives_) primitive.open_count = 0;
+}
+
 void PrimitiveTable::HashState(Hasher* hasher) const {
   for (const Primitive& primitive : primitives_) hasher->Add(primitive.open_count);
 }

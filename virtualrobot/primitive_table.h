@@ -43,6 +43,9 @@ class PrimitiveTable {
   // Returns the primitive with this id; null when the robot has no such primitive.
   Primitive* Find(OPrimitiveID id);
 
+  // Undoes all calls of OpenPrimitive().
+  void CloseAll();
+
   void HashState(Hasher* hasher) const;
 
  private:

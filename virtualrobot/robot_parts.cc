@@ -35,6 +35,25 @@ RobotParts::RobotParts(System* system_in, int robot_index_in, const RobotModel& 
 
 void RobotParts::Warn(std::string text) { system.AddFinding(Severity::kWarning, std::move(text)); }
 
+void RobotParts::SwitchOff() {
+  primitives.CloseAll();
+  devices.SwitchOff();
+  power.SwitchOff();
+  sync_keys = {};
+  optional = {};
+  watch.SwitchOff();
+  speaker.SwitchOff();
+  safe_posture.SwitchOff();
+  first_frame = frame = 0;
+  {  // the system objects own the regions that these parts give up
+    const CurrentScope scope(&system, system.FindObject(robot_index, kVirtualRobotComm));
+    sensors.SwitchOff();
+    camera.SwitchOff();
+  }
+  const CurrentScope scope(&system, system.FindObject(robot_index, kVirtualRobotAudioComm));
+  microphone.SwitchOff();
+}
+
 void RobotParts::Reseed(uint64_t seed) { sensors.set_noise(NoiseOf(robot_index, seed)); }
 
 void RobotParts::HashState(Hasher* hasher) const {

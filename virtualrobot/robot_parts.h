@@ -36,6 +36,10 @@ struct VirtualRobotOptions {
   Battery battery;                          // by default full at boot, and drains
 };
 
+// The names of the two system objects.
+constexpr char kVirtualRobotComm[] = "OVirtualRobotComm";
+constexpr char kVirtualRobotAudioComm[] = "OVirtualRobotAudioComm";
+
 struct RobotParts {
   // Makes the parts of robot `robot_index` of `system`.  `system` and `model` must outlive the
   // parts.
@@ -46,6 +50,10 @@ struct RobotParts {
 
   // Adds a warning about the object whose handler runs now.
   void Warn(std::string text);
+
+  // Switches the devices off, and sets the state of all parts but the body, the battery, the clock
+  // and the hands as it is at a boot.  The sound and the pictures from files go on where they are.
+  void SwitchOff();
 
   // Makes the noise of the sensors start again from `seed`.
   void Reseed(uint64_t seed);
@@ -69,7 +77,9 @@ struct RobotParts {
   SafePosture safe_posture;
   Hands hands{this};
   int64_t first_frame = 0;  // 0 unless a test sets it
-  int64_t frame = 0;        // number of the frame that runs now; all earlier frames are complete
+  // Number of the frame that runs now, counted from the last boot.  All earlier frames are
+  // complete.
+  int64_t frame = 0;
 };
 
 }  // namespace openr_host

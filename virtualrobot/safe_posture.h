@@ -34,6 +34,9 @@ class SafePosture {
     std::erase_if(gone_, [commander](const Gone& gone) { return gone.commander == commander; });
   }
 
+  // Ends all movements, because the robot is switched off.
+  void SwitchOff() { gone_.clear(); }
+
   // Computes the set points of frame `frame` for the joints of crashed objects.  Called after the
   // command vectors have set their set points.
   void Apply(int64_t frame, Devices* devices);

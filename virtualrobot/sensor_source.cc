@@ -190,6 +190,13 @@ RCRegion* SensorSource::MakeVector(const OptionalBytes& optional) {
   return region;
 }
 
+void SensorSource::SwitchOff() {
+  std::memset(static_cast<void*>(frames_.data()), 0, frames_.size() * sizeof frames_[0]);
+  first_frame_ = 0;
+  collected_ = 0;
+  pool_.Clear();
+}
+
 void SensorSource::HashState(Hasher* hasher) const {
   noise_.HashState(hasher);
   hasher->Add(first_frame_);

@@ -52,6 +52,10 @@ class SensorSource {
   void Hold(int sensor, slongword value) { held_[static_cast<size_t>(sensor)] = value; }
   void Release(int sensor) { held_[static_cast<size_t>(sensor)].reset(); }
 
+  // Gives up the samples that wait for their vector, and the regions of all vectors.  REQUIRES: the
+  // object that sends the vectors is the current object.
+  void SwitchOff();
+
   void HashState(Hasher* hasher) const;
 
  private:

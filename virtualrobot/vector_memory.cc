@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "runtime/base/assert.h"
 #include "runtime/core/system.h"
@@ -102,6 +103,10 @@ void VectorPool::Add(RCRegion* region) {
       fmt::format("objects keep {} vectors of one stream: an AddReference() without its "
                   "RemoveReference()? The robot's memory is full soon",
                   kMany));
+}
+
+void VectorPool::Clear() {
+  for (RCRegion* const region : std::exchange(regions_, {})) region->RemoveReference();
 }
 
 RCRegion* NewVectorRegion(ODataType type, size_t info_size, size_t elements, size_t data_bytes) {

@@ -59,6 +59,10 @@ class VectorPool {
   // because RCRegion counts references per object.
   void Add(RCRegion* region);
 
+  // Gives up the references to all regions.  REQUIRES: the object that has called Add() is the
+  // current object.
+  void Clear();
+
  private:
   static constexpr size_t kMany = 64;  // our choice; as many as the sensor vectors of 2 s
 

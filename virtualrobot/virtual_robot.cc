@@ -265,9 +265,35 @@ OStatus VirtualRobot::GetVolumeSwitch(OVolumeSwitch* volume) {
   return oSUCCESS;
 }
 
+std::optional<int64_t> VirtualRobot::TimeOffUs() const {
+  const OBootCondition& boot = parts_.power.next_boot;
+  const bool has_timer = (boot.bitmap & obcbBOOT_TIMER) != 0;
+  if (!has_timer || boot.bootTimeType != obcbttRELATIVE || boot.bootTime < 0) return {};
+  return kBootUs + int64_t{boot.bootTime} * 1'000'000;
+}
+
+void VirtualRobot::SwitchOff() { parts_.SwitchOff(); }
+
+void VirtualRobot::RunFrameWhileOff() {
+  parts_.hands.DoFrame();
+  parts_.body->Advance(parts_.devices.Commands(parts_.power.motor_power()));
+}
+
 void VirtualRobot::Reseed(uint64_t seed) { parts_.Reseed(seed); }
 
 void VirtualRobot::HashState(Hasher* hasher) const { parts_.HashState(hasher); }
+
+void AddSystemObjects(VirtualRobot* robot) {
+  RobotParts* const parts = &robot->parts();
+  System& system = parts->system;
+  auto* const comm =
+      system.AddObject<OVirtualRobotComm>(parts->robot_index, kVirtualRobotComm, parts);
+  comm->host().is_system = true;
+  auto* const sound =
+      system.AddObject<OVirtualRobotAudioComm>(parts->robot_index, kVirtualRobotAudioComm, parts);
+  sound->host().is_system = true;
+  comm->set_sound(sound);
+}
 
 VirtualRobot* AddVirtualRobot(System* system, int robot, const RobotModel& model,
                               std::unique_ptr<Body> body, VirtualRobotOptions options) {
@@ -275,13 +301,7 @@ VirtualRobot* AddVirtualRobot(System* system, int robot, const RobotModel& model
       std::make_unique<VirtualRobot>(system, robot, model, std::move(body), std::move(options));
   VirtualRobot* const result = services.get();
   system->robot(robot).services = std::move(services);
-  auto* const comm =
-      system->AddObject<OVirtualRobotComm>(robot, "OVirtualRobotComm", &result->parts());
-  comm->host().is_system = true;
-  auto* const sound =
-      system->AddObject<OVirtualRobotAudioComm>(robot, "OVirtualRobotAudioComm", &result->parts());
-  sound->host().is_system = true;
-  comm->set_sound(sound);
+  AddSystemObjects(result);
   result->parts().hands.AddVerbs();
   return result;
 }

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,7 +33,12 @@ class VirtualRobot : public RobotServices {
   Power& power() { return parts_.power; }
   const OSensorValue& sensor(int index) const { return parts_.sensors.Latest(index); }
 
-  // Returns the number of frames completed since boot.
+  // Virtual time from the moment at which a robot with a boot timer is switched off, or its timer
+  // has run down, to its boot.  How long the robot needs is not known; the number is our choice,
+  // and long enough for the body to lie still.
+  static constexpr int64_t kBootUs = 3'000'000;
+
+  // Returns the number of frames completed since the last boot.
   int64_t frame() const { return parts_.frame - parts_.first_frame; }
 
   // Sets the number of the first frame, to simulate a robot that has been on for days.  REQUIRES:
@@ -93,6 +99,9 @@ class VirtualRobot : public RobotServices {
   OStatus GetTimeDifference(sbyte* hours) override;
   OStatus SetVolumeSwitch(OVolumeSwitch volume) override;
   OStatus GetVolumeSwitch(OVolumeSwitch* volume) override;
+  std::optional<int64_t> TimeOffUs() const override;
+  void SwitchOff() override;
+  void RunFrameWhileOff() override;
   void Reseed(uint64_t seed) override;
   void HashState(Hasher* hasher) const override;
 
@@ -113,8 +122,12 @@ class VirtualRobot : public RobotServices {
   RobotParts parts_;
 };
 
-// Gives robot `robot` of `system` a body and its two system objects, OVirtualRobotComm and
-// OVirtualRobotAudioComm.  `model` must outlive the system.
+// Adds the two system objects of `robot`, OVirtualRobotComm and OVirtualRobotAudioComm, to its
+// system.  Called when the robot is made, and at each later boot.
+void AddSystemObjects(VirtualRobot* robot);
+
+// Gives robot `robot` of `system` a body and its two system objects.  `model` must outlive the
+// system.
 VirtualRobot* AddVirtualRobot(System* system, int robot, const RobotModel& model,
                               std::unique_ptr<Body> body, VirtualRobotOptions options = {});
 

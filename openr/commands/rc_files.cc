@@ -120,7 +120,7 @@ void RcRebootAction(RemoteClient* client, const RcFlags& flags) {
   client->UseVersion(RC_VERSION_FILES);
   const uint32_t frame = client->Request(rcREBOOT).frame;
   PrintRcAnswer(flags.json, frame, {{"reboots", true}},
-                "the robot shuts down and boots again; 'openr run' only shuts down");
+                "the robot shuts down and boots again; until then it takes no connections");
 }
 
 void RcShutdownAction(RemoteClient* client, const RcFlags& flags) {

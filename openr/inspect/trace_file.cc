@@ -113,7 +113,11 @@ void TraceWriter::Add(const TraceEntry& entry) {
 void TraceWriter::AddNames(const System& system, const TraceRecord& record) {
   for (const int32_t id : {record.sender, record.target}) {
     const Object* const object = system.object(id);
-    if (object == nullptr || !objects_.insert(id).second) continue;
+    if (object == nullptr) continue;
+    const auto [known, is_new] = objects_.emplace(id, object->predecessors);
+    if (!is_new && known->second == object->predecessors) continue;
+    known->second = object->predecessors;
+    std::erase_if(entries_, [id](const auto& entry) { return entry.first == id; });
     TraceEntry entry;
     entry.kind = TraceEntry::Kind::kObject;
     entry.id = id;

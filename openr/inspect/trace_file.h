@@ -138,7 +138,7 @@ class TraceWriter {
   int descriptor_ = -1;
   int error_ = 0;  // errno of the first failed write
   ByteWriter block_;
-  std::set<int32_t> objects_;
+  std::map<int32_t, int> objects_;  // by id: Object::predecessors when its name was written
   std::set<std::pair<int32_t, uint32_t>> entries_;
 };
 

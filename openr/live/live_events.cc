@@ -211,7 +211,7 @@ Json LiveEvents::Graph() {
   for (const auto& object : system.objects()) {
     objects.push_back({{"robot", object->robot},
                        {"name", object->name},
-                       {"state", object->state},
+                       {"state", object->is_off ? "off" : object->state},
                        {"messages", object->message_count},
                        {"per_s", objects_[object->id].per_s},
                        {"waiting", object->waiting},

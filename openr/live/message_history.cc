@@ -44,13 +44,18 @@ void MessageHistory::Keep(const TraceRecord& record, const Message& message) {
     return;
   }
   ConnectionMessages& connection = connections_[ends];
-  if (connection.count++ == 0) {
-    const auto& [subject_id, subject_selector, observer_id, observer_selector] = ends;
-    const Object* const subject = system_.object(subject_id);
-    const Object* const observer = system_.object(observer_id);
+  const auto& [subject_id, subject_selector, observer_id, observer_selector] = ends;
+  const Object* const subject = system_.object(subject_id);
+  const Object* const observer = system_.object(observer_id);
+  const int loads = (subject == nullptr ? 0 : subject->predecessors) +
+                    (observer == nullptr ? 0 : observer->predecessors);
+  if (connection.loads != loads) {
+    connection = {};
+    connection.loads = loads;
     if (subject != nullptr) connection.subject = ServiceOfEntry(*subject, subject_selector);
     if (observer != nullptr) connection.observer = ServiceOfEntry(*observer, observer_selector);
   }
+  ++connection.count;
   std::string content = PayloadBytes(message);
   const auto size = static_cast<uint32_t>(content.size());
   content.resize(std::min(content.size(), kContentMax));

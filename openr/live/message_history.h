@@ -60,6 +60,7 @@ class MessageHistory {
   struct ConnectionMessages {
     std::string subject;  // names of both services
     std::string observer;
+    int loads = -1;  // how often objects of these two ids were loaded again when they were named
     uint64_t count = 0;
     std::deque<Entry> last;
   };

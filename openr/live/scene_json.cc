@@ -149,6 +149,8 @@ void AppendPose(const Eigen::Isometry3d& pose, std::string* text) {
 // Returns the values of `robot`, whose number in `system` is `number`.
 Json ValuesOf(System* system, int number, VirtualRobot* robot) {
   const RobotModel& model = robot->model();
+  const bool is_off = system->robot(number).powered_off;
+  const OffRobots& off_robots = system->off_robots();
   Json joints = Json::array(), gains = Json::array(), sensors = Json::array();
   for (size_t i = 0; i < model.joints.size(); ++i) {
     const JointDevice& joint = robot->devices().joints[i];
@@ -160,11 +162,17 @@ Json ValuesOf(System* system, int number, VirtualRobot* robot) {
                                                                                              : 0);
   }
   for (size_t i = 0; i < model.sensors.size(); ++i) {
-    if (model.sensors[i].joint < 0) sensors.push_back(robot->sensor(static_cast<int>(i)).value);
+    if (model.sensors[i].joint >= 0) continue;
+    sensors.push_back(is_off ? Json() : Json(robot->sensor(static_cast<int>(i)).value));
   }
   const OPowerStatus status = robot->power().Status();
   const Object* const mover = system->FindObject(number, "JointMover");
-  return {{"state", mover == nullptr ? "" : mover->state},
+  return {{"state", is_off             ? "off"
+                    : mover == nullptr ? ""
+                                       : mover->state},
+          {"boots_at_s", off_robots.Contains(number)
+                             ? Json(static_cast<double>(off_robots.BootUs(number)) / 1e6)
+                             : Json()},
           {"joints", joints},
           {"gains", gains},
           {"sensors", sensors},

@@ -46,7 +46,7 @@ Runner::Runner(Simulation* simulation, RunPlan plan, const InterruptCounter* int
       interrupts_(interrupts),
       standing_(simulation->robots().size(), StandingMonitor(simulation->model())),
       taken_(plan_.snapshots.size(), false),
-      announced_(simulation->robots().size(), false) {
+      announced_(simulation->robots().size()) {
   ASSERT(plan_.rate > 0 || plan_.pump == nullptr);
 }
 
@@ -128,13 +128,28 @@ void Runner::Take(const PictureRequest& snapshot) {
 
 void Runner::AnnouncePorts() {
   for (size_t i = 0; i < announced_.size(); ++i) {
-    if (announced_[i]) continue;
     const uint16_t port = simulation_->RcPort(static_cast<int>(i));
-    if (port == 0) continue;
-    announced_[i] = true;
+    if (port == 0 || announced_[i].port == port) continue;
+    announced_[i].port = port;
     plan_.say(announced_.size() == 1
                   ? fmt::format("remote control: openr rc 127.0.0.1:{} info", port)
                   : fmt::format("remote control of robot {}: openr rc 127.0.0.1:{} info", i, port));
+  }
+}
+
+// Prints when a robot waits for its boot timer, and when it boots again.
+void Runner::AnnounceBoots() {
+  System& system = simulation_->system();
+  for (size_t i = 0; i < announced_.size(); ++i) {
+    const int robot = static_cast<int>(i);
+    Announced& announced = announced_[i];
+    const std::string name = announced_.size() == 1 ? "the robot" : fmt::format("robot {}", i);
+    if (std::exchange(announced.boots, system.robot(robot).boots) != announced.boots)
+      plan_.say(fmt::format("{} has booted again; all its images are new loads", name));
+    const bool is_off = system.off_robots().Contains(robot);
+    if (std::exchange(announced.is_off, is_off) == is_off || !is_off) continue;
+    plan_.say(fmt::format("{} is off, and boots again at t={:.3f} s", name,
+                          static_cast<double>(system.off_robots().BootUs(robot)) / 1e6));
   }
 }
 
@@ -147,6 +162,7 @@ void Runner::SampleStanding() {
 void Runner::AfterFrame() {
   SampleStanding();
   if (plan_.after_frame) plan_.after_frame();
+  AnnounceBoots();
   AnnouncePorts();
   TakePictures(false);
   if (plan_.rewind != nullptr && plan_.live != nullptr)

@@ -70,6 +70,13 @@ class Runner {
   const std::vector<StandingMonitor>& standing() const { return standing_; }
 
  private:
+  // What was printed about a robot.
+  struct Announced {
+    uint16_t port = 0;    // of its remote control; 0: none
+    int boots = 1;        // its last boot
+    bool is_off = false;  // that it is off and boots again
+  };
+
   void WatchActivity();
   void Finish();
   // Returns the reason if the run is over; none if it goes on.  Also returns none when all robots
@@ -90,13 +97,14 @@ class Runner {
   void TakePictures(bool at_end);
   void Take(const PictureRequest& snapshot);
   void AnnouncePorts();
+  void AnnounceBoots();
 
   Simulation* const simulation_;
   const RunPlan plan_;
   const InterruptCounter* const interrupts_;
   std::vector<StandingMonitor> standing_;
-  std::vector<bool> taken_;      // for each picture: it was taken
-  std::vector<bool> announced_;  // for each robot: its port was printed
+  std::vector<bool> taken_;           // for each picture: it was taken
+  std::vector<Announced> announced_;  // by robot
   int activity_sink_ = 0;
   int64_t last_activity_us_ = 0;
   int64_t paused_us_ = -1;  // virtual time when the button was pressed; -1: not pressed

@@ -33,9 +33,15 @@ AssembledRobot AssembleRobot(System* system, const RobotModel& model, RobotEquip
     robot.virtual_robot = AddVirtualRobot(system, robot.number, model, std::move(parts.body),
                                           std::move(parts.devices));
   }
-  robot.ip_stack =
-      AddIpStack(system, robot.number, parts.make_network(robot.number), std::move(parts.ip_stack));
+  robot.network = parts.make_network(robot.number);
+  robot.ip_stack_options = std::move(parts.ip_stack);
+  robot.ip_stack = AddIpStack(system, robot.number, robot.network, robot.ip_stack_options);
   return robot;
+}
+
+void AddSystemObjectsAgain(System* system, AssembledRobot* robot) {
+  if (robot->virtual_robot != nullptr) AddSystemObjects(robot->virtual_robot);
+  robot->ip_stack = AddIpStack(system, robot->number, robot->network, robot->ip_stack_options);
 }
 
 }  // namespace openr_host

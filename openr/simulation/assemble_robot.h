@@ -37,10 +37,16 @@ struct AssembledRobot {
   int number = 0;                    // the robot's number in the System
   VirtualRobot* virtual_robot = {};  // null without a body
   IpStack* ip_stack = {};
+  std::shared_ptr<Network> network;
+  IpStackOptions ip_stack_options;
 };
 
 // Adds a robot with the parts `parts` to `system`, without the objects of its Memory Stick, which
 // LoadStick() adds later.  `model` must outlive `system`.
 AssembledRobot AssembleRobot(System* system, const RobotModel& model, RobotEquipment parts);
+
+// Adds the system objects of `robot` again, for a boot after a shutdown, and sets robot->ip_stack.
+// REQUIRES: called in Robot::load_again.
+void AddSystemObjectsAgain(System* system, AssembledRobot* robot);
 
 }  // namespace openr_host

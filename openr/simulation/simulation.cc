@@ -11,7 +11,6 @@
 
 #include "cli/input_file.h"
 #include "cli/install_paths.h"
-#include "openr/simulation/assemble_robot.h"
 #include "openr/simulation/cost_file.h"
 #include "openr/simulation/network_setup.h"
 #include "openr/simulation/pacing.h"
@@ -118,14 +117,24 @@ void Simulation::AddRobot(const SimulationOptions& options, int index) {
                                   : std::move(network);
   };
   if (index == 0) NoteALowBattery(options.battery);
-  const AssembledRobot robot = AssembleRobot(system_.get(), model_, std::move(parts));
-  robots_.push_back(robot.virtual_robot);
-  networks_.push_back(robot.ip_stack);
+  const int robot =
+      parts_.emplace_back(AssembleRobot(system_.get(), model_, std::move(parts))).number;
+  robots_.push_back(parts_.back().virtual_robot);
   const StandIns stand_ins =
-      options.stand_ins ? options.stand_ins(system_.get(), robot.number) : StandIns();
-  if (!LoadStick(system_.get(), robot.number, stand_ins,
-                 {GatewayImage(system_.get(), robot.number)}))
-    loaded_ = false;
+      options.stand_ins ? options.stand_ins(system_.get(), robot) : StandIns();
+  if (!Load(robot, stand_ins)) loaded_ = false;
+  // Objects in other processes cannot be loaded again: their processes have loaded them, and hold
+  // what the first boot has left.
+  if (options.stand_ins) return;
+  system_->robot(robot).load_again = [this, robot] {
+    AddSystemObjectsAgain(system_.get(), &parts_.at(static_cast<size_t>(robot)));
+    return Load(robot, {});
+  };
+}
+
+// Loads what is on the stick of `robot`.  Returns false if the robot would not boot.
+bool Simulation::Load(int robot, const StandIns& stand_ins) {
+  return LoadStick(system_.get(), robot, stand_ins, {GatewayImage(system_.get(), robot)});
 }
 
 // Adds a note if the battery is almost empty at boot.  Users expect that such a battery ends the
@@ -180,7 +189,7 @@ void Simulation::CloseFiles() {
 }
 
 uint16_t Simulation::RcPort(int robot) const {
-  return HostPortOfRemoteControl(*networks_.at(static_cast<size_t>(robot)));
+  return HostPortOfRemoteControl(*parts_.at(static_cast<size_t>(robot)).ip_stack);
 }
 
 }  // namespace openr_host

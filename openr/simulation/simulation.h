@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "openr/simulation/assemble_robot.h"
 #include "runtime/config/address_config.h"
 #include "runtime/core/load_stick.h"
 #include "runtime/core/system.h"
@@ -19,7 +20,6 @@
 namespace openr_host {
 
 class ConfiguredCost;
-class IpStack;
 class Network;
 
 struct SimulationOptions {
@@ -97,6 +97,7 @@ class Simulation {
 
  private:
   void AddRobot(const SimulationOptions& options, int index);
+  bool Load(int robot, const StandIns& stand_ins);
   void NoteALowBattery(const std::string& text);
   std::vector<AddressPair> AddressesOf(const SimulationOptions& options, MemoryStick* stick,
                                        int index);
@@ -107,7 +108,7 @@ class Simulation {
   const std::shared_ptr<ConfiguredCost> cost_;  // made from the cost file; null: none
   std::unique_ptr<System> system_;
   std::vector<VirtualRobot*> robots_;
-  std::vector<IpStack*> networks_;
+  std::vector<AssembledRobot> parts_;  // by robot
   bool loaded_ = true;
 };
 

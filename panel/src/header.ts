@@ -63,7 +63,9 @@ function makeChips(session: Session, showGraph: () => void): HTMLElement[] {
   session.on('values', (values) => {
     const robot = values.robots[session.robot];
     if (robot === undefined) return;
-    setText(state, robot.state === '' ? 'state unknown' : robot.state);
+    const boots = robot.boots_at_s ?? null;
+    const left = boots === null ? '' : `, boots in ${Math.ceil(boots - values.time_s)} s`;
+    setText(state, robot.state === '' ? 'state unknown' : robot.state + left);
     setText(motors, robot.motors === false ? '○ motors off' : '● motors on');
     const percent = robot.battery?.percent;
     const sign = robot.battery?.charging ? ' charging' : '';

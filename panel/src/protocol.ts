@@ -76,6 +76,8 @@ export interface PoseEvent {
 
 export interface RobotValues {
   state: string;
+  // Virtual time at which a robot that is off boots again.
+  boots_at_s?: number | null;
   joints: [number | null, number | null][];
   gains: number[];
   sensors: (number | null)[];

@@ -52,7 +52,12 @@ sError GetSystemTime(SystemTime* time) {
   }
   // Virtual time stands still while a handler runs.  So each call adds 1 us, or a loop that waits
   // for a certain time would never end.
-  const int64_t now = t_current.system->now_us() + static_cast<int64_t>(object->handler.time_calls);
+  // The robot's clock begins at its boot.
+  System& system = *t_current.system;
+  const bool has_robot = object->robot < system.robot_count();
+  const int64_t booted_us = has_robot ? system.robot(object->robot).booted_us : 0;
+  const int64_t now =
+      system.now_us() - booted_us + static_cast<int64_t>(object->handler.time_calls);
   time->seconds = static_cast<longword>(now / 1'000'000);
   time->useconds = static_cast<longword>(now % 1'000'000);
   return sSUCCESS;

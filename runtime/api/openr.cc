@@ -23,14 +23,13 @@ constexpr longword kCpuClockHz = 192'000'000;  // clock of the ERS-210's CPU, on
 Robot& CurrentRobot() { return t_current.system->robot(t_current.object->robot); }
 RobotServices& Services() { return *CurrentRobot().services; }
 
-// Returns the text for the report when OPENR::Shutdown() ends the run.  A shutdown with the boot
-// timer at 0 s is a reboot (robot.md 15.3).  A reboot ends the run too, because images are loaded
-// only once.
+// Returns the text for the report when OPENR::Shutdown() ends the run.  A shutdown with a boot
+// timer (robot.md 15.3) ends only a run in which no robot can boot again.
 std::string HowItEnds(const OBootCondition& condition) {
-  const bool is_reboot = (condition.bitmap & obcbBOOT_TIMER) != 0 && condition.bootTime == 0 &&
-                         condition.bootTimeType == obcbttRELATIVE;
-  return is_reboot ? " rebooted the robot (OPENR::Shutdown); start the run again to boot it"
-                   : " shut the robot down (OPENR::Shutdown)";
+  return (condition.bitmap & obcbBOOT_TIMER) == 0 ? " shut the robot down (OPENR::Shutdown)"
+                                                  : " shut the robot down (OPENR::Shutdown) to "
+                                                    "boot again, but robots in this run cannot "
+                                                    "boot again; start the run again to boot it";
 }
 
 }  // namespace

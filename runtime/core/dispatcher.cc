@@ -110,7 +110,11 @@ void Dispatcher::AdvanceTo(int64_t time_us) {
 
 void Dispatcher::Deliver(OwnedMessage&& message) {
   Object* const object = system_->object(message->target);
-  if (object == nullptr || object->is_off) return;
+  if (object == nullptr) return;
+  if (object->is_off) {
+    if (!message->is_reply) --object->waiting;
+    return;
+  }
   // Holds the message if the receiver cannot handle it now: the receiver's last handler waits or
   // still has the processor, or the receiver is still in its boot.  A reply is never held, because
   // the handler that waits needs it.

@@ -41,8 +41,8 @@ void Findings::Add(Finding finding) {
   all_.push_back(std::move(finding));
 }
 
-bool Findings::HasError() const {
-  return std::any_of(all_.begin(), all_.end(),
+bool Findings::HasError(size_t first) const {
+  return std::any_of(all_.begin() + static_cast<ptrdiff_t>(first), all_.end(),
                      [](const Finding& f) { return f.severity == Severity::kError; });
 }
 

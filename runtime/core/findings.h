@@ -46,7 +46,8 @@ class Findings {
 
   void Add(Finding finding);
   const std::vector<Finding>& all() const { return all_; }
-  bool HasError() const;
+  // Returns whether there is an error among the findings from index `first` of all() on.
+  bool HasError(size_t first = 0) const;
   uint64_t not_kept() const { return not_kept_; }
 
  private:

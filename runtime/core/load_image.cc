@@ -32,15 +32,17 @@ std::string NearestName(const std::string& path) {
 }  // namespace
 
 std::unique_ptr<ImageObject> OpenImage(System* system, int robot, ObjectId id,
-                                       const std::string& path, const std::string& where) {
+                                       const std::string& path, const std::string& where,
+                                       const std::string& file) {
+  const std::string& source = file.empty() ? path : file;
   const auto refuse = [&](const std::string& why) {
     system->AddFindingAboutRobot(robot, Severity::kError,
-                                 fmt::format("{}: {} {}", where, path, why));
+                                 fmt::format("{}: {} {}", where, source, why));
     return nullptr;
   };
   MemoryStick* const stick = system->robot(robot).stick.get();
   if (stick == nullptr) return refuse("cannot be read: there is no Memory Stick");
-  const MemoryStick::Location location = stick->Locate(path);
+  const MemoryStick::Location location = stick->Locate(source);
   if (location.error != 0 && location.error != ENOENT)
     return refuse(fmt::format("cannot be read: {}", std::strerror(location.error)));
   if (location.error != 0 || !location.exists) {
@@ -61,8 +63,10 @@ std::unique_ptr<ImageObject> OpenImage(System* system, int robot, ObjectId id,
   return image;
 }
 
-Object* LoadImage(System* system, int robot, const std::string& path, const std::string& where) {
-  auto image = OpenImage(system, robot, system->object_table().NextId(), path, where);
+Object* LoadImage(System* system, int robot, const std::string& path, const std::string& where,
+                  const std::string& file) {
+  const ObjectId id = system->object_table().IdFor(robot, path);
+  auto image = OpenImage(system, robot, id, path, where, file);
   return image == nullptr ? nullptr : system->object_table().Adopt(std::move(image));
 }
 

@@ -12,15 +12,16 @@ class ImageObject;
 class Object;
 class System;
 
-// Loads the image `path` ("/MS/OPEN-R/MW/OBJS/JOINTMOV.BIN") as object `id` of `robot`.  If the
-// image cannot be loaded, returns null and adds an error finding that begins with `where`, the
-// reason of the load: "OBJECT.CFG:3" or "reload".
+// Loads the image `path` ("/MS/OPEN-R/MW/OBJS/JOINTMOV.BIN") as object `id` of `robot`, from the
+// file `file` of the stick, or if this is "" from `path`.  If the image cannot be loaded, returns
+// null and adds an error finding that begins with `where`, the reason of the load: "OBJECT.CFG:3"
+// or "reload".
 std::unique_ptr<ImageObject> OpenImage(System* system, int robot, ObjectId id,
-                                       const std::string& path, const std::string& where);
+                                       const std::string& path, const std::string& where,
+                                       const std::string& file = "");
 
-// Loads the image `path` as a new object of `system` and returns the object.  If the image cannot
-// be loaded, returns null and adds an error finding that begins with `where`, the line that names
-// the image: "OBJECT.CFG:3".
-Object* LoadImage(System* system, int robot, const std::string& path, const std::string& where);
+// Does as OpenImage(), and adds the object to `system`.  Returns the object, or null.
+Object* LoadImage(System* system, int robot, const std::string& path, const std::string& where,
+                  const std::string& file = "");
 
 }  // namespace openr_host

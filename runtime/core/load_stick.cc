@@ -41,6 +41,7 @@ class StickLoader {
   }
   std::string WhyNoConfig(const char* name);
   bool LoadObject(const ObjectRecord& record);
+  bool LoadKept(const std::string& path, const std::string& where);
   StandIns::const_iterator FindStandIn(const std::string& path);
   std::string NameInImage(const std::string& path);
   void Report(Severity severity, std::string text) {
@@ -92,7 +93,24 @@ bool StickLoader::LoadObject(const ObjectRecord& record) {
     return true;
   }
   const std::string where = fmt::format("{}:{}", record.place.file, record.place.line);
-  return LoadImage(&system_, robot_.index, record.path, where) != nullptr;
+  return LoadImage(&system_, robot_.index, record.path, where) != nullptr ||
+         LoadKept(record.path, where);
+}
+
+// Loads, instead of the image `path`, the image that an upload has replaced by it and has kept with
+// the ending .OLD.  The robot does not do so: its boot ends.  Returns false if there is no such
+// image, and with SystemOptions::strict.
+bool StickLoader::LoadKept(const std::string& path, const std::string& where) {
+  if (stick_ == nullptr || system_.options().strict) return false;
+  const std::string kept = std::filesystem::path(path).replace_extension(".OLD");
+  const MemoryStick::Location location = stick_->Locate(kept);
+  if (location.error != 0 || !location.exists) return false;
+  if (LoadImage(&system_, robot_.index, path, where, kept) == nullptr) return false;
+  Report(Severity::kWarning,
+         fmt::format("{}: {}, the image before the last upload, is loaded instead of {}; the robot "
+                     "does not do that: there the boot ends, and the robot switches itself off",
+                     where, kept, path));
+  return true;
 }
 
 bool StickLoader::LoadObjects() {

@@ -30,8 +30,10 @@ struct SystemImage {
 // Loads the images that OBJECT.CFG names, and adds the connections of CONNECT.CFG and the keywords
 // of DESIGNDB.CFG to the system.  Each problem becomes a finding with file:line.  If `stand_ins`
 // has a function for the file of a system image, this function is called and not SystemImage::add.
-// Returns false if the robot would not boot, because an image is missing or cannot be loaded.
-// REQUIRES: before System::Boot().
+// If an image cannot be loaded, but a file of the same name with the ending .OLD can, this file is
+// loaded instead: RCServer keeps an image so when it is replaced by an upload.  Returns false if
+// the robot would not boot, because an image is missing or cannot be loaded.  REQUIRES: before
+// System::Boot(), or in Robot::load_again.
 bool LoadStick(System* system, int robot, StandIns stand_ins = {},
                const std::vector<SystemImage>& system_images = {});
 

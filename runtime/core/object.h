@@ -169,9 +169,15 @@ class Object {
   bool is_system = false;   // part of the robot, not of the application
   bool is_off = false;      // the object's robot is off: messages to the object are dropped
   bool is_leaving = false;  // another object is about to replace this one
+  // Nothing is loaded here: the robot was switched off.  When the robot boots, the object with this
+  // path, or without a path with this name, gets this id again.
+  bool is_absent = false;
   ObjectLimits limits;
   // The class of the messages that the object posts.
   MessageClass post_class = MessageClass::kObject;
+
+  // Number of the objects that have had this id before.  The entries of each have other names.
+  int predecessors = 0;
 
   // Statistics for the report of the run.
   std::string state;           // text after "state: " of its last OSYSLOG1 INFO line

@@ -41,7 +41,7 @@ const char* const kEntryWords[] = {"DoInit", "DoStart", "DoStop", "DoDestroy"};
 
 ObjectManager::ObjectManager() {
   boot_ = AddExtra("Boot", [this](void*) {
-    if (IsDue(boot_, 0)) RunBoot();
+    if (IsDue(boot_, 0)) RunBoot(kAllRobots, 0);
   });
   shutdown_ = AddExtra("Shutdown", [this](void* message) {
     const int robot = *static_cast<int*>(message);
@@ -54,13 +54,23 @@ ObjectManager::ObjectManager() {
   task_ = AddExtra("Task", [this](void*) {
     if (IsDue(task_, 0)) RunTask();
   });
+  boot_again_ = AddExtra("BootAgain", [this](void* message) {
+    const int robot = *static_cast<int*>(message);
+    if (IsDue(boot_again_, robot)) RunBootAgain(robot);
+  });
+}
+
+// Keeps back messages to the objects of `robot`, or of all robots, until their boot permits them.
+void ObjectManager::KeepBack(int robot) {
+  are_connected_ = false;
+  for (const auto& object : system().objects()) {
+    if (object == nullptr || object->is_system || object->is_absent) continue;
+    if (robot == kAllRobots || object->robot == robot) starting_.emplace(object->id, false);
+  }
 }
 
 void ObjectManager::PostBoot() {
-  are_connected_ = false;
-  for (const auto& object : system().objects()) {
-    if (object != nullptr && !object->is_system) starting_.emplace(object->id, false);
-  }
+  KeepBack(kAllRobots);
   due_.insert({boot_, 0});
   system().Post(system().NewMessage(host().id, boot_));
 }
@@ -69,6 +79,8 @@ void ObjectManager::PostShutdown(int robot) {
   if (!shutting_down_.insert(robot).second) return;
   PostWith(shutdown_, robot);
 }
+
+void ObjectManager::PostBootAgain(int robot) { PostWith(boot_again_, robot); }
 
 void ObjectManager::PostReload(ObjectId id) { PostWith(reload_, id); }
 
@@ -123,26 +135,42 @@ void ObjectManager::ReleaseEarlyMessages() {
   }
 }
 
-void ObjectManager::RunBoot() {
-  SendToAll(oentryINIT, oreasonBOOT, true);
-  SendToAll(oentryINIT, oreasonBOOT, false);
-  for (const Connection& connection : system().connections()) Connect(connection);
+// Boots `robot`, or all robots.  The boot has begun when there were `findings_before` findings.
+void ObjectManager::RunBoot(int robot, size_t findings_before) {
+  SendToAll(oentryINIT, oreasonBOOT, true, robot);
+  SendToAll(oentryINIT, oreasonBOOT, false, robot);
+  for (const Connection& connection : system().connections()) {
+    if (robot == kAllRobots || connection.robot == robot) Connect(connection);
+  }
   ReleaseEarlyMessages();
-  if (system().options().strict && system().findings().HasError()) {
-    RefuseToStart();
+  if (system().options().strict && system().findings().HasError(findings_before)) {
+    RefuseToStart(robot);
     return;
   }
-  SendToAll(oentrySTART, oreasonBOOT, true);
-  SendToAll(oentrySTART, oreasonBOOT, false);
+  SendToAll(oentrySTART, oreasonBOOT, true, robot);
+  SendToAll(oentrySTART, oreasonBOOT, false, robot);
   system().booted_ = true;
 }
 
-// Switches all robots off during the boot.  Called with --strict if there is an error, for example
-// a connection to an unknown service.  Objects have run DoInit already, because only DoInit
-// registers their services.
-void ObjectManager::RefuseToStart() {
-  for (int robot = 0; robot < system().robot_count(); ++robot) {
-    system().PowerOff(robot,
+// Boots `robot`, which has been off, with new loads of all its images.
+void ObjectManager::RunBootAgain(int robot) {
+  const size_t findings_before = system().findings().all().size();
+  shutting_down_.erase(robot);
+  // Only lost processes leave services there, and a robot with objects in other processes does not
+  // boot again.  The addresses in this set would be wrong after the boot.
+  unreported_.clear();
+  if (!system().LoadAgain(robot)) return;
+  KeepBack(robot);
+  RunBoot(robot, findings_before);
+}
+
+// Switches `robot`, or all robots, off during the boot.  Called with --strict if there is an error,
+// for example a connection to an unknown service.  Objects have run DoInit already, because only
+// DoInit registers their services.
+void ObjectManager::RefuseToStart(int robot) {
+  for (int each = 0; each < system().robot_count(); ++each) {
+    if (robot != kAllRobots && each != robot) continue;
+    system().PowerOff(each,
                       {EndKind::kNoBoot, "--strict refuses wrong wiring; no object was started"});
   }
 }

@@ -30,6 +30,7 @@ class ObjectManager : public CodeObject {
   // and of ObjectTable::Reload().
   void PostBoot();
   void PostShutdown(int robot);
+  void PostBootAgain(int robot);
   void PostReload(ObjectId id);
   void PostTask(std::function<void()> task);
   // Replaces objects of the system by the objects in `fresh`, which have the same ids, and boots
@@ -69,8 +70,10 @@ class ObjectManager : public CodeObject {
  private:
   void PostWith(Selector selector, int value);
   bool IsDue(Selector selector, int value);
-  void RunBoot();
-  void RefuseToStart();
+  void RunBoot(int robot, size_t findings_before);
+  void RunBootAgain(int robot);
+  void RefuseToStart(int robot);
+  void KeepBack(int robot);
   void RunShutdown(int robot);
   void RunReload(ObjectId id);
   void RunTask();
@@ -89,6 +92,7 @@ class ObjectManager : public CodeObject {
   static constexpr int kAllRobots = -1;
 
   Selector boot_;
+  Selector boot_again_;
   Selector shutdown_;
   Selector reload_;
   Selector task_;

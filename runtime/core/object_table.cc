@@ -67,6 +67,35 @@ void TakeOutgoing(Object* sender, ObjectId id, std::vector<OwnedMessage>* messag
   std::erase_if(outbox, [](const auto& outgoing) { return outgoing.message == nullptr; });
 }
 
+// What is left of an object when its robot has been switched off.
+class AbsentObject : public Object {
+ public:
+  explicit AbsentObject(const Object& gone) : Object(gone.system, gone.id, gone.robot) {
+    name = gone.name;
+    path = gone.path;
+    limits = gone.limits;
+    is_system = gone.is_system;
+    is_off = is_absent = true;
+  }
+
+  // Accepts messages to all entries.  They are dropped, because the object is off.
+  bool HasEntry(uint32_t) const override { return true; }
+  bool Dispatch(uint32_t, void*) override { return false; }
+};
+
+// Gives `fresh` the statistics of `old`, which had its id.
+void PassStatistics(const Object& old, Object* fresh) {
+  fresh->predecessors = old.predecessors + 1;
+  fresh->message_count = old.message_count;
+  fresh->dropped_count = old.dropped_count;
+  fresh->waiting_max = old.waiting_max;
+  fresh->handler_ns_max = old.handler_ns_max;
+  fresh->stack_max = old.stack_max;
+  // The count still includes the messages that a gate keeps, because `fresh` will receive these
+  // messages.
+  fresh->waiting = old.waiting;
+}
+
 }  // namespace
 
 ObjectTable::~ObjectTable() {
@@ -75,14 +104,30 @@ ObjectTable::~ObjectTable() {
 }
 
 Object* ObjectTable::Adopt(std::unique_ptr<Object> object) {
-  ASSERT(object->id == NextId());
-  objects_.push_back(std::move(object));
-  return objects_.back().get();
+  const ObjectId id = object->id;
+  if (id == NextId()) {
+    objects_.push_back(std::move(object));
+    return objects_.back().get();
+  }
+  Object* const absent = Get(id);
+  ASSERT(absent != nullptr && absent->is_absent, "id {} is in use", id);
+  PassStatistics(*absent, object.get());
+  objects_[static_cast<size_t>(id)] = std::move(object);
+  return Get(id);
+}
+
+ObjectId ObjectTable::IdFor(int robot, std::string_view key) const {
+  for (const auto& object : objects_) {
+    if (object->is_absent && object->robot == robot &&
+        (object->path.empty() ? object->name : object->path) == key)
+      return object->id;
+  }
+  return NextId();
 }
 
 Object* ObjectTable::Find(int robot, std::string_view name) const {
   for (const auto& object : objects_) {
-    if (object->robot == robot && object->name == name) return object.get();
+    if (object->robot == robot && object->name == name && !object->is_absent) return object.get();
   }
   return nullptr;
 }
@@ -92,6 +137,15 @@ void ObjectTable::EndAllOf(ObjectId id) {
   std::erase_if(system_->robot(Get(id)->robot).names,
                 [id](const auto& entry) { return entry.second == id; });
   system_->regions().DeleteAllOf(id);
+}
+
+void ObjectTable::RemoveAllOf(int robot) {
+  std::vector<std::unique_ptr<Object>> absent;
+  for (const auto& object : objects_) {
+    if (object->robot == robot && object.get() != &system_->manager().host())
+      absent.push_back(std::make_unique<AbsentObject>(*object));
+  }
+  Replace(std::move(absent));
 }
 
 void ObjectTable::Forget(ObjectId id) {
@@ -171,14 +225,10 @@ void ObjectTable::Place(std::unique_ptr<Object> fresh) {
   Forget(id);
   std::erase_if(system_->robot(old->robot).directory,
                 [&](const auto& entry) { return entry.second.first == id; });
-  if (old->is_image) EndAllOf(id);
+  if (old->is_image || fresh->is_absent) EndAllOf(id);
   for (const Listener& listener : replace_listeners_) listener(id);
-  fresh->message_count = old->message_count;
-  fresh->dropped_count = old->dropped_count;
+  PassStatistics(*old, fresh.get());
   fresh->is_off = old->is_off;
-  // The count still includes the messages that a gate keeps, because `fresh` will receive these
-  // messages.
-  fresh->waiting = old->waiting;
   // An old object whose handler waits, or still has the processor, is kept: that handler ends later
   // and needs its object until then.
   if (old->handler.running != nullptr || old->processor.is_busy)

@@ -27,11 +27,14 @@ class ObjectTable {
   ObjectTable(const ObjectTable&) = delete;
   ObjectTable& operator=(const ObjectTable&) = delete;
 
-  // Adds `object` and returns it.  REQUIRES: object->id is NextId().
+  // Adds `object` and returns it.  REQUIRES: object->id is an id that IdFor() returns now.
   Object* Adopt(std::unique_ptr<Object> object);
+  // Returns the id for a new object of `robot`, of which `key` is the path, or the name if it has
+  // no path.  This is the id that the object had before the robot was switched off, or a new id.
+  ObjectId IdFor(int robot, std::string_view key) const;
   ObjectId NextId() const { return static_cast<ObjectId>(objects_.size()); }
 
-  // Get() and Find() return null if there is no such object.
+  // Get() and Find() return null if there is no such object.  Find() leaves out absent objects.
   Object* Get(ObjectId id) const {
     const auto index = static_cast<size_t>(id);  // a negative id becomes a very large index
     return index < objects_.size() ? objects_[index].get() : nullptr;
@@ -48,6 +51,10 @@ class ObjectTable {
   // Registers a `listener` that EndAllOf() calls, so that other parts of the system end their work
   // for the object.
   void OnEnd(Listener listener) { end_listeners_.push_back(std::move(listener)); }
+
+  // Removes all objects of `robot`, which is off, but for the object manager.  Each leaves its id
+  // and its statistics to an absent object.  REQUIRES: called in a task.
+  void RemoveAllOf(int robot);
 
   // Ends every connection of the other objects with object `id`.  A worker calls this when an
   // object of another process has been replaced.

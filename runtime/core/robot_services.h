@@ -10,6 +10,7 @@
 #include <OPENR/OPENRAPI.h>
 
 #include <cstdint>
+#include <optional>
 
 namespace openr_host {
 
@@ -55,6 +56,17 @@ class RobotServices {
   virtual OStatus GetTimeDifference(sbyte* hours);
   virtual OStatus SetVolumeSwitch(OVolumeSwitch volume);
   virtual OStatus GetVolumeSwitch(OVolumeSwitch* volume);
+
+  // ---- Called by the system, not by objects
+
+  // Returns how long the robot stays off, in us of virtual time, after the shutdown that Shutdown()
+  // has asked for; none if nothing but a person boots it again.
+  virtual std::optional<int64_t> TimeOffUs() const { return {}; }
+  // Switches the devices off, and sets all their state and settings as at a boot.  Called when a
+  // robot that boots again has shut down.
+  virtual void SwitchOff() {}
+  // Moves the body for a frame, at the end of which the function is called.
+  virtual void RunFrameWhileOff() {}
 
   // Sets the state of all random generators of the robot as for a new robot with this seed.  Called
   // before System::Boot().

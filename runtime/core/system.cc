@@ -93,7 +93,7 @@ int System::AddRobot(const std::string& design, std::shared_ptr<MemoryStick> sti
 }
 
 Object* System::NewCodeHost(int robot, const std::string& name) {
-  auto host = std::make_unique<CodeHost>(this, table_.NextId(), robot);
+  auto host = std::make_unique<CodeHost>(this, table_.IdFor(robot, name), robot);
   host->name = name;
   return table_.Adopt(std::move(host));
 }
@@ -115,9 +115,13 @@ void System::PostTask(std::function<void()> task) { manager_->PostTask(std::move
 
 void System::Shutdown(int robot, const RunEnd& why) { calls_->Shutdown(robot, why); }
 
-void System::BeginShutdown(int robot, const RunEnd& why) {
-  NoteEnd(robot, why);
-  manager_->PostShutdown(robot);
+void System::BeginShutdown(int index, const RunEnd& why) {
+  if (off_robots_.Remove(index)) {
+    robot(index).end = why;
+    return NoteWhetherAllAreOff(why);
+  }
+  NoteEnd(index, why);
+  manager_->PostShutdown(index);
 }
 
 void System::NoteEnd(int index, const RunEnd& why) {
@@ -144,14 +148,49 @@ void System::CutPower(int index, const RunEnd& why) {
   const bool is_shutdown = why.kind == EndKind::kPowerOff;  // BeginShutdown() has noted the reason
   if (index < robot_count() && !is_shutdown && !robot(index).powered_off) robot(index).end = why;
   NoteEnd(index, why);
-  if (index < robot_count()) robot(index).powered_off = true;
   for (const auto& object : objects()) {
     if (object != nullptr && object->robot == index && object.get() != &manager_->host())
       object->is_off = true;
   }
-  powered_off_ =
-      std::all_of(robots_.begin(), robots_.end(), [](const auto& dog) { return dog->powered_off; });
-  if (powered_off_) NoteRunEnd(index < robot_count() ? *robot(index).end : why);
+  if (index >= robot_count()) return NoteWhetherAllAreOff(why);
+  robot(index).powered_off = true;
+  off_robots_.Remove(index);
+  if (is_shutdown) WaitForBoot(&robot(index));
+  NoteWhetherAllAreOff(*robot(index).end);
+}
+
+// Lets `robot`, which has just shut down, wait for its next boot if a boot timer runs.
+void System::WaitForBoot(Robot* robot) {
+  const std::optional<int64_t> off_us = robot->services->TimeOffUs();
+  if (!off_us || robot->load_again == nullptr) return;
+  robot->services->SwitchOff();
+  off_robots_.Add(robot->index, now_us_ + *off_us);
+}
+
+// Ends the run with the reason `why` if all robots are off and stay off.
+void System::NoteWhetherAllAreOff(const RunEnd& why) {
+  powered_off_ = std::all_of(robots_.begin(), robots_.end(), [this](const auto& dog) {
+    return dog->powered_off && !off_robots_.Contains(dog->index);
+  });
+  if (powered_off_) NoteRunEnd(why);
+}
+
+bool System::LoadAgain(int index) {
+  Robot& dog = robot(index);
+  table_.RemoveAllOf(index);
+  std::erase_if(connections_, [index](const auto& each) { return each.robot == index; });
+  dog.design_data.clear();
+  dog.end.reset();
+  dog.booted_us = now_us_;
+  ++dog.boots;
+  const bool boots = dog.load_again();
+  if (boots) {
+    dog.powered_off = false;
+  } else {
+    dog.end = {EndKind::kNoBoot, "the robot does not boot again; the findings say why"};
+    NoteWhetherAllAreOff(*dog.end);
+  }
+  return boots;
 }
 
 bool System::Step() {
@@ -258,7 +297,7 @@ void System::Readmit(OwnedMessage message) {
 }
 
 int64_t System::NextInstant() const {
-  int64_t end_us = std::min(time_events_.NextUs(), inputs_.NextUs());
+  int64_t end_us = std::min({time_events_.NextUs(), inputs_.NextUs(), off_robots_.NextUs()});
   for (const auto& cpu : cpus_) end_us = std::min(end_us, cpu->EndUs());
   return end_us;
 }
@@ -268,6 +307,7 @@ void System::DoWhatIsDue() {
     if (cpu->EndUs() == now_us_) cpu->End(now_us_);
   }
   inputs_.DoDue();
+  off_robots_.DoDue();
   time_events_.PostDue();
 }
 
@@ -340,12 +380,14 @@ uint64_t System::state_hash() {
   }
   for (const auto& cpu : cpus_) cpu->HashState(&hasher);
   inputs_.HashState(&hasher);
+  off_robots_.HashState(&hasher);
   console_input_.HashState(&hasher);
   time_events_.HashState(&hasher);
   if (options_.cost) options_.cost->HashState(&hasher);
   regions_.HashState(&hasher);
   for (const auto& robot : robots_) {
     hasher.Add(robot->powered_off);
+    if (robot->boots > 1) hasher.Add(robot->booted_us);
     hasher.Add(robot->stick_hash);
     robot->services->HashState(&hasher);
     if (robot->stick) robot->stick->HashState(&hasher);

@@ -31,6 +31,7 @@
 #include "runtime/core/message.h"
 #include "runtime/core/object.h"
 #include "runtime/core/object_table.h"
+#include "runtime/core/off_robots.h"
 #include "runtime/core/region_shares.h"
 #include "runtime/core/region_table.h"
 #include "runtime/core/requests.h"
@@ -112,6 +113,11 @@ struct Robot {
   uint64_t stick_hash = 0;  // hash of the stick's content when LoadStick() was called
   bool powered_off = false;
   std::optional<RunEnd> end;  // the reason for the shutdown or the power-off; none: still on
+  int64_t booted_us = 0;      // virtual time of its last boot
+  int boots = 1;              // how often it has booted
+  // Adds the robot's system objects and loads its stick once more, for a boot after a shutdown.
+  // Returns false if the robot does not boot.  Null: the robot cannot boot again.
+  std::function<bool()> load_again;
 };
 
 class System {
@@ -138,7 +144,7 @@ class System {
   // its own (image.h).  The folder exists as long as the System.
   RunFolder* run_folder();
 
-  // Adds a connection that the boot will make.  REQUIRES: before Boot().
+  // Adds a connection that the boot will make.  REQUIRES: before Boot(), or in Robot::load_again.
   void Connect(Connection connection) { connections_.push_back(std::move(connection)); }
   const std::vector<Connection>& connections() const { return connections_; }
 
@@ -159,14 +165,15 @@ class System {
   void Shutdown(int robot, const RunEnd& why = {});
   void Shutdown(const RunEnd& why = {});             // all robots
   bool booted() const { return booted_; }            // the last DoStart has returned
-  bool powered_off() const { return powered_off_; }  // all robots are off; nothing runs
+  bool powered_off() const { return powered_off_; }  // all robots are off for good; nothing runs
   // Switches one robot off at once, as OPENR::Fatal() does.  Messages to its objects are dropped
   // from now on.
   void PowerOff(int robot, const RunEnd& why = {});
   // Do the work of Shutdown() and PowerOff().  Shutdown() and PowerOff() only pass the request to
   // calls().  In a worker process, calls() sends the request to the master process.  In the master
   // process, calls() is LocalCalls, which calls these two functions.
-  void BeginShutdown(int robot, const RunEnd& why);
+  // A robot that is off and waits for its boot timer stays off after BeginShutdown().
+  void BeginShutdown(int index, const RunEnd& why);
   void CutPower(int robot, const RunEnd& why);
 
   // Record the reason why a robot goes off, or why the run ends if no robot is the reason.  The
@@ -239,6 +246,7 @@ class System {
   ConsoleInput& console_input() { return console_input_; }
   TimeEvents& time_events() { return time_events_; }
   Requests& requests() { return requests_; }
+  const OffRobots& off_robots() const { return off_robots_; }
 
   // ---- State of the run ----
 
@@ -287,6 +295,12 @@ class System {
   friend class Dispatcher;
   friend class ObjectManager;
 
+  // Removes the objects, services, connections and names of robot number `index`, which is off, and
+  // loads them again.  Returns false, and leaves the robot off for good, if it does not boot.
+  bool LoadAgain(int index);
+  void WaitForBoot(Robot* robot);
+  void NoteWhetherAllAreOff(const RunEnd& why);
+
   CodeObject* FinishCodeObject(Object* host, std::unique_ptr<CodeObject> code);
   Object* NewCodeHost(int robot, const std::string& name);
 
@@ -317,6 +331,7 @@ class System {
   ConsoleInput console_input_{this};
   TimeEvents time_events_{this};
   Requests requests_{this};
+  OffRobots off_robots_{this};
   std::unique_ptr<RunFolder> run_folder_;
   std::vector<std::unique_ptr<Robot>> robots_;
   std::vector<Connection> connections_;

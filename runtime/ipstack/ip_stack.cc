@@ -46,7 +46,7 @@ int32_t InvalidError(int32_t protocol) {
 
 }  // namespace
 
-IpStack::IpStack(std::unique_ptr<Network> network, IpStackOptions options)
+IpStack::IpStack(std::shared_ptr<Network> network, IpStackOptions options)
     : network_(std::move(network)),
       options_(std::move(options)),
       parameters_(StickOf(host()), options_.address),
@@ -73,8 +73,11 @@ IpStack::IpStack(std::unique_ptr<Network> network, IpStackOptions options)
 IpStack::~IpStack() = default;  // destroying the network closes its sockets
 
 IpStack* IpStack::OfCurrent() {
-  if (t_current.object == nullptr) return nullptr;
-  Object* const found = t_current.system->FindObject(t_current.object->robot, kName);
+  return t_current.object == nullptr ? nullptr : Of(t_current.system, t_current.object->robot);
+}
+
+IpStack* IpStack::Of(System* system, int robot) {
+  Object* const found = system->FindObject(robot, kName);
   auto* const code_host = dynamic_cast<CodeHost*>(found);
   return code_host == nullptr ? nullptr : dynamic_cast<IpStack*>(code_host->code.get());
 }
@@ -90,8 +93,9 @@ uint32_t IpStack::FurtherAddress(uint32_t ip) const {
 }
 
 NetHandle IpStack::Open(EventSink* sink) {
-  sinks_[++last_handle_] = sink;
-  return last_handle_;
+  const NetHandle handle = network_->NewHandle();
+  sinks_[handle] = sink;
+  return handle;
 }
 
 void IpStack::Drop(NetHandle handle, bool reset) {
@@ -309,7 +313,7 @@ void IpStack::HashState(Hasher* hasher) const {
   parameters_.HashState(hasher);
   buffers_.HashState(hasher);
   hasher->Add(last_index_);
-  hasher->Add(last_handle_);
+  hasher->Add(network_->last_handle());
   hasher->Add(next_port_);
   hasher->Add(poll_posted_);
   for (const uint16_t port : udp_ports_) hasher->Add(port);
@@ -322,14 +326,19 @@ void IpStack::HashState(Hasher* hasher) const {
   }
 }
 
-IpStack* AddIpStack(System* system, int robot, std::unique_ptr<Network> network,
+IpStack* AddIpStack(System* system, int robot, std::shared_ptr<Network> network,
                     IpStackOptions options) {
   IpStack* const stack =
       system->AddObject<IpStack>(robot, IpStack::kName, std::move(network), std::move(options));
-  system->object_table().OnEnd([stack](ObjectId id) {
-    const CurrentScope scope(&stack->system(), &stack->host());
-    stack->ForgetObject(id);
-  });
+  const bool is_first_boot = robot >= system->robot_count() || system->robot(robot).boots == 1;
+  if (is_first_boot) {
+    system->object_table().OnEnd([system, robot](ObjectId id) {
+      IpStack* const present = IpStack::Of(system, robot);
+      if (present == nullptr) return;
+      const CurrentScope scope(system, &present->host());
+      present->ForgetObject(id);
+    });
+  }
   return stack;
 }
 

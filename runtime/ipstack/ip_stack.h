@@ -54,11 +54,13 @@ class IpStack : public CodeObject {
   // meaning of 0 is not documented.
   static constexpr int32_t kPoolBytesDefault = 1 << 20;
 
-  IpStack(std::unique_ptr<Network> network, IpStackOptions options);
+  IpStack(std::shared_ptr<Network> network, IpStackOptions options);
   ~IpStack() override;
 
   // Returns the stack of the current object's robot, or null if the robot has none.
   static IpStack* OfCurrent();
+  // Returns the stack of `robot`, or null if the robot has none.
+  static IpStack* Of(System* system, int robot);
 
   // Returns the selector of IPStack's entry for `selector`.  `selector` is the documented number in
   // a message (Entry_antEnv_..., 0 to 2).  The numbers differ, because on the host an object has
@@ -134,7 +136,7 @@ class IpStack : public CodeObject {
   void EraseDead();
   void CloseAll();
 
-  const std::unique_ptr<Network> network_;
+  const std::shared_ptr<Network> network_;
   const IpStackOptions options_;
   Parameters parameters_;
   uint32_t address_ = 0;
@@ -145,16 +147,15 @@ class IpStack : public CodeObject {
   std::map<uint32_t, std::unique_ptr<Endpoint>> endpoints_;  // key: index of the reference
   std::map<NetHandle, EventSink*> sinks_;
   uint32_t last_index_ = 0;
-  NetHandle last_handle_ = 0;
   uint16_t next_port_;
   Selector first_entry_ = 0;
   Selector poll_entry_ = 0;
   bool poll_posted_ = false;
 };
 
-// Adds the object IPStack to `robot`; called before System::Boot().  The System owns the returned
-// stack, and the stack owns `network`.
-IpStack* AddIpStack(System* system, int robot, std::unique_ptr<Network> network,
+// Adds the object IPStack to `robot`; called before System::Boot(), and in Robot::load_again with
+// the same `network`.  The System owns the returned stack.
+IpStack* AddIpStack(System* system, int robot, std::shared_ptr<Network> network,
                     IpStackOptions options = {});
 
 }  // namespace openr_host

@@ -74,7 +74,8 @@ class Network {
  public:
   virtual ~Network() = default;  // closes all sockets
 
-  // Called once, before all other functions, with the robot's own address.
+  // Called before all other functions, with the robot's own address.  Called again at each later
+  // boot of the robot, when all sockets have been dropped.
   virtual void Attach(uint32_t ip) = 0;
 
   // Selects the address at which the next Listen() or Bind() of `handle` opens its port.  `ip` is
@@ -125,6 +126,10 @@ class Network {
 
   // ---- All handles
 
+  // Makes the number of a new socket.  Numbers are never used again, not even after a boot.
+  NetHandle NewHandle() { return ++last_handle_; }
+  NetHandle last_handle() const { return last_handle_; }
+
   // Closes the socket `handle`, which gets no more events.  If `reset` is true, the peer sees a
   // broken connection instead of an end of the stream.  Unknown handles are ignored.
   virtual void Drop(NetHandle handle, bool reset) = 0;
@@ -139,6 +144,9 @@ class Network {
   // Returns the host's port for the robot's `port`, or 0 if there is none.  The port is for
   // messages to the user; the run must not depend on it.
   virtual uint16_t HostPort(NetProtocol protocol, uint16_t port) const = 0;
+
+ private:
+  NetHandle last_handle_ = 0;
 };
 
 }  // namespace openr_host

@@ -108,9 +108,25 @@ TEST_F(RcFilesTest, ShutdownAnswersAndEndsTheRun) {
   EXPECT_EQ(Shown(end.err, "ended by power-off: RCServer shut the robot down"), "");
 }
 
-TEST_F(RcFilesTest, RebootEndsTheRunAndSaysSo) {
+TEST_F(RcFilesTest, ARebootStartsTheUploadedController) {
+  AnswerOf({"controller", "upload", OPENR_IMAGES "/TIMERUN.BIN"});
   EXPECT_EQ(AnswerOf({"reboot"})["reboots"], true);
-  EXPECT_EQ(Shown(robot_->Finish().err, "ended by power-off: RCServer rebooted the robot"), "");
+  EXPECT_TRUE(robot_->WaitFor("the robot is off, and boots again at t="));
+  EXPECT_TRUE(robot_->WaitFor("the robot has booted again; all its images are new loads"));
+  EXPECT_TRUE(robot_->WaitFor("iteration 1"));
+  robot_->Signal(SIGINT);
+  EXPECT_EQ(Shown(robot_->Finish().err, "ended by pause"), "");
+}
+
+TEST_F(RcFilesTest, AfterAnUploadThatCannotBeLoadedTheOldControllerRuns) {
+  const std::string image = folder_.Read(OnStick("OBJS/CONTROLL.BIN"));
+  AnswerOf({"controller", "upload", folder_.File(OnStick("OBJS/POWERMON.BIN"))});
+  AnswerOf({"reboot"});
+  EXPECT_TRUE(robot_->WaitFor("has booted again"));
+  robot_->Signal(SIGINT);
+  const std::string end = robot_->Finish().err;
+  EXPECT_EQ(Shown(end, "/MS/OPEN-R/MW/OBJS/CONTROLL.BIN is named 'PowerMonitor' like another"), "");
+  EXPECT_EQ(Shown(end, "CONTROLL.OLD, the image before the last upload, is loaded instead"), "");
 }
 
 }  // namespace

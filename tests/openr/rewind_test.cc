@@ -211,6 +211,28 @@ TEST_F(RewindTest, WhatARemoteClientDidIsRepeated) {
   EXPECT_EQ(Hashes(), now);
 }
 
+TEST_F(RewindTest, ABootIsRepeated) {
+  Start({"--body", "ideal"});
+  RunTo(20);
+  const uint16_t port = Ask(R"({"do":"status"})").at("rc_ports").at(0);
+  Ask(R"({"do":"clock","pause":false,"rate":1})");
+  const double before_s = Hashes().at("time_s");
+  RemoteClient client({"127.0.0.1", port}, 10'000);
+  client.UseVersion(RC_VERSION_FILES);
+  client.Request(rcREBOOT);
+  watcher_->WaitFor("values", [](const Json& values) {
+    return values.at("robots").at(0).at("boots_at_s").is_number();
+  });
+  watcher_->WaitFor("values", [](const Json& values) {
+    return values.at("robots").at(0).at("state") == "broadbase";
+  });
+  Ask(R"({"do":"clock","pause":true})");
+  const Json now = Hashes();
+  GoTo(before_s);
+  GoTo(now.at("time_s"));
+  EXPECT_EQ(Hashes(), now);
+}
+
 TEST_F(RewindTest, AViewAndABranchLeaveTheFilesOfTheRunAlone) {
   const std::string stick = folder_.path() + "/stick";
   std::filesystem::copy(OPENR_STICK, stick, std::filesystem::copy_options::recursive);

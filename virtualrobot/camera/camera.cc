@@ -38,41 +38,42 @@ CameraDevice::CameraDevice(std::unique_ptr<ImageSource> source, const Camera& mo
 
 bool CameraDevice::SetWhiteBalance(longword mode) {
   if (!Known(mode)) return false;
-  white_balance_ = mode;
+  settings_.white_balance = mode;
   ChooseExposure();
   return true;
 }
 
 bool CameraDevice::SetGain(longword gain) {
   if (!Known(gain)) return false;
-  gain_ = gain;
+  settings_.gain = gain;
   ChooseExposure();
   return true;
 }
 
 bool CameraDevice::SetShutter(longword shutter) {
   if (!Known(shutter)) return false;
-  shutter_ = shutter;
+  settings_.shutter = shutter;
   ChooseExposure();
   return true;
 }
 
 void CameraDevice::set_auto_exposure(bool on) {
-  auto_exposure_ = on;
+  settings_.auto_exposure = on;
   ChooseExposure();
 }
 
 void CameraDevice::set_auto_white_balance(bool on) {
-  auto_white_balance_ = on;
+  settings_.auto_white_balance = on;
   ChooseExposure();
 }
 
 // Computes exposure_ from the settings.  An automatic function has the effect of the default
 // setting.
 void CameraDevice::ChooseExposure() {
-  const int light = auto_exposure_ ? kOne : kGain[gain_] * kShutter[shutter_] / kOne;
-  const int red = auto_white_balance_ ? kOne : kRed[white_balance_];
-  const int blue = auto_white_balance_ ? kOne : kBlue[white_balance_];
+  const int light =
+      settings_.auto_exposure ? kOne : kGain[settings_.gain] * kShutter[settings_.shutter] / kOne;
+  const int red = settings_.auto_white_balance ? kOne : kRed[settings_.white_balance];
+  const int blue = settings_.auto_white_balance ? kOne : kBlue[settings_.white_balance];
   const int factors[] = {light * red / kOne, light, light * blue / kOne};
   for (size_t colour = 0; colour < 3; ++colour) {
     for (int value = 0; value < 256; ++value) {
@@ -157,12 +158,19 @@ std::string CameraDevice::TakePicture(int64_t frame, const Body& body, Picture* 
   return "";
 }
 
+void CameraDevice::SwitchOff() {
+  settings_ = {};
+  tables_ = {};
+  ChooseExposure();
+  pool_.Clear();
+}
+
 void CameraDevice::HashState(Hasher* hasher) const {
-  hasher->Add(white_balance_);
-  hasher->Add(gain_);
-  hasher->Add(shutter_);
-  hasher->Add(auto_exposure_);
-  hasher->Add(auto_white_balance_);
+  hasher->Add(settings_.white_balance);
+  hasher->Add(settings_.gain);
+  hasher->Add(settings_.shutter);
+  hasher->Add(settings_.auto_exposure);
+  hasher->Add(settings_.auto_white_balance);
   tables_.HashState(hasher);
 }
 

@@ -53,9 +53,23 @@ class CameraDevice {
   // picture.
   std::string TakePicture(int64_t frame, const Body& body, Picture* picture);
 
+  // Sets the settings as they are at boot, and gives up the regions of all vectors.  REQUIRES: the
+  // object that sends the vectors is the current object.
+  void SwitchOff();
+
   void HashState(Hasher* hasher) const;
 
  private:
+  // The values at boot are those of Model Information ERS-210, 4.1.2.  Two things are our choice:
+  // which of the two gains of 0 dB is the default, and that both automatic functions are off.
+  struct Settings {
+    longword white_balance = ocamparamWB_FL_MODE;
+    longword gain = ocamparamGAIN_MID;
+    longword shutter = ocamparamSHUTTER_MID;
+    bool auto_exposure = false;
+    bool auto_white_balance = false;
+  };
+
   CameraShot ShotBefore(int64_t frame, const Body& body) const;
   void ChooseExposure();
   RCRegion* FreeVector();
@@ -69,14 +83,7 @@ class CameraDevice {
   Picture picture_;
   Exposure exposure_;
   VectorPool pool_;
-
-  // Settings at boot, from Model Information ERS-210, 4.1.2.  Two things are our choice: which of
-  // the two gains of 0 dB is the default, and that both automatic functions are off.
-  longword white_balance_ = ocamparamWB_FL_MODE;
-  longword gain_ = ocamparamGAIN_MID;
-  longword shutter_ = ocamparamSHUTTER_MID;
-  bool auto_exposure_ = false;
-  bool auto_white_balance_ = false;
+  Settings settings_;
 };
 
 }  // namespace openr_host

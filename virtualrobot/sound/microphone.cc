@@ -45,9 +45,14 @@ RCRegion* Microphone::MakeVector(int64_t frame) {
   return region;
 }
 
+void Microphone::SwitchOff() {
+  settings_ = {};
+  pool_.Clear();
+}
+
 void Microphone::HashState(Hasher* hasher) const {
-  hasher->Add(directional_);
-  hasher->Add(level_control_);
+  hasher->Add(settings_.directional);
+  hasher->Add(settings_.level_control);
 }
 
 }  // namespace openr_host

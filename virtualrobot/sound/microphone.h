@@ -23,8 +23,8 @@ class Microphone {
 
   // Change the settings for which OPEN-R has the requests oprmreqMIC_*.  The settings do not change
   // the sound, because their effect on the robot is not known.
-  void set_directional(bool directional) { directional_ = directional; }
-  void set_level_control(bool on) { level_control_ = on; }
+  void set_directional(bool directional) { settings_.directional = directional; }
+  void set_level_control(bool on) { settings_.level_control = on; }
 
   // Returns whether a vector is complete when frame `frame` begins.
   bool Due(int64_t frame) const { return frame > 0 && frame % frames_per_vector_ == 0; }
@@ -34,16 +34,24 @@ class Microphone {
   // in a handler of an object, because RCRegion counts references per object.
   RCRegion* MakeVector(int64_t frame);
 
+  // Sets the settings as they are at boot, and gives up the regions of all vectors.  REQUIRES: the
+  // object that sends the vectors is the current object.
+  void SwitchOff();
+
   void HashState(Hasher* hasher) const;
 
  private:
   RCRegion* FreeVector();
 
+  struct Settings {
+    bool directional = false;  // the values at boot are our choice
+    bool level_control = false;
+  };
+
   std::unique_ptr<SoundSource> source_;
   const OPrimitiveID id_;
   const int frames_per_vector_;
-  bool directional_ = false;  // the values at boot are our choice
-  bool level_control_ = false;
+  Settings settings_;
   VectorPool pool_;
 };
 

@@ -42,24 +42,24 @@ const SoundType* Speaker::FindSoundType(longword type) {
 }
 
 void Speaker::SetVolume(longword volume) {
-  volume_ = volume & 0xffff;
+  settings_.volume = volume & 0xffff;
   // The factor is limited to 1000 (60 dB), because beyond it every sample is at full scale anyway.
-  gain_ = static_cast<int32_t>(std::min(GainOf(volume_), 1000.0) * kFullGain);
+  settings_.gain = static_cast<int32_t>(std::min(GainOf(settings_.volume), 1000.0) * kFullGain);
 }
 
 bool Speaker::SetSoundType(longword type) {
   const SoundType* const found = FindSoundType(type);
   if (found == nullptr) return false;
-  type_ = found;
+  settings_.type = found;
   return true;
 }
 
 std::string Speaker::Play(int64_t frame, const SoundFrame& samples, bool motor_power) {
   if (sink_ == nullptr) return "";
   SoundFrame out{};
-  if (motor_power && !mute_) {
+  if (motor_power && !settings_.mute) {
     for (size_t i = 0; i < samples.size(); ++i) {
-      out[i] = static_cast<int16_t>(std::clamp(int64_t{samples[i]} * gain_ / kFullGain,
+      out[i] = static_cast<int16_t>(std::clamp(int64_t{samples[i]} * settings_.gain / kFullGain,
                                                int64_t{INT16_MIN}, int64_t{INT16_MAX}));
     }
   }
@@ -67,9 +67,9 @@ std::string Speaker::Play(int64_t frame, const SoundFrame& samples, bool motor_p
 }
 
 void Speaker::HashState(Hasher* hasher) const {
-  hasher->Add(mute_);
-  hasher->Add(volume_);
-  hasher->Add(type_->type);
+  hasher->Add(settings_.mute);
+  hasher->Add(settings_.volume);
+  hasher->Add(settings_.type->type);
 }
 
 }  // namespace openr_host

@@ -29,22 +29,25 @@ class Speaker {
   // Makes a speaker that plays to `sink`; null means that sounds are lost.
   explicit Speaker(std::unique_ptr<SoundSink> sink) : sink_(std::move(sink)) {}
 
-  void set_mute(bool mute) { mute_ = mute; }
+  void set_mute(bool mute) { settings_.mute = mute; }
 
   // Sets the volume.  The unit of `volume` is 1/256 dB, as a two's complement of 16 bits, like the
   // constants ospkvol10dB and others.
   void SetVolume(longword volume);
-  longword volume() const { return volume_; }
+  longword volume() const { return settings_.volume; }
 
   // Sets the type of the sound that follows.  Returns false, and keeps the old type, when `type` is
   // reserved or unknown.
   bool SetSoundType(longword type);
-  const SoundType& sound_type() const { return *type_; }
+  const SoundType& sound_type() const { return *settings_.type; }
 
   // Plays the sound of frame `frame` (8 ms).  The frame is silent when `motor_power` is false,
   // because the amplifier has its power from the motors' supply (inferred from the order of calls
   // in Sony's sample SoundPlay).  Returns "", or the reason why the sound could not be written.
   std::string Play(int64_t frame, const SoundFrame& samples, bool motor_power);
+
+  // Sets the settings as they are at boot.  The sink stays open.
+  void SwitchOff() { settings_ = {}; }
 
   // Closes the sink after the last sound.  Returns "", or the reason why some of the sound could
   // not be written.
@@ -53,14 +56,18 @@ class Speaker {
   void HashState(Hasher* hasher) const;
 
  private:
-  std::unique_ptr<SoundSink> sink_;
-  bool mute_ = false;
-  longword volume_ = ospkvol10dB;  // the volume at boot is our choice
-  int32_t gain_ = kFullGain;       // factor that volume_ stands for, times kFullGain
-  const SoundType* type_ = FindSoundType(ospksndMONO8K8B);
-
   static constexpr int32_t kFullGain = 1 << 12;
   static const SoundType* FindSoundType(longword type);
+
+  struct Settings {
+    bool mute = false;
+    longword volume = ospkvol10dB;  // the volume at boot is our choice
+    int32_t gain = kFullGain;       // factor that `volume` stands for, times kFullGain
+    const SoundType* type = FindSoundType(ospksndMONO8K8B);
+  };
+
+  std::unique_ptr<SoundSink> sink_;
+  Settings settings_;
 };
 
 }  // namespace openr_host

@@ -1,0 +1,46 @@
+// OffRobots: the robots of a System that are switched off and will boot again by themselves.
+//
+// OPENR::Shutdown() with a boot timer switches a robot off until the timer has run down.  Meanwhile
+// none of its objects runs, but the body still obeys physics: a standing robot sinks.
+#pragma once
+
+#include <cstdint>
+#include <map>
+
+namespace openr_host {
+
+class Hasher;
+class System;
+
+class OffRobots {
+ public:
+  // `system` must outlive this object.
+  explicit OffRobots(System* system) : system_(system) {}
+
+  // Adds robot number `robot`, which has just been switched off and boots at `boot_us`.
+  void Add(int robot, int64_t boot_us);
+  // Removes robot number `robot`, so that it stays off.  Returns false if it was not added.
+  bool Remove(int robot);
+
+  bool Contains(int robot) const { return robots_.contains(robot); }
+  // Returns the virtual time at which robot number `robot` boots.  REQUIRES: Contains(robot).
+  int64_t BootUs(int robot) const { return robots_.at(robot).boot_us; }
+
+  // Returns the end of the next frame of these robots, or INT64_MAX if there are none.
+  int64_t NextUs() const;
+  // Moves the bodies of these robots if a frame ends now, and boots those whose time has come.
+  void DoDue();
+
+  void HashState(Hasher* hasher) const;
+
+ private:
+  struct Times {
+    int64_t frame_us;  // end of the frame that runs now
+    int64_t boot_us;   // the robot boots at the end of the first frame that ends then or later
+  };
+
+  System* const system_;
+  std::map<int, Times> robots_;  // by index of the robot
+};
+
+}  // namespace openr_host
