@@ -68,6 +68,15 @@ CLI::Option* AddDurationFlag(CLI::App* command, const std::string& name, int64_t
       ->default_str(FormatDuration(*us));
 }
 
+double RateOf(const std::string& text) {
+  if (text == "max") return 0;
+  char* end = nullptr;
+  const double rate = std::strtod(text.c_str(), &end);
+  if (!text.empty() && *end == 0 && rate >= 0.001 && rate <= 1000) return rate;
+  throw CLI::ValidationError(
+      "--rate", fmt::format("'{}' is neither 'max' nor a number from 0.001 to 1000", text));
+}
+
 CLI::Validator IsCount() {
   const auto problem = [](const std::string& text) -> std::string {
     uint64_t number = 0;

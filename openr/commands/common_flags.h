@@ -29,6 +29,10 @@ CLI::Option* AddDurationFlag(CLI::App* command, const std::string& name,
 CLI::Option* AddDurationFlag(CLI::App* command, const std::string& name, int64_t* us,
                              const std::string& description);
 
+// Returns the rate that the value `text` of --rate names: virtual seconds per second, 0 for "max".
+// Throws CLI::ValidationError if it names none.
+double RateOf(const std::string& text);
+
 // Returns a check of a flag's value: it accepts only whole numbers from 0 to 2^64 - 1.
 CLI::Validator IsCount();
 

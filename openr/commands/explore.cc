@@ -7,12 +7,14 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <new>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -23,7 +25,9 @@
 #include "kit/shell_words.h"
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
+#include "openr/commands/show_run.h"
 #include "openr/explore/explorer.h"
+#include "openr/explore/failing_run.h"
 #include "openr/explore/progress_line.h"
 #include "openr/explore/schedule_file.h"
 #include "openr/simulation/cost_file.h"
@@ -52,6 +56,8 @@ struct ExploreFlags {
   std::string console_file;
   std::string file;
   bool json = false;
+  bool panel = false;
+  ShowOptions show;
 };
 
 // Checks `name`, a value of --property.  Throws CLI::ParseError if it is a file that cannot be
@@ -122,6 +128,12 @@ void DescribeHow(CLI::App* command, ExploreFlags* flags) {
                             "--guard", "--seed", "--for", "--property"}) {
     replay->excludes(command->get_option(other));
   }
+  CLI::Option* const panel =
+      command
+          ->add_flag("--panel", flags->panel,
+                     "With --replay: show the failing run on the web panel, until Ctrl-C")
+          ->needs(replay);
+  AddShowFlags(command, panel, &flags->show);
   command->add_option("--console", flags->console_file, "File for what objects print")
       ->check(IsWritable());
   command->add_option("-o,--output", flags->file, "File for the failing order, if there is one")
@@ -271,6 +283,20 @@ void Tell(const Json& result, const std::string& text, bool as_json) {
   fmt::print(as_json ? stderr : stdout, "{}", text);
 }
 
+// Shows the run of a schedule file on the panel.  `answer` is that of ReplayDeviations().
+int ShowFailure(const ExploreFlags& flags, const ExploredStick& stick, uint64_t seed,
+                const Json& deviations, const Json& answer) {
+  ShowOptions show = flags.show;
+  show.name = std::filesystem::path(flags.replay_file).filename();
+  const auto make = [&](const std::function<void(std::string_view)>& console) {
+    SimulationOptions simulation = stick.simulation;
+    simulation.console = console;
+    const auto prepare = [simulation] { return PrepareSimulation(simulation); };
+    return std::make_unique<FailingRun>(prepare, deviations, seed, stick.for_us, answer);
+  };
+  return ShowRun(make, show);
+}
+
 int Replay(ExploreFlags flags) {
   Json deviations;
   const ScheduleFile schedule = ReadScheduleFile(flags.replay_file, &deviations);
@@ -307,6 +333,7 @@ int Replay(ExploreFlags flags) {
   Json result = answer;
   result["same"] = same;
   Tell(result, text, flags.json);
+  if (flags.panel) return ShowFailure(flags, stick, schedule.seed, deviations, answer);
   return WithConsole(broken ? kExitWrong : kExitGood, console);
 }
 

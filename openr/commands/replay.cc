@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -13,6 +14,7 @@
 #include "cli/json_text.h"
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
+#include "openr/commands/show_run.h"
 #include "openr/ending/crash_log.h"
 #include "openr/ending/ending.h"
 #include "openr/ending/watchdog.h"
@@ -28,6 +30,8 @@ struct ReplayFlags {
   bool step = false;
   bool json = false;
   bool console = false;
+  bool panel = false;
+  ShowOptions show;
   int64_t handler_limit_us = 10'000'000;  // the default of openr run
 };
 
@@ -67,6 +71,21 @@ int Finish(Replayer* replayer, const ReplayFlags& flags) {
   return equal && problems.empty() ? kExitGood : kExitWrong;
 }
 
+// Shows the recording on the panel.
+int Show(const ReplayFlags& flags) {
+  ShowOptions show = flags.show;
+  show.name = std::filesystem::path(flags.replay.file).filename();
+  const auto make = [&flags](const std::function<void(std::string_view)>& console) {
+    ReplayOptions options = flags.replay;
+    options.console = [console, also = flags.replay.console](std::string_view text) {
+      also(text);
+      console(text);
+    };
+    return std::make_unique<Replayer>(options);
+  };
+  return ShowRun(make, show);
+}
+
 int Replay(ReplayFlags flags) {
   if (!flags.console) flags.replay.console = [](std::string_view) {};
   if (flags.console) {
@@ -76,8 +95,9 @@ int Replay(ReplayFlags flags) {
   }
   const EndingAnswer answer(flags.json ? STDOUT_FILENO : -1);
   const CrashLog crash_log({});
-  const Watchdog watchdog(flags.step ? 0 : flags.handler_limit_us);
+  const Watchdog watchdog(flags.step || flags.panel ? 0 : flags.handler_limit_us);
   if (flags.step) return StepThrough(flags.replay) ? kExitGood : kExitWrong;
+  if (flags.panel) return Show(flags);
   Replayer replayer(flags.replay);
   const EndingAction ending_action([&replayer](Ending*) {
     fmt::print(stderr, "openr: {} {} equal up to here\n", Counted(replayer.count(), "message"),
@@ -104,6 +124,12 @@ void AddReplayCommand(CLI::App* app, int* exit_code) {
   CLI::Option* const step = command->add_flag(
       "--step", flags->step, "A prompt that steps forward and back, breaks and shows queues");
   command->add_flag("--console", flags->console, "Print what objects print");
+  CLI::Option* const panel =
+      command
+          ->add_flag("--panel", flags->panel,
+                     "Show the recording on the web panel, where it can be rewound, until Ctrl-C")
+          ->excludes(step);
+  AddShowFlags(command, panel, &flags->show);
   AddDurationFlag(command, "--handler-limit", &flags->handler_limit_us,
                   "End the replay when a handler uses more processor time; 0s: never")
       ->excludes(step);

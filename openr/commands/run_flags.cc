@@ -177,15 +177,6 @@ std::vector<PictureRequest> PictureRequests(const RunFlags& flags) {
   return plans;
 }
 
-double RateOf(const std::string& text) {
-  if (text == "max") return 0;
-  char* end = nullptr;
-  const double rate = std::strtod(text.c_str(), &end);
-  if (!text.empty() && *end == 0 && rate >= 0.001 && rate <= 1000) return rate;
-  throw CLI::ValidationError(
-      "--rate", fmt::format("'{}' is neither 'max' nor a number from 0.001 to 1000", text));
-}
-
 // Throws if two flags name the same file, because each would overwrite what the other writes.
 void CheckThatFilesDiffer(const RunFlags& flags) {
   std::vector<std::pair<std::string, std::string>> named = {

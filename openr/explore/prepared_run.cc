@@ -7,6 +7,16 @@
 
 namespace openr_host {
 
+void SetSchedule(PreparedRun* prepared, uint64_t seed, ExploreSchedule* schedule, int64_t for_us) {
+  prepared->system->Reseed(seed);
+  prepared->system->set_schedule(schedule);
+  if (prepared->cost != nullptr) prepared->cost->set_schedule(schedule);
+  for (size_t i = 0; i < prepared->robots.size(); ++i) {
+    const int64_t frames = for_us / kFrameUs;
+    prepared->robots[i]->set_first_frame(schedule->FirstFrame(static_cast<int>(i), frames));
+  }
+}
+
 PreparedRun PrepareSimulation(SimulationOptions options) {
   PreparedRun prepared;
   std::shared_ptr<ExploredCost> cost;
@@ -19,6 +29,7 @@ PreparedRun PrepareSimulation(SimulationOptions options) {
   options.writable_stick = false;
   options.measures = false;
   const auto simulation = std::make_shared<Simulation>(options);
+  prepared.simulation = simulation.get();
   prepared.system = &simulation->system();
   prepared.robots = simulation->robots();
   prepared.owner = simulation;

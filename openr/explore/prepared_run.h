@@ -12,9 +12,11 @@
 namespace openr_host {
 
 class ExploredCost;
+class ExploreSchedule;
 
 struct PreparedRun {
   System* system = nullptr;
+  Simulation* simulation = nullptr;   // null: objects that were not loaded from a stick
   std::vector<VirtualRobot*> robots;  // empty: objects without a simulated body
   ExploredCost* cost = nullptr;       // null: handlers take no time
   std::shared_ptr<void> owner;        // keeps the system, the robots and the cost alive
@@ -24,6 +26,10 @@ struct PreparedRun {
 // A function that assembles the same run each time it is called.  Each child process of the
 // explorer calls it once.
 using PrepareRun = std::function<PreparedRun()>;
+
+// Lets `schedule`, which must exist as long as the run, choose what the robot leaves open in a run
+// of at most `for_us`.  The random numbers of the simulation follow from `seed`.
+void SetSchedule(PreparedRun* prepared, uint64_t seed, ExploreSchedule* schedule, int64_t for_us);
 
 // Assembles a run of the objects on a Memory Stick, on a robot with a simulated body.  The objects
 // cannot write to the stick and cannot reach the network of the host.  Throws std::runtime_error

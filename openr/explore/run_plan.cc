@@ -62,13 +62,7 @@ class PlanRun {
   }
 
   Json Run() {
-    system_.Reseed(plan_.at("seed").get<uint64_t>());
-    system_.set_schedule(schedule_.get());
-    if (prepared_.cost != nullptr) prepared_.cost->set_schedule(schedule_.get());
-    for (size_t i = 0; i < prepared_.robots.size(); ++i) {
-      const int64_t frames = until_us_ / kFrameUs;
-      prepared_.robots[i]->set_first_frame(schedule_->FirstFrame(static_cast<int>(i), frames));
-    }
+    SetSchedule(&prepared_, plan_.at("seed").get<uint64_t>(), schedule_.get(), until_us_);
     const int sink = system_.trace().AddSink(
         [this](const TraceRecord& record, const Message& message) { Saw(record, message); });
     system_.Boot();

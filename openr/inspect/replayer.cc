@@ -42,18 +42,13 @@ SimulationOptions Replayer::OptionsOf(const TraceHeader& header, const ReplayOpt
 }
 
 // Makes a copy of the Memory Stick as it was at the beginning of the recorded run: copies the
-// folder `now`, and undoes in the copy the changes that are in the recording, the last one first.
+// folder `now`, and undoes in the copy `changes`, which are in the recording, the last one first.
 // Returns the folder of the copy.
-std::string Replayer::StickOfThen(const std::string& now) {
+std::string Replayer::StickOfThen(const std::string& now, const std::vector<TraceEntry>& changes) {
   namespace fs = std::filesystem;
   const fs::path stick = fs::path(folder_.path()) / "stick";
   fs::create_directory(stick);
   CopyStick(now, stick);
-  std::vector<TraceEntry> changes;
-  for (TraceReader reader(file_); reader.Peek() != nullptr;) {
-    if (reader.Peek()->kind == Kind::kStick) changes.push_back(*reader.Peek());
-    reader.Take();
-  }
   for (auto change = changes.rbegin(); change != changes.rend(); ++change) {
     const fs::path path = (stick / change->name).lexically_normal();
     if (!path.string().starts_with(stick.string() + "/"))
@@ -77,6 +72,13 @@ Replayer::Replayer(const ReplayOptions& replay) : file_(replay.file), reader_(re
         "handlers ended; openr trace shows what happened",
         file_));
   }
+  std::vector<TraceEntry> changes;  // of the stick
+  for (TraceReader reader(file_); reader.Peek() != nullptr;) {
+    TraceEntry entry = reader.Take();
+    const int64_t time_us = entry.kind == Kind::kMessage ? entry.record.time_us : entry.time_us;
+    length_us_ = std::max(length_us_, time_us);
+    if (entry.kind == Kind::kStick) changes.push_back(std::move(entry));
+  }
   SimulationOptions options = OptionsOf(reader_.header(), replay);
   const std::string stick = options.stick;
   if (options.robots == 1) {  // one robot: a stick that several share is read-only
@@ -84,7 +86,7 @@ Replayer::Replayer(const ReplayOptions& replay) : file_(replay.file), reader_(re
       throw std::runtime_error(
           fmt::format("{}: the stick {} is no longer there; give it with --stick", file_, stick));
     }
-    options.stick = StickOfThen(stick);
+    options.stick = StickOfThen(stick, changes);
   }
   options.network_filter = [this](int robot, std::unique_ptr<Network>) {
     return std::make_unique<ReplayedNetwork>([this, robot] { return SayNetwork(robot); });
@@ -293,9 +295,23 @@ bool Replayer::Step() {
   return false;
 }
 
-void Replayer::RunUntil(int64_t time_us) {
-  while (NextTimeUs() <= time_us && Step()) {
+void Replayer::RunOne(int64_t time_us) {
+  // Inputs are applied first, because the entry behind them may be later than `time_us`.
+  while (ApplyInput()) {
   }
+  if (!WhyOver().empty()) return;
+  const int64_t next_us = NextTimeUs();
+  if (next_us <= time_us || next_us == INT64_MAX) {
+    Step();
+  } else {
+    system().RunUntil(time_us);  // nothing is recorded up to then
+  }
+}
+
+std::string Replayer::WhyOver() const {
+  if (!difference_.empty()) return "the run differs from the recording here: " + difference_;
+  if (!loss_.empty()) return loss_;
+  return at_end_ ? "the recording is over" : "";
 }
 
 }  // namespace openr_host

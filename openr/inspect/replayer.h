@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "openr/inspect/trace_file.h"
+#include "openr/simulation/known_run.h"
 #include "openr/simulation/simulation.h"
 #include "runtime/base/temp_folder.h"
 
@@ -21,17 +22,17 @@ struct ReplayOptions {
   std::function<void(std::string_view)> console;
 };
 
-class Replayer {
+class Replayer : public KnownRun {
  public:
   // Assembles the run and boots it, on a copy of the Memory Stick as it was at the beginning of the
   // recorded run.  Throws std::runtime_error when the recording, or a file that it needs, cannot be
   // used, or when something besides the recorded run has changed files of the stick.
   explicit Replayer(const ReplayOptions& options);
-  ~Replayer();
+  ~Replayer() override;
   Replayer(const Replayer&) = delete;
   Replayer& operator=(const Replayer&) = delete;
 
-  Simulation& simulation() { return *simulation_; }
+  Simulation& simulation() override { return *simulation_; }
   System& system() { return simulation_->system(); }
 
   // Applies the recorded input whose time has come, then goes on to the next entry of the
@@ -39,8 +40,10 @@ class Replayer {
   // delivers nothing, and the next call applies the input.  Returns false at the end of the
   // recording and after a difference.
   bool Step();
-  // Runs to the end of the recording, to `time_us`, or to the first difference.
-  void RunUntil(int64_t time_us);
+  // ---- KnownRun
+  void RunOne(int64_t time_us) override;
+  int64_t length_us() const override { return length_us_; }
+  std::string WhyOver() const override;
 
   // Returns the entry of the recording for the last message that was compared.
   const TraceEntry& last() const { return last_; }
@@ -65,7 +68,7 @@ class Replayer {
 
  private:
   static SimulationOptions OptionsOf(const TraceHeader& header, const ReplayOptions& options);
-  std::string StickOfThen(const std::string& now);
+  std::string StickOfThen(const std::string& now, const std::vector<TraceEntry>& changes);
   std::vector<NetworkEvent> SayNetwork(int robot);
   void SkipNames();
   void Compare(const TraceRecord& record, const Message& message);
@@ -81,6 +84,7 @@ class Replayer {
   TempFolder folder_;  // holds the copy of the Memory Stick
   std::unique_ptr<Simulation> simulation_;
   TraceEntry last_;
+  int64_t length_us_ = 0;
   uint64_t count_ = 0;
   bool at_end_ = false;
   std::string difference_;

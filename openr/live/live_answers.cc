@@ -19,6 +19,7 @@
 #include "openr/live/scene_json.h"
 #include "openr/render/png_file.h"
 #include "openr/rewind/rewind.h"
+#include "openr/simulation/known_run.h"
 #include "openr/simulation/simulation.h"
 #include "runtime/base/spelling.h"
 #include "runtime/core/api.h"
@@ -62,6 +63,7 @@ double TimeOf(const Asked& asked) { return static_cast<double>(asked.system().no
 
 Json AnswerInput(const Asked& asked) {
   const std::string line = asked.request.at("line").get<std::string>();
+  if (asked.context.known != nullptr) return Error("this is a recording; nothing can be changed");
   const std::string problem = asked.system().inputs().Add(asked.robot(), line);
   if (!problem.empty()) return Error(problem);
   return {{"time_s", TimeOf(asked)}};
@@ -205,9 +207,23 @@ Json AnswerScene(const Asked& asked) {
 // The rates that a user can ask for, as those of --rate.
 constexpr double kRateMin = 0.001, kRateMax = 1000;
 
+int64_t InUs(double time_s) { return static_cast<int64_t>(std::llround(time_s * 1e6)); }
+
+// Makes a known run go on to a later moment.
+Json GoTo(const Asked& asked, int64_t time_us) {
+  const KnownRun* const known = asked.context.known;
+  if (known == nullptr) return Error("only a recording can go on to a given moment");
+  if (time_us > known->length_us())
+    return Error(fmt::format("the recording is over at t={:.3f} s",
+                             static_cast<double>(known->length_us()) / 1e6));
+  asked.context.clock->GoTo(time_us);
+  return asked.context.events->Clock();
+}
+
 Json AnswerClock(const Asked& asked) {
   RunClock* const clock = asked.context.clock;
   const nlohmann::json& request = asked.request;
+  if (request.contains("to_s")) return GoTo(asked, InUs(request["to_s"].get<double>()));
   if (clock->is_fixed())
     return Error("a free run cannot be paused, and keeps its rate: its processes do not wait");
   if (request.contains("rate")) {
@@ -267,7 +283,6 @@ Json AnswerEvent(const Asked& asked) {
 Json AnswerRewind(const Asked& asked) {
   Rewind* const rewind = asked.context.rewind;
   const nlohmann::json& request = asked.request;
-  const auto in_us = [](double time_s) { return static_cast<int64_t>(std::llround(time_s * 1e6)); };
   std::string problem;
   if (request.contains("present")) {
     rewind->ShowPresent();
@@ -276,8 +291,8 @@ Json AnswerRewind(const Asked& asked) {
   } else {
     const int64_t from_us = rewind->shows_past() ? rewind->shown_us() : asked.system().now_us();
     const int64_t to_us = request.contains("back_s")
-                              ? from_us - in_us(request["back_s"].get<double>())
-                              : in_us(request.at("to_s").get<double>());
+                              ? from_us - InUs(request["back_s"].get<double>())
+                              : InUs(request.at("to_s").get<double>());
     problem = rewind->ShowTime(to_us);
   }
   if (!problem.empty()) return Error(problem);
@@ -305,6 +320,10 @@ Json AnswerInPast(const Asked& asked, const std::string& name) {
         "the present");
   if (name != "clock") return rewind->Forward(asked.request);
   const nlohmann::json& request = asked.request;
+  if (request.contains("to_s")) {
+    rewind->ShowPresent();
+    return AnswerClock(asked);
+  }
   if (!request.value("pause", true))
     return Error("this is the past; go on from here, or go back to the present");
   if (!request.contains("step")) return AnswerClock(asked);

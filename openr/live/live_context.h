@@ -4,6 +4,7 @@
 namespace openr_host {
 
 class ConsoleLog;
+class KnownRun;
 class LiveEvents;
 class MessageHistory;
 class Rewind;
@@ -16,7 +17,8 @@ struct LiveContext {
   ConsoleLog* console;
   MessageHistory* history;
   LiveEvents* events;
-  Rewind* rewind;  // goes back to earlier moments
+  Rewind* rewind;             // goes back to earlier moments
+  KnownRun* known = nullptr;  // the run, if it repeats what is known; null: people can change it
 };
 
 }  // namespace openr_host

@@ -12,6 +12,7 @@
 #include "openr/live/run_clock.h"
 #include "openr/live/scene_json.h"
 #include "openr/rewind/rewind.h"
+#include "openr/simulation/known_run.h"
 #include "openr/simulation/simulation.h"
 #include "runtime/base/wall_clock.h"
 #include "runtime/core/api.h"
@@ -148,12 +149,17 @@ Json LiveEvents::Clock() {
   System& system = context_.simulation->system();
   const Rewind& rewind = *context_.rewind;
   const bool is_past = rewind.shows_past();
-  return {{"time_s", InSeconds(is_past ? rewind.shown_us() : system.now_us())},
-          {"messages", is_past ? rewind.shown_messages() : system.message_count()},
-          {"paused", context_.clock->paused()},
-          {"rate", context_.clock->rate()},
-          {"speed", speed_},
-          {"rewind", context_.rewind->Status()}};
+  Json clock = {{"time_s", InSeconds(is_past ? rewind.shown_us() : system.now_us())},
+                {"messages", is_past ? rewind.shown_messages() : system.message_count()},
+                {"paused", context_.clock->paused()},
+                {"rate", context_.clock->rate()},
+                {"speed", speed_},
+                {"rewind", context_.rewind->Status()}};
+  if (context_.known != nullptr) {
+    clock["length_s"] = InSeconds(context_.known->length_us());
+    clock["over"] = context_.known->WhyOver();
+  }
+  return clock;
 }
 
 // Computes the messages per second of virtual time since the last update, for every object and

@@ -4,13 +4,24 @@
 
 namespace openr_host {
 
+void RunClock::Pause() {
+  paused_ = true;
+  goal_us_ = INT64_MAX;
+}
+
 void RunClock::GoOn() {
   paused_ = false;
   steps_left_ = 0;
+  goal_us_ = INT64_MAX;
+}
+
+void RunClock::GoTo(int64_t time_us) {
+  GoOn();
+  goal_us_ = time_us;
 }
 
 void RunClock::AddSteps(Step step, int count) {
-  paused_ = true;
+  Pause();
   if (step != step_) steps_left_ = 0;
   step_ = step;
   steps_left_ = std::clamp(steps_left_ + count, 0, kStepsMax);

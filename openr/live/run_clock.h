@@ -5,6 +5,7 @@
 // of a recording.
 #pragma once
 
+#include <cstdint>
 #include <string_view>
 
 namespace openr_host {
@@ -29,7 +30,7 @@ class RunClock {
   void set_rate(double rate) { rate_ = rate; }
 
   bool paused() const { return paused_; }
-  void Pause() { paused_ = true; }
+  void Pause();
   void GoOn();
 
   // Pauses the run, and makes it go on for `count` steps.  A step of another kind replaces steps
@@ -37,6 +38,11 @@ class RunClock {
   void AddSteps(Step step, int count);
   // Takes one of the steps that wait; kNone: none waits.
   Step TakeStep();
+
+  // Makes the run go on as fast as possible to the virtual time `time_us`, and pauses it there.
+  void GoTo(int64_t time_us);
+  // Returns the time of GoTo(); INT64_MAX: none.
+  int64_t goal_us() const { return goal_us_; }
 
   // Sets `step` to the step "frame", "message" or "vector".  Returns false for other names.
   static bool ParseStep(std::string_view name, Step* step);
@@ -47,6 +53,7 @@ class RunClock {
   bool paused_ = false;
   Step step_ = Step::kNone;
   int steps_left_ = 0;
+  int64_t goal_us_ = INT64_MAX;
 };
 
 }  // namespace openr_host

@@ -28,9 +28,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// How far back one can go, and the least distance of two checkpoints, in virtual time and by the
-// clock of this computer.
-constexpr int64_t kSpanUs = 60'000'000;
+// The least distance of two checkpoints, in virtual time and by the clock of this computer.
 constexpr int64_t kDistanceUs = 1'500'000;
 constexpr int64_t kDistanceNs = 300'000'000;
 
@@ -82,7 +80,7 @@ void Rewind::Begin(RewindParts parts) {
     });
   }
   system().inputs().OnAdd([this](int robot, std::string_view line) {
-    if (is_view_) return;
+    if (is_view_ || parts_.known != nullptr) return;
     LoggedInput input;
     input.robot = robot;
     input.line = line;
@@ -156,7 +154,7 @@ void Rewind::Drop(Checkpoint* checkpoint) {
 // too much memory.
 void Rewind::DropOld() {
   UpdateMemory();
-  const int64_t begin_us = system().now_us() - kSpanUs;
+  const int64_t begin_us = system().now_us() - parts_.span_us;
   while (checkpoints_.size() > 1 && checkpoints_[1].time_us <= begin_us) {
     Drop(&checkpoints_.front());
     checkpoints_.pop_front();

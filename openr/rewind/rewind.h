@@ -32,6 +32,7 @@
 namespace openr_host {
 
 class BranchNetwork;
+class KnownRun;
 class Network;
 class Simulation;
 class System;
@@ -40,6 +41,11 @@ class System;
 struct RewindParts {
   Simulation* simulation = nullptr;
   std::string why_not;  // the reason why this run cannot be rewound; "": it can
+  // The run, if it repeats what is known.  Then a view or a branch asks it to go on.  Null: a view
+  // repeats the inputs of the run.
+  KnownRun* known = nullptr;
+  // How far back one can go, in virtual time.
+  int64_t span_us = 60'000'000;
   // Answers a request of a client, in a view.
   std::function<nlohmann::ordered_json(const nlohmann::json& request)> answer;
   // Called in a copy: it must not use the sockets of the original process any more, and prints
@@ -122,6 +128,7 @@ class Rewind {
                const nlohmann::json& request);
   void Prepare(const SavedStick& stick, ProcessFiles* files, const nlohmann::json& request);
   void RunTo(const nlohmann::json& target);
+  void RunOne(int64_t time_us);
   void AddDueInputs();
   nlohmann::json GoOn(ProcessFiles* files, double rate);
 

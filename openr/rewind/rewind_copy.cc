@@ -17,6 +17,7 @@
 #include "openr/rewind/branch_network.h"
 #include "openr/rewind/message_pipe.h"
 #include "openr/rewind/rewind.h"
+#include "openr/simulation/known_run.h"
 #include "openr/simulation/run_stick.h"
 #include "openr/simulation/simulation.h"
 #include "runtime/stick/memory_stick.h"
@@ -157,18 +158,25 @@ void Rewind::RunTo(const Json& target) {
   const int64_t end_us = has_time ? target["time_us"].get<int64_t>() : INT64_MAX;
   const uint64_t end_count = has_time ? UINT64_MAX : target["messages"].get<uint64_t>();
   while (system().message_count() < end_count && !system().powered_off()) {
-    AddDueInputs();
     const uint64_t before = system().message_count();
     const int64_t now_us = system().now_us();
-    system().RunOne(now_us);
+    RunOne(now_us);
     if (system().message_count() != before) continue;
     // No message is due any more at this instant.
     if (now_us % kFrameUs == 0 && std::exchange(last_frame_us_, now_us) != now_us)
       parts_.after_frame();
     if (now_us >= end_us) return;
     const int64_t frame_end_us = (now_us / kFrameUs + 1) * kFrameUs;
-    system().RunOne(std::min(frame_end_us, end_us));
+    RunOne(std::min(frame_end_us, end_us));
+    if (system().now_us() == now_us && system().message_count() == before) return;  // it is over
   }
+}
+
+// Delivers the next message if it is due by `time_us`, after the inputs that are due now.
+void Rewind::RunOne(int64_t time_us) {
+  if (parts_.known != nullptr) return parts_.known->RunOne(time_us);
+  AddDueInputs();
+  system().RunOne(time_us);
 }
 
 // Makes the view a run of its own.

@@ -10,6 +10,7 @@
 #include "openr/run/console_feed.h"
 #include "openr/run/event_script.h"
 #include "openr/run/interrupt.h"
+#include "openr/run/run_step.h"
 #include "openr/simulation/activity.h"
 #include "openr/simulation/pacing.h"
 #include "openr/simulation/simulation.h"
@@ -26,17 +27,6 @@ namespace {
 // take.  The runner begins it kPauseUs after the pause button was pressed.  After this limit the
 // run ends anyway, because a shutdown that takes so long may never complete.
 constexpr int64_t kShutdownMaxUs = 60'000'000;
-
-// Virtual time after which a step to a message ends, if no message comes.
-constexpr int64_t kStepMaxUs = 1'000'000;
-
-// Returns whether `message` brings an object new sensor values.
-bool IsSensorVector(Simulation& simulation, const TraceRecord& record, const Message& message) {
-  if (message.kind != PayloadKind::kNotify) return false;
-  const Object* const receiver = simulation.system().object(record.target);
-  return receiver != nullptr &&
-         receiver->EntryName(record.selector).find("OSensorFrameVectorData") != std::string::npos;
-}
 
 }  // namespace
 
@@ -216,7 +206,8 @@ bool Runner::WaitWhilePaused(Pacer* pacer) {
   if (step == RunClock::Step::kNone) {
     plan_.live->WaitAndServe(kWaitMs);
   } else {
-    MakeStep(step);
+    System& system = simulation_->system();
+    MakeStep(simulation_, step, NextStop(), [&](int64_t time_us) { system.RunOne(time_us); });
   }
   pacer->Restart();
   return true;
@@ -232,21 +223,6 @@ void Runner::GoOn(Pacer* pacer) {
   // user wants the run to end.
   if (paused_us_ < 0) pacer->WaitFor(stop_us);
   simulation_->system().RunUntil(stop_us);
-}
-
-// Makes one step of a paused run.  A step to a message that does not come ends after a second of
-// virtual time.
-void Runner::MakeStep(RunClock::Step step) {
-  System& system = simulation_->system();
-  if (step == RunClock::Step::kFrame) return system.RunUntil(NextStop());
-  bool has_come = false;
-  const int sink = system.trace().AddSink([&](const TraceRecord& record, const Message& message) {
-    has_come = has_come || step == RunClock::Step::kMessage ||
-               IsSensorVector(*simulation_, record, message);
-  });
-  const int64_t end_us = system.now_us() + kStepMaxUs;
-  while (!has_come && system.now_us() < end_us && !system.powered_off()) system.RunOne(NextStop());
-  system.trace().RemoveSink(sink);
 }
 
 bool Runner::Run() {

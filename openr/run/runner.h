@@ -88,7 +88,6 @@ class Runner {
   int64_t NextStopAfter(int64_t now_us) const;
   bool WaitWhilePaused(Pacer* pacer);
   void GoOn(Pacer* pacer);
-  void MakeStep(RunClock::Step step);
   void AfterFrame();
   void HandleInterrupt();
   void AddInputToAll(std::string_view line);

@@ -37,7 +37,14 @@ function start(): void {
     { id: 'log', title: 'Log', element: makeLog(session) },
     { id: 'robot', title: 'Robot', element: makeRobot(session) },
   ];
-  const layout = new Layout(panels, makeStageView(session), makeTimeBar(session));
+  const stage = makeStageView(session);
+  const layout = new Layout(panels, stage, makeTimeBar(session));
+  // Nobody can act on a recording.
+  const acting = panels.filter((each) => each.id === 'motions' || each.id === 'robot');
+  session.on('clock', () => {
+    for (const each of acting) each.element.inert = session.isRecording;
+    document.body.classList.toggle('recording', session.isRecording);
+  });
   const app = document.getElementById('app');
   app?.replaceChildren(
     makeHeader(session, join, () => layout.show('graph')),

@@ -169,6 +169,9 @@ export interface Clock {
   rate: number;
   speed: number;
   rewind?: Rewind;
+  // Of a recording, or another run that nobody can change: its length, and why it is over.
+  length_s?: number;
+  over?: string;
 }
 
 export interface UploadEvent {

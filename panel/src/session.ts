@@ -146,6 +146,11 @@ export class Session {
     return clock !== null;
   }
 
+  // Whether the run repeats what is known, so that nobody can change it.
+  get isRecording(): boolean {
+    return this.clock?.length_s !== undefined;
+  }
+
   get canRewind(): boolean {
     return this.link === 'open' && this.clock?.rewind?.possible === true;
   }

@@ -11,6 +11,13 @@ const LOCKING_STATES = ['mtn', 'prepare-mtn'];
 // The order by error changes at most this often, so that it can be read.
 const SORT_PERIOD_MS = 600;
 
+function lockReason(isRecording: boolean, isPast: boolean, state: string): string {
+  if (isRecording) return 'Locked: this is a recording.';
+  if (isPast) return 'Locked: a moment of the past is shown.';
+  if (state === 'mtn') return 'Locked: a motion plays. Stop it to move joints.';
+  return 'Locked: the dog goes to the first key frame of a motion.';
+}
+
 class JointRow {
   readonly element = el('div', { class: 'joint', role: 'group' });
   readonly slider: HTMLInputElement;
@@ -221,15 +228,12 @@ class Joints {
     if (this.element.offsetParent === null) return;
     const isPlaying = LOCKING_STATES.includes(robot.state);
     const { isPast } = this;
+    const { isRecording } = this.session;
     this.wasPast = isPast;
-    this.lockText.hidden = !isPlaying && !isPast;
+    this.lockText.hidden = !isPlaying && !isPast && !isRecording;
     setText(
       this.lockText,
-      isPast
-        ? 'Locked: a moment of the past is shown.'
-        : robot.state === 'mtn'
-          ? 'Locked: a motion plays. Stop it to move joints.'
-          : 'Locked: the dog goes to the first key frame of a motion.',
+      lockReason(isRecording, isPast, robot.state),
     );
     const order = byError(robot.joints);
     const first = order[0] ?? -1;
@@ -241,7 +245,7 @@ class Joints {
       error === null ? `Largest error: ${UNKNOWN}` : `▲ Largest error: ${name} ${degrees(error)}`,
     );
     this.rows.forEach((row, i) => {
-      row.lock(isPlaying || isPast);
+      row.lock(isPlaying || isPast || isRecording);
       row.show(robot.joints[i], robot.gains?.[i], i === this.largestIndex);
     });
     if (this.isSorted) this.reorder(order);

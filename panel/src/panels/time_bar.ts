@@ -43,7 +43,7 @@ class TimeBar {
   private readonly seek: LastValue<number>;
 
   constructor(private readonly session: Session) {
-    this.seek = new LastValue<number>(80, (time) => session.rewind({ to_s: time }));
+    this.seek = new LastValue<number>(80, (time) => this.goTo(time));
     this.play = button('Pause', () => this.togglePause(), { class: 'play', title: 'Key: P' });
     const step = (label: string, kind: string, title: string) =>
       button(label, () => void session.setClock({ step: kind, count: 1 }), { title });
@@ -117,6 +117,17 @@ class TimeBar {
     }
   }
 
+  // Shows the moment `time`. Only a recording has moments that are still to come.
+  private async goTo(time: number): Promise<void> {
+    const { session } = this;
+    const newest = session.clock?.rewind?.to_s ?? 0;
+    if (session.isRecording && time > newest) {
+      await session.setClock({ to_s: time });
+    } else {
+      await session.rewind({ to_s: time });
+    }
+  }
+
   private goBack(): void {
     if (!this.session.canRewind) {
       this.session.bad(`Cannot go back: ${whyNoRewind(this.session.clock)}`);
@@ -132,13 +143,14 @@ class TimeBar {
   private async branch(): Promise<void> {
     const answer = await this.session.tell<{ run: string }>({ do: 'branch' }, 'Going on from here');
     if (answer === null) return;
-    this.session.good(`The new run ${answer.run} goes on from here.`);
+    if (!this.session.isRecording) this.session.good(`The new run ${answer.run} goes on from here.`);
     this.session.emit('branched', answer.run);
   }
 
   private show(clock: Clock | null): void {
     const isOpen = this.session.link === 'open' && clock !== null;
     const shows = this.shows;
+    setText(this.goOn, this.session.isRecording ? 'Play from here' : 'Go on from here');
     const playText = this.isPaused ? '▶ Run' : '❚❚ Pause';
     setText(this.play, playText);
     this.play.classList.toggle('paused', this.isPaused);
@@ -180,16 +192,19 @@ class TimeBar {
     const to = rewind.to_s ?? clock?.time_s ?? 0;
     if (!this.isDragged) {
       this.past.min = String(from);
-      this.past.max = String(Math.max(from + 0.008, to));
+      this.past.max = String(Math.max(from + 0.008, to, clock?.length_s ?? 0));
       this.past.value = String(this.shows ?? to);
     }
     const value = Number(this.past.value);
-    this.past.style.setProperty('--at', String(to > from ? (value - from) / (to - from) : 1));
+    const end = Number(this.past.max);
+    this.past.style.setProperty('--at', String(end > from ? (value - from) / (end - from) : 1));
     this.past.setAttribute('aria-valuetext', clockTime(value));
-    setText(this.from, `−${Math.max(0, Math.round(to - from))} s`);
-    setText(this.to, clockTime(to));
+    const length = clock?.length_s;
+    setText(this.from, length === undefined ? `−${Math.max(0, Math.round(to - from))} s` : clockTime(from));
+    setText(this.to, clockTime(length ?? to));
     const memory = rewind.memory_mb === undefined ? '' : `, ${Math.round(rewind.memory_mb)} MB`;
-    setText(this.memory, `${rewind.checkpoints ?? 0} checkpoints${memory}`);
+    const over = clock?.over ? `${clock.over} · ` : '';
+    setText(this.memory, `${over}${rewind.checkpoints ?? 0} checkpoints${memory}`);
   }
 
   private onKey(event: KeyboardEvent): void {

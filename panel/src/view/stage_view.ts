@@ -39,6 +39,9 @@ export function makeStageView(session: Session): HTMLElement {
   const hands = new Hands(session, stage);
   session.on('scene', (scene) => stage.setScene(scene));
   session.on('pose', (pose) => stage.setPose(pose));
+  session.on('clock', () => {
+    hands.toolBar.inert = session.isRecording;
+  });
   const views = el(
     'div',
     { class: 'views', role: 'group', 'aria-label': 'View' },

@@ -1,0 +1,36 @@
+// Shows a known run, a recording or a failing run, on the panel.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace openr_host {
+
+class KnownRun;
+
+struct ShowOptions {
+  std::string name;            // of the run in the list of the page
+  uint16_t panel_port = 8210;  // or the next free port
+  double rate = 1;             // virtual seconds per second; 0: as fast as possible
+};
+
+// Adds the flags of ShowOptions but for the name, which go only with the flag `panel`.
+void AddShowFlags(CLI::App* command, CLI::Option* panel, ShowOptions* options);
+
+// Type of the function that assembles the run, whose objects print to `console`.
+using MakeKnownRun =
+    std::function<std::unique_ptr<KnownRun>(const std::function<void(std::string_view)>& console)>;
+
+// Serves the run that `make` assembles, and a panel for it, until Ctrl-C.  Returns the exit code.
+// Throws std::runtime_error if the run or its socket cannot be made.
+int ShowRun(const MakeKnownRun& make, const ShowOptions& options);
+
+}  // namespace openr_host

@@ -1,0 +1,96 @@
+#include "openr/run/known_runner.h"
+
+#include <algorithm>
+
+#include "cli/exit_code.h"
+#include "openr/live/live_server.h"
+#include "openr/live/run_clock.h"
+#include "openr/rewind/rewind.h"
+#include "openr/run/interrupt.h"
+#include "openr/run/run_step.h"
+#include "openr/simulation/known_run.h"
+#include "openr/simulation/pacing.h"
+#include "openr/simulation/simulation.h"
+#include "runtime/core/system.h"
+
+namespace openr_host {
+namespace {
+
+class KnownRunner {
+ public:
+  explicit KnownRunner(const KnownRunnerParts& parts)
+      : parts_(parts), system_(parts.run->simulation().system()), pacer_(parts.clock->rate()) {}
+
+  int Run() {
+    while (parts_.interrupts->count() == 0 && !parts_.rewind->has_branched()) {
+      parts_.live->Serve();
+      if (parts_.clock->paused() || is_over_) {
+        WaitOrStep();
+      } else {
+        GoOn();
+      }
+      if (system_.now_us() % kFrameUs == 0) AfterFrame();
+      NoteEnd();
+    }
+    if (!parts_.rewind->has_branched()) return kExitGood;
+    return parts_.rewind->WaitForBranch([this] { return parts_.interrupts->count(); });
+  }
+
+ private:
+  int64_t FrameEnd() const { return (system_.now_us() / kFrameUs + 1) * kFrameUs; }
+
+  void AfterFrame() {
+    // Checkpoints are taken even if nobody watches yet: the beginning must stay in reach.
+    if (!parts_.rewind->AfterFrame(true)) return;
+    // This process has just become a branch, which goes on from an earlier moment.
+    pacer_.Restart();
+    is_over_ = false;
+  }
+
+  void WaitOrStep() {
+    constexpr int kWaitMs = 50;  // in which Ctrl-C may have to wait
+    const RunClock::Step step = is_over_ ? RunClock::Step::kNone : parts_.clock->TakeStep();
+    if (step == RunClock::Step::kNone) {
+      parts_.live->WaitAndServe(kWaitMs);
+    } else {
+      MakeStep(&parts_.run->simulation(), step, FrameEnd(),
+               [this](int64_t time_us) { parts_.run->RunOne(time_us); });
+    }
+    pacer_.Restart();
+  }
+
+  // Runs to the end of the frame: at the rate that the user wants, or at once on the way to the
+  // moment to which the user goes.
+  void GoOn() {
+    RunClock& clock = *parts_.clock;
+    const bool has_goal = clock.goal_us() != INT64_MAX;
+    const int64_t stop_us = std::min(FrameEnd(), std::max(clock.goal_us(), system_.now_us()));
+    if (has_goal) {
+      pacer_.Restart();
+    } else {
+      if (clock.rate() != pacer_.rate()) pacer_.set_rate(clock.rate());
+      pacer_.WaitFor(stop_us);
+    }
+    parts_.run->RunUntil(stop_us);
+    if (system_.now_us() >= clock.goal_us()) clock.Pause();
+  }
+
+  void NoteEnd() {
+    const std::string why = parts_.run->WhyOver();
+    if (is_over_ || why.empty()) return;
+    is_over_ = true;
+    parts_.clock->Pause();
+    parts_.say(why);
+  }
+
+  const KnownRunnerParts parts_;
+  System& system_;
+  Pacer pacer_;
+  bool is_over_ = false;
+};
+
+}  // namespace
+
+int RunKnown(const KnownRunnerParts& parts) { return KnownRunner(parts).Run(); }
+
+}  // namespace openr_host
