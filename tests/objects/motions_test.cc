@@ -8,7 +8,7 @@
 #include "MtnFile.h"
 #include "dog.h"
 #include "leg.h"
-#include "mtn_writer.h"
+#include "openr/motion/mtn_writer.h"
 #include "postures.h"
 #include "walk.h"
 
@@ -119,7 +119,7 @@ TEST(DogTest, AStanceBeyondALimitIsRefusedByJointAndDegrees) {
 TEST(MtnWriterTest, RefusesAKeyFrameWithoutItsAngles) {
   MotionFile motion;
   motion.locators = {"PRM:/r1/c1-Joint2:j1"};
-  motion.key_frames = {{0, 0, {1, 2}}};
+  motion.key_frames = {{0, {0, 0, 0}, {1, 2}}};
   EXPECT_THROW(WriteMtn(motion), std::invalid_argument);
 }
 

@@ -40,6 +40,10 @@ Leg LegOfModel(const RobotModel& model, const std::string& name, double side) {
   return Leg(knee, {paw.out - knee.out, paw.up - knee.up});
 }
 
+void SetPitch(double pitch_rad, KeyFrame* frame) {
+  frame->attitude_urad[1] = static_cast<int32_t>(std::lround(pitch_rad * 1e6));
+}
+
 }  // namespace
 
 Stance Blend(const Stance& from, const Stance& to, double share) {
@@ -88,7 +92,7 @@ KeyFrame Dog::FrameOf(const std::string& posture) const {
     if (robot_->joints[j].mtnIndex >= 0)
       frame.angles_urad[robot_->joints[j].mtnIndex] = found->urad[j];
   }
-  frame.pitch_rad = StanceOf(posture).pitch_rad;
+  SetPitch(StanceOf(posture).pitch_rad, &frame);
   return frame;
 }
 
@@ -144,7 +148,7 @@ KeyFrame Dog::FrameOf(const Stance& stance, const PawOffsets& offsets,
                       const std::string& what) const {
   KeyFrame frame;
   frame.angles_urad.assign(Locators().size(), 0);
-  frame.pitch_rad = stance.pitch_rad;
+  SetPitch(stance.pitch_rad, &frame);
   Set(&frame, "neck_tilt", stance.tilt_rad, what);
   const struct {
     const char* name;

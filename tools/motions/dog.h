@@ -7,7 +7,7 @@
 
 #include "RobotDescription.h"
 #include "leg.h"
-#include "mtn_writer.h"
+#include "openr/motion/mtn_writer.h"
 
 namespace openr_host::motions {
 

@@ -21,6 +21,9 @@
 namespace {
 
 using namespace openr_host::motions;
+using openr_host::KeyFrame;
+using openr_host::MotionFile;
+using openr_host::WriteMtn;
 
 // Files that would not change are left untouched.
 void WriteIfChanged(const std::filesystem::path& path, const std::vector<uint8_t>& bytes) {

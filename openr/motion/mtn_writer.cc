@@ -1,18 +1,17 @@
-#include "mtn_writer.h"
+#include "openr/motion/mtn_writer.h"
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <stdexcept>
 
-namespace openr_host::motions {
+namespace openr_host {
 namespace {
 
-constexpr int kFrameMs = 16;
+constexpr int kMtnFrameMs = 16;
 
-class Section {
+class MtnSection {
  public:
-  explicit Section(uint32_t number) {
+  explicit MtnSection(uint32_t number) {
     U32(number);
     U32(0);  // size, when it is known
   }
@@ -42,11 +41,9 @@ class Section {
   std::vector<uint8_t> bytes_;
 };
 
-void WriteKeyFrame(const KeyFrame& frame, bool first, Section* section) {
+void WriteKeyFrame(const KeyFrame& frame, bool first, MtnSection* section) {
   if (!first) section->U32(static_cast<uint32_t>(frame.interpolation));
-  section->U32(0);  // roll
-  section->U32(static_cast<uint32_t>(std::lround(frame.pitch_rad * 1e6)));
-  section->U32(0);  // yaw
+  for (const int32_t angle : frame.attitude_urad) section->U32(static_cast<uint32_t>(angle));
   for (const int32_t angle : frame.angles_urad) section->U32(static_cast<uint32_t>(angle));
 }
 
@@ -54,26 +51,26 @@ void WriteKeyFrame(const KeyFrame& frame, bool first, Section* section) {
 
 std::vector<uint8_t> WriteMtn(const MotionFile& motion) {
   std::vector<uint8_t> out{'O', 'M', 'T', 'N'};
-  Section header(0);
+  MtnSection header(0);
   header.U32(4);
   header.U16(1);
   header.U16(2);
   header.U16(static_cast<uint32_t>(motion.key_frames.size()));
-  header.U16(kFrameMs);
+  header.U16(kMtnFrameMs);
   header.U32(0);
   header.Finish(&out);
 
-  Section names(1);
+  MtnSection names(1);
   for (const std::string& name : {motion.name, motion.creator, motion.design_label})
     names.String(name);
   names.Finish(&out);
 
-  Section joints(2);
+  MtnSection joints(2);
   joints.U16(static_cast<uint32_t>(motion.locators.size()));
   for (const std::string& locator : motion.locators) joints.String(locator);
   joints.Finish(&out);
 
-  Section data(3);
+  MtnSection data(3);
   data.U32(0);  // angles
   for (size_t k = 0; k < motion.key_frames.size(); ++k) {
     if (motion.key_frames[k].angles_urad.size() != motion.locators.size()) {
@@ -87,4 +84,4 @@ std::vector<uint8_t> WriteMtn(const MotionFile& motion) {
   return out;
 }
 
-}  // namespace openr_host::motions
+}  // namespace openr_host

@@ -1,15 +1,17 @@
 // The write side of a motion file (MTN), as objects/common/MtnFile.h reads it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
 
-namespace openr_host::motions {
+namespace openr_host {
 
 struct KeyFrame {
-  int interpolation = 0;             // frames before it; of the first: unused
-  double pitch_rad = 0;              // of the body, nose up positive; players ignore it
+  int interpolation = 0;  // number of interpolated frames before it; unused in the first
+  // Roll, pitch and yaw of the body; pitch is positive with the nose up.  Players ignore them.
+  std::array<int32_t, 3> attitude_urad{};
   std::vector<int32_t> angles_urad;  // order of MotionFile::locators
 };
 
@@ -25,4 +27,4 @@ struct MotionFile {
 // frame has not one angle per locator or a string is longer than its length byte can say.
 std::vector<uint8_t> WriteMtn(const MotionFile& motion);
 
-}  // namespace openr_host::motions
+}  // namespace openr_host
