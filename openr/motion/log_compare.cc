@@ -1,0 +1,219 @@
+#include "openr/motion/log_compare.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "runtime/base/assert.h"
+
+namespace openr_host {
+namespace {
+
+constexpr double kDegPerCdeg = 0.01;
+constexpr double kShiftStepMs = 4;  // distance of the shifts that the first search tries
+constexpr double kNearMs = 16;      // the second search tries shifts so near the first result
+constexpr double kLagToleranceMs = 0.01;
+
+// A cubic curve through points: between two of them it has the slopes that their neighbours give.
+class Curve {
+ public:
+  // REQUIRES: at least two points, times that rise.
+  Curve(const std::vector<double>& times, const std::vector<double>& values)
+      : times_(times), values_(values), slopes_(times.size()) {
+    const size_t last = times.size() - 1;
+    for (size_t i = 0; i <= last; ++i) {
+      const size_t from = i > 0 ? i - 1 : 0, to = std::min(i + 1, last);
+      slopes_[i] = (values[to] - values[from]) / (times[to] - times[from]);
+    }
+  }
+
+  double At(double time) const {
+    const auto above = std::upper_bound(times_.begin() + 1, times_.end() - 1, time);
+    const auto i = static_cast<size_t>(above - times_.begin()) - 1;
+    const double width = times_[i + 1] - times_[i];
+    const double u = (time - times_[i]) / width, v = 1 - u;
+    return v * v * (1 + 2 * u) * values_[i] + u * u * (1 + 2 * v) * values_[i + 1] +
+           width * u * v * (v * slopes_[i] - u * slopes_[i + 1]);
+  }
+
+ private:
+  const std::vector<double>& times_;
+  const std::vector<double>& values_;
+  std::vector<double> slopes_;
+};
+
+// The straight line from the positions in A to those in B that fits best.
+struct Fit {
+  double gain = 0;
+  double unexplained = 1;  // part of B's variance that the line leaves, 0 to 1
+};
+
+Fit FitLine(const std::vector<double>& a, const std::vector<double>& b) {
+  const auto n = static_cast<double>(a.size());
+  double sum_a = 0, sum_b = 0;
+  for (size_t i = 0; i < a.size(); ++i) {
+    sum_a += a[i];
+    sum_b += b[i];
+  }
+  double aa = 0, bb = 0, ab = 0;
+  for (size_t i = 0; i < a.size(); ++i) {
+    const double da = a[i] - sum_a / n, db = b[i] - sum_b / n;
+    aa += da * da;
+    bb += db * db;
+    ab += da * db;
+  }
+  // Motions in opposite directions have nothing in common: no shift makes them one motion.
+  if (aa <= 0 || bb <= 0 || ab <= 0) return {};
+  return {ab / aa, 1 - ab * ab / (aa * bb)};
+}
+
+double RootMeanSquare(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0;
+  for (size_t i = 0; i < a.size(); ++i) sum += (b[i] - a[i]) * (b[i] - a[i]);
+  return std::sqrt(sum / static_cast<double>(a.size()));
+}
+
+bool Moves(const std::vector<double>& deg) {
+  const auto [low, high] = std::minmax_element(deg.begin(), deg.end());
+  return *high - *low >= kMovesDeg;
+}
+
+// Finds the lag of one joint, in two searches.  Each search judges all its shifts by the same
+// records, those that no shift moves out of B, so that the number of records decides nothing.  The
+// first search has to leave out many records, because its shifts are large.  The second one tries
+// only shifts near the result of the first one, and so has nearly all records.
+class LagSearch {
+ public:
+  LagSearch(const JointTraces& a, const JointTraces& b, size_t joint)
+      : a_(a),
+        joint_(joint),
+        curve_(b.times_ms, b.deg[joint]),
+        begin_ms_(std::max(a.times_ms.front(), b.times_ms.front())),
+        end_ms_(std::min(a.times_ms.back(), b.times_ms.back())) {}
+
+  void Search(JointDifference* found) {
+    const double most = std::min(kLagMaxMs, (end_ms_ - begin_ms_) / 4);
+    TakeRecords(most);
+    if (times_.size() < static_cast<size_t>(kSamplesMin) || !Moves(a_.deg[joint_])) return;
+    const int steps = static_cast<int>(most / kShiftStepMs);
+    int best = -steps;
+    for (int s = -steps; s <= steps; ++s) {
+      if (Unexplained(s * kShiftStepMs) < Unexplained(best * kShiftStepMs)) best = s;
+    }
+    if (best == -steps || best == steps) return;
+    const double near_ms = best * kShiftStepMs;
+    TakeRecords(std::abs(near_ms) + kNearMs);
+    const double lag_ms = Minimum(near_ms - kNearMs, near_ms + kNearMs);
+    found->lag_ms = lag_ms;
+    const std::vector<double> shifted = Shifted(lag_ms);
+    found->gain = FitLine(a_deg_, shifted).gain;
+    found->rms_after_lag_deg = RootMeanSquare(a_deg_, shifted);
+  }
+
+ private:
+  // Takes the records of A that shifts up to `margin_ms` leave inside of B.
+  void TakeRecords(double margin_ms) {
+    times_.clear();
+    a_deg_.clear();
+    for (size_t i = 0; i < a_.times_ms.size(); ++i) {
+      const double time = a_.times_ms[i];
+      if (time < begin_ms_ + margin_ms || time > end_ms_ - margin_ms) continue;
+      times_.push_back(time);
+      a_deg_.push_back(a_.deg[joint_][i]);
+    }
+  }
+
+  // Returns the shift between both limits with the least unexplained variance, by the golden
+  // section: each step keeps 0.618 of the interval.
+  double Minimum(double low_ms, double high_ms) const {
+    constexpr double kGolden = 0.6180339887498949;
+    while (high_ms - low_ms > kLagToleranceMs) {
+      const double width = kGolden * (high_ms - low_ms);
+      if (Unexplained(high_ms - width) < Unexplained(low_ms + width)) {
+        high_ms = low_ms + width;
+      } else {
+        low_ms = high_ms - width;
+      }
+    }
+    return (low_ms + high_ms) / 2;
+  }
+
+  std::vector<double> Shifted(double shift_ms) const {
+    std::vector<double> values;
+    for (const double time : times_) values.push_back(curve_.At(time + shift_ms));
+    return values;
+  }
+  double Unexplained(double shift_ms) const {
+    return FitLine(a_deg_, Shifted(shift_ms)).unexplained;
+  }
+
+  const JointTraces& a_;
+  const size_t joint_;
+  const Curve curve_;
+  const double begin_ms_, end_ms_;  // time that A and B have in common
+  std::vector<double> times_, a_deg_;
+};
+
+JointDifference CompareJoint(const JointTraces& a, const JointTraces& b, size_t joint) {
+  const Curve curve(b.times_ms, b.deg[joint]);
+  std::vector<double> a_deg, b_deg;
+  JointDifference difference;
+  for (size_t i = 0; i < a.times_ms.size(); ++i) {
+    const double time = a.times_ms[i];
+    if (time < b.times_ms.front() || time > b.times_ms.back()) continue;
+    a_deg.push_back(a.deg[joint][i]);
+    b_deg.push_back(curve.At(time));
+    const double error = b_deg.back() - a_deg.back();
+    difference.mean_deg += error;
+    difference.max_deg = std::max(difference.max_deg, std::abs(error));
+  }
+  if (a_deg.empty()) throw std::runtime_error("the logs have no time in common");
+  difference.mean_deg /= static_cast<double>(a_deg.size());
+  difference.rms_deg = RootMeanSquare(a_deg, b_deg);
+  LagSearch(a, b, joint).Search(&difference);
+  return difference;
+}
+
+const std::vector<int16_t>* PositionsOf(const LogRecord& record, LogGroup group) {
+  if (group == LogGroup::kCommanded) return &record.commanded_cdeg;
+  const auto& values = group == LogGroup::kMeasured ? record.measured : record.simulated;
+  return values ? &values->positions_cdeg : nullptr;
+}
+
+}  // namespace
+
+const char* NameOf(LogGroup group) {
+  switch (group) {
+    case LogGroup::kCommanded:
+      return "commanded";
+    case LogGroup::kMeasured:
+      return "measured";
+    default:
+      return "simulated";
+  }
+}
+
+JointTraces TracesOf(const LogFile& log, const std::vector<double>& times_ms, LogGroup group) {
+  ASSERT(times_ms.size() == log.records.size(), "{} times", times_ms.size());
+  JointTraces traces;
+  traces.deg.resize(LoggedJoints(*log.robot).size());
+  for (size_t i = 0; i < log.records.size(); ++i) {
+    const std::vector<int16_t>* const positions = PositionsOf(log.records[i], group);
+    if (positions == nullptr) continue;
+    traces.times_ms.push_back(times_ms[i]);
+    for (size_t j = 0; j < traces.deg.size(); ++j)
+      traces.deg[j].push_back((*positions)[j] * kDegPerCdeg);
+  }
+  return traces;
+}
+
+std::vector<JointDifference> CompareTraces(const JointTraces& a, const JointTraces& b) {
+  ASSERT(a.deg.size() == b.deg.size(), "{} and {} joints", a.deg.size(), b.deg.size());
+  if (a.times_ms.size() < 2 || b.times_ms.size() < 2)
+    throw std::runtime_error("a comparison needs two records of each log");
+  std::vector<JointDifference> differences;
+  for (size_t j = 0; j < a.deg.size(); ++j) differences.push_back(CompareJoint(a, b, j));
+  return differences;
+}
+
+}  // namespace openr_host

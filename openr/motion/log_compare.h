@@ -1,0 +1,50 @@
+// Compares how joints have moved: two groups of positions of one log, or of two logs.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "openr/motion/log_file.h"
+
+namespace openr_host {
+
+enum class LogGroup { kCommanded, kMeasured, kSimulated };
+
+const char* NameOf(LogGroup group);  // "commanded"
+
+// The positions of all joints, as functions of time.
+struct JointTraces {
+  std::vector<double> times_ms;          // rising
+  std::vector<std::vector<double>> deg;  // [joint][time]
+};
+
+// Returns the positions of a group at the times of the records that have it.  `times_ms` are those
+// of the records (log_times.h).
+JointTraces TracesOf(const LogFile& log, const std::vector<double>& times_ms, LogGroup group);
+
+// The difference of a joint's motion in B from its motion in A.
+//
+// The lag is the shift of time with which both motions fit best, whatever their offset and gain: B
+// at the time t + lag is about offset + gain * A at the time t.  Between records, positions are
+// interpolated by cubic curves, so the lag is not bound to key frames.
+struct JointDifference {
+  double mean_deg = 0;  // mean of B - A
+  double max_deg = 0;   // largest |B - A|
+  double rms_deg = 0;   // root of the mean square of B - A
+  // Missing when the joint moves by less than kMovesDeg, when fewer than kSamplesMin records are
+  // left for the comparison, or when the best shift is the largest that was tried.
+  std::optional<double> lag_ms;
+  std::optional<double> gain;               // missing like the lag
+  std::optional<double> rms_after_lag_deg;  // like rms_deg, with B shifted by the lag
+};
+
+constexpr double kMovesDeg = 1;
+constexpr double kLagMaxMs = 320;  // the largest shift that is tried, or a quarter of the motion
+constexpr int kSamplesMin = 8;
+
+// Compares B with A, joint by joint, over the time that both have.  REQUIRES: both have the same
+// number of joints.  Throws std::runtime_error when they have no time in common.
+std::vector<JointDifference> CompareTraces(const JointTraces& a, const JointTraces& b);
+
+}  // namespace openr_host

@@ -1,0 +1,59 @@
+// Log files of motions: AIBO_1.1, the format of Hohl 2004, section 3.3.6.
+//
+// A file is the header of eight characters and one record for each measured key frame.  A record
+// has (table 3.9, numbers are little-endian):
+//
+//   16 bits   key frame
+//   16 bits   commanded position of each joint, 15 on the ERS-210
+//   8 bits    number of measured values: 0, or 15 positions and 4 paws
+//   16 bits   each measured value
+//   8 bits    number of simulated values: 0, or 15 positions and 4 paws
+//   16 bits   each simulated value
+//
+// Positions are in 0.01 degree, paws are 0 or 1 (table 3.10).  Joints and paws have the order of
+// the robot model.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "RemoteLog.h"
+#include "RobotDescription.h"
+
+namespace openr_host {
+
+// The values of one group, measured or simulated, of a record.
+struct LogValues {
+  std::vector<int16_t> positions_cdeg;
+  std::array<uint16_t, RC_LOG_PAWS> paws{};  // left fore, left hind, right fore, right hind
+  bool operator==(const LogValues&) const = default;
+};
+
+struct LogRecord {
+  int key_frame = 0;  // 0 to 32767
+  std::vector<int16_t> commanded_cdeg;
+  std::optional<LogValues> measured;   // values of the real robot
+  std::optional<LogValues> simulated;  // values of the simulated robot
+  bool operator==(const LogRecord&) const = default;
+};
+
+struct LogFile {
+  const RobotConstants* robot = nullptr;  // ERS-210, or ERS-7 if its number of joints fits
+  std::vector<LogRecord> records;
+};
+
+// Returns the joints that a log of `robot` has: those of the vendor's motion files.
+std::vector<const JointConstants*> LoggedJoints(const RobotConstants& robot);
+
+// Reads the bytes of a log file.  Throws std::runtime_error "offset 48: ..." with the place and the
+// mistake when the bytes are no such file.
+LogFile ParseLog(const std::string& bytes);
+
+// Returns the bytes of a log file.  REQUIRES: each record has as many positions as the log has
+// joints, and its key frame is 0 to 32767.
+std::string FormatLog(const LogFile& log);
+
+}  // namespace openr_host

@@ -1,0 +1,76 @@
+#include "openr/motion/log_times.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "MtnPlayer.h"
+
+namespace openr_host {
+namespace {
+
+constexpr double kPlayedFrameMs = 8;
+
+// Plays `motion` as the robot does, with a record at the end of each command vector, and returns
+// the times of the records as long as their key frames are those of the log.
+std::vector<double> PlayTimes(const LogFile& log, const MtnFile& motion, int per_vector) {
+  MtnPlayer player;
+  // One loop more than there are records: the log decides when the motion ends.
+  player.Start(&motion, static_cast<int>(log.records.size()) + 1, per_vector);
+  std::vector<double> times_ms;
+  int frames = 0;
+  for (const LogRecord& record : log.records) {
+    // The first record is of the key frame at which the motion begins.
+    const int wanted = times_ms.empty() ? 0 : player.FramesOfNextVector();
+    if (wanted == 0 && !times_ms.empty()) break;
+    for (int f = 0; f < wanted; ++f) player.NextFrame();
+    frames += wanted;
+    if (player.KeyFrame() != record.key_frame) break;
+    times_ms.push_back(frames * kPlayedFrameMs);
+  }
+  return times_ms;
+}
+
+}  // namespace
+
+std::vector<double> TimesOf(const LogFile& log) {
+  std::vector<double> times_ms;
+  int loop_begin = 0;  // number of key frames in the loops before
+  for (size_t i = 0; i < log.records.size(); ++i) {
+    const int now = log.records[i].key_frame;
+    const int before = i > 0 ? log.records[i - 1].key_frame : -1;
+    if (now == before) {
+      throw std::runtime_error(fmt::format(
+          "record {}: key frame {} again, so the motion has interpolated frames; name its file "
+          "(--motion FILE.MTN), which has their number",
+          i, now));
+    }
+    // A loop begins with the first gap, so only the beginning of a motion is a key frame 0.
+    if (i > 0 && now == 0) {
+      throw std::runtime_error(
+          fmt::format("record {}: another motion begins; a log to be read has one motion", i));
+    }
+    if (now < before) loop_begin += before;
+    times_ms.push_back((loop_begin + now) * MTN_FRAME_MS);
+  }
+  return times_ms;
+}
+
+std::vector<double> TimesOf(const LogFile& log, const MtnFile& motion) {
+  // A motion of one key frame has no gap to play, so its log has one record.
+  if (motion.NumKeyFrames() < 2 && log.records.size() < 2)
+    return std::vector<double>(log.records.size(), 0.0);
+  size_t most = 0;  // records that fit
+  for (int per_vector = 2; per_vector <= MAX_VECTOR_FRAMES / 2; per_vector += 2) {
+    std::vector<double> times_ms = PlayTimes(log, motion, per_vector);
+    if (times_ms.size() == log.records.size()) return times_ms;
+    most = std::max(most, times_ms.size());
+  }
+  throw std::runtime_error(
+      fmt::format("record {}: key frame {} does not follow in the motion; the log is of another "
+                  "one, or lacks records",
+                  most, log.records[most].key_frame));
+}
+
+}  // namespace openr_host
