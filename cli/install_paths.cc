@@ -121,4 +121,6 @@ std::string PanelLibrary() { return LibraryBesideProgram("libopenr_panel.so"); }
 
 std::string RenderLibrary() { return LibraryBesideProgram("libopenr_render.so"); }
 
+std::string ChartLibrary() { return LibraryBesideProgram("libopenr_chart.so"); }
+
 }  // namespace openr_host

@@ -42,4 +42,8 @@ std::string PanelLibrary();
 // name, so that the dynamic linker looks for it.
 std::string RenderLibrary();
 
+// Returns the path of libopenr_chart.so beside the program.  If it is not there, returns only its
+// name, as RenderLibrary() does.
+std::string ChartLibrary();
+
 }  // namespace openr_host

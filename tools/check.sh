@@ -61,6 +61,8 @@ files 'cc|h|c' cli kit openr runtime virtualrobot distribution objects testing t
   xargs -r grep -nE '#include *[<"]ode/' /dev/null | rule 'only virtualrobot/ode includes ODE'
 grep_in '#include *["<]libwebsockets' cli kit openr runtime virtualrobot distribution objects testing tools |
   grep -v '^openr/panel/web_loop\.cc:' | rule 'only openr/panel/web_loop.cc includes libwebsockets'
+grep_in '#include *["<]cairo' cli kit openr runtime virtualrobot distribution objects testing tools |
+  grep -v '^openr/chart/draw_chart\.cc:' | rule 'only openr/chart/draw_chart.cc includes Cairo'
 # process_hooks.cc and file_hooks.cc define these calls for objects, wall_clock.cc is for pacing and
 # time limits; host_*.cc and ipstack are
 # the outside, which enters at frame boundaries.

@@ -1,0 +1,54 @@
+// Chart, a picture of curves to be drawn, as plain data: panels in rows and columns.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace openr_host::chart {
+
+// The look of a curve.  The looks differ in width and dashes, so that they can be told apart
+// without colour.
+enum class Look {
+  kReference,  // a wide pale line, drawn below the others
+  kFirst,      // a solid line
+  kSecond,     // a dashed line
+  kMarks,      // small circles without a line
+};
+
+struct Curve {
+  Look look = Look::kFirst;
+  std::string label;         // text in the legend; curves of the same label are one entry of it
+  std::vector<double> x, y;  // points; x rises
+};
+
+struct Panel {
+  std::string title;
+  std::string note;  // short text at the right end of the title's line
+  std::vector<Curve> curves;
+};
+
+struct Chart {
+  std::string title;
+  std::string subtitle;
+  std::string x_label, y_label;  // with units
+  int columns = 3;               // >= 1
+  double y_span_min = 4;         // an axis spans at least so much, so that noise looks like noise
+  std::vector<Panel> panels;     // row by row
+};
+
+enum class FileType { kSvg, kPng };
+
+// The type of openr_draw_chart(), which the program finds in libopenr_chart.so by its name.  The
+// function sets `bytes` to the content of the file, or `error` to the error.
+using DrawChartFunction = void(const Chart& chart, FileType type, std::string* bytes,
+                               std::string* error);
+constexpr char kDrawChartName[] = "openr_draw_chart";
+
+// Returns the reason why `file` is no name of a chart, which ends in .svg or .png; "" if it is.
+std::string WhyNoChartName(const std::string& file);
+
+// Draws the chart and writes it to `file`.  The first call loads libopenr_chart.so and Cairo.
+// Returns "" or the error.
+std::string WriteChart(const Chart& chart, const std::string& file);
+
+}  // namespace openr_host::chart

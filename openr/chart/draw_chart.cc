@@ -1,0 +1,340 @@
+// openr_draw_chart(), which draws a chart with Cairo.  The program loads libopenr_chart.so and
+// calls only this function of it (chart.h).
+#include <cairo-svg.h>
+#include <cairo.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <stdexcept>
+
+#include "openr/chart/chart.h"
+
+namespace openr_host::chart {
+namespace {
+
+// Sizes in units of the picture; a unit is a point of an SVG file.
+constexpr double kMargin = 24;
+constexpr double kPlotWidth = 320, kPlotHeight = 128;
+constexpr double kTickRoom = 40;  // left of a plot, for the numbers of its axis
+constexpr double kColumnGap = 22, kRowGap = 14;
+constexpr double kTitleRoom = 22;  // above a plot
+constexpr double kHeadRoom = 76;   // above all plots
+constexpr double kAxisLabelRoom = 22;
+constexpr double kFootRoom = 52;   // below all plots
+constexpr double kPngScale = 1.5;  // pixels for a unit
+constexpr double kPi = 3.14159265358979323846;
+
+struct Rgb {
+  double r, g, b;
+};
+constexpr Rgb kBackground{1, 1, 1}, kPlotBackground{0.975, 0.978, 0.982}, kGrid{0.88, 0.89, 0.90},
+    kFrame{0.62, 0.64, 0.67}, kInk{0.13, 0.15, 0.18}, kPaleInk{0.38, 0.41, 0.45};
+// Colours that people with any colour vision can tell apart (Okabe and Ito), and a grey.
+constexpr Rgb kGrey{0.66, 0.68, 0.71}, kBlue{0.0, 0.40, 0.64}, kVermilion{0.80, 0.32, 0.0};
+
+struct Rect {
+  double x, y, width, height;
+};
+
+struct Span {
+  double low, high;
+};
+
+// The numbers at an axis.
+struct Ticks {
+  double first, step;
+  int decimals;
+};
+
+// Returns ticks at multiples of 1, 2 or 5 times a power of ten, `count` or fewer.
+Ticks TicksOf(const Span& span, int count) {
+  const double rough = (span.high - span.low) / count;
+  const double power = std::pow(10, std::floor(std::log10(rough)));
+  double step = 10 * power;
+  for (const double factor : {5.0, 2.0, 1.0}) {
+    if (factor * power >= rough) step = factor * power;
+  }
+  return {std::ceil(span.low / step - 1e-6) * step, step,
+          std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)))};
+}
+
+void Widen(const std::vector<double>& values, Span* span) {
+  for (const double value : values) {
+    span->low = std::min(span->low, value);
+    span->high = std::max(span->high, value);
+  }
+}
+
+class Painter {
+ public:
+  Painter(const Chart& chart, cairo_t* cairo) : chart_(chart), cairo_(cairo) {
+    bool is_first = true;
+    for (const Panel& panel : chart.panels) {
+      for (const Curve& curve : panel.curves) {
+        if (curve.x.empty()) continue;
+        if (is_first) x_span_ = {curve.x.front(), curve.x.front()};
+        is_first = false;
+        Widen(curve.x, &x_span_);
+      }
+    }
+    if (x_span_.high <= x_span_.low) x_span_.high = x_span_.low + 1;
+  }
+
+  void Draw() {
+    const double width = WidthOf(chart_), height = HeightOf(chart_);
+    Colour(kBackground);
+    cairo_paint(cairo_);
+    Text(kMargin, kMargin + 14, chart_.title, 17, true, kInk);
+    Text(kMargin, kMargin + 34, chart_.subtitle, 11.5, false, kPaleInk);
+    DrawLegend(width);
+    const int count = static_cast<int>(chart_.panels.size());
+    for (int i = 0; i < count; ++i) {
+      const bool is_lowest = i + chart_.columns >= count;
+      DrawPanel(chart_.panels[static_cast<size_t>(i)], PlotOf(i), is_lowest);
+    }
+    Text(width / 2, height - kMargin + 6, chart_.x_label, 12, false, kInk, 0.5);
+    cairo_save(cairo_);
+    cairo_translate(cairo_, kMargin + 4, (kHeadRoom + height - kFootRoom + kMargin) / 2);
+    cairo_rotate(cairo_, -kPi / 2);
+    Text(0, 0, chart_.y_label, 12, false, kInk, 0.5);
+    cairo_restore(cairo_);
+  }
+
+  static double WidthOf(const Chart& chart) {
+    const int columns = std::min(chart.columns, static_cast<int>(chart.panels.size()));
+    return 2 * kMargin + kAxisLabelRoom + columns * (kTickRoom + kPlotWidth) +
+           (columns - 1) * kColumnGap;
+  }
+  static double HeightOf(const Chart& chart) {
+    const int count = static_cast<int>(chart.panels.size());
+    const int rows = (count + chart.columns - 1) / chart.columns;
+    return kMargin + kHeadRoom + rows * (kTitleRoom + kPlotHeight) + (rows - 1) * kRowGap +
+           kFootRoom;
+  }
+
+ private:
+  Rect PlotOf(int index) const {
+    const int column = index % chart_.columns, row = index / chart_.columns;
+    return {kMargin + kAxisLabelRoom + kTickRoom + column * (kTickRoom + kPlotWidth + kColumnGap),
+            kMargin + kHeadRoom + kTitleRoom + row * (kTitleRoom + kPlotHeight + kRowGap),
+            kPlotWidth, kPlotHeight};
+  }
+
+  // The span of a panel's values, with some room above and below.
+  Span YSpanOf(const Panel& panel) const {
+    Span span{1e300, -1e300};
+    for (const Curve& curve : panel.curves) Widen(curve.y, &span);
+    if (span.low > span.high) return {-chart_.y_span_min / 2, chart_.y_span_min / 2};
+    const double room =
+        std::max(0.06 * (span.high - span.low), (chart_.y_span_min - (span.high - span.low)) / 2);
+    return {span.low - room, span.high + room};
+  }
+
+  void DrawPanel(const Panel& panel, const Rect& plot, bool is_lowest) {
+    const Span y_span = YSpanOf(panel);
+    Text(plot.x, plot.y - 6, panel.title, 12, true, kInk);
+    Text(plot.x + plot.width, plot.y - 6, panel.note, 10.5, false, kPaleInk, 1);
+    Colour(kPlotBackground);
+    cairo_rectangle(cairo_, plot.x, plot.y, plot.width, plot.height);
+    cairo_fill(cairo_);
+    DrawGrid(plot, y_span, is_lowest);
+    cairo_save(cairo_);
+    cairo_rectangle(cairo_, plot.x, plot.y, plot.width, plot.height);
+    cairo_clip(cairo_);
+    for (const Look look : {Look::kReference, Look::kFirst, Look::kSecond, Look::kMarks}) {
+      for (const Curve& curve : panel.curves) {
+        if (curve.look == look) DrawCurve(curve, plot, y_span);
+      }
+    }
+    cairo_restore(cairo_);
+    Colour(kFrame);
+    cairo_set_line_width(cairo_, 0.8);
+    cairo_rectangle(cairo_, plot.x, plot.y, plot.width, plot.height);
+    cairo_stroke(cairo_);
+  }
+
+  void DrawGrid(const Rect& plot, const Span& y_span, bool is_lowest) {
+    cairo_set_line_width(cairo_, 0.8);
+    const Ticks x = TicksOf(x_span_, 6);
+    for (double value = x.first; value <= x_span_.high + 1e-6 * x.step; value += x.step) {
+      const double at = XOf(value, plot);
+      Line(at, plot.y, at, plot.y + plot.height);
+      if (is_lowest) {
+        Text(at, plot.y + plot.height + 14, Number(value, x.decimals), 10.5, false, kPaleInk, 0.5);
+      }
+    }
+    const Ticks y = TicksOf(y_span, 5);
+    for (double value = y.first; value <= y_span.high + 1e-6 * y.step; value += y.step) {
+      const double at = YOf(value, plot, y_span);
+      Line(plot.x, at, plot.x + plot.width, at);
+      Text(plot.x - 5, at + 3.5, Number(value, y.decimals), 10.5, false, kPaleInk, 1);
+    }
+  }
+
+  void DrawCurve(const Curve& curve, const Rect& plot, const Span& y_span) {
+    SetLook(curve.look);
+    for (size_t i = 0; i < curve.x.size(); ++i) {
+      const double x = XOf(curve.x[i], plot), y = YOf(curve.y[i], plot, y_span);
+      if (curve.look == Look::kMarks) {
+        cairo_arc(cairo_, x, y, 1.8, 0, 2 * kPi);
+        cairo_fill(cairo_);
+      } else if (i == 0) {
+        cairo_move_to(cairo_, x, y);
+      } else {
+        cairo_line_to(cairo_, x, y);
+      }
+    }
+    cairo_stroke(cairo_);
+    cairo_set_dash(cairo_, nullptr, 0, 0);
+  }
+
+  // Draws one sample and one label for each kind of curve, at the right end of the head.
+  void DrawLegend(double width) {
+    std::vector<const Curve*> entries;
+    for (const Panel& panel : chart_.panels) {
+      for (const Curve& curve : panel.curves) {
+        const bool is_known = std::any_of(entries.begin(), entries.end(), [&](const Curve* entry) {
+          return entry->label == curve.label;
+        });
+        if (!curve.label.empty() && !is_known) entries.push_back(&curve);
+      }
+    }
+    double right = width - kMargin;
+    const double y = kMargin + 58;
+    std::reverse(entries.begin(), entries.end());
+    for (const Curve* const entry : entries) {
+      right -= WidthOfText(entry->label, 12);
+      Text(right, y + 4, entry->label, 12, false, kInk);
+      right -= 8;
+      SetLook(entry->look);
+      if (entry->look == Look::kMarks) {
+        cairo_arc(cairo_, right - 8, y, 2.4, 0, 2 * kPi);
+        cairo_fill(cairo_);
+      } else {
+        cairo_move_to(cairo_, right - 34, y);
+        cairo_line_to(cairo_, right, y);
+        cairo_stroke(cairo_);
+      }
+      cairo_set_dash(cairo_, nullptr, 0, 0);
+      right -= 34 + 20;
+    }
+  }
+
+  void SetLook(Look look) {
+    const double dashes[] = {5, 3};
+    cairo_set_line_join(cairo_, CAIRO_LINE_JOIN_ROUND);
+    cairo_set_line_width(cairo_, look == Look::kReference ? 3.6 : 1.5);
+    cairo_set_dash(cairo_, dashes, look == Look::kSecond ? 2 : 0, 0);
+    Colour(look == Look::kReference ? kGrey : look == Look::kSecond ? kVermilion : kBlue);
+  }
+
+  double XOf(double value, const Rect& plot) const {
+    return plot.x + plot.width * (value - x_span_.low) / (x_span_.high - x_span_.low);
+  }
+  static double YOf(double value, const Rect& plot, const Span& span) {
+    return plot.y + plot.height * (span.high - value) / (span.high - span.low);
+  }
+
+  void Line(double x0, double y0, double x1, double y1) {
+    Colour(kGrid);
+    cairo_move_to(cairo_, x0, y0);
+    cairo_line_to(cairo_, x1, y1);
+    cairo_stroke(cairo_);
+  }
+
+  void Colour(const Rgb& colour) { cairo_set_source_rgb(cairo_, colour.r, colour.g, colour.b); }
+
+  double WidthOfText(const std::string& text, double size) {
+    SetFont(size, false);
+    cairo_text_extents_t extents;
+    cairo_text_extents(cairo_, text.c_str(), &extents);
+    return extents.x_advance;
+  }
+
+  void SetFont(double size, bool is_bold) {
+    cairo_select_font_face(cairo_, "sans-serif", CAIRO_FONT_SLANT_NORMAL,
+                           is_bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+    cairo_set_font_size(cairo_, size);
+  }
+
+  // Writes a text whose base line begins at x, y; with `anchor` 0.5 or 1 its middle or its end is
+  // there.
+  void Text(double x, double y, const std::string& text, double size, bool is_bold,
+            const Rgb& colour, double anchor = 0) {
+    SetFont(size, is_bold);
+    cairo_text_extents_t extents;
+    cairo_text_extents(cairo_, text.c_str(), &extents);
+    Colour(colour);
+    cairo_move_to(cairo_, x - anchor * extents.x_advance, y);
+    cairo_show_text(cairo_, text.c_str());
+    cairo_new_path(cairo_);
+  }
+
+  static std::string Number(double value, int decimals) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.*f", decimals, value == 0 ? 0.0 : value);
+    return text;
+  }
+
+  const Chart& chart_;
+  cairo_t* const cairo_;
+  Span x_span_{0, 1};
+};
+
+cairo_status_t Append(void* bytes, const unsigned char* data, unsigned int length) {
+  static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), length);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+void ThrowIfBad(cairo_status_t status) {
+  if (status != CAIRO_STATUS_SUCCESS) throw std::runtime_error(cairo_status_to_string(status));
+}
+
+void DrawTo(cairo_surface_t* surface, double scale, const Chart& chart) {
+  const std::unique_ptr<cairo_t, void (*)(cairo_t*)> cairo(cairo_create(surface), &cairo_destroy);
+  cairo_scale(cairo.get(), scale, scale);
+  Painter(chart, cairo.get()).Draw();
+  ThrowIfBad(cairo_status(cairo.get()));
+}
+
+using Surface = std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t*)>;
+
+std::string ToSvg(const Chart& chart) {
+  std::string bytes;
+  const Surface surface(cairo_svg_surface_create_for_stream(
+                            &Append, &bytes, Painter::WidthOf(chart), Painter::HeightOf(chart)),
+                        &cairo_surface_destroy);
+  DrawTo(surface.get(), 1, chart);
+  cairo_surface_finish(surface.get());
+  ThrowIfBad(cairo_surface_status(surface.get()));
+  return bytes;
+}
+
+std::string ToPng(const Chart& chart) {
+  const Surface surface(
+      cairo_image_surface_create(CAIRO_FORMAT_RGB24,
+                                 static_cast<int>(kPngScale * Painter::WidthOf(chart)),
+                                 static_cast<int>(kPngScale * Painter::HeightOf(chart))),
+      &cairo_surface_destroy);
+  DrawTo(surface.get(), kPngScale, chart);
+  std::string bytes;
+  ThrowIfBad(cairo_surface_write_to_png_stream(surface.get(), &Append, &bytes));
+  return bytes;
+}
+
+}  // namespace
+
+extern "C" __attribute__((visibility("default"))) void openr_draw_chart(const Chart& chart,
+                                                                        FileType type,
+                                                                        std::string* bytes,
+                                                                        std::string* error) {
+  try {
+    *bytes = type == FileType::kSvg ? ToSvg(chart) : ToPng(chart);
+  } catch (const std::exception& e) {
+    *error = e.what();
+  }
+}
+
+}  // namespace openr_host::chart
