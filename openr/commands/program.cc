@@ -31,6 +31,7 @@ void AddCommands(CLI::App* app, int* exit_code) {
   AddRcCommand(app, exit_code);
   AddGraphCommand(app, exit_code);
   AddMtnCommand(app, exit_code);
+  AddLogCommand(app, exit_code);
   AddTraceCommand(app, exit_code);
   AddReplayCommand(app, exit_code);
   AddExploreCommand(app, exit_code);

@@ -1,0 +1,372 @@
+// The command openr log: shows, plots and compares log files of motions (AIBO_1.1).
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "cli/counted.h"
+#include "cli/exit_code.h"
+#include "cli/input_file.h"
+#include "cli/json_text.h"
+#include "openr/commands/commands.h"
+#include "openr/commands/common_flags.h"
+#include "openr/commands/motion_input.h"
+#include "openr/motion/log_charts.h"
+#include "openr/motion/log_times.h"
+#include "runtime/base/read_file.h"
+
+namespace openr_host {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr InputKind kLogKind = {"log file of openr rc", ".LOG"};
+constexpr double kSameMotionDeg = 0.1;
+constexpr LogGroup kGroups[] = {LogGroup::kCommanded, LogGroup::kMeasured, LogGroup::kSimulated};
+
+struct LogFlags {
+  std::string file, other;         // `other` only for compare; "": compare within `file`
+  std::string motion;              // motion file of the log; "": not named
+  std::string group, other_group;  // of the two sides of compare; "": chosen by the log
+  std::string output;              // chart to write; "": none
+  bool json = false;
+};
+
+// A log with the times of its records.
+struct TimedLog {
+  std::string name;
+  LogFile log;
+  std::vector<double> times_ms;
+};
+
+LogFile ReadLog(const std::string& file) {
+  RequireReadable(file, kLogKind);
+  const std::optional<std::string> bytes = ReadFile(file);
+  if (!bytes) {
+    throw std::runtime_error(fmt::format("{}: cannot be read: {}", file, std::strerror(errno)));
+  }
+  try {
+    return ParseLog(*bytes);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(fmt::format("{}: {}", file, error.what()));
+  }
+}
+
+std::vector<double> TimesOfLog(const std::string& file, const LogFile& log,
+                               const std::string& motion_file) {
+  try {
+    if (motion_file.empty()) return TimesOf(log);
+    return TimesOf(log, ReadMotion(motion_file));
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(fmt::format("{}: {}", file, error.what()));
+  }
+}
+
+TimedLog ReadTimedLog(const std::string& file, const std::string& motion_file) {
+  TimedLog timed{std::filesystem::path(file).filename().string(), ReadLog(file), {}};
+  timed.times_ms = TimesOfLog(file, timed.log, motion_file);
+  return timed;
+}
+
+int CountOf(const LogFile& log, LogGroup group) {
+  int count = 0;
+  for (const LogRecord& record : log.records) {
+    if (group == LogGroup::kMeasured ? record.measured.has_value() : record.simulated.has_value())
+      ++count;
+  }
+  return count;
+}
+
+// Names the case of Hohl 2004, section 3.3.6, by the groups that records have.
+const char* CaseOf(int measured, int simulated) {
+  if (measured > 0 && simulated > 0) return "synchronised play-back";
+  if (measured > 0) return "play-back on the robot";
+  return simulated > 0 ? "simulated play-back" : "no measured values";
+}
+
+void LogInfo(const LogFlags& flags) {
+  const LogFile log = ReadLog(flags.file);
+  const int measured = CountOf(log, LogGroup::kMeasured);
+  const int simulated = CountOf(log, LogGroup::kSimulated);
+  std::optional<double> duration_s;
+  std::string why_not;
+  try {
+    const std::vector<double> times_ms = TimesOfLog(flags.file, log, flags.motion);
+    duration_s = times_ms.empty() ? 0 : times_ms.back() / 1000;
+  } catch (const std::runtime_error& error) {
+    why_not = error.what();
+  }
+  if (flags.json) {
+    Json json = {{"file", flags.file},
+                 {"format", RC_LOG_HEADER},
+                 {"robot", log.robot->design},
+                 {"case", CaseOf(measured, simulated)},
+                 {"records", log.records.size()},
+                 {"measured", measured},
+                 {"simulated", simulated},
+                 {"duration_s", nullptr}};
+    if (duration_s) json["duration_s"] = *duration_s;
+    if (!why_not.empty()) json["no_times"] = why_not;
+    fmt::print("{}\n", JsonText(json));
+    return;
+  }
+  fmt::print("{}: {}, {} joints as the {}, {}\n", flags.file, RC_LOG_HEADER,
+             LoggedJoints(*log.robot).size(), log.robot->design, CaseOf(measured, simulated));
+  fmt::print("  {}, {} with measured and {} with simulated values\n",
+             Counted(log.records.size(), "record"), measured, simulated);
+  if (duration_s) {
+    fmt::print("  {:.3f} s\n", *duration_s);
+  } else {
+    fmt::print("  no times: {}\n", why_not.substr(flags.file.size() + 2));
+  }
+}
+
+const std::optional<LogValues>* ValuesOf(const LogRecord& record, LogGroup group) {
+  if (group == LogGroup::kCommanded) return nullptr;
+  return group == LogGroup::kMeasured ? &record.measured : &record.simulated;
+}
+
+// Prints the columns of one group: the joints, and of measured groups the paws.  The fields of a
+// record without this group are empty.
+void PrintFields(const LogRecord& record, LogGroup group) {
+  const std::optional<LogValues>* const values = ValuesOf(record, group);
+  const size_t joints = record.commanded_cdeg.size();
+  if (values != nullptr && !*values) {
+    fmt::print("{:,>{}}", "", joints + RC_LOG_PAWS);
+    return;
+  }
+  const auto& positions = values == nullptr ? record.commanded_cdeg : (*values)->positions_cdeg;
+  for (const int16_t position : positions) fmt::print(",{:.2f}", position / 100.0);
+  if (values == nullptr) return;
+  for (const uint16_t paw : (*values)->paws) fmt::print(",{}", paw);
+}
+
+void LogCsv(const LogFlags& flags) {
+  const LogFile log = ReadLog(flags.file);
+  std::vector<double> times_ms;
+  try {
+    times_ms = TimesOfLog(flags.file, log, flags.motion);
+  } catch (const std::runtime_error& error) {
+    if (!flags.motion.empty()) throw;
+    fmt::print(stderr, "{}; the column time_ms is empty\n", error.what());
+  }
+  fmt::print("record,key_frame,time_ms");
+  for (const LogGroup group : kGroups) {
+    for (const JointConstants* const joint : LoggedJoints(*log.robot))
+      fmt::print(",{}_{}_deg", joint->name, NameOf(group));
+    if (group == LogGroup::kCommanded) continue;
+    for (const char* const leg : {"LF", "LH", "RF", "RH"})
+      fmt::print(",paw_{}_{}", leg, NameOf(group));
+  }
+  fmt::print("\n");
+  for (size_t i = 0; i < log.records.size(); ++i) {
+    fmt::print("{},{},", i, log.records[i].key_frame);
+    if (!times_ms.empty()) fmt::print("{}", times_ms[i]);
+    for (const LogGroup group : kGroups) PrintFields(log.records[i], group);
+    fmt::print("\n");
+  }
+}
+
+void WriteChartFile(const chart::Chart& picture, const std::string& file) {
+  const std::string problem = chart::WriteChart(picture, file);
+  if (!problem.empty()) throw std::runtime_error(problem);
+}
+
+void LogPlot(const LogFlags& flags) {
+  const TimedLog timed = ReadTimedLog(flags.file, flags.motion);
+  WriteChartFile(ChartOf(timed.log, timed.times_ms, timed.name), flags.output);
+}
+
+// Returns the group of one side of a comparison: the one that the flag names, or else the robot's
+// values if the log has them, otherwise the simulated ones.
+LogGroup GroupOf(const std::string& flag, const LogFile& log) {
+  for (const LogGroup group : kGroups) {
+    if (flag == NameOf(group)) return group;
+  }
+  return CountOf(log, LogGroup::kMeasured) > 0 ? LogGroup::kMeasured : LogGroup::kSimulated;
+}
+
+// Returns the group with which the values of a single log are compared.
+LogGroup OtherGroupOf(const std::string& flag, const LogFile& log) {
+  if (!flag.empty()) return GroupOf(flag, log);
+  return CountOf(log, LogGroup::kSimulated) > 0 ? LogGroup::kSimulated : LogGroup::kMeasured;
+}
+
+ComparedSide SideOf(const TimedLog& timed, LogGroup group, const std::string& label) {
+  ComparedSide side{TracesOf(timed.log, timed.times_ms, group), label};
+  if (side.traces.times_ms.empty()) {
+    throw std::runtime_error(fmt::format("{}: has no {} values", timed.name, NameOf(group)));
+  }
+  return side;
+}
+
+// Compares two groups of one log.  A synchronised log has both robots; another one is compared with
+// what was commanded.
+Comparison CompareWithin(const LogFlags& flags) {
+  const TimedLog timed = ReadTimedLog(flags.file, flags.motion);
+  const bool both =
+      CountOf(timed.log, LogGroup::kMeasured) > 0 && CountOf(timed.log, LogGroup::kSimulated) > 0;
+  const LogGroup first =
+      flags.group.empty() && !both ? LogGroup::kCommanded : GroupOf(flags.group, timed.log);
+  const LogGroup second = OtherGroupOf(flags.other_group, timed.log);
+  Comparison comparison;
+  comparison.title = timed.name;
+  comparison.a = SideOf(timed, first, NameOf(first));
+  comparison.b = SideOf(timed, second, NameOf(second));
+  if (first != LogGroup::kCommanded && second != LogGroup::kCommanded)
+    comparison.commanded = TracesOf(timed.log, timed.times_ms, LogGroup::kCommanded);
+  comparison.robot = timed.log.robot;
+  return comparison;
+}
+
+// Says so when two logs seem to be of different motions.  That is no error: motions that are alike
+// can be compared as well.
+void WarnIfMotionsDiffer(const TimedLog& first, const TimedLog& second) {
+  const std::vector<const JointConstants*> joints = LoggedJoints(*first.log.robot);
+  const size_t count = std::min(first.log.records.size(), second.log.records.size());
+  // The first record has where the joints were commanded before the motion.
+  for (size_t i = 1; i < count; ++i) {
+    const LogRecord& a = first.log.records[i];
+    const LogRecord& b = second.log.records[i];
+    if (a.key_frame != b.key_frame) continue;
+    for (size_t j = 0; j < joints.size(); ++j) {
+      const double a_deg = a.commanded_cdeg[j] / 100.0, b_deg = b.commanded_cdeg[j] / 100.0;
+      if (std::abs(a_deg - b_deg) <= kSameMotionDeg) continue;
+      fmt::print(stderr,
+                 "openr: warning: the logs are of different motions: {} is commanded to {:.2f} and "
+                 "{:.2f} degrees at key frame {}\n",
+                 joints[j]->name, a_deg, b_deg, a.key_frame);
+      return;
+    }
+  }
+}
+
+Comparison CompareFiles(const LogFlags& flags) {
+  const TimedLog first = ReadTimedLog(flags.file, flags.motion);
+  const TimedLog second = ReadTimedLog(flags.other, flags.motion);
+  if (first.log.robot != second.log.robot) {
+    throw std::runtime_error(fmt::format("{} is of an {}, {} of an {}: their joints differ",
+                                         flags.file, first.log.robot->design, flags.other,
+                                         second.log.robot->design));
+  }
+  WarnIfMotionsDiffer(first, second);
+  const LogGroup group = GroupOf(flags.group, first.log);
+  const LogGroup other_group = GroupOf(flags.other_group, second.log);
+  // Files of the same name are told apart by their folders.
+  const bool same = first.name == second.name;
+  const std::string name = same ? flags.file : first.name;
+  const std::string other_name = same ? flags.other : second.name;
+  Comparison comparison;
+  comparison.title = fmt::format("{} and {}", name, other_name);
+  comparison.a = SideOf(first, group, fmt::format("{} {}", name, NameOf(group)));
+  comparison.b = SideOf(second, other_group, fmt::format("{} {}", other_name, NameOf(other_group)));
+  comparison.commanded = TracesOf(first.log, first.times_ms, LogGroup::kCommanded);
+  comparison.robot = first.log.robot;
+  return comparison;
+}
+
+Json JsonOf(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+
+void PrintComparisonJson(const Comparison& comparison) {
+  Json joints = Json::array();
+  const std::vector<const JointConstants*> names = LoggedJoints(*comparison.robot);
+  for (size_t j = 0; j < names.size(); ++j) {
+    const JointDifference& d = comparison.differences[j];
+    joints.push_back({{"joint", names[j]->name},
+                      {"mean_deg", d.mean_deg},
+                      {"max_deg", d.max_deg},
+                      {"rms_deg", d.rms_deg},
+                      {"lag_ms", JsonOf(d.lag_ms)},
+                      {"gain", JsonOf(d.gain)},
+                      {"rms_after_lag_deg", JsonOf(d.rms_after_lag_deg)}});
+  }
+  const Json json = {{"a", comparison.a.label}, {"b", comparison.b.label}, {"joints", joints}};
+  fmt::print("{}\n", JsonText(json));
+}
+
+std::string Field(const std::optional<double>& value, int decimals) {
+  if (!value) return "-";
+  const std::string text = fmt::format("{:.{}f}", *value, decimals);
+  return text.find_first_not_of("-0.") == std::string::npos && text[0] == '-' ? text.substr(1)
+                                                                              : text;
+}
+
+void PrintComparison(const Comparison& comparison) {
+  fmt::print("{}: {} against {}\n", comparison.title, comparison.b.label, comparison.a.label);
+  fmt::print("  {:<12} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8}\n", "joint", "mean", "max", "RMS", "lag",
+             "gain", "RMS");
+  fmt::print("  {:<12} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8}\n", "", "deg", "deg", "deg", "ms", "",
+             "shifted");
+  const std::vector<const JointConstants*> names = LoggedJoints(*comparison.robot);
+  for (size_t j = 0; j < names.size(); ++j) {
+    const JointDifference& d = comparison.differences[j];
+    fmt::print("  {:<12} {:>8} {:8.2f} {:8.2f} {:>8} {:>8} {:>8}\n", names[j]->name,
+               Field(d.mean_deg, 2), d.max_deg, d.rms_deg, Field(d.lag_ms, 1), Field(d.gain, 3),
+               Field(d.rms_after_lag_deg, 2));
+  }
+}
+
+void LogCompare(const LogFlags& flags) {
+  Comparison comparison = flags.other.empty() ? CompareWithin(flags) : CompareFiles(flags);
+  comparison.differences = CompareTraces(comparison.a.traces, comparison.b.traces);
+  flags.json ? PrintComparisonJson(comparison) : PrintComparison(comparison);
+  if (flags.output.empty()) return;
+  WriteChartFile(ChartOf(comparison), flags.output);
+}
+
+using LogAction = void (*)(const LogFlags& flags);
+
+// Runs `action`.  Prints an error as JSON too, if the answer would have been JSON.
+int PerformLog(LogAction action, const LogFlags& flags) {
+  try {
+    action(flags);
+    return kExitGood;
+  } catch (const std::runtime_error& error) {
+    fmt::print(stderr, "openr: {}\n", error.what());
+    if (flags.json) fmt::print("{}\n", JsonText(Json{{"error", error.what()}}));
+    return kExitWrong;
+  }
+}
+
+}  // namespace
+
+void AddLogCommand(CLI::App* app, int* exit_code) {
+  CLI::App* const log = app->add_subcommand("log", "Log files of motions (AIBO_1.1)");
+  log->require_subcommand(1);
+  auto flags = std::make_shared<LogFlags>();
+  const auto add = [&](const char* name, const char* about, LogAction action) {
+    CLI::App* const command = log->add_subcommand(name, about);
+    command->add_option("FILE", flags->file, "The log")->required();
+    command->add_option("--motion", flags->motion,
+                        "The motion of the log, for times when it has interpolated frames");
+    command->callback([flags, exit_code, action] { *exit_code = PerformLog(action, *flags); });
+    return command;
+  };
+  CLI::App* const info = add("info", "What is in a log", &LogInfo);
+  add("csv", "All records as comma-separated values, positions in degrees", &LogCsv);
+  CLI::App* const plot = add("plot", "A chart of every joint", &LogPlot);
+  CLI::App* const compare = add(
+      "compare", "Error, lag and gain of every joint, between two logs or within one", &LogCompare);
+  compare->add_option("OTHER", flags->other,
+                      "The log to compare with FILE; without it the groups of FILE are compared");
+  const auto groups = CLI::IsMember({"commanded", "measured", "simulated"});
+  compare->add_option("--group", flags->group, "Values of FILE to compare")->check(groups);
+  compare->add_option("--other-group", flags->other_group, "Values to compare them with")
+      ->check(groups);
+  for (CLI::App* const command : {info, compare})
+    command->add_flag("--json", flags->json, "One JSON object");
+  AddChartOption(plot, &flags->output)->required();
+  AddChartOption(compare, &flags->output);
+}
+
+}  // namespace openr_host

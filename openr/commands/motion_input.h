@@ -1,0 +1,19 @@
+// Motion files and charts on the command line, for several commands.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "MtnFile.h"
+
+namespace openr_host {
+
+// Reads a motion file.  Throws std::runtime_error "FILE: reason" when it cannot be read or is no
+// motion.
+MtnFile ReadMotion(const std::string& file);
+
+// Adds the option -o, a chart to write.  It refuses names that do not end in .svg or .png, and
+// files that cannot be written.
+CLI::Option* AddChartOption(CLI::App* command, std::string* file);
+
+}  // namespace openr_host
