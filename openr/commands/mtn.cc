@@ -17,6 +17,8 @@
 #include "cli/exit_code.h"
 #include "cli/input_file.h"
 #include "openr/commands/commands.h"
+#include "openr/commands/mtn_files.h"
+#include "openr/motion/mtn_csv.h"
 #include "runtime/base/read_file.h"
 #include "virtualrobot/det_math.h"
 
@@ -65,13 +67,6 @@ Json Facts(const std::string& name, const MtnFile& motion) {
 
 std::string CountedFrames(const MtnFile& motion) {
   return Counted(static_cast<uint64_t>(motion.NumKeyFrames()), "key frame");
-}
-
-// Returns whether `locator` names an ear.  An ear has two positions instead of an angle: the value
-// 0 is one position, any other value is the other.
-bool HasTwoPositions(const std::string& locator) {
-  return locator.find("-Joint3:") != std::string::npos ||
-         locator.find("-Joint4:") != std::string::npos;
 }
 
 // Returns, as text, the lowest and the highest angle that the motion gives to its joint `j`.
@@ -145,8 +140,7 @@ bool Check(const std::string& name, MtnFlags* flags) {
   return good;
 }
 
-// Prints one line for each key frame: time, attitude and joints.  Angles are in degrees; ears,
-// which have two positions only, are 0 or 1.
+// Prints one line for each key frame: time, attitude and joints.
 bool Dump(const std::string& name, MtnFlags*) {
   MtnFile motion;
   std::string problem;
@@ -154,21 +148,7 @@ bool Dump(const std::string& name, MtnFlags*) {
     fmt::print(stderr, "{}: {}\n", name, problem);
     return false;
   }
-  fmt::print("key_frame,time_ms,roll_deg,pitch_deg,yaw_deg");
-  for (int j = 0; j < motion.NumJoints(); ++j) fmt::print(",{}", motion.Locator(j));
-  fmt::print("\n");
-  for (int k = 0; k < motion.NumKeyFrames(); ++k) {
-    fmt::print("{},{}", k, motion.TimeMs(k));
-    for (int a = 0; a < 3; ++a) fmt::print(",{:.4f}", motion.Attitude(k, a) * kDegPerUrad);
-    for (int j = 0; j < motion.NumJoints(); ++j) {
-      if (HasTwoPositions(motion.Locator(j))) {
-        fmt::print(",{}", motion.Angle(k, j) == 0 ? 0 : 1);
-      } else {
-        fmt::print(",{:.4f}", motion.Angle(k, j) * kDegPerUrad);
-      }
-    }
-    fmt::print("\n");
-  }
+  fmt::print("{}", CsvOf(motion));
   return true;
 }
 
@@ -200,6 +180,9 @@ void AddMtnCommand(CLI::App* app, int* exit_code) {
   CLI::App* const info = add("info", "What is in a motion file", &Info);
   CLI::App* const check = add("check", "Whether a robot can play it", &Check);
   add("dump", "All key frames as comma-separated values, in degrees", &Dump);
+  AddMtnFromCsvCommand(mtn, exit_code);
+  AddMtnPlotCommand(mtn, exit_code);
+  AddMtnOdaCommand(mtn, exit_code);
   for (CLI::App* const command : {info, check}) {
     command->add_flag("--json", flags->json,
                       "One JSON object, or a list of them for several files");

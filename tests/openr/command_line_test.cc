@@ -29,7 +29,9 @@ void ExpectJsonRefusal(std::vector<std::string> arguments, int status, const std
 
 TEST(CommandLineTest, WithoutACommandItListsThem) {
   ExpectRefusal({}, 2, "a command is missing; there are run, join, top, poke, attach, panel, rc, ");
-  ExpectRefusal({"mtn"}, 2, "a command is missing after 'mtn'; there are info, check, dump");
+  ExpectRefusal(
+      {"mtn"}, 2,
+      "a command is missing after 'mtn'; there are info, check, dump, from-csv, plot, oda");
 }
 
 TEST(CommandLineTest, AnUnknownCommandIsNamedAndTheNearestOneSuggested) {

@@ -1,0 +1,13 @@
+// The parts of the command openr mtn that write files.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace openr_host {
+
+// Add the commands plot, from-csv and oda to the command openr mtn.
+void AddMtnPlotCommand(CLI::App* mtn, int* exit_code);
+void AddMtnFromCsvCommand(CLI::App* mtn, int* exit_code);
+void AddMtnOdaCommand(CLI::App* mtn, int* exit_code);
+
+}  // namespace openr_host

@@ -1,0 +1,26 @@
+// ODA containers: several motions, sounds and light patterns in one file (docs/openr/mtn-format.md,
+// section 4).
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace openr_host {
+
+struct OdaMember {
+  std::string type;        // "OMTN", "WAVE", "MIDI", "LED", "SYN", "OSND"
+  std::string name;        // as the container has it; at most 128 bytes, which may be any
+  std::string file;        // name for a file of its own, 8+3, different from all others
+  std::string_view bytes;  // part of the container's bytes
+};
+
+// Largest number of members that is read.  The containers of the robots' software have up to some
+// hundred.
+constexpr size_t kOdaMembersMax = 4096;
+
+// Returns the members of a container, in its order.  `bytes` must outlive them.  Throws
+// std::runtime_error "offset 8: ..." with the mistake when the bytes are no container.
+std::vector<OdaMember> ReadOda(std::string_view bytes);
+
+}  // namespace openr_host
