@@ -198,9 +198,18 @@ class RcCommands {
                      "Key frames per command vector: 2, 4, 6 or 8; 0: as the robot likes")
         ->check(KeyFramesPerVector())
         ->capture_default_str();
-    play->add_option("--log", flags_->log,
-                     "Waits for the end and writes the key frames to this file")
-        ->check(IsWritable());
+    CLI::Option* const log =
+        play->add_option("--log", flags_->log,
+                         "Waits for the end and writes the key frames to this file")
+            ->check(IsWritable());
+    CLI::Option* const simulated =
+        play->add_flag("--simulated", flags_->simulated,
+                       "HOST is a simulation: its values go to the simulated ones of the log")
+            ->needs(log);
+    play->add_option("--with", flags_->with,
+                     "Plays on this robot (HOST:PORT), too; the log has its values as simulated")
+        ->needs(log)
+        ->excludes(simulated);
     Add(mtn, "stop", "Stops the motion", &RcStopAction);
     Add(mtn, "list", "The motions on the stick, with their sizes", &RcListAction);
     Add(mtn, "upload", "Puts a motion on the stick", &RcUploadMotionAction)

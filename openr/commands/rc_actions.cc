@@ -40,7 +40,8 @@ void Say(const RcFlags& flags, uint32_t frame, const Json& json, const std::stri
 constexpr useconds_t kLogPollUs = 5'000;
 
 void WriteLog(const RcFlags& flags, const RemoteLog& log) {
-  const std::string problem = WriteFile(flags.log, log.File());
+  const std::string problem =
+      WriteFile(flags.log, flags.simulated ? SimulatedLog(log.File()) : log.File());
   if (!problem.empty()) throw std::runtime_error(problem);
   std::string text = fmt::format("{} in {}", Counted(log.count(), "key frame"), flags.log);
   if (log.lost() > 0) {
@@ -142,6 +143,7 @@ void RcSensorsAction(RemoteClient* client, const RcFlags& flags) {
 }
 
 void RcPlayAction(RemoteClient* client, const RcFlags& flags) {
+  if (!flags.with.empty()) return RcPlayWithAction(client, flags);
   RcPlayRequest request;
   request.file = flags.file;
   request.loops = static_cast<Uint16>(flags.loops);

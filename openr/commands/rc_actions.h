@@ -29,6 +29,8 @@ struct RcFlags {
   std::string layer = "m";         // of the camera's picture: "h", "m", "l" or "c"
   bool raw = false;                // whether to write the bytes of the layer as the robot has them
   std::string log;                 // file of the host for the log of a motion; "": none
+  bool simulated = false;          // whether the log's values are those of a simulated robot
+  std::string with;                // address of a second robot to play on; "": none
   std::string output;              // file of the host for a download; "": as on the stick
   std::vector<std::string> goals;  // "neck_pan=30"
   std::string stream;              // "sensors" or "keyframes"
@@ -51,6 +53,11 @@ void RcPoseAction(RemoteClient* client, const RcFlags& flags);
 void RcMotorAction(RemoteClient* client, const RcFlags& flags);
 void RcGainsAction(RemoteClient* client, const RcFlags& flags);
 void RcPowerAction(RemoteClient* client, const RcFlags& flags);
+
+// Plays a motion on two robots, and returns the bytes of a log as those of a simulated robot's log
+// (rc_play_with.cc).
+void RcPlayWithAction(RemoteClient* client, const RcFlags& flags);
+std::string SimulatedLog(const std::string& bytes);
 
 // Fetches a picture of the camera (rc_camera.cc).
 void RcCameraAction(RemoteClient* client, const RcFlags& flags);
