@@ -146,5 +146,30 @@ TEST(MergeLogsTest, DifferentMotionsAreRefused) {
             "by the other: the files on their sticks differ");
 }
 
+// The script moves two simulated dogs of which one has other servos.
+TEST(SimToRealTest, TheLogGivesBackTheDifferencesThatWerePutIn) {
+  ProcessOptions options;
+  options.captures_out = true;
+  const std::filesystem::path build = std::filesystem::path(OPENR_PROGRAM).parent_path() / "..";
+  const ProcessResult run =
+      RunProcess({"python3", OPENR_SIM_TO_REAL, "--build", build.string(), "--json"}, options);
+  ASSERT_TRUE(nlohmann::json::accept(run.output)) << run.output;
+  const auto rows = nlohmann::json::parse(run.output);
+  ASSERT_EQ(rows.size(), 15u);
+  for (const auto& row : rows) {
+    SCOPED_TRACE(row.dump());
+    // The weight of the head, which the equation of the servo leaves out, acts on one joint.
+    const bool has_weight = row["joint"] == "neck_tilt";
+    EXPECT_NEAR(row["lag_ms"].get<double>(), row["lag_put_in_ms"].get<double>(),
+                has_weight ? 6 : 1);
+    EXPECT_NEAR(row["gain"].get<double>(), row["gain_put_in"].get<double>(),
+                has_weight ? 0.02 : 0.005);
+    if (has_weight) continue;
+    const double p = row["p_real"].get<double>();
+    EXPECT_NEAR(row["p_given_back"].get<double>(), p, 0.05 * p);
+  }
+  EXPECT_EQ(run.status, 0);
+}
+
 }  // namespace
 }  // namespace openr_host
