@@ -25,8 +25,8 @@ RcPlayAnswer Play(RemoteClient* client, const RcPlayRequest& request) {
   return client->Read<RcPlayAnswer>(client->RequestWith(rcMTN_PLAY, request));
 }
 
-// Plays on both robots.  If the other one refuses, the first one is stopped, so that no robot plays
-// alone.
+// Plays on both robots.  If the other one refuses or cannot be reached, the first one is stopped,
+// so that no robot plays alone.
 RcPlayAnswer PlayBoth(RemoteClient* client, RemoteClient* other, const RcPlayRequest& request,
                       const std::string& other_address) {
   const RcPlayAnswer answer = Play(client, request);
@@ -36,6 +36,9 @@ RcPlayAnswer PlayBoth(RemoteClient* client, RemoteClient* other, const RcPlayReq
     client->Request(rcMTN_STOP);
     throw RemoteRefusal(refusal.status, refusal.frame,
                         fmt::format("{}: {}", other_address, refusal.what()));
+  } catch (const RemoteFailure&) {
+    client->Request(rcMTN_STOP);
+    throw;
   }
   return answer;
 }

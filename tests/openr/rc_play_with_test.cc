@@ -102,6 +102,16 @@ TEST_F(RcPlayWithTest, WhenTheOtherRobotRefusesNoneGoesOn) {
   EXPECT_EQ(real_->Answers({"mtn", "play", "WALK.MTN"}).size(), 1u) << "the first one was stopped";
 }
 
+TEST_F(RcPlayWithTest, WhenTheOtherRobotIsNotThereNothingPlays) {
+  const ScratchFolder folder;
+  const ProgramResult refused = real_->Rc({"mtn", "play", "WALK.MTN", "--loops", "1000", "--log",
+                                           folder.File("NO.LOG"), "--with", "127.0.0.1:1"});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_NE(refused.err.find("127.0.0.1:1: no program listens there"), std::string::npos)
+      << refused.err;
+  EXPECT_EQ(real_->Answers({"info"})[0]["state"], "accepting-commands");
+}
+
 TEST_F(RcPlayWithTest, FlagsThatDoNotFitAreRefused) {
   EXPECT_EQ(real_->Rc({"mtn", "play", "WALK.MTN", "--with", other_->address()}).status, 2);
   EXPECT_EQ(real_->Rc({"mtn", "play", "WALK.MTN", "--simulated"}).status, 2);
