@@ -67,6 +67,15 @@ void Widen(const std::vector<double>& values, Span* span) {
   }
 }
 
+// Returns the text with a `?` for each byte that is no printable ASCII, because Cairo refuses text
+// that is not UTF-8, and names in motion files may be anything.
+std::string Printable(std::string text) {
+  for (char& c : text) {
+    if (c < ' ' || c > '~') c = '?';
+  }
+  return text;
+}
+
 class Painter {
  public:
   Painter(const Chart& chart, cairo_t* cairo) : chart_(chart), cairo_(cairo) {
@@ -86,8 +95,10 @@ class Painter {
     const double width = WidthOf(chart_), height = HeightOf(chart_);
     Colour(kBackground);
     cairo_paint(cairo_);
-    Text(kMargin, kMargin + 14, chart_.title, 17, true, kInk);
-    Text(kMargin, kMargin + 34, chart_.subtitle, 11.5, false, kPaleInk);
+    Text(kMargin, kMargin + 14, Shortened(chart_.title, 17, true, width - 2 * kMargin), 17, true,
+         kInk);
+    Text(kMargin, kMargin + 34, Shortened(chart_.subtitle, 11.5, false, width - 2 * kMargin), 11.5,
+         false, kPaleInk);
     DrawLegend(width);
     const int count = static_cast<int>(chart_.panels.size());
     for (int i = 0; i < count; ++i) {
@@ -134,7 +145,8 @@ class Painter {
 
   void DrawPanel(const Panel& panel, const Rect& plot, bool is_lowest) {
     const Span y_span = YSpanOf(panel);
-    Text(plot.x, plot.y - 6, panel.title, 12, true, kInk);
+    const double room = plot.width - WidthOfText(panel.note, 10.5, false) - 8;
+    Text(plot.x, plot.y - 6, Shortened(panel.title, 12, true, room), 12, true, kInk);
     Text(plot.x + plot.width, plot.y - 6, panel.note, 10.5, false, kPaleInk, 1);
     Colour(kPlotBackground);
     cairo_rectangle(cairo_, plot.x, plot.y, plot.width, plot.height);
@@ -204,9 +216,11 @@ class Painter {
     double right = width - kMargin;
     const double y = kMargin + 58;
     std::reverse(entries.begin(), entries.end());
+    const double room = (width - 2 * kMargin) / static_cast<double>(entries.size()) - 62;
     for (const Curve* const entry : entries) {
-      right -= WidthOfText(entry->label, 12);
-      Text(right, y + 4, entry->label, 12, false, kInk);
+      const std::string label = Shortened(entry->label, 12, false, room);
+      right -= WidthOfText(label, 12, false);
+      Text(right, y + 4, label, 12, false, kInk);
       right -= 8;
       SetLook(entry->look);
       if (entry->look == Look::kMarks) {
@@ -246,11 +260,22 @@ class Painter {
 
   void Colour(const Rgb& colour) { cairo_set_source_rgb(cairo_, colour.r, colour.g, colour.b); }
 
-  double WidthOfText(const std::string& text, double size) {
-    SetFont(size, false);
+  double WidthOfText(const std::string& text, double size, bool is_bold) {
+    SetFont(size, is_bold);
     cairo_text_extents_t extents;
-    cairo_text_extents(cairo_, text.c_str(), &extents);
+    cairo_text_extents(cairo_, Printable(text).c_str(), &extents);
     return extents.x_advance;
+  }
+
+  // Returns the text without its middle if it is wider than `room`.
+  std::string Shortened(const std::string& text, double size, bool is_bold, double room) {
+    std::string shortened = text;
+    for (size_t left_out = 1;
+         left_out < text.size() && WidthOfText(shortened, size, is_bold) > room; ++left_out) {
+      const size_t kept = text.size() - left_out;
+      shortened = text.substr(0, kept / 2) + "..." + text.substr(text.size() - (kept - kept / 2));
+    }
+    return shortened;
   }
 
   void SetFont(double size, bool is_bold) {
@@ -263,12 +288,10 @@ class Painter {
   // there.
   void Text(double x, double y, const std::string& text, double size, bool is_bold,
             const Rgb& colour, double anchor = 0) {
-    SetFont(size, is_bold);
-    cairo_text_extents_t extents;
-    cairo_text_extents(cairo_, text.c_str(), &extents);
+    const double width = WidthOfText(text, size, is_bold);
     Colour(colour);
-    cairo_move_to(cairo_, x - anchor * extents.x_advance, y);
-    cairo_show_text(cairo_, text.c_str());
+    cairo_move_to(cairo_, x - anchor * width, y);
+    cairo_show_text(cairo_, Printable(text).c_str());
     cairo_new_path(cairo_);
   }
 

@@ -251,6 +251,12 @@ void WarnIfMotionsDiffer(const TimedLog& first, const TimedLog& second) {
   }
 }
 
+// Returns the name of the file with that of the folder that it is in.
+std::string WithFolder(const std::string& file) {
+  const std::filesystem::path path = std::filesystem::absolute(file);
+  return (path.parent_path().filename() / path.filename()).string();
+}
+
 Comparison CompareFiles(const LogFlags& flags) {
   const TimedLog first = ReadTimedLog(flags.file, flags.motion);
   const TimedLog second = ReadTimedLog(flags.other, flags.motion);
@@ -264,8 +270,8 @@ Comparison CompareFiles(const LogFlags& flags) {
   const LogGroup other_group = GroupOf(flags.other_group, second.log);
   // Files of the same name are told apart by their folders.
   const bool same = first.name == second.name;
-  const std::string name = same ? flags.file : first.name;
-  const std::string other_name = same ? flags.other : second.name;
+  const std::string name = same ? WithFolder(flags.file) : first.name;
+  const std::string other_name = same ? WithFolder(flags.other) : second.name;
   Comparison comparison;
   comparison.title = fmt::format("{} and {}", name, other_name);
   comparison.a = SideOf(first, group, fmt::format("{} {}", name, NameOf(group)));
@@ -295,10 +301,7 @@ void PrintComparisonJson(const Comparison& comparison) {
 }
 
 std::string Field(const std::optional<double>& value, int decimals) {
-  if (!value) return "-";
-  const std::string text = fmt::format("{:.{}f}", *value, decimals);
-  return text.find_first_not_of("-0.") == std::string::npos && text[0] == '-' ? text.substr(1)
-                                                                              : text;
+  return value ? Rounded(*value, decimals) : "-";
 }
 
 void PrintComparison(const Comparison& comparison) {

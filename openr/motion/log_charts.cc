@@ -70,7 +70,7 @@ Chart ChartOf(const Comparison& comparison) {
   for (size_t j = 0; j < joints.size(); ++j) {
     const JointDifference& difference = comparison.differences[j];
     const std::string lag =
-        difference.lag_ms ? fmt::format("lag {:.1f} ms, ", *difference.lag_ms) : "";
+        difference.lag_ms ? fmt::format("lag {} ms, ", Rounded(*difference.lag_ms, 1)) : "";
     Panel panel{joints[j]->name, fmt::format("{}RMS {:.2f} deg", lag, difference.rms_deg), {}};
     if (!comparison.commanded.times_ms.empty())
       panel.curves.push_back(CurveOf(comparison.commanded, j, Look::kReference, "commanded"));

@@ -1,5 +1,7 @@
 #include "openr/motion/log_compare.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -214,6 +216,12 @@ std::vector<JointDifference> CompareTraces(const JointTraces& a, const JointTrac
   std::vector<JointDifference> differences;
   for (size_t j = 0; j < a.deg.size(); ++j) differences.push_back(CompareJoint(a, b, j));
   return differences;
+}
+
+std::string Rounded(double value, int decimals) {
+  const std::string text = fmt::format("{:.{}f}", value, decimals);
+  const bool is_zero = text.find_first_not_of("-0.") == std::string::npos;
+  return is_zero && text[0] == '-' ? text.substr(1) : text;
 }
 
 }  // namespace openr_host

@@ -47,4 +47,7 @@ constexpr int kSamplesMin = 8;
 // number of joints.  Throws std::runtime_error when they have no time in common.
 std::vector<JointDifference> CompareTraces(const JointTraces& a, const JointTraces& b);
 
+// Returns the rounded value as text.  A value that rounds to 0 has no sign.
+std::string Rounded(double value, int decimals);
+
 }  // namespace openr_host

@@ -102,6 +102,20 @@ TEST(MtnPlotTest, AMotionBecomesAChart) {
   EXPECT_NE(folder.Read("bow.svg").find("<svg"), std::string::npos);
 }
 
+TEST(MtnPlotTest, NamesThatAreNoTextAreDrawnAsFarAsTheyAre) {
+  const ScratchFolder folder;
+  folder.Write("t.csv", "key_frame,time_ms,roll_deg,pitch_deg,yaw_deg,\xff" +
+                            std::string(200, 'x') + "\n0,0,0,0,0,1\n1,16,0,0,0,2\n");
+  ASSERT_EQ(RunProgram({"mtn", "from-csv", folder.File("t.csv"), "-o", folder.File("T.MTN"),
+                        "--name", std::string(250, '\xfe')})
+                .status,
+            0);
+  const ProgramResult result =
+      RunProgram({"mtn", "plot", folder.File("T.MTN"), "-o", folder.File("t.png")});
+  if (result.err.find("they need Cairo") != std::string::npos) GTEST_SKIP() << result.err;
+  EXPECT_EQ(result.status, 0) << result.err;
+}
+
 // ---- Containers ----------------------------------------------------------------------
 
 void AppendU32(uint32_t value, std::string* out) {
