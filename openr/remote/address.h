@@ -1,0 +1,24 @@
+// The address of a robot's remote control.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "RemotePacket.h"
+
+namespace openr::remote {
+
+// A host name or an IPv4 address, and a TCP port.
+struct Address {
+  std::string host;
+  uint16_t port = RC_PORT;
+
+  // Returns "HOST:PORT".
+  std::string Text() const { return host + ":" + std::to_string(port); }
+};
+
+// Reads "HOST" or "HOST:PORT"; without a port it is the usual one, 54000.  Throws Error (kAddress)
+// if `text` is neither.  IPv6 addresses are refused, because the robot's network is IPv4.
+Address ParseAddress(const std::string& text);
+
+}  // namespace openr::remote

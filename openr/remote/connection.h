@@ -1,0 +1,277 @@
+// Connection, a client of the robot's remote control (docs/remote-control.md).
+//
+//   openr::remote::Connection robot(openr::remote::ParseAddress("127.0.0.1:54000"));
+//   const int pan = robot.Find(rcdeviceJOINT, "neck_pan");
+//   robot.SetSpeed(pan, 60);  // degrees/s
+//   robot.Move(pan, 30);      // degrees
+//
+// Whatever goes wrong is an Error (error.h), whose text says what to do.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "RemoteCamera.h"
+#include "RemoteFiles.h"
+#include "RemoteLog.h"
+#include "RemoteProtocol.h"
+#include "RemoteStreams.h"
+#include "openr/remote/address.h"
+#include "openr/remote/error.h"
+#include "openr/remote/picture.h"
+
+namespace openr::remote {
+
+class TcpStream;
+
+// The structs of requests and answers are those of the protocol, which client and robot share;
+// their headers say units and order.
+using Info = RcInfo;                // what robot this is, and what it does
+using Description = RcDescription;  // a device: names, and limits of a joint or kind of a sensor
+using JointState = RcJointState;    // 0.01 degree, 0.01 degree/s, 0.01 degree/s^2
+using Gains = RcGains;
+using Power = RcPower;
+using Sensors = RcSensors;
+using SetValues = RcSetValues;
+using PlayAnswer = RcPlayAnswer;
+using ListEntry = RcListEntry;
+
+using Bytes = std::vector<uint8_t>;
+
+struct Options {
+  // How long to wait for the connection, and for each answer.
+  std::chrono::milliseconds timeout{3000};
+};
+
+// The number of a request that was sent.  Never 0.
+using RequestId = uint16_t;
+
+// The answer to a request.
+struct Answer {
+  uint32_t frame =
+      0xffffffff;     // frame of 8 ms of the robot's newest sensor values; 0xffffffff: none
+  int status = rcOK;  // RcStatus
+  std::string error;  // the robot's words if the status is not rcOK
+  Bytes payload;      // empty if the status is not rcOK
+};
+
+// A request for a batch.  `payload` has no header.
+struct Call {
+  int command;  // RcCommand
+  Bytes payload;
+};
+
+// A packet of a stream, which the robot sends unasked.
+struct Event {
+  RequestId subscription = 0;  // result of Subscribe()
+  uint32_t frame = 0;
+  int stream = 0;    // RcStream
+  int left_out = 0;  // number of values that were not sent since the event before
+  Bytes values;      // of Sensors or SetValues; see Read()
+};
+
+// Called with the number of bytes of a file that are there, and their sum; first with 0.
+using Progress = std::function<void(size_t done, size_t size)>;
+
+// A TCP connection to a robot.  The caller owns it and uses it in one thread at a time.
+//
+// Functions throw Error.  If Error::LeavesConnection() is false, the connection is of no use any
+// more; nothing connects again by itself, because subscriptions, an upload that had begun and what
+// other clients did meanwhile are for the caller to consider.
+//
+// Requests use version 1 of the protocol where that has the command, so that older robots answer
+// them.
+class Connection {
+ public:
+  explicit Connection(const Address& address, Options options = {});
+  ~Connection();
+  Connection(const Connection&) = delete;
+  Connection& operator=(const Connection&) = delete;
+
+  const Address& address() const { return address_; }
+
+  // Returns the frame of the newest answer that a function below has waited for.
+  uint32_t frame() const { return frame_; }
+
+  // ---- Devices: indices are those of the robot's model, from 0.
+
+  Info GetInfo();
+
+  // Returns all devices of a kind.  Asks the robot once; the result stays valid and the same.
+  const std::vector<Description>& Devices(RcDeviceKind kind);
+
+  // Returns the index of the device whose short name ("LF_j1"), title ("Left fore leg J1"), locator
+  // ("PRM:/r2/c1-Joint2:j1", its name in OPEN-R) or number is `name`.  Throws Error (kNoDevice)
+  // with a list of all if the robot has none.
+  int Find(RcDeviceKind kind, const std::string& name);
+
+  // ---- Joints, lights, ears
+
+  JointState GetJoint(int joint);
+
+  // Each returns the value in force: the one asked for or the limit of the joint next to it.  They
+  // return before the joint has moved.  A value beyond 10^6 counts as 10^6.  REQUIRES: the value
+  // is a number.
+  double Move(int joint, double degrees);
+  double SetSpeed(int joint, double degrees_per_s);
+  double SetAcceleration(int joint, double degrees_per_s2);
+
+  // A request of Move() and so on for Send() and Batch().  `command` is rcMOVE, rcSPEED or rcACCEL.
+  static Call JointCall(RcCommand command, int joint, double value);
+  // Reads the answer to JointCall().
+  double InForce(const Answer& answer) const;
+
+  void SetLed(int led, bool on);
+  void SetEar(int ear, bool on);
+
+  // `joint` may be RC_ALL_JOINTS: all joints and motor power.
+  void SwitchMotor(int joint, bool on);
+  Gains GetGains(int joint);
+  Gains SetGains(int joint, int p, int i, int d);  // each 0 to RC_MAX_GAIN; returns the new ones
+
+  // ---- Sensors and power
+
+  Sensors GetSensors();
+  Power GetPower();
+
+  // Asks for a picture, and waits for it at most for the time limit of the options.  `layer` is 0
+  // H, 1 M, 2 L or 3 C.
+  Picture TakePicture(int layer);
+
+  // ---- Motions and files of the stick.  `name` is a bare 8+3 name: "WALK.MTN".
+
+  // Plays a motion; returns before it begins.  `loops` is 1 to 65535.  `key_frames_per_vector` is
+  // 0 (the robot chooses), 2, 4, 6 or 8.
+  PlayAnswer PlayMotion(const std::string& name, int loops = 1, int key_frames_per_vector = 0);
+  void StopMotion();
+
+  std::vector<ListEntry> ListMotions();  // sorted by name; sizes in bytes
+
+  // Puts a file on the stick, in place of the one that has this name.  The robot checks the
+  // content; the old file stays if the new one is refused or the connection ends.
+  void Upload(RcFileKind kind, const std::string& name, const std::string& bytes,
+              const Progress& progress = {});
+  std::string Download(RcFileKind kind, const std::string& name, const Progress& progress = {});
+  void DeleteMotion(const std::string& name);
+
+  // ---- The end of the run.  The robot answers no further request of this client.
+
+  void Reboot();
+  void Shutdown();
+
+  // ---- Events
+
+  // Subscribes to a stream in place of an earlier subscription to it.  `period` is the smallest
+  // number of frames between two events: a multiple of 4 and not 0 for sensors, 0 or more for set
+  // values.  Events are acknowledged when a function of this class receives them, so a caller that
+  // calls none gets few.
+  RequestId Subscribe(RcStream stream, int period);
+  void Unsubscribe(RcStream stream);
+
+  // Waits for the next event, without a limit as long as the robot answers.  Asks for INFO when
+  // none has come for the time limit of the options.  Events that arrive while another function
+  // waits are kept, the newest kEventsMax of them.
+  Event NextEvent();
+  // Waits at most until `deadline`; receives what has arrived even if that is in the past.
+  std::optional<Event> NextEvent(std::chrono::steady_clock::time_point deadline);
+  static constexpr size_t kEventsMax = 1000;
+
+  // ---- Any request, and several without waiting
+
+  // Sends a request and waits for its answer.  `version` is the version of the protocol; 0: the
+  // first that has the command.
+  Answer Request(int command, const Bytes& payload = {}, int version = 0);
+
+  // Sends a request and returns at once.  The id must be given to Wait(), WaitForAny() or Drop(),
+  // once.  The robot answers in the order of the requests; the caller may wait in any.  At most
+  // kInFlight requests should be under way, because the answers of more may fill the buffers of
+  // the network, and then neither side can send.
+  RequestId Send(int command, const Bytes& payload = {}, int version = 0);
+  static constexpr size_t kInFlight = 32;
+
+  // Returns whether the answer is there, so that Wait() does not wait.
+  bool IsAnswered(RequestId id);
+  Answer Wait(RequestId id);        // throws Error (kRefused) if the robot refuses
+  Answer WaitForAny(RequestId id);  // returns a refusal as well
+  void Drop(RequestId id);          // the answer is thrown away when it comes
+
+  // Sends a request for each payload without waiting in between, so that many take few round trips.
+  // Throws the first refusal when all answers are there.
+  std::vector<Answer> RequestAll(int command, const std::vector<Bytes>& payloads);
+
+  // Sends up to RC_MAX_BATCH requests in one packet, which the robot carries out in the same frame.
+  // Returns their answers in the same order; a refusal is one of them and does not end the batch.
+  std::vector<Answer> Batch(const std::vector<Call>& calls);
+  RequestId SendBatch(const std::vector<Call>& calls);
+  std::vector<Answer> WaitForBatch(RequestId id, size_t count);  // `count` of the calls
+
+  // Makes the payload of a request from a struct of the protocol.
+  template <typename Payload>
+  static Bytes BytesOf(const Payload& payload) {
+    uint8_t bytes[RC_MAX_PACKET];
+    RcWriter writer(bytes, sizeof bytes);
+    payload.Write(&writer);
+    return {bytes, bytes + writer.Size()};
+  }
+
+  // Reads the payload of an answer into a struct of the protocol, or the values of an event into
+  // Sensors or SetValues.
+  template <typename Payload>
+  Payload Read(const Answer& answer) const {
+    return Read<Payload>(answer.payload);
+  }
+  template <typename Values>
+  Values Read(const Event& event) const {
+    return Read<Values>(event.values);
+  }
+
+ private:
+  Connection(const Address& address, Options options, bool is_probe);
+
+  template <typename Payload>
+  Payload Read(const Bytes& bytes) const {
+    Payload payload{};
+    RcReader reader(bytes.data(), static_cast<int>(bytes.size()));
+    if (!payload.Read(&reader)) ThrowMalformed();
+    return payload;
+  }
+
+  // A request that was sent and not taken by Wait() yet.
+  struct Pending {
+    bool is_dropped = false;
+    std::optional<Answer> answer;
+  };
+
+  bool RobotGoesOn() const;
+  void SendBytes(const Bytes& bytes);
+  bool ReceivePacket(std::chrono::steady_clock::time_point deadline);
+  void TakePacket();
+  void TakeAnswer(const RcAnswerHeader& header);
+  void KeepEvent(const RcAnswerHeader& header);
+  Picture WaitForPicture();
+  [[noreturn]] void Throw(ErrorCode code, const std::string& text,
+                          const std::string& advice = "") const;
+  [[noreturn]] void ThrowMalformed() const;
+  [[noreturn]] void ThrowSilent() const;
+  [[noreturn]] void ThrowLost() const;
+
+  const Address address_;
+  const Options options_;
+  const bool is_probe_;  // made by RobotGoesOn() to test the robot
+  std::unique_ptr<TcpStream> stream_;
+  RcFramer framer_;
+  RequestId last_id_ = 0;
+  std::map<RequestId, Pending> pending_;
+  std::deque<Event> events_;  // arrived and not yet returned by NextEvent()
+  uint32_t frame_ = 0xffffffff;
+  std::optional<std::vector<Description>> devices_[NUM_RC_DEVICES];
+};
+
+}  // namespace openr::remote

@@ -1,0 +1,49 @@
+// Error, the one exception of the client library.
+#pragma once
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+
+namespace openr::remote {
+
+enum class ErrorCode {
+  kAddress,      // the text is no address, or no host has this name
+  kUnreachable,  // no connection: nothing listens there, or it does not answer in time
+  kTimeout,      // connected, but the robot has not answered or taken bytes in time
+  kLost,         // the connection has ended
+  kProtocol,     // the bytes that came are not those of the remote control
+  kRefused,      // the robot refuses the request; status() and text() say why
+  kNoDevice,     // the robot has no device with this name
+  kFileChanged,  // the file on the stick changed while it was downloaded
+};
+
+// Thrown by every function of the library that can fail.  what() is text(), then "; " and advice()
+// if there is any.
+class Error : public std::runtime_error {
+ public:
+  Error(ErrorCode code, const std::string& text, const std::string& advice = "");
+  // An error of kind kRefused: `status` is a RcStatus, `frame` the frame of the answer, `text` the
+  // robot's own words.
+  Error(int status, uint32_t frame, const std::string& text);
+
+  ErrorCode code() const { return code_; }
+  const std::string& text() const { return text_; }      // what is wrong
+  const std::string& advice() const { return advice_; }  // what to do; "": the text says it
+  int status() const {
+    return status_;
+  }                                          // RcStatus (RemoteProtocol.h); 0 (rcOK)
+                                             // if the robot has not refused
+  uint32_t frame() const { return frame_; }  // if the robot has refused: frame of its answer
+
+  // Returns whether the connection can be used further.  After the other errors, make a new one.
+  bool LeavesConnection() const;
+
+ private:
+  const ErrorCode code_;
+  const std::string text_, advice_;
+  const int status_ = 0;
+  const uint32_t frame_ = 0xffffffff;
+};
+
+}  // namespace openr::remote

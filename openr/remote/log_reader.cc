@@ -1,0 +1,48 @@
+#include "openr/remote/log_reader.h"
+
+#include "RemoteLog.h"
+#include "openr/remote/connection.h"
+
+namespace openr::remote {
+namespace {
+
+// The payload of LOG.
+struct RecordNumber {
+  uint32_t number;
+  void Write(RcWriter* out) const { out->U32(number); }
+};
+
+// The payload of an answer to LOG.
+struct LogPart {
+  RcLogHead head;
+  std::string records;
+  bool Read(RcReader* in) {
+    head.Read(in);
+    records.assign(reinterpret_cast<const char*>(in->Rest()), static_cast<size_t>(in->RestSize()));
+    return !in->HasFailed() && in->RestSize() == head.here * head.size;
+  }
+};
+
+}  // namespace
+
+void LogReader::SkipOld() {
+  const Answer answer = connection_->Request(rcLOG, Connection::BytesOf(RecordNumber{RC_LOG_END}));
+  next_ = connection_->Read<LogPart>(answer).head.count;
+}
+
+int LogReader::Take() {
+  for (;;) {
+    const Answer answer = connection_->Request(rcLOG, Connection::BytesOf(RecordNumber{next_}));
+    const auto part = connection_->Read<LogPart>(answer);
+    frame_ = answer.frame;
+    lost_ += part.head.first - next_;
+    next_ = part.head.first + part.head.here;
+    count_ += part.head.here;
+    records_ += part.records;
+    if (next_ == part.head.count) return part.head.state;
+  }
+}
+
+std::string LogReader::File() const { return RC_LOG_HEADER + records_; }
+
+}  // namespace openr::remote

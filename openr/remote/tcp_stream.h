@@ -1,0 +1,47 @@
+// TcpStream, the bytes of a connection.  Used by Connection only.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "openr/remote/address.h"
+#include "openr/remote/error.h"
+
+namespace openr::remote {
+
+using Clock = std::chrono::steady_clock;
+
+// A TCP connection whose functions wait until a given time at most.
+class TcpStream {
+ public:
+  // Connects, at the latest until `deadline`.  Throws Error (kAddress, kUnreachable).
+  TcpStream(const Address& address, std::chrono::milliseconds timeout);
+  ~TcpStream();
+  TcpStream(const TcpStream&) = delete;
+  TcpStream& operator=(const TcpStream&) = delete;
+
+  enum class Result { kGood, kTimeout, kLost };
+
+  // Sends all bytes.
+  Result Send(const uint8_t* bytes, size_t size, Clock::time_point deadline);
+
+  // Waits for bytes and reads up to `capacity` of them.  `*count` gets their number.  With a
+  // deadline in the past, reads only what has arrived already.
+  Result Receive(uint8_t* bytes, size_t capacity, Clock::time_point deadline, size_t* count);
+
+  // After kLost: the reason in words.
+  const std::string& why_lost() const { return why_lost_; }
+  int descriptor() const { return socket_; }
+
+ private:
+  bool WaitFor(short events, Clock::time_point deadline) const;
+  int WaitForConnection(Clock::time_point deadline) const;  // returns 0 or an errno
+  Result Lost(int error);                                   // 0: the other end has closed
+
+  int socket_ = -1;
+  std::string why_lost_;
+};
+
+}  // namespace openr::remote
