@@ -3,7 +3,7 @@
 
 Each line of LAYERS is a group: its folders are listed from the lowest to the highest, and a file
 may include only its own folder and folders to the left, of its own group and of the groups in
-MAY_USE.  Prints every offence as FILE:LINE; exits with 1 if there is one.
+MAY_USE.  A folder in ALONE may include only its own.  Prints every offence as FILE:LINE; exits with 1 if there is one.
 """
 import pathlib
 import re
@@ -19,8 +19,8 @@ LAYERS = {
     "cli": "cli",
     "kit": "kit",
     "openr": "openr/ending openr/simulation openr/graph openr/chart openr/motion openr/remote "
-             "openr/render openr/explore openr/inspect openr/rewind openr/live openr/panel openr/run "
-             "openr/ros2 openr/commands openr",
+             "openr/upload openr/render openr/explore openr/inspect openr/rewind openr/live "
+             "openr/panel openr/run openr/ros2 openr/commands openr",
     "testing": "testing",
 }
 MAY_USE = {
@@ -32,6 +32,10 @@ MAY_USE = {
     "openr": ["runtime", "virtualrobot", "distribution", "cli", "kit"],
     "testing": ["runtime", "virtualrobot", "cli", "openr"],
 }
+# Libraries for programs of others: such a folder may include only itself and the headers of
+# objects/common, which have no folder in their name, and none of the SDK.
+ALONE = ["openr/remote"]
+SDK_INCLUDE = re.compile(r'^#include [<"](OPENR|MCOOP|EMOS)/')
 INCLUDE = re.compile(r'^#include "((?:%s)/[^"]+)"' % "|".join(LAYERS))
 
 
@@ -51,10 +55,12 @@ def offences(path):
     order = LAYERS[group].split()
     for number, line in enumerate((ROOT / path).read_text().splitlines(), 1):
         include = INCLUDE.match(line)
+        if folder in ALONE and SDK_INCLUDE.match(line):
+            yield f"{path}:{number}: {folder} may not include headers of the SDK"
         if not include:
             continue
         other, other_group = folder_of(include[1])
-        if other is None or (
+        if other is None or (folder in ALONE and other != folder) or (
             order.index(other) > order.index(folder)
             if other_group == group
             else other_group not in MAY_USE[group]

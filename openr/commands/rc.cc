@@ -11,24 +11,31 @@
 #include "openr/commands/common_flags.h"
 #include "openr/commands/rc_actions.h"
 #include "openr/commands/rc_format.h"
-#include "openr/remote/remote_client.h"
+#include "openr/remote/connection.h"
 
 namespace openr_host {
 namespace {
 
-int Perform(const RcFlags& flags, const RcAction& action) {
-  RemoteAddress address;
-  const std::string problem = ParseRemoteAddress(flags.address, &address);
-  if (!problem.empty()) throw CLI::ValidationError("HOST", problem);
+remote::Address AddressOf(const RcFlags& flags) {
   try {
-    RemoteClient client(address, static_cast<int>(flags.timeout_us / 1000));
-    action(&client, flags);
+    return remote::ParseAddress(flags.address);
+  } catch (const remote::Error& error) {
+    throw CLI::ValidationError("HOST", error.what());
+  }
+}
+
+int Perform(const RcFlags& flags, const RcAction& action) {
+  try {
+    remote::Connection robot(AddressOf(flags),
+                             {.timeout = std::chrono::milliseconds(flags.timeout_us / 1000)});
+    action(&robot, flags);
     return kExitGood;
-  } catch (const RemoteRefusal& refusal) {
-    fmt::print(stderr, "openr: {} refused: {}\n", FrameText(refusal.frame), refusal.what());
+  } catch (const remote::Error& error) {
+    if (error.code() != remote::ErrorCode::kRefused) throw;
+    fmt::print(stderr, "openr: {} refused: {}\n", FrameText(error.frame()), error.what());
     if (!flags.json) return kExitWrong;
     const nlohmann::ordered_json json = {
-        {"frame", FrameJson(refusal.frame)}, {"error", refusal.what()}, {"status", refusal.status}};
+        {"frame", FrameJson(error.frame())}, {"error", error.text()}, {"status", error.status()}};
     fmt::print("{}\n", json.dump());
     return kExitWrong;
   }

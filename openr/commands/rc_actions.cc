@@ -11,24 +11,14 @@
 #include "cli/counted.h"
 #include "cli/output_file.h"
 #include "openr/commands/rc_format.h"
-#include "openr/remote/remote_client.h"
-#include "openr/remote/remote_log.h"
+#include "openr/remote/connection.h"
+#include "openr/remote/log_reader.h"
 #include "openr/remote/sensor_format.h"
 
 namespace openr_host {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-// The payload of requests that set a value of a device.
-struct IndexAndValue {
-  int index;
-  Sint32 value;
-  void Write(RcWriter* out) const {
-    out->U8(static_cast<Uint32>(index));
-    out->S32(value);
-  }
-};
 
 constexpr double kCdegPerDeg = 100;
 
@@ -39,7 +29,7 @@ void Say(const RcFlags& flags, uint32_t frame, const Json& json, const std::stri
 // Time between two requests for the log.  The robot keeps the records of 8 s of its own time.
 constexpr useconds_t kLogPollUs = 5'000;
 
-void WriteLog(const RcFlags& flags, const RemoteLog& log) {
+void WriteLog(const RcFlags& flags, const remote::LogReader& log) {
   const std::string problem =
       WriteFile(flags.log, flags.simulated ? SimulatedLog(log.File()) : log.File());
   if (!problem.empty()) throw std::runtime_error(problem);
@@ -57,19 +47,22 @@ struct Device {
   std::string name;
 };
 
-Device FindDevice(RemoteClient* client, RcDeviceKind kind, const std::string& name) {
-  const RemoteDevices devices(client, kind);
-  const int index = devices.Find(name);
-  return {index, devices.all()[static_cast<size_t>(index)].name};
+Device FindDevice(remote::Connection* robot, RcDeviceKind kind, const std::string& name) {
+  const int index = robot->Find(kind, name);
+  return {index, robot->Devices(kind)[static_cast<size_t>(index)].name};
+}
+
+double LimitValue(remote::Connection* robot, RcCommand command, int joint, double value) {
+  if (command == rcSPEED) return robot->SetSpeed(joint, value);
+  return command == rcACCEL ? robot->SetAcceleration(joint, value) : robot->Move(joint, value);
 }
 
 }  // namespace
 
-void RcInfoAction(RemoteClient* client, const RcFlags& flags) {
-  const RemoteAnswer answer = client->Request(rcINFO);
-  const RcInfo info = client->Read<RcInfo>(answer);
-  const std::string state = StateName(info.state);
-  Say(flags, answer.frame,
+void RcInfoAction(remote::Connection* robot, const RcFlags& flags) {
+  const remote::Info info = robot->GetInfo();
+  const std::string state = remote::StateName(info.state);
+  Say(flags, robot->frame(),
       {{"design", info.design},
        {"software", info.software},
        {"state", state},
@@ -84,14 +77,13 @@ void RcInfoAction(RemoteClient* client, const RcFlags& flags) {
                   Counted(info.numOther, "other sensor")));
 }
 
-void RcGetAction(RemoteClient* client, const RcFlags& flags) {
-  const Device joint = FindDevice(client, rcdeviceJOINT, flags.device);
-  const RemoteAnswer answer = client->Request(rcGET, {static_cast<uint8_t>(joint.index)});
-  const RcJointState state = client->Read<RcJointState>(answer);
+void RcGetAction(remote::Connection* robot, const RcFlags& flags) {
+  const Device joint = FindDevice(robot, rcdeviceJOINT, flags.device);
+  const remote::JointState state = robot->GetJoint(joint.index);
   const double position_deg = state.position / kCdegPerDeg;
   const double speed_deg_s = state.speed / kCdegPerDeg;
   const double acceleration_deg_s2 = state.acceleration / kCdegPerDeg;
-  Say(flags, answer.frame,
+  Say(flags, robot->frame(),
       {{"joint", joint.name},
        {"position_deg", position_deg},
        {"speed_deg_s", speed_deg_s},
@@ -101,59 +93,51 @@ void RcGetAction(RemoteClient* client, const RcFlags& flags) {
 }
 
 RcAction RcJointAction(RcCommand command, const std::string& unit) {
-  return [command, unit](RemoteClient* client, const RcFlags& flags) {
-    const Device joint = FindDevice(client, rcdeviceJOINT, flags.device);
-    const auto asked_cdeg = static_cast<Sint32>(std::lround(flags.value * kCdegPerDeg));
-    const RemoteAnswer answer =
-        client->RequestWith(command, IndexAndValue{joint.index, asked_cdeg});
-    RcReader reader(answer.payload.data(), static_cast<int>(answer.payload.size()));
-    const Sint32 in_force_cdeg = reader.S32();
-    const double in_force = in_force_cdeg / kCdegPerDeg;
-    const bool limited = in_force_cdeg != asked_cdeg;
+  return [command, unit](remote::Connection* robot, const RcFlags& flags) {
+    const Device joint = FindDevice(robot, rcdeviceJOINT, flags.device);
+    const double in_force = LimitValue(robot, command, joint.index, flags.value);
+    const bool limited =
+        std::lround(in_force * kCdegPerDeg) != std::lround(flags.value * kCdegPerDeg);
     const std::string why =
         limited ? fmt::format(", the limit of this joint; {:.2f} asked for", flags.value) : "";
-    Say(flags, answer.frame, {{"joint", joint.name}, {"in_force", in_force}, {"limited", limited}},
+    Say(flags, robot->frame(),
+        {{"joint", joint.name}, {"in_force", in_force}, {"limited", limited}},
         fmt::format("{} {:.2f} {}{}", joint.name, in_force, unit, why));
   };
 }
 
 RcAction RcLightAction(RcCommand command) {
-  return [command](RemoteClient* client, const RcFlags& flags) {
+  return [command](remote::Connection* robot, const RcFlags& flags) {
     const RcDeviceKind kind = command == rcLED ? rcdeviceLED : rcdeviceEAR;
-    const Device device = FindDevice(client, kind, flags.device);
-    const bool asked = flags.state == "on";
-    const RemoteAnswer answer =
-        client->Request(command, {static_cast<uint8_t>(device.index), static_cast<uint8_t>(asked)});
-    RcReader reader(answer.payload.data(), static_cast<int>(answer.payload.size()));
-    const bool on = reader.U8() != 0;
-    Say(flags, answer.frame, {{"device", device.name}, {"on", on}},
+    const Device device = FindDevice(robot, kind, flags.device);
+    const bool on = flags.state == "on";
+    if (command == rcLED) {
+      robot->SetLed(device.index, on);
+    } else {
+      robot->SetEar(device.index, on);
+    }
+    Say(flags, robot->frame(), {{"device", device.name}, {"on", on}},
         fmt::format("{} {}", device.name, on ? "on" : "off"));
   };
 }
 
-void RcSensorsAction(RemoteClient* client, const RcFlags& flags) {
-  const SensorFormat format(client);
+void RcSensorsAction(remote::Connection* robot, const RcFlags& flags) {
+  const remote::SensorFormat format(robot);
   for (;;) {
-    const RemoteAnswer answer = client->Request(rcSENSORS);
-    const RcSensors sensors = client->Read<RcSensors>(answer);
-    Say(flags, answer.frame, format.ToJson(sensors), format.ToText(sensors));
+    const remote::Sensors sensors = robot->GetSensors();
+    Say(flags, robot->frame(), format.ToJson(sensors), format.ToText(sensors));
     if (!flags.watch) return;
     usleep(static_cast<useconds_t>(flags.every_us));
   }
 }
 
-void RcPlayAction(RemoteClient* client, const RcFlags& flags) {
-  if (!flags.with.empty()) return RcPlayWithAction(client, flags);
-  RcPlayRequest request;
-  request.file = flags.file;
-  request.loops = static_cast<Uint16>(flags.loops);
-  request.keyFramesPerVector = static_cast<Uint8>(flags.key_frames);
-  RemoteLog log(client);
+void RcPlayAction(remote::Connection* robot, const RcFlags& flags) {
+  if (!flags.with.empty()) return RcPlayWithAction(robot, flags);
+  remote::LogReader log(robot);
   if (!flags.log.empty()) log.SkipOld();
-  const RemoteAnswer answer = client->RequestWith(rcMTN_PLAY, request);
-  const RcPlayAnswer play = client->Read<RcPlayAnswer>(answer);
+  const remote::PlayAnswer play = robot->PlayMotion(flags.file, flags.loops, flags.key_frames);
   const int per_vector = flags.key_frames > 0 ? flags.key_frames : DEFAULT_KEYFRAMES_PER_VECTOR;
-  Say(flags, answer.frame,
+  Say(flags, robot->frame(),
       {{"file", flags.file},
        {"key_frames", play.keyFrames},
        {"loops", play.loops},
@@ -168,22 +152,21 @@ void RcPlayAction(RemoteClient* client, const RcFlags& flags) {
   WriteLog(flags, log);
 }
 
-void RcLogAction(RemoteClient* client, const RcFlags& flags) {
-  RemoteLog log(client);
+void RcLogAction(remote::Connection* robot, const RcFlags& flags) {
+  remote::LogReader log(robot);
   log.Take();
   WriteLog(flags, log);
 }
 
-void RcStopAction(RemoteClient* client, const RcFlags& flags) {
-  const RemoteAnswer before = client->Request(rcINFO);
-  const int state = client->Read<RcInfo>(before).state;
+void RcStopAction(remote::Connection* robot, const RcFlags& flags) {
+  const int state = robot->GetInfo().state;
   if (state != moverMTN && state != moverPREPARE_MTN) {
-    Say(flags, before.frame, {{"stopped", false}},
-        fmt::format("no motion plays ({}): there is nothing to stop", StateName(state)));
+    Say(flags, robot->frame(), {{"stopped", false}},
+        fmt::format("no motion plays ({}): there is nothing to stop", remote::StateName(state)));
     return;
   }
-  const RemoteAnswer answer = client->Request(rcMTN_STOP);
-  Say(flags, answer.frame, {{"stopped", true}}, "motion stopped");
+  robot->StopMotion();
+  Say(flags, robot->frame(), {{"stopped", true}}, "motion stopped");
 }
 
 }  // namespace openr_host

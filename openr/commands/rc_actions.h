@@ -9,9 +9,13 @@
 
 #include "RemoteProtocol.h"
 
+namespace openr::remote {
+class Connection;
+}
+
 namespace openr_host {
 
-class RemoteClient;
+namespace remote = openr::remote;
 
 struct RcFlags {
   std::string address;
@@ -38,42 +42,42 @@ struct RcFlags {
   std::vector<int> gains;          // P, I and D; empty: only show them
 };
 
-// A function that sends requests through `client` and prints the answers to standard output.
-// Throws the errors of RemoteClient.
-using RcAction = std::function<void(RemoteClient* client, const RcFlags& flags)>;
+// A function that sends requests to `robot` and prints the answers to standard output.  Throws
+// remote::Error.
+using RcAction = std::function<void(remote::Connection* robot, const RcFlags& flags)>;
 
-void RcInfoAction(RemoteClient* client, const RcFlags& flags);
-void RcGetAction(RemoteClient* client, const RcFlags& flags);
-void RcSensorsAction(RemoteClient* client, const RcFlags& flags);
-void RcPlayAction(RemoteClient* client, const RcFlags& flags);
-void RcStopAction(RemoteClient* client, const RcFlags& flags);
+void RcInfoAction(remote::Connection* robot, const RcFlags& flags);
+void RcGetAction(remote::Connection* robot, const RcFlags& flags);
+void RcSensorsAction(remote::Connection* robot, const RcFlags& flags);
+void RcPlayAction(remote::Connection* robot, const RcFlags& flags);
+void RcStopAction(remote::Connection* robot, const RcFlags& flags);
 
 // Actions for several joints, and for their motors (rc_joints.cc).
-void RcPoseAction(RemoteClient* client, const RcFlags& flags);
-void RcMotorAction(RemoteClient* client, const RcFlags& flags);
-void RcGainsAction(RemoteClient* client, const RcFlags& flags);
-void RcPowerAction(RemoteClient* client, const RcFlags& flags);
+void RcPoseAction(remote::Connection* robot, const RcFlags& flags);
+void RcMotorAction(remote::Connection* robot, const RcFlags& flags);
+void RcGainsAction(remote::Connection* robot, const RcFlags& flags);
+void RcPowerAction(remote::Connection* robot, const RcFlags& flags);
 
 // Plays a motion on two robots, and returns the bytes of a log as those of a simulated robot's log
 // (rc_play_with.cc).
-void RcPlayWithAction(RemoteClient* client, const RcFlags& flags);
+void RcPlayWithAction(remote::Connection* robot, const RcFlags& flags);
 std::string SimulatedLog(const std::string& bytes);
 
 // Fetches a picture of the camera (rc_camera.cc).
-void RcCameraAction(RemoteClient* client, const RcFlags& flags);
+void RcCameraAction(remote::Connection* robot, const RcFlags& flags);
 
 // Actions that take what the robot sends unasked (rc_streams.cc).
-void RcStreamAction(RemoteClient* client, const RcFlags& flags);
-void RcLogAction(RemoteClient* client, const RcFlags& flags);
+void RcStreamAction(remote::Connection* robot, const RcFlags& flags);
+void RcLogAction(remote::Connection* robot, const RcFlags& flags);
 
 // Actions for files of the robot's stick, and for the end of the run (rc_files.cc).
-void RcListAction(RemoteClient* client, const RcFlags& flags);
-void RcUploadMotionAction(RemoteClient* client, const RcFlags& flags);
-void RcUploadControllerAction(RemoteClient* client, const RcFlags& flags);
-void RcDownloadAction(RemoteClient* client, const RcFlags& flags);
-void RcDeleteAction(RemoteClient* client, const RcFlags& flags);
-void RcRebootAction(RemoteClient* client, const RcFlags& flags);
-void RcShutdownAction(RemoteClient* client, const RcFlags& flags);
+void RcListAction(remote::Connection* robot, const RcFlags& flags);
+void RcUploadMotionAction(remote::Connection* robot, const RcFlags& flags);
+void RcUploadControllerAction(remote::Connection* robot, const RcFlags& flags);
+void RcDownloadAction(remote::Connection* robot, const RcFlags& flags);
+void RcDeleteAction(remote::Connection* robot, const RcFlags& flags);
+void RcRebootAction(remote::Connection* robot, const RcFlags& flags);
+void RcShutdownAction(remote::Connection* robot, const RcFlags& flags);
 
 // Returns the action that sends `command`, which is rcMOVE, rcSPEED or rcACCEL.  `unit` is the unit
 // of the value, for the printed answer.

@@ -7,14 +7,13 @@
 #include "cli/output_file.h"
 #include "openr/commands/rc_actions.h"
 #include "openr/commands/rc_format.h"
-#include "openr/remote/remote_camera.h"
+#include "openr/remote/connection.h"
 
 namespace openr_host {
 
-void RcCameraAction(RemoteClient* client, const RcFlags& flags) {
+void RcCameraAction(remote::Connection* robot, const RcFlags& flags) {
   const auto layer = static_cast<int>(std::string("hmlc").find(flags.layer));
-  const RemotePicture picture =
-      FetchPicture(client, layer, static_cast<int>(flags.timeout_us / 1000));
+  const remote::Picture picture = robot->TakePicture(layer);
   const std::string problem = WriteFile(flags.output, flags.raw ? picture.bytes : picture.File());
   if (!problem.empty()) throw std::runtime_error(problem);
   PrintRcAnswer(flags.json, picture.frame,

@@ -1,5 +1,4 @@
 // The actions of `openr rc` for several joints at a time, and for the motors of joints.
-#include <OPENR/OPower.h>
 #include <fmt/format.h>
 
 #include <charconv>
@@ -9,15 +8,13 @@
 
 #include "openr/commands/rc_actions.h"
 #include "openr/commands/rc_format.h"
+#include "openr/remote/connection.h"
 #include "openr/remote/power_format.h"
-#include "openr/remote/remote_client.h"
 
 namespace openr_host {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr double kCdegreesPerDegree = 100;
 
 // A joint and the position to which it is to move.
 struct JointGoal {
@@ -38,86 +35,71 @@ JointGoal ParseGoal(const std::string& text) {
 
 }  // namespace
 
-void RcPoseAction(RemoteClient* client, const RcFlags& flags) {
+void RcPoseAction(remote::Connection* robot, const RcFlags& flags) {
   std::vector<JointGoal> goals;
   for (const std::string& text : flags.goals) goals.push_back(ParseGoal(text));
-  const RemoteDevices joints(client, rcdeviceJOINT);
-  std::vector<RemoteCall> calls;
+  std::vector<remote::Call> calls;
   for (JointGoal& goal : goals) {
-    const int index = joints.Find(goal.joint);
-    goal.joint = joints.all()[static_cast<size_t>(index)].name;
-    uint8_t bytes[5];
-    RcWriter writer(bytes, sizeof bytes);
-    writer.U8(static_cast<Uint32>(index));
-    writer.S32(static_cast<Sint32>(std::lround(goal.degrees * kCdegreesPerDegree)));
-    calls.push_back({rcMOVE, {bytes, bytes + sizeof bytes}});
+    const int joint = robot->Find(rcdeviceJOINT, goal.joint);
+    goal.joint = robot->Devices(rcdeviceJOINT)[static_cast<size_t>(joint)].name;
+    calls.push_back(remote::Connection::JointCall(rcMOVE, joint, goal.degrees));
   }
-  const std::vector<RemoteReply> replies = client->Batch(calls);
+  const std::vector<remote::Answer> answers = robot->Batch(calls);
   Json json = Json::object();
   std::string text = fmt::format("{} joints", goals.size());
   for (size_t i = 0; i < goals.size(); ++i) {
-    const RemoteReply& reply = replies[i];
-    if (reply.status != rcOK) {
-      throw RemoteRefusal(reply.status, reply.answer.frame,
-                          fmt::format("{}: {}", goals[i].joint, reply.error));
+    const remote::Answer& answer = answers[i];
+    if (answer.status != rcOK) {
+      throw remote::Error(answer.status, answer.frame,
+                          fmt::format("{}: {}", goals[i].joint, answer.error));
     }
-    const auto& payload = reply.answer.payload;
-    RcReader reader(payload.data(), static_cast<int>(payload.size()));
-    const double in_force = reader.S32() / kCdegreesPerDegree;
+    const double in_force = robot->InForce(answer);
     json[goals[i].joint] = in_force;
     text += fmt::format("\n  {:<12} {:8.2f} deg", goals[i].joint, in_force);
     if (std::abs(in_force - goals[i].degrees) > 0.006) {
       text += fmt::format(", the limit of this joint; {:.2f} asked for", goals[i].degrees);
     }
   }
-  PrintRcAnswer(flags.json, replies[0].answer.frame, {{"in_force", json}}, text);
+  PrintRcAnswer(flags.json, robot->frame(), {{"in_force", json}}, text);
 }
 
-void RcMotorAction(RemoteClient* client, const RcFlags& flags) {
-  uint8_t joint = RC_ALL_JOINTS;
+void RcMotorAction(remote::Connection* robot, const RcFlags& flags) {
+  int joint = RC_ALL_JOINTS;
   std::string name = "all motors";
   if (!flags.device.empty()) {
-    const RemoteDevices joints(client, rcdeviceJOINT);
-    joint = static_cast<uint8_t>(joints.Find(flags.device));
-    name = joints.all()[joint].name;
+    joint = robot->Find(rcdeviceJOINT, flags.device);
+    name = robot->Devices(rcdeviceJOINT)[static_cast<size_t>(joint)].name;
   }
-  client->UseVersion(RC_VERSION_FILES);
   const bool on = flags.state == "on";
-  const RemoteAnswer answer = client->Request(on ? rcMOTOR_ON : rcMOTOR_OFF, {joint});
-  PrintRcAnswer(flags.json, answer.frame, {{"motor", name}, {"on", on}},
+  robot->SwitchMotor(joint, on);
+  PrintRcAnswer(flags.json, robot->frame(), {{"motor", name}, {"on", on}},
                 fmt::format("{} {}", name, on ? "on" : "off"));
 }
 
-void RcGainsAction(RemoteClient* client, const RcFlags& flags) {
-  const RemoteDevices joints(client, rcdeviceJOINT);
-  const int joint = joints.Find(flags.device);
-  const std::string& name = joints.all()[static_cast<size_t>(joint)].name;
-  client->UseVersion(RC_VERSION_FILES);
-  uint8_t bytes[7];
-  RcWriter writer(bytes, sizeof bytes);
-  writer.U8(static_cast<Uint32>(joint));
-  for (const int gain : flags.gains) writer.U16(static_cast<Uint32>(gain));
-  const RemoteAnswer answer = client->Request(rcGAINS, {bytes, bytes + writer.Size()});
-  const auto gains = client->Read<RcGains>(answer);
+void RcGainsAction(remote::Connection* robot, const RcFlags& flags) {
+  const int joint = robot->Find(rcdeviceJOINT, flags.device);
+  const std::string& name = robot->Devices(rcdeviceJOINT)[static_cast<size_t>(joint)].name;
+  const remote::Gains gains =
+      flags.gains.size() == 3
+          ? robot->SetGains(joint, flags.gains[0], flags.gains[1], flags.gains[2])
+          : robot->GetGains(joint);
   const Json json = {{"joint", name},
                      {"on", gains.isOn != 0},
                      {"gains", {gains.gain[0], gains.gain[1], gains.gain[2]}},
                      {"shifts", {gains.shift[0], gains.shift[1], gains.shift[2]}}};
-  PrintRcAnswer(flags.json, answer.frame, json,
+  PrintRcAnswer(flags.json, robot->frame(), json,
                 fmt::format("{} gains P {} I {} D {}, shifts {} {} {}{}", name, gains.gain[0],
                             gains.gain[1], gains.gain[2], gains.shift[0], gains.shift[1],
                             gains.shift[2], gains.isOn != 0 ? "" : "; its motor is off"));
 }
 
-void RcPowerAction(RemoteClient* client, const RcFlags& flags) {
-  client->UseVersion(RC_VERSION_FILES);
-  const RemoteAnswer answer = client->Request(rcPOWER);
-  const auto power = client->Read<RcPower>(answer);
-  const bool motors = (power.robotStatus & orsbMOTOR_POWER) != 0;
-  const bool station = (power.robotStatus & orsbSTATION_CONNECTED) != 0;
-  const Json json = PowerJson(power);
+void RcPowerAction(remote::Connection* robot, const RcFlags& flags) {
+  const remote::Power power = robot->GetPower();
+  const bool motors = remote::HasMotorPower(power);
+  const bool station = remote::IsOnStation(power);
+  const Json json = remote::PowerJson(power);
   PrintRcAnswer(
-      flags.json, answer.frame, json,
+      flags.json, robot->frame(), json,
       fmt::format("motor power {}{}; battery {} % of {} mAh, {:.3f} V, {:.3f} A, {:.2f} degree C; "
                   "robot status {:#010x}, battery status {:#06x}",
                   motors ? "on" : "off", station ? ", on the charging station" : "", power.capacity,

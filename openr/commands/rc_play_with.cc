@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -12,8 +13,9 @@
 #include "openr/commands/rc_actions.h"
 #include "openr/commands/rc_format.h"
 #include "openr/motion/log_merge.h"
-#include "openr/remote/remote_client.h"
-#include "openr/remote/remote_log.h"
+#include "openr/remote/connection.h"
+#include "openr/remote/error.h"
+#include "openr/remote/log_reader.h"
 
 namespace openr_host {
 namespace {
@@ -21,29 +23,27 @@ namespace {
 // Time between two requests for the logs, as short as that of a single robot.
 constexpr useconds_t kBothPollUs = 5'000;
 
-RcPlayAnswer Play(RemoteClient* client, const RcPlayRequest& request) {
-  return client->Read<RcPlayAnswer>(client->RequestWith(rcMTN_PLAY, request));
+remote::PlayAnswer Play(remote::Connection* robot, const RcFlags& flags) {
+  return robot->PlayMotion(flags.file, flags.loops, flags.key_frames);
 }
 
 // Plays on both robots.  If the other one refuses or cannot be reached, the first one is stopped,
 // so that no robot plays alone.
-RcPlayAnswer PlayBoth(RemoteClient* client, RemoteClient* other, const RcPlayRequest& request,
-                      const std::string& other_address) {
-  const RcPlayAnswer answer = Play(client, request);
+remote::PlayAnswer PlayBoth(remote::Connection* robot, remote::Connection* other,
+                            const RcFlags& flags) {
+  const remote::PlayAnswer answer = Play(robot, flags);
   try {
-    Play(other, request);
-  } catch (const RemoteRefusal& refusal) {
-    client->Request(rcMTN_STOP);
-    throw RemoteRefusal(refusal.status, refusal.frame,
-                        fmt::format("{}: {}", other_address, refusal.what()));
-  } catch (const RemoteFailure&) {
-    client->Request(rcMTN_STOP);
-    throw;
+    Play(other, flags);
+  } catch (const remote::Error& error) {
+    robot->StopMotion();
+    if (error.code() != remote::ErrorCode::kRefused) throw;
+    throw remote::Error(error.status(), error.frame(),
+                        fmt::format("{}: {}", flags.with, error.text()));
   }
   return answer;
 }
 
-void TakeBoth(RemoteLog* log, RemoteLog* other) {
+void TakeBoth(remote::LogReader* log, remote::LogReader* other) {
   for (bool plays = true; plays; usleep(kBothPollUs)) {
     const int state = log->Take();
     plays = other->Take() != moverACCEPTING_COMMANDS || state != moverACCEPTING_COMMANDS;
@@ -52,7 +52,7 @@ void TakeBoth(RemoteLog* log, RemoteLog* other) {
   other->Take();
 }
 
-void RequireWhole(const RemoteLog& log, const std::string& address) {
+void RequireWhole(const remote::LogReader& log, const std::string& address) {
   if (log.lost() == 0) return;
   throw std::runtime_error(
       fmt::format("{}: the robot had dropped {} of its log before, so the key frames of the two "
@@ -66,19 +66,14 @@ std::string SimulatedLog(const std::string& bytes) {
   return FormatLog(AsSimulated(ParseLog(bytes)));
 }
 
-void RcPlayWithAction(RemoteClient* client, const RcFlags& flags) {
-  RemoteAddress address;
-  const std::string problem = ParseRemoteAddress(flags.with, &address);
-  if (!problem.empty()) throw std::runtime_error(fmt::format("--with: {}", problem));
-  RemoteClient other(address, static_cast<int>(flags.timeout_us / 1000));
-  RemoteLog log(client), other_log(&other);
+void RcPlayWithAction(remote::Connection* robot, const RcFlags& flags) {
+  remote::Options options;
+  options.timeout = std::chrono::milliseconds(flags.timeout_us / 1000);
+  remote::Connection other(remote::ParseAddress(flags.with), options);
+  remote::LogReader log(robot), other_log(&other);
   log.SkipOld();
   other_log.SkipOld();
-  RcPlayRequest request;
-  request.file = flags.file;
-  request.loops = static_cast<Uint16>(flags.loops);
-  request.keyFramesPerVector = static_cast<Uint8>(flags.key_frames);
-  const RcPlayAnswer play = PlayBoth(client, &other, request, flags.with);
+  const remote::PlayAnswer play = PlayBoth(robot, &other, flags);
   TakeBoth(&log, &other_log);
   RequireWhole(log, flags.address);
   RequireWhole(other_log, flags.with);

@@ -6,7 +6,7 @@
 
 #include "openr/commands/rc_actions.h"
 #include "openr/commands/rc_format.h"
-#include "openr/remote/remote_client.h"
+#include "openr/remote/connection.h"
 #include "openr/remote/sensor_format.h"
 
 namespace openr_host {
@@ -27,43 +27,43 @@ int PeriodOf(int64_t every_us) {
 // Formats set values with the names of the joints.
 class SetValueFormat {
  public:
-  explicit SetValueFormat(RemoteClient* client) : joints_(RemoteDevices(client, rcdeviceJOINT)) {}
+  explicit SetValueFormat(remote::Connection* robot) : joints_(robot->Devices(rcdeviceJOINT)) {}
 
-  Json ToJson(const RcSetValues& values) const {
-    Json json = {{"state", StateName(values.state)},
+  Json ToJson(const remote::SetValues& values) const {
+    Json json = {{"state", remote::StateName(values.state)},
                  {"key_frame", values.keyFrame},
                  {"file", values.file},
                  {"is_over", values.isOver != 0},
                  {"commanded_deg", Json::object()},
                  {"measured_deg", Json::object()}};
     for (size_t i = 0; i < Count(values); ++i) {
-      json["commanded_deg"][joints_.all()[i].name] = values.commanded[i] / 100.0;
-      json["measured_deg"][joints_.all()[i].name] = values.measured[i] / 100.0;
+      json["commanded_deg"][joints_[i].name] = values.commanded[i] / 100.0;
+      json["measured_deg"][joints_[i].name] = values.measured[i] / 100.0;
     }
     return json;
   }
 
-  std::string ToText(const RcSetValues& values) const {
-    std::string text = StateName(values.state);
+  std::string ToText(const remote::SetValues& values) const {
+    std::string text = remote::StateName(values.state);
     if (values.keyFrame < 0) return text + (values.isOver != 0 ? values.file + " is over" : "");
     text += fmt::format(" {} key frame {}: commanded, measured", values.file, values.keyFrame);
     for (size_t i = 0; i < Count(values); ++i) {
-      text += fmt::format("\n  {:<12} {:8.2f} {:8.2f} deg", joints_.all()[i].name,
+      text += fmt::format("\n  {:<12} {:8.2f} {:8.2f} deg", joints_[i].name,
                           values.commanded[i] / 100.0, values.measured[i] / 100.0);
     }
     return text;
   }
 
  private:
-  size_t Count(const RcSetValues& values) const {
-    return std::min(joints_.all().size(), values.commanded.size());
+  size_t Count(const remote::SetValues& values) const {
+    return std::min(joints_.size(), values.commanded.size());
   }
 
-  RemoteDevices joints_;
+  const std::vector<remote::Description> joints_;
 };
 
 // Adds to an event how many the client has missed before it.
-void PrintEvent(const RcFlags& flags, const RemoteEvent& event, Json json, std::string text) {
+void PrintEvent(const RcFlags& flags, const remote::Event& event, Json json, std::string text) {
   if (event.left_out > 0) text += fmt::format("\n  {} left out before", event.left_out);
   json["left_out"] = event.left_out;
   PrintRcAnswer(flags.json, event.frame, json, text);
@@ -71,18 +71,18 @@ void PrintEvent(const RcFlags& flags, const RemoteEvent& event, Json json, std::
 
 }  // namespace
 
-void RcStreamAction(RemoteClient* client, const RcFlags& flags) {
-  const SensorFormat sensors(client);
-  const SetValueFormat set_values(client);
+void RcStreamAction(remote::Connection* robot, const RcFlags& flags) {
+  const remote::SensorFormat sensors(robot);
+  const SetValueFormat set_values(robot);
   const bool is_sensors = flags.stream == "sensors";
-  client->Subscribe(is_sensors ? rcstreamSENSORS : rcstreamSET_VALUES, PeriodOf(flags.stream_us));
+  robot->Subscribe(is_sensors ? rcstreamSENSORS : rcstreamSET_VALUES, PeriodOf(flags.stream_us));
   for (int i = 0; flags.count == 0 || i < flags.count; ++i) {
-    const RemoteEvent event = client->NextEvent();
+    const remote::Event event = robot->NextEvent();
     if (is_sensors) {
-      const auto values = client->Read<RcSensors>(event);
+      const auto values = robot->Read<remote::Sensors>(event);
       PrintEvent(flags, event, sensors.ToJson(values), sensors.ToText(values));
     } else {
-      const auto values = client->Read<RcSetValues>(event);
+      const auto values = robot->Read<remote::SetValues>(event);
       PrintEvent(flags, event, set_values.ToJson(values), set_values.ToText(values));
     }
   }

@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 constexpr int kPortTimeoutMs = 3000;
 
 // Returns the address of the remote control of a robot of `run`.
-RemoteAddress AddressInRun(const LiveRun& run, size_t robot) {
+remote::Address AddressInRun(const LiveRun& run, size_t robot) {
   const Json status = LiveClient(run, kPortTimeoutMs).Ask({{"do", "status"}});
   const auto ports = status.find("rc_ports");
   if (ports == status.end() || robot >= ports->size())
@@ -148,10 +148,7 @@ RcBridge* Page::BridgeTo(const nlohmann::json& request) {
     if (!run_) throw std::runtime_error("this page has no run; give the endpoint as HOST:PORT");
     find = [run = *run_, robot] { return AddressInRun(run, robot); };
   } else {
-    RemoteAddress address;
-    const std::string problem = ParseRemoteAddress(endpoint, &address);
-    if (!problem.empty()) throw std::runtime_error(problem);
-    find = [address] { return address; };
+    find = [address = remote::ParseAddress(endpoint)] { return address; };
   }
   if (bridges_.size() >= kEndpointsMax) {
     throw std::runtime_error(

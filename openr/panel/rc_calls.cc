@@ -10,29 +10,17 @@
 #include <vector>
 
 #include "openr/panel/base64.h"
-#include "openr/remote/file_checks.h"
 #include "openr/remote/power_format.h"
-#include "openr/remote/remote_files.h"
 #include "openr/remote/sensor_format.h"
+#include "openr/upload/file_checks.h"
 
 namespace openr_host {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kRemoteTimeoutMs = 3000;
 constexpr double kCdegPerDeg = 100;
 constexpr double kValueMax = 1e6;  // in degrees; a value in 0.01 degree fits into 32 bits
-
-// The payload of MOVE, SPEED and ACCEL.
-struct JointRequest {
-  int joint;
-  Sint32 value;
-  void Write(RcWriter* out) const {
-    out->U8(static_cast<Uint32>(joint));
-    out->S32(value);
-  }
-};
 
 double Degrees(Sint32 value_cdeg) { return value_cdeg / kCdegPerDeg; }
 
@@ -48,7 +36,7 @@ std::string UpperCase(std::string text) {
   return text;
 }
 
-Json JointJson(const RcDescription& joint, const RcJointState& state) {
+Json JointJson(const remote::Description& joint, const remote::JointState& state) {
   const auto limit = [&joint](RcJointValue which) {
     return static_cast<size_t>(which) < joint.values.size() ? Degrees(joint.values[which]) : 0;
   };
@@ -64,9 +52,9 @@ Json JointJson(const RcDescription& joint, const RcJointState& state) {
           {"deg", Degrees(state.position)}};
 }
 
-Json NamesJson(const std::vector<RcDescription>& devices) {
+Json NamesJson(const std::vector<remote::Description>& devices) {
   Json names = Json::array();
-  for (const RcDescription& device : devices)
+  for (const remote::Description& device : devices)
     names.push_back({{"name", device.name}, {"title", device.title}, {"locator", device.locator}});
   return names;
 }
@@ -99,122 +87,97 @@ RcCalls::Call RcCalls::FindCall(const std::string& name) {
 Json RcCalls::Do(const nlohmann::json& request, const Progress& progress) {
   try {
     const Call call = FindCall(request.at("call").get<std::string>());
-    Client();
-    try {
-      return (this->*call)(request, progress);
-    } catch (const RemoteRefusal&) {
-      // These calls send several requests at once, and answers behind the refusal are still to
-      // come.
-      if (call == &RcCalls::Upload || call == &RcCalls::Connect) Disconnect();
-      throw;
-    } catch (const RemoteFailure&) {
-      Disconnect();
-      throw;
-    }
-  } catch (const RemoteRefusal& refusal) {
-    return {{"error", refusal.what()}, {"status", refusal.status}};
+    Robot();
+    return (this->*call)(request, progress);
+  } catch (const remote::Error& error) {
+    if (!error.LeavesConnection()) Disconnect();
+    if (error.code() != remote::ErrorCode::kRefused) return {{"error", error.what()}};
+    return {{"error", error.text()}, {"status", error.status()}};
   } catch (const std::exception& error) {
     return {{"error", error.what()}};
   }
 }
 
-RemoteClient* RcCalls::Client(int version) {
-  if (client_ == nullptr)
-    client_ = std::make_unique<RemoteClient>(find_address_(), kRemoteTimeoutMs);
-  client_->UseVersion(version);
-  return client_.get();
+remote::Connection* RcCalls::Robot() {
+  if (robot_ == nullptr) robot_ = std::make_unique<remote::Connection>(find_address_());
+  return robot_.get();
 }
 
 void RcCalls::Disconnect() {
   sensors_.reset();
-  for (auto& devices : devices_) devices.reset();
-  client_.reset();
-}
-
-// Returns INFO of version 2, or that of version 1 from a robot that serves no other.
-RcInfo RcCalls::Info() {
-  try {
-    return AskFileInfo(Client(RC_VERSION_FILES));
-  } catch (const RemoteRefusal& refusal) {
-    if (refusal.status != rcerrorVERSION) throw;
-  }
-  return Client()->Read<RcInfo>(client_->Request(rcINFO));
-}
-
-const RemoteDevices& RcCalls::Devices(RcDeviceKind kind) {
-  if (!devices_[kind]) devices_[kind].emplace(Client(), kind);
-  return *devices_[kind];
+  robot_.reset();
 }
 
 Json RcCalls::Connect(const Request&, const Progress&) {
-  const RcInfo info = Info();
-  const std::vector<RcDescription>& joints = Devices(rcdeviceJOINT).all();
-  std::vector<std::vector<uint8_t>> questions;
+  const remote::Info info = robot_->GetInfo();
+  const std::vector<remote::Description>& joints = robot_->Devices(rcdeviceJOINT);
+  std::vector<remote::Bytes> questions;
   for (size_t i = 0; i < joints.size(); ++i) questions.push_back({static_cast<uint8_t>(i)});
-  const std::vector<RemoteAnswer> states = Client()->RequestAll(rcGET, questions);
+  const std::vector<remote::Answer> states = robot_->RequestAll(rcGET, questions);
   Json all = Json::array();
   for (size_t i = 0; i < joints.size(); ++i)
-    all.push_back(JointJson(joints[i], client_->Read<RcJointState>(states[i])));
+    all.push_back(JointJson(joints[i], robot_->Read<remote::JointState>(states[i])));
   Json sensors = Json::array();
   for (const RcDeviceKind kind : {rcdeviceBINARY, rcdeviceOTHER}) {
-    for (const RcDescription& sensor : Devices(kind).all()) {
+    for (const remote::Description& sensor : robot_->Devices(kind)) {
       sensors.push_back({{"name", sensor.name},
                          {"title", sensor.title},
-                         {"unit", SensorUnit(sensor)},
+                         {"unit", remote::SensorUnit(sensor)},
                          {"kind", kind == rcdeviceBINARY ? "binary" : "other"}});
     }
   }
   return {{"robot", info.design},
-          {"state", StateName(info.state)},
+          {"state", remote::StateName(info.state)},
           {"processor", info.hasFiles ? info.processor : 0},
           {"joints", std::move(all)},
-          {"leds", NamesJson(Devices(rcdeviceLED).all())},
-          {"ears", NamesJson(Devices(rcdeviceEAR).all())},
+          {"leds", NamesJson(robot_->Devices(rcdeviceLED))},
+          {"ears", NamesJson(robot_->Devices(rcdeviceEAR))},
           {"sensors", std::move(sensors)}};
 }
 
-Json RcCalls::JointValue(int command, const Request& request, const char* member) {
-  const int joint = Devices(rcdeviceJOINT).Find(TextOf(request, "joint"));
+Json RcCalls::JointValue(Setter setter, const Request& request, const char* member) {
+  const int joint = robot_->Find(rcdeviceJOINT, TextOf(request, "joint"));
   const double value = request.at(member).get<double>();
   if (!(std::abs(value) < kValueMax))
     throw std::runtime_error(fmt::format("'{}' must be a number of degrees below 1000000", member));
-  const auto value_cdeg = static_cast<Sint32>(std::lround(value * kCdegPerDeg));
-  const RemoteAnswer answer = Client()->RequestWith(command, JointRequest{joint, value_cdeg});
-  RcReader reader(answer.payload.data(), static_cast<int>(answer.payload.size()));
-  return {{"value", Degrees(reader.S32())}};
+  return {{"value", (robot_.get()->*setter)(joint, value)}};
 }
 
 Json RcCalls::Move(const Request& request, const Progress&) {
-  return JointValue(rcMOVE, request, "deg");
+  return JointValue(&remote::Connection::Move, request, "deg");
 }
 
 Json RcCalls::Speed(const Request& request, const Progress&) {
-  return JointValue(rcSPEED, request, "value");
+  return JointValue(&remote::Connection::SetSpeed, request, "value");
 }
 
 Json RcCalls::Accel(const Request& request, const Progress&) {
-  return JointValue(rcACCEL, request, "value");
+  return JointValue(&remote::Connection::SetAcceleration, request, "value");
 }
 
-Json RcCalls::Switch(int command, RcDeviceKind kind, const Request& request) {
-  const int index = Devices(kind).Find(TextOf(request, "index"));
-  const bool is_on = request.at("on").get<bool>();
-  Client()->Request(command, {static_cast<uint8_t>(index), static_cast<uint8_t>(is_on)});
-  return Json::object();
+int RcCalls::Switch(RcDeviceKind kind, const Request& request, bool* is_on) {
+  const int index = robot_->Find(kind, TextOf(request, "index"));
+  *is_on = request.at("on").get<bool>();
+  return index;
 }
 
 Json RcCalls::Led(const Request& request, const Progress&) {
-  return Switch(rcLED, rcdeviceLED, request);
+  bool is_on = false;
+  const int led = Switch(rcdeviceLED, request, &is_on);
+  robot_->SetLed(led, is_on);
+  return Json::object();
 }
 
 Json RcCalls::Ear(const Request& request, const Progress&) {
-  return Switch(rcEAR, rcdeviceEAR, request);
+  bool is_on = false;
+  const int ear = Switch(rcdeviceEAR, request, &is_on);
+  robot_->SetEar(ear, is_on);
+  return Json::object();
 }
 
 Json RcCalls::Motions(const Request&, const Progress&) {
-  uint32_t frame = 0;
   Json motions = Json::array();
-  for (const RcListEntry& motion : ListMotions(Client(RC_VERSION_FILES), &frame))
+  for (const remote::ListEntry& motion : robot_->ListMotions())
     motions.push_back({{"name", motion.name}, {"size", motion.size}});
   return {{"motions", motions}};
 }
@@ -222,18 +185,15 @@ Json RcCalls::Motions(const Request&, const Progress&) {
 Json RcCalls::Play(const Request& request, const Progress&) {
   const int64_t loops = request.value("loops", int64_t{1});
   if (loops < 1 || loops > 65535) throw std::runtime_error("'loops' must be from 1 to 65535");
-  RcPlayRequest play;
-  play.file = request.at("name").get<std::string>();
-  play.loops = static_cast<Uint16>(loops);
-  play.keyFramesPerVector = 0;  // the robot's own choice
-  const auto answer = client_->Read<RcPlayAnswer>(Client()->RequestWith(rcMTN_PLAY, play));
+  const remote::PlayAnswer answer =
+      robot_->PlayMotion(request.at("name").get<std::string>(), static_cast<int>(loops));
   return {{"duration_s", answer.durationMs / 1000.0},
           {"key_frames", answer.keyFrames},
           {"loops", answer.loops}};
 }
 
 Json RcCalls::Stop(const Request&, const Progress&) {
-  Client()->Request(rcMTN_STOP);
+  robot_->StopMotion();
   return Json::object();
 }
 
@@ -242,7 +202,7 @@ Json RcCalls::Upload(const Request& request, const Progress& progress) {
   std::string name = UpperCase(request.at("name").get<std::string>());
   std::optional<std::string> bytes = FromBase64(request.at("data").get_ref<const std::string&>());
   if (!bytes) throw std::runtime_error("'data' is no Base64");
-  const RcInfo info = AskFileInfo(Client(RC_VERSION_FILES));
+  const remote::Info info = robot_->GetInfo();
   RcFileKind file_kind = rcfileMOTION;
   if (kind == "controller") {
     bytes = ImageToSend(name, *std::move(bytes), info);
@@ -254,47 +214,42 @@ Json RcCalls::Upload(const Request& request, const Progress& progress) {
     throw std::runtime_error("'kind' must be motion or controller");
   }
   const size_t size = bytes->size();
-  UploadFile(client_.get(), file_kind, name, *bytes,
-             [&progress, size](size_t sent) { progress(sent, size); });
+  robot_->Upload(file_kind, name, *bytes, progress);
   return {{"name", name}, {"size", size}};
 }
 
 Json RcCalls::Delete(const Request& request, const Progress&) {
-  const RcFileName name = {rcfileMOTION, request.at("name").get<std::string>()};
-  Client(RC_VERSION_FILES)->RequestWith(rcDELETE, name);
+  robot_->DeleteMotion(request.at("name").get<std::string>());
   return Json::object();
 }
 
 Json RcCalls::Download(const Request& request, const Progress&) {
-  uint32_t frame = 0;
   const std::string name = request.at("name").get<std::string>();
-  const std::string bytes = DownloadFile(Client(RC_VERSION_FILES), rcfileMOTION, name, &frame);
-  return {{"data", ToBase64(bytes)}};
+  return {{"data", ToBase64(robot_->Download(rcfileMOTION, name))}};
 }
 
 Json RcCalls::Motors(const Request& request, const Progress&) {
-  const int command = request.at("on").get<bool>() ? rcMOTOR_ON : rcMOTOR_OFF;
-  Client(RC_VERSION_FILES)->Request(command, {RC_ALL_JOINTS});
+  robot_->SwitchMotor(RC_ALL_JOINTS, request.at("on").get<bool>());
   return Json::object();
 }
 
 Json RcCalls::Power(const Request&, const Progress&) {
-  return PowerJson(client_->Read<RcPower>(Client(RC_VERSION_FILES)->Request(rcPOWER)));
+  return remote::PowerJson(robot_->GetPower());
 }
 
 Json RcCalls::Reboot(const Request&, const Progress&) {
-  Client(RC_VERSION_FILES)->Request(rcREBOOT);
+  robot_->Reboot();
   return Json::object();
 }
 
 Json RcCalls::Shutdown(const Request&, const Progress&) {
-  Client(RC_VERSION_FILES)->Request(rcSHUTDOWN);
+  robot_->Shutdown();
   return Json::object();
 }
 
 Json RcCalls::Sensors(const Request&, const Progress&) {
-  if (sensors_ == nullptr) sensors_ = std::make_unique<SensorFormat>(Client());
-  return sensors_->ToJson(client_->Read<RcSensors>(Client()->Request(rcSENSORS)));
+  if (sensors_ == nullptr) sensors_ = std::make_unique<remote::SensorFormat>(robot_.get());
+  return sensors_->ToJson(robot_->GetSensors());
 }
 
 }  // namespace openr_host

@@ -4,15 +4,18 @@
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 
 #include "RemoteProtocol.h"
-#include "openr/remote/remote_client.h"
+#include "openr/remote/connection.h"
+
+namespace openr::remote {
+class SensorFormat;
+}
 
 namespace openr_host {
 
-class SensorFormat;
+namespace remote = openr::remote;
 
 // A plain client of the remote control.  It connects at the first call, and again at the next one
 // after the connection was lost.  It waits for each answer, so it belongs into a thread of its own.
@@ -20,9 +23,9 @@ class RcCalls {
  public:
   using Json = nlohmann::ordered_json;
   // Finds the address of the robot.  Throws std::runtime_error if there is none.
-  using FindAddress = std::function<RemoteAddress()>;
+  using FindAddress = std::function<remote::Address()>;
   // Called with the number of bytes of an upload that the robot has taken, and their sum.
-  using Progress = std::function<void(size_t sent, size_t size)>;
+  using Progress = remote::Progress;
 
   explicit RcCalls(FindAddress find_address);
   ~RcCalls();
@@ -54,18 +57,17 @@ class RcCalls {
   Json Sensors(const Request& request, const Progress& progress);
   Json Power(const Request& request, const Progress& progress);
 
-  // Returns the client, connected, which makes its next requests in `version` of the protocol.
-  RemoteClient* Client(int version = RC_VERSION);
-  RcInfo Info();
-  const RemoteDevices& Devices(RcDeviceKind kind);
-  Json JointValue(int command, const Request& request, const char* member);
-  Json Switch(int command, RcDeviceKind kind, const Request& request);
+  // Returns the connection; makes it if there is none.
+  remote::Connection* Robot();
+  using Setter = double (remote::Connection::*)(int joint, double value);
+  Json JointValue(Setter setter, const Request& request, const char* member);
+  // Returns the index of the device that `request` names, and reads "on" into `*is_on`.
+  int Switch(RcDeviceKind kind, const Request& request, bool* is_on);
   void Disconnect();
 
   const FindAddress find_address_;
-  std::unique_ptr<RemoteClient> client_;  // null: not connected
-  std::optional<RemoteDevices> devices_[NUM_RC_DEVICES];
-  std::unique_ptr<SensorFormat> sensors_;
+  std::unique_ptr<remote::Connection> robot_;  // null: not connected
+  std::unique_ptr<remote::SensorFormat> sensors_;
 };
 
 }  // namespace openr_host

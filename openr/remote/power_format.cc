@@ -1,21 +1,26 @@
 #include "openr/remote/power_format.h"
 
-#include <OPENR/OPower.h>
-
 #include <nlohmann/json.hpp>
 
-namespace openr_host {
+namespace openr::remote {
+namespace {
+
+// Bits of the robot status, as docs/remote-control.md has them.
+constexpr uint32_t kMotorPower = 0x2;
+constexpr uint32_t kStationConnected = 0x10;
+
+}  // namespace
+
+bool HasMotorPower(const RcPower& power) { return (power.robotStatus & kMotorPower) != 0; }
+
+bool IsOnStation(const RcPower& power) { return (power.robotStatus & kStationConnected) != 0; }
 
 nlohmann::ordered_json PowerJson(const RcPower& power) {
-  return {{"motor_power", (power.robotStatus & orsbMOTOR_POWER) != 0},
-          {"on_station", (power.robotStatus & orsbSTATION_CONNECTED) != 0},
-          {"robot_status", power.robotStatus},
-          {"battery_status", power.batteryStatus},
-          {"capacity_percent", power.capacity},
-          {"full_capacity_mah", power.fullCapacity},
-          {"voltage_v", power.voltage / 1000.0},
-          {"current_a", power.current / 1000.0},
+  return {{"motor_power", HasMotorPower(power)},       {"on_station", IsOnStation(power)},
+          {"robot_status", power.robotStatus},         {"battery_status", power.batteryStatus},
+          {"capacity_percent", power.capacity},        {"full_capacity_mah", power.fullCapacity},
+          {"voltage_v", power.voltage / 1000.0},       {"current_a", power.current / 1000.0},
           {"temperature_c", power.temperature / 100.0}};
 }
 
-}  // namespace openr_host
+}  // namespace openr::remote

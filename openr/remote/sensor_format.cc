@@ -7,9 +7,9 @@
 
 #include "MoverState.h"
 #include "RobotDescription.h"
-#include "openr/remote/remote_client.h"
+#include "openr/remote/connection.h"
 
-namespace openr_host {
+namespace openr::remote {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -53,10 +53,10 @@ std::string StateName(int state) {
 
 std::string SensorUnit(const RcDescription& sensor) { return UnitOf(sensor).unit; }
 
-SensorFormat::SensorFormat(RemoteClient* client)
-    : joints_(RemoteDevices(client, rcdeviceJOINT).all()),
-      binary_(RemoteDevices(client, rcdeviceBINARY).all()),
-      other_(RemoteDevices(client, rcdeviceOTHER).all()) {}
+SensorFormat::SensorFormat(Connection* connection)
+    : joints_(connection->Devices(rcdeviceJOINT)),
+      binary_(connection->Devices(rcdeviceBINARY)),
+      other_(connection->Devices(rcdeviceOTHER)) {}
 
 Json SensorFormat::ToJson(const RcSensors& sensors) const {
   Json other = Json::object();
@@ -101,4 +101,4 @@ std::string SensorFormat::ToText(const RcSensors& sensors) const {
   return text;
 }
 
-}  // namespace openr_host
+}  // namespace openr::remote

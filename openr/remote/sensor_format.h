@@ -7,9 +7,9 @@
 
 #include "RemoteProtocol.h"
 
-namespace openr_host {
+namespace openr::remote {
 
-class RemoteClient;
+class Connection;
 
 // Returns the name of `state`, a MoverState of JointMover, the object that moves the joints.
 // Returns "starting" if RCServer, the robot's remote control, does not know the state yet.
@@ -22,7 +22,7 @@ std::string SensorUnit(const RcDescription& sensor);
 // Formats sensor values with the names and units of the robot's sensors.
 class SensorFormat {
  public:
-  explicit SensorFormat(RemoteClient* client);
+  explicit SensorFormat(Connection* connection);
 
   nlohmann::ordered_json ToJson(const RcSensors& sensors) const;
   std::string ToText(const RcSensors& sensors) const;
@@ -31,4 +31,4 @@ class SensorFormat {
   std::vector<RcDescription> joints_, binary_, other_;
 };
 
-}  // namespace openr_host
+}  // namespace openr::remote

@@ -124,7 +124,7 @@ class RcBridgeTest : public ::testing::Test {
   std::atomic<int> calls_ = 0;
   const std::shared_ptr<Outbox> outbox_ =
       std::make_shared<Outbox>([this] { changed_.notify_all(); });
-  RcBridge bridge_{[this, released = release_.get_future().share()]() -> RemoteAddress {
+  RcBridge bridge_{[this, released = release_.get_future().share()]() -> openr::remote::Address {
                      if (calls_++ == 0) asked_.set_value();
                      released.wait();
                      throw std::runtime_error("no robot");

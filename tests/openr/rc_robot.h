@@ -1,4 +1,4 @@
-// A robot that runs in another process, for tests that ask it with `openr rc` or RemoteClient.
+// A robot that runs in another process, for tests that ask it with `openr rc` or openr::remote.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -7,10 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "openr/remote/remote_client.h"
+#include "openr/remote/connection.h"
 #include "tests/openr/program_run.h"
 
 namespace openr_host {
+
+namespace remote = openr::remote;
 
 // Runs with the ideal body and stands after Start().
 class RcRobot {
@@ -29,11 +31,7 @@ class RcRobot {
     const size_t begin = text.find("127.0.0.1:");
     return text.substr(begin, text.find(' ', begin) - begin);
   }
-  RemoteAddress remote_address() const {
-    RemoteAddress address;
-    EXPECT_EQ(ParseRemoteAddress(this->address(), &address), "");
-    return address;
-  }
+  remote::Address remote_address() const { return remote::ParseAddress(address()); }
 
   ProgramResult Rc(const std::vector<std::string>& words) const {
     std::vector<std::string> arguments{"rc", address(), "--json"};

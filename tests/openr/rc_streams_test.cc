@@ -10,6 +10,8 @@
 namespace openr_host {
 namespace {
 
+constexpr remote::Options kPatient = {.timeout = std::chrono::seconds(20)};
+
 class RcStreamsTest : public testing::Test {
  protected:
   static void SetUpTestSuite() { robot_ = new RcRobot; }
@@ -32,9 +34,9 @@ TEST_F(RcStreamsTest, SensorsComeByThemselvesAtLeastThePeriodApart) {
 }
 
 TEST_F(RcStreamsTest, KeyFramesComeWhileAMotionPlays) {
-  RemoteClient client(robot_->remote_address(), 20'000);
+  remote::Connection client(robot_->remote_address(), kPatient);
   client.Subscribe(rcstreamSET_VALUES, 0);
-  client.RequestWith(rcMTN_PLAY, RcPlayRequest{"BOW.MTN", 1, 0});
+  client.PlayMotion("BOW.MTN");
   RcSetValues values{};
   int last = -1;
   while (values.isOver == 0) {
@@ -48,15 +50,15 @@ TEST_F(RcStreamsTest, KeyFramesComeWhileAMotionPlays) {
 }
 
 TEST_F(RcStreamsTest, AnswersComeInOrderWhileEventsArrive) {
-  RemoteClient client(robot_->remote_address(), 20'000);
+  remote::Connection client(robot_->remote_address(), kPatient);
   const uint16_t tag = client.Subscribe(rcstreamSENSORS, 4);
   for (int i = 0; i < 300; ++i) {
     EXPECT_EQ(client.Read<RcInfo>(client.Request(rcINFO)).numJoints, 18);
   }
   uint32_t frame = 0;
   for (int i = 0; i < 10; ++i) {
-    const RemoteEvent event = client.NextEvent();
-    EXPECT_EQ(event.tag, tag);
+    const remote::Event event = client.NextEvent();
+    EXPECT_EQ(event.subscription, tag);
     EXPECT_GT(event.frame, frame);
     frame = event.frame;
     EXPECT_EQ(client.Read<RcSensors>(event).joints.size(), 18u);
@@ -96,7 +98,7 @@ TEST_F(RcStreamsTest, APictureOfTheCameraIsAFile) {
 // A connection that subscribes and then neither reads nor sends.
 class DeafClient {
  public:
-  explicit DeafClient(const RemoteAddress& address)
+  explicit DeafClient(const remote::Address& address)
       : socket_(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
     const int small = 2048;
     setsockopt(socket_, SOL_SOCKET, SO_RCVBUF, &small, sizeof small);
@@ -117,7 +119,7 @@ class DeafClient {
 TEST_F(RcStreamsTest, ClientsThatTakeNothingDisturbNobody) {
   const DeafClient first(robot_->remote_address());
   const DeafClient second(robot_->remote_address());
-  RemoteClient client(robot_->remote_address(), 20'000);
+  remote::Connection client(robot_->remote_address(), kPatient);
   const uint32_t begin = client.Request(rcINFO).frame;
   uint32_t frame = begin;
   // Twenty minutes of the robot's time: more than 5000 events, and more than 1 MB, for each of

@@ -6,28 +6,25 @@
 
 #include <nlohmann/json.hpp>
 
-#include "openr/remote/remote_client.h"
+#include "openr/remote/connection.h"
 #include "tests/openr/program_run.h"
 
 namespace openr_host {
 namespace {
 
+namespace remote = openr::remote;
 using nlohmann::json;
 
 TEST(RemoteAddressTest, ThePortIsOptional) {
-  RemoteAddress address;
-  EXPECT_EQ(ParseRemoteAddress("dog", &address), "");
-  EXPECT_EQ(address.host, "dog");
-  EXPECT_EQ(address.port, RC_PORT);
-  EXPECT_EQ(ParseRemoteAddress("dog:99", &address), "");
-  EXPECT_EQ(address.port, 99);
+  EXPECT_EQ(remote::ParseAddress("dog").host, "dog");
+  EXPECT_EQ(remote::ParseAddress("dog").port, RC_PORT);
+  EXPECT_EQ(remote::ParseAddress("dog:99").port, 99);
 }
 
 TEST(RemoteAddressTest, NonsenseIsRefused) {
-  RemoteAddress address;
   for (const char* text :
        {"", ":5", "dog:", "dog:0", "dog:65536", "dog:x", "dog:5x", "::1", "[::1]:5"}) {
-    EXPECT_NE(ParseRemoteAddress(text, &address), "") << text;
+    EXPECT_THROW(remote::ParseAddress(text), remote::Error) << text;
   }
 }
 
@@ -45,7 +42,7 @@ class Listener {
     port_ = ntohs(address.sin_port);
   }
   ~Listener() { close(socket_); }
-  RemoteAddress address() const { return {"127.0.0.1", port_}; }
+  remote::Address address() const { return {"127.0.0.1", port_}; }
 
   // Takes a connection, says `text` and, if asked to, ends it.
   void Say(const std::string& text, bool end) {
@@ -61,7 +58,7 @@ class Listener {
   std::vector<int> peers_;
 };
 
-std::string ComplaintOf(RemoteClient* client) {
+std::string ComplaintOf(remote::Connection* client) {
   try {
     client->Request(rcINFO);
   } catch (const std::exception& error) {
@@ -72,7 +69,7 @@ std::string ComplaintOf(RemoteClient* client) {
 
 TEST(RemoteClientTest, AServerThatSaysNothingTimesOut) {
   const Listener listener;
-  RemoteClient client(listener.address(), 20);
+  remote::Connection client(listener.address(), {.timeout = std::chrono::milliseconds(20)});
   const std::string complaint = ComplaintOf(&client);
   EXPECT_EQ(complaint.find(listener.address().Text() + ": connected, but no answer within 20 ms"),
             0u)
@@ -82,14 +79,14 @@ TEST(RemoteClientTest, AServerThatSaysNothingTimesOut) {
 
 TEST(RemoteClientTest, AServerThatSpeaksSomethingElseIsRecognised) {
   Listener listener;
-  RemoteClient client(listener.address(), 2000);
+  remote::Connection client(listener.address());
   listener.Say("HTTP/1.0 400 Bad Request\r\n", false);
   EXPECT_NE(ComplaintOf(&client).find("this is no remote control"), std::string::npos);
 }
 
 TEST(RemoteClientTest, AConnectionThatEndsIsExplained) {
   Listener listener;
-  RemoteClient client(listener.address(), 200);
+  remote::Connection client(listener.address(), {.timeout = std::chrono::milliseconds(200)});
   listener.Say("RC", true);
   const std::string complaint = ComplaintOf(&client);
   EXPECT_EQ(complaint.find(listener.address().Text() +

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "openr/live/live_folder.h"
-#include "openr/remote/remote_client.h"
+#include "openr/remote/connection.h"
 #include "runtime/base/read_file.h"
 #include "runtime/base/temp_folder.h"
 #include "tests/openr/program_run.h"
@@ -183,14 +183,14 @@ TEST_F(RewindTest, ClientsOfTheFirstRunAreClosedAndTheBranchServesNewOnes) {
   RunTo(20);
   Ask(R"({"do":"clock","pause":false,"rate":1})");
   const uint16_t port = Ask(R"({"do":"status"})").at("rc_ports").at(0);
-  RemoteClient client({"127.0.0.1", port}, 10'000);
+  openr::remote::Connection client({"127.0.0.1", port}, {.timeout = std::chrono::seconds(10)});
   client.Request(rcINFO);
   const double time_s = Hashes().at("time_s");
   EXPECT_EQ(Error(R"({"do":"rewind","back_s":0})"), "none");
   Branch();
   EXPECT_THROW(client.Request(rcINFO), std::runtime_error);
   EXPECT_EQ(Ask(R"({"do":"status"})").at("rc_ports").at(0), port);
-  RemoteClient second({"127.0.0.1", port}, 10'000);
+  openr::remote::Connection second({"127.0.0.1", port}, {.timeout = std::chrono::seconds(10)});
   EXPECT_GE(second.Request(rcINFO).frame, static_cast<uint32_t>(time_s / 0.032));
 }
 
@@ -200,7 +200,7 @@ TEST_F(RewindTest, WhatARemoteClientDidIsRepeated) {
   Ask(R"({"do":"clock","pause":false,"rate":1})");
   const uint16_t port = Ask(R"({"do":"status"})").at("rc_ports").at(0);
   {
-    RemoteClient client({"127.0.0.1", port}, 10'000);
+    openr::remote::Connection client({"127.0.0.1", port}, {.timeout = std::chrono::seconds(10)});
     client.Request(rcMOVE, {1, 0xb8, 0x0b, 0, 0});  // joint 1 to 30 degrees
     client.Request(rcSENSORS);
   }
@@ -217,9 +217,7 @@ TEST_F(RewindTest, ABootIsRepeated) {
   const uint16_t port = Ask(R"({"do":"status"})").at("rc_ports").at(0);
   Ask(R"({"do":"clock","pause":false,"rate":1})");
   const double before_s = Hashes().at("time_s");
-  RemoteClient client({"127.0.0.1", port}, 10'000);
-  client.UseVersion(RC_VERSION_FILES);
-  client.Request(rcREBOOT);
+  remote::Connection({"127.0.0.1", port}).Reboot();
   watcher_->WaitFor("values", [](const Json& values) {
     return values.at("robots").at(0).at("boots_at_s").is_number();
   });

@@ -1,4 +1,4 @@
-#include "openr/remote/file_checks.h"
+#include "openr/upload/file_checks.h"
 
 #include <fmt/format.h>
 
