@@ -1,6 +1,10 @@
 // openr rc with files of the stick, against a robot that runs: a run of the program, whose stick is
 // a copy.
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <stdlib.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <memory>
@@ -12,6 +16,36 @@ namespace openr_host {
 namespace {
 
 using nlohmann::json;
+
+// Returns what a command says on a terminal, which is its standard output and error.
+std::string SaidOnATerminal(const std::vector<std::string>& words) {
+  const int terminal = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
+  grantpt(terminal);
+  unlockpt(terminal);
+  const std::string name = ptsname(terminal);
+  const int user = open(name.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
+  const pid_t child = fork();
+  if (child == 0) {
+    dup2(user, STDOUT_FILENO);
+    dup2(user, STDERR_FILENO);
+    std::vector<char*> argv{const_cast<char*>(OPENR_PROGRAM)};
+    for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
+    argv.push_back(nullptr);
+    execv(OPENR_PROGRAM, argv.data());
+    _exit(127);
+  }
+  close(user);
+  std::string said;
+  char buffer[4096];
+  // At the end of the child reading fails, because nobody has the terminal open.
+  for (ssize_t n; (n = read(terminal, buffer, sizeof buffer)) > 0;)
+    said.append(buffer, static_cast<size_t>(n));
+  close(terminal);
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_EQ(status, 0) << said;
+  return said;
+}
 
 class RcFilesTest : public testing::Test {
  protected:
@@ -25,12 +59,15 @@ class RcFilesTest : public testing::Test {
   }
   void SetUp() override { ASSERT_TRUE(is_ready_) << robot_->Finish().err; }
 
-  ProgramResult RunRc(std::vector<std::string> words) const {
+  std::vector<std::string> RcWords(std::vector<std::string> words) const {
     const std::string& text = robot_->heard();
     const size_t begin = text.find("127.0.0.1:");
     const std::string address = text.substr(begin, text.find(' ', begin) - begin);
     words.insert(words.begin(), {"rc", address, "--json"});
-    return RunProgram(words);
+    return words;
+  }
+  ProgramResult RunRc(const std::vector<std::string>& words) const {
+    return RunProgram(RcWords(words));
   }
   json AnswerOf(const std::vector<std::string>& words) const {
     const ProgramResult result = RunRc(words);
@@ -79,6 +116,17 @@ TEST_F(RcFilesTest, AControllerIsReplacedAndTheOldOneKept) {
   EXPECT_EQ(AnswerOf({"controller", "upload", folder_.File("new.bin")})["bytes"], other.size());
   EXPECT_EQ(folder_.Read(OnStick("OBJS/CONTROLL.BIN")), other);
   EXPECT_EQ(folder_.Read(OnStick("OBJS/CONTROLL.OLD")), image);
+}
+
+TEST_F(RcFilesTest, AnUploadShowsItsProgressOnATerminalOnly) {
+  const std::string image = folder_.Read(OnStick("OBJS/CONTROLL.BIN"));
+  folder_.Write("new.bin", image);
+  const std::vector<std::string> words = {"controller", "upload", folder_.File("new.bin")};
+  const std::string said = SaidOnATerminal(RcWords(words));
+  const std::string size = std::to_string((image.size() + 1023) / 1024);
+  EXPECT_EQ(Shown(said, "CONTROLL.BIN: 0 of " + size + " KB, 0 %"), "");
+  EXPECT_EQ(Shown(said, " of " + size + " KB, 100 %"), "");
+  EXPECT_EQ(RunRc(words).err, "");
 }
 
 TEST_F(RcFilesTest, WrongFilesAreNamedWithTheCause) {
