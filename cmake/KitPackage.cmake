@@ -8,6 +8,7 @@ set(here ${PROJECT_SOURCE_DIR}/cmake)
 configure_file(${here}/openr-hostConfig.cmake ${OPENR_SHARE}/cmake/openr-hostConfig.cmake COPYONLY)
 configure_file(${here}/OpenrObject.cmake ${OPENR_SHARE}/cmake/OpenrObject.cmake COPYONLY)
 configure_file(${here}/OpenrTesting.cmake ${OPENR_SHARE}/cmake/OpenrTesting.cmake COPYONLY)
+configure_file(${here}/OpenrRemote.cmake ${OPENR_SHARE}/cmake/OpenrRemote.cmake COPYONLY)
 write_basic_package_version_file(${OPENR_SHARE}/cmake/openr-hostConfigVersion.cmake
   COMPATIBILITY SameMajorVersion)
 configure_file(${PROJECT_SOURCE_DIR}/kit/Makefile.openr-host

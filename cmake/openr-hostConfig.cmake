@@ -1,5 +1,5 @@
 # find_package(openr-host): openr_add_object() and openr_add_stick(), see OpenrObject.cmake beside;
-# the library openr::testing.
+# the libraries openr::remote and openr::testing.
 #
 # Works from an installed prefix and from a build tree alike: both hold share/openr-host.
 get_filename_component(OPENR_HOST_PREFIX ${CMAKE_CURRENT_LIST_DIR}/../../.. ABSOLUTE)
@@ -38,6 +38,7 @@ foreach(line ${openr_lines})
 endforeach()
 
 include(${CMAKE_CURRENT_LIST_DIR}/OpenrObject.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/OpenrRemote.cmake)
 if(EXISTS ${OPENR_HOST_PREFIX}/lib/libopenr_testing.a)
   include(${CMAKE_CURRENT_LIST_DIR}/OpenrTesting.cmake)
 elseif(EXISTS ${OPENR_HOST_PREFIX}/CMakeCache.txt)

@@ -115,6 +115,39 @@ TEST_F(PackageTest, TheTutorialOnTestingBuildsAsItsPageSays) {
   EXPECT_THAT(run.output, HasSubstr("[  PASSED  ] 4 tests."));
 }
 
+// Returns the text between the first line "```LANGUAGE" behind `heading` of a page and the next
+// "```".
+std::string Block(const std::string& page, const std::string& heading,
+                  const std::string& language) {
+  std::ifstream stream(std::string(OPENR_DOCS) + "/" + page);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  const std::string begin = "```" + language + "\n";
+  const size_t at = text.find(begin, text.find("\n" + heading + "\n"));
+  if (at == std::string::npos) return "";
+  return text.substr(at + begin.size(), text.find("\n```", at) + 1 - at - begin.size());
+}
+
+TEST_F(PackageTest, TheClientOfThePageOnTheRemoteControlBuilds) {
+#if defined(__SANITIZE_ADDRESS__)
+  GTEST_SKIP() << "the installed library wants a program with sanitizers";
+#endif
+  std::string client = Block("remote-control.md", "## From C++", "cpp");
+  const size_t port = client.find("54000");
+  ASSERT_NE(port, std::string::npos);
+  folder_.Write("client.cc", client.replace(port, 5, "1"));  // where no robot is
+  folder_.Write("CMakeLists.txt", Block("remote-control.md", "## From C++", "cmake"));
+  const std::string build = folder_.File("build");
+  const ProcessResult configured = RunProcess(
+      {"cmake", "-S", folder_.File(""), "-B", build, "-DCMAKE_PREFIX_PATH=" + prefix_->path()},
+      {{}, "", true, true});
+  ASSERT_TRUE(configured.good()) << configured.output;
+  const ProcessResult built = RunProcess({"cmake", "--build", build}, {{}, "", true, true});
+  ASSERT_TRUE(built.good()) << built.output;
+  const ProcessResult run = RunProcess({build + "/client"}, {{}, "", true, true});
+  EXPECT_EQ(run.status, 1);
+  EXPECT_THAT(run.output, HasSubstr("127.0.0.1:1: no program listens there; is 'openr run'"));
+}
+
 // Whoever builds single targets and then installs is told what is missing.
 TEST_F(PackageTest, WhatIsNotBuiltYetIsNamedWithTheTargetThatBuildsIt) {
   const ScratchFolder scratch;
