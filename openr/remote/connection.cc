@@ -192,13 +192,15 @@ RequestId Connection::Send(int command, const Bytes& payload, int version) {
     ++last_id_;
   } while (last_id_ == 0 || pending_.contains(last_id_));
   SendBytes(MakePacket(command, last_id_, payload, version));
-  pending_[last_id_] = {};
+  pending_[last_id_].sent = Clock::now();
   return last_id_;
 }
 
 bool Connection::IsAnswered(RequestId id) {
   while (ReceivePacket(Clock::time_point{})) TakePacket();
-  return pending_.at(id).answer.has_value();
+  const Pending& pending = pending_.at(id);
+  if (!pending.answer && Clock::now() - pending.sent > options_.timeout) ThrowSilent();
+  return pending.answer.has_value();
 }
 
 Answer Connection::WaitForAny(RequestId id) {

@@ -196,7 +196,8 @@ class Connection {
   RequestId Send(int command, const Bytes& payload = {}, int version = 0);
   static constexpr size_t kInFlight = 32;
 
-  // Returns whether the answer is there, so that Wait() does not wait.
+  // Returns whether the answer is there, so that Wait() does not wait.  Throws Error (kTimeout) if
+  // the request was sent longer ago than the time limit of the options.
   bool IsAnswered(RequestId id);
   Answer Wait(RequestId id);        // throws Error (kRefused) if the robot refuses
   Answer WaitForAny(RequestId id);  // returns a refusal as well
@@ -245,6 +246,7 @@ class Connection {
 
   // A request that was sent and not taken by Wait() yet.
   struct Pending {
+    std::chrono::steady_clock::time_point sent;
     bool is_dropped = false;
     std::optional<Answer> answer;
   };

@@ -180,6 +180,19 @@ TEST(RemoteLibraryFaultsTest, AServerThatAnswersNothingTimesOut) {
   }
 }
 
+TEST(RemoteLibraryFaultsTest, AnOverdueAnswerIsNoticedWithoutWaitingForIt) {
+  const StalledServer server;
+  remote::Connection client(server.address(), {.timeout = milliseconds(30)});
+  const remote::RequestId id = client.Send(rcINFO);
+  try {
+    while (!client.IsAnswered(id)) {
+    }
+    FAIL();
+  } catch (const remote::Error& error) {
+    EXPECT_EQ(error.code(), remote::ErrorCode::kTimeout);
+  }
+}
+
 TEST(RemoteLibraryFaultsTest, NobodyListensIsUnreachable) {
   remote::Address address;
   {
