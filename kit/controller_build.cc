@@ -11,7 +11,7 @@
 #include "cli/exit_code.h"
 #include "cli/output_file.h"
 #include "cli/process.h"
-#include "kit/controller_main.h"
+#include "kit/controller_objects.h"
 #include "kit/controller_sources.h"
 #include "kit/project.h"
 #include "kit/sdk_paths.h"
@@ -46,8 +46,8 @@ class ControllerBuild {
                       "new' makes a controller to begin with",
                       folder_.string()));
     }
-    if (!Compile(sources.files) || !CompileCallOfMain()) return kExitWrong;
-    if (!HasGoodFiles() || !Link()) return kExitWrong;
+    const auto objects = CompileController(sources.files, folder_, scratch_.path());
+    if (!objects || !HasGoodFiles() || !Link(*objects)) return kExitWrong;
     Deliver();
     fmt::print("{}  {}\n", kImage,
                sources.files.empty() ? "empty: Makefile.sources names no source"
@@ -57,42 +57,10 @@ class ControllerBuild {
   }
 
  private:
-  // Compiles each source in its folder, so that messages and a debugger name the user's file.
-  bool Compile(const std::vector<fs::path>& sources) {
-    bool good = true;
-    for (const fs::path& source : sources) {
-      const std::string object = fmt::format("{}/{}.o", scratch_.path(), objects_.size());
-      const bool is_cxx = source.extension() != ".c";
-      const fs::path include = part_ / "include";
-      good = RunCompiler(
-                 {"-O2", "-Dmain=controller_main", "-I" + folder_.string(), "-I" + include.string(),
-                  "-I" + (include / "device").string(), "-c", "-o", object, source.string()},
-                 is_cxx) == 0 &&
-             good;
-      objects_.push_back(object);
-    }
-    return good;
-  }
-
-  // Generates and compiles the function that calls main().  Its text depends on how the controller
-  // declares main().
-  bool CompileCallOfMain() {
-    const ControllerMain main = FindControllerMain("nm", {objects_.begin(), objects_.end()});
-    if (!main.problem.empty()) {
-      fmt::print(stderr, "{}: {}\n", folder_.string(), main.problem);
-      return false;
-    }
-    const std::string source = scratch_.path() + "/ControllerMain.cc", object = source + ".o";
-    const std::string problem = WriteText(source, main.source);
-    if (!problem.empty()) throw std::runtime_error(problem);
-    objects_.push_back(object);
-    return RunCompiler({"-O2", "-c", "-o", object, source}, true) == 0;
-  }
-
-  bool Link() {
+  bool Link(const Arguments& objects) {
     Arguments arguments = {"-o", Made(), (part_ / "Controller.ocf").string(),
                            (part_ / "controller.o").string()};
-    arguments.insert(arguments.end(), objects_.begin(), objects_.end());
+    arguments.insert(arguments.end(), objects.begin(), objects.end());
     return RunMkbin(arguments) == 0;
   }
 
@@ -153,7 +121,6 @@ class ControllerBuild {
   const std::string template_;
   const fs::path part_;
   const TempFolder scratch_;
-  Arguments objects_;
 };
 
 }  // namespace
