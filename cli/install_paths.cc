@@ -119,6 +119,8 @@ std::string PanelFolder() {
 
 std::string PanelLibrary() { return LibraryBesideProgram("libopenr_panel.so"); }
 
+std::string ControllerLibrary() { return LibraryBesideProgram("libopenr_controller.so"); }
+
 std::string RenderLibrary() { return LibraryBesideProgram("libopenr_render.so"); }
 
 std::string ChartLibrary() { return LibraryBesideProgram("libopenr_chart.so"); }

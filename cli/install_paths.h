@@ -38,6 +38,9 @@ std::string PanelFolder();
 // name, as RenderLibrary() does.
 std::string PanelLibrary();
 
+// Returns the path of libopenr_controller.so beside the program, as PanelLibrary() does.
+std::string ControllerLibrary();
+
 // Returns the path of libopenr_render.so beside the program.  If it is not there, returns only its
 // name, so that the dynamic linker looks for it.
 std::string RenderLibrary();

@@ -1,6 +1,7 @@
-// The command openr controller: creates and builds controllers.  A controller is a program with a
-// main() that moves the robot with functions in the style of the simulator Webots.  The OPEN-R
-// object Controller runs it.
+// The command openr controller: creates, builds and runs controllers.  A controller is a program
+// with a main() that moves the robot with functions in the style of the simulator Webots.  The
+// OPEN-R object Controller runs it.
+#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <memory>
@@ -9,11 +10,16 @@
 #include "cli/exit_code.h"
 #include "cli/install_paths.h"
 #include "kit/controller_build.h"
+#include "kit/controller_library.h"
 #include "kit/new_controller.h"
 #include "kit/robot_stick.h"
 #include "kit/shell_words.h"
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
+#include "openr/controller/controller_run.h"
+#include "openr/remote/address.h"
+#include "openr/remote/error.h"
+#include "runtime/base/temp_folder.h"
 
 namespace openr_host {
 namespace {
@@ -23,6 +29,9 @@ struct ControllerFlags {
   bool for_robot = false;
   std::string name;
   std::string folder;
+  std::string source;   // folder or file of the controller to run
+  std::string address;  // of the robot
+  int64_t timeout_us = 3'000'000;
 };
 
 // Builds the controller for the robot.  The build for the host adds only CONTROLL.BIN to a stick of
@@ -58,11 +67,50 @@ int New(const ControllerFlags& flags) {
   return kExitGood;
 }
 
+CLI::Validator IsRemoteAddress() {
+  const auto problem = [](const std::string& text) -> std::string {
+    try {
+      openr::remote::ParseAddress(text);
+      return "";
+    } catch (const openr::remote::Error& error) {
+      return error.what();
+    }
+  };
+  return CLI::Validator(problem, "");
+}
+
+// Returns the function `name` of a library that stays loaded until the process ends.
+template <typename Function>
+Function* Load(const std::string& library, const char* name) {
+  void* const handle = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
+  void* const function = handle == nullptr ? nullptr : dlsym(handle, name);
+  if (function != nullptr) return reinterpret_cast<Function*>(function);
+  throw std::runtime_error(fmt::format("{}; build openr again", dlerror()));
+}
+
+// Builds the controller as a library and loads it into this process.
+int (*LoadController(const ControllerFlags& flags))() {
+  const TempFolder folder;  // a file that is loaded may be removed
+  const std::string library = folder.path() + "/controller.so";
+  if (!BuildControllerLibrary({flags.source, ControllerLibrary(), library})) return nullptr;
+  return Load<int()>(library, kControllerMainName);
+}
+
+int Run(const ControllerFlags& flags) {
+  // Comes first, because the controller's library is linked with this one by its bare name.
+  auto* const run = Load<RunController>(ControllerLibrary(), kRunControllerName);
+  auto* const controller_main = LoadController(flags);
+  if (controller_main == nullptr) return kExitWrong;
+  const std::string folder = FolderOfController(flags.source);
+  return run({flags.address.c_str(), static_cast<int>(flags.timeout_us / 1000), folder.c_str(),
+              controller_main});
+}
+
 }  // namespace
 
 void AddControllerCommand(CLI::App* app, int* exit_code) {
   CLI::App* const command =
-      app->add_subcommand("controller", "Makes and builds controllers in Webots style");
+      app->add_subcommand("controller", "Makes, builds and runs controllers in Webots style");
   command->require_subcommand(1);
   auto flags = std::make_shared<ControllerFlags>();
 
@@ -81,6 +129,16 @@ void AddControllerCommand(CLI::App* app, int* exit_code) {
                  "For the dog, as openr stick robot --controller DIR; needs OPENRSDK_ROOT and -o")
       ->excludes(from);
   build->callback([flags, exit_code] { *exit_code = Build(*flags); });
+
+  CLI::App* const run = command->add_subcommand(
+      "run", "Runs a controller on this computer; it steers a robot by the remote control");
+  run->add_option("SOURCE", flags->source, "Folder of the controller, or its one source")
+      ->required();
+  run->add_option("HOST", flags->address, "Where the robot is: HOST[:PORT]")
+      ->required()
+      ->check(IsRemoteAddress());
+  AddDurationFlag(run, "--timeout", &flags->timeout_us, "How long to wait for an answer");
+  run->callback([flags, exit_code] { *exit_code = Run(*flags); });
 
   CLI::App* const make = command->add_subcommand("new", "Makes a controller that builds and runs");
   make->add_option("NAME", flags->name, "Of the controller: wave")

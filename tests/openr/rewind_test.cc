@@ -217,7 +217,7 @@ TEST_F(RewindTest, ABootIsRepeated) {
   const uint16_t port = Ask(R"({"do":"status"})").at("rc_ports").at(0);
   Ask(R"({"do":"clock","pause":false,"rate":1})");
   const double before_s = Hashes().at("time_s");
-  remote::Connection({"127.0.0.1", port}).Reboot();
+  openr::remote::Connection({"127.0.0.1", port}, {.timeout = std::chrono::seconds(10)}).Reboot();
   watcher_->WaitFor("values", [](const Json& values) {
     return values.at("robots").at(0).at("boots_at_s").is_number();
   });

@@ -1,0 +1,56 @@
+#include "openr/controller/camera_fetcher.h"
+
+#include <utility>
+
+namespace openr_host {
+namespace {
+
+namespace remote = openr::remote;
+
+constexpr int kLargestLayer = 0;
+// Time between two tries while another client fetches a picture.
+constexpr std::chrono::milliseconds kBusyWait{100};
+
+}  // namespace
+
+CameraFetcher::CameraFetcher(const remote::Address& address, remote::Options options)
+    : address_(address), options_(options), thread_([this] { Fetch(); }) {}
+
+CameraFetcher::~CameraFetcher() {
+  is_ended_ = true;
+  thread_.join();
+}
+
+void CameraFetcher::Fetch() {
+  try {
+    remote::Connection robot(address_, options_);
+    while (!is_ended_) {
+      try {
+        std::string rgb = robot.TakePicture(kLargestLayer).Rgb();
+        const std::lock_guard lock(mutex_);
+        picture_ = std::move(rgb);
+      } catch (const remote::Error& error) {
+        if (error.status() != rcerrorBUSY && error.status() != rcerrorNO_PICTURE) throw;
+        std::this_thread::sleep_for(kBusyWait);
+      }
+    }
+  } catch (const std::exception& error) {
+    const std::lock_guard lock(mutex_);
+    problem_ = error.what();
+  }
+}
+
+bool CameraFetcher::Take(std::string* rgb) {
+  const std::lock_guard lock(mutex_);
+  if (picture_.empty()) return false;
+  *rgb = std::move(picture_);
+  picture_.clear();
+  return true;
+}
+
+std::string CameraFetcher::TakeProblem() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(problem_, "");
+}
+
+}  // namespace openr_host

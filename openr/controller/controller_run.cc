@@ -1,0 +1,155 @@
+#include "openr/controller/controller_run.h"
+
+#include <fmt/format.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <cstdlib>
+
+#include "ControllerApi.h"
+#include "cli/exit_code.h"
+#include "openr/controller/remote_port.h"
+#include "openr/controller/step_clock.h"
+#include "runtime/base/wall_clock.h"
+
+namespace openr_host {
+namespace {
+
+namespace remote = openr::remote;
+using Clock = std::chrono::steady_clock;
+
+volatile sig_atomic_t g_stops = 0;  // number of the signal that ends the controller; 0: none
+
+// A controller may never return, so a further signal ends the process at once.  One that comes
+// within a second does not: the program timeout sends two.
+void OnStop(int signal_number) {
+  static volatile int64_t first_ms = 0;
+  if (g_stops == 0) {
+    first_ms = WallClockMs();
+    g_stops = signal_number;
+  } else if (WallClockMs() - first_ms > 1000) {
+    _exit(128 + signal_number);
+  }
+}
+
+void CatchStop() {
+  struct sigaction action {};
+  action.sa_handler = &OnStop;
+  action.sa_flags = SA_RESTART;
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
+// One controller from its main() to its end.
+class Session {
+ public:
+  explicit Session(const ControllerRun& run)
+      : run_(run),
+        port_(remote::ParseAddress(run.address),
+              {.timeout = std::chrono::milliseconds(run.timeout_ms)}, run.folder,
+              [this] { StepInMain(); }) {}
+
+  int Run();
+
+ private:
+  bool WaitForStanding();
+  bool WaitForNextStep();
+  void StepInMain();
+  int End();
+  std::string RobotTime() const;
+
+  const ControllerRun run_;
+  RemotePort port_;
+  StepClock clock_;
+  std::string why_ = "its loop has ended";
+  int status_ = kExitGood;
+  uint32_t first_frame_ = 0, last_frame_ = 0;  // at the begin of the first and the last iteration
+};
+
+// Waits as the robot's Controller does, whose main() begins when the robot stands.  Returns false
+// when Ctrl-C ends the program before.
+bool Session::WaitForStanding() {
+  const auto is_ended = [this] { return g_stops != 0 || port_.Stands(); };
+  port_.ReceiveUntil(Clock::now() + std::chrono::milliseconds(100), is_ended);
+  if (!is_ended()) fmt::print(stderr, "openr: waits until the robot stands\n");
+  port_.ReceiveUntil(Clock::time_point::max(), is_ended);
+  return g_stops == 0;
+}
+
+// Waits for the end of the present iteration.  Returns false when the program ends.
+bool Session::WaitForNextStep() {
+  try {
+    port_.Check();
+    int step_ms = 0;
+    if (g_stops == 0 && !port_.TakeStep(&step_ms)) return false;
+    if (clock_.iterations() == 0) first_frame_ = port_.frame();
+    const auto next = clock_.Next(Clock::now(), std::chrono::milliseconds(step_ms));
+    port_.ReceiveUntil(next, [] { return g_stops != 0; });
+    if (g_stops != 0) {
+      why_ = g_stops == SIGINT ? "Ctrl-C" : "SIGTERM";
+      return false;
+    }
+    const std::string late = clock_.Begin(Clock::now());
+    last_frame_ = port_.frame();
+    if (!late.empty()) fmt::print(stderr, "openr: {}\n", late);
+    return true;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "openr: {}\n", error.what());
+    why_ = "no connection to the robot";
+    status_ = kExitWrong;
+    return false;
+  }
+}
+
+// Makes an iteration while main() of the controller waits in robot_step().  Main() cannot be left,
+// so the process ends here when the program ends.
+void Session::StepInMain() {
+  port_.core()->LedReady();
+  if (!WaitForNextStep()) std::exit(End());
+}
+
+int Session::Run() {
+  CatchStop();
+  if (!WaitForStanding()) return kExitGood;
+  SetControllerCore(port_.core());
+  port_.core()->Execute(run_.controller_main);
+  while (WaitForNextStep()) port_.core()->LedReady();
+  return End();
+}
+
+// Ends the controller, and waits until the robot has answered all commands.
+int Session::End() {
+  port_.core()->Die();
+  SetControllerCore(nullptr);
+  try {
+    if (status_ == kExitGood) port_.Finish();
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "openr: {}\n", error.what());
+    status_ = kExitWrong;
+  }
+  fmt::print(stderr, "openr: the controller has ended: {}; {}{}\n", why_, clock_.Summary(),
+             RobotTime());
+  return status_;
+}
+
+// Returns how long iterations were on the robot's clock, which need not go like this computer's.
+std::string Session::RobotTime() const {
+  const auto count = static_cast<double>(clock_.iterations());
+  if (count == 0 || last_frame_ <= first_frame_) return "";
+  return fmt::format(" ({:.1f} ms on the robot's clock)", (last_frame_ - first_frame_) * 8 / count);
+}
+
+int RunOrThrow(const ControllerRun& run) { return Session(run).Run(); }
+
+}  // namespace
+}  // namespace openr_host
+
+extern "C" __attribute__((visibility("default"))) int openr_run_controller(
+    const openr_host::ControllerRun& run) {
+  try {
+    return openr_host::RunOrThrow(run);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "openr: {}\n", error.what());
+    return openr_host::kExitWrong;
+  }
+}

@@ -1,0 +1,342 @@
+#include "openr/controller/remote_port.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+
+#include "Angle.h"
+#include "ControllerApi.h"
+#include "MoverState.h"
+#include "runtime/base/read_file.h"
+#include "runtime/base/spelling.h"
+
+namespace openr_host {
+namespace {
+
+namespace fs = std::filesystem;
+namespace remote = openr::remote;
+using Clock = std::chrono::steady_clock;
+
+constexpr int kFrameMs = 8;
+constexpr std::chrono::milliseconds kSlice{50};  // at most so late Ctrl-C is noticed
+// Number of frames after which they are counted from 0 again (docs/remote-control.md).
+constexpr uint32_t kFramesMax = 0x0ffffff1;
+
+// Returns whether `frame` is after `other`.
+bool IsAfter(uint32_t frame, uint32_t other) {
+  const uint32_t difference = (frame + kFramesMax - other % kFramesMax) % kFramesMax;
+  return difference > 0 && difference < kFramesMax / 2;
+}
+
+const RobotConstants* ConstantsOf(remote::Connection* robot) {
+  const std::string design = robot->GetInfo().design;
+  const RobotConstants* const constants = FindRobot(design.c_str());
+  if (constants != nullptr) return constants;
+  throw std::runtime_error(fmt::format("{}: the robot is a '{}', which this openr does not know",
+                                       robot->address().Text(), design));
+}
+
+void Say(const std::string& text) { fmt::print(stderr, "openr: {}\n", text); }
+
+}  // namespace
+
+RemotePort::RemotePort(const remote::Address& address, remote::Options options, std::string folder,
+                       std::function<void()> on_step)
+    : address_(address),
+      options_(options),
+      folder_(std::move(folder)),
+      on_step_(std::move(on_step)),
+      robot_(address, options),
+      constants_(ConstantsOf(&robot_)),
+      core_(this),
+      joints_(constants_),
+      heard_(Clock::now()) {
+  core_.Begin(constants_);
+  robot_.Subscribe(rcstreamSENSORS, RC_FRAMES_PER_VECTOR);
+}
+
+RemotePort::~RemotePort() = default;
+
+bool RemotePort::Stands() const {
+  return state_ >= moverACCEPTING_COMMANDS && state_ < NUM_MOVER_STATES;
+}
+
+void RemotePort::Check() const {
+  if (failure_) std::rethrow_exception(failure_);
+}
+
+bool RemotePort::TakeStep(int* step_ms) {
+  *step_ms = std::exchange(step_ms_, 0);
+  return *step_ms > 0;
+}
+
+// Does `function`, which asks the robot something.  Returns false and sets `*refusal` to the reason
+// if that fails.  An error of the connection is kept for Check().
+template <typename Function>
+bool RemotePort::Guarded(const Function& function, std::string* refusal) {
+  if (failure_) {
+    *refusal = "the connection to the robot has ended";
+    return false;
+  }
+  try {
+    function();
+    return true;
+  } catch (const remote::Error& error) {
+    *refusal = error.text();
+    if (!error.LeavesConnection()) failure_ = std::current_exception();
+  } catch (const std::exception& error) {
+    *refusal = error.what();
+  }
+  return false;
+}
+
+// ---- What the robot sends
+
+void RemotePort::ReceiveUntil(Clock::time_point deadline, const std::function<bool()>& is_ended) {
+  for (Clock::time_point now = Clock::now(); now < deadline && !is_ended(); now = Clock::now()) {
+    const auto event = robot_.NextEvent(std::min(deadline, now + kSlice));
+    if (event) TakeEvent(*event);
+    TakeAnswers(false);
+    ShowLife();
+  }
+  TakePicture();
+}
+
+void RemotePort::TakeEvent(const remote::Event& event) {
+  heard_ = Clock::now();
+  if (event.stream == rcstreamSENSORS) {
+    TakeSensors(robot_.Read<remote::Sensors>(event), event.frame);
+  }
+}
+
+void RemotePort::TakeSensors(const remote::Sensors& sensors, uint32_t frame) {
+  SensorValues values{};
+  values.frame = frame;
+  const auto at = [](const std::vector<Sint32>& all, size_t i) {
+    return i < all.size() ? all[i] : 0;
+  };
+  for (int j = 0; j < constants_->numJoints; ++j) {
+    values.joint[j] = UradFromCdeg(at(sensors.joints, static_cast<size_t>(j)));
+  }
+  size_t binary = 0, other = 0;
+  for (int i = 0; i < constants_->numSensors; ++i) {
+    values.sensor[i] = constants_->sensors[i].group == sensorBINARY ? at(sensors.binary, binary++)
+                                                                    : at(sensors.other, other++);
+  }
+  core_.SetSensors(values);
+  battery_percent_ = at(sensors.misc, 0);
+  // Values from before the answer to MTN_PLAY do not know of the motion.
+  if (!playing_.empty() && !IsAfter(frame, play_frame_)) return;
+  state_ = sensors.state == 0xff ? -1 : sensors.state;
+  const int key_frame = sensors.keyFrame.empty() ? -1 : sensors.keyFrame[0];
+  if (!playing_.empty()) TellMotion(key_frame, state_ == moverACCEPTING_COMMANDS && key_frame < 0);
+  for (const auto& [joint, why] : busy_) {
+    if (state_ > moverACCEPTING_COMMANDS) {
+      joints_.Forget(joint);  // a motion plays; the position is sent after it
+    } else {
+      WarnOfRefusal(why);
+    }
+  }
+  busy_.clear();
+}
+
+void RemotePort::TellMotion(int key_frame, bool is_over) {
+  SetValueMessage message{};
+  message.state = state_;
+  message.keyFrame = key_frame;
+  message.isOver = is_over ? 1 : 0;
+  playing_.copy(message.file, sizeof message.file - 1);
+  if (is_over) playing_.clear();
+  SetMotionValues(message);
+}
+
+void RemotePort::TakePicture() {
+  if (camera_ == nullptr) return;
+  std::string rgb;
+  Uint8* const buffer = camera_->Take(&rgb) ? CameraBuffer() : nullptr;
+  const auto size = static_cast<size_t>(3 * constants_->camera.width * constants_->camera.height);
+  if (buffer != nullptr && rgb.size() == size) std::memcpy(buffer, rgb.data(), size);
+  const std::string problem = camera_->TakeProblem();
+  if (!problem.empty()) Say("no more images of the camera: " + problem);
+}
+
+// Asks for INFO when the robot has been silent, so that a robot that has stopped is noticed.
+void RemotePort::ShowLife() {
+  if (life_ != 0) {
+    if (!robot_.IsAnswered(life_)) return;
+    robot_.Drop(std::exchange(life_, 0));
+    heard_ = Clock::now();
+  } else if (Clock::now() - heard_ > options_.timeout) {
+    life_ = robot_.Send(rcINFO);
+  }
+}
+
+void RemotePort::TakeAnswers(bool waits) {
+  while (!batches_.empty() && (waits || robot_.IsAnswered(batches_.front().id))) {
+    const Batch batch = std::move(batches_.front());
+    batches_.pop_front();
+    const auto answers = robot_.WaitForBatch(batch.id, batch.commands.size());
+    heard_ = Clock::now();
+    for (size_t i = 0; i < answers.size(); ++i) {
+      const RobotCommand& command = batch.commands[i];
+      if (answers[i].status == rcOK) continue;
+      const std::string why = fmt::format("{} was refused: {}", command.what, answers[i].error);
+      if (answers[i].status == rcerrorBUSY && command.joint >= 0) {
+        busy_.emplace_back(command.joint,
+                           why);  // the next sensor values tell whether a motion plays
+      } else {
+        WarnOfRefusal(why);
+      }
+    }
+  }
+}
+
+// Warns at most once a second, because a controller may command in each iteration.
+void RemotePort::WarnOfRefusal(const std::string& text) {
+  const Clock::time_point now = Clock::now();
+  if (warned_ != Clock::time_point{} && now - warned_ < std::chrono::seconds(1)) return;
+  warned_ = now;
+  Say(text);
+}
+
+void RemotePort::Finish() {
+  camera_.reset();
+  TakeAnswers(true);
+}
+
+// ---- Commands
+
+// Sends what has changed.  ControllerCore sends joints, ears and lights in this order, the lights
+// in every iteration; so all requests of an iteration go out here.
+void RemotePort::SendLeds(Uint32 on, int frames) {
+  step_ms_ = frames * kFrameMs;
+  std::vector<RobotCommand> commands;
+  if (wanted_) commands = joints_.Changes(*wanted_, state_ > moverACCEPTING_COMMANDS);
+  AddLights(rcEAR, "ear", constants_->numPlungers, wanted_ears_, &sent_ears_, &commands);
+  AddLights(rcLED, "light", constants_->numLeds, on, &sent_leds_, &commands);
+  std::string ignored;
+  Guarded([&] { Send(commands); }, &ignored);
+}
+
+void RemotePort::AddLights(RcCommand command, const char* kind, int count, Uint32 now, Uint32* sent,
+                           std::vector<RobotCommand>* commands) const {
+  for (int i = 0; i < count; ++i) {
+    const Uint32 is_on = now >> i & 1;
+    if (is_on == (*sent >> i & 1)) continue;
+    commands->push_back({{command, {static_cast<uint8_t>(i), static_cast<uint8_t>(is_on)}},
+                         fmt::format("{} {}", kind, i)});
+  }
+  *sent = now;
+}
+
+void RemotePort::Send(const std::vector<RobotCommand>& commands) {
+  for (size_t at = 0; at < commands.size(); at += RC_MAX_BATCH) {
+    const size_t end = std::min(commands.size(), at + RC_MAX_BATCH);
+    Batch batch{0,
+                {commands.begin() + static_cast<ptrdiff_t>(at),
+                 commands.begin() + static_cast<ptrdiff_t>(end)}};
+    std::vector<remote::Call> calls;
+    for (const RobotCommand& command : batch.commands) calls.push_back(command.call);
+    batch.id = robot_.SendBatch(calls);
+    batches_.push_back(std::move(batch));
+  }
+}
+
+// Plays a motion.  It is over at once if the robot refuses it.
+void RemotePort::SendMover(const MoverCommand& command) {
+  playing_ = command.file;
+  std::string refusal;
+  const auto play = [&] {
+    robot_.PlayMotion(playing_, command.loops, command.keyFramesPerVector);
+    play_frame_ = robot_.frame();
+    state_ = moverPREPARE_MTN;  // until sensor values tell
+  };
+  if (Guarded(play, &refusal)) return;
+  Say(fmt::format("mtn_play: {} was refused: {}", playing_, refusal));
+  TellMotion(-1, true);
+}
+
+// ---- Files
+
+bool RemotePort::ReadFile(const std::string& path, std::vector<Uint8>* bytes, std::string* error) {
+  const std::string name = path.substr(path.rfind('/') + 1);
+  return Guarded(
+      [&] {
+        const std::string text = FetchMotion(name);
+        bytes->assign(text.begin(), text.end());
+      },
+      error);
+}
+
+// Returns the file of a motion beside the controller; "" if there is none.
+std::string RemotePort::LocalMotion(const std::string& name) const {
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder_, error)) {
+    if (EqualsIgnoringCase(entry.path().filename().string(), name)) return entry.path().string();
+  }
+  return "";
+}
+
+// Returns the bytes of a motion.  One beside the controller is put on the robot's stick first, as
+// `openr controller build` does.
+std::string RemotePort::FetchMotion(const std::string& name) {
+  const std::string local = LocalMotion(name);
+  if (local.empty()) return robot_.Download(rcfileMOTION, name);
+  const std::string bytes = ReadFileOrThrow(local);
+  std::string there;
+  try {
+    there = robot_.Download(rcfileMOTION, name);
+  } catch (const remote::Error& error) {
+    if (error.status() != rcerrorNO_SUCH_FILE) throw;
+  }
+  if (there == bytes) return bytes;
+  robot_.Upload(rcfileMOTION, name, bytes);
+  Say(fmt::format("{}: put on the robot's stick as {}", local, name));
+  return bytes;
+}
+
+// ---- Words
+
+void RemotePort::EnableCamera(bool on) {
+  if (on && camera_ == nullptr) {
+    camera_ = std::make_unique<CameraFetcher>(address_, options_);
+  } else if (!on) {
+    camera_.reset();
+  }
+}
+
+void RemotePort::TimeStepRounded(int asked_ms, int used_ms) {
+  if (asked_ms == rounded_ms_) return;
+  rounded_ms_ = asked_ms;
+  Say(fmt::format("a time step of {} ms is no multiple of 8; {} ms are used", asked_ms, used_ms));
+}
+
+void RemotePort::UnknownDevice(const char* locator) {
+  const std::vector<const char*> known = core_.Devices().Locators();
+  Say(fmt::format(
+      "robot_get_device: there is no device '{:.80}'; what it is told goes nowhere, and "
+      "it reads 0{}",
+      locator, DidYouMean(locator, {known.begin(), known.end()})));
+}
+
+void RemotePort::Remark(const char* text) { Say(text); }
+
+void RemotePort::Print(const char* text) {
+  std::fputs(text, stdout);
+  std::fflush(stdout);
+}
+
+// ---- A controller that is an endless loop
+
+// Waits here, in robot_step(), because a controller of this computer may wait: there is no second
+// stack to leave.  Makes iterations of the core, of which one continues this loop.
+bool RemotePort::LeaveLoop() {
+  is_continued_ = false;
+  while (!is_continued_) on_step_();
+  return true;
+}
+
+}  // namespace openr_host

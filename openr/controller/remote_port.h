@@ -1,0 +1,129 @@
+// RemotePort, the robot of a controller that runs on this computer.
+#pragma once
+
+#include <deque>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ControllerCore.h"
+#include "openr/controller/camera_fetcher.h"
+#include "openr/controller/joint_commands.h"
+#include "openr/remote/connection.h"
+
+namespace openr_host {
+
+// Implements what ControllerCore, the loop of the Controller object, needs of a robot: commands are
+// requests of the remote control, sensor values come from its stream.
+//
+// The functions of ControllerPort are called in code of the controller, which may be C, so they
+// throw nothing.  An error of the connection is kept, and Check() throws it.
+class RemotePort : public ControllerPort {
+ public:
+  // Subscribes to the sensor values.  `folder` is that of the controller.  Throws remote::Error;
+  // std::runtime_error if the robot is of an unknown design.  `on_step` makes an iteration of the
+  // loop while the controller waits in robot_step(); it does not return when the program ends.
+  RemotePort(const openr::remote::Address& address, openr::remote::Options options,
+             std::string folder, std::function<void()> on_step);
+  ~RemotePort() override;
+
+  ControllerCore* core() { return &core_; }
+
+  // Receives sensor values and answers until `deadline` or the end that `is_ended` tells.  Throws
+  // remote::Error, also if an answer or any sign of life is overdue.
+  void ReceiveUntil(std::chrono::steady_clock::time_point deadline,
+                    const std::function<bool()>& is_ended);
+
+  // Throws the error that a function below has met, if any.
+  void Check() const;
+
+  // Waits for the answers to all commands under way.  Throws remote::Error.
+  void Finish();
+
+  // Returns whether the robot stands, so that it takes commands.
+  bool Stands() const;
+
+  // Returns whether the core has sent the lights, which it does in each iteration of its loop, and
+  // forgets it.  `*step_ms` gets the time step.
+  bool TakeStep(int* step_ms);
+
+  // Returns the frame number of the newest sensor values.
+  uint32_t frame() const { return core_.Sensors().frame; }
+
+ private:
+  // Functions of ControllerPort
+  bool IsLedReady() override { return true; }
+  bool IsEarReady() override { return true; }
+  bool IsBatchMoverReady() override { return true; }
+  void SendLeds(Uint32 on, int frames) override;
+  void SendEars(Uint32 on) override { wanted_ears_ = on; }
+  void SendBatch(const BatchMoverCommand& batch) override { wanted_ = batch; }
+  void SendMover(const MoverCommand& command) override;
+  bool ReadFile(const std::string& path, std::vector<Uint8>* bytes, std::string* error) override;
+  int BatteryCapacity() override { return battery_percent_; }
+  void EnableCamera(bool on) override;
+  void TimeStepRounded(int asked_ms, int used_ms) override;
+  void UnknownDevice(const char* locator) override;
+  void Remark(const char* text) override;
+  void Print(const char* text) override;
+  void RunLoop(void (*body)(void*), void* argument) override { body(argument); }
+  bool LeaveLoop() override;
+  void ContinueLoop() override { is_continued_ = true; }
+  void EndLoop() override {}
+
+  // A batch under way.
+  struct Batch {
+    openr::remote::RequestId id;
+    std::vector<RobotCommand> commands;
+  };
+
+  void TakeEvent(const openr::remote::Event& event);
+  void TakeSensors(const openr::remote::Sensors& sensors, uint32_t frame);
+  void TellMotion(int key_frame, bool is_over);
+  void TakeAnswers(bool waits);
+  void TakePicture();
+  void ShowLife();
+  void AddLights(RcCommand command, const char* kind, int count, Uint32 now, Uint32* sent,
+                 std::vector<RobotCommand>* commands) const;
+  void Send(const std::vector<RobotCommand>& commands);
+  std::string LocalMotion(const std::string& name) const;
+  std::string FetchMotion(const std::string& name);
+  void WarnOfRefusal(const std::string& text);
+  template <typename Function>
+  bool Guarded(const Function& function, std::string* refusal);
+
+  const openr::remote::Address address_;
+  const openr::remote::Options options_;
+  const std::string folder_;
+  const std::function<void()> on_step_;
+  openr::remote::Connection robot_;
+  const RobotConstants* const constants_;
+  ControllerCore core_;
+  JointCommands joints_;
+  std::deque<Batch> batches_;
+  std::unique_ptr<CameraFetcher> camera_;
+  std::exception_ptr failure_;
+
+  std::optional<BatchMoverCommand> wanted_;  // the joints as the controller wants them
+  // Positions that were refused as BUSY, by joint with the words for it.
+  std::vector<std::pair<int, std::string>> busy_;
+  Uint32 wanted_ears_ = 0;
+  Uint32 sent_leds_ = 0;  // as the controller has last commanded; at first all are off
+  Uint32 sent_ears_ = 0;
+  int state_ = -1;  // MoverState; -1: not heard of yet
+  int battery_percent_ = 0;
+  std::string playing_;      // file of the motion that plays for the controller; "": none
+  uint32_t play_frame_ = 0;  // frame of the answer to its MTN_PLAY
+  int step_ms_ = 0;          // of the lights sent last; 0: none since TakeStep()
+  int rounded_ms_ = 0;       // the time step whose rounding was reported last
+  bool is_continued_ = false;
+  std::chrono::steady_clock::time_point heard_{};   // time of the last event or answer
+  std::chrono::steady_clock::time_point warned_{};  // time of the last WarnOfRefusal()
+  openr::remote::RequestId life_ = 0;               // a request for a sign of life; 0: none
+};
+
+}  // namespace openr_host
