@@ -22,6 +22,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int kFrameMs = 8;
 constexpr std::chrono::milliseconds kSlice{50};  // at most so late Ctrl-C is noticed
+constexpr int kEventsAtOnce = 64;                // taken before answers are looked at
 // Number of frames after which they are counted from 0 again (docs/remote-control.md).
 constexpr uint32_t kFramesMax = 0x0ffffff1;
 
@@ -96,12 +97,17 @@ bool RemotePort::Guarded(const Function& function, std::string* refusal) {
 // ---- What the robot sends
 
 void RemotePort::ReceiveUntil(Clock::time_point deadline, const std::function<bool()>& is_ended) {
-  for (Clock::time_point now = Clock::now(); now < deadline && !is_ended(); now = Clock::now()) {
-    const auto event = robot_.NextEvent(std::min(deadline, now + kSlice));
+  // At least once, because a controller that is always late must receive values, too.
+  do {
+    auto event = robot_.NextEvent(std::min(deadline, Clock::now() + kSlice));
+    for (int i = 0; i < kEventsAtOnce && event; ++i) {
+      TakeEvent(*event);
+      event = robot_.NextEvent(Clock::time_point{});
+    }
     if (event) TakeEvent(*event);
     TakeAnswers(false);
     ShowLife();
-  }
+  } while (Clock::now() < deadline && !is_ended());
   TakePicture();
 }
 

@@ -142,6 +142,30 @@ int main(void) { robot_run(run); return 0; }
   EXPECT_LT(other.GetSensors().joints[1], -1400);
 }
 
+TEST_F(ControllerRunTest, AMotorIsSwitchedOffAndOnAgainWithThePosition) {
+  remote::Connection robot(RobotAddress());
+  const int mouth = robot.Find(rcdeviceJOINT, "mouth");
+  const auto controller = Start(R"(
+#define MOUTH robot_get_device("PRM:/r1/c1/c2/c3/c4-Joint2:j4")
+static int run(int ms) {
+  if (count == 0) servo_motor_off(MOUTH);
+  if (++count == 20) robot_console_printf("off\n");
+  if (count == 60) servo_set_position(MOUTH, -0.5f);
+  if (count > 60 && servo_get_position(MOUTH) < -0.45f) robot_run(0);
+  return 32;
+}
+int main(void) { robot_run(run); return 0; }
+)");
+  ASSERT_TRUE(controller->WaitForOutput("off\n")) << controller->Finish().err;
+  EXPECT_EQ(robot.GetGains(mouth).isOn, 0);
+  EXPECT_EQ(controller->Finish().status, 0) << controller->Finish().err;
+  EXPECT_EQ(robot.GetGains(mouth).isOn, 1);
+  using List = std::vector<std::pair<int, int>>;
+  List sent = proxy_.requests();
+  sent.erase(sent.begin(), sent.begin() + 2);  // INFO and SUBSCRIBE
+  EXPECT_EQ(sent, (List{{rcMOTOR_OFF, mouth}, {rcMOTOR_ON, mouth}, {rcMOVE, mouth}}));
+}
+
 TEST_F(ControllerRunTest, CtrlCEndsBothStylesByTheFunctionOfRobotDie) {
   for (const char* const source : {
            "static int run(int ms) { if (count++ == 3) robot_console_printf(\"runs\\n\");"
@@ -260,6 +284,24 @@ int main(void) { while (++count < 4) { usleep(100000); robot_step(32); } return 
 )");
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_THAT(result.err, HasSubstr("the time step of 32 ms cannot be held: this iteration took "));
+}
+
+TEST_F(ControllerRunTest, AControllerThatIsAlwaysLateReadsNewValues) {
+  const ProgramResult result = Run(R"(
+int main(void) {
+  float begin;
+  robot_step(32);
+  begin = servo_get_position(PAN);
+  do {
+    usleep(40000);
+    servo_set_position(PAN, begin > 0 ? -0.4f : 0.4f);
+    robot_step(8);
+  } while (servo_get_position(PAN) * (begin > 0 ? -1 : 1) < 0.35f);
+  return 0;
+}
+)");
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(proxy_.Count(rcMOVE), 1);
 }
 
 TEST_F(ControllerRunTest, MistakesOfAControllerAreSaid) {
