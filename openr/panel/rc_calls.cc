@@ -214,7 +214,9 @@ Json RcCalls::Upload(const Request& request, const Progress& progress) {
     throw std::runtime_error("'kind' must be motion or controller");
   }
   const size_t size = bytes->size();
-  robot_->Upload(file_kind, name, *bytes, progress);
+  robot_->Upload(file_kind, name, *bytes, [&progress](size_t sent, size_t whole) {
+    if (sent > 0) progress(sent, whole);
+  });
   return {{"name", name}, {"size", size}};
 }
 
