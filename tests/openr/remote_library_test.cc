@@ -4,6 +4,8 @@
 #include <netinet/in.h>
 #include <sys/socket.h>
 
+#include <thread>
+
 #include "openr/remote/log_reader.h"
 #include "tests/openr/rc_robot.h"
 
@@ -148,7 +150,7 @@ TEST_F(RemoteLibraryTest, ThePictureHasThreeBytesForAPixel) {
 // A socket that listens on a free port of loopback and takes no connection.
 class StalledServer {
  public:
-  StalledServer() : socket_(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+  StalledServer() : socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
     sockaddr_in address{};
     address.sin_family = AF_INET;
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
@@ -160,6 +162,9 @@ class StalledServer {
   }
   ~StalledServer() { close(socket_); }
   const remote::Address& address() const { return address_; }
+
+ protected:
+  int socket() const { return socket_; }
 
  private:
   const int socket_;
@@ -177,6 +182,62 @@ TEST(RemoteLibraryFaultsTest, AServerThatAnswersNothingTimesOut) {
     EXPECT_FALSE(error.LeavesConnection());
     EXPECT_NE(error.advice(), "");
     EXPECT_EQ(std::string(error.what()), error.text() + "; " + error.advice());
+  }
+}
+
+// Takes one connection and answers each request as a robot that serves version 1 only.
+class OldRobot : public StalledServer {
+ public:
+  OldRobot() : thread_([this] { Serve(); }) {}
+  ~OldRobot() { thread_.join(); }
+
+ private:
+  void Serve() const {
+    const int peer = accept(socket(), nullptr, nullptr);
+    RcFramer framer;
+    uint8_t bytes[RC_MAX_PACKET];
+    for (ssize_t n; (n = recv(peer, bytes, sizeof bytes, 0)) > 0;) {
+      framer.Take(bytes, static_cast<int>(n));
+      while (framer.Next() == RcFramer::PACKET) Answer(peer, framer.Header());
+    }
+    close(peer);
+  }
+
+  static void Answer(int peer, const RcHeader& request) {
+    uint8_t bytes[RC_MAX_PACKET];
+    RcWriter out(bytes, sizeof bytes);
+    for (int i = 0; i < RC_HEADER_SIZE; ++i) out.U8(0);
+    out.U32(8);
+    const bool is_old = request.version == RC_VERSION;
+    out.U16(is_old ? rcOK : rcerrorVERSION);
+    out.U16(0);
+    if (is_old) {
+      RcInfo info{};
+      info.design = "ERS-210";
+      info.Write(&out);
+    } else {
+      out.String("version 2 is not served");
+    }
+    out.PutHeader(request.command, request.tag);
+    (void)!write(peer, bytes, static_cast<size_t>(out.Size()));
+  }
+
+  std::thread thread_;
+};
+
+TEST(RemoteLibraryFaultsTest, ARobotOfVersionOneIsAskedInVersionOne) {
+  const OldRobot robot;
+  remote::Connection client(robot.address());
+  const remote::Info info = client.GetInfo();
+  EXPECT_EQ(info.design, "ERS-210");
+  EXPECT_FALSE(info.hasFiles);
+  try {
+    client.GetPower();
+    FAIL();
+  } catch (const remote::Error& error) {
+    EXPECT_EQ(error.status(), rcerrorVERSION);
+    EXPECT_TRUE(error.LeavesConnection());
+    EXPECT_NE(error.advice(), "");
   }
 }
 
