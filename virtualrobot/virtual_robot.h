@@ -53,6 +53,11 @@ class VirtualRobot : public RobotServices {
     return parts_.camera.TakePicture(parts_.frame, *parts_.body, picture);
   }
 
+  // Does the same for what the colour detection sees in it (see CameraDevice::TakeColours()).
+  std::string TakeColours(Picture* colours) {
+    return parts_.camera.TakeColours(parts_.frame, *parts_.body, colours);
+  }
+
   // Completes the file of the speaker at the end of the run.  Returns "", or an error "FILE: cannot
   // be written: reason".
   std::string CloseFiles() { return parts_.speaker.Close(); }

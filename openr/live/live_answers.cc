@@ -258,10 +258,13 @@ Json AnswerCamera(const Asked& asked) {
   const int robot = asked.robot();
   if (robot < 0 || robot >= static_cast<int>(robots.size()))
     return Error(fmt::format("there is no robot {}", robot));
-  if (asked.request.value("layer", "picture") != "picture")
-    return Error("only the layer 'picture' can be shown here");
+  const auto layer = asked.request.value("layer", std::string("picture"));
+  if (layer != "picture" && layer != "colour")
+    return Error(fmt::format("a layer is picture or colour, not '{}'", layer));
+  VirtualRobot& dog = *robots[static_cast<size_t>(robot)];
   Picture picture;
-  const std::string problem = robots[static_cast<size_t>(robot)]->TakePicture(&picture);
+  const std::string problem =
+      layer == "colour" ? dog.TakeColours(&picture) : dog.TakePicture(&picture);
   if (!problem.empty()) return Error(problem);
   const std::string png = render::EncodePng(picture.width, picture.height, picture.rgb);
   return {{"time_s", TimeOf(asked)},

@@ -1,6 +1,8 @@
 #include "virtualrobot/camera/camera.h"
 
 #include <algorithm>
+#include <bit>
+#include <vector>
 
 #include "runtime/base/hasher.h"
 #include "virtualrobot/frame_number.h"
@@ -18,6 +20,20 @@ constexpr int kGain[] = {0, kOne, kOne, 2 * kOne};         // for 0 dB, 0 dB and
 constexpr int kShutter[] = {0, 2 * kOne, kOne, kOne / 2};  // for 1/50, 1/100 and 1/200 s
 constexpr int kRed[] = {0, 207, 327, kOne};                // for 2800, 7000 and 4300 K
 constexpr int kBlue[] = {0, 317, 201, kOne};
+
+// The colours of the channels in a picture of layer C: they differ in lightness, too.
+constexpr std::array<std::array<uint8_t, 3>, ocdtNUM_CHANNELS> kChannelColours = {
+    {{255, 140, 0},
+     {90, 200, 255},
+     {255, 80, 160},
+     {255, 235, 60},
+     {40, 160, 90},
+     {70, 90, 220},
+     {170, 60, 200},
+     {240, 240, 240}}};
+
+// The bytes before the data in an image vector.
+constexpr size_t kHeadBytes = sizeof(ODataVectorInfo) + ofbkimageNUM_LAYERS * sizeof(OFbkImageInfo);
 
 bool Known(longword parameter) { return parameter >= 1 && parameter <= 3; }
 
@@ -107,13 +123,18 @@ CameraShot CameraDevice::ShotBefore(int64_t frame, const Body& body) const {
   return shot;
 }
 
-RCRegion* CameraDevice::FreeVector() {
-  if (RCRegion* const free = pool_.Free()) return free;
+// Returns the size of the data of all layers.
+size_t CameraDevice::DataBytes() const {
   size_t bytes = 0;
   for (OFbkImageLayer layer = 0; layer < ofbkimageNUM_LAYERS; ++layer)
     bytes += layers_.BytesOf(layer);
-  RCRegion* const region =
-      NewVectorRegion(odataFBKIMAGE_VECTOR, sizeof(OFbkImageInfo), ofbkimageNUM_LAYERS, bytes);
+  return bytes;
+}
+
+RCRegion* CameraDevice::FreeVector() {
+  if (RCRegion* const free = pool_.Free()) return free;
+  RCRegion* const region = NewVectorRegion(odataFBKIMAGE_VECTOR, sizeof(OFbkImageInfo),
+                                           ofbkimageNUM_LAYERS, DataBytes());
   pool_.Add(region);
   return region;
 }
@@ -121,7 +142,7 @@ RCRegion* CameraDevice::FreeVector() {
 // Fills in the infos of `vector`.  This is repeated for every image, because an object that
 // received the vector earlier may have overwritten the infos.
 void CameraDevice::FillInfos(longword frame_number, OFbkImageVectorData* vector) const {
-  size_t offset = sizeof(ODataVectorInfo) + ofbkimageNUM_LAYERS * sizeof(OFbkImageInfo);
+  size_t offset = kHeadBytes;
   for (OFbkImageLayer layer = 0; layer < ofbkimageNUM_LAYERS; ++layer) {
     OFbkImageInfo& info = *vector->GetInfo(static_cast<int>(layer));
     // The type with six bands is always correct, because recent system software always sends all
@@ -156,6 +177,36 @@ std::string CameraDevice::TakePicture(int64_t frame, const Body& body, Picture* 
   for (size_t i = 0; i < picture->rgb.size(); ++i)
     picture->rgb[i] = exposure_[i % exposure_.size()][picture->rgb[i]];
   return "";
+}
+
+std::string CameraDevice::TakeColours(int64_t frame, const Body& body, Picture* colours) {
+  if (tables_.empty()) return "no object has set a colour table (OPENR::SetCdtVectorData)";
+  Picture picture = picture_;
+  std::string problem = source_->Capture(ShotBefore(frame, body), &picture);
+  if (!problem.empty()) return problem;
+  // A vector in memory of our own, because regions belong to objects.
+  std::vector<byte> memory(kHeadBytes + DataBytes());
+  auto* const vector = reinterpret_cast<OFbkImageVectorData*>(memory.data());
+  FillInfos(0, vector);
+  layers_.Make(picture, exposure_, tables_, 0, vector);
+  const OFbkImageInfo& info = *vector->GetInfo(ofbkimageLAYER_C);
+  const byte* const pixels = memory.data() + info.dataOffset;
+  colours->width = static_cast<int>(info.width);
+  colours->height = static_cast<int>(info.height);
+  const auto count = static_cast<size_t>(colours->width) * static_cast<size_t>(colours->height);
+  const size_t tag_begin = count - static_cast<size_t>(colours->width);
+  colours->rgb.assign(count * 3, 0);
+  for (size_t i = 0; i < count; ++i) {
+    const bool is_tag = i >= tag_begin && i < tag_begin + ImageLayers::kTagBytes;
+    if (is_tag || pixels[i] == 0) continue;
+    const auto& colour = ColourOfChannel(std::countr_zero(pixels[i]));
+    std::copy(colour.begin(), colour.end(), &colours->rgb[i * 3]);
+  }
+  return "";
+}
+
+const std::array<uint8_t, 3>& CameraDevice::ColourOfChannel(int channel) {
+  return kChannelColours.at(static_cast<size_t>(channel));
 }
 
 void CameraDevice::SwitchOff() {

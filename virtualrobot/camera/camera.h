@@ -5,6 +5,8 @@
 #include <OPENR/OPrimitiveControl.h>
 #include <OPENR/RCRegion.h>
 
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -53,6 +55,13 @@ class CameraDevice {
   // picture.
   std::string TakePicture(int64_t frame, const Body& body, Picture* picture);
 
+  // Takes the same picture as the robot's colour detection sees it: layer C of the image, with the
+  // colour of ColourOfChannel() in each pixel in which a channel was detected, and black elsewhere.
+  // Returns "", or the reason why there is no picture.
+  std::string TakeColours(int64_t frame, const Body& body, Picture* colours);
+  // Returns the colour, red, green and blue, that stands for channel 0 to 7 in such a picture.
+  static const std::array<uint8_t, 3>& ColourOfChannel(int channel);
+
   // Sets the settings as they are at boot, and gives up the regions of all vectors.  REQUIRES: the
   // object that sends the vectors is the current object.
   void SwitchOff();
@@ -73,6 +82,7 @@ class CameraDevice {
   CameraShot ShotBefore(int64_t frame, const Body& body) const;
   void ChooseExposure();
   RCRegion* FreeVector();
+  size_t DataBytes() const;
   void FillInfos(longword frame_number, OFbkImageVectorData* vector) const;
 
   std::unique_ptr<ImageSource> source_;

@@ -8,7 +8,6 @@ namespace openr_host {
 namespace {
 
 constexpr int kFrequencyUnit = 16;  // unit of the pixel counts in a tag, in pixels
-constexpr int kTagSize = 16;        // size of a tag, in bytes
 constexpr OFbkImageLayer kColourLayers[] = {ofbkimageLAYER_H, ofbkimageLAYER_M, ofbkimageLAYER_L};
 
 byte Offset(int value) { return static_cast<byte>(std::clamp(value + 128, 0, 255)); }
@@ -20,7 +19,7 @@ int Luminance(int r, int g, int b) { return (77 * r + 150 * g + 29 * b) >> 8; }
 // Writes the tag: the field counter, then a byte per channel (4 to 7, then 0 to 3) that counts the
 // pixels in which the channel was detected, in units of 16 pixels.
 void WriteTag(word field_counter, const std::array<int, ocdtNUM_CHANNELS>& counts, byte* tag) {
-  std::fill_n(tag, kTagSize, byte{0});
+  std::fill_n(tag, ImageLayers::kTagBytes, byte{0});
   tag[0] = static_cast<byte>(field_counter & 0xff);
   tag[1] = static_cast<byte>(field_counter >> 8);
   for (size_t channel = 0; channel < ocdtNUM_CHANNELS; ++channel) {
@@ -36,7 +35,8 @@ ImageLayers::ImageLayers(int width, int height)
       height_(height),
       luminance_(static_cast<size_t>(width) * static_cast<size_t>(height)) {
   ASSERT(width % 8 == 0 && height % 8 == 0, "{} x {}", width, height);
-  ASSERT(WidthOf(ofbkimageLAYER_C) >= kTagSize, "no room for the tag in {} pixels", width);
+  ASSERT(WidthOf(ofbkimageLAYER_C) >= ImageLayers::kTagBytes, "no room for the tag in {} pixels",
+         width);
 }
 
 int ImageLayers::WidthOf(OFbkImageLayer layer) const {

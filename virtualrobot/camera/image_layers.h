@@ -39,6 +39,7 @@ class ImageLayers {
   ImageLayers(int width, int height);
 
   static constexpr size_t kBands = 6;
+  static constexpr int kTagBytes = 16;         // see Make()
   size_t BytesOf(OFbkImageLayer layer) const;  // size of the layer's data
   int WidthOf(OFbkImageLayer layer) const;
   int HeightOf(OFbkImageLayer layer) const;

@@ -238,6 +238,8 @@ TEST_F(ImageTest, SomebodyOutsideSeesTheSameWithItsSettings) {
   EXPECT_FALSE(robot->ImageIsDue());
   source->problem = "a.png: cannot be read";
   EXPECT_EQ(robot->TakePicture(&picture), "a.png: cannot be read");
+  EXPECT_EQ(robot->TakeColours(&picture),
+            "no object has set a colour table (OPENR::SetCdtVectorData)");
 }
 
 // Colours and sides are those of the vector that objects get of the same image.
@@ -372,6 +374,23 @@ TEST_F(PatternTest, ThePinkBallOfTheTestPatternIsFoundByColour) {
   ASSERT_EQ(places.size(), 25u);
   EXPECT_LT(places.front(), 15);
   EXPECT_GT(places.back(), 40);
+
+  // Somebody outside sees the same pixels.
+  Picture colours;
+  EXPECT_EQ(robot->TakeColours(&colours), "");
+  OFbkImage detected = viewer->Band(ofbkimageLAYER_C, ofbkimageBAND_CDT);
+  ASSERT_EQ(colours.width, detected.Width());
+  ASSERT_EQ(colours.height, detected.Height());
+  const auto& pink = CameraDevice::ColourOfChannel(0);
+  for (int y = 0; y < detected.Height(); ++y) {
+    for (int x = y < detected.Height() - 1 ? 0 : ImageLayers::kTagBytes; x < detected.Width();
+         ++x) {
+      const bool is_ball = (detected.Pixel(x, y) & ocdtCHANNEL0) != 0;
+      const uint8_t* const rgb = colours.At(x, y);
+      ASSERT_EQ(rgb[0] == pink[0] && rgb[1] == pink[1] && rgb[2] == pink[2], is_ball)
+          << x << " " << y;
+    }
+  }
 }
 
 TEST_F(ImageTest, SetCdtVectorDataSaysWhatIsWrong) {
