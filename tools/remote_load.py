@@ -1,0 +1,298 @@
+#!/usr/bin/env python3
+"""Lets eight clients of the remote control send 100 commands per second of virtual time each.
+
+    remote_load.py --build build/release [--seconds 600] [--seed 1] [--keep FOLDER]
+
+The run goes on in steps of 5 frames (40 ms of virtual time).  Before each step every client sends 4
+commands, so the load does not depend on how fast the machine is.  Each command must get its answer,
+in order and within the step.  All clients have subscribed to events meanwhile, and a ninth client
+is turned away.  At the end the memory of the run is compared, and its recording is replayed.  The
+last line is "N passed, N failed".
+
+A failed check can be seen again with the same seed; --keep leaves the recording in FOLDER.
+"""
+import argparse
+import collections
+import pathlib
+import random
+import struct
+import sys
+import tempfile
+import time
+
+import remote_run as rc
+
+CLIENTS = 8
+STEP_FRAMES, STEP_COMMANDS = 5, 4
+STEPS_PER_SECOND = 25
+IDLE_SECONDS = 10  # after so long a silent ninth client is told that there is no place
+WARM_UP_STEPS = 5 * STEPS_PER_SECOND
+# The memory of a run does not depend on the number of commands.  Over 600 s and 480,000 commands it
+# grew by less than 1 MiB.  A leak of the smallest answer, 16 bytes, would be 7.3 MiB.
+GROWTH_KB = 4096
+
+Expected = collections.namedtuple("Expected", "version command tag status size step")
+Stream = collections.namedtuple("Stream", "tag size")
+# The payload of the answer to SENSORS, of the ERS-210: counts, 18 + 6 + 7 + 2 + 1 values.
+SENSORS_SIZE = 8 + 4 * 34
+# Streams and the smallest payload of their events: sensor values; set values, with an empty name.
+STREAM_SIZES = {0: 4 + SENSORS_SIZE, 1: 4 + 8 + 4 + 1 + 2 * 4 * 18}
+# Smallest and largest angle that is commanded, in degrees: joints of head, mouth and tail.
+ANGLES = {0: (-70, 40), 1: (-80, 80), 2: (-25, 25), 3: (-40, -5), 16: (-20, 20), 17: (-20, 20)}
+
+
+class LoadClient(rc.Client):
+    """A client of the load: makes commands, and compares answers with what it has asked."""
+
+    def __init__(self, port, dice):
+        super().__init__(port)
+        self.dice = dice
+        self.expected = collections.deque()
+        self.held = b""  # the end of a packet, which is sent with the next step
+        self.streams = {}  # the subscriptions for which answers have come
+        self.asked_streams = collections.deque()
+        self.answered = self.events = self.late = 0
+        self.wrong = []
+
+    # ---- Commands: each returns version, command, payload, status and size of the answer's payload.
+
+    def move(self):
+        joint, (low, high) = self.dice.choice(list(ANGLES.items()))
+        value = self.dice.randint(100 * low, 100 * high)
+        return 1, rc.MOVE, struct.pack("<Bi", joint, value), rc.STATUS_OK, 4
+
+    def speed(self):
+        joint = self.dice.choice(list(ANGLES))
+        return 1, rc.SPEED, struct.pack("<Bi", joint, self.dice.randint(3000, 20000)), rc.STATUS_OK, 4
+
+    def get(self):
+        return self.dice.choice([1, 2]), rc.GET, bytes([self.dice.randrange(18)]), rc.STATUS_OK, 12
+
+    def sensors(self):
+        return 1, rc.SENSORS, b"", rc.STATUS_OK, SENSORS_SIZE
+
+    def led(self):
+        return 1, rc.LED, bytes([self.dice.randrange(9), self.dice.randrange(2)]), rc.STATUS_OK, 1
+
+    def power(self):
+        return 2, rc.POWER, b"", rc.STATUS_OK, 20
+
+    def batch(self):
+        parts = [self.dice.choice([self.move, self.speed, self.get, self.led])()
+                 for _ in range(self.dice.randint(1, 8))]
+        payload = b"".join(rc.packet(command, data, i, version)
+                           for i, (version, command, data, _, _) in enumerate(parts))
+        return 2, rc.BATCH, payload, rc.STATUS_OK, sum(rc.ANSWER.size + part[4] for part in parts)
+
+    def subscribe(self):
+        stream = self.dice.randrange(2)
+        self.asked_streams.append(stream)
+        period = 4 * self.dice.randint(1, 10)
+        return 2, rc.SUBSCRIBE, struct.pack("<BH", stream, period), rc.STATUS_OK, 2
+
+    def unsubscribe(self):
+        stream = self.dice.randrange(2)
+        self.asked_streams.append(stream)
+        return 2, rc.UNSUBSCRIBE, bytes([stream]), rc.STATUS_OK, 0
+
+    def refused(self):
+        """A command that is refused, with a text of any length."""
+        return self.dice.choice([(1, rc.GET, b"\x63", rc.STATUS_NO_SUCH_DEVICE, None),
+                                 (2, rc.MOVE, b"\x01", rc.STATUS_MALFORMED, None),
+                                 (1, rc.POWER, b"", rc.STATUS_UNKNOWN_COMMAND, None)])
+
+    KINDS = {"move": 30, "speed": 10, "get": 20, "sensors": 10, "led": 10, "power": 5, "batch": 8,
+             "subscribe": 3, "unsubscribe": 1, "refused": 3}  # with how often of 100
+
+    def send_commands(self, step, is_last):
+        """Sends the commands of a step, now and then without the last bytes."""
+        data = self.held
+        for kind in self.dice.choices(list(self.KINDS), self.KINDS.values(), k=STEP_COMMANDS):
+            version, command, payload, status, size = getattr(self, kind)()
+            tag = next(self.tags) % 0x10000
+            data += rc.packet(command, payload, tag, version)
+            self.expected.append(Expected(version, command, tag, status, size, step))
+        cut = len(data)
+        if not is_last and self.dice.random() < 0.1:
+            cut -= self.dice.randint(1, 7)  # less than any packet has
+            self.expected[-1] = self.expected[-1]._replace(step=step + 1)
+        self.held = data[cut:]
+        self.send(data[:cut])
+
+    # ---- Answers
+
+    def receive(self, step):
+        """Compares what has come during a step; acknowledges events."""
+        if self.is_closed:
+            return
+        acknowledges = False
+        for answer in self.take(wait=False):
+            if answer.command == rc.EVENT:
+                acknowledges = True
+                self.compare_event(answer)
+            else:
+                self.compare(answer, step)
+        if acknowledges and not self.held:
+            self.send(rc.packet(rc.EVENT))
+
+    def compare(self, answer, step):
+        if not self.expected:
+            self.wrong.append(f"{answer} answers nothing")
+            return
+        asked = self.expected.popleft()
+        self.answered += 1
+        self.late += step > asked.step
+        is_good = answer[:3] == asked[:3] and answer.status == asked.status
+        if is_good and asked.size is not None:
+            is_good = len(answer.payload) == asked.size
+        if is_good and answer.command == rc.BATCH:
+            is_good = self.is_good_batch(answer.payload)
+        if not is_good:
+            self.wrong.append(f"{answer} answers {asked}")
+        if answer.command in (rc.SUBSCRIBE, rc.UNSUBSCRIBE) and is_good:
+            stream = self.asked_streams.popleft()
+            self.streams.pop(stream, None)
+            if answer.command == rc.SUBSCRIBE:
+                self.streams[stream] = Stream(answer.tag, STREAM_SIZES[stream])
+
+    @staticmethod
+    def is_good_batch(payload):
+        """Whether all parts are answers with status 0 and tags 0, 1, 2 and so on."""
+        at = number = 0
+        while at < len(payload):
+            _, size, _, _, tag, _, status, _ = rc.ANSWER.unpack_from(payload, at)
+            if tag != number or status != rc.STATUS_OK:
+                return False
+            at += size
+            number += 1
+        return True
+
+    def compare_event(self, event):
+        self.events += 1
+        stream = self.streams.get(event.payload[0]) if event.payload else None
+        if stream is None or event.tag != stream.tag or event.status != rc.STATUS_OK \
+                or len(event.payload) < stream.size:
+            self.wrong.append(f"{event} belongs to none of {self.streams}")
+
+
+class NinthClient:
+    """Connects while all places are taken, with a request or silently."""
+
+    def __init__(self, port, asks):
+        self.asks = asks
+        self.client = rc.Client(port)
+        self.answers = []
+        self.steps = 0
+        if asks:
+            self.client.send(rc.packet(rc.INFO, tag=4711))
+
+    def receive(self):
+        if not self.client.is_closed:
+            self.answers += self.client.take(wait=False)
+            self.steps += 1
+
+    def why_wrong(self):
+        """What differs from docs/remote-control.md; empty: nothing."""
+        head = (2, rc.INFO, 4711) if self.asks else (1, 0, 0)
+        if len(self.answers) != 1 or not self.client.is_closed:
+            return f"got {self.answers}, {'closed' if self.client.is_closed else 'not closed'}"
+        answer = self.answers[0]
+        if answer[:3] != head or answer.status != rc.STATUS_BUSY \
+                or "all 8 places are taken" not in rc.error_text(answer):
+            return str(answer)
+        if not self.asks and self.steps < IDLE_SECONDS * STEPS_PER_SECOND:
+            return f"was told unasked after {self.steps} steps"
+        return ""
+
+
+def step_run(run, time_s):
+    """Lets the run go on for a step, and waits for its end."""
+    until_s = time_s + STEP_FRAMES * 0.008
+    time_s = run.clock(step="frame", count=STEP_FRAMES)["time_s"]
+    while time_s < until_s - 0.001:
+        time_s = run.clock()["time_s"]
+    return time_s
+
+
+def load(run, clients, steps):
+    """Sends all commands; returns memory after the warm-up, virtual time and the ninth clients."""
+    ninths = []
+    memory_kb = 0
+    begin_s = time_s = run.clock(pause=True)["time_s"]
+    for step in range(steps):
+        if step == WARM_UP_STEPS:
+            memory_kb = run.memory_kb()
+        if step in (steps // 8, steps // 4):
+            ninths.append(NinthClient(run.port, asks=step == steps // 8))
+        for client in clients:
+            client.send_commands(step, step == steps - 1)
+        time_s = step_run(run, time_s)
+        for client in clients:
+            client.receive(step)
+        for ninth in ninths:
+            ninth.receive()
+    return memory_kb, time_s - begin_s, ninths
+
+
+def check(run, seconds, seed, checks):
+    clients = [LoadClient(run.port, random.Random(f"{seed}/{i}")) for i in range(CLIENTS)]
+    for client in clients:
+        run.wait_until_standing(client)
+    steps = seconds * STEPS_PER_SECOND
+    begin = time.monotonic()
+    begin_kb, virtual_s, ninths = load(run, clients, steps)
+    wall_s = time.monotonic() - begin
+    growth_kb = run.memory_kb() - begin_kb
+    count = steps * STEP_COMMANDS
+    for number, client in enumerate(clients):
+        checks.check(f"client {number}: {client.answered} answers to {count} commands",
+                     client.answered == count and not client.expected)
+        checks.check(f"client {number}: answers as asked and events as subscribed", not client.wrong,
+                     f"{len(client.wrong)} are wrong, the first: {' '.join(client.wrong[:1])}")
+        checks.check(f"client {number}: answers within their step", client.late == 0,
+                     f"{client.late} came later")
+        checks.check(f"client {number}: is not closed", not client.is_closed)
+        checks.check(f"client {number}: gets events", client.events > 0)
+    checks.check(f"the load lasts {seconds} s of virtual time", abs(virtual_s - seconds) < 0.001,
+                 f"it lasted {virtual_s:.3f} s")
+    for ninth in ninths:
+        name = "that asks" if ninth.asks else "that is silent"
+        checks.check(f"a ninth client {name} is turned away", not ninth.why_wrong(), ninth.why_wrong())
+    checks.check(f"the memory grows by at most {GROWTH_KB} KiB", growth_kb <= GROWTH_KB,
+                 f"it grew by {growth_kb} KiB")
+    events = sum(client.events for client in clients)
+    print(f"figures: {CLIENTS} clients, {CLIENTS * count} commands and {events} events in "
+          f"{virtual_s:.0f} s of virtual time and {wall_s:.0f} s; memory {begin_kb} KiB after "
+          f"{WARM_UP_STEPS // STEPS_PER_SECOND} s, {growth_kb:+} KiB at the end", flush=True)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--build", required=True, type=pathlib.Path)
+    parser.add_argument("--seconds", type=int, default=20, help="of virtual time, at least 16")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--keep", type=pathlib.Path, help="new folder for stick, recording and report")
+    flags = parser.parse_args()
+    if flags.seconds < 16:
+        parser.error("--seconds is at least 16: a silent ninth client needs 10 s")
+    checks = rc.Checks()
+    with tempfile.TemporaryDirectory(prefix="openr-load-") as scratch:
+        folder = flags.keep or pathlib.Path(scratch)
+        folder.mkdir(parents=True, exist_ok=True)
+        run = rc.Run(flags.build.resolve() / "bin/openr", folder, "--rate", "max")
+        try:
+            check(run, flags.seconds, flags.seed, checks)
+            run.clock(pause=False)
+            why = run.end()
+            checks.check("the run ends as the pause button asks", not why, why)
+            messages, why = run.replay()
+            checks.check("the recording replays to equal hashes", not why, why)
+            print(f"figures: {messages} messages replayed, recording "
+                  f"{(folder / 'run.rec').stat().st_size >> 20} MiB, seed {flags.seed}")
+        finally:
+            run.kill()
+    return checks.sum()
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,209 @@
+"""What the checks of the remote control share: a run that is recorded, and a client.
+
+The protocol is docs/remote-control.md.  Limits in seconds are there so that a check ends when the
+run hangs; no check depends on them.
+"""
+import collections
+import itertools
+import json
+import os
+import pathlib
+import re
+import select
+import signal
+import socket
+import struct
+import subprocess
+import time
+
+INFO, DESCRIBE, BATCH, GET, MOVE, SPEED, LED = 0x01, 0x02, 0x03, 0x10, 0x11, 0x12, 0x20
+SENSORS, POWER, SUBSCRIBE, UNSUBSCRIBE, EVENT = 0x30, 0x31, 0x32, 0x33, 0x3F
+UPLOAD_BEGIN, UPLOAD_DATA, UPLOAD_END = 0x50, 0x51, 0x52
+STATUS_OK, STATUS_UNKNOWN_COMMAND, STATUS_MALFORMED, STATUS_NO_SUCH_DEVICE, STATUS_BUSY = 0, 3, 5, 6, 7
+READY = 6  # state of JointMover in which the robot stands and plays nothing
+HANG_S = 300
+REQUEST = struct.Struct("<2sHBBH")
+ANSWER = struct.Struct("<2sHBBHIHH")
+ADDRESS = re.compile(r"openr rc 127\.0\.0\.1:(\d+) info")
+
+Answer = collections.namedtuple("Answer", "version command tag frame status payload")
+
+
+def packet(command, payload=b"", tag=0, version=2):
+    """The bytes of a request."""
+    return REQUEST.pack(b"RC", REQUEST.size + len(payload), version, command, tag) + payload
+
+
+def error_text(answer):
+    return answer.payload[1:].decode("ascii", "replace")
+
+
+class Refused(Exception):
+    """An answer whose status is not 0."""
+
+
+class Client:
+    """A connection: bytes out, answers and events in."""
+
+    def __init__(self, port):
+        self.socket = socket.create_connection(("127.0.0.1", port), HANG_S)
+        self.socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        self.bytes = b""
+        self.is_closed = False
+        self.tags = itertools.count()
+
+    def send(self, data):
+        self.socket.sendall(data)
+
+    def take(self, wait):
+        """Reads what has come, or with `wait` until something comes; returns whole packets."""
+        if not select.select([self.socket], [], [], HANG_S if wait else 0)[0]:
+            if wait:
+                raise TimeoutError(f"no answer within {HANG_S} s")
+            return []
+        try:
+            more = self.socket.recv(1 << 16)
+        except ConnectionResetError:
+            more = b""
+        self.is_closed = not more
+        self.bytes += more
+        return self.split()
+
+    def split(self):
+        """Takes the whole packets out of the bytes that have come."""
+        found, at = [], 0
+        while len(self.bytes) - at >= ANSWER.size:
+            magic, size, version, command, tag, frame, status, zero = ANSWER.unpack_from(self.bytes, at)
+            if magic != b"RC" or not ANSWER.size <= size <= 1024 or zero != 0:
+                raise ValueError(f"no answer: {self.bytes[at:at + 16].hex(' ')}")
+            if len(self.bytes) - at < size:
+                break
+            payload = self.bytes[at + ANSWER.size:at + size]
+            found.append(Answer(version, command, tag, frame, status, payload))
+            at += size
+        self.bytes = self.bytes[at:]
+        return found
+
+    def ask_all(self, requests):
+        """Sends requests (command, payload) at once; returns the answers, which must be good."""
+        tags = [next(self.tags) % 0x10000 for _ in requests]
+        self.send(b"".join(packet(*request, tag) for request, tag in zip(requests, tags)))
+        answers = []
+        while len(answers) < len(requests):
+            answers += self.take(wait=True)
+            if self.is_closed:
+                raise ConnectionError("the robot closed the connection")
+        for answer, (command, _), tag in zip(answers, requests, tags):
+            if (answer.command, answer.tag) != (command, tag):
+                raise ValueError(f"{answer} answers command {command:#x} with tag {tag}")
+            if answer.status != STATUS_OK:
+                raise Refused(f"command {command:#x}: status {answer.status}, {error_text(answer)}")
+        return answers
+
+    def ask(self, command, payload=b""):
+        return self.ask_all([(command, payload)])[0]
+
+    def close(self):
+        self.socket.close()
+
+
+class Run:
+    """openr run on a stick of its own, recorded, with a battery that lasts."""
+
+    def __init__(self, openr, folder, *flags):
+        self.openr, self.folder = str(openr), pathlib.Path(folder)
+        self.stick = self.folder / "stick"
+        self.said = self.folder / "run.txt"
+        # The socket of the run, NAME.PROCESS, is in this folder.
+        self.environment = {**os.environ, "XDG_RUNTIME_DIR": str(self.folder)}
+        subprocess.run([self.openr, "stick", "host", "-o", str(self.stick)], check=True,
+                       stdout=subprocess.DEVNULL)
+        command = [self.openr, "run", "--stick", str(self.stick), "--body", "ideal", "--battery", "100%",
+                   "--rc-port", "0", "--no-panel", "--run-name", "check", *flags, "--record",
+                   str(self.folder / "run.rec"), "--report", str(self.folder / "report.json"),
+                   "--console", str(self.folder / "console.txt")]
+        with self.said.open("w") as stream:
+            self.process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=stream,
+                                            stderr=stream, env=self.environment)
+        self.port = self.wait_for_port()
+        self.control = None
+
+    def wait_for_port(self):
+        end = time.monotonic() + HANG_S
+        while time.monotonic() < end and self.process.poll() is None:
+            found = ADDRESS.search(self.said.read_text(errors="replace"))
+            if found:
+                return int(found[1])
+            time.sleep(0.01)
+        raise RuntimeError("the run has no remote control:\n" + self.said.read_text(errors="replace"))
+
+    def wait_until_standing(self, client):
+        while client.ask(SENSORS).payload[5] != READY:
+            pass
+
+    def clock(self, **request):
+        """Asks for the clock of the run, after a change of it (inputs.md, "The socket of a run")."""
+        if self.control is None:
+            sockets = list((self.folder / "openr-host").glob("*.*"))
+            self.control = socket.socket(socket.AF_UNIX)
+            self.control.settimeout(HANG_S)
+            self.control.connect(str(sockets[0]))
+            self.lines = self.control.makefile("rwb")
+        self.lines.write(json.dumps({"do": "clock", **request}).encode() + b"\n")
+        self.lines.flush()
+        return json.loads(self.lines.readline())
+
+    def memory_kb(self):
+        """The resident memory of the run."""
+        status = pathlib.Path(f"/proc/{self.process.pid}/status").read_text()
+        return int(re.search(r"VmRSS:\s+(\d+) kB", status)[1])
+
+    def end(self):
+        """Presses the pause button; returns what is wrong with the end of the run."""
+        if self.process.poll() is None:
+            self.process.send_signal(signal.SIGINT)
+        try:
+            status = self.process.wait(HANG_S)
+        except subprocess.TimeoutExpired:
+            self.kill()
+            return f"the run has not ended {HANG_S} s after the pause button"
+        if status != 0:
+            return f"the run ended with status {status}"
+        report = json.loads((self.folder / "report.json").read_text())
+        errors = [finding["text"] for finding in report["findings"] if finding["severity"] == "error"]
+        if report["ended_by"] != "pause" or errors:
+            return f"the run was ended by {report['ended_by']}; errors: {errors}"
+        return ""
+
+    def kill(self):
+        if self.process.poll() is None:
+            self.process.kill()
+        self.process.wait()
+
+    def replay(self):
+        """Replays the recording; returns its messages, and what is wrong."""
+        done = subprocess.run([self.openr, "replay", str(self.folder / "run.rec"), "--json"],
+                              stdout=subprocess.PIPE, text=True, env=self.environment, check=False)
+        try:
+            answer = json.loads(done.stdout)
+        except ValueError:
+            return 0, f"openr replay has no answer, status {done.returncode}: {done.stdout}"
+        is_good = done.returncode == 0 and answer.get("equal") and answer.get("at_end")
+        return answer.get("messages", 0), "" if is_good else f"the replay differs: {done.stdout}"
+
+
+class Checks:
+    """Counts checks; prints those that failed, and the sum."""
+
+    def __init__(self):
+        self.passed = self.failed = 0
+
+    def check(self, name, is_good, why=""):
+        self.passed += bool(is_good)
+        self.failed += not is_good
+        if not is_good:
+            print(f"failed: {name}" + (f": {why}" if why else ""), flush=True)
+
+    def sum(self):
+        print(f"{self.passed} passed, {self.failed} failed")
+        return 1 if self.failed else 0
