@@ -183,27 +183,11 @@ class Run:
     def replay(self):
         """Replays the recording; returns its messages, and what is wrong."""
         done = subprocess.run([self.openr, "replay", str(self.folder / "run.rec"), "--json"],
-                              stdout=subprocess.PIPE, text=True, env=self.environment, check=False)
+                              stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
+                              env=self.environment, check=False)
         try:
             answer = json.loads(done.stdout)
         except ValueError:
             return 0, f"openr replay has no answer, status {done.returncode}: {done.stdout}"
         is_good = done.returncode == 0 and answer.get("equal") and answer.get("at_end")
         return answer.get("messages", 0), "" if is_good else f"the replay differs: {done.stdout}"
-
-
-class Checks:
-    """Counts checks; prints those that failed, and the sum."""
-
-    def __init__(self):
-        self.passed = self.failed = 0
-
-    def check(self, name, is_good, why=""):
-        self.passed += bool(is_good)
-        self.failed += not is_good
-        if not is_good:
-            print(f"failed: {name}" + (f": {why}" if why else ""), flush=True)
-
-    def sum(self):
-        print(f"{self.passed} passed, {self.failed} failed")
-        return 1 if self.failed else 0
