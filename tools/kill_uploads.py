@@ -37,11 +37,14 @@ MOTION, IMAGE = 0, 1  # kinds of files
 NAMES = {MOTION: "KILLED.MTN", IMAGE: "CONTROLL.BIN"}
 FOLDERS = {MOTION: "OPEN-R/MW/DATA/P", IMAGE: "OPEN-R/MW/OBJS"}
 DATA_SIZE = 1012  # the most data of one UPLOAD_DATA
-# The robot reads 1024 bytes a frame.  A dead client can have left 400 KB in the buffers of the
-# network; the largest upload here is 130 KB.  10 s of the robot's clock are enough for both.
-END_FRAMES_MAX = 1250
+# A dead client can have left its whole upload in the buffers of the network, and the robot takes
+# 16 KB of a client in a frame: 40 frames for the largest upload here.  Since the run does not wait
+# for this process, a connection counts as left open only when it is there for 10 s of the robot's
+# clock and in so many looks.
+END_FRAMES_MAX, END_LOOKS_MIN = 1250, 300
 WRONG_ANSWER = 3  # exit status of a client of this file
-RATE = "20"  # virtual seconds per second: 130 KB take 52 ms
+RATE = "20"  # virtual seconds per second
+SIZES = (3000, 60000, 600000)  # bytes behind the beginning of a motion or an image, at most
 
 WHOLE = "the file is always the old or the new one"
 DONE = "an upload that has succeeded is on the stick"
@@ -217,8 +220,7 @@ class Rounds:
             self.wrong[name].append(line)
 
     def make_data(self, dice, kind):
-        most = 60000 if kind == MOTION else 110000
-        return self.bases[kind] + dice.randbytes(dice.choice([dice.randint(1, 3000), dice.randint(1, most)]))
+        return self.bases[kind] + dice.randbytes(dice.randint(1, dice.choice(SIZES)))
 
     def other_files(self):
         """Name and CRC of all files that no upload may touch, with what should not be there."""
@@ -295,10 +297,12 @@ class Rounds:
     def wait_for_ends(self, children):
         """Until the run has closed the connections of the dead."""
         begin = frame = self.ask_others()
+        looks = 0
         while server_sockets(self.run) != self.quiet_sockets:
             self.look(children)
             frame = self.ask_others()
-            if frame - begin > END_FRAMES_MAX:
+            looks += 1
+            if frame - begin > END_FRAMES_MAX and looks > END_LOOKS_MIN:
                 self.fail(ENDS, f"sockets {server_sockets(self.run)}, {self.quiet_sockets} before")
                 break
         self.slowest_end = max(self.slowest_end, frame - begin)
