@@ -181,8 +181,13 @@ void Rewind::UpdateMemory() {
   for (const Checkpoint& checkpoint : checkpoints_) memory_bytes_ += MemoryOf(checkpoint.process);
 }
 
+const std::string& Rewind::WhyNot() const {
+  if (!parts_.why_not.empty()) return parts_.why_not;
+  return trouble_.empty() ? refusal_ : trouble_;
+}
+
 nlohmann::ordered_json Rewind::Status() {
-  const std::string& why = parts_.why_not.empty() ? trouble_ : parts_.why_not;
+  const std::string& why = WhyNot();
   nlohmann::ordered_json status = {{"possible", why.empty()},
                                    {"why", why},
                                    {"from_s", nullptr},
@@ -222,8 +227,7 @@ std::string Rewind::ShowMessage(uint64_t count) {
 // Shows the moment `target`, for which `checkpoint` is the last checkpoint.  Returns "" or an
 // error.
 std::string Rewind::Show(Checkpoint* checkpoint, const Json& target) {
-  if (!parts_.why_not.empty() || !trouble_.empty())
-    return "this run cannot be rewound: " + (trouble_.empty() ? parts_.why_not : trouble_);
+  if (!WhyNot().empty()) return "this run cannot be rewound: " + WhyNot();
   if (checkpoint == nullptr)
     return checkpoints_.empty() ? "there is no checkpoint yet; checkpoints are taken while a "
                                   "client watches the run"
