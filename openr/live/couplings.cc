@@ -19,9 +19,8 @@ constexpr size_t kAddressMax = 255;
 nlohmann::ordered_json Couplings::Answer(uint64_t client, const nlohmann::json& request) {
   const int robot = request.value("robot", 0);
   const std::string with = request.value("with", "");
-  std::erase_if(all_, [&](const Coupling& each) {
-    return each.client == client && each.robot == robot;
-  });
+  std::erase_if(all_,
+                [&](const Coupling& each) { return each.client == client && each.robot == robot; });
   const std::string problem = with.empty() ? "" : Begin({client, robot, with});
   Update();
   if (!problem.empty()) return {{"error", problem}};
@@ -32,7 +31,8 @@ nlohmann::ordered_json Couplings::Answer(uint64_t client, const nlohmann::json& 
 std::string Couplings::Begin(const Coupling& coupling) {
   if (coupling.with.size() > kAddressMax) return "the address is too long";
   if (rewind_->shows_past()) {
-    return "a moment of the past is shown, and a second robot cannot go back: go to the present, or "
+    return "a moment of the past is shown, and a second robot cannot go back: go to the present, "
+           "or "
            "go on from here, first";
   }
   for (const Coupling& other : all_) {
@@ -56,10 +56,10 @@ void Couplings::Forget() {
 }
 
 void Couplings::Update() {
-  rewind_->Refuse(all_.empty()
-                      ? ""
-                      : fmt::format("the robot at {} is connected, and cannot go back with it",
-                                    all_[0].with));
+  rewind_->Refuse(
+      all_.empty()
+          ? ""
+          : fmt::format("the robot at {} is connected, and cannot go back with it", all_[0].with));
   // A free run keeps its rate.
   if (all_.empty() == !is_paced_ || clock_->is_fixed()) return;
   is_paced_ = !all_.empty();

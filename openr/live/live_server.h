@@ -32,8 +32,8 @@ class LiveServer {
   using Answer = std::function<nlohmann::ordered_json(const nlohmann::json& request)>;
 
   // Makes the socket of this run.  `events`, which must outlive the server, makes the events; null:
-  // nobody can watch.  `couplings` must outlive the server, too; null: there is no request "couple".
-  // Throws std::runtime_error if the socket cannot be made.
+  // nobody can watch.  `couplings` must outlive the server, too; null: there is no request
+  // "couple". Throws std::runtime_error if the socket cannot be made.
   LiveServer(const std::string& name, Answer answer, LiveEvents* events,
              Couplings* couplings = nullptr);
   // Removes the socket.

@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <map>
 #include <stdexcept>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -254,9 +257,46 @@ Json RcCalls::Upload(const Request& request, const Progress& progress) {
     throw std::runtime_error("'kind' must be motion or controller");
   }
   const size_t size = bytes->size();
+  const bool plays = file_kind == rcfileMOTION && request.contains("loops");
+  if (plays) name = FreeName();
   UploadFile(client_.get(), file_kind, name, *bytes,
              [&progress, size](size_t sent) { progress(sent, size); });
+  if (plays) return PlayAndDelete({{"name", name}, {"loops", request["loops"]}});
   return {{"name", name}, {"size", size}};
+}
+
+// Returns a name for a file that is on the stick only while its motion begins.
+std::string RcCalls::FreeName() {
+  uint32_t frame = 0;
+  const std::vector<RcListEntry> motions = ListMotions(Client(RC_VERSION_FILES), &frame);
+  for (int i = 0; i <= 99; ++i) {
+    std::string name = fmt::format("PANEL{}.MTN", i);
+    if (std::none_of(motions.begin(), motions.end(),
+                     [&](const RcListEntry& motion) { return motion.name == name; }))
+      return name;
+  }
+  throw std::runtime_error("the stick has all motions from PANEL0.MTN to PANEL99.MTN already");
+}
+
+// Plays a motion, and deletes its file as soon as JointMover has read it.
+Json RcCalls::PlayAndDelete(const Request& request) {
+  const RcFileName name = {rcfileMOTION, request.at("name").get<std::string>()};
+  Json answer;
+  try {
+    answer = Play(request, {});
+  } catch (const RemoteRefusal&) {
+    Client(RC_VERSION_FILES)->RequestWith(rcDELETE, name);
+    throw;
+  }
+  const uint32_t begin = Client()->Request(rcSENSORS).frame;
+  // JointMover reads the file a moment after the answer.
+  constexpr int kAsksMax = 100;
+  for (int i = 0; i < kAsksMax; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    if (Client()->Request(rcSENSORS).frame - begin >= 4 * RC_FRAMES_PER_VECTOR) break;
+  }
+  Client(RC_VERSION_FILES)->RequestWith(rcDELETE, name);
+  return answer;
 }
 
 Json RcCalls::Delete(const Request& request, const Progress&) {

@@ -60,6 +60,8 @@ class RcCalls {
   const RemoteDevices& Devices(RcDeviceKind kind);
   Json JointValue(int command, const Request& request, const char* member);
   Json Switch(int command, RcDeviceKind kind, const Request& request);
+  std::string FreeName();
+  Json PlayAndDelete(const Request& request);
   void Disconnect();
 
   const FindAddress find_address_;

@@ -269,14 +269,29 @@ std::vector<RemoteAnswer> RemoteClient::RequestAll(
   return answers;
 }
 
-std::vector<RemoteReply> RemoteClient::Batch(const std::vector<RemoteCall>& calls) {
-  UseVersion(RC_VERSION_FILES);
+std::vector<uint8_t> RemoteClient::BatchPayload(const std::vector<RemoteCall>& calls) const {
   std::vector<uint8_t> payload;
   for (const RemoteCall& call : calls) {
     const auto packet = MakePacket(version_, call.command, 0, call.payload);
     payload.insert(payload.end(), packet.begin(), packet.end());
   }
-  return ReadBatch(Request(rcBATCH, payload), calls.size());
+  return payload;
+}
+
+std::vector<RemoteReply> RemoteClient::Batch(const std::vector<RemoteCall>& calls) {
+  UseVersion(RC_VERSION_FILES);
+  return ReadBatch(Request(rcBATCH, BatchPayload(calls)), calls.size());
+}
+
+// Reads the packet that `framer` has found, an answer with the header `header`.
+RemoteReply RemoteClient::ReadReply(const RcAnswerHeader& header, const RcFramer& framer) {
+  const int begin = RC_ANSWER_HEADER_SIZE - RC_HEADER_SIZE;
+  RemoteReply reply;
+  reply.status = header.status;
+  reply.answer.frame = header.frame;
+  reply.answer.payload.assign(framer.Payload() + begin, framer.Payload() + framer.PayloadSize());
+  if (reply.status != rcOK) reply.error = ErrorText(reply.answer.payload);
+  return reply;
 }
 
 std::vector<RemoteReply> RemoteClient::ReadBatch(const RemoteAnswer& answer, size_t count) const {
@@ -286,13 +301,7 @@ std::vector<RemoteReply> RemoteClient::ReadBatch(const RemoteAnswer& answer, siz
   while (framer.Next() == RcFramer::PACKET) {
     RcAnswerHeader header;
     if (!header.Read(framer)) ThrowMalformed();
-    const int begin = RC_ANSWER_HEADER_SIZE - RC_HEADER_SIZE;
-    RemoteReply reply;
-    reply.status = header.status;
-    reply.answer.frame = header.frame;
-    reply.answer.payload.assign(framer.Payload() + begin, framer.Payload() + framer.PayloadSize());
-    if (reply.status != rcOK) reply.error = ErrorText(reply.answer.payload);
-    replies.push_back(std::move(reply));
+    replies.push_back(ReadReply(header, framer));
   }
   if (replies.size() != count) ThrowMalformed();
   return replies;

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -70,6 +71,15 @@ struct RemoteReply {
   RemoteAnswer answer;
 };
 
+// A packet that has arrived without being waited for: an event or, if `is_event` is false, the
+// answer to a request of Post() or PostBatch().
+struct RemotePacket {
+  bool is_event = false;
+  RemoteEvent event;
+  uint16_t tag = 0;
+  RemoteReply reply;
+};
+
 // A connection to a robot, which answers requests in the order in which they were sent.  The
 // functions throw RemoteRefusal when the robot refuses a request.  When it cannot be reached or is
 // silent for too long, they throw RemoteFailure, whose text says what the user can do.
@@ -105,6 +115,20 @@ class RemoteClient {
   // an answer is awaited are kept for this function, the newest kEventsMax of them.
   RemoteEvent NextEvent();
   static constexpr size_t kEventsMax = 1000;
+
+  // The functions below do not wait for the robot, for programs that serve several robots in one
+  // thread (remote_posts.cc).  A program uses either them or the functions above.
+
+  // Send a request, or requests in one packet, and return the tag of the answer.
+  uint16_t Post(int command, const std::vector<uint8_t>& payload = {});
+  uint16_t PostBatch(const std::vector<RemoteCall>& calls);
+  // Returns the next packet that has arrived whole; none if there is none.  Throws RemoteFailure
+  // when the connection is lost.
+  std::optional<RemotePacket> TakePacket();
+  // Reads the answer to PostBatch(), which had `count` requests.
+  std::vector<RemoteReply> ReadBatch(const RemoteAnswer& answer, size_t count) const;
+  // Returns the socket, for poll().
+  int descriptor() const { return socket_; }
 
   // Sends a request with the payload `payload`, a struct of RemoteProtocol.h, and returns the
   // answer.
@@ -145,7 +169,9 @@ class RemoteClient {
   bool ReceivePacketInTime();
   RcAnswerHeader ReceiveHeader();
   bool KeepEvent(const RcAnswerHeader& header);
-  std::vector<RemoteReply> ReadBatch(const RemoteAnswer& answer, size_t count) const;
+  static RemoteReply ReadReply(const RcAnswerHeader& header, const RcFramer& framer);
+  std::vector<uint8_t> BatchPayload(const std::vector<RemoteCall>& calls) const;
+  bool ReceiveNow();
   bool WaitFor(short events) const;
   [[noreturn]] void ThrowMalformed() const;
   [[noreturn]] void ThrowSilent() const;

@@ -26,7 +26,7 @@
 namespace openr_host {
 namespace {
 
-using Json = nlohmann::json;
+using PlainJson = nlohmann::json;
 
 // How far back one can go, and the least distance of two checkpoints, in virtual time and by the
 // clock of this computer.
@@ -226,7 +226,7 @@ std::string Rewind::ShowMessage(uint64_t count) {
 
 // Shows the moment `target`, for which `checkpoint` is the last checkpoint.  Returns "" or an
 // error.
-std::string Rewind::Show(Checkpoint* checkpoint, const Json& target) {
+std::string Rewind::Show(Checkpoint* checkpoint, const PlainJson& target) {
   if (!WhyNot().empty()) return "this run cannot be rewound: " + WhyNot();
   if (checkpoint == nullptr)
     return checkpoints_.empty() ? "there is no checkpoint yet; checkpoints are taken while a "
@@ -237,13 +237,13 @@ std::string Rewind::Show(Checkpoint* checkpoint, const Json& target) {
   const bool is_later =
       checkpoint == shown_ && (target.contains("time_us") ? target["time_us"] >= shown_us_
                                                           : target["messages"] >= shown_messages_);
-  Json request = {{"show", target}};
+  PlainJson request = {{"show", target}};
   if (!is_later) {
     LeaveView();
     request["inputs"] = ToJson(log_.From(checkpoint->log_end));
     request["files"] = original_files_.ToJson();
   }
-  std::optional<Json> answer;
+  std::optional<PlainJson> answer;
   if (SendMessage(checkpoint->socket, request))
     answer = ReceiveMessage(checkpoint->socket, kViewTimeoutMs);
   if (!answer || answer->contains("error")) {
@@ -267,9 +267,9 @@ void Rewind::LeaveView() {
 
 void Rewind::ShowPresent() { LeaveView(); }
 
-nlohmann::ordered_json Rewind::Forward(const Json& request) {
+nlohmann::ordered_json Rewind::Forward(const PlainJson& request) {
   ASSERT(shows_past());
-  std::optional<Json> answer;
+  std::optional<PlainJson> answer;
   if (SendMessage(shown_->socket, {{"answer", request}}))
     answer = ReceiveMessage(shown_->socket, kViewTimeoutMs);
   if (!answer) return {{"error", "the process that shows the past has ended or hangs"}};
@@ -280,7 +280,7 @@ nlohmann::ordered_json Rewind::Branch(double rate) {
   if (!shows_past()) return {{"error", "no earlier moment is shown from which to go on"}};
   // The ports must be free before the branch opens them.
   for (BranchNetwork* const network : networks_) network->Forget();
-  std::optional<Json> answer;
+  std::optional<PlainJson> answer;
   if (SendMessage(shown_->socket, {{"branch", rate}}))
     answer = ReceiveMessage(shown_->socket, kViewTimeoutMs);
   if (!answer || answer->contains("error")) {
