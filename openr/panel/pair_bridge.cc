@@ -108,12 +108,32 @@ OrderedJson StatusJson(const PairBridge::Work& work, const PairStatus& status) {
   return event;
 }
 
-// Asks the run to go on in real time and not to be rewound, as long as `live` exists.
-void Couple(const PairBridge::Work& work, LiveClient* live) {
-  const OrderedJson answer =
-      live->Ask({{"do", "couple"}, {"robot", work.robot}, {"with", work.second.Text()}});
-  if (answer.contains("error")) throw std::runtime_error(answer["error"].get<std::string>());
-}
+// Lets the run go on in real time, and not be rewound, as long as it exists.
+class Coupling {
+ public:
+  // Throws std::runtime_error if the run refuses that.
+  explicit Coupling(const PairBridge::Work& work) : live_(work.run, kRunTimeoutMs), work_(work) {
+    const OrderedJson answer = Ask(work.second.Text());
+    if (answer.contains("error")) throw std::runtime_error(answer["error"].get<std::string>());
+  }
+  ~Coupling() {
+    try {
+      Ask("");  // so that the page sees the old rate at once
+    } catch (const std::exception&) {
+      // The run has ended, or ends the coupling when it sees the end of the connection.
+    }
+  }
+  Coupling(const Coupling&) = delete;
+  Coupling& operator=(const Coupling&) = delete;
+
+ private:
+  OrderedJson Ask(const std::string& with) {
+    return live_.Ask({{"do", "couple"}, {"robot", work_.robot}, {"with", with}});
+  }
+
+  LiveClient live_;
+  const PairBridge::Work& work_;
+};
 
 // Prepares the pair as Hohl 2004, section 3.3.1 describes, and returns the answer for the page.
 OrderedJson Prepare(const PairBridge::Work& work, RemotePair* pair) {
@@ -148,8 +168,7 @@ std::string ServePair(PairBridge::Work* work) {
     CheckElsewhere(work->run, work->second);
     RemotePair pair(AddressInRun(work->run, work->robot), work->second, work->options);
     if (work->control.is_ended()) return "";
-    LiveClient live(work->run, kRunTimeoutMs);
-    Couple(*work, &live);
+    const Coupling coupling(*work);
     SendAnswer(*work, Prepare(*work, &pair));
     is_connected = true;
     pair.Run(&work->control,

@@ -167,8 +167,10 @@ void RemotePair::ResetLights() {
 void RemotePair::Run(PairControl* control, const std::function<void(const PairStatus&)>& tell) {
   now_ms_ = WallClockMs();
   for (Side& side : sides_) {
-    side.client->Subscribe(rcstreamSENSORS, options_.period);
-    side.client->Subscribe(rcstreamSET_VALUES, 0);
+    const int period = options_.period;
+    side.client->Post(rcSUBSCRIBE, {rcstreamSENSORS, static_cast<uint8_t>(period & 255),
+                                    static_cast<uint8_t>(period >> 8)});
+    side.client->Post(rcSUBSCRIBE, {rcstreamSET_VALUES, 0, 0});
     side.heard_ms = now_ms_;
   }
   int64_t next_ms = now_ms_;
