@@ -4,12 +4,14 @@
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 
 #include "cli/exit_code.h"
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
 #include "openr/commands/rc_actions.h"
+#include "openr/commands/rc_both.h"
 #include "openr/commands/rc_format.h"
 #include "openr/remote/remote_client.h"
 
@@ -20,6 +22,7 @@ int Perform(const RcFlags& flags, const RcAction& action) {
   RemoteAddress address;
   const std::string problem = ParseRemoteAddress(flags.address, &address);
   if (!problem.empty()) throw CLI::ValidationError("HOST", problem);
+  if (!flags.with.empty()) return PerformAtBoth(flags, action);
   try {
     RemoteClient client(address, static_cast<int>(flags.timeout_us / 1000));
     action(&client, flags);
@@ -48,6 +51,15 @@ CLI::Validator JointValue(bool is_limit) {
   return CLI::Validator(problem, "");
 }
 
+CLI::Validator IsRemoteAddress() {
+  return CLI::Validator(
+      [](const std::string& text) {
+        RemoteAddress address;
+        return ParseRemoteAddress(text, &address);
+      },
+      "");
+}
+
 CLI::Validator KeyFramesPerVector() {
   const auto problem = [](const std::string& text) {
     if (text.size() == 1 && std::string("02468").find(text) != std::string::npos) {
@@ -61,6 +73,15 @@ CLI::Validator KeyFramesPerVector() {
   return CLI::Validator(problem, "");
 }
 
+// Throws if a command cannot be carried out at two robots at once.
+void CheckForBoth(const RcFlags& flags, const std::string& command) {
+  static const std::set<std::string> one_robot = {"stream", "log",    "camera",   "upload",
+                                                  "delete", "reboot", "download", "shutdown"};
+  if (one_robot.contains(command) || !flags.log.empty() || flags.watch)
+    throw CLI::ValidationError("--with", fmt::format("'{}' is for one robot; call it for each{}",
+                                                     command, flags.log.empty() ? "" : " (--log)"));
+}
+
 // Adds the commands of openr rc.  They store their flags in one RcFlags, because HOST, --timeout
 // and --json belong to all of them.
 class RcCommands {
@@ -69,6 +90,8 @@ class RcCommands {
       : flags_(std::make_shared<RcFlags>()), exit_code_(exit_code) {
     rc_ = app->add_subcommand("rc", "Remote control of a running robot");
     rc_->add_option("HOST", flags_->address, "Where the robot is: HOST[:PORT]")->required();
+    rc_->add_option("--with", flags_->with, "Does the same at a second robot: HOST[:PORT]")
+        ->check(IsRemoteAddress());
     AddDurationFlag(rc_, "--timeout", &flags_->timeout_us, "How long to wait for an answer");
     rc_->add_flag("--json", flags_->json, "One JSON object per answer");
     rc_->require_subcommand(1);
@@ -93,6 +116,7 @@ class RcCommands {
     AddMotors();
     AddLight("led", "Switches a light; a controller of the robot may switch it back", rcLED);
     AddLight("ear", "Moves an ear; a controller of the robot may move it back", rcEAR);
+    AddFollow();
     AddMotions();
     AddLog();
     AddCamera();
@@ -105,8 +129,10 @@ class RcCommands {
   CLI::App* Add(CLI::App* to, const char* name, const char* about, RcAction action) {
     CLI::App* const command = to->add_subcommand(name, about);
     command->fallthrough();
-    command->callback(
-        [flags = flags_, exit_code = exit_code_, action] { *exit_code = Perform(*flags, action); });
+    command->callback([flags = flags_, exit_code = exit_code_, action, command] {
+      if (!flags->with.empty()) CheckForBoth(*flags, command->get_name());
+      *exit_code = Perform(*flags, action);
+    });
     return command;
   }
 
@@ -162,6 +188,25 @@ class RcCommands {
     command->add_option("--count", flags_->count, "How many; 0: no end")
         ->check(CLI::Range(0, 1'000'000'000))
         ->capture_default_str();
+  }
+
+  void AddFollow() {
+    CLI::App* const command = rc_->add_subcommand(
+        "follow",
+        "Lets the robot HOST follow the pose and the motions of another one, until Ctrl-C");
+    command->fallthrough();
+    command->add_option("OTHER", flags_->with, "The robot that leads: HOST[:PORT]")
+        ->required()
+        ->check(IsRemoteAddress());
+    command->add_flag("--track", flags_->track,
+                      "Whatever the limits of speed and acceleration of HOST are");
+    AddDurationFlag(command, "--every", &flags_->stream_us,
+                    "Time between two poses; in steps of 32 ms of the robot's clock");
+    command->add_option("--count", flags_->count, "How many reports, one a second; 0: no end")
+        ->check(CLI::Range(0, 1'000'000'000))
+        ->capture_default_str();
+    command->callback(
+        [flags = flags_, exit_code = exit_code_] { *exit_code = FollowRobot(*flags); });
   }
 
   void AddCamera() {

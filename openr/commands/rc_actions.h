@@ -15,6 +15,8 @@ class RemoteClient;
 
 struct RcFlags {
   std::string address;
+  std::string with;    // address of a second robot; "": none
+  bool track = false;  // whether a robot that follows ignores its limits
   int64_t timeout_us = 3'000'000;
   bool json = false;
   std::string device;  // name, title, locator or number
