@@ -119,7 +119,7 @@ class SecondRobot:
         self.run.end()
 
 
-def steps(address, second, folder, openr, shots):
+def steps(address, second, folder, openr, shots, only):
     """Runs the test in the browser; returns how many of its steps passed and failed."""
     motion = folder / "MINE.MTN"
     shutil.copyfile(pathlib.Path(openr).parent.parent / "stick/OPEN-R/MW/DATA/P/BOW.MTN", motion)
@@ -129,7 +129,7 @@ def steps(address, second, folder, openr, shots):
     output = folder / "browser.txt"
     with output.open("w") as stream:
         try:
-            subprocess.run(["node", str(SCRIPT)], cwd=ROOT / "panel", env=environment, stdout=stream,
+            subprocess.run(["node", str(SCRIPT), only], cwd=ROOT / "panel", env=environment, stdout=stream,
                            stderr=subprocess.STDOUT, timeout=LIMIT_S, check=False)
         except subprocess.TimeoutExpired:
             stream.write(f"the browser is not done after {LIMIT_S} s\n")
@@ -139,7 +139,7 @@ def steps(address, second, folder, openr, shots):
     return (int(totals[-1][0]), int(totals[-1][1])) if totals else (0, 1)
 
 
-def drive(openr, folder, shots):
+def drive(openr, folder, shots, only):
     """Runs all; returns how many tests passed and failed, and prints why those failed."""
     # Sockets of runs are in this folder, so the page sees no other runs of this machine.
     os.environ["XDG_RUNTIME_DIR"] = str(folder)
@@ -151,7 +151,7 @@ def drive(openr, folder, shots):
         print("".join(run.said), "the run has no panel", sep="")
         return 0, 1
     second = SecondRobot(openr)
-    passed, failed = steps(address, second, folder, openr, shots)
+    passed, failed = steps(address, second, folder, openr, shots, only)
     second.end()
     status = run.end()
     end_others(folder)
@@ -170,6 +170,7 @@ def main():
     parser.add_argument("--build", required=True, type=pathlib.Path)
     parser.add_argument("--shots", type=pathlib.Path,
                         help="folder for pictures; default: panel-shots in the build folder")
+    parser.add_argument("--only", default="", help="only steps whose names contain this")
     arguments = parser.parse_args()
     build = arguments.build.resolve()
     why = missing(build)
@@ -183,7 +184,7 @@ def main():
     shots.mkdir(parents=True)
     sys.stdout.reconfigure(line_buffering=True)
     with tempfile.TemporaryDirectory(prefix="openr-browser-") as folder:
-        passed, failed = drive(str(build / "bin/openr"), pathlib.Path(folder), shots)
+        passed, failed = drive(str(build / "bin/openr"), pathlib.Path(folder), shots, arguments.only)
     print(f"{passed} passed, {failed} failed")
     return int(failed > 0)
 

@@ -127,8 +127,14 @@ def bears_garbage(dogs):
 def takes_limits_and_real_time(dogs):
     dogs.second.rc("speed", "neck_pan", "77")
     dogs.second.rc("accel", "neck_pan", "99")
-    dogs.second.rc("led", "0", "on")
+    light = "Tail light (blue)"  # the controller of the default stick leaves it alone
+    index = [led["name"] for led in dogs.page.rc("connect")["leds"]].index(light)
+    dogs.first.rc("led", light, "on")
+    dogs.page.ask({"do": "watch", "events": ["pose"]})
+    dogs.page.wait_for("pose", lambda e: index in e["robots"][0]["leds"], "the light is not on")
     answer = dogs.connect()
+    dogs.page.wait_for("pose", lambda e: index not in e["robots"][0]["leds"], "the light stays on")
+    dogs.first.rc("led", light, "on")
     need(answer["first_time"] and answer["model"] == "ERS-210", str(answer))
     pan = next(j for j in answer["joints"] if j["name"] == "neck_pan")
     need((pan["speed"], pan["accel"]) == (77, 99), f"limits of the robot: {pan}")
@@ -146,7 +152,12 @@ def takes_limits_and_real_time(dogs):
     dogs.disconnect()
     need(dogs.rate() == RATE, "the rate before does not come back")
     need(dogs.page.ask({"do": "clock"})["rewind"]["why"] == "", "the run still cannot go back")
-    need(not dogs.connect()["first_time"], "lights are reset again")
+    need(not dogs.connect()["first_time"], "it is the first time again")
+    dogs.page.rc("sensors")
+    dogs.page.wait_for("pair", lambda e: e["state"] == "connected", "the pair is lost")
+    pose = dogs.page.wait_for("pose", lambda e: True, "no pose comes")
+    need(index in pose["robots"][0]["leds"], "lights are reset again")
+    dogs.page.ask({"do": "watch", "events": []})
     dogs.disconnect()
 
 

@@ -61,6 +61,7 @@ export async function stepsOfBoth(steps, browser, panel, motion) {
   });
 
   await steps.step('both: three clicks connect a second robot, in real time', page, async () => {
+    await until('the dog does not stand', () => panel.state(), (state) => state === 'accepting-commands', 120_000);
     await rate.selectOption('0.5');
     await panel.inThreeClicks(connect);
     need((await box.isChecked()) && !(await box.isDisabled()), 'the box is locked');
@@ -89,6 +90,7 @@ export async function stepsOfBoth(steps, browser, panel, motion) {
   });
 
   await steps.step('both: without the box only the robot moves', page, async () => {
+    await panel.show('Both dogs');
     await panel.click(box);
     await until('nothing says so', () => page.locator('.both .hint').first().textContent(), (s) => s.includes('robot only'));
     await drag(0.3);
@@ -98,6 +100,7 @@ export async function stepsOfBoth(steps, browser, panel, motion) {
   });
 
   await steps.step('both: the simulation follows the robot, with its lag', page, async () => {
+    await panel.show('Both dogs');
     await follow.selectOption('simulation');
     await until('the simulation did not follow', difference, (deg) => deg < 6);
     await drag(0.6);
@@ -139,6 +142,7 @@ export async function stepsOfBoth(steps, browser, panel, motion) {
 
   await steps.step('both: a link that is cut locks the box', page, async () => {
     await panel.closeNotices();
+    await panel.show('Both dogs');
     await panel.click(box);
     await tellLink('cut');
     await until('the box is free', () => box.isDisabled(), (is) => is);
