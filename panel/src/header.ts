@@ -81,7 +81,9 @@ function makeChips(session: Session, show: (panel: string) => void): HTMLElement
     pair.hidden = !isConnected;
     const lag = status?.lag_ms ?? null;
     const where = simulation ? 'both dogs' : 'robot only';
-    setText(pair, `⇄ ${follow === 'none' ? where : `${follow} follows`}${lag === null ? '' : ` · lag ${lag} ms`}`);
+    const who = follow === 'none' ? where : `${follow} follows`;
+    setText(pair, `⇄ ${lag === null ? who : `lag ${lag} ms`}`);
+    pair.title = lag === null ? who : `${who}, lag ${lag} ms`;
     setClass(pair, 'warn', !simulation);
   });
   return [state, motors, battery, pair, waits];

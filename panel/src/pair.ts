@@ -95,8 +95,9 @@ export class Pair {
       this.status = event;
       this.set({});
     } else if (this.phase === 'connected' && event.state === 'lost') {
-      this.reset(event.why ?? '');
-      this.session.bad(`The connection to ${event.endpoint} was lost: ${event.why ?? ''}`);
+      const why = (event.why ?? '').replace(`${event.endpoint}: `, '');
+      this.reset(`the connection to ${event.endpoint} was lost (${why})`);
+      this.session.bad(`The connection to ${event.endpoint} was lost: ${why}`);
     } else if (this.phase !== 'connecting') {
       this.reset('');
     }

@@ -131,9 +131,11 @@ def takes_limits_and_real_time(dogs):
     index = [led["name"] for led in dogs.page.rc("connect")["leds"]].index(light)
     dogs.first.rc("led", light, "on")
     dogs.page.ask({"do": "watch", "events": ["pose"]})
-    dogs.page.wait_for("pose", lambda e: index in e["robots"][0]["leds"], "the light is not on")
+    dogs.page.wait_for("pose", lambda e: e["robots"][0]["leds"][index] == 1,
+                       "the light is not on")
     answer = dogs.connect()
-    dogs.page.wait_for("pose", lambda e: index not in e["robots"][0]["leds"], "the light stays on")
+    dogs.page.wait_for("pose", lambda e: e["robots"][0]["leds"][index] == 0,
+                       "the light stays on")
     dogs.first.rc("led", light, "on")
     need(answer["first_time"] and answer["model"] == "ERS-210", str(answer))
     pan = next(j for j in answer["joints"] if j["name"] == "neck_pan")
@@ -156,7 +158,7 @@ def takes_limits_and_real_time(dogs):
     dogs.page.rc("sensors")
     dogs.page.wait_for("pair", lambda e: e["state"] == "connected", "the pair is lost")
     pose = dogs.page.wait_for("pose", lambda e: True, "no pose comes")
-    need(index in pose["robots"][0]["leds"], "lights are reset again")
+    need(pose["robots"][0]["leds"][index] == 1, "lights are reset again")
     dogs.page.ask({"do": "watch", "events": []})
     dogs.disconnect()
 

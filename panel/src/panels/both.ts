@@ -117,9 +117,11 @@ class Both {
       this.boxHint,
       !isConnected
         ? 'Without a second robot the simulation is always controlled.'
-        : pair.simulation
-          ? 'Commands go to both dogs.'
-          : 'Commands go to the robot only.',
+        : pair.follow !== 'none'
+          ? `Joint commands go to the ${pair.follow === 'robot' ? 'simulation' : 'robot'}, which leads.`
+          : pair.simulation
+            ? 'Commands go to both dogs.'
+            : 'Commands go to the robot only.',
     );
     this.why.hidden = pair.why === '';
     setText(this.why, pair.why === '' ? '' : `Not connected: ${pair.why}`);
