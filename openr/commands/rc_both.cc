@@ -62,17 +62,18 @@ void PrintFollowing(const RcFlags& flags, const std::vector<RcDescription>& join
                     const PairStatus& status) {
   const auto &mine = status.joints[kFirst], &other = status.joints[kSecond];
   size_t largest = 0;
-  int32_t difference = 0;
+  int64_t difference = 0;
   for (size_t i = 0; i < std::min({mine.size(), other.size(), joints.size()}); ++i) {
-    if (std::abs(mine[i] - other[i]) < difference) continue;
-    difference = std::abs(mine[i] - other[i]);
+    const int64_t here = std::abs(int64_t{mine[i]} - other[i]);
+    if (here < difference) continue;
+    difference = here;
     largest = i;
   }
   const std::string name = joints.empty() ? "" : joints[largest].name;
   if (flags.json) {
     Json json = {{"lag_ms", status.lag_ms ? Json(*status.lag_ms) : Json()},
                  {"round_trip_ms", Json::array()},
-                 {"difference_deg", difference / 100.0},
+                 {"difference_deg", static_cast<double>(difference) / 100},
                  {"joint", name},
                  {"states", {status.state[kFirst], status.state[kSecond]}},
                  {"motion", status.motion},
@@ -83,10 +84,10 @@ void PrintFollowing(const RcFlags& flags, const std::vector<RcDescription>& join
   } else {
     const std::string lag = status.lag_ms ? fmt::format("{} ms", *status.lag_ms) : "unknown";
     const std::string& why = status.refusal[kFirst];
-    PrintAnswer(fmt::format("lag {}; round trips {} and {}; largest difference {} {:.2f} deg{}{}\n",
-                            lag, Milliseconds(status.round_trip_ms[kFirst]),
-                            Milliseconds(status.round_trip_ms[kSecond]), name, difference / 100.0,
-                            why.empty() ? "" : "; refused: ", why));
+    PrintAnswer(fmt::format(
+        "lag {}; round trips {} and {}; largest difference {} {:.2f} deg{}{}\n", lag,
+        Milliseconds(status.round_trip_ms[kFirst]), Milliseconds(status.round_trip_ms[kSecond]),
+        name, static_cast<double>(difference) / 100, why.empty() ? "" : "; refused: ", why));
   }
   FlushAnswer();
 }

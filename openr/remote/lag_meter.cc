@@ -37,7 +37,7 @@ void LagMeter::Clear() {
 // Returns the joint of the leader that has moved most since `from_ms`; -1 if none has moved enough.
 int LagMeter::LiveliestJoint(int64_t from_ms) const {
   int liveliest = -1;
-  int32_t range_max = kRangeMin - 1;
+  int64_t range_max = kRangeMin - 1;
   for (size_t j = 0; j < leader_.back().joints.size(); ++j) {
     int32_t low = std::numeric_limits<int32_t>::max(), high = std::numeric_limits<int32_t>::min();
     for (const Sample& sample : leader_) {
@@ -45,8 +45,9 @@ int LagMeter::LiveliestJoint(int64_t from_ms) const {
       low = std::min(low, sample.joints[j]);
       high = std::max(high, sample.joints[j]);
     }
-    if (high - low <= range_max) continue;
-    range_max = high - low;
+    const int64_t range = int64_t{high} - low;
+    if (range <= range_max) continue;
+    range_max = range;
     liveliest = static_cast<int>(j);
   }
   return liveliest;
@@ -67,7 +68,7 @@ double LagMeter::Misfit(int joint, int64_t lag_ms, int64_t from_ms) const {
     const Sample &a = leader_[after - 1], &b = leader_[after];
     const auto gap_ms = static_cast<double>(std::max<int64_t>(1, b.time_ms - a.time_ms));
     const double share = static_cast<double>(time_ms - a.time_ms) / gap_ms;
-    const double leader = a.joints[j] + share * (b.joints[j] - a.joints[j]);
+    const double leader = a.joints[j] + share * (static_cast<double>(b.joints[j]) - a.joints[j]);
     const double difference = sample.joints[j] - leader;
     n += 1;
     sum += difference;

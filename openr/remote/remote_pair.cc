@@ -23,6 +23,7 @@ constexpr size_t kPostedMax = 16;
 // A robot that has been silent for so long gets no positions, because they would all be old when it
 // goes on.
 constexpr int64_t kSilentMs = 500;
+constexpr int kPacketsMax = 100;  // packets of one robot that are taken before the other one's turn
 constexpr int32_t kChangeMin = 5;  // smaller changes of a goal, in 0.01 degree, are not sent
 constexpr uint32_t kFramesPerTurn = 0x0ffffff1;  // frame numbers begin anew
 // Frames in which a robot goes to a goal by TRACK, and the most it moves in one, in 0.01 degree.
@@ -215,7 +216,10 @@ void RemotePair::SetWish(const PairWish& wish) {
 }
 
 void RemotePair::Serve(PairSide side) {
-  while (const std::optional<RemotePacket> packet = sides_[side].client->TakePacket()) {
+  // A robot that sends without end must not keep the other one waiting.
+  for (int i = 0; i < kPacketsMax; ++i) {
+    const std::optional<RemotePacket> packet = sides_[side].client->TakePacket();
+    if (!packet) return;
     sides_[side].heard_ms = now_ms_;
     if (packet->is_event) {
       TakeEvent(side, packet->event);
@@ -302,9 +306,9 @@ void RemotePair::Lead(PairSide leader, uint32_t frame, const std::vector<int32_t
   const std::vector<int32_t>& measured = status_.joints[OtherOf(leader)];
   std::vector<RemoteCall> calls;
   for (size_t i = 0; i < goals.size() && calls.size() < RC_MAX_BATCH; ++i) {
-    if (!is_first && std::abs(goals[i] - follower.sent[i]) < kChangeMin) continue;
-    const auto way = static_cast<uint32_t>(
-        i < measured.size() ? std::abs(static_cast<int64_t>(goals[i]) - measured[i]) : 0);
+    if (!is_first && std::abs(int64_t{goals[i]} - follower.sent[i]) < kChangeMin) continue;
+    const auto way =
+        static_cast<uint32_t>(i < measured.size() ? std::abs(int64_t{goals[i]} - measured[i]) : 0);
     // One frame more than has passed, so that the joint does not stop before the next goal comes.
     const uint32_t frames =
         std::clamp(std::max(is_first ? kTrackFramesMax : passed + 1, way / kTrackStepMax),

@@ -85,7 +85,7 @@ class Motions {
       endpoint = now;
       this.forget();
       this.whose.hidden = now === '';
-      setText(this.whose, `Motions of the robot ${now}. The simulated dog follows their key frames.`);
+      setText(this.whose, `Motions of the robot ${now}. With the box Simulation, the simulated dog follows their key frames.`);
     });
     session.on('values', (values) => {
       const state =
