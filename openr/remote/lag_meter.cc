@@ -17,6 +17,7 @@ constexpr double kNearBest = 0.05;  // a misfit so near to the smallest one is a
 
 void LagMeter::Add(Series* series, int64_t time_ms, const std::vector<int32_t>& joints) {
   if (!series->empty() && series->front().joints.size() != joints.size()) return;
+  if (!series->empty()) time_ms = std::max(time_ms, series->back().time_ms);
   series->push_back({time_ms, joints});
   while (series->front().time_ms < time_ms - kWindowMs - kLagMaxMs) series->pop_front();
 }

@@ -19,8 +19,8 @@ class LagMeter {
   // Range in which a joint of the leader must have moved, in 0.01 degree, to say something.
   static constexpr int32_t kRangeMin = 300;
 
-  // Adds positions of all joints, in 0.01 degree, that have arrived at `time_ms`.  Times do not
-  // fall.
+  // Adds positions of all joints, in 0.01 degree, that the robot had at `time_ms`.  A time before
+  // that of the last positions counts as that.
   void AddLeader(int64_t time_ms, const std::vector<int32_t>& joints);
   void AddFollower(int64_t time_ms, const std::vector<int32_t>& joints);
 

@@ -23,6 +23,7 @@ constexpr size_t kPostedMax = 16;
 // A robot that has been silent for so long gets no positions, because they would all be old when it
 // goes on.
 constexpr int64_t kSilentMs = 500;
+constexpr size_t kTripsMax = 32;  // round trips of which the shortest one is that of the link
 constexpr int kPacketsMax = 100;  // packets of one robot that are taken before the other one's turn
 constexpr int32_t kChangeMin = 5;  // smaller changes of a goal, in 0.01 degree, are not sent
 constexpr uint32_t kFramesPerTurn = 0x0ffffff1;  // frame numbers begin anew
@@ -242,6 +243,8 @@ void RemotePair::TakeReply(PairSide side, const RemotePacket& packet) {
   const auto posted = robot.posted_ms.find(packet.tag);
   if (posted == robot.posted_ms.end()) return;
   status_.round_trip_ms[side] = static_cast<double>(now_ms_ - posted->second);
+  robot.trips_ms.push_back(now_ms_ - posted->second);
+  if (robot.trips_ms.size() > kTripsMax) robot.trips_ms.pop_front();
   robot.posted_ms.erase(posted);
   const auto batch = robot.batches.find(packet.tag);
   if (batch == robot.batches.end()) return;
@@ -259,6 +262,13 @@ void RemotePair::TakeReply(PairSide side, const RemotePacket& packet) {
   }
 }
 
+// Returns the time at which a packet that has just come was sent.  Takes half of the shortest round
+// trip as its way, because longer ones have waited somewhere.
+int64_t RemotePair::SentMs(PairSide side) const {
+  const std::deque<int64_t>& trips = sides_[side].trips_ms;
+  return trips.empty() ? now_ms_ : now_ms_ - *std::min_element(trips.begin(), trips.end()) / 2;
+}
+
 void RemotePair::TakeSensors(PairSide side, const RemoteEvent& event) {
   const auto values = sides_[side].client->Read<RcSensors>(event);
   sides_[side].state = values.state;
@@ -267,9 +277,9 @@ void RemotePair::TakeSensors(PairSide side, const RemoteEvent& event) {
   const bool plays = status_.key_frame >= 0;
   const bool second_leads = wish_.follow == Follow::kFirst || plays;
   if (side == (second_leads ? kSecond : kFirst)) {
-    lag_.AddLeader(now_ms_, values.joints);
+    lag_.AddLeader(SentMs(side), values.joints);
   } else {
-    lag_.AddFollower(now_ms_, values.joints);
+    lag_.AddFollower(SentMs(side), values.joints);
   }
   if (wish_.follow == Follow::kSecond && side == kFirst) Lead(side, event.frame, values.joints);
   // On the way to the first key frame of a motion there are no key frames yet.

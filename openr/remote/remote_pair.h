@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -102,6 +103,7 @@ class RemotePair {
     int64_t asked_ms = 0;                   // when the last request for the round trip was sent
     std::map<uint16_t, int64_t> posted_ms;  // requests without an answer, by tag
     std::map<uint16_t, size_t> batches;     // number of requests of those that are batches
+    std::deque<int64_t> trips_ms;           // the last round trips
     std::vector<int32_t> sent;              // goals that this robot was sent last; empty: none
     uint32_t goal_frame = 0;                // frame of the other robot that had these goals
     int state = -1;                         // MoverState; -1: not known
@@ -114,6 +116,7 @@ class RemotePair {
   void Serve(PairSide side);
   void TakeEvent(PairSide side, const RemoteEvent& event);
   void TakeReply(PairSide side, const RemotePacket& packet);
+  int64_t SentMs(PairSide side) const;
   void TakeSensors(PairSide side, const RemoteEvent& event);
   void TakeSetValues(const RemoteEvent& event);
   void Lead(PairSide leader, uint32_t frame, const std::vector<int32_t>& goals);
