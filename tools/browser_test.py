@@ -3,7 +3,8 @@
 
 The page is that of a real run.  The test program finds in its environment OPENR_PANEL_URL, the
 address of the page with its token; OPENR_PANEL_SHOTS, the folder for its pictures;
-OPENR_PANEL_MOTION, a motion to upload; OPENR_CHROMIUM, the browser.  Its last line is "N passed, N
+OPENR_PANEL_MOTION, a motion to upload; OPENR_PANEL_SECOND and OPENR_PANEL_LINK, a second run and the
+control of the link to it (tests/both/link.py); OPENR_CHROMIUM, the browser.  Its last line is "N passed, N
 failed".  Afterwards the recording of the run is replayed: what a person does in the page is recorded input, so
 the replay must have equal hashes.
 
@@ -27,6 +28,9 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 SCRIPT = ROOT / "panel/test/browser/panel_test.mjs"
 TOTALS = re.compile(r"^(\d+) passed, (\d+) failed$", re.MULTILINE)
 ADDRESS = re.compile(r"panel: (http://\S+)")
+ROBOT = re.compile(r"openr rc (127\.0\.0\.1:\d+) info")
+LINK = re.compile(r"link: (\S+) control: (\S+)")
+LINK_DELAY_MS = 20
 LIMIT_S = 900  # of the test in the browser
 START_LIMIT_S = 120  # until the run has printed the address
 END_LIMIT_S = 120  # until the run has ended and until it was replayed
@@ -48,14 +52,13 @@ def missing(build):
 
 
 class Run:
-    """A run with a panel, in real time, with its recording."""
+    """A run in real time."""
 
-    def __init__(self, openr, folder):
+    def __init__(self, openr, *flags):
         self.said = []
         self.lines = queue.Queue()
         self.process = subprocess.Popen(
-            [openr, "run", "--rc-port", "0", "--panel", "--panel-port", "0", "--run-name", "browser",
-             "--record", str(folder / "run.rec")],
+            [openr, "run", "--rc-port", "0", *flags],
             stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
             errors="replace")
         threading.Thread(target=self._read, daemon=True).start()
@@ -66,15 +69,15 @@ class Run:
             self.lines.put(line)
         self.lines.put("")
 
-    def address(self):
-        """Waits for the address of the page; "" if the run has ended without."""
+    def wait_for(self, pattern):
+        """Waits for a line with the pattern, and returns its group; "" if the run has ended without."""
         end = time.monotonic() + START_LIMIT_S
         while True:
             try:
                 line = self.lines.get(timeout=max(0.1, end - time.monotonic()))
             except queue.Empty:
                 return ""
-            found = ADDRESS.search(line)
+            found = pattern.search(line)
             if found or not line:
                 return found[1] if found else ""
 
@@ -98,16 +101,35 @@ def end_others(folder):
             pass
 
 
-def steps(address, folder, openr, shots):
+class SecondRobot:
+    """A second run, and the link to it."""
+
+    def __init__(self, openr):
+        # Without physics, because a browser without a graphics card needs the processor.
+        self.run = Run(openr, "--no-panel", "--body", "ideal", "--run-name", "second")
+        robot = self.run.wait_for(ROBOT)
+        self.link = subprocess.Popen(
+            [sys.executable, str(ROOT / "tests/both/link.py"), "--to", robot, "--delay-ms",
+             str(LINK_DELAY_MS)], stdout=subprocess.PIPE, text=True)
+        self.address, self.control = LINK.match(self.link.stdout.readline()).groups()
+
+    def end(self):
+        self.link.kill()
+        self.link.wait()
+        self.run.end()
+
+
+def steps(address, second, folder, openr, shots, only):
     """Runs the test in the browser; returns how many of its steps passed and failed."""
     motion = folder / "MINE.MTN"
     shutil.copyfile(pathlib.Path(openr).parent.parent / "stick/OPEN-R/MW/DATA/P/BOW.MTN", motion)
     environment = {**os.environ, "OPENR_PANEL_URL": address, "OPENR_PANEL_SHOTS": str(shots),
-                   "OPENR_PANEL_MOTION": str(motion), "OPENR_CHROMIUM": shutil.which("chromium")}
+                   "OPENR_PANEL_MOTION": str(motion), "OPENR_PANEL_SECOND": second.address,
+                   "OPENR_PANEL_LINK": second.control, "OPENR_CHROMIUM": shutil.which("chromium")}
     output = folder / "browser.txt"
     with output.open("w") as stream:
         try:
-            subprocess.run(["node", str(SCRIPT)], cwd=ROOT / "panel", env=environment, stdout=stream,
+            subprocess.run(["node", str(SCRIPT), only], cwd=ROOT / "panel", env=environment, stdout=stream,
                            stderr=subprocess.STDOUT, timeout=LIMIT_S, check=False)
         except subprocess.TimeoutExpired:
             stream.write(f"the browser is not done after {LIMIT_S} s\n")
@@ -117,17 +139,20 @@ def steps(address, folder, openr, shots):
     return (int(totals[-1][0]), int(totals[-1][1])) if totals else (0, 1)
 
 
-def drive(openr, folder, shots):
+def drive(openr, folder, shots, only):
     """Runs all; returns how many tests passed and failed, and prints why those failed."""
     # Sockets of runs are in this folder, so the page sees no other runs of this machine.
     os.environ["XDG_RUNTIME_DIR"] = str(folder)
-    run = Run(openr, folder)
-    address = run.address()
+    run = Run(openr, "--panel", "--panel-port", "0", "--run-name", "browser", "--record",
+              str(folder / "run.rec"))
+    address = run.wait_for(ADDRESS)
     if not address:
         run.end()
         print("".join(run.said), "the run has no panel", sep="")
         return 0, 1
-    passed, failed = steps(address, folder, openr, shots)
+    second = SecondRobot(openr)
+    passed, failed = steps(address, second, folder, openr, shots, only)
+    second.end()
     status = run.end()
     end_others(folder)
     if failed or status != 0:
@@ -145,6 +170,7 @@ def main():
     parser.add_argument("--build", required=True, type=pathlib.Path)
     parser.add_argument("--shots", type=pathlib.Path,
                         help="folder for pictures; default: panel-shots in the build folder")
+    parser.add_argument("--only", default="", help="only steps whose names contain this")
     arguments = parser.parse_args()
     build = arguments.build.resolve()
     why = missing(build)
@@ -158,7 +184,7 @@ def main():
     shots.mkdir(parents=True)
     sys.stdout.reconfigure(line_buffering=True)
     with tempfile.TemporaryDirectory(prefix="openr-browser-") as folder:
-        passed, failed = drive(str(build / "bin/openr"), pathlib.Path(folder), shots)
+        passed, failed = drive(str(build / "bin/openr"), pathlib.Path(folder), shots, arguments.only)
     print(f"{passed} passed, {failed} failed")
     return int(failed > 0)
 

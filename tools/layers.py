@@ -19,8 +19,8 @@ LAYERS = {
     "cli": "cli",
     "kit": "kit",
     "openr": "openr/ending openr/simulation openr/graph openr/chart openr/motion openr/remote "
-             "openr/controller openr/upload openr/render openr/explore openr/inspect openr/rewind "
-             "openr/live openr/panel openr/run openr/ros2 openr/commands openr",
+             "openr/pair openr/controller openr/upload openr/render openr/explore openr/inspect "
+             "openr/rewind openr/live openr/panel openr/run openr/ros2 openr/commands openr",
     "testing": "testing",
 }
 MAY_USE = {

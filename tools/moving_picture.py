@@ -26,10 +26,9 @@ def main():
     if why:
         sys.exit(why)
     with tempfile.TemporaryDirectory(prefix="openr-picture-") as name:
-        folder = pathlib.Path(name)
         os.environ["XDG_RUNTIME_DIR"] = name
-        run = browser_test.Run(str(build / "bin/openr"), folder)
-        address = run.address()
+        run = browser_test.Run(str(build / "bin/openr"), "--panel", "--panel-port", "0")
+        address = run.wait_for(browser_test.ADDRESS)
         environment = {**os.environ, "OPENR_PANEL_URL": address, "OPENR_PANEL_SHOTS": f"{name}/shots"}
         try:
             subprocess.run(["node", "test/browser/frames.mjs"], cwd=browser_test.ROOT / "panel",

@@ -95,6 +95,9 @@ def jobs(build, pattern, quick):
     if pattern in examples.name:
         found.append((examples.name, [sys.executable, str(examples), "--build", str(build)],
                       {}))
+    both = ROOT / "tests/both/both_dogs_test.py"
+    if pattern in both.name:
+        found.append((both.name, [sys.executable, str(both), "--build", str(build)], {}))
     browser = ROOT / "tools/browser_test.py"
     if pattern in browser.name:
         # A browser without a graphics card needs both cores, and the run goes in real time.

@@ -42,6 +42,17 @@ JointSet::SetGoal(int joint, Sint32 urad)
 }
 
 void
+JointSet::Track(int joint, Sint32 urad, int frames)
+{
+    const JointConstants& limits = robot_->joints[joint];
+    if (gain_[joint] == gainWAITING) {
+        SetGoal(joint, urad);
+    } else {
+        trajectory_[joint].Track(Clamp(urad, limits.minUrad, limits.maxUrad), frames);
+    }
+}
+
+void
 JointSet::SetSpeed(int joint, Sint32 cdeg)
 {
     const JointConstants& limits = robot_->joints[joint];

@@ -30,6 +30,10 @@ public:
     void SetSpeed(int joint, Sint32 cdeg);
     void SetAcceleration(int joint, Sint32 cdeg);
 
+    // Moves the joint to `urad` in `frames` frames, whatever its limits of speed and acceleration
+    // are.  A position beyond the joint's range becomes its end.
+    void Track(int joint, Sint32 urad, int frames);
+
     // Puts the joint at rest at `urad`, because a motion has moved the joint to this position.
     void Place(int joint, Sint32 urad) { trajectory_[joint].Reset(urad); }
     void Halt(int joint) { trajectory_[joint].Halt(); }

@@ -30,9 +30,25 @@ MoverCore::MoveJoint(const MoverCommand& command)
     if (state_ < moverACCEPTING_COMMANDS) return;
     if (command.joint < 0 || command.joint >= robot_->numJoints) return;
     if (command.kind == moverkindPOSITION) SetPosition(command.joint, command.value, false);
+    if (command.kind == moverkindTRACK) Track(command);
     if (command.kind == moverkindSPEED) joints_.SetSpeed(command.joint, command.value);
     if (command.kind == moverkindACCELERATION)
         joints_.SetAcceleration(command.joint, command.value);
+}
+
+// Lets a joint follow another robot, whose positions come again and again.  The joint goes to a
+// position that is far away within its limits, as to the first key frame of a motion.
+void
+MoverCore::Track(const MoverCommand& command)
+{
+    const int joint = command.joint;
+    if (joints_.IsOff(joint) || (InMotion() && inMotion_[joint])) return;
+    const Sint32 way = command.value - joints_.Position(joint);
+    if (command.frames < 1 || way >= PREPARE_LIMIT_URAD || -way >= PREPARE_LIMIT_URAD) {
+        joints_.SetGoal(joint, command.value);
+    } else {
+        joints_.Track(joint, command.value, command.frames);
+    }
 }
 
 // Returns the position at which a limp joint is to be held.  A joint that has hardly moved is held

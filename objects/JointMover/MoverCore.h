@@ -111,6 +111,7 @@ private:
     void BeginMotion();
     void EndMotion();
     bool NeedsPreparation() const;
+    void Track(const MoverCommand& command);
     Sint32 HoldPosition(int joint) const;
     bool HasArrived() const;
     void MakeFrame(Sint32 urad[MAX_JOINTS]);

@@ -81,6 +81,31 @@ RequestHandler::CommandJoint(int command, RcReader* in, RcWriter* out)
 }
 
 int
+RequestHandler::TrackJoint(RcReader* in, RcWriter* out)
+{
+    const int index = in->U8();
+    const Sint32 asked = in->S32();
+    const int frames = in->U8();
+    if (!in->IsComplete()) return FailSize();
+    if (index >= robot_->numJoints) return FailIndex("joint", index, robot_->numJoints);
+    if (frames < 1) return Fail(rcerrorBAD_VALUE, "0 frames, must be 1 or more");
+    int status = Busy(false);
+    if (status == rcOK) status = Limp();
+    if (status != rcOK) return status;
+    const Sint32 inForce =
+        Clamp(asked, robot_->joints[index].minCdeg, robot_->joints[index].maxCdeg);
+    MoverCommand message;
+    memset(&message, 0, sizeof(message));
+    message.kind = moverkindTRACK;
+    message.joint = index;
+    message.value = UradFromCdeg(inForce);
+    message.frames = frames;
+    status = Post(message);
+    if (status == rcOK) out->S32(inForce);
+    return status;
+}
+
+int
 RequestHandler::CommandLight(int command, RcReader* in, RcWriter* out)
 {
     const int index = in->U8();

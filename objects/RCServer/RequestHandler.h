@@ -101,6 +101,7 @@ private:
     int Describe(RcReader* in, RcWriter* out);
     int GetJoint(RcReader* in, RcWriter* out);
     int CommandJoint(int command, RcReader* in, RcWriter* out);
+    int TrackJoint(RcReader* in, RcWriter* out);
     int CommandLight(int command, RcReader* in, RcWriter* out);
     int TellSensors(RcReader* in, RcWriter* out);
     int TellInfo(RcReader* in, RcWriter* out);

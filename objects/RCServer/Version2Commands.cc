@@ -20,6 +20,8 @@ RequestHandler::HandleVersion2(int command, RcReader* in, RcWriter* out)
     case rcMOTOR_OFF:
     case rcMOTOR_ON:
         return SwitchMotor(command, in);
+    case rcTRACK:
+        return TrackJoint(in, out);
     case rcPOWER:
         return TellPower(in, out);
     case rcSUBSCRIBE:

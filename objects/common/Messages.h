@@ -24,7 +24,8 @@ enum MoverCommandKind {
     moverkindSTOP = 5,          // ends the motion that plays
     moverkindMOTOR_OFF = 6,     // uses the field `joint`; MOVER_ALL_JOINTS: motor power
     moverkindMOTOR_ON = 7,      // uses the field `joint`; MOVER_ALL_JOINTS: motor power
-    moverkindGAINS = 8          // uses the fields `joint` and `gain`
+    moverkindGAINS = 8,         // uses the fields `joint` and `gain`
+    moverkindTRACK = 9          // uses the fields `joint`, `value` and `frames`
 };
 
 // Value of MoverCommand::joint that stands for all joints.
@@ -35,7 +36,10 @@ struct MoverCommand {
     Sint32 kind;  // a MoverCommandKind
     Sint32 joint;
     Sint32 value;
-    Sint32 loops;               // how many times the motion is played, >= 1
+    union {
+        Sint32 loops;   // how many times the motion is played, >= 1
+        Sint32 frames;  // time for the way to `value`, in frames of 8 ms, >= 1
+    };
     Sint32 keyFramesPerVector;  // 0: JointMover chooses the number
     char file[MTN_NAME_SIZE];   // "WALK.MTN"
     Sint32 gain[3];             // P, I and D gain

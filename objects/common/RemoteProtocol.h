@@ -32,6 +32,7 @@ enum RcCommand {
     rcGAINS = 0x14,
     rcMOTOR_OFF = 0x15,
     rcMOTOR_ON = 0x16,
+    rcTRACK = 0x17,
     rcPOWER = 0x31,
     rcSUBSCRIBE = 0x32,  // RemoteStreams.h
     rcUNSUBSCRIBE = 0x33,

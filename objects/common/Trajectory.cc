@@ -13,7 +13,8 @@ COMPILE_TIME_CHECK(SpeedScaleIsExact, SPEED_SCALE_E6 == 91505518287LL);
 COMPILE_TIME_CHECK(AccelerationScaleIsExact, ACCELERATION_SCALE_E6 == 732044146LL);
 
 Trajectory::Trajectory()
-    : goal_(0), position_(0), speed_(0), speedLimit_(1), acceleration_(1), nextAcceleration_(1)
+    : goal_(0), position_(0), speed_(0), speedLimit_(1), acceleration_(1), nextAcceleration_(1),
+      trackFrames_(0)
 {
 }
 
@@ -30,6 +31,7 @@ Trajectory::Rest()
     position_ = goal_ * ONE_URAD;
     speed_ = 0;
     acceleration_ = nextAcceleration_;
+    trackFrames_ = 0;
 }
 
 void
@@ -49,11 +51,20 @@ void
 Trajectory::SetGoal(Sint32 urad)
 {
     goal_ = urad;
+    trackFrames_ = 0;
+}
+
+void
+Trajectory::Track(Sint32 urad, int frames)
+{
+    goal_ = urad;
+    trackFrames_ = frames;
 }
 
 void
 Trajectory::Halt()
 {
+    trackFrames_ = 0;
     if (!IsMoving()) return;
     const Sint64 ahead = speed_ >= 0 ? StoppingDistance(speed_) : -StoppingDistance(-speed_);
     goal_ = (Sint32)DivideRounded(position_ + ahead, ONE_URAD);
@@ -110,7 +121,14 @@ Trajectory::Step()
 {
     if (!IsMoving()) {
         acceleration_ = nextAcceleration_;
+        trackFrames_ = 0;
         return goal_;
+    }
+    if (trackFrames_ > 0) {
+        speed_ = DivideRounded(goal_ * ONE_URAD - position_, trackFrames_);
+        position_ += speed_;
+        if (--trackFrames_ == 0) Rest();
+        return Position();
     }
     // From here on, distance and speed are positive in the direction of the goal.
     const Sint64 toGoal = goal_ * ONE_URAD - position_;

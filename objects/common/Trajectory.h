@@ -37,6 +37,11 @@ public:
 
     void SetGoal(Sint32 urad);
 
+    // Moves the joint in a straight line to `urad`, which it reaches after `frames` frames and where
+    // it rests, whatever its limits are.  Another goal, or Halt(), ends that: the joint then goes on
+    // with its present speed and within its limits.  REQUIRES: frames > 0.
+    void Track(Sint32 urad, int frames);
+
     // Stops the joint: sets its goal to the nearest position at which it can stop.
     void Halt();
 
@@ -62,6 +67,7 @@ private:
     Sint64 speedLimit_;        // in 2^-16 urad per frame, > 0
     Sint64 acceleration_;      // limit of acceleration, in 2^-16 urad per frame^2, > 0
     Sint64 nextAcceleration_;  // limit of acceleration after the next stop
+    int trackFrames_;          // frames that are left of Track(); 0: the limits are in force
 };
 
 #endif  // Trajectory_h_DEFINED

@@ -4,12 +4,14 @@
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 
 #include "cli/exit_code.h"
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
 #include "openr/commands/rc_actions.h"
+#include "openr/commands/rc_both.h"
 #include "openr/commands/rc_format.h"
 #include "openr/remote/connection.h"
 
@@ -25,6 +27,11 @@ remote::Address AddressOf(const RcFlags& flags) {
 }
 
 int Perform(const RcFlags& flags, const RcAction& action) {
+  // A log has the records of both robots, so one action makes it.
+  if (!flags.with.empty() && flags.log.empty()) {
+    AddressOf(flags);
+    return PerformAtBoth(flags, action);
+  }
   try {
     remote::Connection robot(AddressOf(flags),
                              {.timeout = std::chrono::milliseconds(flags.timeout_us / 1000)});
@@ -55,6 +62,19 @@ CLI::Validator JointValue(bool is_limit) {
   return CLI::Validator(problem, "");
 }
 
+CLI::Validator IsRemoteAddress() {
+  return CLI::Validator(
+      [](const std::string& text) -> std::string {
+        try {
+          remote::ParseAddress(text);
+          return "";
+        } catch (const remote::Error& error) {
+          return error.what();
+        }
+      },
+      "");
+}
+
 CLI::Validator KeyFramesPerVector() {
   const auto problem = [](const std::string& text) {
     if (text.size() == 1 && std::string("02468").find(text) != std::string::npos) {
@@ -68,6 +88,17 @@ CLI::Validator KeyFramesPerVector() {
   return CLI::Validator(problem, "");
 }
 
+// Throws if a command cannot be carried out at two robots at once.
+void CheckForBoth(const RcFlags& flags, const std::string& command) {
+  static const std::set<std::string> one_robot = {"stream", "log",    "camera",   "upload",
+                                                  "delete", "reboot", "download", "shutdown"};
+  if (flags.simulated)
+    throw CLI::ValidationError("--with", "does not go with --simulated; HOST then is the robot");
+  if (one_robot.contains(command) || flags.watch)
+    throw CLI::ValidationError("--with",
+                               fmt::format("'{}' is for one robot; call it for each", command));
+}
+
 // Adds the commands of openr rc.  They store their flags in one RcFlags, because HOST, --timeout
 // and --json belong to all of them.
 class RcCommands {
@@ -76,6 +107,8 @@ class RcCommands {
       : flags_(std::make_shared<RcFlags>()), exit_code_(exit_code) {
     rc_ = app->add_subcommand("rc", "Remote control of a running robot");
     rc_->add_option("HOST", flags_->address, "Where the robot is: HOST[:PORT]")->required();
+    rc_->add_option("--with", flags_->with, "Does the same at a second robot: HOST[:PORT]")
+        ->check(IsRemoteAddress());
     AddDurationFlag(rc_, "--timeout", &flags_->timeout_us, "How long to wait for an answer");
     rc_->add_flag("--json", flags_->json, "One JSON object per answer");
     rc_->require_subcommand(1);
@@ -100,6 +133,7 @@ class RcCommands {
     AddMotors();
     AddLight("led", "Switches a light; a controller of the robot may switch it back", rcLED);
     AddLight("ear", "Moves an ear; a controller of the robot may move it back", rcEAR);
+    AddFollow();
     AddMotions();
     AddLog();
     AddCamera();
@@ -112,8 +146,10 @@ class RcCommands {
   CLI::App* Add(CLI::App* to, const char* name, const char* about, RcAction action) {
     CLI::App* const command = to->add_subcommand(name, about);
     command->fallthrough();
-    command->callback(
-        [flags = flags_, exit_code = exit_code_, action] { *exit_code = Perform(*flags, action); });
+    command->callback([flags = flags_, exit_code = exit_code_, action, command] {
+      if (!flags->with.empty()) CheckForBoth(*flags, command->get_name());
+      *exit_code = Perform(*flags, action);
+    });
     return command;
   }
 
@@ -171,6 +207,25 @@ class RcCommands {
         ->capture_default_str();
   }
 
+  void AddFollow() {
+    CLI::App* const command = rc_->add_subcommand(
+        "follow",
+        "Lets the robot HOST follow the pose and the motions of another one, until Ctrl-C");
+    command->fallthrough();
+    command->add_option("OTHER", flags_->with, "The robot that leads: HOST[:PORT]")
+        ->required()
+        ->check(IsRemoteAddress());
+    command->add_flag("--track", flags_->track,
+                      "Whatever the limits of speed and acceleration of HOST are");
+    AddDurationFlag(command, "--every", &flags_->stream_us,
+                    "Time between two poses; in steps of 32 ms of the robot's clock");
+    command->add_option("--count", flags_->count, "How many reports, one a second; 0: no end")
+        ->check(CLI::Range(0, 1'000'000'000))
+        ->capture_default_str();
+    command->callback(
+        [flags = flags_, exit_code = exit_code_] { *exit_code = FollowRobot(*flags); });
+  }
+
   void AddCamera() {
     CLI::App* const command =
         Add(rc_, "camera", "Writes a picture of the camera, as .ppm", &RcCameraAction);
@@ -207,16 +262,12 @@ class RcCommands {
         ->capture_default_str();
     CLI::Option* const log =
         play->add_option("--log", flags_->log,
-                         "Waits for the end and writes the key frames to this file")
+                         "Waits for the end and writes the key frames to this file; with --with "
+                         "the values of the second robot are the simulated ones")
             ->check(IsWritable());
-    CLI::Option* const simulated =
-        play->add_flag("--simulated", flags_->simulated,
-                       "HOST is a simulation: its values go to the simulated ones of the log")
-            ->needs(log);
-    play->add_option("--with", flags_->with,
-                     "Plays on this robot (HOST:PORT), too; the log has its values as simulated")
-        ->needs(log)
-        ->excludes(simulated);
+    play->add_flag("--simulated", flags_->simulated,
+                   "HOST is a simulation: its values go to the simulated ones of the log")
+        ->needs(log);
     Add(mtn, "stop", "Stops the motion", &RcStopAction);
     Add(mtn, "list", "The motions on the stick, with their sizes", &RcListAction);
     Add(mtn, "upload", "Puts a motion on the stick", &RcUploadMotionAction)

@@ -132,7 +132,7 @@ void RcSensorsAction(remote::Connection* robot, const RcFlags& flags) {
 }
 
 void RcPlayAction(remote::Connection* robot, const RcFlags& flags) {
-  if (!flags.with.empty()) return RcPlayWithAction(robot, flags);
+  if (!flags.with.empty() && !flags.log.empty()) return RcPlayWithAction(robot, flags);
   remote::LogReader log(robot);
   if (!flags.log.empty()) log.SkipOld();
   const remote::PlayAnswer play = robot->PlayMotion(flags.file, flags.loops, flags.key_frames);

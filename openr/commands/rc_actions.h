@@ -19,6 +19,8 @@ namespace remote = openr::remote;
 
 struct RcFlags {
   std::string address;
+  std::string with;    // address of a second robot; "": none
+  bool track = false;  // whether a robot that follows ignores its limits
   int64_t timeout_us = 3'000'000;
   bool json = false;
   std::string device;  // name, title, locator or number
@@ -34,7 +36,6 @@ struct RcFlags {
   bool raw = false;                // whether to write the bytes of the layer as the robot has them
   std::string log;                 // file of the host for the log of a motion; "": none
   bool simulated = false;          // whether the log's values are those of a simulated robot
-  std::string with;                // address of a second robot to play on; "": none
   std::string output;              // file of the host for a download; "": as on the stick
   std::vector<std::string> goals;  // "neck_pan=30"
   std::string stream;              // "sensors" or "keyframes"

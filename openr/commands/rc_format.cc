@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <mutex>
+
 #include "cli/standard_streams.h"
 
 namespace openr_host {
@@ -11,7 +13,14 @@ using Json = nlohmann::ordered_json;
 
 constexpr uint32_t kNoFrame = 0xffffffff;
 
+thread_local std::string t_robot;  // see RcRobotLabel; "": none
+std::mutex g_print_mutex;          // two threads print when there are two robots
+
 }  // namespace
+
+RcRobotLabel::RcRobotLabel(const std::string& address) { t_robot = address; }
+
+RcRobotLabel::~RcRobotLabel() { t_robot.clear(); }
 
 std::string FrameText(uint32_t frame) {
   return frame == kNoFrame ? "frame -:" : fmt::format("frame {}:", frame);
@@ -20,12 +29,15 @@ std::string FrameText(uint32_t frame) {
 Json FrameJson(uint32_t frame) { return frame == kNoFrame ? Json() : Json(frame); }
 
 void PrintRcAnswer(bool as_json, uint32_t frame, const Json& json, const std::string& text) {
+  const std::lock_guard lock(g_print_mutex);
   if (as_json) {
     Json answer = {{"frame", FrameJson(frame)}};
+    if (!t_robot.empty()) answer["robot"] = t_robot;
     answer.update(json);
     PrintAnswer(answer.dump() + "\n");
   } else {
-    PrintAnswer(fmt::format("{} {}\n", FrameText(frame), text));
+    const std::string robot = t_robot.empty() ? "" : t_robot + " ";
+    PrintAnswer(fmt::format("{}{} {}\n", robot, FrameText(frame), text));
   }
   FlushAnswer();
 }

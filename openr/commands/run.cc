@@ -24,6 +24,7 @@
 #include "openr/ending/watchdog.h"
 #include "openr/inspect/recorder.h"
 #include "openr/live/console_log.h"
+#include "openr/live/couplings.h"
 #include "openr/live/live_answers.h"
 #include "openr/live/live_context.h"
 #include "openr/live/live_events.h"
@@ -113,12 +114,13 @@ EventScript ReadEvents(const std::string& file) {
 
 // Makes the server for `openr poke`, `openr attach` and the panel.  A run goes on without the
 // server if its socket cannot be made.
-std::unique_ptr<LiveServer> MakeLiveServer(const LiveContext& context, const std::string& name) {
+std::unique_ptr<LiveServer> MakeLiveServer(const LiveContext& context, const std::string& name,
+                                           Couplings* couplings) {
   try {
     const auto answer = [context](const nlohmann::json& request) {
       return AnswerLive(context, request);
     };
-    return std::make_unique<LiveServer>(name, answer, context.events);
+    return std::make_unique<LiveServer>(name, answer, context.events, couplings);
   } catch (const std::exception& error) {
     fmt::print(stderr, "openr: openr poke and attach cannot reach this run: {}\n", error.what());
     return nullptr;
@@ -167,6 +169,7 @@ class CommandedRun {
   const SimulationOptions options_;
   Simulation simulation_;
   RunClock clock_;
+  Couplings couplings_{&clock_, &rewind_};
   MessageHistory history_;
   LiveEvents live_events_;
   const LiveContext live_context_;
@@ -309,7 +312,7 @@ bool CommandedRun::RunToTheEnd() {
     plan_.recorder = &recorder_;
   }
   distribution_.Begin(&simulation_, &plan_);
-  const std::unique_ptr<LiveServer> live = MakeLiveServer(live_context_, LiveName());
+  const std::unique_ptr<LiveServer> live = MakeLiveServer(live_context_, LiveName(), &couplings_);
   plan_.live = live.get();
   if (live != nullptr) {
     plan_.clock = &clock_;

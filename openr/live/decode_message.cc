@@ -93,6 +93,9 @@ std::string DecodeMoverCommand(const RobotModel& model, const std::string& conte
       return fmt::format("speed of {} at most {:.2f} deg/s", joint, command.value / 100.0);
     case moverkindACCELERATION:
       return fmt::format("acceleration of {} {:.2f} deg/s^2", joint, command.value / 100.0);
+    case moverkindTRACK:
+      return fmt::format("{} to {:.2f} deg in {} frames", joint, DegreesOf(command.value),
+                         command.frames);
     case moverkindPLAY:
       return fmt::format("play {}, {} times", file, command.loops);
     case moverkindSTOP:

@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "cli/json_text.h"
+#include "openr/live/couplings.h"
 #include "openr/live/live_folder.h"
 #include "runtime/base/assert.h"
 #include "runtime/base/wall_clock.h"
@@ -28,8 +29,9 @@ constexpr int kPeriodMs = 8;  // shortest period of events, a frame
 
 }  // namespace
 
-LiveServer::LiveServer(const std::string& name, Answer answer, LiveEvents* events)
-    : name_(name), answer_(std::move(answer)), events_(events) {
+LiveServer::LiveServer(const std::string& name, Answer answer, LiveEvents* events,
+                       Couplings* couplings)
+    : name_(name), answer_(std::move(answer)), events_(events), couplings_(couplings) {
   Open();
 }
 
@@ -55,6 +57,7 @@ void LiveServer::Open() {
 void LiveServer::Forget() {
   for (const Client& client : clients_) close(client.descriptor);
   clients_.clear();
+  if (couplings_ != nullptr) couplings_->Forget();
   if (listener_ >= 0) close(std::exchange(listener_, -1));
 }
 
@@ -75,7 +78,7 @@ void LiveServer::Accept() {
     if (clients_.size() == kClientsMax) {
       close(descriptor);
     } else {
-      clients_.push_back({descriptor, "", "", {}, {}});
+      clients_.push_back({++client_count_, descriptor, "", "", {}, {}});
     }
   }
 }
@@ -91,7 +94,7 @@ bool LiveServer::AnswerLines(Client* client) {
     nlohmann::json request;
     try {
       request = nlohmann::json::parse(line);
-      answer = request.at("do") == "watch" ? BeginWatch(client, request) : answer_(request);
+      answer = AnswerTo(client, request);
     } catch (const std::exception& error) {
       answer = {{"error", error.what()}};
     }
@@ -100,6 +103,14 @@ bool LiveServer::AnswerLines(Client* client) {
     if (client->to_send.size() > kAnswersMax) return false;
   }
   return client->received.size() <= kRequestMax;
+}
+
+// Answers a request: here if the answer depends on the client, else as all clients are answered.
+nlohmann::ordered_json LiveServer::AnswerTo(Client* client, const nlohmann::json& request) {
+  if (request.at("do") == "watch") return BeginWatch(client, request);
+  if (request.at("do") == "couple" && couplings_ != nullptr)
+    return couplings_->Answer(client->number, request);
+  return answer_(request);
 }
 
 // Answers the request "watch": the events that it names are sent to `client` from now on, and no
@@ -190,6 +201,7 @@ void LiveServer::ServeAll() {
     const bool is_sent = Send(&client);
     if (goes_on && is_sent) return false;
     close(client.descriptor);
+    if (couplings_ != nullptr) couplings_->End(client.number);
     return true;
   });
   if (clients_.size() != count) TellWatchedEvents();

@@ -17,6 +17,8 @@
 
 namespace openr_host {
 
+class Couplings;
+
 class LiveServer {
  public:
   // Limits, so that no client can make the run use much memory: the bytes of a request, the bytes
@@ -30,8 +32,10 @@ class LiveServer {
   using Answer = std::function<nlohmann::ordered_json(const nlohmann::json& request)>;
 
   // Makes the socket of this run.  `events`, which must outlive the server, makes the events; null:
-  // nobody can watch.  Throws std::runtime_error if the socket cannot be made.
-  LiveServer(const std::string& name, Answer answer, LiveEvents* events);
+  // nobody can watch.  `couplings` must outlive the server, too; null: there is no request
+  // "couple". Throws std::runtime_error if the socket cannot be made.
+  LiveServer(const std::string& name, Answer answer, LiveEvents* events,
+             Couplings* couplings = nullptr);
   // Removes the socket.
   ~LiveServer();
   LiveServer(const LiveServer&) = delete;
@@ -64,6 +68,7 @@ class LiveServer {
   };
 
   struct Client {
+    uint64_t number;  // differs for all clients of this run
     int descriptor;
     std::string received;  // the begin of the next request
     std::string to_send;   // answers that the socket has not taken yet
@@ -75,6 +80,7 @@ class LiveServer {
   bool Receive(Client* client);
   bool Send(Client* client);
   bool AnswerLines(Client* client);
+  nlohmann::ordered_json AnswerTo(Client* client, const nlohmann::json& request);
   nlohmann::ordered_json BeginWatch(Client* client, const nlohmann::json& request);
   void SendEvents(Client* client, int64_t now_ns);
   void TellWatchedEvents();
@@ -85,10 +91,12 @@ class LiveServer {
   const std::string name_;
   const Answer answer_;
   LiveEvents* const events_;
+  Couplings* const couplings_;
   std::string path_;
   int process_ = 0;  // a fork of this process must not remove the socket
   int listener_ = -1;
   int64_t next_ns_ = 0;
+  uint64_t client_count_ = 0;  // clients that have connected so far
   std::vector<Client> clients_;
 };
 

@@ -8,28 +8,12 @@
 #include <utility>
 
 #include "cli/json_text.h"
-#include "openr/live/live_client.h"
+#include "openr/panel/endpoints.h"
 
 namespace openr_host {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr int kPortTimeoutMs = 3000;
-
-// Returns the address of the remote control of a robot of `run`.
-remote::Address AddressInRun(const LiveRun& run, size_t robot) {
-  const Json status = LiveClient(run, kPortTimeoutMs).Ask({{"do", "status"}});
-  const auto ports = status.find("rc_ports");
-  if (ports == status.end() || robot >= ports->size())
-    throw std::runtime_error(fmt::format("the run has no remote control of robot {}", robot));
-  const int port = ports->at(robot).get<int>();
-  if (port == 0) {
-    throw std::runtime_error(
-        "the robot does not listen yet, or has no object RCServer; try again soon");
-  }
-  return {"127.0.0.1", static_cast<uint16_t>(port)};
-}
 
 // Returns whether the begin of a message shows that it is an upload, whose data follow.
 bool BeginsUpload(std::string_view text) {
@@ -53,6 +37,7 @@ Page::~Page() { Leave(); }
 void Page::Leave() {
   outbox_->Close();
   bridges_.clear();
+  pairs_.clear();
   link_.reset();
 }
 
@@ -116,6 +101,8 @@ void Page::Obey(const std::string& text) {
       runs_->Ask(outbox_, request.value("id", nlohmann::json()));
     } else if (what == "rc") {
       CallRobot(std::move(request), text.size());
+    } else if (what == "pair") {
+      CallPair(request);
     } else {
       PassOn(text, request);
     }
@@ -148,7 +135,7 @@ RcBridge* Page::BridgeTo(const nlohmann::json& request) {
     if (!run_) throw std::runtime_error("this page has no run; give the endpoint as HOST:PORT");
     find = [run = *run_, robot] { return AddressInRun(run, robot); };
   } else {
-    find = [address = remote::ParseAddress(endpoint)] { return address; };
+    find = [address = ParseEndpoint(endpoint)] { return address; };
   }
   if (bridges_.size() >= kEndpointsMax) {
     throw std::runtime_error(
@@ -157,6 +144,31 @@ RcBridge* Page::BridgeTo(const nlohmann::json& request) {
   auto& bridge = bridges_[key];
   bridge = std::make_unique<RcBridge>(std::move(find), outbox_);
   return bridge.get();
+}
+
+// Connects a robot of the run with a second one, ends that, or changes what the two do.
+void Page::CallPair(const nlohmann::json& request) {
+  const size_t robot = request.value("robot", size_t{0});
+  const std::string call = request.at("call").get<std::string>();
+  const auto found = pairs_.find(robot);
+  const bool is_there = found != pairs_.end() && !found->second->is_over();
+  if (call == "connect") {
+    if (!run_) throw std::runtime_error("this page has no run");
+    if (is_there) throw std::runtime_error("a second robot is connected already; disconnect first");
+    if (pairs_.size() >= kEndpointsMax && found == pairs_.end())
+      throw std::runtime_error(fmt::format("a page can use {} pairs at most", kEndpointsMax));
+    pairs_[robot] = std::make_unique<PairBridge>(*run_, robot, request, outbox_);
+    return;
+  }
+  if (call != "set" && call != "disconnect")
+    throw std::runtime_error(
+        fmt::format("'{}' is no call of a pair; known are connect, set, disconnect", call));
+  if (!is_there) throw std::runtime_error("no second robot is connected");
+  if (call == "set") found->second->Set(request);
+  if (call == "disconnect") pairs_.erase(found);
+  Json answer = Json::object();
+  if (request.contains("id")) answer["id"] = request["id"];
+  Queue(JsonText(answer));
 }
 
 void Page::Refuse(const nlohmann::json& request, const std::string& why) {

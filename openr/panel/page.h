@@ -11,6 +11,7 @@
 #include "openr/live/live_folder.h"
 #include "openr/panel/outbox.h"
 #include "openr/panel/page_queue.h"
+#include "openr/panel/pair_bridge.h"
 #include "openr/panel/rc_bridge.h"
 #include "openr/panel/run_link.h"
 #include "openr/panel/runs_lister.h"
@@ -58,6 +59,7 @@ class Page : public WebPage {
   void Obey(const std::string& text);
   void PassOn(const std::string& text, const nlohmann::json& request);
   void CallRobot(nlohmann::json request, size_t size);
+  void CallPair(const nlohmann::json& request);
   RcBridge* BridgeTo(const nlohmann::json& request);
   void Refuse(const nlohmann::json& request, const std::string& why);
   void Queue(std::string text);
@@ -69,6 +71,7 @@ class Page : public WebPage {
   std::optional<LiveRun> run_;
   std::unique_ptr<RunLink> link_;                             // null: no run
   std::map<std::string, std::unique_ptr<RcBridge>> bridges_;  // by endpoint
+  std::map<size_t, std::unique_ptr<PairBridge>> pairs_;       // by robot of the run
   std::string received_;                                      // the begin of the next message
   PageQueue queue_;
   bool is_closing_ = false;

@@ -332,7 +332,7 @@ void ServePanel(const PanelOptions& options) {
     PrintAddress(panel.Url(), options.run_pipe >= 0);
     panel.Run();
   }
-  if (!RcBridge::HasThreads() && !RunsLister::HasThreads()) return;
+  if (!RcBridge::HasThreads() && !PairBridge::HasThreads() && !RunsLister::HasThreads()) return;
   // A thread still waits for a robot.  Ends the process without destructors of static variables,
   // because the thread may use them.
   const int exit_code = FinishStandardOutput(0, "openr");

@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <map>
 #include <stdexcept>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -214,10 +217,48 @@ Json RcCalls::Upload(const Request& request, const Progress& progress) {
     throw std::runtime_error("'kind' must be motion or controller");
   }
   const size_t size = bytes->size();
+  const bool plays = file_kind == rcfileMOTION && request.contains("loops");
+  if (plays) name = FreeName();
   robot_->Upload(file_kind, name, *bytes, [&progress](size_t sent, size_t whole) {
     if (sent > 0) progress(sent, whole);
   });
+  if (plays) return PlayAndDelete({{"name", name}, {"loops", request["loops"]}});
   return {{"name", name}, {"size", size}};
+}
+
+// Returns a name for a file that is on the stick only while its motion begins.
+std::string RcCalls::FreeName() {
+  const std::vector<remote::ListEntry> motions = robot_->ListMotions();
+  for (int i = 0; i <= 99; ++i) {
+    std::string name = fmt::format("PANEL{}.MTN", i);
+    if (std::none_of(motions.begin(), motions.end(),
+                     [&](const remote::ListEntry& motion) { return motion.name == name; }))
+      return name;
+  }
+  throw std::runtime_error("the stick has all motions from PANEL0.MTN to PANEL99.MTN already");
+}
+
+// Plays a motion, and deletes its file as soon as JointMover has read it.
+Json RcCalls::PlayAndDelete(const Request& request) {
+  const std::string name = request.at("name").get<std::string>();
+  Json answer;
+  try {
+    answer = Play(request, {});
+  } catch (const remote::Error& error) {
+    if (error.code() == remote::ErrorCode::kRefused) robot_->DeleteMotion(name);
+    throw;
+  }
+  robot_->GetSensors();
+  const uint32_t begin = robot_->frame();
+  // JointMover reads the file a moment after the answer.
+  constexpr int kAsksMax = 100;
+  for (int i = 0; i < kAsksMax; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    robot_->GetSensors();
+    if (robot_->frame() - begin >= 4 * RC_FRAMES_PER_VECTOR) break;
+  }
+  robot_->DeleteMotion(name);
+  return answer;
 }
 
 Json RcCalls::Delete(const Request& request, const Progress&) {

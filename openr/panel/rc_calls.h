@@ -63,6 +63,8 @@ class RcCalls {
   Json JointValue(Setter setter, const Request& request, const char* member);
   // Returns the index of the device that `request` names, and reads "on" into `*is_on`.
   int Switch(RcDeviceKind kind, const Request& request, bool* is_on);
+  std::string FreeName();
+  Json PlayAndDelete(const Request& request);
   void Disconnect();
 
   const FindAddress find_address_;

@@ -258,11 +258,24 @@ RequestId Connection::SendBatch(const std::vector<Call>& calls) {
   return Send(rcBATCH, payload);
 }
 
+int Connection::descriptor() const { return stream_->descriptor(); }
+
+std::optional<Answer> Connection::TakeAnswer(RequestId id) {
+  Pending& pending = pending_.at(id);
+  if (!pending.answer) return std::nullopt;
+  Answer answer = *std::move(pending.answer);
+  pending_.erase(id);
+  return answer;
+}
+
 std::vector<Answer> Connection::WaitForBatch(RequestId id, size_t count) {
-  const Answer whole = Wait(id);
+  return ReadBatch(Wait(id), count);
+}
+
+std::vector<Answer> Connection::ReadBatch(const Answer& answer, size_t count) const {
   std::vector<Answer> answers;
   RcFramer framer;
-  framer.Take(whole.payload.data(), static_cast<int>(whole.payload.size()));
+  framer.Take(answer.payload.data(), static_cast<int>(answer.payload.size()));
   while (framer.Next() == RcFramer::PACKET) {
     RcAnswerHeader header;
     if (!header.Read(framer)) ThrowMalformed();

@@ -213,6 +213,16 @@ class Connection {
   RequestId SendBatch(const std::vector<Call>& calls);
   std::vector<Answer> WaitForBatch(RequestId id, size_t count);  // `count` of the calls
 
+  // ---- For programs that serve several robots in one thread
+
+  // Returns the socket, for poll().  REQUIRES: only poll() is called with it.
+  int descriptor() const;
+  // Returns the answer if one of the functions above has received it, and forgets the request then.
+  // Does not wait and does not receive; NextEvent() with a deadline in the past receives.
+  std::optional<Answer> TakeAnswer(RequestId id);
+  // Reads the answer to SendBatch(), which had `count` calls.
+  std::vector<Answer> ReadBatch(const Answer& answer, size_t count) const;
+
   // Makes the payload of a request from a struct of the protocol.
   template <typename Payload>
   static Bytes BytesOf(const Payload& payload) {

@@ -8,16 +8,18 @@
 namespace openr_host {
 namespace {
 
-using Json = nlohmann::json;
+using PlainJson = nlohmann::json;
 
-Json Binary(const std::string& bytes) { return Json::binary({bytes.begin(), bytes.end()}); }
+PlainJson Binary(const std::string& bytes) {
+  return PlainJson::binary({bytes.begin(), bytes.end()});
+}
 
-std::string TextOf(const Json& binary) {
+std::string TextOf(const PlainJson& binary) {
   const auto& bytes = binary.get_binary();
   return {bytes.begin(), bytes.end()};
 }
 
-Json EventJson(const NetworkEvent& event) {
+PlainJson EventJson(const NetworkEvent& event) {
   return {static_cast<int>(event.kind),
           event.handle,
           static_cast<int>(event.error),
@@ -30,7 +32,7 @@ Json EventJson(const NetworkEvent& event) {
           event.host.addresses};
 }
 
-NetworkEvent EventOf(const Json& json) {
+NetworkEvent EventOf(const PlainJson& json) {
   NetworkEvent event;
   event.kind = static_cast<NetworkEvent::Kind>(json.at(0).get<int>());
   event.handle = json.at(1);
@@ -70,10 +72,10 @@ void InputLog::DropBefore(uint64_t begin) {
   }
 }
 
-Json ToJson(const std::vector<LoggedInput>& inputs) {
-  Json json = Json::array();
+PlainJson ToJson(const std::vector<LoggedInput>& inputs) {
+  PlainJson json = PlainJson::array();
   for (const LoggedInput& input : inputs) {
-    Json events = Json::array();
+    PlainJson events = PlainJson::array();
     for (const NetworkEvent& event : input.events) events.push_back(EventJson(event));
     json.push_back({input.robot, Binary(input.line), input.time_us, input.messages, input.poll,
                     std::move(events)});
@@ -81,16 +83,16 @@ Json ToJson(const std::vector<LoggedInput>& inputs) {
   return json;
 }
 
-std::vector<LoggedInput> LoggedInputsOf(const Json& json) {
+std::vector<LoggedInput> LoggedInputsOf(const PlainJson& json) {
   std::vector<LoggedInput> inputs;
-  for (const Json& each : json) {
+  for (const PlainJson& each : json) {
     LoggedInput input;
     input.robot = each.at(0);
     input.line = TextOf(each.at(1));
     input.time_us = each.at(2);
     input.messages = each.at(3);
     input.poll = each.at(4);
-    for (const Json& event : each.at(5)) input.events.push_back(EventOf(event));
+    for (const PlainJson& event : each.at(5)) input.events.push_back(EventOf(event));
     inputs.push_back(std::move(input));
   }
   return inputs;

@@ -26,7 +26,7 @@
 namespace openr_host {
 namespace {
 
-using Json = nlohmann::json;
+using PlainJson = nlohmann::json;
 
 // The least distance of two checkpoints, in virtual time and by the clock of this computer.
 constexpr int64_t kDistanceUs = 1'500'000;
@@ -179,8 +179,13 @@ void Rewind::UpdateMemory() {
   for (const Checkpoint& checkpoint : checkpoints_) memory_bytes_ += MemoryOf(checkpoint.process);
 }
 
+const std::string& Rewind::WhyNot() const {
+  if (!parts_.why_not.empty()) return parts_.why_not;
+  return trouble_.empty() ? refusal_ : trouble_;
+}
+
 nlohmann::ordered_json Rewind::Status() {
-  const std::string& why = parts_.why_not.empty() ? trouble_ : parts_.why_not;
+  const std::string& why = WhyNot();
   nlohmann::ordered_json status = {{"possible", why.empty()},
                                    {"why", why},
                                    {"from_s", nullptr},
@@ -219,9 +224,8 @@ std::string Rewind::ShowMessage(uint64_t count) {
 
 // Shows the moment `target`, for which `checkpoint` is the last checkpoint.  Returns "" or an
 // error.
-std::string Rewind::Show(Checkpoint* checkpoint, const Json& target) {
-  if (!parts_.why_not.empty() || !trouble_.empty())
-    return "this run cannot be rewound: " + (trouble_.empty() ? parts_.why_not : trouble_);
+std::string Rewind::Show(Checkpoint* checkpoint, const PlainJson& target) {
+  if (!WhyNot().empty()) return "this run cannot be rewound: " + WhyNot();
   if (checkpoint == nullptr)
     return checkpoints_.empty() ? "there is no checkpoint yet; checkpoints are taken while a "
                                   "client watches the run"
@@ -231,13 +235,13 @@ std::string Rewind::Show(Checkpoint* checkpoint, const Json& target) {
   const bool is_later =
       checkpoint == shown_ && (target.contains("time_us") ? target["time_us"] >= shown_us_
                                                           : target["messages"] >= shown_messages_);
-  Json request = {{"show", target}};
+  PlainJson request = {{"show", target}};
   if (!is_later) {
     LeaveView();
     request["inputs"] = ToJson(log_.From(checkpoint->log_end));
     request["files"] = original_files_.ToJson();
   }
-  std::optional<Json> answer;
+  std::optional<PlainJson> answer;
   if (SendMessage(checkpoint->socket, request))
     answer = ReceiveMessage(checkpoint->socket, kViewTimeoutMs);
   if (!answer || answer->contains("error")) {
@@ -261,9 +265,9 @@ void Rewind::LeaveView() {
 
 void Rewind::ShowPresent() { LeaveView(); }
 
-nlohmann::ordered_json Rewind::Forward(const Json& request) {
+nlohmann::ordered_json Rewind::Forward(const PlainJson& request) {
   ASSERT(shows_past());
-  std::optional<Json> answer;
+  std::optional<PlainJson> answer;
   if (SendMessage(shown_->socket, {{"answer", request}}))
     answer = ReceiveMessage(shown_->socket, kViewTimeoutMs);
   if (!answer) return {{"error", "the process that shows the past has ended or hangs"}};
@@ -274,7 +278,7 @@ nlohmann::ordered_json Rewind::Branch(double rate) {
   if (!shows_past()) return {{"error", "no earlier moment is shown from which to go on"}};
   // The ports must be free before the branch opens them.
   for (BranchNetwork* const network : networks_) network->Forget();
-  std::optional<Json> answer;
+  std::optional<PlainJson> answer;
   if (SendMessage(shown_->socket, {{"branch", rate}}))
     answer = ReceiveMessage(shown_->socket, kViewTimeoutMs);
   if (!answer || answer->contains("error")) {

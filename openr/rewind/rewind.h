@@ -23,6 +23,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "openr/rewind/input_log.h"
@@ -78,6 +79,9 @@ class Rewind {
   // branch.
   bool AfterFrame(bool is_watched);
 
+  // Refuses to go back, for the reason `why`; "": goes back again.
+  void Refuse(std::string why) { refusal_ = std::move(why); }
+
   // Returns what clients are told: whether and how far the run can be rewound, the checkpoints with
   // their memory, and the moment that is shown.
   nlohmann::ordered_json Status();
@@ -114,6 +118,8 @@ class Rewind {
   };
 
   System& system() const;
+  // Returns why the run cannot be rewound now; "" if it can.
+  const std::string& WhyNot() const;
   bool Take();
   void Drop(Checkpoint* checkpoint);
   void DropOld();
@@ -146,6 +152,7 @@ class Rewind {
   pid_t branch_ = -1;         // the process of the branch,
   pid_t branch_parent_ = -1;  // and that of its checkpoint, a child of this process
   std::string trouble_;       // why no more checkpoints are taken
+  std::string refusal_;       // why the run is not to be rewound for now
 
   bool is_view_ = false;
   int64_t last_frame_us_ = 0;           // end of the last frame that this view has run

@@ -25,7 +25,7 @@
 namespace openr_host {
 namespace {
 
-using Json = nlohmann::json;
+using PlainJson = nlohmann::json;
 
 // Waits for the end of process `view` and returns its exit code.
 int ExitCodeOf(pid_t view) {
@@ -48,7 +48,7 @@ void Rewind::Wait(int socket, const SavedStick& stick, ProcessFiles* files) {
   parts_.become_copy();
   int exit_code = 0;
   for (;;) {
-    const std::optional<Json> request = ReceiveMessage(socket, -1);
+    const std::optional<PlainJson> request = ReceiveMessage(socket, -1);
     // The original run has closed its end: it has ended, or the last view has become a branch that
     // is over now.
     if (!request) _exit(exit_code);
@@ -76,16 +76,16 @@ void Rewind::Wait(int socket, const SavedStick& stick, ProcessFiles* files) {
 // Runs a view, whose first request is `request`.  Returns true when it has become a branch, and
 // false when it is to end.
 bool Rewind::RunView(int socket, const SavedStick& stick, ProcessFiles* files,
-                     const Json& request) {
+                     const PlainJson& request) {
   is_view_ = true;
   last_frame_us_ = system().now_us();
-  for (std::optional<Json> next = request; next; next = ReceiveMessage(socket, -1)) {
+  for (std::optional<PlainJson> next = request; next; next = ReceiveMessage(socket, -1)) {
     if (next->contains("leave")) {
       folder_.reset();
       SendMessage(socket, {{"left", true}});
       return false;
     }
-    Json answer;
+    PlainJson answer;
     bool has_failed = false;
     try {
       if (next->contains("inputs")) Prepare(stick, files, *next);
@@ -113,7 +113,7 @@ bool Rewind::RunView(int socket, const SavedStick& stick, ProcessFiles* files,
 
 // Gives the view files of its own, and the inputs that it has to repeat.  `request` has these
 // inputs and the files that objects have changed in the original run, as they were before.
-void Rewind::Prepare(const SavedStick& stick, ProcessFiles* files, const Json& request) {
+void Rewind::Prepare(const SavedStick& stick, ProcessFiles* files, const PlainJson& request) {
   folder_ = std::make_unique<TempFolder>();
   const std::string copy = folder_->path() + "/stick", temporary = folder_->path() + "/files";
   std::filesystem::create_directory(copy);
@@ -153,7 +153,7 @@ void Rewind::AddDueInputs() {
 
 // Repeats the run up to a virtual time, behind all messages that are due then, or up to a number of
 // messages.
-void Rewind::RunTo(const Json& target) {
+void Rewind::RunTo(const PlainJson& target) {
   const bool has_time = target.contains("time_us");
   const int64_t end_us = has_time ? target["time_us"].get<int64_t>() : INT64_MAX;
   const uint64_t end_count = has_time ? UINT64_MAX : target["messages"].get<uint64_t>();
@@ -180,7 +180,7 @@ void Rewind::RunOne(int64_t time_us) {
 }
 
 // Makes the view a run of its own.
-Json Rewind::GoOn(ProcessFiles* files, double rate) {
+PlainJson Rewind::GoOn(ProcessFiles* files, double rate) {
   const std::vector<std::string> kept = files->KeepCopies();
   const std::string name = parts_.become_branch(rate);
   for (BranchNetwork* const network : networks_) network->GoOn();

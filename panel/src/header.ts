@@ -56,7 +56,7 @@ function makeRobotChoice(session: Session): HTMLElement {
 }
 
 // The chips with what must be seen at once: state of the dog, battery, what waits.
-function makeChips(session: Session, showGraph: () => void): HTMLElement[] {
+function makeChips(session: Session, show: (panel: string) => void): HTMLElement[] {
   const state = el('span', { class: 'chip', title: 'State of JointMover' }, '–');
   const motors = el('span', { class: 'chip optional' }, '');
   const battery = el('span', { class: 'chip optional' }, '');
@@ -72,19 +72,29 @@ function makeChips(session: Session, showGraph: () => void): HTMLElement[] {
     setText(battery, percent === undefined ? 'battery unknown' : `battery ${percent}%${sign}`);
     setClass(battery, 'warn', percent !== undefined && percent < 15);
   });
-  const waits = button('', showGraph, { class: 'chip warn', hidden: true });
+  const waits = button('', () => show('graph'), { class: 'chip warn', hidden: true });
   session.on('graph', (graph) => {
     const names = graph.objects.filter((each) => each.waits_for).map((each) => each.name);
     waits.hidden = names.length === 0;
     setText(waits, names.length === 1 ? `◔ ${names[0]} waits` : `◔ ${names.length} objects wait`);
   });
-  return [state, motors, battery, waits];
+  const pair = button('', () => show('both'), { class: 'chip pair', hidden: true });
+  session.on('pair', ({ isConnected, simulation, follow, status }) => {
+    pair.hidden = !isConnected;
+    const lag = status?.lag_ms ?? null;
+    const where = simulation ? 'both dogs' : 'robot only';
+    const who = follow === 'none' ? where : `${follow} follows`;
+    setText(pair, `⇄ ${lag === null ? who : `lag ${lag} ms`}`);
+    pair.title = lag === null ? who : `${who}, lag ${lag} ms`;
+    setClass(pair, 'warn', !simulation);
+  });
+  return [state, motors, battery, pair, waits];
 }
 
 export function makeHeader(
   session: Session,
   join: (run: string) => void,
-  showGraph: () => void,
+  show: (panel: string) => void,
 ): HTMLElement {
   const link = el('span', { class: 'link' }, el('i', { 'aria-hidden': true }), el('span', {}, ''));
   session.on('link', ({ state, why }) => {
@@ -106,7 +116,7 @@ export function makeHeader(
     makeRunChoice(session, join),
     makeRobotChoice(session),
     link,
-    el('div', { class: 'chips' }, ...makeChips(session, showGraph)),
+    el('div', { class: 'chips' }, ...makeChips(session, show)),
     theme,
   );
 }

@@ -21,23 +21,23 @@ const layouts: { name: string; minWidth: number; regions: Regions }[] = [
       side: ['joints'],
       side2: ['motions'],
       side3: ['sensors'],
-      side4: ['robot'],
+      side4: ['robot', 'both'],
     },
   },
   {
     name: 'wide',
     minWidth: 1180,
-    regions: { lower: ['graph', 'plots', 'log'], side: ['joints', 'sensors', 'robot'], side2: ['motions'] },
+    regions: { lower: ['graph', 'plots', 'log'], side: ['joints', 'sensors', 'robot', 'both'], side2: ['motions'] },
   },
   {
     name: 'medium',
     minWidth: 720,
-    regions: { lower: ['graph', 'plots', 'log'], side: ['joints', 'motions', 'sensors', 'robot'] },
+    regions: { lower: ['graph', 'plots', 'log'], side: ['joints', 'motions', 'sensors', 'robot', 'both'] },
   },
   {
     name: 'narrow',
     minWidth: 0,
-    regions: { lower: ['joints', 'motions', 'sensors', 'graph', 'plots', 'log', 'robot'] },
+    regions: { lower: ['joints', 'motions', 'sensors', 'graph', 'plots', 'log', 'robot', 'both'] },
   },
 ];
 

@@ -4,10 +4,12 @@ import './style/layout.css';
 import './style/stage.css';
 import './style/panels.css';
 import './style/graph.css';
+import './style/both.css';
 import { runOfAddress, setRunOfAddress, takeToken } from './access';
 import { makeHeader, makeLinkBanner } from './header';
 import { Layout, type PanelDef } from './layout';
 import { makeNotices } from './notices';
+import { makeBoth } from './panels/both';
 import { makeGraph } from './panels/graph';
 import { makeJoints } from './panels/joints';
 import { makeLog } from './panels/log';
@@ -36,6 +38,7 @@ function start(): void {
     { id: 'plots', title: 'Plots', element: makePlots(session) },
     { id: 'log', title: 'Log', element: makeLog(session) },
     { id: 'robot', title: 'Robot', element: makeRobot(session) },
+    { id: 'both', title: 'Both dogs', element: makeBoth(session) },
   ];
   const stage = makeStageView(session);
   const layout = new Layout(panels, stage, makeTimeBar(session));
@@ -47,7 +50,7 @@ function start(): void {
   });
   const app = document.getElementById('app');
   app?.replaceChildren(
-    makeHeader(session, join, () => layout.show('graph')),
+    makeHeader(session, join, (panel) => layout.show(panel)),
     makeLinkBanner(session, join),
     layout.element,
     makeNotices(session),

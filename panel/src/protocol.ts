@@ -219,5 +219,33 @@ export interface RemoteJoint {
   accel: number;
 }
 
+// The answer to the request that connects a second robot.
+export interface PairAnswer {
+  endpoint: string;
+  model: string;
+  software: string;
+  first_time: boolean;
+  joints: RemoteJoint[];
+}
+
+export interface PairEvent {
+  event: 'pair';
+  pair: unknown; // id of the request that has connected
+  robot: number;
+  endpoint: string;
+  state: 'connected' | 'lost' | 'closed';
+  why?: string;
+  follow?: string;
+  round_trip_ms?: number | null;
+  run_round_trip_ms?: number | null;
+  lag_ms?: number | null;
+  robot_state?: string;
+  deg?: number[];
+  motion?: string;
+  key_frame?: number;
+  key_frames?: number;
+  refusal?: { simulation: string; robot: string };
+}
+
 export type Request = { do: string } & Record<string, unknown>;
 export type Answer = Record<string, unknown>;

@@ -1,12 +1,14 @@
 // Session: the run that the page shows, its newest events, and the requests to it. Views subscribe
 // to what they draw.
 import { Connection, type LinkState } from './connection';
+import { Pair } from './pair';
 import type {
   Answer,
   Clock,
   FindingsEvent,
   GraphEvent,
   LogEvent,
+  PairEvent,
   PoseEvent,
   Request,
   Runs,
@@ -30,6 +32,7 @@ export interface Topics {
   newRun: string;
   branched: string;
   notice: { text: string; kind: 'good' | 'bad' };
+  pair: Pair;
 }
 
 type Topic = keyof Topics;
@@ -56,6 +59,7 @@ export class Session {
   link: LinkState = 'connecting';
   run: string;
   robot = 0;
+  readonly pair = new Pair(this);
 
   private connection: Connection | null = null;
   private readonly failed = new Set<Topic>(); // topics that a view could not read
@@ -96,6 +100,7 @@ export class Session {
     this.clock = null;
     this.graph = null;
     this.robot = 0;
+    this.pair.leave();
     this.emit('newRun', run);
     this.connection = new Connection(run, this.token, {
       onState: (state, why) => this.onState(state, why),
@@ -131,8 +136,15 @@ export class Session {
     return this.tell({ do: 'input', robot, line }, line);
   }
 
-  rc<T = Answer>(call: string, more: Record<string, unknown>, what: string): Promise<T | null> {
-    return this.tell<T>({ do: 'rc', call, endpoint: 'run', robot: this.robot, ...more }, what);
+  // Calls the remote control: of the run, of the second robot, or of both at once. Returns the first
+  // answer that is no error, null if there is none.
+  async rc<T = Answer>(call: string, more: Record<string, unknown>, what: string): Promise<T | null> {
+    const targets = this.pair.targets(call);
+    const answers = targets.map((endpoint) => {
+      const whose = targets.length === 1 ? '' : endpoint === 'run' ? ' (simulation)' : ' (robot)';
+      return this.tell<T>({ do: 'rc', call, endpoint, robot: this.robot, ...more }, what + whose);
+    });
+    return (await Promise.all(answers)).find((answer) => answer !== null) ?? null;
   }
 
   async setClock(change: Record<string, unknown>): Promise<void> {
@@ -176,6 +188,7 @@ export class Session {
 
   private onState(state: LinkState, why: string): void {
     this.link = state;
+    if (state !== 'open') this.pair.leave();
     this.emit('link', { state, why });
     if (state === 'open') void this.begin();
   }
@@ -220,6 +233,9 @@ export class Session {
         break;
       case 'clock':
         this.takeClock(data as Clock);
+        break;
+      case 'pair':
+        this.pair.take(data as PairEvent);
         break;
       case 'upload':
         this.emit('upload', data as UploadEvent);

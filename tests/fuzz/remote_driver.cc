@@ -32,11 +32,11 @@ uint32_t CrcOfText(const std::string& bytes) {
 
 // Commands that programs send most often; others are named by their number.
 constexpr uint8_t kCommands[] = {
-    rcINFO,         rcDESCRIBE,    rcGET,         rcMOVE,     rcSPEED,       rcACCEL,
-    rcLED,          rcEAR,         rcSENSORS,     rcMTN_PLAY, rcMTN_STOP,    rcMTN_LIST,
-    rcUPLOAD_BEGIN, rcUPLOAD_DATA, rcUPLOAD_END,  rcDELETE,   rcDOWNLOAD,    rcLOG,
-    rcREBOOT,       rcSHUTDOWN,    rcBATCH,       rcGAINS,    rcMOTOR_OFF,   rcMOTOR_ON,
-    rcPOWER,        rcSUBSCRIBE,   rcUNSUBSCRIBE, rcCAMERA,   rcCAMERA_PART, rcEVENT};
+    rcINFO,        rcDESCRIBE,  rcGET,      rcMOVE,     rcSPEED,     rcACCEL,        rcLED,
+    rcEAR,         rcSENSORS,   rcMTN_PLAY, rcMTN_STOP, rcMTN_LIST,  rcUPLOAD_BEGIN, rcUPLOAD_DATA,
+    rcUPLOAD_END,  rcDELETE,    rcDOWNLOAD, rcLOG,      rcREBOOT,    rcSHUTDOWN,     rcBATCH,
+    rcGAINS,       rcMOTOR_OFF, rcMOTOR_ON, rcPOWER,    rcSUBSCRIBE, rcUNSUBSCRIBE,  rcCAMERA,
+    rcCAMERA_PART, rcEVENT,     rcTRACK};
 
 std::string PacketBytes(int command, const std::string& payload, int tag, int version) {
   uint8_t bytes[RC_MAX_PACKET];

@@ -1,6 +1,7 @@
 // MOTOR_OFF, MOTOR_ON, GAINS and POWER of the remote control.
 #include <gtest/gtest.h>
 
+#include "Angle.h"
 #include "remote_robot.h"
 
 namespace openr_host {
@@ -25,6 +26,31 @@ TEST_F(MotorRequestsTest, OneMotorOrAllAreSwitched) {
   EXPECT_EQ(robot_.commands[1].kind, moverkindMOTOR_ON);
   EXPECT_EQ(robot_.commands[2].joint, MOVER_ALL_JOINTS);
   EXPECT_EQ(robot_.commands[3].joint, MOVER_ALL_JOINTS);
+}
+
+std::vector<uint8_t> TrackRequest(int joint, int32_t cdeg, int frames) {
+  std::vector<uint8_t> request = RemoteRobot::JointValue(joint, cdeg);
+  request.push_back(static_cast<uint8_t>(frames));
+  return request;
+}
+
+TEST_F(MotorRequestsTest, TrackTellsThePositionInForceAndSendsItWithItsFrames) {
+  ASSERT_EQ(Ask(rcTRACK, TrackRequest(1, 1'000'000, 4)), rcOK);
+  ASSERT_EQ(robot_.commands.size(), 1u);
+  EXPECT_EQ(robot_.commands[0].kind, moverkindTRACK);
+  EXPECT_EQ(robot_.commands[0].joint, 1);
+  EXPECT_EQ(robot_.commands[0].frames, 4);
+  EXPECT_EQ(robot_.commands[0].value, UradFromCdeg(FindRobot("ERS-210")->joints[1].maxCdeg));
+}
+
+TEST_F(MotorRequestsTest, TrackIsRefusedWithoutFramesDuringAMotionAndInVersion1) {
+  EXPECT_EQ(Ask(rcTRACK, TrackRequest(1, 0, 0)), rcerrorBAD_VALUE);
+  EXPECT_EQ(Ask(rcTRACK, TrackRequest(99, 0, 4)), rcerrorNO_SUCH_DEVICE);
+  EXPECT_EQ(Ask(rcTRACK, RemoteRobot::JointValue(1, 0)), rcerrorMALFORMED);
+  EXPECT_EQ(robot_.Ask(rcTRACK, TrackRequest(1, 0, 4), RC_VERSION), rcerrorUNKNOWN_COMMAND);
+  robot_.Say(moverMTN, 3);
+  EXPECT_EQ(Ask(rcTRACK, TrackRequest(1, 0, 4)), rcerrorBUSY);
+  EXPECT_TRUE(robot_.commands.empty());
 }
 
 TEST_F(MotorRequestsTest, WithoutPowerMovementsAreBusyInBothVersions) {

@@ -33,6 +33,36 @@ TEST_F(MoverMotorsTest, AllMotorsLosePowerAndEveryGainIsOff) {
   EXPECT_EQ(dog_.reports[0].state, moverACCEPTING_COMMANDS);
 }
 
+// Sends TRACK to the tilt joint and plays what follows; returns the positions of all frames.
+std::vector<int32_t> Tracked(StandingDog* dog, int32_t urad, int frames) {
+  const int tilt = dog->Joint(kTiltJoint);
+  dog->core.Do({moverkindTRACK, tilt, urad, frames, 0, {}, {}});
+  const size_t begin = dog->frames.size();
+  dog->Play();
+  std::vector<int32_t> positions;
+  for (size_t i = begin; i < dog->frames.size(); ++i) positions.push_back(dog->frames[i].at(tilt));
+  return positions;
+}
+
+TEST_F(MoverMotorsTest, TrackReachesItsGoalInItsFramesWhateverTheLimits) {
+  dog_.Command(moverkindSPEED, kTiltJoint, 1);
+  dog_.Command(moverkindACCELERATION, kTiltJoint, 1);
+  const std::vector<int32_t> way = Tracked(&dog_, dog_.angle[tilt_] - 400000, 4);
+  ASSERT_GE(way.size(), 4u);
+  EXPECT_EQ(way[3], way.back());
+  EXPECT_EQ(way[1] - way[0], way[3] - way[2]);
+}
+
+TEST_F(MoverMotorsTest, TrackGoesFarAwayWithinTheLimits) {
+  const std::vector<int32_t> way = Tracked(&dog_, dog_.angle[tilt_] - 800000, 1);
+  EXPECT_GT(way.size(), 40u);
+}
+
+TEST_F(MoverMotorsTest, TrackDoesNotMoveAJointThatIsOff) {
+  Switch(moverkindMOTOR_OFF, tilt_);
+  EXPECT_TRUE(Tracked(&dog_, dog_.angle[tilt_] - 400000, 4).empty());
+}
+
 TEST_F(MoverMotorsTest, OnlyMotorOnBringsPowerBack) {
   Switch(moverkindMOTOR_OFF, MOVER_ALL_JOINTS);
   dog_.Move(kTiltJoint, -300000);

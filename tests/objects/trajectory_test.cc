@@ -51,6 +51,44 @@ TEST(TrajectoryTest, ARestingJointStaysWhereItIs) {
   EXPECT_EQ(trajectory.Step(), 1234);
 }
 
+TEST(TrajectoryTest, TrackGoesStraightToTheGoalWhateverTheLimitsAre) {
+  Trajectory trajectory = At(0, 100, 312);
+  trajectory.Track(10 * kDeg, 5);
+  EXPECT_EQ(WayToRest(&trajectory),
+            (std::vector<int32_t>{0, 2 * kDeg, 4 * kDeg, 6 * kDeg, 8 * kDeg, 10 * kDeg}));
+  EXPECT_FALSE(trajectory.IsMoving());
+}
+
+TEST(TrajectoryTest, AfterTrackTheLimitsAreInForceAgain) {
+  Trajectory trajectory = At(0, 10000, kDefaultAccel);
+  trajectory.Track(kDeg, 2);
+  WayToRest(&trajectory);
+  trajectory.SetGoal(30 * kDeg);
+  ExpectWithinLimits(WayToRest(&trajectory), 10000, kDefaultAccel);
+  EXPECT_EQ(trajectory.Position(), 30 * kDeg);
+}
+
+TEST(TrajectoryTest, AGoalDuringTrackGoesOnWithThePresentSpeedAndEndsAtTheGoal) {
+  Trajectory trajectory = At(0, 10000, kDefaultAccel);
+  trajectory.Track(20 * kDeg, 20);
+  for (int i = 0; i < 5; ++i) trajectory.Step();
+  EXPECT_EQ(trajectory.Position(), 5 * kDeg);
+  trajectory.SetGoal(6 * kDeg);
+  const std::vector<int32_t> way = WayToRest(&trajectory);
+  ExpectWithinLimits(way, 12500, kDefaultAccel, kDeg);
+  EXPECT_EQ(way.back(), 6 * kDeg);
+}
+
+TEST(TrajectoryTest, HaltDuringTrackStopsWithinTheLimitOfAcceleration) {
+  Trajectory trajectory = At(0, 10000, kDefaultAccel);
+  trajectory.Track(20 * kDeg, 40);
+  for (int i = 0; i < 10; ++i) trajectory.Step();
+  trajectory.Halt();
+  const std::vector<int32_t> way = WayToRest(&trajectory);
+  ExpectWithinLimits(way, 10000, kDefaultAccel, kDeg / 2);
+  EXPECT_GT(way.back(), 5 * kDeg);
+}
+
 TEST(TrajectoryTest, EndsExactlyAtTheGoalForEveryGoal) {
   std::mt19937 random(1);
   for (int i = 0; i < 300; ++i) {

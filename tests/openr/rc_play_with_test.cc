@@ -113,7 +113,12 @@ TEST_F(RcPlayWithTest, WhenTheOtherRobotIsNotThereNothingPlays) {
 }
 
 TEST_F(RcPlayWithTest, FlagsThatDoNotFitAreRefused) {
-  EXPECT_EQ(real_->Rc({"mtn", "play", "WALK.MTN", "--with", other_->address()}).status, 2);
+  const ScratchFolder folder;
+  EXPECT_EQ(real_
+                ->Rc({"mtn", "play", "WALK.MTN", "--log", folder.File("NO.LOG"), "--simulated",
+                      "--with", other_->address()})
+                .status,
+            2);
   EXPECT_EQ(real_->Rc({"mtn", "play", "WALK.MTN", "--simulated"}).status, 2);
 }
 

@@ -81,6 +81,31 @@ class RewindTest : public ::testing::Test {
   std::unique_ptr<Watcher> watcher_;
 };
 
+TEST_F(RewindTest, ARunWithASecondRobotGoesInRealTimeAndNotBack) {
+  Start({"--rate", "4"});
+  RunTo(1, "4");
+  Watcher second(LiveRuns().at(0).socket);
+  EXPECT_EQ(second.Ask(R"({"do":"couple","robot":0,"with":"dog:54000"})").at("rate"), 1);
+  EXPECT_THAT(Error(R"({"do":"rewind","back_s":0.5})"),
+              HasSubstr("the robot at dog:54000 is connected, and cannot go back with it"));
+  EXPECT_THAT(Error(R"({"do":"couple","robot":0,"with":"cat:54000"})"),
+              HasSubstr("robot 0 is connected to dog:54000 by another"));
+  EXPECT_EQ(second.Ask(R"({"do":"couple","robot":0})").at("rate"), 4);
+  EXPECT_EQ(GoTo(0.5).value("error", "none"), "none");
+  EXPECT_THAT(Error(R"({"do":"couple","robot":0,"with":"dog:54000"})"),
+              HasSubstr("a moment of the past is shown"));
+}
+
+TEST_F(RewindTest, WhatASecondRobotHasChangedEndsWithTheConnectionOfItsClient) {
+  Start({"--rate", "4"});
+  {
+    Watcher second(LiveRuns().at(0).socket);
+    EXPECT_EQ(second.Ask(R"({"do":"couple","robot":0,"with":"dog:54000"})").at("rate"), 1);
+  }
+  EXPECT_FALSE(watcher_->WaitFor("clock", [](const Json& event) { return event.at("rate") == 4; })
+                   .is_null());
+}
+
 TEST_F(RewindTest, TheMomentShownIsTheOneThatWas) {
   Start({"--body", "ode"});
   RunTo(6, "8");

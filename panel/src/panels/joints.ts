@@ -11,10 +11,11 @@ const LOCKING_STATES = ['mtn', 'prepare-mtn'];
 // The order by error changes at most this often, so that it can be read.
 const SORT_PERIOD_MS = 600;
 
-function lockReason(isRecording: boolean, isPast: boolean, state: string): string {
+function lockReason(isRecording: boolean, isPast: boolean, motion: string, plays: boolean): string {
   if (isRecording) return 'Locked: this is a recording.';
   if (isPast) return 'Locked: a moment of the past is shown.';
-  if (state === 'mtn') return 'Locked: a motion plays. Stop it to move joints.';
+  if (motion !== '') return `Locked: the robot plays ${motion}. Stop it to move joints.`;
+  if (plays) return 'Locked: a motion plays. Stop it to move joints.';
   return 'Locked: the dog goes to the first key frame of a motion.';
 }
 
@@ -52,7 +53,7 @@ class JointRow {
       this.slider.addEventListener(name, () => (this.isHeld = false));
     this.slider.addEventListener('dblclick', () => this.slider.blur());
     this.track.style.setProperty('--zero', String(fraction(joint, 0)));
-    this.track.append(el('i', { class: 'rail' }), el('i', { class: 'error' }), el('i', { class: 'mark' }), this.slider);
+    this.track.append(el('i', { class: 'rail' }), el('i', { class: 'error' }), el('i', { class: 'mark' }), el('i', { class: 'other' }), this.slider);
     this.element.setAttribute('aria-label', title);
     this.element.append(
       el('span', { class: 'name', title: `${title}\n${joint.locator}\n${joint.min_deg}° to ${joint.max_deg}°` }, joint.name),
@@ -69,6 +70,12 @@ class JointRow {
   lock(isLocked: boolean): void {
     setDisabled(this.slider, isLocked);
     if (isLocked) this.goal.clear();
+  }
+
+  // Shows where the second robot has this joint; null: there is no such robot.
+  showOther(deg: number | null): void {
+    setClass(this.track, 'paired', deg !== null);
+    if (deg !== null) this.track.style.setProperty('--other', fraction(this.joint, deg).toFixed(4));
   }
 
   show(pair: [number | null, number | null] | undefined, gain: number | undefined, isLargest: boolean): void {
@@ -188,6 +195,12 @@ class Joints {
     session.on('robot', () => this.build());
     session.on('newRun', () => (this.connected = ''));
     session.on('values', () => this.reshow());
+    let isPaired = false;
+    session.on('pair', (pair) => {
+      if (pair.isConnected && !isPaired && pair.answer !== null) this.showLimits(pair.answer.joints);
+      isPaired = pair.isConnected;
+      this.rows.forEach((row, i) => row.showOther(isPaired ? (pair.status?.deg?.[i] ?? null) : null));
+    });
     // No values come while the run is paused, so the lock also follows the clock.
     session.on('clock', () => {
       if (this.isPast !== this.wasPast) this.reshow();
@@ -219,21 +232,26 @@ class Joints {
     if (this.connected === key) return;
     this.connected = key;
     const answer = await this.session.rc<{ joints: RemoteJoint[] } & Answer>('connect', {}, 'Remote control');
-    if (answer === null) return;
-    this.speed.setInForce(answer.joints.map((each) => each.speed));
-    this.accel.setInForce(answer.joints.map((each) => each.accel));
+    if (answer !== null) this.showLimits(answer.joints);
+  }
+
+  private showLimits(joints: RemoteJoint[]): void {
+    this.speed.setInForce(joints.map((each) => each.speed));
+    this.accel.setInForce(joints.map((each) => each.accel));
   }
 
   private show(robot: RobotValues): void {
     if (this.element.offsetParent === null) return;
-    const isPlaying = LOCKING_STATES.includes(robot.state);
+    const { motion } = this.session.pair;
+    const otherState = this.session.pair.status?.robot_state ?? '';
+    const isPlaying = [robot.state, otherState].some((state) => LOCKING_STATES.includes(state));
     const { isPast } = this;
     const { isRecording } = this.session;
     this.wasPast = isPast;
     this.lockText.hidden = !isPlaying && !isPast && !isRecording;
     setText(
       this.lockText,
-      lockReason(isRecording, isPast, robot.state),
+      lockReason(isRecording, isPast, motion, [robot.state, otherState].includes('mtn')),
     );
     const order = byError(robot.joints);
     const first = order[0] ?? -1;

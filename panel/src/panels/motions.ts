@@ -12,6 +12,7 @@ interface Playing {
   loops: number;
   startedAt: number | null; // virtual time at which state mtn was seen first
   askedAt: number;
+  where: 'simulation' | 'robot'; // the dog that plays the file
 }
 
 // The robot begins a motion within this time after its answer, or not at all.
@@ -31,6 +32,7 @@ class Motions {
   private readonly load: HTMLButtonElement;
   private readonly empty: HTMLElement;
   private readonly progress = el('progress', { max: 1, value: 0, 'aria-label': 'Progress of the motion' });
+  private readonly whose = el('p', { class: 'hint whose', hidden: true });
   private readonly progressText = el('span', { class: 'progress-text' });
   private readonly progressRow: HTMLElement;
   private playing: Playing | null = null;
@@ -50,6 +52,14 @@ class Motions {
       kind: 'motion',
       onDone: () => void this.refresh(),
     });
+    const local = makeUpload(session, {
+      label: 'Play a file',
+      accept: '.mtn,.MTN',
+      kind: 'motion',
+      loops: () => this.readLoops(),
+      onDone: (name, answer) => this.begin(name, answer as unknown as PlayAnswer, 'simulation'),
+    });
+    local.title = 'Plays a motion of this computer in the simulation; nothing stays on a stick';
     this.progressRow = el('div', { class: 'progress-row', hidden: true }, this.progress, this.progressText);
     this.element.append(
       el(
@@ -58,17 +68,32 @@ class Motions {
         el('label', { class: 'loops' }, el('span', { class: 'caption' }, 'Loops'), this.loops),
         this.stop,
         el('span', { class: 'spring' }),
+        local,
         upload,
       ),
+      this.whose,
       this.progressRow,
       this.list,
     );
     this.forget();
     session.on('newRun', () => this.forget());
     session.on('robot', () => this.forget());
-    session.on('values', (values) =>
-      this.showState(values.robots[session.robot]?.state ?? '', values.time_s),
-    );
+    let endpoint = '';
+    session.on('pair', (pair) => {
+      const now = pair.isConnected ? pair.endpoint : '';
+      if (now === endpoint) return;
+      endpoint = now;
+      this.forget();
+      this.whose.hidden = now === '';
+      setText(this.whose, `Motions of the robot ${now}. With the box Simulation, the simulated dog follows their key frames.`);
+    });
+    session.on('values', (values) => {
+      const state =
+        this.playing?.where === 'robot'
+          ? (session.pair.status?.robot_state ?? '')
+          : (values.robots[session.robot]?.state ?? '');
+      this.showState(state, values.time_s);
+    });
   }
 
   private forget(): void {
@@ -116,12 +141,22 @@ class Motions {
   }
 
   private async play(name: string): Promise<void> {
+    const loops = this.readLoops();
+    const where = this.session.pair.isConnected ? 'robot' : 'simulation';
+    const answer = await this.session.rc<PlayAnswer & Answer>('play', { name, loops }, `Play ${name}`);
+    if (answer !== null) this.begin(name, answer, where);
+  }
+
+  private readLoops(): number {
     const loops = Math.max(1, Math.min(65535, Math.round(Number(this.loops.value) || 1)));
     this.loops.value = String(loops);
-    const answer = await this.session.rc<PlayAnswer & Answer>('play', { name, loops }, `Play ${name}`);
-    if (answer === null) return;
+    return loops;
+  }
+
+  private begin(name: string, answer: PlayAnswer, where: 'simulation' | 'robot'): void {
     this.playing = {
       name,
+      where,
       loops: answer.loops,
       duration: Math.max(0.008, answer.duration_s * answer.loops),
       startedAt: null,

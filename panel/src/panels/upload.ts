@@ -1,12 +1,15 @@
 // A button that uploads a file to the robot, with progress.
 import { button, el, setText } from '../dom';
+import type { Answer } from '../protocol';
 import type { Session } from '../session';
 
 export interface UploadUse {
   label: string;
   accept: string;
   kind: 'motion' | 'controller';
-  onDone: (name: string) => void;
+  // Plays the motion in the simulation and keeps no file of it: how often.
+  loops?: () => number;
+  onDone: (name: string, answer: Answer) => void;
 }
 
 const SIZE_MAX = 8 * 1024 * 1024; // that of the largest image, docs/remote-control.md
@@ -41,14 +44,16 @@ export function makeUpload(session: Session, use: UploadUse): HTMLElement {
     try {
       const data = await asBase64(chosen);
       id = session.idOfNext;
-      await session.ask({
-        do: 'rc', call: 'upload', endpoint: 'run', robot: session.robot,
-        kind: use.kind, name: chosen.name, data,
+      const endpoint = use.loops === undefined ? (session.pair.targets('upload')[0] ?? 'run') : 'run';
+      const answer = await session.ask({
+        do: 'rc', call: 'upload', endpoint, robot: session.robot,
+        kind: use.kind, name: chosen.name, data, ...(use.loops === undefined ? {} : { loops: use.loops() }),
       });
-      session.good(`${chosen.name} uploaded`);
-      use.onDone(chosen.name);
+      if (use.loops === undefined) session.good(`${chosen.name} uploaded`);
+      use.onDone(chosen.name, answer);
     } catch (error) {
-      session.bad(`${chosen.name} was not uploaded: ${(error as Error).message}`);
+      const what = use.loops === undefined ? 'uploaded' : 'played';
+      session.bad(`${chosen.name} was not ${what}: ${(error as Error).message}`);
     } finally {
       progress.hidden = true;
       setText(text, '');

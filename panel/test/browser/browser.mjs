@@ -133,6 +133,8 @@ export class Panel {
   // Drags the handle of a joint to `share` of its range.
   async dragJoint(title, share) {
     const slider = this.page.getByRole('slider', { name: title, exact: true });
+    // Sliders are made anew for a new run, and locked until its first values have come.
+    await until(`the slider of ${title} stays locked`, () => slider.isDisabled(), (is) => !is);
     await slider.scrollIntoViewIfNeeded();
     const box = await slider.boundingBox();
     const [min, max, value] = await slider.evaluate((e) => [e.min, e.max, e.value].map(Number));

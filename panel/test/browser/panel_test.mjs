@@ -3,9 +3,10 @@
 //   OPENR_PANEL_URL=http://127.0.0.1:8210/?token=... node test/browser/panel_test.mjs [WORD]
 //
 // OPENR_PANEL_SHOTS: folder for pictures of the page. OPENR_PANEL_MOTION: a motion to upload.
-// OPENR_CHROMIUM: the browser. WORD: only steps whose names contain it.
+// OPENR_PANEL_SECOND, OPENR_PANEL_LINK: see steps_both.mjs. OPENR_CHROMIUM: the browser. WORD: only steps whose names contain it.
 import fs from 'node:fs';
 import { launch, Panel, Steps } from './browser.mjs';
+import { stepsOfBoth } from './steps_both.mjs';
 import { stepsOfHands } from './steps_hands.mjs';
 import { stepsOfRobot } from './steps_robot.mjs';
 import { stepsOfTime } from './steps_time.mjs';
@@ -44,6 +45,7 @@ try {
   await stepsOfHands(steps, panel);
   await stepsOfRobot(steps, panel, motion);
   await stepsOfPhone(steps, browser, panel);
+  await stepsOfBoth(steps, browser, panel, motion);
   await stepsOfTime(steps, panel);
   await steps.step('the page loads nothing from elsewhere', page, () => {
     if (elsewhere.length > 0) throw new Error(elsewhere.join(', '));

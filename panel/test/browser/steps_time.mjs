@@ -79,6 +79,7 @@ export async function stepsOfTime(steps, panel) {
   await steps.step('the new run obeys the remote control', page, async () => {
     await panel.closeNotices();
     await panel.show('Joints');
+    await until('the dog of the new run is not ready', () => panel.state(), (state) => state === 'accepting-commands');
     const goal = await panel.dragJoint('Neck pan', 0.3);
     await until(
       `the neck did not come to ${goal.toFixed(1)} degrees`,

@@ -1,0 +1,365 @@
+#include "openr/pair/remote_pair.h"
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/eventfd.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <memory>
+#include <utility>
+
+#include "MoverState.h"
+#include "openr/remote/error.h"
+#include "runtime/base/wall_clock.h"
+
+namespace openr_host {
+namespace {
+
+constexpr int kTellMs = 200;           // time between two reports of the status
+constexpr int64_t kRoundTripMs = 500;  // time between two requests for the round trip
+// Requests without an answer that a robot may have.  More positions are left out: newer ones come.
+constexpr size_t kPostedMax = 16;
+// A robot that has been silent for so long gets no positions, because they would all be old when it
+// goes on.
+constexpr int64_t kSilentMs = 500;
+constexpr size_t kTripsMax = 32;   // round trips of which the shortest one is that of the link
+constexpr int kEventsMax = 100;    // events of one robot that are taken before the other one's turn
+constexpr int32_t kChangeMin = 5;  // smaller changes of a goal, in 0.01 degree, are not sent
+constexpr uint32_t kFramesPerTurn = 0x0ffffff1;  // frame numbers begin anew
+// Frames in which a robot goes to a goal by TRACK, and the most it moves in one, in 0.01 degree.
+constexpr uint32_t kTrackFramesMin = RC_FRAMES_PER_VECTOR, kTrackFramesMax = 40;
+constexpr uint32_t kTrackStepMax = 400;
+
+PairSide OtherOf(PairSide side) { return side == kFirst ? kSecond : kFirst; }
+
+// Returns a request that sets a value of the joint `index`.
+remote::Call JointCall(int command, size_t index, int32_t value) {
+  uint8_t bytes[8];
+  RcWriter writer(bytes, sizeof bytes);
+  writer.U8(static_cast<Uint32>(index));
+  writer.S32(value);
+  return {command, {bytes, bytes + writer.Size()}};
+}
+
+remote::Call TrackCall(size_t index, int32_t value, uint32_t frames) {
+  remote::Call call = JointCall(rcTRACK, index, value);
+  call.payload.push_back(static_cast<uint8_t>(frames));
+  return call;
+}
+
+RcInfo InfoOf(remote::Connection* robot) {
+  try {
+    return robot->Read<RcInfo>(robot->Request(rcINFO, {}, RC_VERSION_FILES));
+  } catch (const remote::Error& error) {
+    if (error.status() != rcerrorVERSION) throw;
+    throw std::runtime_error(fmt::format(
+        "{}: serves version 1 of the remote control only; version 2 is needed to follow a robot",
+        robot->address().Text()));
+  }
+}
+
+}  // namespace
+
+PairControl::PairControl() : descriptor_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {}
+
+PairControl::~PairControl() { close(descriptor_); }
+
+void PairControl::Wish(const PairWish& wish) {
+  const std::lock_guard lock(mutex_);
+  wish_ = wish;
+  eventfd_write(descriptor_, 1);
+}
+
+void PairControl::End() {
+  const std::lock_guard lock(mutex_);
+  is_ended_ = true;
+  eventfd_write(descriptor_, 1);
+}
+
+PairWish PairControl::wish() const {
+  const std::lock_guard lock(mutex_);
+  return wish_;
+}
+
+bool PairControl::is_ended() const {
+  const std::lock_guard lock(mutex_);
+  return is_ended_;
+}
+
+void PairControl::Heard() const {
+  eventfd_t count = 0;
+  eventfd_read(descriptor_, &count);
+}
+
+RemotePair::RemotePair(const remote::Address& first, const remote::Address& second,
+                       const PairOptions& options)
+    : options_(options) {
+  const remote::Address* const addresses[] = {&first, &second};
+  for (const PairSide side : {kFirst, kSecond}) {
+    sides_[side].address = addresses[side]->Text();
+    sides_[side].robot = std::make_unique<remote::Connection>(
+        *addresses[side],
+        remote::Options{.timeout = std::chrono::milliseconds(options.timeout_ms)});
+    sides_[side].info = InfoOf(sides_[side].robot.get());
+    sides_[side].tracks = options.tracks[side];
+  }
+  CheckJoints(first, second);
+}
+
+RemotePair::~RemotePair() = default;
+
+// Throws std::runtime_error if the robots have different joints, and keeps their descriptions.
+void RemotePair::CheckJoints(const remote::Address& first, const remote::Address& second) {
+  const RcInfo &a = info(kFirst), &b = info(kSecond);
+  if (a.design != b.design || a.numJoints != b.numJoints) {
+    throw std::runtime_error(
+        fmt::format("{} is an {} with {} joints, {} an {} with {}: only robots of one model can be "
+                    "controlled together",
+                    first.Text(), a.design, a.numJoints, second.Text(), b.design, b.numJoints));
+  }
+  joints_ = sides_[kFirst].robot->Devices(rcdeviceJOINT);
+  const auto& others = sides_[kSecond].robot->Devices(rcdeviceJOINT);
+  for (size_t i = 0; i < joints_.size(); ++i) {
+    if (i < others.size() && joints_[i].locator == others[i].locator) continue;
+    throw std::runtime_error(
+        fmt::format("joint {} is {} at {}, but {} at {}", i, joints_[i].locator, first.Text(),
+                    i < others.size() ? others[i].locator : "missing", second.Text()));
+  }
+}
+
+// Sends any number of requests in batches.  Throws std::runtime_error for the first
+// that is refused.
+std::vector<remote::Answer> RemotePair::SetAll(PairSide side,
+                                               const std::vector<remote::Call>& calls) {
+  std::vector<remote::Answer> all;
+  for (size_t at = 0; at < calls.size(); at += RC_MAX_BATCH) {
+    const size_t end = std::min(calls.size(), at + RC_MAX_BATCH);
+    for (remote::Answer& answer : sides_[side].robot->Batch(
+             {calls.begin() + static_cast<long>(at), calls.begin() + static_cast<long>(end)})) {
+      if (answer.status != rcOK)
+        throw std::runtime_error(fmt::format("{}: {}", sides_[side].address, answer.error));
+      all.push_back(std::move(answer));
+    }
+  }
+  return all;
+}
+
+std::vector<RcJointState> RemotePair::CopyLimits() {
+  std::vector<remote::Call> gets, sets;
+  for (size_t i = 0; i < joints_.size(); ++i) gets.push_back({rcGET, {static_cast<uint8_t>(i)}});
+  std::vector<RcJointState> states;
+  for (const remote::Answer& answer : SetAll(kSecond, gets))
+    states.push_back(sides_[kSecond].robot->Read<RcJointState>(answer));
+  for (size_t i = 0; i < states.size(); ++i) {
+    sets.push_back(JointCall(rcSPEED, i, states[i].speed));
+    sets.push_back(JointCall(rcACCEL, i, states[i].acceleration));
+  }
+  SetAll(kFirst, sets);
+  return states;
+}
+
+void RemotePair::ResetLights() {
+  for (const PairSide side : {kFirst, kSecond}) {
+    std::vector<remote::Call> calls;
+    for (uint8_t i = 0; i < info(side).numLeds; ++i) calls.push_back({rcLED, {i, 0}});
+    for (uint8_t i = 0; i < info(side).numEars; ++i) calls.push_back({rcEAR, {i, 0}});
+    SetAll(side, calls);
+  }
+}
+
+void RemotePair::Run(PairControl* control, const std::function<void(const PairStatus&)>& tell) {
+  now_ms_ = WallClockMs();
+  for (Side& side : sides_) {
+    const int period = options_.period;
+    const remote::RequestId sensors = side.robot->Send(
+        rcSUBSCRIBE,
+        {rcstreamSENSORS, static_cast<uint8_t>(period & 255), static_cast<uint8_t>(period >> 8)});
+    side.robot->Drop(sensors);
+    side.robot->Drop(side.robot->Send(rcSUBSCRIBE, {rcstreamSET_VALUES, 0, 0}));
+    side.heard_ms = now_ms_;
+  }
+  int64_t next_ms = now_ms_;
+  while (!control->is_ended()) {
+    SetWish(control->wish());
+    for (const PairSide side : {kFirst, kSecond}) {
+      Serve(side);
+      MeasureRoundTrip(side);
+      CheckAlive(side);
+    }
+    if (now_ms_ >= next_ms) {
+      const bool follows_motion = wish_.follows_motions && status_.key_frame >= 0;
+      status_.lag_ms =
+          wish_.follow != Follow::kNone || follows_motion ? lag_.LagMs() : std::nullopt;
+      tell(status_);
+      next_ms = now_ms_ + kTellMs;
+    }
+    Wait(*control);
+  }
+}
+
+// Waits until a robot has sent something or the wish has changed.
+void RemotePair::Wait(const PairControl& control) {
+  pollfd waited[] = {{sides_[kFirst].robot->descriptor(), POLLIN, 0},
+                     {sides_[kSecond].robot->descriptor(), POLLIN, 0},
+                     {control.descriptor(), POLLIN, 0}};
+  poll(waited, 3, kTellMs / 2);
+  control.Heard();
+  now_ms_ = WallClockMs();
+}
+
+void RemotePair::SetWish(const PairWish& wish) {
+  const bool is_other = wish.follow != wish_.follow;
+  wish_ = wish;
+  if (!is_other) return;
+  status_.follow = wish.follow;
+  lag_.Clear();
+  for (const PairSide side : {kFirst, kSecond}) {
+    sides_[side].sent.clear();
+    status_.refusal[side].clear();
+  }
+}
+
+void RemotePair::Serve(PairSide side) {
+  // A robot that sends without end must not keep the other one waiting.
+  for (int i = 0; i < kEventsMax; ++i) {
+    const std::optional<remote::Event> event = sides_[side].robot->NextEvent({});
+    TakeAnswers(side);
+    if (!event) return;
+    sides_[side].heard_ms = now_ms_;
+    TakeEvent(side, *event);
+  }
+}
+
+void RemotePair::TakeEvent(PairSide side, const remote::Event& event) {
+  if (event.stream == rcstreamSENSORS) {
+    TakeSensors(side, event);
+  } else if (side == kSecond) {
+    TakeSetValues(event);
+  }
+}
+
+// Takes the answers that have arrived.
+void RemotePair::TakeAnswers(PairSide side) {
+  auto& posted = sides_[side].posted;
+  for (auto next = posted.begin(); next != posted.end();) {
+    const auto here = next++;
+    const std::optional<remote::Answer> answer = sides_[side].robot->TakeAnswer(here->first);
+    if (!answer) continue;
+    const Posted request = here->second;
+    posted.erase(here);
+    TakeAnswer(side, *answer, request);
+  }
+}
+
+void RemotePair::TakeAnswer(PairSide side, const remote::Answer& answer, const Posted& posted) {
+  Side& own = sides_[side];
+  own.heard_ms = now_ms_;
+  status_.round_trip_ms[side] = static_cast<double>(now_ms_ - posted.time_ms);
+  own.trips_ms.push_back(now_ms_ - posted.time_ms);
+  if (own.trips_ms.size() > kTripsMax) own.trips_ms.pop_front();
+  if (posted.calls == 0) return;
+  status_.refusal[side] = answer.error;
+  if (answer.status != rcOK) return;
+  for (const remote::Answer& each : own.robot->ReadBatch(answer, posted.calls)) {
+    if (each.status == rcOK) continue;
+    status_.refusal[side] = each.error;
+    // A robot of an earlier version goes to the positions within its limits.
+    if (each.status == rcerrorUNKNOWN_COMMAND) own.tracks = false;
+    own.sent.clear();  // all positions are sent again
+    return;
+  }
+}
+
+// Returns the time at which a packet that has just come was sent.  Takes half of the shortest round
+// trip as its way, because longer ones have waited somewhere.
+int64_t RemotePair::SentMs(PairSide side) const {
+  const std::deque<int64_t>& trips = sides_[side].trips_ms;
+  return trips.empty() ? now_ms_ : now_ms_ - *std::min_element(trips.begin(), trips.end()) / 2;
+}
+
+void RemotePair::TakeSensors(PairSide side, const remote::Event& event) {
+  const auto values = sides_[side].robot->Read<RcSensors>(event);
+  sides_[side].state = values.state;
+  status_.state[side] = MoverStateName(values.state);
+  status_.joints[side] = values.joints;
+  const bool plays = status_.key_frame >= 0;
+  const bool second_leads = wish_.follow == Follow::kFirst || plays;
+  if (side == (second_leads ? kSecond : kFirst)) {
+    lag_.AddLeader(SentMs(side), values.joints);
+  } else {
+    lag_.AddFollower(SentMs(side), values.joints);
+  }
+  if (wish_.follow == Follow::kSecond && side == kFirst) Lead(side, event.frame, values.joints);
+  // On the way to the first key frame of a motion there are no key frames yet.
+  if (side == kSecond && values.state == moverPREPARE_MTN && wish_.follows_motions &&
+      wish_.follow == Follow::kNone)
+    Lead(side, event.frame, values.joints);
+  // While a motion plays, its key frames lead.
+  if (wish_.follow == Follow::kFirst && side == kSecond && !(plays && wish_.follows_motions))
+    Lead(side, event.frame, values.joints);
+}
+
+// Takes a report of the second robot's JointMover: the first robot follows its key frames.
+void RemotePair::TakeSetValues(const remote::Event& event) {
+  const auto values = sides_[kSecond].robot->Read<RcSetValues>(event);
+  const bool plays = values.keyFrame >= 0;
+  if (plays != (status_.key_frame >= 0)) {
+    lag_.Clear();
+    sides_[kFirst].sent.clear();
+  }
+  status_.key_frame = values.keyFrame;
+  status_.motion = plays ? values.file : "";
+  if (!plays || !wish_.follows_motions) return;
+  Lead(kSecond, event.frame, values.commanded);
+  ++status_.key_frames;
+}
+
+// Sends the robot that does not lead the goals of the one that leads, which had them in `frame`.
+void RemotePair::Lead(PairSide leader, uint32_t frame, const std::vector<int32_t>& goals) {
+  Side& follower = sides_[OtherOf(leader)];
+  if (follower.state != moverACCEPTING_COMMANDS || goals.size() != joints_.size()) return;
+  if (now_ms_ - follower.heard_ms > kSilentMs || follower.posted.size() >= kPostedMax) return;
+  const bool is_first = follower.sent.empty();
+  const uint32_t passed = (frame + kFramesPerTurn - follower.goal_frame) % kFramesPerTurn;
+  const std::vector<int32_t>& measured = status_.joints[OtherOf(leader)];
+  std::vector<remote::Call> calls;
+  for (size_t i = 0; i < goals.size() && calls.size() < RC_MAX_BATCH; ++i) {
+    if (!is_first && std::abs(int64_t{goals[i]} - follower.sent[i]) < kChangeMin) continue;
+    const auto way =
+        static_cast<uint32_t>(i < measured.size() ? std::abs(int64_t{goals[i]} - measured[i]) : 0);
+    // One frame more than has passed, so that the joint does not stop before the next goal comes.
+    const uint32_t frames =
+        std::clamp(std::max(is_first ? kTrackFramesMax : passed + 1, way / kTrackStepMax),
+                   kTrackFramesMin, kTrackFramesMax);
+    calls.push_back(follower.tracks ? TrackCall(i, goals[i], frames)
+                                    : JointCall(rcMOVE, i, goals[i]));
+    if (!is_first) follower.sent[i] = goals[i];
+  }
+  if (is_first) follower.sent = goals;
+  follower.goal_frame = frame;
+  if (calls.empty()) return;
+  follower.posted[follower.robot->SendBatch(calls)] = {now_ms_, calls.size()};
+}
+
+// Asks for the state from time to time.  The time until the answer is the round trip.
+void RemotePair::MeasureRoundTrip(PairSide side) {
+  Side& own = sides_[side];
+  if (!own.posted.empty() || now_ms_ - own.asked_ms < kRoundTripMs) return;
+  if (now_ms_ - own.heard_ms > kSilentMs) return;
+  own.asked_ms = now_ms_;
+  own.posted[own.robot->Send(rcINFO)] = {now_ms_, 0};
+}
+
+// Throws remote::Error if a robot is silent for too long.
+void RemotePair::CheckAlive(PairSide side) const {
+  if (side == kFirst && options_.first_may_pause) return;
+  if (now_ms_ - sides_[side].heard_ms <= options_.timeout_ms) return;
+  throw remote::Error(
+      remote::ErrorCode::kTimeout,
+      fmt::format("{}: silent for {} ms", sides_[side].address, options_.timeout_ms));
+}
+
+}  // namespace openr_host

@@ -1,0 +1,145 @@
+// RemotePair: two robots that are controlled together.  One can follow the other.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "openr/pair/lag_meter.h"
+#include "openr/remote/connection.h"
+
+namespace openr_host {
+
+namespace remote = openr::remote;
+
+// The two robots of a pair.  In the panel the first one is simulated, the second one is any other.
+enum PairSide { kFirst = 0, kSecond = 1 };
+
+enum class Follow { kNone, kFirst, kSecond };  // which robot follows the other one
+
+struct PairOptions {
+  int timeout_ms = 3000;
+  int period = RC_FRAMES_PER_VECTOR;  // frames between two sensor values
+  // Whether a robot that follows goes straight to each position (TRACK), instead of within its
+  // limits of speed and acceleration (MOVE).
+  bool tracks[2] = {true, false};
+  // Whether the first robot may be silent, because people pause a simulation.
+  bool first_may_pause = false;
+};
+
+// What a person wants of a pair; may change at any time.
+struct PairWish {
+  Follow follow = Follow::kNone;
+  bool follows_motions = true;  // the first robot follows key frames of motions of the second one
+};
+
+struct PairStatus {
+  Follow follow = Follow::kNone;
+  std::optional<double> round_trip_ms[2];  // of a request and its answer, of each robot
+  std::optional<int64_t> lag_ms;           // see LagMeter; none while nothing moves
+  std::string state[2];                    // of JointMover; "": not known
+  std::vector<int32_t> joints[2];          // measured, in 0.01 degree
+  std::string motion;                      // file of the motion that the second robot plays
+  int key_frame = -1;
+  uint64_t key_frames = 0;  // key frames that the first robot has been sent
+  std::string refusal[2];   // why a robot has refused the last positions; "": it has not
+};
+
+// A wish that several threads share, and the end of the pair.
+class PairControl {
+ public:
+  PairControl();
+  ~PairControl();
+  PairControl(const PairControl&) = delete;
+  PairControl& operator=(const PairControl&) = delete;
+
+  void Wish(const PairWish& wish);
+  void End();
+
+  PairWish wish() const;
+  bool is_ended() const;
+  // Returns a descriptor that can be read after a change, until Heard() is called.
+  int descriptor() const { return descriptor_; }
+  void Heard() const;
+
+ private:
+  const int descriptor_;
+  mutable std::mutex mutex_;
+  PairWish wish_;
+  bool is_ended_ = false;
+};
+
+// A plain client of both robots, for one thread.  It waits for an answer only in its constructor
+// and in the functions that prepare the pair; in Run() it serves both without waiting for either.
+class RemotePair {
+ public:
+  // Connects to both robots.  Throws remote::Error if one cannot be reached, and std::runtime_error
+  // if they have different joints, with the difference.
+  RemotePair(const remote::Address& first, const remote::Address& second,
+             const PairOptions& options);
+  ~RemotePair();
+
+  const std::vector<RcDescription>& joints() const { return joints_; }
+  const RcInfo& info(PairSide side) const { return sides_[side].info; }
+
+  // Gives the first robot the limits of speed and acceleration of the second one, and returns them.
+  std::vector<RcJointState> CopyLimits();
+  // Switches lights and ears of both robots off.
+  void ResetLights();
+
+  // Serves both robots until `control` is ended.  Tells the status several times a second.  Throws
+  // remote::Error when a connection is lost; the text begins with the address.
+  void Run(PairControl* control, const std::function<void(const PairStatus&)>& tell);
+
+ private:
+  // A request that was sent.
+  struct Posted {
+    int64_t time_ms = 0;
+    size_t calls = 0;  // of a batch; 0: no batch
+  };
+
+  struct Side {
+    std::string address;
+    std::unique_ptr<remote::Connection> robot;
+    RcInfo info;
+    int64_t heard_ms = 0;  // when the last packet has come
+    int64_t asked_ms = 0;  // when the last request for the round trip was sent
+    std::map<remote::RequestId, Posted> posted;  // requests without an answer
+    std::deque<int64_t> trips_ms;                // the last round trips
+    std::vector<int32_t> sent;                   // goals that this robot was sent last; empty: none
+    uint32_t goal_frame = 0;                     // frame of the other robot that had these goals
+    int state = -1;                              // MoverState; -1: not known
+    bool tracks = false;
+  };
+
+  void CheckJoints(const remote::Address& first, const remote::Address& second);
+  std::vector<remote::Answer> SetAll(PairSide side, const std::vector<remote::Call>& calls);
+  void Wait(const PairControl& control);
+  void Serve(PairSide side);
+  void TakeEvent(PairSide side, const remote::Event& event);
+  void TakeAnswers(PairSide side);
+  void TakeAnswer(PairSide side, const remote::Answer& answer, const Posted& posted);
+  int64_t SentMs(PairSide side) const;
+  void TakeSensors(PairSide side, const remote::Event& event);
+  void TakeSetValues(const remote::Event& event);
+  void Lead(PairSide leader, uint32_t frame, const std::vector<int32_t>& goals);
+  void MeasureRoundTrip(PairSide side);
+  void CheckAlive(PairSide side) const;
+  void SetWish(const PairWish& wish);
+
+  const PairOptions options_;
+  std::vector<RcDescription> joints_;
+  Side sides_[2];
+  PairWish wish_;
+  PairStatus status_;
+  LagMeter lag_;
+  int64_t now_ms_ = 0;
+};
+
+}  // namespace openr_host
