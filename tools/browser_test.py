@@ -3,10 +3,11 @@
 
 The page is that of a real run.  The test program finds in its environment OPENR_PANEL_URL, the
 address of the page with its token; OPENR_PANEL_SHOTS, the folder for its pictures;
-OPENR_PANEL_MOTION, a motion to upload; OPENR_PANEL_SECOND and OPENR_PANEL_LINK, a second run and the
-control of the link to it (tests/both/link.py); OPENR_CHROMIUM, the browser.  Its last line is "N passed, N
-failed".  Afterwards the recording of the run is replayed: what a person does in the page is recorded input, so
-the replay must have equal hashes.
+OPENR_PANEL_MOTION and OPENR_PANEL_CONTROLLER, files to upload; OPENR_PANEL_SECOND and
+OPENR_PANEL_LINK, a second run and the control of the link to it (tests/both/link.py);
+OPENR_CHROMIUM, the browser.  Its last line is "N passed, N failed".  Afterwards the recording of the
+run is replayed: what a person does in the page is recorded input, so the replay must have equal
+hashes.
 
 The last line is "N passed, N failed, N skipped".  Skips, with the reason, where something is
 missing; where the variable CI is true, that is a failure.
@@ -123,8 +124,10 @@ def steps(address, second, folder, openr, shots, only):
     """Runs the test in the browser; returns how many of its steps passed and failed."""
     motion = folder / "MINE.MTN"
     shutil.copyfile(pathlib.Path(openr).parent.parent / "stick/OPEN-R/MW/DATA/P/BOW.MTN", motion)
+    controller = pathlib.Path(openr).parent.parent / "images/TIMERUN.BIN"
     environment = {**os.environ, "OPENR_PANEL_URL": address, "OPENR_PANEL_SHOTS": str(shots),
                    "OPENR_PANEL_MOTION": str(motion), "OPENR_PANEL_SECOND": second.address,
+                   "OPENR_PANEL_CONTROLLER": str(controller) if controller.exists() else "",
                    "OPENR_PANEL_LINK": second.control, "OPENR_CHROMIUM": shutil.which("chromium")}
     output = folder / "browser.txt"
     with output.open("w") as stream:

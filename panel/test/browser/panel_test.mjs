@@ -3,6 +3,7 @@
 //   OPENR_PANEL_URL=http://127.0.0.1:8210/?token=... node test/browser/panel_test.mjs [WORD]
 //
 // OPENR_PANEL_SHOTS: folder for pictures of the page. OPENR_PANEL_MOTION: a motion to upload.
+// OPENR_PANEL_CONTROLLER: an image that says "iteration 1", to upload.
 // OPENR_PANEL_SECOND, OPENR_PANEL_LINK: see steps_both.mjs. OPENR_CHROMIUM: the browser. WORD: only steps whose names contain it.
 import fs from 'node:fs';
 import { launch, Panel, Steps } from './browser.mjs';
@@ -46,7 +47,7 @@ try {
   await stepsOfRobot(steps, panel, motion);
   await stepsOfPhone(steps, browser, panel);
   await stepsOfBoth(steps, browser, panel, motion);
-  await stepsOfTime(steps, panel);
+  await stepsOfTime(steps, panel, process.env['OPENR_PANEL_CONTROLLER'] ?? '');
   await steps.step('the page loads nothing from elsewhere', page, () => {
     if (elsewhere.length > 0) throw new Error(elsewhere.join(', '));
   });

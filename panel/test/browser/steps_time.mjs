@@ -1,7 +1,7 @@
 // Steps about time: pause, steps, rate, going back, and going on from there.
 import { need, until } from './browser.mjs';
 
-export async function stepsOfTime(steps, panel) {
+export async function stepsOfTime(steps, panel, controller) {
   const { page } = panel;
 
   await steps.step('a pause stops the time, steps go on a little', page, async () => {
@@ -88,6 +88,30 @@ export async function stepsOfTime(steps, panel) {
     );
     need((await panel.errors()).length === 0, (await panel.errors()).join('; '));
   });
+
+  if (controller !== '') {
+    await steps.step('the robot boots again with another controller', page, async () => {
+      await panel.closeNotices();
+      await panel.show('Robot');
+      const wait = page.waitForEvent('filechooser', { timeout: 60_000 });
+      await panel.click(panel.button('Upload controller'));
+      await (await wait).setFiles(controller);
+      await page.locator('.hint', { hasText: 'Reboot to run it' }).waitFor({ timeout: 60_000 });
+      await panel.click(panel.button('Reboot'));
+      const question = page.getByRole('group', { name: 'Reboot the robot?' });
+      await panel.click(question.getByRole('button', { name: 'Reboot' }));
+      await until('the robot is not off', () => panel.state(), (state) => /off, boots in \d s/.test(state));
+      await steps.picture(page, 'off');
+      await page.getByLabel('Rate: virtual seconds per second').selectOption('10');
+      await until('the dog does not stand up', () => panel.state(), (state) => state === 'accepting-commands');
+      await page.getByLabel('Rate: virtual seconds per second').selectOption('1');
+      await panel.show('Log');
+      await until('the new controller says nothing', () => page.locator('#panel-log').textContent(), (text) => text.includes('iteration 1'));
+      await panel.show('Joints');
+      const goal = await panel.dragJoint('Neck pan', 0.6);
+      await until('the neck does not obey', () => panel.measured('Neck pan'), (deg) => Math.abs(deg - goal) < 3);
+    });
+  }
 
   await steps.step('the page says that the run has ended', page, async () => {
     await panel.show('Robot');
