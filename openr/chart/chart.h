@@ -32,7 +32,7 @@ struct Chart {
   std::string subtitle;
   std::string x_label, y_label;  // with units
   int columns = 3;               // >= 1
-  double y_span_min = 4;         // an axis spans at least so much, so that noise looks like noise
+  double y_span_min = 4;         // smallest span of an axis, so that small noise does not fill it
   std::vector<Panel> panels;     // row by row
 };
 

@@ -14,9 +14,9 @@ struct ControllerRun {
   int (*controller_main)();  // calls main() of the controller
 };
 
-// Runs the controller until its loop ends, Ctrl-C, or the end of the connection.  Says on standard
-// error what goes wrong and which time step was achieved.  Returns the exit status; a controller
-// that waits in robot_step() then is not continued, and the process exits with that status instead.
+// Runs the controller until its loop ends, Ctrl-C is pressed, or the connection ends.  Prints
+// errors and the achieved time step on standard error.  Returns the exit status.  If the controller
+// waits in robot_step() at that moment, the process exits with this status instead.
 using RunController = int(const ControllerRun& run);
 inline constexpr char kRunControllerName[] = "openr_run_controller";
 

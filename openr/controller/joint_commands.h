@@ -22,17 +22,16 @@ struct RobotCommand {
 // 2004, 4.2.3). They are compared in the units of the protocol: 0.01 degree and so on.
 class JointCommands {
  public:
-  // Before the first command a joint counts as having no position, its largest speed and the
-  // default acceleration, as for JointMover (Messages.h).
+  // Begins with the values that JointMover has before its first command (Messages.h): no position
+  // was commanded, the speed is the largest, and the acceleration is the default.
   explicit JointCommands(const RobotConstants* robot);
 
-  // Returns the requests that bring the robot to `now`, and takes them for sent.  The order is that
-  // of Hohl 2004, 4.2.3: positions, then speeds, then accelerations; motors are switched with the
-  // positions.  While a motion plays (`is_playing`), the robot refuses positions: these are kept
-  // and returned by a later call.
+  // Returns the requests that bring the robot to `now`, and marks their values as sent.  The order
+  // is positions, speeds, accelerations (Hohl 2004, 4.2.3); motors are switched with the positions.
+  // The robot refuses positions while a motion plays (`is_playing`), so a later call returns them.
   std::vector<RobotCommand> Changes(const BatchMoverCommand& now, bool is_playing);
 
-  // Takes the position of a joint for not sent, because the robot has refused it.
+  // Marks the position of a joint as not sent, because the robot has refused it.
   void Forget(int joint) { sent_[static_cast<size_t>(joint)].position.reset(); }
 
  private:

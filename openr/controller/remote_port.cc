@@ -21,7 +21,7 @@ namespace remote = openr::remote;
 using Clock = std::chrono::steady_clock;
 
 constexpr int kFrameMs = 8;
-constexpr std::chrono::milliseconds kSlice{50};  // at most so late Ctrl-C is noticed
+constexpr std::chrono::milliseconds kSlice{50};  // longest wait, so that Ctrl-C is noticed soon
 constexpr int kEventsAtOnce = 64;                // taken before answers are looked at
 // Number of frames after which they are counted from 0 again (docs/remote-control.md).
 constexpr uint32_t kFramesMax = 0x0ffffff1;
@@ -304,7 +304,7 @@ std::string RemotePort::FetchMotion(const std::string& name) {
   return bytes;
 }
 
-// ---- Words
+// ---- Camera, and messages for the user
 
 void RemotePort::EnableCamera(bool on) {
   if (on && camera_ == nullptr) {

@@ -33,8 +33,8 @@ class RemotePort : public ControllerPort {
 
   ControllerCore* core() { return &core_; }
 
-  // Receives sensor values and answers until `deadline` or the end that `is_ended` tells.  Throws
-  // remote::Error, also if an answer or any sign of life is overdue.
+  // Receives sensor values and answers until `deadline`, or until `is_ended` returns true.  Throws
+  // remote::Error, also if the robot has not answered or sent anything within the time limit.
   void ReceiveUntil(std::chrono::steady_clock::time_point deadline,
                     const std::function<bool()>& is_ended);
 
@@ -75,7 +75,7 @@ class RemotePort : public ControllerPort {
   void ContinueLoop() override { is_continued_ = true; }
   void EndLoop() override {}
 
-  // A batch under way.
+  // A packet of commands (BATCH) whose answers have not come yet.
   struct Batch {
     openr::remote::RequestId id;
     std::vector<RobotCommand> commands;

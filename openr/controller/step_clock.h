@@ -21,8 +21,9 @@ class StepClock {
   // `step` after this one began.  The first call counts `now` as the begin of the first iteration.
   Time Next(Time now, Duration step);
 
-  // Called when the next iteration begins.  If that is later than Next() has said by more than
-  // kLate, counts from now on, and returns a warning; at most one a second.  Else returns "".
+  // Called when the next iteration begins.  Returns "" if it begins at most kLate after the time
+  // that Next() returned.  Otherwise plans the further iterations from now, because lost time is
+  // not made up for, and returns a warning, at most one a second.
   std::string Begin(Time now);
 
   int64_t iterations() const { return iterations_; }  // whole ones: their successor has begun

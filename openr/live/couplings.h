@@ -42,8 +42,8 @@ class Couplings {
   RunClock* const clock_;
   Rewind* const rewind_;
   std::vector<Coupling> all_;
-  bool is_paced_ = false;  // real time was switched on
-  double rate_before_ = 1;
+  bool is_paced_ = false;   // a coupling has switched the run to real time
+  double rate_before_ = 1;  // rate of the run before that
 };
 
 }  // namespace openr_host

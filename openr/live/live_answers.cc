@@ -204,7 +204,7 @@ Json AnswerScene(const Asked& asked) {
   return scene;
 }
 
-// The rates that a user can ask for, as those of --rate.
+// Limits of the rate that a client can set; the option --rate has the same limits.
 constexpr double kRateMin = 0.001, kRateMax = 1000;
 
 int64_t InUs(double time_s) { return static_cast<int64_t>(std::llround(time_s * 1e6)); }

@@ -33,8 +33,8 @@ constexpr size_t kFirstLines = 200;
 
 double InSeconds(int64_t time_us) { return static_cast<double>(time_us) / 1e6; }
 
-// Returns the link of the connection from service `subject` to service `observer`; null if their
-// objects have none yet, or have no OSubject for it, as the objects of the system.
+// Returns the link of `connection`.  Returns null until its two objects have made the link, and for
+// a subject of an object of the system, which has no OSubject.
 const ObserverLink* LinkOf(System* system, const Connection& connection) {
   const auto& directory = system->robot(connection.robot).directory;
   const auto from = directory.find(connection.subject), to = directory.find(connection.observer);

@@ -24,7 +24,7 @@ class LiveEvents {
  public:
   struct Kind {
     const char* name;
-    int64_t interval_ns;  // least time between two events for one client; 0: the client's period
+    int64_t interval_ns;  // least time between two such events; a client may ask for a longer time
   };
   // The events, in the order in which they are sent.
   static const std::vector<Kind>& Kinds();
@@ -60,7 +60,8 @@ class LiveEvents {
   int64_t rates_us_ = 0;                // virtual time at which the rates were computed
   std::map<int, Rate> objects_;         // messages that objects have received, by object
   std::map<size_t, Rate> connections_;  // messages, by index in System::connections()
-  int64_t speed_ns_ = 0;  // clock of this computer and virtual time at the last update
+  // Values at the last update of speed_: the clock of this computer and the virtual time.
+  int64_t speed_ns_ = 0;
   int64_t speed_us_ = 0;
   double speed_ = 0;  // virtual seconds per second
 };

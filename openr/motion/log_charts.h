@@ -24,7 +24,7 @@ struct ComparedSide {
 struct Comparison {
   std::string title;
   ComparedSide a, b;
-  JointTraces commanded;  // drawn below both sides; empty: not drawn
+  JointTraces commanded;  // drawn behind the curves of A and B; empty: not drawn
   const RobotConstants* robot = nullptr;
   std::vector<JointDifference> differences;
 };

@@ -19,8 +19,8 @@ struct JointTraces {
   std::vector<std::vector<double>> deg;  // [joint][time]
 };
 
-// Returns the positions of a group at the times of the records that have it.  `times_ms` are those
-// of the records (log_times.h).
+// Returns the positions of a group, with the times of their records.  Leaves out records without
+// this group.  `times_ms` has the time of each record of `log` (log_times.h).
 JointTraces TracesOf(const LogFile& log, const std::vector<double>& times_ms, LogGroup group);
 
 // The difference of a joint's motion in B from its motion in A.
@@ -40,7 +40,7 @@ struct JointDifference {
 };
 
 constexpr double kMovesDeg = 1;
-constexpr double kLagMaxMs = 320;  // the largest shift that is tried, or a quarter of the motion
+constexpr double kLagMaxMs = 320;  // largest shift that is tried; a short motion: 1/4 of its length
 constexpr int kSamplesMin = 8;
 
 // Compares B with A, joint by joint, over the time that both have.  REQUIRES: both have the same

@@ -41,7 +41,7 @@ struct LogRecord {
 };
 
 struct LogFile {
-  const RobotConstants* robot = nullptr;  // ERS-210, or ERS-7 if its number of joints fits
+  const RobotConstants* robot = nullptr;  // ParseLog() finds it by the number of joints
   std::vector<LogRecord> records;
 };
 

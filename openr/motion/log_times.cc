@@ -61,7 +61,7 @@ std::vector<double> TimesOf(const LogFile& log, const MtnFile& motion) {
   // A motion of one key frame has no gap to play, so its log has one record.
   if (motion.NumKeyFrames() < 2 && log.records.size() < 2)
     return std::vector<double>(log.records.size(), 0.0);
-  size_t most = 0;  // records that fit
+  size_t most = 0;  // largest number of records that fit a play-back of `motion`
   for (int per_vector = 2; per_vector <= MAX_VECTOR_FRAMES / 2; per_vector += 2) {
     std::vector<double> times_ms = PlayTimes(log, motion, per_vector);
     if (times_ms.size() == log.records.size()) return times_ms;

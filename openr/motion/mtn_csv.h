@@ -19,8 +19,8 @@ bool HasTwoPositions(const std::string& locator);
 
 std::string CsvOf(const MtnFile& motion);
 
-// Reads locators and key frames.  Throws std::runtime_error "line 4, column time_ms: ..." with the
-// mistake when `text` is no such table, or when no motion file can have its values.
+// Reads a motion from text in the form of CsvOf().  Throws std::runtime_error "line 4, column
+// time_ms: ..." with the mistake if the form is wrong, or if no motion file can have a value.
 MotionFile ParseMotionCsv(const std::string& text);
 
 }  // namespace openr_host

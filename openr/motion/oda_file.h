@@ -10,7 +10,7 @@ namespace openr_host {
 
 struct OdaMember {
   std::string type;        // "OMTN", "WAVE", "MIDI", "LED", "SYN", "OSND"
-  std::string name;        // as the container has it; at most 128 bytes, which may be any
+  std::string name;        // as in the container: at most 128 bytes, not always readable text
   std::string file;        // name for a file of its own, 8+3, different from all others
   std::string_view bytes;  // part of the container's bytes
 };

@@ -8,8 +8,8 @@ namespace {
 
 constexpr int64_t kStepMs = 4;
 constexpr size_t kSamplesMin = 10;
-// The best shift must leave at most this part of the leader's movement (variances): otherwise the
-// follower does not follow.
+// Largest misfit at which LagMs() returns a lag (see Misfit()).  A larger misfit means that the
+// follower does not follow the leader.
 constexpr double kMisfitMax = 0.25;
 constexpr double kNearBest = 0.05;  // a misfit so near to the smallest one is as good
 

@@ -51,7 +51,8 @@ struct PairStatus {
   std::string refusal[2];   // why a robot has refused the last positions; "": it has not
 };
 
-// A wish that several threads share, and the end of the pair.
+// Passes the wish of a person, and the request to end the pair, from other threads to the thread in
+// RemotePair::Run().
 class PairControl {
  public:
   PairControl();
@@ -64,7 +65,7 @@ class PairControl {
 
   PairWish wish() const;
   bool is_ended() const;
-  // Returns a descriptor that can be read after a change, until Heard() is called.
+  // Returns a descriptor that becomes readable when Wish() or End() is called.  Heard() resets it.
   int descriptor() const { return descriptor_; }
   void Heard() const;
 

@@ -114,7 +114,8 @@ void Page::Obey(const std::string& text) {
 void Page::PassOn(const std::string& text, const nlohmann::json& request) {
   if (link_ == nullptr) return Refuse(request, "this page has no run; the request runs lists them");
   std::string line = text;
-  // Ends of lines are spaces in JSON, but would cut the request in two here.
+  // Replaces line ends by spaces, which mean the same in JSON, because the run takes each line as a
+  // request of its own.
   std::replace(line.begin(), line.end(), '\n', ' ');
   if (!link_->Send(line)) connection_->SetReading(false);
 }
@@ -146,7 +147,8 @@ RcBridge* Page::BridgeTo(const nlohmann::json& request) {
   return bridge.get();
 }
 
-// Connects a robot of the run with a second one, ends that, or changes what the two do.
+// Carries out a call of the panel Both dogs: connects a second robot to a robot of the run,
+// disconnects it, or changes which robot follows the other, and how.
 void Page::CallPair(const nlohmann::json& request) {
   const size_t robot = request.value("robot", size_t{0});
   const std::string call = request.at("call").get<std::string>();

@@ -12,10 +12,9 @@ class PageQueue {
   // Bytes of messages that may wait.  A page beyond that is closed.
   static constexpr size_t kBytesMax = size_t{8} << 20;
 
-  // Adds a message.  An event that shows a state ("pose", "values", "graph") replaces the one of
-  // its name that still waits, because a page that is slow must get fewer of them and not later
-  // ones.  When too much waits, these events are dropped first.  Returns false if too much waits
-  // even so.
+  // Adds a message.  An event that shows a state ("pose", "values", "graph") replaces the waiting
+  // event of its name, so that a slow page skips old states instead of falling behind.  If more
+  // than kBytesMax wait, drops all events that show a state.  Returns false if that is not enough.
   bool Add(std::string text);
 
   // Removes the oldest message and returns it; "" if there is none.

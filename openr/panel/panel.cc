@@ -236,7 +236,8 @@ WebAnswer Panel::WithHeaders(WebAnswer answer) const {
                   "form-action 'none'; frame-ancestors 'none'",
                   port_));
   add("x-content-type-options", "nosniff");
-  add("referrer-policy", "no-referrer");  // the token is in the address of the page
+  // The address of the page has the token, so the browser must not send the address to other sites.
+  add("referrer-policy", "no-referrer");
   add("cross-origin-opener-policy", "same-origin");
   add("cross-origin-resource-policy", "same-origin");
   return answer;
@@ -304,8 +305,8 @@ bool HasRunEnded(int run_pipe) {
   return poll(&wanted, 1, 0) > 0;
 }
 
-// Prints the address.  The server of a run prints it on standard error, where all words of a run
-// for people are, in one write(), because the run prints there too.
+// Prints the address of the panel.  The server of a run prints it on standard error, like all
+// messages of a run to the user.  It uses one write(), so that text of the run does not mix in.
 void PrintAddress(const std::string& url, bool is_of_run) {
   const std::string line = fmt::format("panel: {}\n", url);
   if (!is_of_run) {

@@ -10,8 +10,8 @@
 
 namespace openr_host {
 
-// Does the calls in a thread of its own, because each waits for the robot.  Answers and events go
-// into an outbox.
+// Carries out the remote-control calls of a page in a thread of its own, because each call waits
+// for the robot.  Answers and events go into an outbox.
 class RcBridge {
  public:
   // Limits of the calls that may wait.  A call beyond is answered with an error.

@@ -30,8 +30,8 @@ class RcCalls {
   explicit RcCalls(FindAddress find_address);
   ~RcCalls();
 
-  // Does the call `request["call"]`.  Returns the answer without "id"; {"error":TEXT}, with
-  // "status" if the robot has refused, if it failed.
+  // Carries out the call `request["call"]`.  Returns its answer without "id", or {"error":TEXT} if
+  // the call failed.  If the robot refused the call, the error has "status", too.
   Json Do(const nlohmann::json& request, const Progress& progress);
 
  private:

@@ -66,7 +66,7 @@ struct RunsLister::Questions {
   const std::string own;
   std::mutex mutex;
   std::vector<Question> waiting;
-  bool is_answering = false;  // there is a thread
+  bool is_answering = false;  // a thread runs AnswerAll()
 
   void AnswerAll() {
     for (;;) {

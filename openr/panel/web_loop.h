@@ -16,9 +16,9 @@ namespace openr_host {
 // A request of HTTP, also the one that begins a WebSocket.
 struct WebRequest {
   bool is_get = false;
-  std::string path;  // "/index.html": without the query, decoded
-  std::string host;  // headers; "" without the header
-  std::string origin;
+  std::string path;      // "/index.html": without the query, decoded
+  std::string host;      // header Host; "" if the request has none
+  std::string origin;    // header Origin; "" if the request has none
   std::string protocol;  // Sec-WebSocket-Protocol
   std::string run;       // value of "run=" in the query
 };

@@ -175,9 +175,9 @@ class Connection {
   RequestId Subscribe(RcStream stream, int period);
   void Unsubscribe(RcStream stream);
 
-  // Waits for the next event, without a limit as long as the robot answers.  Asks for INFO when
-  // none has come for the time limit of the options.  Events that arrive while another function
-  // waits are kept, the newest kEventsMax of them.
+  // Waits for the next event, as long as the robot answers.  If no event comes within the time
+  // limit of the options, sends INFO to test that the robot still answers.  Throws if it does not.
+  // Keeps the newest kEventsMax events that arrive while another function waits.
   Event NextEvent();
   // Waits at most until `deadline`; receives what has arrived even if that is in the past.
   std::optional<Event> NextEvent(std::chrono::steady_clock::time_point deadline);

@@ -116,7 +116,7 @@ void BranchNetwork::Drop(NetHandle handle, bool reset) {
   if (!repeats_) PassingNetwork::Drop(handle, reset);
 }
 
-// Notes what `event`, which the robot learns now, changes about its sockets.
+// Updates sockets_ for `event`, which Poll() returns to the robot now.
 void BranchNetwork::Follow(const NetworkEvent& event) {
   switch (event.kind) {
     case NetworkEvent::Kind::kAccepted:

@@ -27,7 +27,8 @@ class BranchNetwork : public PassingNetwork {
   // Says `input`, of which all are for this robot, in the calls of Poll() of their numbers, and
   // reaches nobody from now on.  REQUIRES: Forget() was called.
   void Repeat(std::deque<LoggedInput> inputs);
-  // Reaches others again.  What Repeat() has not said yet is forgotten.
+  // Ends Repeat(), or Forget() if nothing was repeated: drops the inputs that Poll() has not
+  // returned yet, opens the ports of the robot again, and uses the real network from now on.
   void GoOn();
 
   void At(NetHandle handle, uint32_t ip) override;
@@ -56,7 +57,7 @@ class BranchNetwork : public PassingNetwork {
     bool any_port = false;
     std::deque<NetHandle> accepts;  // kListener: calls of Accept() that wait
     size_t datagrams = 0;           // kUdp: of the ReceiveFrom() that waits; 0: none
-    std::string name;               // kName: the name that is asked for
+    std::string name;               // kName: host name whose address the robot has asked for
   };
 
   void Follow(const NetworkEvent& event);
@@ -65,7 +66,7 @@ class BranchNetwork : public PassingNetwork {
   const int robot_;
   InputLog& log_;
   uint64_t poll_ = 0;                 // number of calls of Poll()
-  bool repeats_ = false;              // this is a copy that has not gone on yet
+  bool repeats_ = false;              // Poll() returns logged inputs, and nothing is sent
   std::deque<LoggedInput> inputs_;    // what Poll() still has to say, in order of its numbers
   std::vector<NetworkEvent> broken_;  // what the next Poll() says after the copy has gone on
   std::map<NetHandle, Socket> sockets_;

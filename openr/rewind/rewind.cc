@@ -120,8 +120,9 @@ bool Rewind::Take() {
   }
   ProcessFiles files;
   const SocketPair sockets;
-  // Text that waits in a buffer would be printed twice.  Files of objects have descriptors of their
-  // own in a copy; they are not written out here, because that would change what objects read.
+  // Flushes our own streams, because a fork would print their buffered text a second time.  Does
+  // not flush files of objects, because that would change what objects read.  A view opens those
+  // files again with descriptors of its own (ProcessFiles).
   std::fflush(stdout);
   std::fflush(stderr);
   const pid_t original = getpid();

@@ -49,8 +49,8 @@ struct RewindParts {
   int64_t span_us = 60'000'000;
   // Answers a request of a client, in a view.
   std::function<nlohmann::ordered_json(const nlohmann::json& request)> answer;
-  // Called in a copy: it must not use the sockets of the original process any more, and prints
-  // nothing.
+  // Called in the process of a new checkpoint.  Makes it print nothing, and leave the sockets of
+  // the original process alone.
   std::function<void()> become_copy;
   // Called in a view after each frame, and before it repeats an input.
   std::function<void()> after_frame;
@@ -104,8 +104,8 @@ class Rewind {
   // TEXT}.  The caller must then end this run, and call WaitForBranch().
   nlohmann::ordered_json Branch(double rate);
   bool has_branched() const { return branch_ > 0; }
-  // Waits for the end of the branch, and passes SIGTERM on to it: `interrupts` returns how often it
-  // has come.  Returns the exit code of the branch.
+  // Waits for the end of the branch and returns its exit code.  `interrupts` returns how many
+  // signals to end this process has received; whenever there are more, the branch gets SIGTERM.
   int WaitForBranch(const std::function<int()>& interrupts);
 
  private:
@@ -149,15 +149,15 @@ class Rewind {
   int64_t next_ns_ = 0;  // earliest time of the next checkpoint, by the clock of this computer
   int64_t memory_ns_ = 0;
   size_t memory_bytes_ = 0;
-  pid_t branch_ = -1;         // the process of the branch,
-  pid_t branch_parent_ = -1;  // and that of its checkpoint, a child of this process
+  pid_t branch_ = -1;         // process of the branch; -1: none
+  pid_t branch_parent_ = -1;  // process of the branch's checkpoint, a child of this process
   std::string trouble_;       // why no more checkpoints are taken
   std::string refusal_;       // why the run is not to be rewound for now
 
   bool is_view_ = false;
   int64_t last_frame_us_ = 0;           // end of the last frame that this view has run
   std::deque<LoggedInput> lines_;       // input lines that this view has still to repeat
-  std::unique_ptr<TempFolder> folder_;  // files of this view
+  std::unique_ptr<TempFolder> folder_;  // has this view's copies of the stick and of open files
 };
 
 }  // namespace openr_host

@@ -151,8 +151,8 @@ void Rewind::AddDueInputs() {
   }
 }
 
-// Repeats the run up to a virtual time, behind all messages that are due then, or up to a number of
-// messages.
+// Repeats the run up to a virtual time or up to a number of messages.  Also delivers the messages
+// that are due exactly at the virtual time.
 void Rewind::RunTo(const PlainJson& target) {
   const bool has_time = target.contains("time_us");
   const int64_t end_us = has_time ? target["time_us"].get<int64_t>() : INT64_MAX;

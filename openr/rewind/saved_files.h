@@ -42,8 +42,8 @@ class SavedStick {
 // Returns the files of `stick` that objects have written, as they are now.
 SavedStick SaveWrittenFiles(FolderStick* stick);
 
-// The regular files that this process has open, but for those of its standard streams, with the
-// places at which they are read and written now.
+// Remembers the regular files that this process has open, with their file offsets.  Leaves out
+// standard input, output and error.
 class ProcessFiles {
  public:
   // Notes the files that are open now.

@@ -242,7 +242,7 @@ bool Runner::Run() {
     // A step over a message may have ended within a frame.
     const bool is_within_frame = system.now_us() < NextStopAfter(before_us);
     if (!is_within_frame || system.powered_off()) AfterFrame();
-    // The pacer of a branch is that of a moment long ago.
+    // A branch restarts the pacer, because the pacer still counts from the checkpoint's moment.
     if (std::exchange(is_new_branch_, false)) pacer.Restart();
     HandleInterrupt();
   }

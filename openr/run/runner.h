@@ -30,7 +30,8 @@ struct RunPlan {
   bool until_idle = false;        // --until-idle: ends also when objects are quiet for kIdleUs
   double rate = 1;                // virtual seconds per real second; 0: as fast as possible
   std::vector<PictureRequest> snapshots;
-  std::string stdin_file;                            // see ConsoleFeed
+  // File with console input; "-": standard input; see ConsoleFeed.
+  std::string stdin_file;
   EventScript* events = nullptr;                     // timed inputs; null: none
   LiveServer* live = nullptr;                        // serves openr poke; null: none
   RunClock* clock = nullptr;                         // see RunClock; null: always `rate`

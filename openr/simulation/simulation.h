@@ -37,7 +37,7 @@ struct SimulationOptions {
   // camera sees a test pattern.
   std::string speaker, microphone;  // WAV
   std::string images;               // folder of pictures for the camera
-  std::string battery = "drain";    // of each robot; see ParseBattery()
+  std::string battery = "drain";    // battery of each robot; see ParseBattery()
   bool writable_stick = true;       // whether objects may write; several robots never may
   bool measures = true;             // measures handler times and stacks for the report
   bool guard_regions = false;       // see SystemOptions
