@@ -126,7 +126,10 @@ std::string Hands::FindSensors(const std::string& name, std::vector<int>* sensor
 std::string Hands::ReadPress(std::string_view rest, Inputs::Action* action) {
   std::vector<std::string> words = SplitInput(rest);
   if (words.size() == 1 && words[0] == "pause") {
-    *action = [this] { robot_.power.PressPause(); };
+    // A robot that is off does not see the button; its boot timer boots it all the same.
+    *action = [this] {
+      if (!robot_.system.robot(robot_.robot_index).powered_off) robot_.power.PressPause();
+    };
     return "";
   }
   std::optional<int64_t> frames;

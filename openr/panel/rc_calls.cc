@@ -218,6 +218,8 @@ Json RcCalls::Upload(const Request& request, const Progress& progress) {
   }
   const size_t size = bytes->size();
   const bool plays = file_kind == rcfileMOTION && request.contains("loops");
+  // Checked before the upload, so that no file is left when nothing can play.
+  if (plays && request["loops"].get<int>() < 1) throw std::runtime_error("'loops' is 1 or more");
   if (plays) name = FreeName();
   robot_->Upload(file_kind, name, *bytes, [&progress](size_t sent, size_t whole) {
     if (sent > 0) progress(sent, whole);

@@ -88,8 +88,8 @@ bool Connection::RobotGoesOn() const {
   try {
     Connection(address_, options_, true).Request(rcINFO);
     return true;
-  } catch (const Error&) {
-    return false;
+  } catch (const Error& error) {
+    return error.code() == ErrorCode::kRefused;  // it has no place for one more client now
   }
 }
 

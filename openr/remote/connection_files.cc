@@ -63,7 +63,7 @@ std::string Connection::Download(RcFileKind kind, const std::string& name,
     const Answer answer = Request(rcDOWNLOAD, BytesOf(request));
     RcReader reader(answer.payload.data(), static_cast<int>(answer.payload.size()));
     const size_t size_now = reader.U32();
-    if (reader.HasFailed()) ThrowMalformed();
+    if (reader.HasFailed() || size_now > RC_MAX_IMAGE) ThrowMalformed();
     const bool ends_early = reader.RestSize() == 0 && bytes.size() < size_now;
     if (ends_early || (!bytes.empty() && size_now != size)) {
       throw Error(ErrorCode::kFileChanged,

@@ -40,6 +40,9 @@ int LogReader::Take() {
     count_ += part.head.here;
     records_ += part.records;
     if (next_ == part.head.count) return part.head.state;
+    if (part.head.here == 0)
+      throw Error(ErrorCode::kProtocol,
+                  connection_->address().Text() + ": the robot sends no records of its log");
   }
 }
 

@@ -77,9 +77,10 @@ class KnownRunner {
 
   void NoteEnd() {
     const std::string why = parts_.run->WhyOver();
-    if (is_over_ || why.empty()) return;
+    if (why.empty()) return;
+    if (!parts_.clock->paused()) parts_.clock->Pause();  // nothing follows
+    if (is_over_) return;
     is_over_ = true;
-    parts_.clock->Pause();
     parts_.say(why);
   }
 

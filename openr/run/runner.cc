@@ -63,7 +63,9 @@ std::optional<RunEnd> Runner::WhyOver() const {
   }
   if (plan_.for_us && now_us >= *plan_.for_us)
     return RunEnd{EndKind::kTime, fmt::format("--for {} is over", plan_.for_text)};
-  if (plan_.until_idle && system.booted() && now_us - last_activity_us_ >= kIdleUs)
+  const bool waits_for_boot = system.off_robots().NextUs() != INT64_MAX;
+  if (plan_.until_idle && system.booted() && !waits_for_boot &&
+      now_us - last_activity_us_ >= kIdleUs)
     return RunEnd{EndKind::kIdle, "no object has sent anything for 1 s (--until-idle)"};
   return {};
 }
@@ -134,7 +136,9 @@ void Runner::AnnounceBoots() {
     const int robot = static_cast<int>(i);
     Announced& announced = announced_[i];
     const std::string name = announced_.size() == 1 ? "the robot" : fmt::format("robot {}", i);
-    if (std::exchange(announced.boots, system.robot(robot).boots) != announced.boots)
+    const bool has_booted =
+        std::exchange(announced.boots, system.robot(robot).boots) != system.robot(robot).boots;
+    if (has_booted && !system.robot(robot).powered_off)
       plan_.say(fmt::format("{} has booted again; all its images are new loads", name));
     const bool is_off = system.off_robots().Contains(robot);
     if (std::exchange(announced.is_off, is_off) == is_off || !is_off) continue;

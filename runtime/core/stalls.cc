@@ -67,7 +67,7 @@ void FindIn(const Object& object, int64_t now_us, std::vector<Stall>* stalls) {
 std::vector<Stall> FindStalls(const System& system, int64_t least_us) {
   std::vector<Stall> stalls;
   for (const auto& object : system.objects()) {
-    if (object != nullptr) FindIn(*object, system.now_us(), &stalls);
+    if (object != nullptr && !object->is_off) FindIn(*object, system.now_us(), &stalls);
   }
   std::erase_if(stalls, [latest_us = system.now_us() - least_us](const Stall& stall) {
     return stall.since_us > latest_us;
