@@ -34,6 +34,7 @@ struct Partner {
   std::string address;
   std::unique_ptr<remote::Connection> connection;
   std::string problem;
+  Json refusal;  // the answer of --json if the robot has refused; null: it has not
 };
 
 void Act(Partner* robot, const RcFlags& flags, const RcAction& action) {
@@ -42,9 +43,13 @@ void Act(Partner* robot, const RcFlags& flags, const RcAction& action) {
     action(robot->connection.get(), flags);
   } catch (const remote::Error& error) {
     robot->problem = error.what();
-    if (error.code() == remote::ErrorCode::kRefused)
-      robot->problem =
-          fmt::format("{}: {} refused: {}", robot->address, FrameText(error.frame()), error.what());
+    if (error.code() != remote::ErrorCode::kRefused) return;
+    robot->problem =
+        fmt::format("{}: {} refused: {}", robot->address, FrameText(error.frame()), error.what());
+    robot->refusal = {{"robot", robot->address},
+                      {"frame", FrameJson(error.frame())},
+                      {"error", error.text()},
+                      {"status", error.status()}};
   } catch (const std::exception& error) {
     robot->problem = error.what();
   }
@@ -92,7 +97,7 @@ void PrintFollowing(const RcFlags& flags, const std::vector<RcDescription>& join
 }  // namespace
 
 int PerformAtBoth(const RcFlags& flags, const RcAction& action) {
-  Partner robots[2] = {{flags.address, nullptr, ""}, {flags.with, nullptr, ""}};
+  Partner robots[2] = {{flags.address, nullptr, "", {}}, {flags.with, nullptr, "", {}}};
   // Nothing is done at one robot when the other one cannot be reached.
   for (Partner& robot : robots) {
     robot.connection = std::make_unique<remote::Connection>(
@@ -106,6 +111,8 @@ int PerformAtBoth(const RcFlags& flags, const RcAction& action) {
   for (const Partner& robot : robots) {
     if (robot.problem.empty()) continue;
     fmt::print(stderr, "openr: {}\n", robot.problem);
+    if (flags.json && !robot.refusal.is_null())
+      fmt::print("{}\n", robot.refusal.dump(-1, ' ', false, Json::error_handler_t::replace));
     exit_code = kExitWrong;
   }
   return exit_code;

@@ -1,4 +1,4 @@
-// What `openr rc` does with two robots at once.
+// The actions of `openr rc` for two robots at once.
 #pragma once
 
 #include "openr/commands/rc_actions.h"

@@ -313,15 +313,15 @@ void RemotePair::TakeSetValues(const remote::Event& event) {
   status_.key_frame = values.keyFrame;
   status_.motion = plays ? values.file : "";
   if (!plays || !wish_.follows_motions) return;
-  Lead(kSecond, event.frame, values.commanded);
-  ++status_.key_frames;
+  if (Lead(kSecond, event.frame, values.commanded)) ++status_.key_frames;
 }
 
 // Sends the robot that does not lead the goals of the one that leads, which had them in `frame`.
-void RemotePair::Lead(PairSide leader, uint32_t frame, const std::vector<int32_t>& goals) {
+// Returns false if the robot gets nothing: it does not accept commands, is silent, or is there.
+bool RemotePair::Lead(PairSide leader, uint32_t frame, const std::vector<int32_t>& goals) {
   Side& follower = sides_[OtherOf(leader)];
-  if (follower.state != moverACCEPTING_COMMANDS || goals.size() != joints_.size()) return;
-  if (now_ms_ - follower.heard_ms > kSilentMs || follower.posted.size() >= kPostedMax) return;
+  if (follower.state != moverACCEPTING_COMMANDS || goals.size() != joints_.size()) return false;
+  if (now_ms_ - follower.heard_ms > kSilentMs || follower.posted.size() >= kPostedMax) return false;
   const bool is_first = follower.sent.empty();
   const uint32_t passed = (frame + kFramesPerTurn - follower.goal_frame) % kFramesPerTurn;
   const std::vector<int32_t>& measured = status_.joints[OtherOf(leader)];
@@ -340,8 +340,9 @@ void RemotePair::Lead(PairSide leader, uint32_t frame, const std::vector<int32_t
   }
   if (is_first) follower.sent = goals;
   follower.goal_frame = frame;
-  if (calls.empty()) return;
+  if (calls.empty()) return false;
   follower.posted[follower.robot->SendBatch(calls)] = {now_ms_, calls.size()};
+  return true;
 }
 
 // Asks for the state from time to time.  The time until the answer is the round trip.

@@ -33,7 +33,7 @@ struct PairOptions {
   bool first_may_pause = false;
 };
 
-// What a person wants of a pair; may change at any time.
+// The wish of a person for a pair.  A person may change it at any time.
 struct PairWish {
   Follow follow = Follow::kNone;
   bool follows_motions = true;  // the first robot follows key frames of motions of the second one
@@ -129,7 +129,7 @@ class RemotePair {
   int64_t SentMs(PairSide side) const;
   void TakeSensors(PairSide side, const remote::Event& event);
   void TakeSetValues(const remote::Event& event);
-  void Lead(PairSide leader, uint32_t frame, const std::vector<int32_t>& goals);
+  bool Lead(PairSide leader, uint32_t frame, const std::vector<int32_t>& goals);
   void MeasureRoundTrip(PairSide side);
   void CheckAlive(PairSide side) const;
   void SetWish(const PairWish& wish);

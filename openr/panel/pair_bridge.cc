@@ -18,7 +18,7 @@
 
 namespace openr_host {
 
-// What the thread and the bridge share.
+// The data that the thread and the bridge share.
 struct PairBridge::Work {
   const LiveRun run;
   const size_t robot;

@@ -71,11 +71,11 @@ class Runner {
   const std::vector<StandingMonitor>& standing() const { return standing_; }
 
  private:
-  // What was printed about a robot.
+  // The facts about a robot that were printed last.
   struct Announced {
     uint16_t port = 0;    // of its remote control; 0: none
-    int boots = 1;        // its last boot
-    bool is_off = false;  // that it is off and boots again
+    int boots = 1;        // how often it had booted
+    bool is_off = false;  // whether it was off and waited for its boot timer
   };
 
   void WatchActivity();

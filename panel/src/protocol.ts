@@ -169,7 +169,7 @@ export interface Clock {
   rate: number;
   speed: number;
   rewind?: Rewind;
-  // Of a recording, or another run that nobody can change: its length, and why it is over.
+  // The length of a recording, or of another run that nobody can change, and why it is over.
   length_s?: number;
   over?: string;
 }

@@ -67,7 +67,8 @@ void TakeOutgoing(Object* sender, ObjectId id, std::vector<OwnedMessage>* messag
   std::erase_if(outbox, [](const auto& outgoing) { return outgoing.message == nullptr; });
 }
 
-// What is left of an object when its robot has been switched off.
+// The place of an object whose robot was switched off: it keeps id, name and path for the next
+// boot.
 class AbsentObject : public Object {
  public:
   explicit AbsentObject(const Object& gone) : Object(gone.system, gone.id, gone.robot) {
