@@ -42,16 +42,16 @@ void RobotParts::SwitchOff() {
   sync_keys = {};
   optional = {};
   watch.SwitchOff();
-  speaker.SwitchOff();
+  speaker.SwitchOff(frame);
   safe_posture.SwitchOff();
-  first_frame = frame = 0;
   {  // the system objects own the regions that these parts give up
     const CurrentScope scope(&system, system.FindObject(robot_index, kVirtualRobotComm));
     sensors.SwitchOff();
-    camera.SwitchOff();
+    camera.SwitchOff(frame);
   }
   const CurrentScope scope(&system, system.FindObject(robot_index, kVirtualRobotAudioComm));
-  microphone.SwitchOff();
+  microphone.SwitchOff(frame);
+  first_frame = frame = 0;
 }
 
 void RobotParts::Reseed(uint64_t seed) { sensors.set_noise(NoiseOf(robot_index, seed)); }

@@ -52,8 +52,8 @@ struct RobotParts {
   void Warn(std::string text);
 
   // Switches the devices off, and sets the state of all parts but the body, the battery, the clock
-  // and the hands as it is at a boot.  The files of speaker, microphone and camera begin again,
-  // because they are counted by frames since the boot.
+  // and the hands as it is at a boot.  The files of speaker, microphone and camera go on where
+  // they are.
   void SwitchOff();
 
   // Makes the noise of the sensors start again from `seed`.

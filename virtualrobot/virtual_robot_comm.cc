@@ -36,6 +36,9 @@ OStatus OVirtualRobotComm::DoStart(const OSystemEvent&) {
 
 OStatus OVirtualRobotComm::DoDestroy(const OSystemEvent&) {
   running_ = false;
+  // Nobody reads these regions any more, and only this object can give them back.
+  queues_.clear();
+  exposed_.Release();
   return oSUCCESS;
 }
 

@@ -63,7 +63,7 @@ std::optional<RunEnd> Runner::WhyOver() const {
   }
   if (plan_.for_us && now_us >= *plan_.for_us)
     return RunEnd{EndKind::kTime, fmt::format("--for {} is over", plan_.for_text)};
-  const bool waits_for_boot = system.off_robots().NextUs() != INT64_MAX;
+  const bool waits_for_boot = !system.off_robots().empty();
   if (plan_.until_idle && system.booted() && !waits_for_boot &&
       now_us - last_activity_us_ >= kIdleUs)
     return RunEnd{EndKind::kIdle, "no object has sent anything for 1 s (--until-idle)"};

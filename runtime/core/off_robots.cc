@@ -1,7 +1,6 @@
 #include "runtime/core/off_robots.h"
 
 #include <algorithm>
-#include <vector>
 
 #include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
@@ -26,15 +25,12 @@ int64_t OffRobots::NextUs() const {
 }
 
 void OffRobots::DoDue() {
-  std::vector<int> booting;
   for (auto& [robot, times] : robots_) {
     if (times.frame_us > system_->now_us()) continue;
     system_->robot(robot).services->RunFrameWhileOff();
     times.frame_us += system_->frame_us();
-    if (times.boot_us <= system_->now_us()) booting.push_back(robot);
-  }
-  for (const int robot : booting) {
-    robots_.erase(robot);
+    if (times.boot_us > system_->now_us()) continue;
+    times.frame_us = INT64_MAX;
     system_->manager().PostBootAgain(robot);
   }
 }

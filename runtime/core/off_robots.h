@@ -22,20 +22,23 @@ class OffRobots {
   // Removes robot number `robot`, so that it stays off.  Returns false if it was not added.
   bool Remove(int robot);
 
+  bool empty() const { return robots_.empty(); }
   bool Contains(int robot) const { return robots_.contains(robot); }
   // Returns the virtual time at which robot number `robot` boots.  REQUIRES: Contains(robot).
   int64_t BootUs(int robot) const { return robots_.at(robot).boot_us; }
 
   // Returns the end of the next frame of these robots, or INT64_MAX if there are none.
   int64_t NextUs() const;
-  // Moves the bodies of these robots if a frame ends now, and boots those whose time has come.
+  // Moves the bodies of these robots if a frame ends now, and posts the boot of those whose time
+  // has come.  A robot is removed only when it boots (System::LoadAgain()), because the object
+  // manager may be busy.
   void DoDue();
 
   void HashState(Hasher* hasher) const;
 
  private:
   struct Times {
-    int64_t frame_us;  // end of the frame that runs now
+    int64_t frame_us;  // end of the frame that runs now; INT64_MAX: its boot was posted
     int64_t boot_us;   // the robot boots at the end of the first frame that ends then or later
   };
 

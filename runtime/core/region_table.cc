@@ -207,6 +207,11 @@ void RegionTable::DeleteAllOf(ObjectId owner) {
   }
 }
 
+int RegionTable::used_count() const {
+  return static_cast<int>(std::count_if(slots_.begin(), slots_.end(),
+                                        [](const Slot& slot) { return slot.base != nullptr; }));
+}
+
 char* RegionTable::BaseOf(uint32_t id) const {
   const Slot* const slot = Find(id);
   return slot == nullptr ? nullptr : slot->base;

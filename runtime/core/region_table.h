@@ -94,6 +94,8 @@ class RegionTable {
   // Returns the number of live blocks that `owner` owns.
   int CountOf(ObjectId owner) const;
   int live_count() const { return live_count_; }
+  // Returns the number of slots with memory: live ones, and deleted ones that are still used.
+  int used_count() const;
 
   // Calls `visit` for every live block of `owner`.
   void ForEachOf(ObjectId owner,

@@ -176,6 +176,7 @@ void System::NoteWhetherAllAreOff(const RunEnd& why) {
 }
 
 bool System::LoadAgain(int index) {
+  if (!off_robots_.Remove(index)) return false;  // it was switched off for good meanwhile
   Robot& dog = robot(index);
   table_.RemoveAllOf(index);
   std::erase_if(connections_, [index](const auto& each) { return each.robot == index; });

@@ -219,6 +219,8 @@ def plays_on_both(dogs):
                                "no key frames come")
     need(event["refusal"]["simulation"] == "", f"the simulation refuses: {event}")
     need(dogs.first.rc("sensors")[0]["state"] == "accepting-commands", "the simulation plays itself")
+    seen = [dogs.angle(dogs.first, "LF_j1") for _ in range(20)]
+    need(max(seen) - min(seen) > 5, f"the leg of the simulation stays where it is: {seen}")
     need(limits_of(dogs.first) == before, "limits have changed while a motion plays")
     done = dogs.page.wait_for("pair", lambda e: e["motion"] == "" and e["robot_state"] ==
                               "accepting-commands", "the motion does not end")

@@ -91,7 +91,7 @@ TEST_F(RebootTest, ManyBootsLeaveNothingBehind) {
   const size_t objects = system().objects().size();
   Reboot();
   system().RunFor(kStandUs);
-  const size_t regions = system().regions().live_count();
+  const int regions = system().regions().used_count();
   const size_t memory = system().robot(0).memory.used_bytes;
   for (int i = 0; i < 3; ++i) {
     Reboot();
@@ -99,7 +99,7 @@ TEST_F(RebootTest, ManyBootsLeaveNothingBehind) {
   }
   EXPECT_EQ(system().robot(0).boots, 5);
   EXPECT_EQ(system().objects().size(), objects);
-  EXPECT_EQ(system().regions().live_count(), regions);
+  EXPECT_EQ(system().regions().used_count(), regions);
   EXPECT_EQ(system().robot(0).memory.used_bytes, memory);
   EXPECT_EQ(StateOf("JointMover"), "accepting-commands");
   EXPECT_EQ(Findings(), "");
@@ -111,6 +111,30 @@ TEST_F(RebootTest, TheTimerOfAShutdownIsWaitedFor) {
   Reboot(0, 30);
   EXPECT_NEAR(static_cast<double>(system().off_robots().BootUs(0)),
               static_cast<double>(now_us + VirtualRobot::kBootUs + 30'000'000), 100);
+}
+
+// The test pattern shows the number of the image.
+TEST_F(RebootTest, TheSourceOfPicturesGoesOn) {
+  Start();
+  Picture before, after;
+  EXPECT_EQ(dog().TakePicture(&before), "");
+  const int64_t frame = dog().frame();
+  Reboot();
+  system().RunUntil(system().off_robots().BootUs(0));
+  while (dog().frame() < frame) system().RunFor(kFrameUs);
+  EXPECT_EQ(dog().frame(), frame);
+  EXPECT_EQ(dog().TakePicture(&after), "");
+  EXPECT_NE(before.rgb, after.rgb);
+}
+
+TEST_F(RebootTest, APressOfThePauseButtonWhileTheRobotIsOffDoesNothing) {
+  Start();
+  Reboot();
+  EXPECT_EQ(system().inputs().Add(0, "press pause"), "");
+  system().RunFor(VirtualRobot::kBootUs + kStandUs);
+  EXPECT_FALSE(dog().power().pause());
+  EXPECT_TRUE(dog().power().motor_power());
+  EXPECT_EQ(StateOf("JointMover"), "accepting-commands");
 }
 
 TEST_F(RebootTest, ARobotThatWaitsForItsTimerCanBeSwitchedOffForGood) {

@@ -106,7 +106,7 @@ int64_t CameraDevice::ImagesBefore(int64_t frame) const {
 
 CameraShot CameraDevice::ShotBefore(int64_t frame, const Body& body) const {
   CameraShot shot;
-  shot.number = ImagesBefore(frame);
+  shot.number = earlier_images_ + ImagesBefore(frame);
   shot.frame = frame - 1;
   shot.fov_h_rad = model_.fov_h_rad;
   shot.fov_v_rad = model_.fov_v_rad;
@@ -164,7 +164,8 @@ RCRegion* CameraDevice::MakeVector(int64_t frame, const Body& body, std::string*
   RCRegion* const region = FreeVector();
   auto* const vector = reinterpret_cast<OFbkImageVectorData*>(region->Base());
   FillInfos(FrameNumber(shot.frame), vector);
-  layers_.Make(picture_, exposure_, tables_, static_cast<word>(shot.number & 0xffff), vector);
+  layers_.Make(picture_, exposure_, tables_, static_cast<word>(ImagesBefore(frame) & 0xffff),
+               vector);
   return region;
 }
 
@@ -209,7 +210,8 @@ const std::array<uint8_t, 3>& CameraDevice::ColourOfChannel(int channel) {
   return kChannelColours.at(static_cast<size_t>(channel));
 }
 
-void CameraDevice::SwitchOff() {
+void CameraDevice::SwitchOff(int64_t frame) {
+  earlier_images_ += ImagesBefore(frame);
   settings_ = {};
   tables_ = {};
   ChooseExposure();

@@ -62,9 +62,10 @@ class CameraDevice {
   // Returns the colour, red, green and blue, that stands for channel 0 to 7 in such a picture.
   static const std::array<uint8_t, 3>& ColourOfChannel(int channel);
 
-  // Sets the settings as they are at boot, and gives up the regions of all vectors.  REQUIRES: the
-  // object that sends the vectors is the current object.
-  void SwitchOff();
+  // Sets the settings as they are at boot, and gives up the regions of all vectors.  The robot is
+  // switched off in frame `frame`; the source goes on with the next picture.  REQUIRES: the object
+  // that sends the vectors is the current object.
+  void SwitchOff(int64_t frame);
 
   void HashState(Hasher* hasher) const;
 
@@ -94,6 +95,7 @@ class CameraDevice {
   Exposure exposure_;
   VectorPool pool_;
   Settings settings_;
+  int64_t earlier_images_ = 0;  // images that were completed before this boot
 };
 
 }  // namespace openr_host

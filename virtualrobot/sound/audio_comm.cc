@@ -29,6 +29,7 @@ OStatus OVirtualRobotAudioComm::DoStart(const OSystemEvent&) {
 
 OStatus OVirtualRobotAudioComm::DoDestroy(const OSystemEvent&) {
   running_ = false;
+  queue_.Clear();
   return oSUCCESS;
 }
 

@@ -39,14 +39,15 @@ RCRegion* Microphone::MakeVector(int64_t frame) {
   auto* const vector = reinterpret_cast<OSoundVectorData*>(region->Base());
   const int64_t first = frame - frames_per_vector_;
   vector->GetInfo(0)->frameNumber = FrameNumber(first);
-  source_->Read(first * kSoundSamplesPerFrame,
+  source_->Read((first_frame_ + first) * kSoundSamplesPerFrame,
                 reinterpret_cast<OSoundSampleStereo16*>(vector->GetData(0)),
                 frames_per_vector_ * kSoundSamplesPerFrame);
   return region;
 }
 
-void Microphone::SwitchOff() {
+void Microphone::SwitchOff(int64_t frame) {
   settings_ = {};
+  first_frame_ += frame;
   pool_.Clear();
 }
 

@@ -34,9 +34,10 @@ class Microphone {
   // in a handler of an object, because RCRegion counts references per object.
   RCRegion* MakeVector(int64_t frame);
 
-  // Sets the settings as they are at boot, and gives up the regions of all vectors.  REQUIRES: the
-  // object that sends the vectors is the current object.
-  void SwitchOff();
+  // Sets the settings as they are at boot, and gives up the regions of all vectors.  The robot is
+  // switched off in frame `frame`, from which the source goes on when the frames begin again with
+  // 0. REQUIRES: the object that sends the vectors is the current object.
+  void SwitchOff(int64_t frame);
 
   void HashState(Hasher* hasher) const;
 
@@ -52,6 +53,7 @@ class Microphone {
   const OPrimitiveID id_;
   const int frames_per_vector_;
   Settings settings_;
+  int64_t first_frame_ = 0;  // frame of the source in which the frames of this boot begin
   VectorPool pool_;
 };
 

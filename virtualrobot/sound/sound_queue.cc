@@ -170,6 +170,13 @@ bool SoundQueue::Fill(int64_t frame, SoundFrame* samples, std::vector<SoundProbl
   return played;
 }
 
+void SoundQueue::Clear() {
+  waiting_.clear();
+  finished_.clear();
+  playing_ = {};
+  sounds_.clear();
+}
+
 void SoundQueue::HashState(Hasher* hasher) const {
   hasher->Add(static_cast<uint64_t>(waiting_.size()));
   for (const Sent& sent : waiting_) hasher->Add(sent.region->MemID());

@@ -55,6 +55,9 @@ class SoundQueue {
   // Returns false when no sound is played.  Adds to `problems` the mistakes in vectors that start.
   bool Fill(int64_t frame, SoundFrame* samples, std::vector<SoundProblem>* problems);
 
+  // Drops all vectors, and gives their regions back.
+  void Clear();
+
   bool busy() const { return !waiting_.empty() || !finished_.empty() || playing_.region; }
   void HashState(Hasher* hasher) const;
 

@@ -63,7 +63,7 @@ std::string Speaker::Play(int64_t frame, const SoundFrame& samples, bool motor_p
                                                int64_t{INT16_MIN}, int64_t{INT16_MAX}));
     }
   }
-  return sink_->Play(frame, out);
+  return sink_->Play(first_frame_ + frame, out);
 }
 
 void Speaker::HashState(Hasher* hasher) const {

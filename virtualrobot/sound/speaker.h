@@ -46,8 +46,12 @@ class Speaker {
   // in Sony's sample SoundPlay).  Returns "", or the reason why the sound could not be written.
   std::string Play(int64_t frame, const SoundFrame& samples, bool motor_power);
 
-  // Sets the settings as they are at boot.  The sink stays open.
-  void SwitchOff() { settings_ = {}; }
+  // Sets the settings as they are at boot.  The robot is switched off in frame `frame`, from which
+  // the sink goes on when the frames begin again with 0.
+  void SwitchOff(int64_t frame) {
+    settings_ = {};
+    first_frame_ += frame;
+  }
 
   // Closes the sink after the last sound.  Returns "", or the reason why some of the sound could
   // not be written.
@@ -68,6 +72,7 @@ class Speaker {
 
   std::unique_ptr<SoundSink> sink_;
   Settings settings_;
+  int64_t first_frame_ = 0;  // frame of the sink in which the frames of this boot begin
 };
 
 }  // namespace openr_host

@@ -62,6 +62,19 @@ TEST_F(SoundTest, WhoBeginsToListenLateHearsWhatIsSaidThen) {
   EXPECT_EQ(first, std::vector<sword>{512});
 }
 
+TEST_F(SoundTest, TheSourceGoesOnWhereTheRobotWasSwitchedOff) {
+  AddListener();
+  std::vector<sword> first;
+  listener->on_vector = [&](OSoundVectorData* vector) {
+    first.push_back(reinterpret_cast<OSoundSampleStereo16*>(vector->GetData(0))->L);
+  };
+  Boot();
+  RunToFrame(5);
+  robot->SwitchOff();  // in frame 5; the frames begin again with 0
+  system.RunFor(5 * kFrameUs);
+  EXPECT_EQ(first, (std::vector<sword>{0, 5 * 128}));
+}
+
 class Ers7SoundTest : public SoundTest {
  protected:
   Ers7SoundTest() : SoundTest("ers7") {}

@@ -360,5 +360,17 @@ TEST_F(SoundTest, TheStateHashSeesTheSpeaker) {
   EXPECT_NE(system.state_hash(), before);
 }
 
+TEST(SpeakerTest, TheSinkGoesOnWhereTheRobotWasSwitchedOff) {
+  auto owned = std::make_unique<MemorySoundSink>();
+  const MemorySoundSink& sink = *owned;
+  Speaker speaker(std::move(owned));
+  EXPECT_EQ(speaker.Play(7, SoundFrame{}, true), "");
+  speaker.SwitchOff(10);
+  EXPECT_EQ(speaker.Play(2, SoundFrame{}, true), "");
+  ASSERT_EQ(sink.entries.size(), 2u);
+  EXPECT_EQ(sink.entries[0].frame, 7);
+  EXPECT_EQ(sink.entries[1].frame, 12);
+}
+
 }  // namespace
 }  // namespace openr_host
