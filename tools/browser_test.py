@@ -15,15 +15,14 @@ missing; where the variable CI is true, that is a failure.
 import argparse
 import os
 import pathlib
-import queue
 import re
 import shutil
 import signal
 import subprocess
 import sys
 import tempfile
-import threading
-import time
+
+from run_process import RunProcess
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SCRIPT = ROOT / "panel/test/browser/panel_test.mjs"
@@ -52,47 +51,6 @@ def missing(build):
     return ""
 
 
-class Run:
-    """A run in real time."""
-
-    def __init__(self, openr, *flags):
-        self.said = []
-        self.lines = queue.Queue()
-        self.process = subprocess.Popen(
-            [openr, "run", "--rc-port", "0", *flags],
-            stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
-            errors="replace")
-        threading.Thread(target=self._read, daemon=True).start()
-
-    def _read(self):
-        for line in self.process.stderr:
-            self.said.append(line)
-            self.lines.put(line)
-        self.lines.put("")
-
-    def wait_for(self, pattern):
-        """Waits for a line with the pattern, and returns its group; "" if the run has ended without."""
-        end = time.monotonic() + START_LIMIT_S
-        while True:
-            try:
-                line = self.lines.get(timeout=max(0.1, end - time.monotonic()))
-            except queue.Empty:
-                return ""
-            found = pattern.search(line)
-            if found or not line:
-                return found[1] if found else ""
-
-    def end(self):
-        """Presses the pause button, and returns the exit status."""
-        if self.process.poll() is None:
-            self.process.send_signal(signal.SIGINT)
-        try:
-            return self.process.wait(END_LIMIT_S)
-        except subprocess.TimeoutExpired:
-            self.process.kill()
-            return self.process.wait()
-
-
 def end_others(folder):
     """Ends the runs that have branched off from the run: their sockets are NAME.PROCESS."""
     for socket in (folder / "openr-host").glob("*.*"):
@@ -107,8 +65,8 @@ class SecondRobot:
 
     def __init__(self, openr):
         # Without physics, because a browser without a graphics card needs the processor.
-        self.run = Run(openr, "--no-panel", "--body", "ideal", "--run-name", "second")
-        robot = self.run.wait_for(ROBOT)
+        self.run = RunProcess(openr, "--no-panel", "--body", "ideal", "--run-name", "second")
+        robot = self.run.wait_for(ROBOT, START_LIMIT_S)[1]
         self.link = subprocess.Popen(
             [sys.executable, str(ROOT / "tests/both/link.py"), "--to", robot, "--delay-ms",
              str(LINK_DELAY_MS)], stdout=subprocess.PIPE, text=True)
@@ -117,7 +75,7 @@ class SecondRobot:
     def end(self):
         self.link.kill()
         self.link.wait()
-        self.run.end()
+        self.run.end(END_LIMIT_S)
 
 
 def steps(address, second, folder, openr, shots, only):
@@ -146,17 +104,17 @@ def drive(openr, folder, shots, only):
     """Runs all; returns how many tests passed and failed, and prints why those failed."""
     # Sockets of runs are in this folder, so the page sees no other runs of this machine.
     os.environ["XDG_RUNTIME_DIR"] = str(folder)
-    run = Run(openr, "--panel", "--panel-port", "0", "--run-name", "browser", "--record",
+    run = RunProcess(openr, "--panel", "--panel-port", "0", "--run-name", "browser", "--record",
               str(folder / "run.rec"))
-    address = run.wait_for(ADDRESS)
+    address = run.wait_for(ADDRESS, START_LIMIT_S)
     if not address:
-        run.end()
+        run.end(END_LIMIT_S)
         print("".join(run.said), "the run has no panel", sep="")
         return 0, 1
     second = SecondRobot(openr)
-    passed, failed = steps(address, second, folder, openr, shots, only)
+    passed, failed = steps(address[1], second, folder, openr, shots, only)
     second.end()
-    status = run.end()
+    status = run.end(END_LIMIT_S)
     end_others(folder)
     if failed or status != 0:
         print("".join(run.said), f"the run has ended with status {status}", sep="")

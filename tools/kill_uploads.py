@@ -403,12 +403,7 @@ def main():
             if flags.round is None:
                 for what in ("killed", "new files", "old files", "rounds with a temporary file"):
                     verdict(f"{what}: at least one", rounds.counts[what] > 0)
-            why = run.end()
-            verdict("the run ends as the pause button asks", not why, why)
-            messages, why = run.replay()
-            verdict("the recording replays to equal hashes", not why, why)
-            print(f"figures: {messages} messages replayed, recording "
-                  f"{(folder / 'run.rec').stat().st_size >> 20} MiB")
+            run.check_end()
         finally:
             run.kill()
     if any(rounds.wrong.values()):

@@ -294,12 +294,7 @@ def main():
                 run.clock(pause=False)
             except (rc.Refused, OSError, ValueError) as error:
                 verdict("the run and its clients go on to the end", False, repr(error))
-            why = run.end()
-            verdict("the run ends as the pause button asks", not why, why)
-            messages, why = run.replay()
-            verdict("the recording replays to equal hashes", not why, why)
-            print(f"figures: {messages} messages replayed, recording "
-                  f"{(folder / 'run.rec').stat().st_size >> 20} MiB, seed {flags.seed}")
+            run.check_end(f", seed {flags.seed}")
         finally:
             run.kill()
     return finish()

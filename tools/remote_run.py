@@ -1,4 +1,4 @@
-"""What the checks of the remote control share: a run that is recorded, and a client.
+"""The parts that the checks of the remote control share: a run that is recorded, and a client.
 
 The protocol is docs/remote-control.md.  Limits in seconds are there so that a check ends when the
 run hangs; no check depends on them.
@@ -14,7 +14,11 @@ import signal
 import socket
 import struct
 import subprocess
+import sys
 import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "tests/support"))
+from verdicts import verdict  # noqa: E402: the folder is put into the path first
 
 INFO, DESCRIBE, BATCH, GET, MOVE, SPEED, LED = 0x01, 0x02, 0x03, 0x10, 0x11, 0x12, 0x20
 SENSORS, POWER, SUBSCRIBE, UNSUBSCRIBE, EVENT = 0x30, 0x31, 0x32, 0x33, 0x3F
@@ -174,6 +178,15 @@ class Run:
         if report["ended_by"] != "pause" or errors:
             return f"the run was ended by {report['ended_by']}; errors: {errors}"
         return ""
+
+    def check_end(self, more=""):
+        """Ends the run, replays it, and says whether both went well.  `more` follows the figures."""
+        why = self.end()
+        verdict("the run ends as the pause button asks", not why, why)
+        messages, why = self.replay()
+        verdict("the recording replays to equal hashes", not why, why)
+        print(f"figures: {messages} messages replayed, recording "
+              f"{(self.folder / 'run.rec').stat().st_size >> 20} MiB{more}")
 
     def kill(self):
         if self.process.poll() is None:

@@ -16,7 +16,7 @@ constexpr double kPlayedFrameMs = 8;
 // the times of the records as long as their key frames are those of the log.
 std::vector<double> PlayTimes(const LogFile& log, const MtnFile& motion, int per_vector) {
   MtnPlayer player;
-  // One loop more than there are records: the log decides when the motion ends.
+  // The player gets one loop more than there are records, so that the log decides when it ends.
   player.Start(&motion, static_cast<int>(log.records.size()) + 1, per_vector);
   std::vector<double> times_ms;
   int frames = 0;

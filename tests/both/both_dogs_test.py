@@ -39,7 +39,7 @@ class Dogs:
         self.first = Run(openr, "first", "--rate", str(RATE), "--record", str(self.recording))
         self.second = Run(openr, "second", panel=False)
         for run in self.first, self.second:
-            run.wait_for("state: accepting-commands")
+            run.need("state: accepting-commands")
         host, port = self.second.robot.split(":")
         self.link = Link((host, int(port)))
         self.page = Page(self.first.url)

@@ -1,50 +1,35 @@
 """A run, and a page of its panel without a browser, for scripts."""
 import json
 import os
-import queue
+import pathlib
 import re
-import signal
 import socket
 import struct
 import subprocess
-import threading
+import sys
 import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent.parent / "tools"))
+from run_process import RunProcess  # noqa: E402: the folder is put into the path first
 
 PATIENCE_S = 120  # of wall time, for anything
 
 
-class Run:
+class Run(RunProcess):
     """`openr run`, with a panel if it has a page."""
 
     def __init__(self, openr, name, *flags, panel=True):
-        self.openr = str(openr)
-        self.said = []
-        self.lines = queue.Queue()
         panel_flags = ["--panel", "--panel-port", "0"] if panel else ["--no-panel"]
-        self.process = subprocess.Popen(
-            [self.openr, "run", "--rc-port", "0", "--run-name", name, *panel_flags, *flags],
-            stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
-            errors="replace")
-        threading.Thread(target=self._read, daemon=True).start()
-        self.robot = self.wait_for(r"openr rc (127\.0\.0\.1:\d+) info")
-        self.url = self.wait_for(r"panel: (http://\S+)") if panel else ""
+        super().__init__(openr, "--run-name", name, *panel_flags, *flags)
+        self.robot = self.need(r"openr rc (127\.0\.0\.1:\d+) info")[1]
+        self.url = self.need(r"panel: (http://\S+)")[1] if panel else ""
 
-    def _read(self):
-        for line in self.process.stderr:
-            self.said.append(line)
-
-    def wait_for(self, pattern):
-        """Waits for a line of standard error that fits, and returns its first group."""
-        end = time.monotonic() + PATIENCE_S
-        while time.monotonic() < end:
-            for line in list(self.said):
-                found = re.search(pattern, line)
-                if found:
-                    return found[1] if found.groups() else found[0]
-            if self.process.poll() is not None:
-                break
-            time.sleep(0.05)
-        raise RuntimeError(f"no line has {pattern}:\n" + "".join(self.said))
+    def need(self, pattern):
+        """Waits for a line of standard error with `pattern`, and returns the match."""
+        found = self.wait_for(pattern, PATIENCE_S)
+        if not found:
+            raise RuntimeError(f"no line has {pattern}:\n" + "".join(self.said))
+        return found
 
     def rc(self, *words):
         """Answers of `openr rc --json` at this run's robot."""
@@ -54,14 +39,8 @@ class Run:
             raise RuntimeError(done.stderr)
         return [json.loads(line) for line in done.stdout.splitlines()]
 
-    def end(self):
-        if self.process.poll() is None:
-            self.process.send_signal(signal.SIGINT)
-        try:
-            return self.process.wait(PATIENCE_S)
-        except subprocess.TimeoutExpired:
-            self.process.kill()
-            return self.process.wait()
+    def end(self, seconds=PATIENCE_S):
+        return super().end(seconds)
 
 
 class Page:

@@ -61,7 +61,7 @@ def main():
         private_runs(folder)
         first, second = Run(openr, "first"), Run(openr, "second", panel=False)
         for run in first, second:
-            run.wait_for("state: accepting-commands")
+            run.need("state: accepting-commands")
         host, port = second.robot.split(":")
         link, page = Link((host, int(port)), delay_ms=20), Page(first.url)
         rounds = [measure(page, link, arguments.rate) for _ in range(arguments.rounds)]

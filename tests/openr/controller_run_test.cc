@@ -93,7 +93,7 @@ TEST_F(ControllerRunTest, AJointMovesASensorIsReadAndCommandsGoOutOnlyWhenTheyCh
   EXPECT_EQ(result.out, "turned, distance 1\ndied\n") << result.err;
   EXPECT_THAT(result.err, HasSubstr("the controller has ended: its loop has ended; "));
   EXPECT_THAT(result.err, HasSubstr("asked for were 32 ms each, achieved "));
-  // In main() -0.2 was given first, and replaced in the same iteration.
+  // main() commands -0.2 first, and 0.5 in the same iteration replaces it, so one MOVE goes out.
   using List = std::vector<std::pair<int, int>>;
   EXPECT_EQ(
       proxy_.requests(),
