@@ -61,7 +61,26 @@ void Page::End(int code, const std::string& why) {
   if (is_closing_) return;
   Queue(JsonText(Json{{"event", "ended"}, {"why", why}}));
   is_closing_ = true;
-  connection_->CloseWhenSent(code, why);
+  received_.clear();
+  if (is_amid_message_) {
+    connection_->SetReading(true);
+    ending_ = Ending{code, why};
+  } else {
+    connection_->CloseWhenSent(code, why);
+  }
+}
+
+// Takes a part of a message that comes while the page is closing.
+void Page::Drop(size_t size, bool is_last) {
+  if (!ending_) return;
+  dropped_ += size;
+  if (is_last) {
+    connection_->CloseWhenSent(ending_->code, ending_->why);
+    ending_.reset();
+  } else if (dropped_ > kDropMax) {
+    connection_->Abort();
+    ending_.reset();
+  }
 }
 
 void Page::Queue(std::string text) {
@@ -82,7 +101,8 @@ void Page::Collect() {
 std::string Page::Next() { return queue_.Next(); }
 
 void Page::Take(std::string_view part, bool is_text, bool is_last) {
-  if (is_closing_) return;
+  is_amid_message_ = !is_last;
+  if (is_closing_) return Drop(part.size(), is_last);
   if (!is_text) return End(kCloseNoText, "the page has sent a message that is no text");
   received_ += part;
   const size_t size_max = BeginsUpload(received_) ? kUploadMax : kMessageMax;

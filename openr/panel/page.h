@@ -34,6 +34,8 @@ class Page : public WebPage {
   // Bytes of a message of a page: of an upload, and of all others.
   static constexpr size_t kUploadMax = size_t{12} << 20;
   static constexpr size_t kMessageMax = size_t{64} << 10;
+  // Bytes that the server drops of the message during which it ends a page.
+  static constexpr size_t kDropMax = size_t{64} << 20;
   // Number of robots whose remote control one page uses at a time.
   static constexpr size_t kEndpointsMax = 4;
 
@@ -43,7 +45,10 @@ class Page : public WebPage {
   // Connects the page to a run.  The page is told if that is not possible.
   void Join(const LiveRun& run);
 
-  // Tells the page that its run has ended, or why there is none, and closes it.
+  // Tells the page that its run has ended, or why there is none, and closes it.  If the page is
+  // amid a message, the connection is closed after that message: when a socket is closed with
+  // unread bytes in it, the kernel of the other side throws away what it has received, so that the
+  // page would not see why it was closed.
   void End(int code, const std::string& why);
 
   // Takes the answers of threads.
@@ -63,6 +68,7 @@ class Page : public WebPage {
   RcBridge* BridgeTo(const nlohmann::json& request);
   void Refuse(const nlohmann::json& request, const std::string& why);
   void Queue(std::string text);
+  void Drop(size_t size, bool is_last);
 
   WebLoop* const loop_;
   WebConnection* const connection_;
@@ -74,7 +80,15 @@ class Page : public WebPage {
   std::map<size_t, std::unique_ptr<PairBridge>> pairs_;       // by robot of the run
   std::string received_;                                      // the begin of the next message
   PageQueue queue_;
-  bool is_closing_ = false;
+  bool is_amid_message_ = false;  // a part of a message has come, but not its last part
+  bool is_closing_ = false;       // nothing more is queued or obeyed
+  // Code and reason of a close that waits for the end of the message that is coming.
+  struct Ending {
+    int code;
+    std::string why;
+  };
+  std::optional<Ending> ending_;
+  size_t dropped_ = 0;  // bytes of that message
 };
 
 }  // namespace openr_host

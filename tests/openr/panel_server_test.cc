@@ -167,6 +167,26 @@ TEST_F(PanelServerTest, MessagesThatAreTooLongOrNoTextEndThePage) {
   EXPECT_EQ(last_word("{}", WebSocketClient::kBinary), "close 1003");
 }
 
+TEST_F(PanelServerTest, APageIsClosedWhenTheMessageThatIsTooLongHasEnded) {
+  const auto page = Page();
+  page->Send(std::string(100'000, 'x'), WebSocketClient::kText, false);
+  EXPECT_THAT(page->Receive(), HasSubstr("\"why\":\"a message of more than 65536 bytes\""));
+  for (int i = 0; i < 100; ++i)
+    page->Send(std::string(100'000, 'x'), WebSocketClient::kContinuation, false);
+  page->Send("x", WebSocketClient::kContinuation);
+  EXPECT_EQ(page->Receive(), "close 1009");
+}
+
+TEST_F(PanelServerTest, AMessageWithoutEndIsCutOff) {
+  const auto page = Page();
+  const std::string part(1 << 20, 'x');
+  page->Send(part, WebSocketClient::kText, false);
+  for (int i = 0; i < 70; ++i) page->Send(part, WebSocketClient::kContinuation, false);
+  std::string word = page->Receive();
+  if (word.find("ended") != std::string::npos) word = page->Receive();
+  EXPECT_EQ(word, "(lost)");
+}
+
 TEST_F(PanelServerTest, ASlowPageGetsFewerPosesAndTheNewestOne) {
   const auto page = Page();
   constexpr int kPoses = 2000;

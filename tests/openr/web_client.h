@@ -116,8 +116,11 @@ class WebSocketClient {
 
   static constexpr int kText = 1, kBinary = 2, kClose = 8;
 
-  void Send(const std::string& payload, int opcode = kText) {
-    std::string frame = {static_cast<char>(0x80 | opcode)};
+  static constexpr int kContinuation = 0;
+
+  // Sends a message, or a part of one that `is_last` does not end.
+  void Send(const std::string& payload, int opcode = kText, bool is_last = true) {
+    std::string frame = {static_cast<char>((is_last ? 0x80 : 0) | opcode)};
     const size_t size = payload.size();
     const int bytes = size < 126 ? 0 : size < 65536 ? 2 : 8;
     frame += static_cast<char>(0x80 | (bytes == 0 ? size : bytes == 2 ? 126 : 127));
