@@ -1,0 +1,76 @@
+// The impulses of contacts that obey Coulomb's law of friction.
+//
+// Each contact has three rows: along its normal, away from the ground, and along two directions of
+// the ground.  An impulse p along the rows changes the velocity along them by K p, where K is the
+// mobility of the robot plus the softness of the contacts.  With d for the change of velocity that
+// would let each contact stick and leave the ground as fast as it wants, the law for each contact
+// is
+//
+//   it sticks:  its rows of K p are those of d, and its impulse lies in the cone of friction,
+//   it slides:  the row along the normal is; the impulse lies on the border of the cone, against
+//   the
+//               velocity that is missing,
+//   it opens:   its impulse is 0, and the contact leaves the ground faster than it wants.
+//
+// Most contacts of a robot stick.  So the equations are first solved as if all of them did, without
+// those that would pull at the ground.  When all others lie in the cone, this is the answer.
+// Otherwise it is where the sweeps begin: one contact after the other gets the impulse that its law
+// demands while the impulses of all others stay, until no impulse changes any more.
+#pragma once
+
+#include <vector>
+
+namespace openr_host {
+
+// The equations of the contacts of one step.
+class ContactEquations {
+ public:
+  // Sets all numbers to 0.
+  void Reset(int contacts);
+
+  int contacts() const { return rows() / 3; }
+  int rows() const { return static_cast<int>(wanted.size()); }
+
+  // Row and column are 3 * contact + 0 for the normal, + 1 and + 2 for the ground.
+  double& At(int row, int column) { return matrix_[static_cast<size_t>(row) * rows() + column]; }
+  const double* Row(int row) const { return &matrix_[static_cast<size_t>(row) * rows()]; }
+
+  // [row]: d, in m/s.
+  std::vector<double> wanted;
+
+ private:
+  std::vector<double> matrix_;  // K, symmetric, in 1/kg
+};
+
+class ContactForces {
+ public:
+  // `friction` is Coulomb's coefficient.
+  explicit ContactForces(double friction) : friction_(friction) {}
+
+  // A sweep that changes no impulse by more than this, in N s, is the last one.  A standing ERS-210
+  // presses with 0.13 N s on the floor in a frame.
+  static constexpr double kTolerance_n_s = 1e-6;
+  // Number of sweeps after which the impulses are taken as they are.
+  static constexpr int kSweepsMax = 1000;
+
+  // Returns the impulse along each row, in N s.  The result is valid until the next call.
+  // REQUIRES: the matrix is symmetric and positive definite.
+  const std::vector<double>& Find(const ContactEquations& equations);
+
+  // Number of sweeps that the last call made.
+  int sweeps() const { return sweeps_; }
+
+ private:
+  bool SolveSticking(const ContactEquations& equations);
+  void SolveOpened(const ContactEquations& equations);
+  bool LiesInCone(int contact) const;
+  double Sweep(const ContactEquations& equations);
+
+  const double friction_;
+  std::vector<double> impulses_;  // [row]
+  std::vector<int> closed_;       // contacts that press if all of them stick
+  std::vector<double> factor_;    // factors of the rows of closed_
+  int sweeps_ = 0;
+};
+
+}  // namespace openr_host

@@ -1,0 +1,157 @@
+// The motion of a robot as a tree of rigid parts that hinges join.
+//
+// The unknowns are the robot's own: six numbers for the motion of the trunk and one for each hinge.
+// Because a hinge has only one number, nothing can pull the parts of a hinge apart, and no equation
+// is needed that holds them together.  With u for these velocities, a step of h seconds solves
+//
+//   (M + h B) (u' - u) = h (t0 - B u - c + f) + J^T p
+//
+// M is the inertia matrix of the tree, t0 - B u' the torque lines of the servos, c the forces that
+// the present motion and gravity demand, f pushes, J the Jacobian of the contacts and p their
+// impulses.  The matrix is zero where two parts are not on one way to the trunk.  The factors of
+// the matrix keep these zeros when the leaves of the tree are eliminated first (Featherstone,
+// "Rigid Body Dynamics Algorithms", 2008, chapters 6 and 8), so that the work grows with the number
+// of hinges and not with its third power.
+//
+// Vectors are in the axes of the world W.  Moments and lines of force refer to the point O, the
+// place of the trunk's centre of mass at the beginning of the step.  All results have the same bits
+// in every build, because only +, -, *, / and sqrt are used, and det_math.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "virtualrobot/servo.h"
+
+namespace openr_host {
+
+class Hasher;
+
+// A rigid part and the hinge that joins it to its parent.  Places and axes are those of the part's
+// own frame L, which coincides with B when all angles are 0.
+struct TreePart {
+  double mass_kg = 0;                                       // > 0
+  Eigen::Matrix3d inertia_kg_m2 = Eigen::Matrix3d::Zero();  // about the centre of mass
+  Eigen::Vector3d centre_m{0, 0, 0};                        // centre of mass
+  int parent = -1;                                          // a lower index; -1 for the trunk
+  Eigen::Vector3d axis{0, 0, 0};                            // unit vector
+  Eigen::Vector3d anchor_m{0, 0, 0};                        // a point of the axis
+};
+
+class JointTree {
+ public:
+  // A force, or a momentum, with its moment about O; or an angular velocity with the velocity at O.
+  struct Spatial {
+    Eigen::Vector3d angular{0, 0, 0};
+    Eigen::Vector3d linear{0, 0, 0};
+  };
+
+  // Makes a tree at rest whose frame B coincides with W and whose angles are 0.  REQUIRES: part 0
+  // is the trunk, and a parent comes before its children.
+  explicit JointTree(const std::vector<TreePart>& parts);
+
+  int parts() const { return static_cast<int>(parts_.size()); }
+
+  // Puts the trunk and the hinges in their places, at rest.  `angles_rad` has an angle for each
+  // part; that of the trunk is not used.
+  void Place(const Eigen::Isometry3d& X_WB, const std::vector<double>& angles_rad);
+
+  // The present motion.  X_WL maps a point of the part's frame to its place in W.
+  const Eigen::Matrix3d& R_WL(int part) const { return now_[part].R_WL; }
+  const Eigen::Vector3d& centre_W(int part) const { return now_[part].centre_W; }
+  Eigen::Isometry3d X_WL(int part) const;
+  const Eigen::Quaterniond& q_WB() const { return q_WB_; }
+  const Eigen::Vector3d& v_W() const { return v_W_; }  // of the trunk's centre of mass
+  const Eigen::Vector3d& w_W() const { return w_W_; }  // of the trunk
+  double angle_rad(int part) const { return angle_rad_[part]; }
+  double speed_rad_s(int part) const { return speed_rad_s_[part]; }
+
+  // Begins a step of `step_s` seconds: sets up the equation of motion without pushes and contacts,
+  // and factors its matrix.  `lines` has the torque line of the hinge of each part; that of the
+  // trunk is not used.
+  void BeginStep(const std::vector<TorqueLine>& lines, double gravity_m_s2, double step_s);
+
+  // Add a push at the point `p_W`, in N, and a torque, in N m, to the step that has begun.
+  void AddForce(int part, const Eigen::Vector3d& force_W, const Eigen::Vector3d& p_W);
+  void AddTorque(int part, const Eigen::Vector3d& torque_W);
+
+  // Adds a row to J: the velocity of the point `p_W` of `part` along `direction_W`.  Called after
+  // all pushes.  Rows are numbered from 0 in each step.
+  void AddRow(int part, const Eigen::Vector3d& p_W, const Eigen::Vector3d& direction_W);
+  int rows() const { return static_cast<int>(row_speed_.size()); }
+
+  // Returns the velocity along row `row` at the end of the step if no contact acts, in m/s.
+  double FreeSpeed(int row) const { return row_speed_[row]; }
+
+  // Returns by how much an impulse of 1 N s along row `b` changes the velocity along row `a`, in
+  // m/s.
+  double Mobility(int a, int b) const;
+
+  // Ends the step: applies an impulse along each row, in N s, and moves all parts.
+  void EndStep(const std::vector<double>& impulses);
+
+  void HashState(Hasher* hasher) const;
+
+ private:
+  // Place and motion of a part, which follow from the state of the tree.
+  struct PartNow {
+    Eigen::Matrix3d R_WL = Eigen::Matrix3d::Identity();
+    Eigen::Vector3d centre_W{0, 0, 0};
+    Spatial axis;  // velocity of the part when its hinge turns with 1 rad/s
+    Eigen::Vector3d anchor_W{0, 0, 0};
+    Eigen::Vector3d w_W{0, 0, 0};
+  };
+
+  // Sum of parts that move as one body: mass, first moment and inertia about O.
+  struct Inertia {
+    double mass_kg = 0;
+    Eigen::Vector3d moment{0, 0, 0};
+    Eigen::Matrix3d about_o = Eigen::Matrix3d::Zero();
+
+    // Returns the momentum of the body when it moves with `velocity`.
+    Spatial MomentumAt(const Spatial& velocity) const;
+  };
+
+  int Unknowns() const { return 5 + parts(); }
+  static int UnknownOf(int part) { return 5 + part; }
+  double* RowOf(int unknown) { return &matrix_[static_cast<size_t>(unknown) * Unknowns()]; }
+  const double* RowOf(int unknown) const {
+    return &matrix_[static_cast<size_t>(unknown) * Unknowns()];
+  }
+
+  void PlaceParts();
+  void FindMotion();
+  void FillMatrix(const std::vector<TorqueLine>& lines, double step_s);
+  void FindForces(const std::vector<TorqueLine>& lines, double gravity_m_s2);
+  void Factor();
+  void AddAlong(int part, const Spatial& force, double* along) const;
+  void Eliminate();
+  void EliminateFrom(int unknown, double* x) const;
+  void Move();
+
+  const std::vector<TreePart> parts_;
+  std::vector<int>
+      parent_;  // [unknown]: the next unknown on the way to the trunk's first; -1: none
+
+  // The state: everything that decides the future.
+  Eigen::Quaterniond q_WB_ = Eigen::Quaterniond::Identity();
+  Eigen::Vector3d centre_W_{0, 0, 0};  // the trunk's centre of mass
+  Eigen::Vector3d v_W_{0, 0, 0}, w_W_{0, 0, 0};
+  std::vector<double> angle_rad_, speed_rad_s_;  // [part]
+
+  std::vector<PartNow> now_;  // [part]
+
+  // Values of the step that has begun.
+  double step_s_ = 0;
+  std::vector<Inertia> inertia_;  // [part]: of the part and all parts behind it
+  std::vector<Spatial> force_;    // [part]: likewise, what the present motion and gravity demand
+  std::vector<double> matrix_;    // lower triangle, row by row; after Factor() its factors L and D
+  std::vector<double> along_;     // [unknown]: forces; after Eliminate() momenta
+  bool is_eliminated_ = false;
+  std::vector<double> row_;         // [row][unknown]: the inverse of L^T times J^T
+  std::vector<double> row_scaled_;  // [row][unknown]: the same, divided by D
+  std::vector<int> row_unknown_;    // [row]: the unknown of the part that the row is about
+  std::vector<double> row_speed_;   // [row]: FreeSpeed()
+};
+
+}  // namespace openr_host
