@@ -7,6 +7,7 @@
 
 #include "bench/bench.h"
 #include "openr/simulation/simulation.h"
+#include "virtualrobot/ode/ode_reference.h"
 
 namespace openr_host {
 namespace {
@@ -40,33 +41,65 @@ class BareBody {
     }
   }
   void Run(int64_t frames) {
-    for (; frames > 0; --frames) simulation_->robots()[0]->body().Advance(commands_);
+    for (; frames > 0; --frames) body().Advance(commands_);
   }
+  Body& body() { return simulation_->robots()[0]->body(); }
+  const RobotModel& model() const { return simulation_->robots()[0]->model(); }
+  const std::vector<JointCommand>& commands() const { return commands_; }
 
  private:
   std::shared_ptr<Simulation> simulation_;
   std::vector<JointCommand> commands_;
 };
 
+// The same dog with the same set points, moved by ODE's own exact solver.
+class ReferenceBody {
+ public:
+  explicit ReferenceBody(const std::string& stick) : bare_(stick) {
+    const BodyState& state = bare_.body().state();
+    std::vector<double> angles_rad;
+    for (const JointState& joint : state.joints) angles_rad.push_back(joint.angle_rad);
+    reference_ = std::make_unique<OdeReference>(bare_.model(), World(), state.X_WB, angles_rad);
+  }
+  void Run(int64_t frames) {
+    for (; frames > 0; --frames) reference_->Advance(bare_.commands());
+  }
+
+ private:
+  BareBody bare_;
+  std::unique_ptr<OdeReference> reference_;
+};
+
 }  // namespace
 
 std::vector<Row> GraphRows(const std::string& stick) {
   const auto bare = std::make_shared<std::unique_ptr<BareBody>>();
+  const auto reference = std::make_shared<std::unique_ptr<ReferenceBody>>();
   const auto graph = std::make_shared<std::shared_ptr<Simulation>>();
   const auto ideal = std::make_shared<std::shared_ptr<Simulation>>();
   const auto run_graph = [stick](const auto& slot, const char* body, int64_t frames) {
     if (*slot == nullptr) *slot = Standing(stick, body);
     (*slot)->system().RunFor(frames * kFrameUs);
   };
+  const auto run_bare = [=](int64_t frames) {
+    if (*bare == nullptr) *bare = std::make_unique<BareBody>(stick);
+    (*bare)->Run(frames);
+  };
   return {
+      {"body of a standing dog; a frame",
+       "ns a frame",
+       250,
+       {{"ODE's exact solver",
+         [=](int64_t frames) {
+           if (*reference == nullptr) *reference = std::make_unique<ReferenceBody>(stick);
+           (*reference)->Run(frames);
+         }},
+        {"bare ODE body", run_bare}},
+       35.0 / 185},
       {"full graph, sensors, trace hash; a frame",
        "ns a frame",
        250,
-       {{"bare ODE body",
-         [=](int64_t frames) {
-           if (*bare == nullptr) *bare = std::make_unique<BareBody>(stick);
-           (*bare)->Run(frames);
-         }},
+       {{"bare ODE body", run_bare},
         {"full graph on it", [=](int64_t frames) { run_graph(graph, "ode", frames); }}},
        1 / 0.90},
       {"full graph on the ideal body; a frame (3,000 x real time is 2,667 ns)",

@@ -16,21 +16,6 @@ World WithBox(const Vector3d& size_m, const Vector3d& centre_m, double yaw_deg) 
   return world;
 }
 
-// Contacts that stick are solved without bounds (contact_solver.h).  The results must be the same.
-TEST(ContactTest, HeldContactsStandLikeBoundedOnes) {
-  OdeSettings bounded_only;
-  bounded_only.hold_contacts = false;
-  OdeBody held(Ers210(), World{}), bounded(Ers210(), World{}, bounded_only);
-  BodyHarness harness_held(Ers210(), &held), harness_bounded(Ers210(), &bounded);
-  harness_held.StandUp();
-  harness_bounded.StandUp();
-  harness_held.Hold(20);  // until the paws have crept to where they press evenly
-  harness_bounded.Hold(20);
-  EXPECT_NEAR(harness_held.Position_mm().z(), harness_bounded.Position_mm().z(), 0.05);
-  EXPECT_NEAR(harness_held.RpyDegrees().y(), harness_bounded.RpyDegrees().y(), 0.05);
-  EXPECT_NEAR(harness_held.AngleDegrees("LF_j3"), harness_bounded.AngleDegrees("LF_j3"), 0.05);
-}
-
 // A standing robot is pushed sideways at its trunk.  Its weight is 15.8 N and the friction 0.6, so
 // it holds against 5 N and slides at 12 N.
 TEST(ContactTest, PawsHoldBelowTheFrictionLimitAndSlideAboveIt) {

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "tests/virtualrobot/body_harness.h"
-#include "virtualrobot/ode/ode_process.h"
 
 namespace openr_host {
 namespace {
@@ -51,16 +50,9 @@ TEST(OdeBodyTest, DisabledJointAsksForNoDrive) {
   for (const JointState& joint : body.state().joints) EXPECT_EQ(joint.drive, 0);
 }
 
-TEST(OdeBodyTest, HingesHoldTogetherWhileStandingUp) {
-  OdeBody body(Ers210(), World{});
-  BodyHarness harness(Ers210(), &body);
-  harness.StandUp();
-  EXPECT_LT(body.HingeError(), 1e-5);
-}
-
 // Random targets, also beyond the stops, and joints that are switched off and on: the body must
-// stay in one piece however bad a program is.
-TEST(OdeBodyTest, FlailingRobotStaysInOnePieceAndOnTheFloor) {
+// stay slow and on the floor however bad a program is.
+TEST(OdeBodyTest, FlailingRobotStaysOnTheFloor) {
   OdeBody body(Ers210(), World{});
   BodyHarness harness(Ers210(), &body);
   uint32_t random = 1;
@@ -72,7 +64,6 @@ TEST(OdeBodyTest, FlailingRobotStaysInOnePieceAndOnTheFloor) {
       harness.commands[j].enabled = next() < 0.9;
     }
     harness.Hold(0.16);
-    ASSERT_LT(body.HingeError(), 0.005) << "move " << i;
     ASSERT_LT(body.state().v_WB.norm(), 3) << "move " << i;
     ASSERT_NEAR(harness.Position_mm().z(), 120, 120) << "move " << i;
   }
@@ -87,7 +78,7 @@ TEST(OdeBodyTest, PosesOfPartsBelongToTheMeasuredAngles) {
   const auto X_BL = LinkPoses(Ers210(), angles_rad);
   const auto X_WL = body.BodyPoses();
   for (size_t i = 0; i < X_WL.size(); ++i) {
-    EXPECT_TRUE(X_WL[i].isApprox(body.state().X_WB * X_BL[i], 1e-5)) << Ers210().bodies[i].name;
+    EXPECT_TRUE(X_WL[i].isApprox(body.state().X_WB * X_BL[i], 1e-12)) << Ers210().bodies[i].name;
   }
 }
 
@@ -119,17 +110,6 @@ TEST(OdeBodyTest, Ers220StandsUp) {
   harness.StandUp();
   EXPECT_NEAR(harness.Position_mm().z(), 137.2, 3);
   EXPECT_EQ(harness.PawsDown(), 4);
-}
-
-TEST(OdeBodyTest, LeavesOdesRandomGeneratorAsItWas) {
-  OdeBody body(Ers210(), World{});
-  BodyHarness harness(Ers210(), &body);
-  uint64_t generator = 4711;  // read back when the scope ends
-  {
-    const OdeRandomScope others(&generator);
-    harness.Hold(0.1);
-  }
-  EXPECT_EQ(generator, 4711u);
 }
 
 TEST(OdeBodyTest, SeesAWallThroughItsRay) {

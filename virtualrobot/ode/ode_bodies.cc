@@ -1,0 +1,45 @@
+#include "virtualrobot/ode/ode_bodies.h"
+
+namespace openr_host {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+void InitOde() {
+  static const int initialised = dInitODE2(0);
+  static_cast<void>(initialised);
+}
+
+dBodyID MakeBody(dWorldID world, const BodyPart& part) {
+  dMass mass;
+  dMassSetBoxTotal(&mass, part.mass_kg, part.size_m.x(), part.size_m.y(), part.size_m.z());
+  const dBodyID body = dBodyCreate(world);
+  dBodySetMass(body, &mass);
+  return body;
+}
+
+// A row of an ODE matrix has four numbers, the last of which is not used.
+void PlaceBody(dBodyID body, const Vector3d& centre_W, const Matrix3d& R_WL) {
+  const Matrix3d& R = R_WL;
+  const dMatrix3 rotation = {R(0, 0), R(0, 1), R(0, 2), 0,       R(1, 0), R(1, 1),
+                             R(1, 2), 0,       R(2, 0), R(2, 1), R(2, 2), 0};
+  dBodySetPosition(body, centre_W.x(), centre_W.y(), centre_W.z());
+  dBodySetRotation(body, rotation);
+}
+
+double MassOf(dBodyID body) {
+  dMass mass;
+  dBodyGetMass(body, &mass);
+  return mass.mass;
+}
+
+Matrix3d InertiaOf(dBodyID body) {
+  dMass mass;
+  dBodyGetMass(body, &mass);
+  Matrix3d inertia;
+  inertia << mass.I[0], mass.I[1], mass.I[2], mass.I[4], mass.I[5], mass.I[6], mass.I[8], mass.I[9],
+      mass.I[10];
+  return inertia;
+}
+
+}  // namespace openr_host

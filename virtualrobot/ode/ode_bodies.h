@@ -1,0 +1,30 @@
+// The parts of a robot as bodies of ODE.
+#pragma once
+
+#include <ode/ode.h>
+
+#include <Eigen/Core>
+
+#include "virtualrobot/model/robot_model.h"
+
+namespace openr_host {
+
+// Initialises ODE once per process.  It runs without threads, because the results of its thread
+// pool are not repeatable.
+void InitOde();
+
+// Makes the body of `part`.  Its mass is that of the part and has uniform density inside the box of
+// the part (Hohl 2004, section 3.1.3).  The body belongs to `world`.
+dBodyID MakeBody(dWorldID world, const BodyPart& part);
+
+// Puts `body` where its centre of mass is at `centre_W`, with the rotation `R_WL`.
+void PlaceBody(dBodyID body, const Eigen::Vector3d& centre_W, const Eigen::Matrix3d& R_WL);
+
+double MassOf(dBodyID body);
+
+// Returns the inertia of `body` about its centre of mass, in its own axes, in kg m^2.
+Eigen::Matrix3d InertiaOf(dBodyID body);
+
+inline Eigen::Vector3d ToEigen(const dReal* v) { return {v[0], v[1], v[2]}; }
+
+}  // namespace openr_host

@@ -1,0 +1,61 @@
+// The same robot as ODE's own joints and its exact solver move it: the reference beside which tests
+// put the motion of OdeBody, and the bench its time.  No program runs on it.
+//
+// ODE knows 6 numbers for each part and holds the parts together by 5 equations for each hinge.
+// The torque line of a servo, t = t0 - b v, is the motor of its hinge: such a motor obeys
+// v = vel - cfm * t, so vel = t0 / b and cfm = 1 / b.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <memory>
+#include <vector>
+
+#include "virtualrobot/body.h"
+#include "virtualrobot/servo.h"
+
+struct dxWorld;
+struct dxBody;
+struct dxJoint;
+struct dxJointGroup;
+
+namespace openr_host {
+
+class ContactFinder;
+
+class OdeReference {
+ public:
+  // Makes the robot at rest.  `model` must outlive it and have boxes, masses and torques.
+  OdeReference(const RobotModel& model, const World& world, const Eigen::Isometry3d& X_WB,
+               const std::vector<double>& angles_rad);
+  ~OdeReference();
+  OdeReference(const OdeReference&) = delete;
+  OdeReference& operator=(const OdeReference&) = delete;
+
+  // Moves the robot by one frame of 8 ms.
+  void Advance(const std::vector<JointCommand>& commands);
+
+  // Pushes part `part` with `force_W`, in N, at `p_W` during the next frame.
+  void Push(int part, const Eigen::Vector3d& force_W, const Eigen::Vector3d& p_W);
+
+  // The present motion.
+  double angle_rad(int joint) const;
+  double speed_rad_s(int joint) const;
+  Eigen::Vector3d centre_W(int part) const;
+  Eigen::Vector3d v_W(int part) const;  // of the centre of mass
+  Eigen::Vector3d w_W(int part) const;
+
+ private:
+  void AddContacts();
+
+  const RobotModel& model_;
+  const World surroundings_;
+  dxWorld* world_;
+  dxJointGroup* contacts_;
+  std::vector<dxBody*> bodies_;
+  std::vector<dxJoint*> hinges_;
+  std::vector<double> start_rad_;  // ODE's hinges count their angles from here
+  std::vector<Servo> servos_;
+  std::unique_ptr<ContactFinder> finder_;
+};
+
+}  // namespace openr_host
