@@ -10,6 +10,9 @@ namespace remote = openr::remote;
 constexpr int kLargestLayer = 0;
 // Time between two tries while another client fetches a picture.
 constexpr std::chrono::milliseconds kBusyWait{100};
+// Number of tries in a row without a picture after which the user is told.  They last 10 s, far
+// longer than another client needs for a picture.
+constexpr int kSilentTries = 100;
 
 }  // namespace
 
@@ -24,13 +27,18 @@ CameraFetcher::~CameraFetcher() {
 void CameraFetcher::Fetch() {
   try {
     remote::Connection robot(address_, options_);
-    while (!is_ended_) {
+    for (int tries = 0; !is_ended_; ++tries) {
       try {
         std::string rgb = robot.TakePicture(kLargestLayer).Rgb();
         const std::lock_guard lock(mutex_);
         picture_ = std::move(rgb);
+        tries = -1;
       } catch (const remote::Error& error) {
         if (error.status() != rcerrorBUSY && error.status() != rcerrorNO_PICTURE) throw;
+        if (tries == kSilentTries) {
+          const std::lock_guard lock(mutex_);
+          problem_ = std::string("none has come for 10 s; still trying: ") + error.what();
+        }
         std::this_thread::sleep_for(kBusyWait);
       }
     }

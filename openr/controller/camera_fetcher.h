@@ -23,7 +23,8 @@ class CameraFetcher {
   // the top left, and returns true.
   bool Take(std::string* rgb);
 
-  // Returns the reason why no more pictures come, once; "" as long as they come.
+  // Returns the reason why no pictures come, once; "" as long as they come, or for the first 10 s
+  // in which the robot has none.
   std::string TakeProblem();
 
  private:

@@ -166,7 +166,7 @@ void RemotePort::TakePicture() {
   const auto size = static_cast<size_t>(3 * constants_->camera.width * constants_->camera.height);
   if (buffer != nullptr && rgb.size() == size) std::memcpy(buffer, rgb.data(), size);
   const std::string problem = camera_->TakeProblem();
-  if (!problem.empty()) Say("no more images of the camera: " + problem);
+  if (!problem.empty()) Say("no images of the camera: " + problem);
 }
 
 // Asks for INFO when the robot has been silent, so that a robot that has stopped is noticed.

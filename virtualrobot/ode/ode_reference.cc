@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 
 OdeReference::OdeReference(const RobotModel& model, const World& world, const Isometry3d& X_WB,
                            const std::vector<double>& angles_rad)
-    : model_(model), surroundings_(world), start_rad_(angles_rad) {
+    : surroundings_(world), start_rad_(angles_rad) {
   const OdeSettings settings;
   InitOde();
   world_ = dWorldCreate();

@@ -47,7 +47,6 @@ class OdeReference {
  private:
   void AddContacts();
 
-  const RobotModel& model_;
   const World surroundings_;
   dxWorld* world_;
   dxJointGroup* contacts_;
