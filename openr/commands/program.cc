@@ -39,6 +39,7 @@ void AddCommands(CLI::App* app, int* exit_code) {
   AddNewCommand(app, exit_code);
   AddControllerCommand(app, exit_code);
   AddCheckCommand(app, exit_code);
+  AddModelCommand(app, exit_code);
   AddStickCommand(app, exit_code);
   AddStubgenCommand(app, exit_code);
   AddHelpCommand(app, exit_code);

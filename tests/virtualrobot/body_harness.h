@@ -1,4 +1,4 @@
-// Moves a body by set points, one command per frame: holds, and ramps between postures.
+// A body under test: moves it by set points (virtualrobot/body_mover.h) and looks at it.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -10,6 +10,7 @@
 
 #include "runtime/base/hasher.h"
 #include "virtualrobot/body.h"
+#include "virtualrobot/body_mover.h"
 #include "virtualrobot/det_math.h"
 #include "virtualrobot/kinematics.h"
 
@@ -25,82 +26,17 @@ inline const RobotModel& Ers210() {
   return model;
 }
 
-inline int FramesIn(double seconds) { return static_cast<int>(std::lround(seconds / kFrame_s)); }
-
-class BodyHarness {
+class BodyHarness : public BodyMover {
  public:
   // Both must outlive the harness.
-  BodyHarness(const RobotModel& model, Body* body) : model_(model), body_(*body) {
-    for (const JointModel& joint : model.joints) {
-      commands.push_back({.target_rad = 0, .enabled = false, .gains = joint.gains});
-    }
-  }
-
-  void Frame() { body_.Advance(commands); }
-  void Hold(double seconds) {
-    for (int i = FramesIn(seconds); i > 0; --i) Frame();
-  }
-
-  // Switches the gains on at the present position, as a careful program does.
-  void EnableAll() {
-    for (size_t j = 0; j < commands.size(); ++j) {
-      commands[j].target_rad = body_.state().joints[j].angle_rad;
-      commands[j].enabled = true;
-    }
-  }
-
-  // All joints start and arrive together; the slowest moves at 0.9 of its planned speed limit.
-  void RampTo(const std::vector<double>& to_rad) {
-    double seconds = kFrame_s;
-    std::vector<double> from_rad;
-    for (size_t j = 0; j < commands.size(); ++j) {
-      from_rad.push_back(commands[j].target_rad);
-      seconds = std::max(
-          seconds, std::fabs(to_rad[j] - from_rad[j]) / (0.9 * model_.joints[j].speed_rad_s.max));
-    }
-    const int frames = static_cast<int>(seconds / kFrame_s) + 1;
-    for (int i = 1; i <= frames; ++i) {
-      for (size_t j = 0; j < commands.size(); ++j) {
-        commands[j].target_rad = from_rad[j] + (to_rad[j] - from_rad[j]) * i / frames;
-      }
-      Frame();
-    }
-  }
-
-  // A posture of the model, kept to the software limits.
-  std::vector<double> Posture(const std::string& name) const {
-    std::vector<double> angles_rad = model_.PostureAngles(name);
-    for (size_t j = 0; j < angles_rad.size(); ++j) {
-      const Range& soft = model_.joints[j].soft_rad;
-      angles_rad[j] = std::clamp(angles_rad[j], soft.min, soft.max);
-    }
-    return angles_rad;
-  }
-
-  void StandUp() {
-    EnableAll();
-    for (const char* name : {"broadbase", "sleep", "crouch", "stand"}) {
-      RampTo(Posture(name));
-      Hold(0.3);
-    }
-    Hold(2);
-  }
+  BodyHarness(const RobotModel& model, Body* body)
+      : BodyMover(model, body), model_(model), body_(*body) {}
 
   Eigen::Vector3d RpyDegrees() const {
     const Eigen::Vector3d rpy_rad = RpyOf(body_.state().X_WB.linear());
     return {Degrees(rpy_rad.x()), Degrees(rpy_rad.y()), Degrees(rpy_rad.z())};
   }
   Eigen::Vector3d Position_mm() const { return body_.state().X_WB.translation() * 1000; }
-
-  // Largest distance of a joint from its set point, in degrees.
-  double JointErrorDegrees() const {
-    double error = 0;
-    for (size_t j = 0; j < commands.size(); ++j) {
-      error = std::max(
-          error, std::fabs(Degrees(commands[j].target_rad - body_.state().joints[j].angle_rad)));
-    }
-    return error;
-  }
 
   int PawsDown() const {
     return static_cast<int>(std::count(body_.state().paws.begin(), body_.state().paws.end(), true));
@@ -110,8 +46,6 @@ class BodyHarness {
     return Degrees(body_.state().joints[model_.FindJoint(joint)].angle_rad);
   }
   JointCommand& Command(const std::string& joint) { return commands[model_.FindJoint(joint)]; }
-
-  std::vector<JointCommand> commands;
 
  private:
   const RobotModel& model_;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/virtualrobot/body_harness.h"
+#include "virtualrobot/dynamics/contact_forces.h"
 
 namespace openr_host {
 namespace {
@@ -167,6 +168,44 @@ TEST(JointTreePendulumTest, SwingsWithItsPeriod) {
   }
   // 20 halves of a period lie between the first and the last crossing, a quarter before the first.
   EXPECT_NEAR(steps * kStep_s / 10.25, period_s, 1e-3 * period_s);
+}
+
+// A block of 1 kg on a slope whose angle has the tangent `slope`.  Returns its speed down the slope
+// after half a second.
+double SlidOn(double slope, double friction) {
+  JointTree block({{.mass_kg = 1, .inertia_kg_m2 = BoxInertia(1, {0.2, 0.2, 0.02})}});
+  ContactForces forces(friction);
+  const double angle = DetAtan2(slope, 1);
+  const Vector3d normal(std::sin(angle), 0, std::cos(angle)),
+      down(std::cos(angle), 0, -std::sin(angle));
+  constexpr double kStep_s = 0.002;
+  for (int i = 0; i < 250; ++i) {
+    block.BeginStep(Free(1), 9.81, kStep_s);
+    ContactEquations equations;
+    equations.Reset(4);
+    for (const double x : {-0.1, 0.1}) {
+      for (const double y : {-0.1, 0.1}) {
+        const Vector3d corner = block.centre_W(0) + x * down + Vector3d(0, y, 0) - 0.01 * normal;
+        for (const Vector3d& direction : {normal, down, Vector3d(0, 1, 0)})
+          block.AddRow(0, corner, direction);
+      }
+    }
+    for (int row = 0; row < equations.rows(); ++row) {
+      equations.wanted[row] = -block.FreeSpeed(row);
+      for (int column = 0; column < equations.rows(); ++column)
+        equations.At(row, column) = block.Mobility(row, column);
+      equations.At(row, row) += 1e-6;  // four corners share the load
+    }
+    block.EndStep(forces.Find(equations));
+  }
+  return block.v_W().dot(down);
+}
+
+TEST(JointTreeFrictionTest, BlockSlidesWhereTheSlopeIsSteeperThanTheCoefficient) {
+  EXPECT_NEAR(SlidOn(0.49, 0.5), 0, 1e-3);
+  const double angle = DetAtan2(0.6, 1);
+  const double speed = 0.5 * 9.81 * (std::sin(angle) - 0.5 * std::cos(angle));
+  EXPECT_NEAR(SlidOn(0.6, 0.5), speed, 0.01 * speed);
 }
 
 TEST(JointTreeDeathTest, AParentComesBeforeItsChild) {

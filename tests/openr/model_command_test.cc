@@ -1,0 +1,98 @@
+// openr model: how models stand, and their export.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "tests/openr/program_run.h"
+#include "virtualrobot/model/robot_model.h"
+
+namespace openr_host {
+namespace {
+
+TEST(ModelCommandTest, TheModelsWithPhysicsStandWell) {
+  const ProgramResult result = RunProgram({"model", "check", "--json"});
+  ASSERT_EQ(result.status, 0) << result.out << result.err;
+  const auto models = nlohmann::json::parse(result.out);
+  ASSERT_EQ(models.size(), 2u);
+  EXPECT_EQ(models[0]["model"], "ERS-210");
+  EXPECT_NEAR(models[0]["total_mass_g"].get<double>(), 1612, 0.01);
+  EXPECT_NEAR(models[0]["stiff_pitch_deg"].get<double>(), 2.6, 0.1);
+  EXPECT_NEAR(models[0]["stiff_height_mm"].get<double>(), 137.2, 0.1);
+  for (const auto& model : models) {
+    EXPECT_NEAR(model["pitch_deg"].get<double>(), model["stiff_pitch_deg"].get<double>(), 1);
+    EXPECT_NEAR(model["height_mm"].get<double>(), model["stiff_height_mm"].get<double>(), 3);
+    EXPECT_LT(model["static_error_deg_max"], 2);
+    EXPECT_GT(model["static_error_deg_max"], 0.1);  // a servo without integral part gives way
+    EXPECT_LT(model["drift_60s_mm"], 10);
+    EXPECT_LT(model["drift_60s_deg"], 3);
+    EXPECT_EQ(model["paws"], 4);
+    EXPECT_TRUE(model["problems"].empty());
+  }
+}
+
+TEST(ModelCommandTest, TextSaysTheSame) {
+  const ProgramResult result = RunProgram({"model", "check", "ers210"});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_NE(result.out.find("total mass             1612.0 g\n"), std::string::npos) << result.out;
+}
+
+TEST(ModelCommandTest, ModelsThatCannotBeCheckedAreNamed) {
+  const ProgramResult without = RunProgram({"model", "check", "ers7"});
+  EXPECT_EQ(without.status, 1);
+  EXPECT_NE(without.err.find("ERS-7: no ODE body: part 'body' has no box"), std::string::npos)
+      << without.err;
+  const ProgramResult unknown = RunProgram({"model", "urdf", "ers9"});
+  EXPECT_EQ(unknown.status, 1);
+  EXPECT_NE(unknown.err.find("no robot model 'ers9'; there are: ers210, ers220, ers7"),
+            std::string::npos)
+      << unknown.err;
+}
+
+// Returns the numbers that `pattern` finds in its first group, in the order of the text.
+std::vector<double> Numbers(const std::string& text, const std::string& pattern) {
+  std::vector<double> numbers;
+  const std::regex regex(pattern);
+  for (auto at = std::sregex_iterator(text.begin(), text.end(), regex);
+       at != std::sregex_iterator(); ++at)
+    numbers.push_back(std::stod((*at)[1]));
+  return numbers;
+}
+
+TEST(ModelCommandTest, UrdfHasTheNumbersOfTheModel) {
+  const RobotModel model = LoadRobotModel(std::string(OPENR_MODEL_DIR) + "/ers210.json");
+  const ProgramResult result = RunProgram({"model", "urdf", "ers210"});
+  ASSERT_EQ(result.status, 0) << result.err;
+  const std::vector<double> masses = Numbers(result.out, "<mass value=\"([^\"]*)\"");
+  const std::vector<double> lower = Numbers(result.out, "<limit lower=\"([^\"]*)\"");
+  const std::vector<double> upper = Numbers(result.out, "upper=\"([^\"]*)\"");
+  const std::vector<double> effort = Numbers(result.out, "effort=\"([^\"]*)\"");
+  const std::vector<double> velocity = Numbers(result.out, "velocity=\"([^\"]*)\"");
+  ASSERT_EQ(masses.size(), model.bodies.size());
+  ASSERT_EQ(lower.size(), model.joints.size());
+  for (size_t i = 0; i < masses.size(); ++i) EXPECT_EQ(masses[i], model.bodies[i].mass_kg);
+  for (size_t j = 0; j < lower.size(); ++j) {
+    EXPECT_EQ(lower[j], model.joints[j].hard_rad.min);
+    EXPECT_EQ(upper[j], model.joints[j].hard_rad.max);
+    EXPECT_EQ(effort[j], model.joints[j].stall_torque_nm);
+    EXPECT_EQ(velocity[j], model.joints[j].speed_rad_s.max);
+  }
+}
+
+TEST(ModelCommandTest, APublicParserLoadsTheUrdf) {
+  const std::string parser = "/usr/bin/check_urdf";
+  if (!std::filesystem::exists(parser)) GTEST_SKIP() << "no check_urdf (liburdfdom-tools)";
+  const std::string file = testing::TempDir() + "model_command_test.urdf";
+  for (const char* const name : {"ers210", "ers220", "ers7"}) {
+    ASSERT_EQ(RunProgram({"model", "urdf", name, "-o", file}).status, 0);
+    const ProgramResult parsed = ProgramRun({file}, parser).Finish();
+    EXPECT_EQ(parsed.status, 0) << parsed.out << parsed.err;
+    EXPECT_NE(parsed.out.find("root Link: body has "), std::string::npos)
+        << parsed.out << parsed.err;
+  }
+  std::filesystem::remove(file);
+}
+
+}  // namespace
+}  // namespace openr_host
