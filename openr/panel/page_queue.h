@@ -9,7 +9,7 @@ namespace openr_host {
 
 class PageQueue {
  public:
-  // Bytes of messages that may wait.  A page beyond that is closed.
+  // The most bytes of messages that may wait.  A page with more is closed.
   static constexpr size_t kBytesMax = size_t{8} << 20;
 
   // Adds a message.  An event that shows a state ("pose", "values", "graph") replaces the waiting
