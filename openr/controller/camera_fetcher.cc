@@ -8,7 +8,7 @@ namespace {
 namespace remote = openr::remote;
 
 constexpr int kLargestLayer = 0;
-// Time between two tries while another client fetches a picture.
+// Time between two attempts to fetch a picture while the robot serves another client.
 constexpr std::chrono::milliseconds kBusyWait{100};
 
 }  // namespace

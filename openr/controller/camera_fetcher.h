@@ -1,4 +1,4 @@
-// CameraFetcher, which fetches pictures of the robot's camera one after the other.
+// CameraFetcher, which fetches pictures from the robot's camera one after the other.
 #pragma once
 
 #include <atomic>
@@ -19,11 +19,12 @@ class CameraFetcher {
   CameraFetcher(const CameraFetcher&) = delete;
   CameraFetcher& operator=(const CameraFetcher&) = delete;
 
-  // If a new picture has come since the last call, puts it into `*rgb`, three bytes a pixel from
-  // the top left, and returns true.
+  // Puts the newest picture into `*rgb`, three bytes a pixel from the top left, and returns true,
+  // if a new picture has come since the last call.
   bool Take(std::string* rgb);
 
-  // Returns the reason why no more pictures come, once; "" as long as they come.
+  // Returns the reason why no more pictures come; "" if they come, or if the reason was returned
+  // before.
   std::string TakeProblem();
 
  private:
@@ -33,7 +34,7 @@ class CameraFetcher {
   const openr::remote::Options options_;
   std::atomic<bool> is_ended_ = false;
   std::mutex mutex_;
-  std::string picture_;  // the newest; "" after it was taken
+  std::string picture_;  // the newest picture; "" after Take() has returned it
   std::string problem_;
   std::thread thread_;
 };
