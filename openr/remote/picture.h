@@ -6,9 +6,9 @@
 
 namespace openr::remote {
 
-// A layer of a picture.  In layers H, M and L, rows of the bands Y, Cr and Cb follow each other,
-// with three more rows that belong to the same row of the picture.  Layer C has one band, the
-// detected colours.
+// A layer of a picture.  Layers H, M and L have six bands, interleaved row by row: a row of Y, of
+// Cr, of Cb and of three more bands, then the next row of each.  Layer C has one band, the detected
+// colours.
 struct Picture {
   uint32_t frame = 0;  // frame of 8 ms in which the picture was taken
   int layer = 0;       // 0 H, 1 M, 2 L, 3 C
