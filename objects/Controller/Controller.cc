@@ -32,8 +32,8 @@ Controller::DoInit(const OSystemEvent&)
     NEW_ALL_SUBJECT_AND_OBSERVER;
     REGISTER_ALL_ENTRY;
     SET_ALL_READY_AND_NOTIFY_ENTRY;
-    // JointMover sends reports without waiting for Controller.  This buffer keeps the reports, so
-    // that none is lost.
+    // Keeps the reports in this buffer, so that none is lost: JointMover sends them without waiting
+    // for Controller.
     observer[obsSetValue]->SetBufCtrlParam(0, 1, MAX_NUM_DATA);
 
     char design[orobotdesignNAME_MAX + 1] = "";
@@ -184,8 +184,8 @@ Controller::IsBatchMoverReady()
     return subject[sbjBatchMover]->IsReady() != 0;
 }
 
-// Returns a vector with a free region and elements that are not filled yet; 0 when all regions are
-// in use.
+// Returns a vector in a free region, whose elements are not filled yet; 0 when all regions are in
+// use.
 OCommandVectorData*
 Controller::BeginVector(RCRegion** regions, int numElements, RCRegion** region)
 {

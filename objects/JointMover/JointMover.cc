@@ -47,8 +47,8 @@ JointMover::DoStart(const OSystemEvent&)
     return oSUCCESS;
 }
 
-// Stops the object.  Does not move the joints to a resting posture, because the pause button has
-// cut motor power already (BBS 421).
+// Stops the object.  Leaves the joints where they are, because the pause button has cut motor power
+// already (BBS 421).
 OStatus
 JointMover::DoStop(const OSystemEvent&)
 {
