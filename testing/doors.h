@@ -99,8 +99,8 @@ class Doors : public openr_host::Gate {
   std::string Text() const;
 
  private:
-  // Does what the loss of `message` means for its ends, if it is to be dropped.  Returns whether it
-  // is.
+  // Releases what `message` brings or gives back, if the message is to be dropped.  Returns whether
+  // it is to be dropped.
   bool Lose(const openr_host::Message& message);
 
   openr_host::System* const system_;
