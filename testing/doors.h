@@ -99,8 +99,8 @@ class Doors : public openr_host::Gate {
   std::string Text() const;
 
  private:
-  // Releases what `message` brings or gives back, if the message is to be dropped.  Returns whether
-  // it is to be dropped.
+  // Drops `message` if a Drop() asks for it: counts the message, and gives back the regions that it
+  // holds.  Returns whether the message was dropped.
   bool Lose(const openr_host::Message& message);
 
   openr_host::System* const system_;
