@@ -28,7 +28,7 @@ constexpr int64_t kMs = 1'000'000;  // nanoseconds
 // The least virtual time over which messages are counted to compute a rate.
 constexpr int64_t kRateUs = 500'000;
 
-// The most lines from the time before it watched that a client gets.
+// The largest number of earlier lines that a client gets when it begins to watch.
 constexpr size_t kFirstLines = 200;
 
 double InSeconds(int64_t time_us) { return static_cast<double>(time_us) / 1e6; }
@@ -122,7 +122,7 @@ std::string LiveEvents::Line(std::string_view name, EventCursor* cursor) {
 // event.  Never returns events "log", because the client has got the lines already.
 std::string LiveEvents::LineOfPast(std::string_view name, EventCursor* cursor) {
   if (name == "log") return "";
-  // makes the present send all findings again
+  // Resets the cursor, so that the present sends all findings again after the view has ended.
   if (name == "findings") cursor->findings = UINT64_MAX;
   const Rewind& rewind = *context_.rewind;
   // Sets the highest bit, so that the version differs from all versions of the present: virtual
