@@ -13,7 +13,7 @@ namespace openr_host {
 // A request to the robot, and its description for messages.
 struct RobotCommand {
   openr::remote::Call call;
-  std::string what;  // "a position of neck_pan"
+  std::string what;  // such as "a position of neck_pan"
   int joint = -1;    // the joint whose position the request sets; -1: another request
 };
 

@@ -29,12 +29,10 @@ class Error : public std::runtime_error {
 
   ErrorCode code() const { return code_; }
   const std::string& text() const { return text_; }  // the error
-  // what the user can do; "": the text says it
+  // Returns what the user can do against the error; "" if text() says it.
   const std::string& advice() const { return advice_; }
-  int status() const {
-    return status_;
-  }                                          // RcStatus (RemoteProtocol.h); 0 (rcOK)
-                                             // if the robot has not refused
+  // Returns the RcStatus (RemoteProtocol.h) of a refusal; 0 (rcOK) if the robot has not refused.
+  int status() const { return status_; }
   uint32_t frame() const { return frame_; }  // frame number in the robot's refusal
 
   // Returns whether the connection can still be used after this error.  If not, the caller must

@@ -27,7 +27,7 @@ struct LoggedInput {
 
 class InputLog {
  public:
-  // The largest sum of the sizes of all inputs.
+  // The largest number of bytes that the inputs of a log may have together; see is_full().
   static constexpr size_t kBytesMax = size_t{64} << 20;
 
   void Add(LoggedInput input);
