@@ -285,7 +285,7 @@ class Bench {
   openr_host::VirtualRobot& dog() const;
   const openr_host::RobotModel& model() const { return *model_; }
 
-  // ---- What a person does to the dog; docs/inputs.md
+  // ---- Actions of a person on the dog; docs/inputs.md
   //
   // Each of these functions adds an input, which takes effect at the next frame boundary, or at
   // once if the bench is at one.  If the input is refused, for example because the dog has no such

@@ -103,7 +103,7 @@ bool Bench::InjectEntry(const MessageSpec& spec, std::string_view bytes, const P
          Miss(place, "Inject: the queue of the receiver is full");
 }
 
-// ---- What a person does
+// ---- Actions of a person on the dog
 
 bool Bench::Do(std::string_view input, Place place) {
   const std::string problem = system_->inputs().Add(0, input);
