@@ -197,7 +197,8 @@ RCServer::ReceiveCont(ANTENVMSG msg)
         client_[index].session.Take(client_[index].receiveData, receive->sizeMin);
         Serve(index);
     } else if (client_[index].isSending) {
-        client_[index].session.SetLast();  // bytes that are being sent still arrive
+        // Closes the connection later, when the bytes that are being sent have arrived.
+        client_[index].session.SetLast();
     } else {
         Close(index);  // usually because the client has closed the connection
     }
