@@ -234,7 +234,8 @@ export class Stage {
     const now = performance.now();
     const took = now - this.lastDraw - QUALITIES[this.quality]!.gapMs;
     this.lastDraw = now;
-    if (took > 600) return; // nothing has moved before, so this time says nothing about the speed
+    // A still picture is drawn rarely, so a very long time does not mean that the browser is slow.
+    if (took > 600) return;
     this.slowPictures = took > SLOW_MS ? this.slowPictures + 1 : 0;
     if (this.slowPictures < SLOW_PICTURES || this.quality + 1 >= QUALITIES.length) return;
     this.slowPictures = 0;
