@@ -29,7 +29,7 @@ constexpr int64_t kFollowVectorUs = 32'000;  // a sensor vector has 4 frames of 
 constexpr int64_t kFollowPeriodMaxUs = 10'000'000;
 constexpr int kStatusesPerReport = 5;  // RemotePair tells its status every 200 ms
 
-// One of the two robots, with the result of the action at it.
+// A robot of the two, with the result of the action at this robot.
 struct Partner {
   std::string address;
   std::unique_ptr<remote::Connection> connection;

@@ -136,7 +136,7 @@ std::unique_ptr<PanelProcess> StartPanel(const RunFlags& flags, const LiveServer
   return std::make_unique<PanelProcess>(socket.filename(), flags.panel_port);
 }
 
-// One run of `openr run`, from the flags to the report.
+// A run of `openr run`, from the flags to the report.
 class CommandedRun {
  public:
   explicit CommandedRun(const RunFlags& flags);
@@ -231,7 +231,7 @@ int CommandedRun::Run() {
   bool good = boots_;
   if (!boots_) NoteThatItDoesNotBoot(is_refused);
   // Sets `boots_` after a Ctrl-C while the run waited for its workers.  It is not known whether the
-  // robot would have booted, and the program would otherwise print that it does not.
+  // robot would have booted, and the program would otherwise print that the robot does not boot.
   if (!boots_ && interrupts_.count() > 0) boots_ = true;
   if (good) {
     good = RunToTheEnd();

@@ -40,7 +40,7 @@ void CatchStop() {
   sigaction(SIGTERM, &action, nullptr);
 }
 
-// A controller from the begin of its main() to its end.
+// A controller from the start of its main() to its end.
 class Session {
  public:
   explicit Session(const ControllerRun& run)
@@ -63,7 +63,7 @@ class Session {
   StepClock clock_;
   std::string why_ = "its loop has ended";
   int status_ = kExitGood;
-  uint32_t first_frame_ = 0, last_frame_ = 0;  // frame numbers at the begin of the first and of the
+  uint32_t first_frame_ = 0, last_frame_ = 0;  // frame numbers at the start of the first and of the
                                                // last iteration
 };
 

@@ -17,9 +17,9 @@ class StepClock {
   // The largest delay with which an iteration still counts as on time: a frame of the robot.
   static constexpr std::chrono::milliseconds kLate{8};
 
-  // Returns when the next iteration is to begin: `step` after the present one was to begin.  Called
-  // at the end of an iteration, which asks for `step`.  The first call takes `now` for the begin of
-  // the first iteration.
+  // Returns when the next iteration is to begin: `step` after the planned time of the present
+  // iteration.  Called at the end of an iteration, which asks for `step`.  The first call takes
+  // `now` for the time at which the first iteration has begun.
   Time Next(Time now, Duration step);
 
   // Returns a warning if the next iteration, which begins now, begins more than kLate after the

@@ -73,7 +73,7 @@ class ExploreSchedule : public Schedule {
   virtual int64_t PickCostUs(const Deviation& spot, int64_t range_us) = 0;
   virtual int64_t PickFrame(const Deviation& spot, int64_t frames) = 0;
   // Called for every message when it is posted, that is, sent.  Derived classes override this
-  // function if their choices depend on who sends to whom.
+  // function if their choices depend on sender and receiver.
   virtual void SawPost(const Message&) {}
 
   const System& system() const { return system_; }

@@ -19,8 +19,8 @@ class ConsoleLog {
   static constexpr size_t kLinesMax = 1000;
   static constexpr size_t kLineMax = 2000;
 
-  // Adds text that was printed at the virtual time `time_us`.  Keeps the begin of a line until its
-  // end comes.
+  // Adds text that was printed at the virtual time `time_us`.  Keeps the first part of a line until
+  // the end of the line comes.
   void Add(int64_t time_us, std::string_view text);
 
   // Returns how many lines were added since the start of the run.
@@ -31,7 +31,7 @@ class ConsoleLog {
  private:
   uint64_t count_ = 0;
   std::deque<Line> lines_;
-  std::string begun_;  // the begin of a line that has no end yet
+  std::string begun_;  // the first part of a line that has no end yet
 };
 
 }  // namespace openr_host

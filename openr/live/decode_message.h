@@ -1,4 +1,4 @@
-// Converts the content of messages to text, for people who look at a run.
+// Converts the content of messages to text that people can read.
 #pragma once
 
 #include <string>

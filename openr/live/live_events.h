@@ -19,7 +19,7 @@ struct EventCursor {
   bool has_console = false;  // whether the client got the lines from before it watched
   uint64_t findings = UINT64_MAX;
   std::map<std::string, uint64_t> versions;  // key: name of the event; value: version of the run in
-                                             // the last one sent
+                                             // the last event of this name
 };
 
 class LiveEvents {

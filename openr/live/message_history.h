@@ -1,5 +1,5 @@
-// MessageHistory, which keeps the last messages of each connection of a run, for people who look at
-// the run.
+// MessageHistory, which keeps the last messages of each connection of a run, so that people can
+// look at them.
 #pragma once
 
 #include <cstdint>

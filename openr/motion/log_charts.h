@@ -14,7 +14,7 @@ namespace openr_host {
 chart::Chart ChartOf(const LogFile& log, const std::vector<double>& times_ms,
                      const std::string& title);
 
-// One of the two motions in a comparison.
+// The positions and the label of a motion in a comparison.
 struct ComparedSide {
   JointTraces traces;
   std::string label;  // text in the legend

@@ -151,8 +151,8 @@ void Rewind::Drop(Checkpoint* checkpoint) {
   waitpid(checkpoint->process, nullptr, 0);
 }
 
-// Drops the checkpoints that are older than the span in which one can go back.  Drops every second
-// checkpoint if they take too much memory.
+// Drops the checkpoints that are older than the span to which the run can go back.  Drops every
+// second checkpoint if they take too much memory.
 void Rewind::DropOld() {
   UpdateMemory();
   const int64_t begin_us = system().now_us() - parts_.span_us;

@@ -45,7 +45,7 @@ struct RewindParts {
   // The replay, if this run replays a recording or a known run; a view or a branch then asks the
   // replay to go on.  Null: a view repeats the logged inputs of this run.
   KnownRun* known = nullptr;
-  // The span of virtual time in which one can go back.
+  // The span of virtual time before the present to which the run can go back.
   int64_t span_us = 60'000'000;
   // Answers the request of a client.  Called in a view.
   std::function<nlohmann::ordered_json(const nlohmann::json& request)> answer;
