@@ -14,7 +14,7 @@ namespace openr_host {
 
 class System;
 
-// One end of a connection: the object, and the selector of the entry that receives the messages of
+// An end of a connection: the object, and the selector of the entry that receives the messages of
 // the other end.  Subjects receive readies, observers receive notifications.
 struct ServiceEnd {
   ObjectId object = kNoObject;
