@@ -186,7 +186,7 @@ class Bench {
   // step.  Needs a body.
   bool PhysicsStep(Place place = Place::Here());
 
-  // ---- Interfering
+  // ---- Messages that the test posts, delays, drops or refuses
 
   // Posts a message with the data `data`, as if its sender had posted it.  `spec` is one of two
   // kinds.  Notify("Blinker.Light", "Eye.Light") names two connected services; Eye receives `data`
@@ -227,7 +227,7 @@ class Bench {
   // delay.
   void Delay(const MessageSpec& spec, Duration extra, Place place = Place::Here());
 
-  // ---- Expecting; see expectations.h for the rules
+  // ---- Expected and unexpected messages; see expectations.h for the rules
 
   void Expect(const MessageSpec& spec, Place place = Place::Here());
   void Allow(const MessageSpec& spec, Place place = Place::Here());
@@ -265,7 +265,7 @@ class Bench {
   // Reports each of these only once.
   void Verify();
 
-  // ---- Looking
+  // ---- State of the robot and of the objects
 
   int64_t now_us() const { return system_->now_us(); }
   const std::string& console() const { return console_; }  // text that objects have printed
@@ -327,7 +327,7 @@ class Bench {
   const std::shared_ptr<openr_host::LoopbackHub>& network() const { return hub_; }
 
   const std::vector<openr_host::Finding>& findings() const { return system_->findings().all(); }
-  std::string Findings() const;  // one line for each finding
+  std::string Findings() const;  // a line for each finding
   uint64_t trace_hash() const { return system_->trace_hash(); }
   uint64_t state_hash() { return system_->state_hash(); }
 
