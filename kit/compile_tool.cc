@@ -132,7 +132,7 @@ void CompileRun::RepairIfItHelps(ProcessResult* result) {
   }
 }
 
-// Records for `openr build` what was compiled, with which flags, and whether it succeeded.
+// Records for `openr build` the compiled sources, the flags, and whether the compiler succeeded.
 void CompileRun::Log(bool is_good) const {
   const std::string here = std::filesystem::current_path();
   for (const std::string& source : command_.sources) {

@@ -31,9 +31,9 @@ struct KitLog {
     std::string place;  // "file:line"
     std::string what;
   };
-  std::vector<Image> images;      // one entry per image file, the newest
-  std::vector<Failure> failures;  // one entry per failure; none if the file was made later
-  std::vector<Compile> compiles;  // one entry per file and folder, the newest
+  std::vector<Image> images;      // an entry for each image file, the newest
+  std::vector<Failure> failures;  // an entry for each failure; none if the file was made later
+  std::vector<Compile> compiles;  // an entry for each file and folder, the newest
   std::vector<Repair> repairs;
 };
 
