@@ -182,7 +182,8 @@ struct RcSensors {
     std::vector<Sint32> binary;    // values of binary sensors, 0 or 1
     std::vector<Sint32> other;     // in 10^-6 N, m, degree C or m/s^2, or in A/D counts
     std::vector<Sint32> misc;      // battery: capacity in %, temperature in 0.01 degree C
-    std::vector<Sint32> keyFrame;  // one number: the key frame reached last (0 to 32767), or -1
+    std::vector<Sint32> keyFrame;  // a single number: the key frame reached last (0 to 32767), or
+                                   // -1
 
     void Write(RcWriter* out) const;
     bool Read(RcReader* in);
