@@ -15,7 +15,7 @@ interface Playing {
   where: 'simulation' | 'robot'; // the dog that plays the file
 }
 
-// The longest time between the robot's answer and the begin of the motion. A motion that has not
+// The longest time between the robot's answer and the start of the motion. A motion that has not
 // begun by then will not begin.
 const BEGIN_MAX_S = 20;
 
