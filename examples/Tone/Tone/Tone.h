@@ -37,8 +37,8 @@ private:
     static const int SAMPLES_PER_SECOND = 16000;
     static const int SAMPLES_PER_VECTOR = 512;
     static const int HERTZ = 500;
-    static const int NUM_SAMPLES = SAMPLES_PER_SECOND;  // one second
-    static const int AMPLITUDE = 8000;                  // of 32767, the largest
+    static const int NUM_SAMPLES = SAMPLES_PER_SECOND;  // the tone lasts a second
+    static const int AMPLITUDE = 8000;                  // the largest sample would be 32767
 
     OStatus SetUpSpeaker();
     OStatus NewRegions();
