@@ -24,7 +24,7 @@ Controller::Controller()
     for (int i = 0; i < NUM_REGIONS; i++) ledRegion_[i] = earRegion_[i] = 0;
 }
 
-// ---- Life ----------------------------------------------------------------------------
+// ---- Boot and end of the object ------------------------------------------------------
 
 OStatus
 Controller::DoInit(const OSystemEvent&)
@@ -107,7 +107,7 @@ Controller::NewRegions(int numElements, RCRegion** regions)
     return oSUCCESS;
 }
 
-// ---- Events --------------------------------------------------------------------------
+// ---- Events from other objects -------------------------------------------------------
 
 void
 Controller::ReadyLed(const OReadyEvent& event)
@@ -164,7 +164,7 @@ Controller::NotifySensor(const ONotifyEvent& event)
     observer[event.ObsIndex()]->AssertReady(event.SenderID());
 }
 
-// ---- ControllerPort ------------------------------------------------------------------
+// ---- Implementation of ControllerPort ------------------------------------------------
 
 bool
 Controller::IsLedReady()

@@ -16,7 +16,7 @@ JointMover::JointMover()
     memset(&plan_, 0, sizeof(plan_));
 }
 
-// ---- Life ----------------------------------------------------------------------------
+// ---- Boot and end of the object ------------------------------------------------------
 
 OStatus
 JointMover::DoInit(const OSystemEvent&)
@@ -233,7 +233,7 @@ JointMover::Play(const MoverCommand& command)
     core_.ReportRefusal(command);
 }
 
-// ---- MoverPort -----------------------------------------------------------------------
+// ---- Implementation of MoverPort -----------------------------------------------------
 
 Sint32
 JointMover::Measure(int joint)

@@ -102,7 +102,7 @@ FileUpload::Append(Uint32 offset, const Uint8* bytes, int count, std::string* wh
     return rcOK;
 }
 
-// ---- The end -------------------------------------------------------------------------
+// ---- End of an upload ----------------------------------------------------------------
 
 int
 FileUpload::End(StickStore* store, const RobotConstants* robot, MtnFile* motion, std::string* why)

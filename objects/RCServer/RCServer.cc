@@ -33,7 +33,7 @@ RCServer::RCServer()
     }
 }
 
-// ---- Life ----------------------------------------------------------------------------
+// ---- Boot and end of the object ------------------------------------------------------
 
 OStatus
 RCServer::DoInit(const OSystemEvent&)
@@ -94,7 +94,7 @@ RCServer::DoDestroy(const OSystemEvent&)
     return oSUCCESS;
 }
 
-// ---- The robot -----------------------------------------------------------------------
+// ---- Messages from and to other objects ----------------------------------------------
 
 void
 RCServer::NotifySensor(const ONotifyEvent& event)
@@ -173,7 +173,7 @@ RCServer::SendLedEar()
     memset(&ledEar_, 0, sizeof(ledEar_));
 }
 
-// ---- RequestPort ---------------------------------------------------------------------
+// ---- Implementation of RequestPort ---------------------------------------------------
 
 bool
 RCServer::PostMover(const MoverCommand& command)

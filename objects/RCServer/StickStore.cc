@@ -42,7 +42,7 @@ StickStore::Path(int kind, const std::string& name) const
     return root_ + (kind == rcfileMOTION ? MTN_DIRECTORY : IMAGE_DIRECTORY) + name;
 }
 
-// ---- The list ------------------------------------------------------------------------
+// ---- List of motions -----------------------------------------------------------------
 
 void
 StickStore::ReadMotions()
