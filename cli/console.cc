@@ -57,7 +57,7 @@ Console::Console(const std::string& file) : file_(file) {
   SetStandardOutput(saved_);
   dup2(target, STDOUT_FILENO);
   if (!file.empty()) close(target);
-  // With line buffering, the lines that objects and the system print come out in the order of
+  // Uses line buffering, so that the lines of objects and of the system appear in the order of
   // printing.
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
 }

@@ -17,8 +17,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Returns ", such as DIR/A.MTN" for the file of `folder` that ends in `extension`; for the first by
-// name, if there are several, and "" if there is none.
+// Returns ", such as DIR/A.MTN" for a file of `folder` that ends in `extension`.  If there are
+// several, takes the first by name; if there is none, returns "".
 std::string ExampleIn(const std::string& folder, const std::string& extension) {
   std::error_code error;
   std::string example;
@@ -38,8 +38,8 @@ std::string WhyNotReadable(const std::string& path, const std::string& kind,
   if (stat(path.c_str(), &status) != 0) return std::strerror(errno);
   if (S_ISDIR(status.st_mode))
     return fmt::format("is a folder; give a {}{}", kind, ExampleIn(path, extension));
-  // The check does not open the file, because opening a pipe would wait for a process that writes
-  // to it.
+  // Checks the access rights and does not open the file, because opening a pipe would wait for a
+  // process that writes to it.
   return access(path.c_str(), R_OK) == 0 ? "" : std::strerror(errno);
 }
 

@@ -5,18 +5,18 @@
 
 namespace openr_host {
 
-// Returns the reason why the file `path` cannot be read; "" if it can.  The reason is that of the
-// system, such as "No such file or directory".  For a folder it is "is a folder; give a motion
-// file", where "motion file" is `kind`; if a file in the folder ends in `extension` (".MTN", in any
-// case), the text names it as an example.
+// Returns the reason why the file `path` cannot be read; "" if it can be read.  The reason is a
+// text of the system, such as "No such file or directory".  For a folder it is "is a folder; give a
+// motion file", with `kind` for "motion file".  If a file in the folder ends in `extension`
+// (".MTN", in any case), the text names this file as an example.
 std::string WhyNotReadable(const std::string& path, const std::string& kind,
                            const std::string& extension);
 
-// Returns the reason why the folder `path` cannot be read; "" if it can.  For a file it is "is a
-// file; give a folder of pictures", where "folder of pictures" is `kind`.
+// Returns the reason why the folder `path` cannot be read; "" if it can be read.  For a file it is
+// "is a file; give a folder of pictures", with `kind` for "folder of pictures".
 std::string WhyNoReadableFolder(const std::string& path, const std::string& kind);
 
-// The kind of a file, as error messages call it, and the extension of its name.
+// A kind of file: its name in error messages, and the extension of such files.
 struct InputKind {
   const char* kind;
   const char* extension;

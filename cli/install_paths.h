@@ -12,7 +12,8 @@ std::string ProgramFolder();
 // Returns the path of the file of the running program.
 std::string ProgramFile();
 
-// Returns what a person types to call the program: its name if PATH leads to it, else its file.
+// Returns the words with which a person calls the program: its name if PATH leads to it, else its
+// path.
 std::string ProgramCall();
 
 // Returns the default stick, which runs use if the user names none: a folder that holds OPEN-R/.

@@ -80,8 +80,8 @@ std::string TemporaryName(const fs::path& beside, int number) {
   return beside.parent_path() / fmt::format(".openr-host-{}-{}.tmp", getpid(), number);
 }
 
-// Returns whether a file may be written in place after replacing it has failed with `error`.  That
-// makes sense if the system refuses to make a new file, and none if the disk is full.
+// Returns whether a file may be written in place after replacing it has failed with `error`.  This
+// is possible if the system refuses to make a new file, but not if the disk is full.
 bool MayBeInPlace(int error) {
   return error == EACCES || error == EPERM || error == EROFS || error == EBUSY;
 }
@@ -157,8 +157,7 @@ std::string WhyNotWritable(const std::string& file) {
     if (S_ISDIR(target.status.st_mode)) return fmt::format("{}: is a folder; name a file", file);
     return access(target.path.c_str(), W_OK) == 0 ? "" : WhyNotWritten(file, errno);
   }
-  // The check creates the file for a moment, because only this shows whether the file can be
-  // created.
+  // Creates the file for a moment, because only this shows whether the file can be created.
   const int descriptor = open(target.path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (descriptor < 0) return WhyNotWritten(file, errno);
   close(descriptor);
@@ -182,8 +181,8 @@ std::string WhyNoFolder(const std::string& folder) {
   }
   if (access(there.c_str(), W_OK | X_OK) != 0)
     return fmt::format("{}: you may not write in {}; name another folder", folder, there.string());
-  // The check creates a folder for a moment, because only this shows whether a folder can be
-  // created.  For example, /proc lets root write, but creates no folder.
+  // Creates a folder for a moment, because only this shows whether a folder can be created.  For
+  // example, /proc lets root write, but creates no folder.
   const std::string probe = TemporaryName(there / "", 0);
   if (mkdir(probe.c_str(), 0700) != 0 && errno != EEXIST) {
     return fmt::format("{}: nothing can be made in {}: {}; name another folder", folder,
@@ -234,7 +233,7 @@ std::string IsBeingWritten(const std::string& file, const struct stat& status) {
 }
 
 // Returns the reason why `target` must not be replaced now, or "".  If a run were still writing its
-// recording or console to the old file, that file would lose its name, and no one could open it any
+// recording or console to the old file, that file would lose its name, and nobody could open it any
 // more.
 std::string WhyLocked(const std::string& file, const Target& target) {
   if (!target.exists || !S_ISREG(target.status.st_mode)) return "";
@@ -319,7 +318,7 @@ int OpenGrowingFile(const std::string& file, std::string* problem) {
     return -1;
   }
   if (target.stream >= 0 || !S_ISREG(status.st_mode)) return descriptor;
-  // If the file system has no locks, the file is written without one.
+  // Goes on without a lock if the file system has no locks.
   if (flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     *problem = IsBeingWritten(file, status);
   } else if (ftruncate(descriptor, 0) != 0) {

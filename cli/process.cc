@@ -140,8 +140,8 @@ ProcessResult RunProcess(const std::vector<std::string>& arguments, const Proces
     result.not_found = fmt::format("{}: {}", arguments[0], std::strerror(error));
     return result;
   }
-  // We close our copies of the child's ends.  Then only the child holds them, and when it ends,
-  // reading from the pipe ends too.
+  // Closes our copies of the child's ends.  Then only the child holds them, so reading from the
+  // pipe ends when the child ends.
   in.CloseReader();
   out.CloseWriter();
   if (options.input) WriteInput(in.writer(), *options.input);

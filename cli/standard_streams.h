@@ -37,8 +37,8 @@ void FlushAnswer();
 void NoteLostAnswer(int error);
 
 // Writes out the text that is still in the buffer of standard output.  Must be called last in
-// main().  Returns `exit_code`.  If some text was lost, says so on standard error in the name of
-// `program`, and returns 1 in place of 0.
+// main().  Returns `exit_code`.  If some text was lost, prints an error in the name of `program` on
+// standard error, and returns 1 instead of 0.
 int FinishStandardOutput(int exit_code, const char* program);
 
 // Returns the error message "standard output: cannot be written: why".  `error` is an errno, or 0

@@ -117,7 +117,7 @@ Bus::Bus(const BusOptions& options) : run_(options.run), number_(options.domain)
   const auto domain = static_cast<dds_domainid_t>(options.domain);
   domain_ = Check(dds_create_domain(domain, SettingsXml(options).c_str()), "domain");
   participant_ = dds_create_participant(domain, nullptr, nullptr);
-  // The destructor does not run when the constructor throws, so the domain is deleted here.
+  // Deletes the domain here, because the destructor does not run when the constructor throws.
   if (participant_ < 0) dds_delete(domain_);
   Check(participant_, "participant");
   waitset_ = Check(dds_create_waitset(participant_), "wait set");
@@ -183,7 +183,8 @@ ChannelBase::ChannelBase(Bus* bus, const std::string& place, ChannelEnd end,
 ChannelBase::~ChannelBase() {
   for (void* const sample : received_) dds_sample_free(sample, type_, DDS_FREE_ALL);
   for (void* const sample : free_samples_) dds_sample_free(sample, type_, DDS_FREE_ALL);
-  // Entities are deleted in the reverse order of their creation, since later ones use earlier ones.
+  // Deletes the entities in the reverse order of their creation, because later ones use earlier
+  // ones.
   for (auto entity = owned_.rbegin(); entity != owned_.rend(); ++entity) dds_delete(*entity);
 }
 
@@ -245,8 +246,7 @@ void ChannelBase::ReceiveMore() {
   const int count = Check(dds_take(reader_, samples, infos, kSamplesPerPacketMax, wanted), "take");
   free_samples_.resize(free_samples_.size() - static_cast<size_t>(count));
   for (int i = 0; i < count; ++i) {
-    // A sample without valid data only says that a writer no longer exists, so this sample is given
-    // back to DDS.
+    // Gives a sample without valid data back to DDS: it only says that a writer no longer exists.
     if (infos[i].valid_data) {
       received_.push_back(samples[i]);
     } else {

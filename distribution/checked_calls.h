@@ -17,11 +17,11 @@ namespace openr_host {
 
 class CheckedCalls : public LocalCalls {
  public:
-  // A function that returns whether an object runs in the worker, so that the worker may act for
-  // it.
+  // A function that returns whether an object runs in the worker.  The worker may act only for such
+  // objects.
   using IsOwn = std::function<bool(ObjectId)>;
-  // A function that throws ProcessLost.  The message says that the worker has sent `what`, which is
-  // not allowed.
+  // A function that throws ProcessLost, with the message that the worker has sent `what` although
+  // it is not allowed.
   using Refuse = std::function<void(const std::string& what)>;
 
   CheckedCalls(System* system, IsOwn is_own, Refuse refuse)

@@ -28,16 +28,17 @@ ChildProcess::ChildProcess(std::string name, const std::vector<std::string>& com
     posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
-  // This program ignores SIGPIPE and SIGXFSZ, and a child would inherit this.  Other programs, such
-  // as debuggers, expect that SIGPIPE ends them.  So the child gets the default actions.
+  // Gives the child the default actions of SIGPIPE and SIGXFSZ.  This program ignores these
+  // signals, and a child would inherit that, but other programs, such as debuggers, expect that
+  // SIGPIPE ends them.
   sigset_t signals;
   sigemptyset(&signals);
   sigaddset(&signals, SIGPIPE);
   sigaddset(&signals, SIGXFSZ);
   posix_spawnattr_setsigdefault(&attributes, &signals);
   short flags = POSIX_SPAWN_SETSIGDEF;
-  // With a process group of its own, the child gets no Ctrl-C from the terminal, so this program
-  // decides when the child ends.
+  // Puts the child into a process group of its own.  The child then gets no Ctrl-C from the
+  // terminal, so this program decides when the child ends.
   if (!is_interactive) flags |= POSIX_SPAWN_SETPGROUP;
   posix_spawnattr_setpgroup(&attributes, 0);
   posix_spawnattr_setflags(&attributes, flags);

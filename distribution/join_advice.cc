@@ -11,10 +11,12 @@ std::string JoinAdvice(const std::string& process, const std::string& host, cons
   if (bus.domain != assumed.domain) text += fmt::format(" --dds-domain {}", bus.domain);
   if (host != assumed.address) text += fmt::format(" --dds-address {}", host);
   if (host != bus.address) text += fmt::format(" --dds-peer {}", bus.address);
-  // The advice shows the word FILE and not the run's own file, because the worker's host needs a
-  // file with a key of its own.
+  // Shows the word FILE and not the run's own file, because the worker's host needs a file with a
+  // key of its own.
   if (!bus.config_file.empty()) text += " --dds-config FILE";
-  if (host != bus.address) text += " --stick DIR";  // DIR: a copy of the run's stick on that host
+  if (host != bus.address)
+    text += " --stick DIR";  // DIR stands for a copy of the run's stick on
+                             // that host
   return text;
 }
 

@@ -33,8 +33,8 @@ class Latency {
   void Add(int64_t ns);
 
   uint64_t count() const { return count_; }
-  // Returns a percentile in microseconds: the share `p` (0 to 1) of all durations was not longer.
-  // The result is at most 1/16 too high, because durations are counted in buckets.
+  // Returns a percentile in microseconds, the duration that the share `p` (0 to 1) of all durations
+  // did not exceed.  The result is at most 1/16 too high, because durations are counted in buckets.
   double PercentileUs(double p) const;
   double MaxUs() const { return static_cast<double>(max_ns_) / 1000; }
   double MeanUs() const;

@@ -15,7 +15,8 @@ namespace openr_host {
 namespace {
 
 struct ProcessStat {
-  std::string state;  // one letter of proc(5); "": hidden, or no such process
+  std::string state;  // process state, one letter of proc(5); "": hidden, or there is no such
+                      // process
   std::string start_time;
 };
 
@@ -61,7 +62,7 @@ bool LivenessCheck::HasEnded() const {
   // Reports no end if the /proc entry is hidden (mount option hidepid), because we then know only
   // that some process has this id.
   if (now.state.empty() || start_time_.empty()) return false;
-  // A zombie (Z) has ended; its parent has not read its status yet.
+  // Takes a zombie (Z) for ended: its parent has only not read its status yet.
   return now.state == "Z" || now.state == "X" || now.start_time != start_time_;
 }
 

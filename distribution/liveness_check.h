@@ -26,7 +26,7 @@ class LivenessCheck {
 
  private:
   int64_t pid_ = 0;         // 0: the process cannot be checked
-  std::string start_time_;  // in clock ticks since boot; "": hidden from this process
+  std::string start_time_;  // start time in clock ticks since boot; "": hidden from this process
 };
 
 }  // namespace openr_host

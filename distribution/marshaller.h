@@ -51,8 +51,8 @@ class Marshaller {
   void CompleteSend(const Message& message);
 
   // Decodes `in` into the new message `out`.  Does not set the class and the due time, because a
-  // sample has neither; the caller sets them.  Returns "" or what is wrong with `in`.  `in` must
-  // stay valid until ReleaseSample(), because changed regions are found by comparing them with its
+  // sample has neither; the caller sets them.  Returns "" or the error in `in`.  `in` must stay
+  // valid until ReleaseSample(), because changed regions are found by comparing them with its
   // bytes.
   std::string Decode(const openr_wire_Message& in, Message* out);
   void ReleaseSample();
@@ -126,7 +126,7 @@ class Marshaller {
   static bool IsChanged(const RCRegion& region, const ImportedRegion& imported);
 
   uint64_t last_token_ = 0;
-  std::map<uint64_t, ExportedRegion> exported_;  // by the token that this process gave
+  std::map<uint64_t, ExportedRegion> exported_;  // key: the token that this process gave
   // Memory ids of regions that TakeExportedBy() has returned and that the peer may still use, by
   // token.  The ids are kept so that a late ready message for such a region is not taken for an
   // error.
@@ -134,7 +134,7 @@ class Marshaller {
   // Imported regions, by their RCRegion.  The order of pointers differs from run to run, so we
   // iterate over the map only where the order does not matter.
   std::map<RCRegion*, ImportedRegion> imported_;
-  std::map<uint64_t, uint32_t> dropped_;   // memory ids by token; see TakeDroppedTokens()
+  std::map<uint64_t, uint32_t> dropped_;   // key: token; value: memory id; see TakeDroppedTokens()
   std::vector<RCRegion*> sample_regions_;  // received regions whose ImportedRegion::bytes is set
 };
 

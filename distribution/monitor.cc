@@ -45,8 +45,8 @@ void Monitor::Publish(Clock::time_point now, bool has_ended) {
     return std::chrono::duration<double>(time).count();
   };
   const double passed_s = std::max(seconds(now - std::exchange(published_, now)), kIntervalMin_s);
-  // Computes a rate.  An object in a restarted worker counts from 0 again.  So if a count is less
-  // than the old count, all of it is new.
+  // Computes a rate.  If a count is less than the old count, takes all of it as new, because an
+  // object in a restarted worker counts from 0 again.
   const auto rate = [passed_s](uint64_t count, uint64_t* before) {
     const uint64_t old = std::exchange(*before, count);
     return static_cast<double>(count < old ? count : count - old) / passed_s;

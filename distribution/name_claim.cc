@@ -81,8 +81,8 @@ void NameClaim::Announce(const std::string& claim) {
 
 void NameClaim::MakePermanent() {
   if (std::exchange(is_permanent_, true)) return;
-  // The earliest claim wins.  A time of zeros comes before every real time, so this run now wins
-  // against every run whose claim is not permanent.
+  // Makes the claim begin with a time of zeros, which comes before every real time.  Because the
+  // earliest claim wins, this run now wins against every run whose claim is not permanent.
   Announce(std::string(kSinceDigits, '0') + own_.substr(kSinceDigits));
 }
 

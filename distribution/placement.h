@@ -11,7 +11,7 @@
 
 namespace openr_host {
 
-// Returns "", or why `name` is no valid name; `what` is "process" or "run".
+// Returns the reason why `name` is no valid name; "" if it is valid.  `what` is "process" or "run".
 std::string WhyNoName(const std::string& what, const std::string& name);
 
 struct Placement {
@@ -21,7 +21,8 @@ struct Placement {
   // The address of the host of a process that a user starts (openr join).  The key is the process's
   // name.
   std::map<std::string, std::string> host_of;
-  std::map<std::string, FilePosition> host_lines;  // line of the placement file, by process
+  std::map<std::string, FilePosition> host_lines;  // key: process; value: its line in the placement
+                                                   // file
 
   bool empty() const { return process_of.empty(); }
   // Returns the names of all processes, sorted, each once.
@@ -46,7 +47,7 @@ Placement ParsePlacement(const std::string& file, std::string_view text,
 std::vector<Diagnostic> WrongHosts(const Placement& placement, const std::string& own_address);
 
 // Adds an object and its process, given on the command line as "RCServer=network".  Returns "" or
-// what is wrong with `text`.
+// the error in `text`.
 std::string AddPlace(const std::string& text, Placement* placement);
 
 }  // namespace openr_host

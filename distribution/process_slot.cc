@@ -43,7 +43,7 @@ std::string NewSessionName() {
 }
 
 std::string MakerOf(const std::string& session) {
-  // Each '-' is searched for from the end, because host names may contain '-' too.
+  // Searches for each '-' from the end, because host names may contain '-', too.
   const size_t count = session.rfind('-');
   const size_t pid = count == 0 ? count : session.rfind('-', count - 1);
   if (count == std::string::npos || pid == std::string::npos) return session;
@@ -101,7 +101,7 @@ void ProcessSlot::NotifyAbandoned() {
     try {
       abandoned.channel->Send(to_worker);
     } catch (const std::runtime_error&) {
-      // Ignores the failed send: the abandoned worker is unreachable again, and that must not end
+      // Ignores the failed send: the abandoned worker is unreachable again, and this must not end
       // the worker that has the slot now.
     }
   }

@@ -18,8 +18,8 @@
 
 namespace openr_host {
 
-// The exception that is thrown if the worker has ended, cannot be reached or has sent something
-// invalid. what() is a message for the user.
+// Thrown if the worker has ended, cannot be reached or has sent invalid data.  what() is a message
+// for the user.
 struct ProcessLost : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -47,7 +47,7 @@ class ProcessSlot {
     int64_t pid = 0;
   };
 
-  // `is_external`: a user starts the worker with openr join.
+  // `is_external` means that a user starts the worker with openr join.
   ProcessSlot(Bus* bus, std::string process, bool is_external);
 
   // Gives up the present worker, if there is one, and opens the channel by which a new process with
@@ -77,7 +77,7 @@ class ProcessSlot {
   MasterChannel* channel() const { return channel_.get(); }
   const Identity& identity() const { return identity_; }
   // The host and process id of the present worker, for reports.  Until that worker has sent its
-  // Hello, those of the worker before it.
+  // Hello, the host and process id of the worker before.
   const Identity& last_identity() const { return identity_.pid == 0 ? previous_ : identity_; }
 
  private:
@@ -98,7 +98,7 @@ class ProcessSlot {
   std::vector<Abandoned> abandoned_;
   std::string requester_id_;  // JoinRequest::id of the process that got the session
   std::string session_;
-  int64_t session_opened_ms_ = 0;  // when the external worker got its session
+  int64_t session_opened_ms_ = 0;  // time at which the external worker got its session
   bool is_closed_ = false;
   bool has_joined_ = false;
   Identity identity_;

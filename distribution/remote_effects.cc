@@ -24,10 +24,10 @@ namespace {
 // refused.
 constexpr int64_t kDelayMaxUs = int64_t{1} << 53;
 
-// Returns the C++ object on which WorkerCallList::Call() calls a function of the list.  Call()
-// passes a null pointer to the class of the function, and this type selects the overload.  For
-// RobotServices, the C++ object is the services of the current object's robot.  For the other
-// classes, it is the CheckedCalls, which check what the worker asks for.
+// The argument of WorkerCallList::Call() that returns the C++ object on which a function is called.
+// Call() passes a null pointer to the class of the function, and this type selects the overload.
+// For RobotServices, the C++ object is the services of the current object's robot.  For the other
+// classes, it is the CheckedCalls, which check the call of the worker.
 struct CallTargets {
   System* system;
   CheckedCalls* calls;
@@ -134,9 +134,9 @@ bool RemoteProcess::MayUse(uint32_t region) const {
   return calls_->HasRegion(region) || marshaller_->HasExported(region);
 }
 
-// Refuses a message whose sender, or whose sending subject or observer, is not `self`; if `self` is
+// Refuses a message if its sender, or its sending subject or observer, is not `self`; if `self` is
 // null, any object of this worker may send.  A request that the handler forwards keeps the name of
-// its original sender, so that name is accepted too.
+// its original sender, so that name is accepted, too.
 void RemoteProcess::CheckEnds(const openr_wire_Message& in, const Object* self) {
   const auto is_own = [&](ObjectId id) {
     return self == nullptr ? id == kNoObject || objects_.contains(id) : id == self->id;

@@ -58,8 +58,8 @@ bool RemoteObject::Run() {
 }
 
 void RemoteObject::RecordReady() {
-  // Records in the master which observers are ready.  This must be told to a restarted worker,
-  // because only the process before it knew this.
+  // Records in the master the observers that are ready.  A restarted worker must be told, because
+  // only the process before it knew them.
   const auto& ready = *reinterpret_cast<const OReadyMessage*>(handler.running->payload);
   const StandingReady standing = {handler.running->selector, ObjectIdOf(ready.observerID.GetOID()),
                                   ready.observerID.GetSelector()};

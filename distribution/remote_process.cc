@@ -17,7 +17,7 @@
 namespace openr_host {
 namespace {
 
-// The interval of checks that the worker still exists, while the master waits for a sample of it.
+// The interval of checks that the worker still exists while the master waits for its sample.
 constexpr int kWorkerPollMs = 10;
 // Time after which the user is told to start an external worker.  A worker that has already been
 // started joins in less time, and the user is told nothing.
@@ -259,7 +259,7 @@ bool RemoteProcess::RunHandler(RemoteObject* object, const Message& message) {
     } else {
       ResumeWithReply(object, *stop, session);
     }
-    // While the stand-in waited, the worker may have been lost, or lost and restarted.
+    // Checks whether the worker was lost, or lost and restarted, while the stand-in waited.
     if (is_lost_ || session != session_) return false;
   }
 }
@@ -311,7 +311,8 @@ std::optional<RemoteProcess::Stop> RemoteProcess::WaitForStopInFreeRun(RemoteObj
   const uint64_t session = session_;
   const uint64_t box = kFirstWakeBox + ++wake_box_count_;
   object->boxes.open.insert(box);
-  // An idle worker sends nothing, so the time of its silence begins only now, when it gets work.
+  // Begins to measure the worker's silence now, when it gets work, because an idle worker sends
+  // nothing.
   if (running_.empty()) last_heard_ms_ = WallClockMs();
   const bool is_new = running_.emplace(object->id, box).second;
   ASSERT(is_new, "{} runs a handler already", object->name);
@@ -406,8 +407,8 @@ void RemoteProcess::ResumeWithReply(RemoteObject* object, const Stop& stop, uint
   openr_wire_Resume& resume = to_worker.body._u.resume;
   const OwnedMessage reply =
       system_->requests().Await(stop.box, stop.timeout_us, stop.why, &resume.timed_out);
-  // While the handler waited for its reply, the worker may have been lost, for example because the
-  // handler of another of its objects crashed.
+  // Checks whether the worker was lost while the handler waited for its reply, for example because
+  // the handler of another of its objects crashed.
   if (is_lost_ || session != session_) return;
   WireArena arena;
   resume.now_us = system_->now_us();

@@ -31,21 +31,21 @@ class Object;
 class RemoteObject;
 class System;
 
-// The exception that is thrown if a handler of the worker's objects has ended the worker process,
-// for instance by a crash.
+// Thrown if a handler of the worker's objects has ended the worker process, for instance by a
+// crash.
 struct ProcessCrashed : ProcessLost {
   using ProcessLost::ProcessLost;
 };
 
-// The exception that is thrown if the worker has refused the run before taking part.  The run does
-// not fail: the master waits for another process of the same name instead.
+// Thrown if the worker has refused the run before taking part.  The run does not fail: the master
+// waits for another process of the same name instead.
 struct ProcessRefused : ProcessLost {
   using ProcessLost::ProcessLost;
 };
 
 class RemoteProcess {
  public:
-  // `is_external`: a user starts the worker.  `health` returns what is wrong with the worker
+  // `is_external` means that a user starts the worker.  `health` returns the problem of the worker
   // process, or "".  `say` prints a line for the user.
   RemoteProcess(Bus* bus, std::string name, bool is_external, std::function<std::string()> health,
                 std::function<void(const std::string&)> say);
@@ -153,8 +153,8 @@ class RemoteProcess {
   // regions that it gives back.  Messages of other kinds are ignored.
   void HandleUndelivered(const Message& message);
 
-  // Returns what is wrong with the worker, or "".  Needs no answer of the worker, so it also finds
-  // the loss of a worker that has nothing to do.
+  // Returns the problem of the worker, or "".  Needs no answer of the worker, so it also finds the
+  // loss of a worker that has nothing to do.
   std::string FindProblem() const;
   // Returns what FindProblem() does, but prefers the reason in the worker's goodbye, if one has
   // arrived.  A goodbye is the sample by which a worker tells that it ends.
@@ -214,7 +214,7 @@ class RemoteProcess {
   const std::string name_;
   const std::function<std::string()> health_;
   const std::function<void(const std::string&)> say_;
-  const std::string wait_reason_;  // text for the user: what an object waits for
+  const std::string wait_reason_;  // text for the user: the reply for which an object waits
   ProcessSlot slot_;
   System* system_ = nullptr;
   std::unique_ptr<Marshaller> marshaller_;
@@ -225,7 +225,8 @@ class RemoteProcess {
   // Object::dropped_count of the worker's objects, as the worker has reported it last.  The master
   // adds only the increase to its own count.
   std::map<ObjectId, uint64_t> dropped_;
-  std::map<int, uint64_t> heap_by_robot_;  // bytes used by the worker's objects, by robot
+  std::map<int, uint64_t> heap_by_robot_;  // key: robot; value: bytes of heap used by the worker's
+                                           // objects
   bool is_lost_ = false;
   Latency latency_;
   std::map<ObjectId, Latency> latency_of_;
@@ -236,13 +237,13 @@ class RemoteProcess {
   bool is_free_ = false;
   uint64_t wake_box_count_ = 0;           // number of reply boxes made for these waits
   std::map<ObjectId, uint64_t> running_;  // the box of each such wait, by object
-  std::map<ObjectId, Stop> stops_;  // handlers that have stopped, until their stand-in goes on
+  std::map<ObjectId, Stop> stops_;        // key: object; value: the box of the wait for its handler
   // The time of the worker's last sample, or the time when an idle worker was given work.
   // ReportSilence() compares it with the present time.
   int64_t last_heard_ms_ = 0;
   bool has_short_timeout_ = false;
   bool is_silent_ = false;  // the user has been told that the worker is silent
-  std::string loss_;        // why the worker was lost, or ""
+  std::string loss_;        // reason of the loss of the worker, or ""
   bool crashed_ = false;
   ObjectId crashed_object_ = kNoObject;
 };

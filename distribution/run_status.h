@@ -38,7 +38,7 @@ struct RunStatus {
   std::string host;
   int64_t pid = 0;
   bool has_ended = false;
-  std::string end;  // why the run ended, from DescribeEnd()
+  std::string end;  // reason of the end of the run, from DescribeEnd()
   int64_t virtual_us = 0;
   double wall_s = 0;
   double x_real_time = 0;

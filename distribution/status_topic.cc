@@ -167,7 +167,7 @@ StatusReader::StatusReader(Bus* bus)
     : reader_(Open(bus, &dds_create_subscriber, &dds_create_reader)) {
   const dds_entity_t condition = dds_create_readcondition(reader_, DDS_ANY_STATE);
   Check(condition, "read condition");
-  // The condition is attached to the bus's wait set, so that Bus::Wait() also returns when a status
+  // Attaches the condition to the bus's wait set, so that Bus::Wait() also returns when a status
   // arrives.
   Check(dds_waitset_attach(bus->waitset(), condition, 0), "wait set");
 }
@@ -182,7 +182,7 @@ std::vector<RunStatus> StatusReader::Take() {
     if (info.valid_data) {
       all.push_back(Decode(status));
     } else {
-      RunStatus gone;  // without valid data: the writer has gone; only the key is set
+      RunStatus gone;  // no valid data means that the writer has gone; only the key is set
       gone.run = Printable(status.run);
       gone.host = Printable(status.host);
       gone.pid = status.pid;

@@ -29,7 +29,7 @@ class StatusReader {
   // DDS, creates a reader of the status of all runs.
   explicit StatusReader(Bus* bus);
 
-  // Returns what has arrived since the last call, the newest status of each run.  A run whose
+  // Returns the newest status of each run that has arrived since the last call.  A run whose
   // process has ended without a final status is reported as ended.  Texts are made printable,
   // because they come from the network and are shown on terminals; they are at most as long as in
   // openr_status.idl.

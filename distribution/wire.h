@@ -31,7 +31,7 @@ class WireArena {
 
   char* Text(std::string_view text) {
     static char nothing[] = "";
-    // DDS strings end at the first zero, so the rest of `text` is cut off.
+    // Cuts `text` at its first zero, because DDS strings end there.
     text = text.substr(0, text.find('\0'));
     if (text.empty()) return nothing;
     auto* const kept = static_cast<char*>(memory_.allocate(text.size() + 1, 1));

@@ -59,7 +59,7 @@ void Worker::MoveEffectsTo(openr_wire_ToMaster* to_master) {
 }
 
 Worker::ReceivedSample Worker::Next(bool answer) {
-  // If the user has asked to end this process, obeys only between two handlers, so that the effects
+  // Obeys a request of the user to end this process only between two handlers, so that the effects
   // of a handler are sent as a whole.
   if (!answer && IsEndRequested()) return {channel_.get(), nullptr};
   if (!answer && !deferred_.empty()) {
@@ -343,8 +343,8 @@ void Worker::SendStopped(Object* object) {
   stopped.object = object->id;
   stopped.kind = openr_wire_STOP_DONE;
   stopped.timeout_us = -1;
-  // An element of waits_ means that the handler has not returned, but waits for a reply or a line.
-  // The sample tells the master what the handler waits for.
+  // Sends the reason of the wait if the handler has an element in waits_: it has not returned, but
+  // waits for a reply or a line.
   if (const auto found = waits_.find(object->id); found != waits_.end()) {
     stopped.kind = found->second.kind;
     stopped.box = found->second.box;
@@ -361,7 +361,7 @@ void Worker::SendStopped(Object* object) {
     for (const auto& link : subject->links) stopped.pending += link->units.size();
   }
   MoveEffectsTo(&to_master);
-  // In a free run the sample may wait, to share a packet with the sample of the next handler.
+  // Lets the sample wait in a free run, to share a packet with the sample of the next handler.
   Send(to_master, is_free_);
   // Releases the memory of the sent regions, which is possible because Send() has copied their
   // bytes.

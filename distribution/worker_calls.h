@@ -1,5 +1,5 @@
-// The SystemCalls of a worker: calls of handlers are sent to the master, which has the clock, the
-// queue and the tables of the run.
+// WorkerCalls: the SystemCalls of a worker.  Sends calls of handlers to the master, which has the
+// clock, the queue and the tables of the run.
 #pragma once
 
 #include "distribution/master_link.h"

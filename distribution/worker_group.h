@@ -22,7 +22,7 @@ namespace openr_host {
 struct WorkerGroupOptions {
   BusOptions bus;
   Placement placement;
-  // Command line that starts a worker on this host; the name of the process is appended.
+  // Command line that starts a worker on this host, to which the name of the process is appended.
   std::vector<std::string> command;
   // Command line that is put before `command`, for a debugger or Valgrind.
   std::vector<std::string> wrapper;
@@ -32,9 +32,9 @@ struct WorkerGroupOptions {
   int64_t wait_ms = 60'000;                          // time limit for a worker to join
   int restarts = 0;                                  // limit of restarts of each worker
   std::function<void(const std::string& line)> say;  // prints a line for the user
-  // Returns how often the user has asked the run to end (Ctrl-C).  After the first request the run
-  // waits for no lost worker; after the second request the run ends at once.  Null: the user never
-  // asks.
+  // Returns the number of times that the user has asked the run to end (Ctrl-C).  After the first
+  // request the run waits for no lost worker; after the second request the run ends at once.  Null:
+  // the user never asks.
   std::function<int()> interrupts;
 };
 
@@ -68,8 +68,8 @@ class WorkerGroup {
     int64_t pid = 0;
     std::vector<std::string> objects;
     std::string lost;       // the reason of the loss, "" while the worker runs
-    int losses = 0;         // how often the worker was lost
-    int returns = 0;        // how often the worker was restarted
+    int losses = 0;         // number of times that the worker was lost
+    int returns = 0;        // number of times that the worker was restarted
     uint64_t handlers = 0;  // number of handlers run; the times below include sending
     double median_us = 0;
     double p99_us = 0;
@@ -129,13 +129,13 @@ class WorkerGroup {
     std::unique_ptr<RemoteProcess> process;
     std::map<ObjectId, RemoteObject*> objects;
     std::string lost;
-    bool is_external = false;  // a user starts it with openr join
+    bool is_external = false;  // a user starts the worker with openr join
     bool is_welcomed = false;
     // The worker has received the first `robots` robots and the first `known` objects of the
     // master's tables.
     size_t robots = 0;
     size_t known = 0;
-    // From here on: the state of the loss and the restart of this worker.
+    // ---- The state of the loss and the restart of this worker, from here to the end
     Stage stage = Stage::kRunning;
     bool crashed = false;
     bool is_cleaned_up = false;
@@ -186,7 +186,7 @@ class WorkerGroup {
   std::unique_ptr<NameClaim> claim_;  // null without external workers
   std::map<std::string, Member> members_;
   System* system_ = nullptr;
-  int64_t next_check_ns_ = 0;  // when a free run next checks its workers
+  int64_t next_check_ns_ = 0;  // time at which a free run next checks its workers
   std::string problem_;        // the first problem before Boot()
   std::function<void(const std::string&)> loss_listener_;
   std::function<void(Object*)> crash_listener_;

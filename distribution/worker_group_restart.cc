@@ -102,7 +102,8 @@ void WorkerGroup::AdvanceRestart(Member* member, bool may_load) {
 void WorkerGroup::CheckRestart(Member* member) {
   if (member->child != nullptr && !member->child->HowItEnded().empty())
     throw ProcessLost(member->child->HowItEnded());
-  // A free run goes on while an external worker joins, so that worker may take any time.
+  // Does not limit the time of an external worker in a free run, because the run goes on while the
+  // worker joins.
   if (member->stage == Stage::kJoining && member->is_external && options_.is_free) return;
   const int64_t waited_ms = WallClockMs() - member->since_ms;
   if (waited_ms > options_.wait_ms)

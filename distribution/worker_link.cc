@@ -184,7 +184,7 @@ CallResult Worker::WaitForAnswer() {
 
 void Worker::Waits(uint64_t box, int64_t timeout_us, std::string_view why) {
   ASSERT(t_current.object != nullptr);
-  // Only records the wait, because the handler has not stopped yet.  When the handler has stopped,
+  // Only records the wait, because the handler has not stopped yet.  When it has stopped,
   // SendStopped() tells the master.
   waits_[t_current.object->id] = {openr_wire_STOP_WAITS, box, timeout_us, 0, std::string(why)};
 }

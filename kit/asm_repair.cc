@@ -60,7 +60,7 @@ bool NamesRegister(const std::string& code, size_t previous, size_t next) {
 
 std::vector<AsmUse> FindAsmUses(const std::string& code) {
   std::vector<AsmUse> uses;
-  std::vector<bool> is_outer;  // IsOuterBlock() of each block that is open at `at`
+  std::vector<bool> is_outer;  // value of IsOuterBlock() for each block that is open at `at`
   for (size_t at = 0; at < code.size(); ++at) {
     if (code[at] == '{') is_outer.push_back(IsOuterBlock(code, at));
     if (code[at] == '}' && !is_outer.empty()) is_outer.pop_back();
@@ -117,8 +117,8 @@ std::string WithLineEnds(std::string replacement, std::string_view replaced) {
   for (size_t i = 0; i < replaced.size(); ++i) {
     if (replaced[i] != '\n') continue;
     const size_t back = i > 0 && replaced[i - 1] == '\r' ? 2 : 1;
-    // A line end inside a macro needs a backslash before it.  So if the replaced line end had a
-    // backslash, the new one gets a backslash too.
+    // Writes a backslash before the new line end if the replaced one had a backslash, because a
+    // line end inside a macro needs it.
     const bool goes_on = i >= back && replaced[i - back] == '\\';
     replacement += goes_on ? " \\\n" : "\n";
   }

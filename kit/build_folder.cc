@@ -141,7 +141,7 @@ void FolderBuild::CheckWorkIsOurs() const {
 void FolderBuild::PrepareWork() {
   std::error_code error;
   fs::create_directories(work_.parent_path(), error);
-  // The lock makes this build wait for the end of another build of the same folder.
+  // Locks the folder, so that this build waits for the end of another build of the same folder.
   lock_ = open((work_.string() + ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (lock_ >= 0) flock(lock_, LOCK_EX);
   CheckWorkIsOurs();
@@ -192,7 +192,7 @@ int FolderBuild::Run() {
   return Conclude();
 }
 
-// Returns whether a file of this object does not compile or link.
+// Returns whether a file of `object` does not compile or link.
 bool FolderBuild::HasFailure(const ObjectFolder& object) const {
   const std::vector<KitLog::Failure> failures = ReadKitLog(make_.log).failures;
   return std::any_of(failures.begin(), failures.end(), [&](const KitLog::Failure& failure) {
@@ -224,8 +224,8 @@ void FolderBuild::Build() {
   }
   MakeOutcome outcome = RunMake(plan, make_);
   RemoveOldImages(outcome.is_good);
-  // The rule of a top Makefile often loops over the folders of objects, and ends at the first
-  // object that fails.  So make runs here in the folder of each object that has no image yet.
+  // Runs make in the folder of each object that has no image yet, because the rule of a top
+  // Makefile often loops over these folders and ends at the first object that fails.
   if (!outcome.is_good) {
     for (const ObjectFolder& object : NotBuilt()) {
       const bool has_makefile =
@@ -382,15 +382,15 @@ void FolderBuild::TellFailures() {
   }
   const std::vector<std::string> libraries = LeftOutAndMissed();
   problems_.insert(problems_.end(), libraries.begin(), libraries.end());
-  // The cause is not printed if it is only that a rule failed, and the log has the failure of the
+  // Does not print a cause that only says that a rule has failed, if the log has the failure of the
   // compiler or linker.  That failure says more, and was printed before.
   if (!is_made_ && (log.failures.empty() || make_cause_.find("the rule for") != 0) &&
       !make_cause_.empty())
     problems_.push_back("make failed: " + make_cause_);
 }
 
-// Object files and libraries for another processor are not copied.  Returns an error message for
-// each such file that the Makefiles name and that the build has not made anew.
+// Returns an error message for each object file or library for another processor that the Makefiles
+// name and that the build has not made anew.  Such files were not copied.
 std::vector<std::string> FolderBuild::LeftOutAndMissed() const {
   std::string makefiles;
   for (const fs::path& file : project_.makefiles) makefiles += ReadText(file).value_or("");

@@ -99,11 +99,11 @@ Remarks CheckFolder(const std::string& folder, const std::vector<std::string>& l
   Remarks unreadable;
   for (const fs::path& path : UnreadableBelow(folder))
     unreadable.Error(path.string(), WhyUnreadable(path) + "; nothing else was checked");
-  // If files cannot be read, nothing else is checked, because the checks would report these files
-  // as missing.
+  // Checks nothing else if files cannot be read, because the checks would report these files as
+  // missing.
   if (!unreadable.all().empty()) return unreadable;
-  // Files outside of `folder` that the program names with "../" belong to the program, as in openr
-  // build, so their folders are scanned too.
+  // Scans folders outside of `folder` as well if the program names files in them with "../": these
+  // files belong to the program, as in openr build.
   const fs::path root = fs::canonical(folder);
   const ReferredPlaces places = FindReferredPlaces(root);
   const Project project = ScanProject(places.folders);

@@ -77,8 +77,8 @@ class DataCheck {
       if (close == std::string::npos) continue;
       const std::string name = (*it)[1];
       const std::string trouble = TroubleIn(MembersOf(code.substr(open + 1, close - open - 1)));
-      // If the program has two types of one name, the check does not know which of them a call
-      // means.  So it reports nothing about this name.
+      // Removes the name if the program has two types of this name, because the check does not know
+      // which of them a call means.
       if (!seen_.insert(name).second) {
         troubles_.erase(name);
       } else if (!trouble.empty()) {

@@ -103,8 +103,8 @@ class ImageCheck {
   StickImages images_;
   std::vector<PlacedObject> placed_;
   std::vector<MissingImage> missing_;
-  // The lines of OBJECT.CFG by the name of the object in their image, to find two objects of one
-  // name.
+  // key: name of the object in an image; value: the lines of OBJECT.CFG with such an image.  Finds
+  // two objects of one name.
   std::map<std::string, std::vector<ObjectRecord>> lines_by_name_;
 };
 
@@ -114,7 +114,7 @@ void ImageCheck::CheckRecord(const ObjectRecord& record) {
     remarks_->AddConsequence(Remark::Kind::kNote, record.place, "lower case",
                              "lower case in a path; the stick keeps names in upper case");
   }
-  // The gateway is a part of the robot's system, so its image is not checked.
+  // Skips the gateway, because it is a part of the robot's system.
   if (EqualsIgnoringCase(FileNameOf(record), kGatewayImage)) {
     images_.has_gateway = true;
     return;
@@ -126,7 +126,7 @@ void ImageCheck::CheckRecord(const ObjectRecord& record) {
     return;
   }
   const ImageFile image = ReadImageFile(file);
-  // If there are sources to build, a binary for the robot counts as missing, because a build will
+  // Takes a binary for the robot for missing if there are sources to build, because a build will
   // replace it by an image for the host.
   if (image.is_for_robot && has_sources_) {
     missing_.push_back({record, image.problem});
@@ -156,9 +156,9 @@ void ImageCheck::CheckImage(const ObjectRecord& record, const ImageFile& image) 
   for (const ObjectFolder* object : objects_) {
     if (HasOcfName(*object, name)) namesakes.push_back(object);
   }
-  // If several objects have this name, their services decide which of them are in the image,
-  // because objects for different robots often share a name.  A single object is taken without this
-  // check, because its stub.cfg may have changed since the build.
+  // Compares services if several objects have this name, because objects for different robots often
+  // share a name.  A single object is taken without this check, because its stub.cfg may have
+  // changed since the build.
   if (namesakes.size() > 1)
     std::erase_if(namesakes,
                   [&](const ObjectFolder* object) { return !HasServicesIn(*object, record); });
@@ -257,8 +257,8 @@ void ImageCheck::ExpectFromProject() {
     ReportMissing(*image, is_made);
     is_some_made = is_some_made || is_made;
   }
-  // A rule of a Makefile may make a missing image from any of the remaining objects.  So the
-  // services of all these objects count as known, and connections to these services get no error.
+  // Takes the services of all remaining objects for known, so that connections to these services
+  // get no error: a rule of a Makefile may make a missing image from any of these objects.
   for (size_t i = 0; is_some_made && i < free.size(); ++i) AddServices(*free[i], "");
 }
 
@@ -312,7 +312,8 @@ void ImageCheck::AddServices(const ObjectFolder& object, const std::string& sect
     }
     return;
   }
-  // Without a stub.cfg, the names of the services are strings in the sources.
+  // Searches the sources for strings that look like names of services, because there is no
+  // stub.cfg.
   static const std::regex kService("\"(\\w+\\.\\w+\\.\\w+\\.[SO])\"");
   for (const fs::path& file : parts_.CodeOf(object)) {
     const std::string& text = parts_.TextOf(file);
@@ -322,7 +323,7 @@ void ImageCheck::AddServices(const ObjectFolder& object, const std::string& sect
 }
 
 void ImageCheck::CheckPlacedNames() {
-  // The objects are sorted by folder, so that the remarks do not depend on the order of lines in
+  // Sorts the objects by folder, so that the remarks do not depend on the order of lines in
   // OBJECT.CFG.
   std::vector<PlacedObject> in_order;
   for (const ObjectFolder* object : objects_) {

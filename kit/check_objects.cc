@@ -16,10 +16,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// An .ocf file with a smaller stack gets a warning.  The SDK's samples have 3072 bytes, and no
-// program with less than 1024 is known to work.
+// The smallest stack in an .ocf file that gets no warning.  The SDK's samples have 3072 bytes, and
+// no program with less than 1024 is known to work.
 constexpr int64_t kStackBytesMin = 1024;
-// A heap that grows in larger steps gets a warning.  The limit is half of the robot's memory of 32
+// The largest step of a heap that gets no warning.  The limit is half of the robot's memory of 32
 // MB: a second step of this size would not fit.
 constexpr int64_t kHeapBytesMax = 16 << 20;
 

@@ -96,9 +96,8 @@ void StickCheck::CheckService(const ServiceName& name, const std::string& sectio
 
 void StickCheck::ReportUnknown(const ServiceName& name, const FilePosition& place) {
   const std::string full = Compose(name);
-  // If the object itself is missing, the remarks about all its services get the same cause, so they
-  // become one remark.  If the object exists and only a service is missing, the cause is that
-  // service.
+  // Gives the remarks about all services of a missing object the same cause, so that they become
+  // one remark.  If the object exists and only a service is missing, the cause is that service.
   std::string cause = name.object + ".";
   std::vector<std::string> known;
   for (const auto& [service, owner] : images_.services) {

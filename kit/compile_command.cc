@@ -162,8 +162,8 @@ std::vector<std::string> CarriedFlags(const std::vector<std::string>& arguments,
     const std::string& word = arguments[i];
     const bool has_next = i + 1 < arguments.size();
     if (IsOneOf(word, {"-include", "-imacros", "-isystem", "-idirafter", "-iquote"}) && has_next) {
-      // The compiler looks for a file of -include in the folders of -I too, so the name stays
-      // relative if the file is not in `folder`.
+      // Leaves the name of a file of -include relative if the file is not in `folder`, because the
+      // compiler looks for it in the folders of -I, too.
       const std::string there = absolute(arguments[++i]);
       flags.insert(flags.end(), {word, fs::exists(there) ? there : arguments[i]});
     } else if (IsOneOf(word, {"-D", "-U", "-I"}) && has_next) {

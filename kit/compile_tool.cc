@@ -79,7 +79,7 @@ ProcessResult CompileRun::Try(const Arguments& extra) {
   Arguments all = compiler_;
   all.insert(all.end(), extra.begin(), extra.end());
   all.insert(all.end(), command_.arguments.begin(), command_.arguments.end());
-  // The output is parsed, so it must be in English.
+  // Sets the language of messages to English, because the output is parsed.
   return RunProcess(all, {.environment = {{"LC_ALL", "C"}}, .captures_error = true});
 }
 
@@ -112,8 +112,8 @@ void CompileRun::UsePreludeIfItHelps(ProcessResult* result) {
 void CompileRun::RepairIfItHelps(ProcessResult* result) {
   RepairSession session;
   if (!session.may_repair()) return;
-  // Another compiler process may have repaired a header while this process waited for the lock.
-  // Then the errors may be gone, so the file is compiled again.
+  // Compiles the file again, because another compiler process may have repaired a header while this
+  // process waited for the lock.
   extra_.clear();
   ProcessResult now = Try({});
   if (!now.good()) UsePreludeIfItHelps(&now);
@@ -132,7 +132,7 @@ void CompileRun::RepairIfItHelps(ProcessResult* result) {
   }
 }
 
-// Records for `openr build` what was compiled, with which flags, and whether it succeeded.
+// Records for `openr build` the compiled sources, the flags, and whether the compiler succeeded.
 void CompileRun::Log(bool is_good) const {
   const std::string here = std::filesystem::current_path();
   for (const std::string& source : command_.sources) {
@@ -160,8 +160,8 @@ int CompileRun::Run() {
     if (!result.good()) RepairIfItHelps(&result);
   }
   if (result.good() && TellsOfMissingReturn(result.output) && !IsClang(compiler_)) {
-    // With this flag, every function calls a helper function of the image at its end
-    // (image_source.cc), which makes a missing return value 0.
+    // Adds a flag that makes every function call a helper function of the image at its end
+    // (image_source.cc).  The helper makes a missing return value 0.
     extra_.push_back("-finstrument-functions");
     const ProcessResult again = Try(extra_);
     if (again.good()) result = again;

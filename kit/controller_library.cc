@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Exports the call of main(), because all else of the library is hidden.
+// Exports the call of main(), because all other names of the library are hidden.
 constexpr char kExport[] =
     "// Generated when the controller was built.\n\n"
     "int CallControllerMain();\n\n"
@@ -54,8 +54,8 @@ std::string FolderOfController(const std::string& source) {
 bool BuildControllerLibrary(const ControllerLibraryOptions& options) {
   const fs::path scratch = fs::path(options.output).parent_path();
   const std::string folder = FolderOfController(options.source);
-  // The checks of what stops the robot's processor are left out: their functions find the robot's
-  // object that runs, and here there is none.
+  // Leaves out the checks for operations that stop the robot's processor: their functions look for
+  // the running object of the robot, and there is none here.
   const Arguments flags = {"-fno-sanitize=all"};
   const auto objects = CompileController(SourcesOf(options.source), folder, scratch, flags);
   if (!objects) return false;

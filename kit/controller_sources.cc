@@ -59,7 +59,7 @@ Diagnostic AtWord(const fs::path& list, const std::string& text, const std::stri
 
 void ReadList(const fs::path& folder, ControllerSources* sources) {
   const std::string text = ReadText(sources->list).value_or("");
-  // We run make to get the values of the variables, because the Makefile may build its list of
+  // Runs make to get the values of the variables, because the Makefile may build its list of
   // sources with functions and conditions of make.
   const TempFolder scratch;
   const std::string makefile = scratch.path() + "/print.mk";
@@ -92,8 +92,8 @@ void ReadList(const fs::path& folder, ControllerSources* sources) {
           AtWord(sources->list, text, word, fmt::format("there is no file '{}'", word)));
     }
   }
-  // A list without any word means the empty controller.  A list that has words but no sources is a
-  // mistake.
+  // Reports a list that has words but no sources.  A list without any word is no error: it means
+  // the empty controller.
   if (has_words && sources->files.empty()) {
     sources->diagnostics.push_back(
         AtWord(sources->list, text, "",

@@ -148,8 +148,8 @@ class ConventionBuild {
         flags_(std::move(flags)),
         build_(std::move(build)),
         options_(options) {
-    // This build gets a log of its own, because undefined names at its first attempt to link are no
-    // failure if the second attempt succeeds.
+    // Gives this build a log of its own, because undefined names at its first attempt to link are
+    // no failure if the second attempt succeeds.
     options_.log = build_ / "log.txt";
     for (const fs::path& source : project.shared_sources) {
       if (!HasMain(source)) shared_.push_back(source);
@@ -164,9 +164,9 @@ class ConventionBuild {
     if (!problem.empty()) return problem;
     const Paths included = SourcesIncluded(object_.sources, shared_);
     WriteMakefile(included, {});
-    // The first attempt links only the shared sources whose headers are included.  If there are
-    // other shared sources, a failure of this attempt is not shown, because the second attempt
-    // links these sources too and may succeed.
+    // Links only the shared sources whose headers are included in the first attempt.  Hides its
+    // failure if there are other shared sources, because the second attempt links these, too, and
+    // may succeed.
     const bool has_more = included.size() < shared_.size();
     if (Make(has_more ? MakeOptions::Says::kIfGood : MakeOptions::Says::kAlways) || !has_more)
       return "";
@@ -221,8 +221,8 @@ class ConventionBuild {
     std::string flags = "-O2";
     for (const std::string& flag : flags_) flags += " " + InMakefile(ShellWord(flag));
     flags += " -I" + object_.folder.string();
-    // Each folder gets only one of the two flags, because gcc searches a folder of -idirafter last
-    // even if -I names it too.
+    // Gives each folder only one of the two flags, because gcc searches a folder of -idirafter last
+    // even if -I names it, too.
     const auto add = [&](const fs::path& folder, const char* search) {
       const bool is_first =
           std::find(flags_.begin(), flags_.end(), "-I" + folder.string()) != flags_.end();

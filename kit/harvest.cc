@@ -40,8 +40,8 @@ std::vector<fs::path> InstalledFiles(const StickFolder& stick) {
 
 std::vector<BuiltImage> ReadBuiltImages(const KitLog& log, const Project& project) {
   std::vector<BuiltImage> images;
-  // File names and contents of the files on sticks.  An image of this build may be on a stick under
-  // another name, which OBJECT.CFG uses.  The content shows that it is the same image.
+  // Collects names and contents of the files on sticks.  An image of this build may be on a stick
+  // under another name, which OBJECT.CFG uses; its content shows that it is the same image.
   std::vector<std::pair<std::string, std::string>> installed;
   for (const StickFolder& stick : project.sticks) {
     for (const fs::path& file : InstalledFiles(stick))

@@ -10,7 +10,7 @@ namespace openr_host {
 
 struct KitLog {
   struct Image {
-    std::string file;                // where mkbin wrote it
+    std::string file;                // path to which mkbin wrote the image
     std::string object;              // name of the object in the .ocf file
     std::string ocf;                 // path of the .ocf file
     std::vector<std::string> parts;  // the object files and libraries that were linked
@@ -23,7 +23,7 @@ struct KitLog {
   // A compilation of one source, successful or not.
   struct Compile {
     std::string file;
-    std::string folder;  // where the compiler ran
+    std::string folder;  // Flags from the Makefile, such as -D and -I, with absolute folders.
     // Flags of the Makefile such as -D and -I, with absolute folders.
     std::vector<std::string> flags;
   };
@@ -31,9 +31,9 @@ struct KitLog {
     std::string place;  // "file:line"
     std::string what;
   };
-  std::vector<Image> images;      // one entry per image file, the newest
-  std::vector<Failure> failures;  // one entry per failure; none if the file was made later
-  std::vector<Compile> compiles;  // one entry per file and folder, the newest
+  std::vector<Image> images;      // an entry for each image file, the newest
+  std::vector<Failure> failures;  // an entry for each failure; none if the file was made later
+  std::vector<Compile> compiles;  // an entry for each file and folder, the newest
   std::vector<Repair> repairs;
 };
 

@@ -160,7 +160,7 @@ int RunMkbin(const Arguments& arguments) {
   const Arguments link = LinkArguments(command, image_info);
   if (command.is_verbose)
     std::fprintf(stderr, "%s\n", fmt::format("{}", fmt::join(link, " ")).c_str());
-  // The linker's messages are parsed, so they must be in English.
+  // Sets the language of messages to English, because the linker's output is parsed.
   const ProcessResult result =
       RunProcess(link, {.environment = {{"LC_ALL", "C"}}, .captures_error = true});
   std::fputs(WithoutDangerWarnings(result.output).c_str(), stderr);

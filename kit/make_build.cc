@@ -32,8 +32,8 @@ Environment MakeEnvironment(const MakeOptions& options) {
       {"PKG_CONFIG_PATH", (fs::path(options.sdk_root) / "../../pkgconfig").lexically_normal()},
       {kLogVariable, options.log},
       {kCopiesVariable, options.copies},
-      // Gives make the kit's tools in these variables.  Otherwise make would use its default
-      // compiler if a Makefile does not set these variables.
+      // Sets these variables to the kit's tools, because make would otherwise use its default
+      // compiler if a Makefile does not set them.
       {"CC", bin + "/mipsel-linux-gcc"},
       {"CXX", bin + "/mipsel-linux-g++"},
       {"AR", bin + "/mipsel-linux-ar"}};
@@ -46,13 +46,13 @@ Environment MakeEnvironment(const MakeOptions& options) {
 
 ProcessResult Make(const fs::path& folder, const std::vector<std::string>& arguments, int jobs,
                    bool echoes, const MakeOptions& options) {
-  // When a rule fails, make deletes its half-written file (.DELETE_ON_ERROR), because the file
-  // would count as up to date in the next run.
+  // Adds .DELETE_ON_ERROR, so that make deletes the half-written file of a failed rule.  Otherwise
+  // the file would count as up to date in the next run.
   std::vector<std::string> all{"make", "-k", "--eval=.DELETE_ON_ERROR:", fmt::format("-j{}", jobs)};
   if (!options.is_verbose) all.push_back("-s");
   if (!echoes) all.push_back("--output-sync=target");
-  // We use bash if possible, because the rules of these programs were written on systems where sh
-  // was bash.
+  // Uses bash if possible, because the rules of these programs were written on systems where sh was
+  // bash.
   if (HasProgram("/bin/bash")) all.push_back("SHELL=/bin/bash");
   all.insert(all.end(), arguments.begin(), arguments.end());
   Environment environment = MakeEnvironment(options);
@@ -158,9 +158,9 @@ std::string CauseOf(const std::string& output) {
     if (complaint.starts_with("Waiting for") || complaint.starts_with("Deleting file")) continue;
     std::smatch match;
     if (!std::regex_match(complaint, match, kFailedRule)) return complaint;
-    // A missing program (Error 127) explains more than a program that failed, so a missing program
-    // is taken as the cause first.  Of several failed rules the first is the cause, because the
-    // others may depend on it.
+    // Prefers a missing program (Error 127) as the cause, because it explains more than a program
+    // that failed.  Of several failed rules the first is the cause, because the others may depend
+    // on it.
     std::string* const cause = match[3] == "Error 127" ? &tool : &rule;
     if (!cause->empty()) continue;
     *cause = fmt::format("the rule for '{}'{} failed: {}", match[2].str(),
@@ -216,9 +216,10 @@ MakeOutcome RunMakeIn(const fs::path& folder, const std::vector<std::string>& ar
     return {result.good(), result.output};
   }
   if (options.jobs > 1) {
-    // Old Makefiles often lack dependencies, and work only if make runs their rules one after the
-    // other.  If a run with several jobs fails, its output is not shown, and make runs again with
-    // one job.  Rules may ignore a failure, so failures that the compiler has logged count as well.
+    // Runs make again with one job if a run with several jobs fails, and hides the output of the
+    // first run.  Old Makefiles often lack dependencies, and work only if make runs their rules one
+    // after the other.  Failures that the compiler has logged count as well, because rules may
+    // ignore a failure.
     const KitLog before = ReadKitLog(options.log);
     const ProcessResult together = Make(folder, arguments, options.jobs, false, options);
     KitLog after = ReadKitLog(options.log);
@@ -244,9 +245,8 @@ MakeOutcome RunMakeTargets(const fs::path& folder, const MakePlan& plan,
   arguments.insert(arguments.end(), variables.begin(), variables.end());
   const size_t failures = ReadKitLog(options.log).failures.size();
   MakeOptions install = options;
-  // The target `install` often repeats the steps of the first target.  If a step has failed for the
-  // first target, it fails here again, and its messages were already shown.  So if the run for
-  // `install` fails, its output is shown only if the log has new failures.
+  // Shows the output of a failed run for `install` only if the log has new failures.  This target
+  // often repeats the steps of the first target, so their messages were already shown.
   if (!outcome.is_good || failures > 0) {
     install.says = MakeOptions::Says::kIfGood;
     install.jobs = 1;

@@ -68,15 +68,15 @@ std::string AdaptMakefile(const std::string& text, const std::string& sdk_root) 
   for (size_t i = 0; i < text.size(); ++i) {
     if (text[i] != '\r' || (i + 1 < text.size() && text[i + 1] != '\n')) result += text[i];
   }
-  // The patterns find whole paths.  A path begins with '/', after a character that no path contains
-  // or after a flag such as -I, and ends before a character that no path contains.
+  // The patterns match whole paths.  A path begins with '/', after a character that no path
+  // contains or after a flag such as -I, and ends before a character that no path contains.
   static const std::regex kTool(
       "(^|[^\\w./)}-]|-[ILB])(/[\\w./+-]*?)/(?:bin/mipsel-linux-|OPEN_R/)");
   Names roots = AllMatches(result, kTool, 2);
   static const std::regex kUsual(
       "(^|[^\\w./)}-]|-[ILB])((?:/[\\w.+-]+)+/OPEN_R_SDK)(?=[^\\w.+-]|$)");
   for (const std::string& root : AllMatches(result, kUsual, 2)) AddOnce(root, &roots);
-  // Longer roots come first, because one root may be the beginning of another.
+  // Sorts longer roots first, because one root may be the beginning of another.
   std::sort(roots.begin(), roots.end(),
             [](const std::string& a, const std::string& b) { return a.size() > b.size(); });
   for (const std::string& root : roots) {

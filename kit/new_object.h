@@ -15,8 +15,8 @@ struct NewFile {
 std::string WhyNoObjectName(const std::string& name);
 
 // Returns the files of a folder with the object `name`: stub.cfg, sources, .ocf file, a Memory
-// Stick tree that connects the object to the robot's sensors, a Makefile for both SDKs, the robot's
-// and ours, a CMakeLists.txt, and a test with openr::testing.
+// Stick tree that connects the object to the robot's sensors, a Makefile for both SDKs (the robot's
+// and ours), a CMakeLists.txt, and a test with openr::testing.
 std::vector<NewFile> MakeNewObject(const std::string& name);
 
 // Writes the files to `folder`.  If one of them exists already, writes none.  Returns "" or the

@@ -146,7 +146,7 @@ std::vector<fs::path> ObjectParts::FindCode(const ObjectFolder& object) const {
                              HasWord(TextOf(file), object.class_name);
     if (is_own || is_of_class) add(file);
   }
-  // Follows #include lines.  A header is found by its file name in any folder, because the include
+  // Follows #include lines.  Finds a header by its file name in any folder, because the include
   // paths of the Makefile are not known here.
   while (!todo.empty()) {
     const fs::path file = todo.front();
@@ -158,8 +158,8 @@ std::vector<fs::path> ObjectParts::FindCode(const ObjectFolder& object) const {
         }
       };
       add_all(by_name_.equal_range(name));
-      // A source with the same name as an included header also belongs to the object: Util.cc for
-      // Util.h.
+      // Adds sources with the name of an included header, because they also belong to the object:
+      // Util.cc for Util.h.
       add_all(by_stem_.equal_range(fs::path(name).stem()));
     }
   }
@@ -173,8 +173,8 @@ std::vector<fs::path> ObjectParts::OcfsOf(const ObjectFolder& object) const {
     if (IsOcf(file)) named.push_back(file);
   }
   if (!named.empty()) return named;
-  // Without Makefiles, only an .ocf file beside stub.cfg counts, because for other .ocf files it is
-  // not known to which object they belong.
+  // Returns none without Makefiles, because for .ocf files that are not beside a stub.cfg it is not
+  // known to which object they belong.
   if (makefiles_.empty()) return {};
   Paths free;
   for (const fs::path& file : all_) {

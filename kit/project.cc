@@ -110,8 +110,8 @@ Project ScanProject(const std::vector<fs::path>& folders) {
   std::map<fs::path, std::vector<fs::path>> files_of;
   std::set<fs::path> seen;  // files found already, because one folder may be inside another
   for (const fs::path& folder : folders) {
-    // A folder outside of the project may have a stick too.  If the project has a stick of its own,
-    // that outer stick is left out, because a build must not write to the stick of another program.
+    // Searches folders outside only if the project has no stick of its own, because a build must
+    // not write to the stick of another program.
     if (project.sticks.empty()) FindSticks(folder, &project.sticks);
     for (const fs::path& file : FilesBelow(folder))
       if (seen.insert(file).second) files_of[file.parent_path()].push_back(file);
@@ -125,8 +125,8 @@ Project ScanProject(const std::vector<fs::path>& folders) {
   const auto is_ours = [&](const ObjectFolder& object) {
     return IsBelow(object.folder, project.root);
   };
-  // If the project has objects, the objects of folders outside are not built.  They become
-  // neighbours.
+  // Makes objects of folders outside neighbours if the project has objects, so that they are not
+  // built.
   if (std::any_of(project.objects.begin(), project.objects.end(), is_ours)) {
     const auto first =
         std::stable_partition(project.objects.begin(), project.objects.end(), is_ours);

@@ -110,8 +110,8 @@ class PlaceSearch {
     if (text.find("..") == std::string::npos) return;
     for (const std::string& path : UpwardPaths(text)) {
       fs::path target = (file.parent_path() / path).lexically_normal();
-      // The slash is dropped, so that each folder has one spelling: lexically_normal() makes "./"
-      // of "a/..".
+      // Drops the slash at the end, so that each folder has one spelling: lexically_normal() makes
+      // "./" of "a/..".
       if (!target.has_filename()) target = target.parent_path();
       AddTarget(target, path.ends_with(".."));
     }

@@ -79,7 +79,7 @@ fs::path RobotSdk::BaseStick(const std::string& model, const std::string& flavou
 }
 
 void RobotSdk::GenerateStub(const fs::path& config, const fs::path& folder) const {
-  // The tool runs in `folder`, because stubgen2 writes to the folder in which it runs.
+  // Runs the tool in `folder`, because stubgen2 writes to the folder in which it runs.
   Run({Tool("OPEN_R/bin/stubgen2"), config}, folder, config.filename().string());
 }
 
@@ -121,7 +121,7 @@ void RobotSdk::Run(const std::vector<std::string>& arguments, const fs::path& fo
   ProcessOptions options;
   options.folder = folder;
   options.has_no_input = true;
-  // The folders of the SDK come first in PATH, because mkbin and the tools that it starts look
+  // Puts the folders of the SDK first in PATH, because mkbin and the tools that it starts look
   // there for each other and for the compiler.
   const char* const path = std::getenv("PATH");
   options.environment = {

@@ -138,8 +138,8 @@ bool RepairSession::Apply(const std::string& diagnostics, const std::vector<std:
   std::vector<Complaint> complaints = ReadComplaints(diagnostics);
   const std::vector<Complaint> more = ReadAssemblerComplaints(diagnostics, sources);
   complaints.insert(complaints.end(), more.begin(), more.end());
-  // A missing 'typename' may be the reason why other names count as not declared.  So messages
-  // about such names are left for a later round, when the missing 'typename' is repaired.
+  // Leaves messages about undeclared names for a later round while a 'typename' is missing, because
+  // the missing word may be their reason.
   const bool is_unclear = diagnostics.find("need 'typename'") != std::string::npos;
   for (const Complaint& complaint : complaints) {
     if (is_unclear && complaint.message.find("not declared") != std::string::npos) continue;

@@ -63,8 +63,7 @@ std::string MergeConfig(const std::string& base, const std::string& ours) {
   std::string text;
   const auto add = [&](const std::vector<std::string>& lines, bool in_section) {
     for (const std::string& line : lines) {
-      // Inside of sections no line is dropped, because the same line may be needed in several
-      // sections.
+      // Drops no line inside of sections, because the same line may be needed in several sections.
       if (IsRecord(line) && !known.insert(WithoutBlanks(line)).second && !in_section) continue;
       text += line + "\n";
     }
@@ -145,7 +144,7 @@ std::vector<Diagnostic> CheckObjectConfig(const fs::path& stick) {
     if (!IsRecord(line.text)) continue;
     const std::string path =
         WithoutBlanks(line.text).substr(0, WithoutBlanks(line.text).size() - 1);
-    // PowerMonitor is the object that handles the pause button on the robot's own sticks.
+    // Looks for PowerMonitor, the object that handles the pause button on the robot's own sticks.
     if (LowerCase(path).ends_with("/powermon.bin")) has_power_monitor = true;
     if (!LowerCase(path).starts_with("/ms/")) {
       diagnostics.push_back(ErrorAt(line, fmt::format("'{}' does not begin with /MS/", path)));

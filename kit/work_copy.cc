@@ -159,7 +159,7 @@ void WorkCopy::CopyFile(const fs::path& original) {
       left_out_.insert(*entry);
     return;
   }
-  // Files for another processor, such as the robot's, are not copied, because make would take them
+  // Does not copy files for another processor, such as the robot's, because make would take them
   // for up to date.
   const std::string processor = ForeignProcessorOf(original);
   if (!processor.empty()) {
@@ -175,7 +175,7 @@ void WorkCopy::CopyFile(const fs::path& original) {
   std::error_code error;
   fs::permissions(copy, fs::status(original, error).permissions() | fs::perms::owner_write, error);
   SetTime(copy, original);
-  // The copy of a generated stub gets an older time than its stub.cfg, so that a Makefile's rule
+  // Gives the copy of a generated stub an older time than its stub.cfg, so that a Makefile's rule
   // that makes the stub will run.
   if (IsGeneratedStub(original)) {
     SetOldTime(copy);

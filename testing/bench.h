@@ -57,7 +57,7 @@ struct World;
 
 namespace openr::testing {
 
-using namespace std::chrono_literals;  // for 8ms, 2s
+using namespace std::chrono_literals;  // units of time: 8ms, 2s
 using Duration = std::chrono::microseconds;
 
 class Bench;
@@ -83,7 +83,8 @@ std::string DefaultStick();
 uint64_t SeedOfEnvironment();
 
 struct BenchOptions {
-  std::string stick = "";             // folder that holds OPEN-R/; it is copied; "": an empty stick
+  std::string stick = "";             // folder that holds OPEN-R/, which is copied; "": an empty
+                                      // stick
   std::vector<StandIn> replace = {};  // objects of the stick that are replaced
   std::string body = "none";          // "none"; "ideal": joints follow exactly; "ode": physics
   std::string robot = "ers210";       // name of a model
@@ -185,7 +186,7 @@ class Bench {
   // step.  Needs a body.
   bool PhysicsStep(Place place = Place::Here());
 
-  // ---- Interfering
+  // ---- Messages that the test posts, delays, drops or refuses
 
   // Posts a message with the data `data`, as if its sender had posted it.  `spec` is one of two
   // kinds.  Notify("Blinker.Light", "Eye.Light") names two connected services; Eye receives `data`
@@ -203,8 +204,9 @@ class Bench {
   }
   bool InjectBytes(const MessageSpec& spec, std::string_view bytes, Place place = Place::Here());
 
-  // Prefers the objects `objects`, the first one most, where the robot leaves the order open: which
-  // object starts next, and which object gets its message first of those due at the same time.
+  // Makes the objects `objects` go first where the robot leaves the order open, the first object of
+  // the list before the others: which object starts next, and which object gets its message first
+  // if several messages are due at the same time.
   void Reorder(std::vector<std::string> objects, Place place = Place::Here());
 
   // Hold(), Drop() and Refuse() make the test fail if too few fitting messages come.  Optional()
@@ -221,11 +223,11 @@ class Bench {
   // Refuses the n-th message that fits `spec`, counted from now.  Its sender gets sFULLMSGQENTRY,
   // as on a robot when the queue of the receiver holds 32 messages.
   RefusedMessage& Refuse(const MessageSpec& spec, uint64_t nth = 1, Place place = Place::Here());
-  // Delivers, from now on, messages that fit `spec` later by `extra`, in their old order.  0 ends
-  // the delay.
+  // Delays messages that fit `spec` by `extra` from now on, and keeps their order.  0 ends the
+  // delay.
   void Delay(const MessageSpec& spec, Duration extra, Place place = Place::Here());
 
-  // ---- Expecting; see expectations.h for the rules
+  // ---- Expected and unexpected messages; see expectations.h for the rules
 
   void Expect(const MessageSpec& spec, Place place = Place::Here());
   void Allow(const MessageSpec& spec, Place place = Place::Here());
@@ -263,7 +265,7 @@ class Bench {
   // Reports each of these only once.
   void Verify();
 
-  // ---- Looking
+  // ---- State of the robot and of the objects
 
   int64_t now_us() const { return system_->now_us(); }
   const std::string& console() const { return console_; }  // text that objects have printed
@@ -271,9 +273,9 @@ class Bench {
   // "" when it has logged none.
   const std::string& state(const std::string& object) const;
 
-  // The next functions take the name of a device ("RF_j1", "chin", "head_led") or its locator
-  // ("PRM:/r4/c1-Joint2:j1").  They throw std::invalid_argument when there is no such device, and
-  // std::logic_error without a body.
+  // Return the state of a device.  `name` is the name of the device ("RF_j1", "chin", "head_led")
+  // or its locator ("PRM:/r4/c1-Joint2:j1").  The functions throw std::invalid_argument if the
+  // robot has no such device, and std::logic_error without a body.
   double JointDeg(std::string_view name) const;
   int64_t SensorValue(std::string_view name) const;  // in the sensor's OPEN-R unit
   int LedIntensity(std::string_view name) const;     // 0: dark
@@ -283,7 +285,7 @@ class Bench {
   openr_host::VirtualRobot& dog() const;
   const openr_host::RobotModel& model() const { return *model_; }
 
-  // ---- What a person does to the dog; docs/inputs.md
+  // ---- Actions of a person on the dog; docs/inputs.md
   //
   // Each of these functions adds an input, which takes effect at the next frame boundary, or at
   // once if the bench is at one.  If the input is refused, for example because the dog has no such
@@ -301,14 +303,14 @@ class Bench {
   // of the power status, which objects can watch.
   bool PressPause(Place place = Place::Here()) { return Do("press pause", place); }
 
-  // A force in N: x forward, y to the dog's left, z up.
+  // A force in N: x points forward, y to the dog's left, z up.
   struct Force {
     double x = 0, y = 0, z = 0;
   };
   // Pushes the middle of the dog's trunk.  Needs a body with physics.
   bool Push(const Force& force, Duration duration = 100ms, Place place = Place::Here());
-  // The next four take the dog with a hand and lift it by `metres`, hold it where it is, set it
-  // down, and let it fall.
+  // Take the dog with a hand: lift it by `metres`, hold it at its place, set it down, or let it
+  // fall.
   bool Lift(double metres = 0.2, Place place = Place::Here());
   bool HoldDog(Place place = Place::Here()) { return Do("hold", place); }
   bool SetDown(Place place = Place::Here()) { return Do("setdown", place); }
@@ -325,7 +327,7 @@ class Bench {
   const std::shared_ptr<openr_host::LoopbackHub>& network() const { return hub_; }
 
   const std::vector<openr_host::Finding>& findings() const { return system_->findings().all(); }
-  std::string Findings() const;  // one line for each finding
+  std::string Findings() const;  // a line for each finding
   uint64_t trace_hash() const { return system_->trace_hash(); }
   uint64_t state_hash() { return system_->state_hash(); }
 
@@ -408,8 +410,8 @@ class Bench {
   History history_;
   Expectations expectations_;
   std::vector<std::function<void(const SeenMessage&)>> see_;
-  std::optional<MessageSpec> goal_;  // set during StepTo()
-  uint64_t goal_number_ = 0;         // set during StepToMessage()
+  std::optional<MessageSpec> goal_;  // set during StepTo(): the message to run to
+  uint64_t goal_number_ = 0;         // set during StepToMessage(): the number to run to
   bool goal_reached_ = false;
   std::vector<std::pair<MessageSpec, Place>> unchecked_;  // Boot() will check their names
   std::deque<ExpectedFinding> expected_findings_;
@@ -417,7 +419,7 @@ class Bench {
   size_t findings_seen_ = 0;
   std::set<size_t> told_;  // indices of findings that an exception has reported
   std::string command_;    // command that runs the test again
-  // The last member, because its destructor uses the other members.
+  // Must be the last member, because its destructor uses the other members.
   std::unique_ptr<StoryTeller> story_teller_;
 };
 

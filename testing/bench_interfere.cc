@@ -45,7 +45,7 @@ bool Bench::CheckName(const std::string& name, const Place& place) {
   return false;
 }
 
-// ---- Injecting
+// ---- Messages that the test itself sends
 
 std::optional<ServiceEnd> Bench::FindEnd(const std::string& name, ServiceSide side,
                                          const Place& place) {
@@ -103,7 +103,7 @@ bool Bench::InjectEntry(const MessageSpec& spec, std::string_view bytes, const P
          Miss(place, "Inject: the queue of the receiver is full");
 }
 
-// ---- What a person does
+// ---- Actions of a person on the dog
 
 bool Bench::Do(std::string_view input, Place place) {
   const std::string problem = system_->inputs().Add(0, input);
@@ -138,7 +138,7 @@ bool Bench::SetCharger(bool on, Place place) {
   return Do(on ? "charger on" : "charger off", place);
 }
 
-// ---- Orders and doors
+// ---- Order and delivery of messages
 
 void Bench::Reorder(std::vector<std::string> objects, Place place) {
   for (const std::string& name : objects) CheckNames(AnyMessage().To(name), place);
@@ -168,7 +168,7 @@ void Bench::Delay(const MessageSpec& spec, Duration extra, Place place) {
   schedule_.Delay(spec, extra.count());
 }
 
-// ---- Expecting
+// ---- Expected messages
 
 void Bench::Expect(const MessageSpec& spec, Place place) {
   CheckNames(spec, place);

@@ -20,9 +20,9 @@ namespace {
 
 constexpr int kStandingFrames = 75;
 
-// Returns the index in `devices` of the device with the name `name`, or with the locator (the
-// OPEN-R path "PRM:/...") `name`.  If there is none, throws std::invalid_argument; `kind` is the
-// word for such devices in its text.
+// Returns the index in `devices` of the device that has `name` as its name or its locator (the
+// OPEN-R path "PRM:/...").  If there is none, throws std::invalid_argument with a text that calls
+// such devices `kind`.
 template <typename Device>
 size_t IndexOf(const std::vector<Device>& devices, std::string_view name, const char* kind) {
   std::vector<std::string> known;

@@ -16,7 +16,8 @@
 
 namespace openr::testing {
 
-// The n-th message that fits `spec`.  It is refused, as if the queue of its receiver was full.
+// A message that is refused as if the queue of its receiver were full: the n-th message that fits
+// `spec`.
 class RefusedMessage {
  public:
   RefusedMessage(MessageSpec spec, uint64_t nth, const Place& place)

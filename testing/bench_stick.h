@@ -40,7 +40,7 @@ class BenchStick : public openr_host::MemoryStick {
   // process (fork), so that it cannot change the files of the original process.
   void MoveToCopy();
 
-  // ---- MemoryStick
+  // ---- Implementation of MemoryStick
   Location Locate(std::string_view name) override { return files_->Locate(name); }
   uint64_t ContentHash() override { return files_->ContentHash(); }
 

@@ -43,8 +43,8 @@ bool HeldMessages::Take(OwnedMessage* message) {
   return true;
 }
 
-// Messages are put back at the head of the queue.  So the newest one is put back first, which keeps
-// their order.
+// Puts the newest message back first, because each message goes to the head of the queue; so the
+// messages keep their order.
 void HeldMessages::Release() {
   is_open_ = true;
   for (; !messages_.empty(); messages_.pop_back()) system_->Readmit(std::move(messages_.back()));

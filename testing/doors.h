@@ -99,8 +99,8 @@ class Doors : public openr_host::Gate {
   std::string Text() const;
 
  private:
-  // Does what the loss of `message` means for its ends, if it is to be dropped.  Returns whether it
-  // is.
+  // Drops `message` if a Drop() asks for it: counts the message, and gives back the regions that it
+  // holds.  Returns whether the message was dropped.
   bool Lose(const openr_host::Message& message);
 
   openr_host::System* const system_;

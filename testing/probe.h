@@ -70,8 +70,8 @@ class ProbeObserver {
   }
   void Clear() { events_.clear(); }
 
-  // Sets whether the probe asserts ready by itself, when it starts and after every event.  This is
-  // the default.  Otherwise the observer is ready only when the test calls AssertReady().
+  // Sets whether the probe asserts ready by itself, when it starts and after every event; by
+  // default it does.  Otherwise the observer is ready only when the test calls AssertReady().
   void set_auto_ready(bool on) { auto_ready_ = on; }
   OStatus AssertReady();
   OStatus DeassertReady();

@@ -39,7 +39,7 @@ class SeenMessage {
   uint64_t cause() const { return cause_; }    // number of the message whose handler sent this one
   int64_t time_us() const { return time_us_; }
   MessageKind kind() const { return kind_; }
-  uint32_t size() const { return size_; }  // bytes of its data
+  uint32_t size() const { return size_; }  // number of bytes of its data
 
   // The sender or the receiver of a message: an object and, for a connection, the full name of its
   // service ("Blinker.Blink.int.S").  Unknown names are empty.

@@ -41,13 +41,13 @@ class ResultSender : public ::testing::ScopedFakeTestPartResultReporter {
   void ReportTestPartResult(const TestPartResult& result) override {
     if (result.fatally_failed()) NoteFatalFailure();
     const std::string file = result.file_name() == nullptr ? "" : result.file_name();
-    // The copy adds its story (last messages, who waits) itself, because the original process does
-    // not know what happened in the copy.
+    // Adds the story (last messages, objects that wait) in the copy, because the original process
+    // does not know what happened in the copy.
     const std::string message =
         result.failed() ? StoryTeller::WithStory(result.message()) : result.message();
     const ResultHeader header{result.type(), result.line_number(), file.size(), message.size()};
-    // Errors of WriteAll() are ignored: the original process has ended then, and nobody needs the
-    // results.
+    // Ignores errors of WriteAll(): they mean that the original process has ended, so the results
+    // are not needed.
     WriteAll(pipe_, {reinterpret_cast<const char*>(&header), sizeof header});
     WriteAll(pipe_, file);
     WriteAll(pipe_, message);

@@ -38,9 +38,8 @@ void RunInCopy(const std::function<void()>& body, const Place& place);
 template <typename World>
 class Snapshot {
  public:
-  // `make` is the function that makes a World and brings it to the state.  It is called only once,
-  // by the first Run().  If it returns null, the state was not reached, and Run() fails in every
-  // test.
+  // `make` is a function that makes a World and brings it to the state.  Only the first Run() calls
+  // it.  If `make` returns null, the state was not reached, and Run() fails in every test.
   explicit Snapshot(std::function<std::unique_ptr<World>()> make) : make_(std::move(make)) {}
 
   void Run(const std::function<void(World&)>& test, Place place = Place::Here()) {

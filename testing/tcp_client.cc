@@ -124,7 +124,8 @@ void TcpClient::Take(const NetworkEvent& event) {
   }
 }
 
-// Does what can be done of `step` at this frame boundary.  Returns true when the step is finished.
+// Does as much of `step` as is possible at this frame boundary.  Returns true when the step is
+// finished.
 bool TcpClient::Do(const Step& step) {
   const size_t left = heard_.size() - passed_;
   switch (step.kind) {

@@ -50,7 +50,7 @@ class TcpClient : public openr_host::CodeObject {
   // Drops the steps of the script that are not done, so that their failure is reported only once.
   void DropScript() { script_.clear(); }
 
-  // ---- What happened
+  // ---- The state of the connection
 
   bool connected() const { return connected_; }
   bool ended() const { return ended_; }                // the robot has ended the connection

@@ -31,13 +31,13 @@ ADDRESS = re.compile(r"panel: (http://\S+)")
 ROBOT = re.compile(r"openr rc (127\.0\.0\.1:\d+) info")
 LINK = re.compile(r"link: (\S+) control: (\S+)")
 LINK_DELAY_MS = 20
-LIMIT_S = 900  # of the test in the browser
+LIMIT_S = 900  # until the test in the browser is done
 START_LIMIT_S = 120  # until the run has printed the address
-END_LIMIT_S = 120  # until the run has ended and until it was replayed
+END_LIMIT_S = 120  # until the run has ended, and again until its recording was replayed
 
 
 def missing(build):
-    """What the test needs and is not there; "" if all is there."""
+    """Returns a text that names the first thing the test needs and does not find, or ""."""
     if not SCRIPT.exists():
         return "panel/test/browser/panel_test.mjs does not exist"
     if not shutil.which("node"):
@@ -52,7 +52,7 @@ def missing(build):
 
 
 def end_others(folder):
-    """Ends the runs that have branched off from the run: their sockets are NAME.PROCESS."""
+    """Ends the runs that the page has branched off; the name of a socket ends in a process id."""
     for socket in (folder / "openr-host").glob("*.*"):
         try:
             os.kill(int(socket.suffix[1:]), signal.SIGTERM)
@@ -61,10 +61,11 @@ def end_others(folder):
 
 
 class SecondRobot:
-    """A second run, and the link to it."""
+    """The second robot of the test: a run with remote control, and the link that the page uses."""
 
     def __init__(self, openr):
-        # Without physics, because a browser without a graphics card needs the processor.
+        # Without physics this run needs little of the processor, so that more is left for the
+        # browser, which draws without a graphics card.
         self.run = RunProcess(openr, "--no-panel", "--body", "ideal", "--run-name", "second")
         robot = self.run.wait_for(ROBOT, START_LIMIT_S)[1]
         self.link = subprocess.Popen(
@@ -101,8 +102,12 @@ def steps(address, second, folder, openr, shots, only):
 
 
 def drive(openr, folder, shots, only):
-    """Runs all; returns how many tests passed and failed, and prints why those failed."""
-    # Sockets of runs are in this folder, so the page sees no other runs of this machine.
+    """Runs the browser test and replays the recording of its run.
+
+    Returns how many tests passed and how many failed; prints the reason of each failure.
+    """
+    # Runs make their sockets in this folder.  Because the folder is new, the page does not list
+    # other runs of this machine.
     os.environ["XDG_RUNTIME_DIR"] = str(folder)
     run = RunProcess(openr, "--panel", "--panel-port", "0", "--run-name", "browser", "--record",
               str(folder / "run.rec"))

@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
-# Format, arrows between folders and other rules that a compiler does not see.  Prints every
-# offence with its rule; the last line is "N passed, N failed", one per rule.
+# Checks the format, the includes between folders, and other rules that a compiler does not check.
+# Prints every offence with its rule.  The last line is "N passed, N failed", counted in rules.
 set -uo pipefail
-shopt -s lastpipe  # rule() counts in this shell
+shopt -s lastpipe  # runs rule() at the end of a pipe in this shell, where its counters are
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 passed=0
 failed=0
 
-# rule NAME: reads offences from standard input; none is good.
+# rule NAME: reads offences from standard input; the rule passes if there are none.
 rule() {
   local offences
   offences=$(cat)
@@ -20,14 +20,14 @@ rule() {
   fi
 }
 
-# files PATTERN FOLDER...: sources below the folders, sorted.
+# files PATTERN FOLDER...: lists the files below the folders whose suffix matches, sorted.
 files() {
   local pattern=$1
   shift
   find "$@" -regextype posix-extended -type f -regex ".*\.($pattern)" 2>/dev/null | sort
 }
 
-# grep_in REGEX FOLDER...: lines of C and C++ that match, comments left out.
+# grep_in REGEX FOLDER...: lists the matching lines of C and C++, except // comments.
 grep_in() {
   local regex=$1
   shift
@@ -52,8 +52,8 @@ grep_in '^ *# *(if|ifdef|ifndef|elif) .*(__linux|__unix|OPENR_HOST|HOST_BUILD|__
   rule 'objects/ and examples/ have no special case for the host'
 grep_in '(^|[^a-z])weak([^a-z]|$)' objects |
   rule 'objects/ has no weak symbols: an undefined one is not null in an image of the robot'
-# The models (virtualrobot/model) are the one source of what a robot has; tables are made of them.
-# What is left are a controller and the text of a new one.
+# Only the models (virtualrobot/model) may have the primitive names of a robot; our tables are made of
+# them.  Excepted: a controller for the ERS-210, and the text of a new controller.
 grep_in '"PRM:/[^"]*-' cli kit openr runtime virtualrobot distribution objects testing tools |
   grep -vE '^(objects/Controller/ers210/|kit/new_controller\.cc)|^[^:]+:[0-9]+:( *\*|.*//.*"PRM)' |
   rule 'robot constants are in virtualrobot/model only'
@@ -63,9 +63,8 @@ grep_in '#include *["<]libwebsockets' cli kit openr runtime virtualrobot distrib
   grep -v '^openr/panel/web_loop\.cc:' | rule 'only openr/panel/web_loop.cc includes libwebsockets'
 grep_in '#include *["<]cairo' cli kit openr runtime virtualrobot distribution objects testing tools |
   grep -v '^openr/chart/draw_chart\.cc:' | rule 'only openr/chart/draw_chart.cc includes Cairo'
-# process_hooks.cc and file_hooks.cc define these calls for objects, wall_clock.cc is for pacing and
-# time limits; host_*.cc and ipstack are
-# the outside, which enters at frame boundaries.
+# Excepted: process_hooks.cc defines these calls for objects, wall_clock.cc is for pacing and time
+# limits, and runtime/ipstack/host_*.cc reads real sockets, whose data enter at frame boundaries.
 grep_in '(steady_clock|system_clock|gettimeofday|clock_gettime|random_device|std::(thread|mutex|async)|pthread_create)' \
   runtime virtualrobot | grep -vE '^runtime/(hooks/process_hooks|ipstack/host_|base/wall_clock)' |
   rule 'no wall clock, no threads, no raw randomness in runtime/ and virtualrobot/'
@@ -85,7 +84,7 @@ python3 tools/conformance_table.py --check |
   rule 'docs/conformance.md is made of tests/conformance/statements.tsv'
 python3 tools/citations.py |
   rule 'citations of docs/openr and docs/report.md lead to a place that exists (tools/citations.py)'
-# paths FILE...: the sources that documents name in backticks, as FILE:LINE:PATH.
+# paths FILE...: lists the sources that documents name in backticks, as FILE:LINE:PATH.
 paths() {
   grep -noE '`(runtime|virtualrobot|distribution|cli|kit|openr|testing|objects|tools|tests|bench)/[A-Za-z0-9_./-]+\.(h|cc|py|sh|idl)`' "$@" |
     tr -d '`'

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""Checks that every citation of a book of docs/openr and of the report leads to a place that exists.
+"""Checks that each citation of a book of docs/openr or of the report leads to an existing place.
 
-    tools/citations.py [FOLDER]     prints file:line and what is wrong; nothing is good
+    tools/citations.py [FOLDER]     prints file:line and the fault of each bad citation
 
-FOLDER is the root of a checkout, this one without it.  Read are code, tests, docs and tools, with
-comments that go on in the next line.  What counts as a citation:
+FOLDER is the root of a checkout; without FOLDER, this checkout is read.  The script reads code,
+tests, docs and tools; a citation may go on in the next line of a comment.  Forms of a citation:
 
     core.md 2.5         section 2.5, or item 5 of section 2
-    core.md 11 5        item 5 of section 11: of a list, or a row of a table with that number
+    core.md 11 5        item 5 of section 11: of a list, or the row of a table with this number
     core.md, 2.8 and 11.17; robot.md 9.3 2, 16 3; measured.md 1.25 to 1.29
     measured.md section 1, "Notify and ready"                      words of the book, such as a heading
     Hohl 2004, section 5.3.7; Hohl 2004, table 3.8; appendix A     a place in docs/report.md
@@ -30,7 +30,7 @@ MORE = rf"(?:,|;| +and| +to| +or|-) *(?:section +)?(?={NUMBER}(?!\w))"
 
 
 def anchor(heading):
-    """What a link to the heading has behind its #, as common viewers of Markdown make it."""
+    """Returns the anchor (part of a link behind #) that viewers of Markdown make of a heading."""
     return re.sub(r"[^\w\- ]", "", heading.strip().lower()).replace(" ", "-")
 
 
@@ -47,9 +47,9 @@ class Book:
     """Sections, numbered items and headings of one Markdown file."""
 
     def __init__(self, text):
-        self.sections = {}  # number -> {number of an item}
-        self.headings = {}  # text without its number -> anchor
-        self.titles = []    # headings of the second level, whole
+        self.sections = {}  # section number -> {item numbers}
+        self.headings = {}  # heading without its number -> anchor
+        self.titles = []    # headings of the second level, with their numbers
         self.words = re.sub(r"\s+", " ", text)
         section = None
         for line in lines_outside_fences(text):
@@ -68,7 +68,7 @@ class Book:
                 self.sections[section].add(item[1] or item[2])
 
     def has(self, place):
-        """place: '2.5', '11 5' or '9.3 2'."""
+        """Returns whether the book has the place, such as '2.5', '11 5' or '9.3 2'."""
         section, _, item = place.partition(" ")
         if item:
             return item in self.sections.get(section, ())
@@ -82,7 +82,7 @@ class Book:
         return words in self.words
 
     def anchor_of(self, place):
-        """The anchor of the section that the place is in."""
+        """Returns the anchor of the section that contains the place."""
         section = place.partition(" ")[0]
         while section not in self.sections and "." in section:
             section = section.rpartition(".")[0]
@@ -93,7 +93,7 @@ class Book:
 
 
 class Report(Book):
-    """docs/report.md: also tables and figures, which are rows that begin with their names."""
+    """docs/report.md: a book with tables and figures, whose rows begin with "Table" or "Figure"."""
 
     def __init__(self, text):
         super().__init__(text)
@@ -105,7 +105,10 @@ class Report(Book):
 
 
 def joined(text):
-    """The same text, same length, with a comment's line ends and marks as blanks."""
+    """Replaces line ends, and the marks of a comment behind them, by blanks.
+
+    The length stays, so that an offset is good for both texts.
+    """
     return re.sub(r"\n[ \t]*(?://+|\*(?!/)|#)?[ \t]*",
                   lambda found: " " * len(found[0]), text)
 
@@ -119,7 +122,7 @@ class Checker:
                       if file.stem != "README"}
         report = root / "docs/report.md"
         self.report = Report(report.read_text()) if report.exists() else Report("")
-        self.messages = set()  # of the board, that a book has
+        self.messages = set()  # numbers of BBS messages that a book cites
         for file in folder.glob("*.md"):
             for number in self.board_numbers(joined(file.read_text())):
                 self.messages.add(number[1])
@@ -133,7 +136,7 @@ class Checker:
 
     @staticmethod
     def board_numbers(text):
-        """(offset, number) of every message that is cited, those in ranges too."""
+        """Yields (offset, number) for every BBS message that the text cites, also within ranges."""
         for found in re.finditer(r"\bBBS((?:,|/|-|–| and|\s)+\d+)+", text):
             for part in re.finditer(r"(\d+)(?:-(\d+))?", found[0]):
                 first, last = int(part[1]), int(part[2] or part[1])
@@ -148,7 +151,7 @@ class Checker:
         start = rf"(?:(?<![\w/.#-])|(?<=openr/))({self.book_names})\.md\b(?!#)"
         for found in re.finditer(start, flat):
             if flat[:found.start()].endswith("](") and flat[found.end():found.end() + 1] == ")":
-                continue  # where a link leads to, not what it says
+                continue  # the target of a link; its text is the citation
             name, book, at = found[1], self.books[found[1]], found.end()
             if re.match(r":\d|,? lines? \d", flat[at:]):
                 self.say(file, text, at, f"{name}.md by line: cite a section or statement")
@@ -209,7 +212,7 @@ class Checker:
                     self.say(file, text, found.start(), f"{found[1]} has no {found[2]}")
 
     def check_contents(self):
-        """The table of contents has every book, and every section as a link."""
+        """Checks that docs/openr/README.md names every book and links to every section."""
         file = self.root / "docs/openr/README.md"
         if not file.exists():
             self.problems.append("docs/openr/README.md: missing")

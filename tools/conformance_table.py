@@ -2,8 +2,8 @@
 """Makes docs/conformance.md of tests/conformance/statements*.tsv.
 
     tools/conformance_table.py           writes the table
-    tools/conformance_table.py --check   says what is wrong: an unknown test, a bad line, a table
-                                         that is out of date; nothing is good
+    tools/conformance_table.py --check   prints each fault: an unknown test, a bad line, a table
+                                         that is out of date
 
 Every test named has to exist below tests/: Suite.Name of a *_test.cc, or a file.
 """
@@ -36,7 +36,7 @@ def tests_of_tree():
 
 
 def read_statements(problems):
-    """Sections in order: (title, [(statement, source, tests, status)])."""
+    """Returns the sections in order, each as (title, [(statement, source, tests, status)])."""
     known = tests_of_tree()
     sections = []
     lines = [(f"{file.relative_to(ROOT)}:{number}", line) for file in STATEMENTS
@@ -61,7 +61,7 @@ def read_statements(problems):
 
 
 def with_links(source, books):
-    """The source of a statement with a link for the first place in each book."""
+    """Returns the source of a statement with links to the places in the books."""
     def link(found):
         name, place = found[1], found[2]
         target = books[name].anchor_of(place) if name in books and place else ""

@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# Settings for --dds-config with which processes of a run accept each other and nobody else, and
-# with which nobody else can read what they say (DDS Security, docs/distribution.md).
+# Makes settings for --dds-config with which the processes of a run accept only each other, and
+# encrypt their messages (DDS Security, docs/distribution.md).
 #
 #   dds_security.sh DIR NAME...
 #
-# makes DIR/NAME.xml for each name, a host say: its certificate and key, signed by an authority in
-# DIR that is made the first time.  Whoever has ca.key can let others in; NAME.xml is for NAME only.
+# Makes DIR/NAME.xml for each name, such as the name of a host.  The file has a certificate, signed by
+# the authority in DIR (made at the first call), and its key: give NAME.xml only to NAME.  With
+# DIR/ca.key anybody can admit more processes, so keep it secret.
 set -euo pipefail
 umask 077
 
@@ -21,7 +22,7 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 days=3650
 
-# The plugins are beside the library, in Debian in a folder of its name.
+# plugins: prints the folder of the security plugins: that of libddsc.so, or one in it (Debian).
 plugins() {
   local library
   library=$(ldconfig -p | awk '/libddsc\.so/ { print $NF; exit }')
@@ -37,13 +38,13 @@ if [ ! -e ca.key ]; then
   openssl req -x509 -new -key ca.key -out ca.pem -days "$days" -subj "/CN=openr"
 fi
 
-# embedded FILE: as the text of an element.
+# embedded FILE: prints the file as the text of an XML element.
 embedded() {
   printf 'data:,'
   sed 's/&/\&amp;/g; s/</\&lt;/g; s/>/\&gt;/g' "$1"
 }
 
-# signed FILE: by the authority.
+# signed FILE: signs the file with the key of the authority, and prints it as embedded() does.
 signed() {
   openssl smime -sign -text -in "$1" -out "$1.signed" -signer ca.pem -inkey ca.key
   embedded "$1.signed"
@@ -102,7 +103,7 @@ permissions() {
 END
 }
 
-# library NAME FUNCTION
+# library NAME FUNCTION: prints the XML element that loads a plugin.
 library() {
   printf '<Library path="%s" initFunction="init_%s" finalizeFunction="finalize_%s"/>' \
     "${where:+${where}lib}dds_security_$1${where:+.so}" "$2" "$2"

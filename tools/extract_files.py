@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the files a page shows: fenced blocks whose first line is ```LANGUAGE NAME.
+"""Writes the files that a page shows as fenced blocks whose first line is ```LANGUAGE NAME.
 
 usage: extract_files.py PAGE FOLDER
 

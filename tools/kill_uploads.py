@@ -37,14 +37,14 @@ MOTION, IMAGE = 0, 1  # kinds of files
 NAMES = {MOTION: "KILLED.MTN", IMAGE: "CONTROLL.BIN"}
 FOLDERS = {MOTION: "OPEN-R/MW/DATA/P", IMAGE: "OPEN-R/MW/OBJS"}
 DATA_SIZE = 1012  # the most data of one UPLOAD_DATA
-# A dead client can have left its whole upload in the buffers of the network, and the robot takes
-# 16 KB of a client in a frame: 40 frames for the largest upload here.  Since the run does not wait
-# for this process, a connection counts as left open only when it is there for 10 s of the robot's
-# clock and in so many looks.
+# A killed client can leave its whole upload in the buffers of the network.  The robot reads 16 KB
+# of a client in a frame, so the largest upload here takes 40 frames.  Because the run does not wait
+# for this process, a connection counts as left open only if it still exists after END_FRAMES_MAX
+# frames (10 s of the robot's clock) and after END_LOOKS_MIN checks.
 END_FRAMES_MAX, END_LOOKS_MIN = 1250, 300
 WRONG_ANSWER = 3  # exit status of a client of this file
 RATE = "20"  # virtual seconds per second
-SIZES = (3000, 60000, 600000)  # bytes behind the beginning of a motion or an image, at most
+SIZES = (3000, 60000, 600000)  # make_data() appends at most so many random bytes
 
 WHOLE = "the file is always the old or the new one"
 DONE = "an upload that has succeeded is on the stick"
@@ -57,7 +57,7 @@ PROPERTIES = (WHOLE, DONE, KEPT, REST, OTHERS, ENDS, GOOD)
 
 
 def upload_packets(kind, data):
-    """The requests of an upload, in order."""
+    """Returns the requests of an upload, in order."""
     name = NAMES[kind].encode()
     begin = struct.pack(f"<B{len(name) + 1}pII", kind, name, len(data), zlib.crc32(data))
     parts = [struct.pack("<I", at) + data[at:at + DATA_SIZE] for at in range(0, len(data), DATA_SIZE)]
@@ -70,7 +70,7 @@ Plan = collections.namedtuple("Plan", "stream stop garbage reads pause_s seed")
 
 
 def make_plan(dice, kind, data):
-    """Decides where the upload stops, what is sent then, and how fast."""
+    """Decides where the upload stops, which garbage follows, and how fast the client sends."""
     packets = [rc.packet(*request) for request in upload_packets(kind, data)]
     stream = b"".join(packets)
     stop = dice.choice([len(stream), dice.randrange(len(stream)),
@@ -83,7 +83,7 @@ def make_plan(dice, kind, data):
 
 
 def follow_plan(port, plan, told):
-    """Sends the bytes in pieces, tells the parent where the plan stops, and waits for its death."""
+    """Sends the bytes in pieces, tells the parent when all are sent, and waits to be killed."""
     dice = random.Random(plan.seed)
     client = rc.Client(port)
     at = 0
@@ -105,7 +105,7 @@ class Child:
     def __init__(self, run, dice, number, kind, data):
         self.kind, self.data = kind, data
         self.status = None  # exit status; negative: the signal that has killed it
-        self.told = None  # the end of a pipe on which a client of this file tells that it has stopped
+        self.told = None  # pipe: gets a byte when the plan of a client is done
         self.can_finish = True
         if dice.random() < 0.5:
             self.start_rc(run, number)
@@ -161,14 +161,17 @@ class Child:
         return self.status is not None
 
     def has_stopped(self):
-        """Whether a client of this file has come to the end of its plan."""
+        """Returns whether a client of this file has come to the end of its plan."""
         try:
             return self.told is not None and os.read(self.told, 1) == b"."
         except BlockingIOError:
             return False
 
     def kill_in_time(self, uploaded):
-        """Kills the process when its moment has come; `uploaded`: size of a temporary file."""
+        """Kills the process when it is old enough, or when its temporary file is large enough.
+
+        `uploaded`: the size of the largest temporary file on the stick.
+        """
         age_s = time.monotonic() - self.begin
         if self.kill_after_s is None and self.has_stopped():
             self.kill_after_s = age_s + self.stall_s
@@ -181,33 +184,37 @@ class Child:
 
 
 def server_sockets(run):
-    """Accepted sockets of the run, and connections that it has not accepted or not closed yet."""
+    """Returns the number of sockets of the run, and of TCP connections that it has not closed yet.
+
+    A connection that the run has not accepted yet counts, too.
+    """
     links = pathlib.Path(f"/proc/{run.process.pid}/fd").iterdir()
     accepted = sum(os.readlink(link).startswith("socket:") for link in links)
-    open_states = ("01", "08")  # established; the client has closed
+    open_states = ("01", "08")  # ESTABLISHED, CLOSE_WAIT of /proc/net/tcp
     rows = [line.split() for line in pathlib.Path("/proc/net/tcp").read_text().splitlines()[1:]]
     port = f"0100007F:{run.port:04X}"
     return accepted, sum(row[1] == port and row[3] in open_states for row in rows)
 
 
 class Rounds:
-    """Plays rounds, and collects what was wrong."""
+    """Plays rounds, and collects the failures of each property."""
 
     def __init__(self, run, seed):
         self.run, self.seed = run, seed
         self.wrong = collections.defaultdict(list)
         self.counts = collections.Counter()
-        self.slowest_end = 0  # frames
+        self.slowest_end = 0  # in frames, see wait_for_ends()
         self.round = 0
         self.others = [rc.Client(run.port) for _ in range(2)]
         for other in self.others:
             run.wait_until_standing(other)
         self.quiet_sockets = server_sockets(run)
         stand = self.path(MOTION).with_name("STAND.MTN").read_bytes()
-        # Bytes behind a motion or an image do not matter, so that each upload is another file.
+        # The robot ignores bytes behind a motion or an image.  make_data() appends random bytes, so
+        # that each upload differs from the others.
         self.bases = {MOTION: stand, IMAGE: self.path(IMAGE).read_bytes()[:20000]}
         self.current = {IMAGE: self.path(IMAGE).read_bytes()}
-        self.kept = None  # CONTROLL.OLD
+        self.kept = None  # contents of CONTROLL.OLD
         self.upload(MOTION, stand)
         self.rest = self.other_files()
 
@@ -216,21 +223,24 @@ class Rounds:
 
     def fail(self, name, text):
         line = f"round {self.round}: {text}"
-        if line not in self.wrong[name][-1:]:  # the files are looked at many times a round
+        if line not in self.wrong[name][-1:]:  # look() finds one fault many times
             self.wrong[name].append(line)
 
     def make_data(self, dice, kind):
         return self.bases[kind] + dice.randbytes(dice.randint(1, dice.choice(SIZES)))
 
     def other_files(self):
-        """Name and CRC of all files that no upload may touch, with what should not be there."""
+        """Returns name and CRC of all files except the targets of uploads and CONTROLL.OLD.
+
+        A temporary file that an upload has left behind is among them.
+        """
         targets = [*map(self.path, NAMES), self.path(IMAGE).with_suffix(".OLD")]
         files = sorted(path for path in self.run.stick.rglob("*") if path.is_file())
         return {str(path.relative_to(self.run.stick)): zlib.crc32(path.read_bytes())
                 for path in files if path not in targets}
 
     def uploaded(self):
-        """The size of the largest temporary file."""
+        """Returns the size of the largest temporary file of an upload, or 0."""
         sizes = [0]
         for folder in FOLDERS.values():
             for path in (self.run.stick / folder).glob("UPLOAD*.TMP"):
@@ -241,14 +251,14 @@ class Rounds:
         return max(sizes)
 
     def ask_others(self):
-        """Asks the other clients; returns the frame of the robot's clock."""
+        """Lets the other clients send requests; returns the frame of the last answer."""
         for other in self.others:
             answers = other.ask_all([(rc.GET, b"\x01"), (rc.SENSORS, b""), (rc.POWER, b"")])
             self.counts["answers to other clients"] += len(answers)
         return answers[-1].frame
 
     def upload(self, kind, data):
-        """A good upload, which replaces the file."""
+        """Uploads `data` completely, and keeps it as the contents that are expected from now on."""
         client = rc.Client(self.run.port)
         packets = upload_packets(kind, data)
         try:
@@ -261,19 +271,22 @@ class Rounds:
         self.current[kind] = data
 
     def allowed(self, kind, children):
-        """The contents that the file may have: that before, and those of the children."""
+        """Returns the contents that the file may have: old ones, and those of the children."""
         return [self.current[kind]] + [child.data for child in children
                                        if child.kind == kind and child.can_finish]
 
     def look(self, children):
-        """Looks at the files, which may change at any time."""
+        """Checks that each file is the old one or a whole new one, while uploads go on."""
         for kind in NAMES:
             found = zlib.crc32(self.path(kind).read_bytes())
             if found not in [zlib.crc32(data) for data in self.allowed(kind, children)]:
                 self.fail(WHOLE, f"{NAMES[kind]} is another file")
 
     def kill_all(self, children):
-        """Until all children are dead: asks, looks and kills."""
+        """Kills the children, each at its moment.
+
+        Until all are dead, checks the files and the answers to the other clients.
+        """
         end = time.monotonic() + rc.HANG_S
         largest = 0
         alive = children
@@ -295,7 +308,7 @@ class Rounds:
         self.counts["rounds with a temporary file"] += largest > 0
 
     def wait_for_ends(self, children):
-        """Until the run has closed the connections of the dead."""
+        """Waits until the run has closed the connections of the killed children."""
         begin = frame = self.ask_others()
         looks = 0
         while server_sockets(self.run) != self.quiet_sockets:
@@ -308,7 +321,7 @@ class Rounds:
         self.slowest_end = max(self.slowest_end, frame - begin)
 
     def compare(self, kind, children):
-        """Compares the file with what the children may have made of it."""
+        """Checks the file, and CONTROLL.OLD, after all children have ended."""
         mine = [child for child in children if child.kind == kind]
         found = self.path(kind).read_bytes()
         is_new = found != self.current[kind]
@@ -320,7 +333,7 @@ class Rounds:
             old = self.path(IMAGE).with_suffix(".OLD")
             kept = old.read_bytes() if old.exists() else None
             may_be = [self.current[kind]] if is_new else [self.kept]
-            if len(mine) > 1:  # several may have finished
+            if len(mine) > 1:  # several uploads may have succeeded
                 may_be = [self.kept, *self.allowed(kind, children)]
             if kept not in may_be:
                 self.fail(KEPT, "it is another file")
@@ -328,7 +341,7 @@ class Rounds:
         self.current[kind] = found
 
     def follow_up(self, dice):
-        """A good upload of each kind in turn, and what is on the stick afterwards."""
+        """Uploads a good file, in turn a motion and an image, and checks the files on the stick."""
         kind = self.round % 2
         data = self.make_data(dice, kind)
         try:
@@ -367,7 +380,7 @@ class Rounds:
 
 
 def play_all(run, numbers, seed):
-    """Plays the rounds and prints figures; returns them with what was wrong."""
+    """Plays the rounds and prints figures; returns the Rounds, with their failures."""
     rounds = Rounds(run, seed)
     begin = time.monotonic()
     try:

@@ -2,8 +2,9 @@
 """Checks that includes between the folders of the product go one way.
 
 Each line of LAYERS is a group: its folders are listed from the lowest to the highest, and a file
-may include only its own folder and folders to the left, of its own group and of the groups in
-MAY_USE.  A folder in ALONE may include only its own.  Prints every offence as FILE:LINE; exits with 1 if there is one.
+may include headers of its own folder, of folders to the left in its group, and of the groups in
+MAY_USE.  A file of a folder in ALONE may include only headers of that folder.  Prints every
+offence as FILE:LINE; exits with 1 if there is any.
 """
 import pathlib
 import re
@@ -32,22 +33,22 @@ MAY_USE = {
     "openr": ["runtime", "virtualrobot", "distribution", "cli", "kit"],
     "testing": ["runtime", "virtualrobot", "cli", "openr"],
 }
-# Libraries for programs of others: such a folder may include only itself and the headers of
-# objects/common, which have no folder in their name, and none of the SDK.
+# Libraries that programs outside this project may use: a file there may include only headers of its
+# own folder and of objects/common (which are included without a folder), and none of the SDK.
 ALONE = ["openr/remote"]
 SDK_INCLUDE = re.compile(r'^#include [<"](OPENR|MCOOP|EMOS)/')
 INCLUDE = re.compile(r'^#include "((?:%s)/[^"]+)"' % "|".join(LAYERS))
 
 
 def folder_of(path):
-    """The folder in LAYERS that has `path`, and the group it belongs to."""
+    """Returns the folder of LAYERS that contains the file `path`, and the group of that folder."""
     group = path.split("/")[0]
     fitting = [f for f in LAYERS[group].split() if path.startswith(f + "/")]
     return max(fitting, key=len, default=None), group
 
 
 def offences(path):
-    """Each include of the file `path` that the list does not allow, as a line of text."""
+    """Yields a line of text for each include of the file `path` that LAYERS does not allow."""
     folder, group = folder_of(path)
     if folder is None:
         yield f"{path}: its folder is not in LAYERS of tools/layers.py"

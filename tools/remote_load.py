@@ -28,7 +28,7 @@ from verdicts import finish, verdict  # noqa: E402: the folder is put into the p
 CLIENTS = 8
 STEP_FRAMES, STEP_COMMANDS = 5, 4
 STEPS_PER_SECOND = 25
-IDLE_SECONDS = 10  # after so long a silent ninth client is told that there is no place
+IDLE_SECONDS = 10  # the robot answers a silent ninth client after this time
 WARM_UP_STEPS = 5 * STEPS_PER_SECOND
 # The memory of a run does not depend on the number of commands: with 480,000 commands in 600 s it
 # grew by 72 and 88 KiB.  A leak of 16 bytes a command, the smallest answer, would be 7500 KiB.
@@ -36,22 +36,24 @@ GROWTH_KB = 1024
 
 Expected = collections.namedtuple("Expected", "version command tag status size step")
 Stream = collections.namedtuple("Stream", "tag size")
-# The payload of the answer to SENSORS, of the ERS-210: counts, 18 + 6 + 7 + 2 + 1 values.
+# Size of the payload of an answer to SENSORS, for the ERS-210: 8 bytes of counts, and
+# 18 + 6 + 7 + 2 + 1 values of 4 bytes.
 SENSORS_SIZE = 8 + 4 * 34
-# Streams and the smallest payload of their events: sensor values; set values, with an empty name.
+# Smallest payload of an event of each stream.  Stream 0: sensor values.  Stream 1: set values, with
+# a name of 0 bytes.
 STREAM_SIZES = {0: 4 + SENSORS_SIZE, 1: 4 + 8 + 4 + 1 + 2 * 4 * 18}
-# Smallest and largest angle that is commanded, in degrees: joints of head, mouth and tail.
+# Joints of head, mouth and tail: smallest and largest angle that the load commands, in degrees.
 ANGLES = {0: (-70, 40), 1: (-80, 80), 2: (-25, 25), 3: (-40, -5), 16: (-20, 20), 17: (-20, 20)}
 
 
 class LoadClient(rc.Client):
-    """A client of the load: makes commands, and compares answers with what it has asked."""
+    """A client of the load: sends random commands, and compares each answer with its command."""
 
     def __init__(self, port, dice):
         super().__init__(port)
         self.dice = dice
         self.expected = collections.deque()
-        self.held = b""  # the end of a packet, which is sent with the next step
+        self.held = b""  # last bytes of a packet, sent in the next step
         self.streams = {}  # the subscriptions for which answers have come
         self.asked_streams = collections.deque()
         self.answered = self.events = self.late = 0
@@ -60,7 +62,7 @@ class LoadClient(rc.Client):
     def send(self, data):
         try:
             super().send(data)
-        except OSError:  # the robot has closed the connection, which is a failure of its own
+        except OSError:  # the robot has closed the connection: check() counts that as a failure
             self.is_closed = True
 
     # ---- Commands: each returns version, command, payload, status and size of the answer's payload.
@@ -105,16 +107,16 @@ class LoadClient(rc.Client):
         return 2, rc.UNSUBSCRIBE, bytes([stream]), rc.STATUS_OK, 0
 
     def refused(self):
-        """A command that is refused, with a text of any length."""
+        """Returns a command that the robot refuses; the size of the answer is not checked."""
         return self.dice.choice([(1, rc.GET, b"\x63", rc.STATUS_NO_SUCH_DEVICE, None),
                                  (2, rc.MOVE, b"\x01", rc.STATUS_MALFORMED, None),
                                  (1, rc.POWER, b"", rc.STATUS_UNKNOWN_COMMAND, None)])
 
     KINDS = {"move": 30, "speed": 10, "get": 20, "sensors": 10, "led": 10, "power": 5, "batch": 8,
-             "subscribe": 3, "unsubscribe": 1, "refused": 3}  # with how often of 100
+             "subscribe": 3, "unsubscribe": 1, "refused": 3}  # percent of the commands
 
     def send_commands(self, step, is_last):
-        """Sends the commands of a step, now and then without the last bytes."""
+        """Sends the commands of a step; now and then keeps the last bytes for the next step."""
         data = self.held
         for kind in self.dice.choices(list(self.KINDS), self.KINDS.values(), k=STEP_COMMANDS):
             version, command, payload, status, size = getattr(self, kind)()
@@ -123,7 +125,7 @@ class LoadClient(rc.Client):
             self.expected.append(Expected(version, command, tag, status, size, step))
         cut = len(data)
         if not is_last and self.dice.random() < 0.1:
-            cut -= self.dice.randint(1, 7)  # less than any packet has
+            cut -= self.dice.randint(1, 7)  # fewer bytes than the smallest packet has
             self.expected[-1] = self.expected[-1]._replace(step=step + 1)
         self.held = data[cut:]
         self.send(data[:cut])
@@ -131,7 +133,7 @@ class LoadClient(rc.Client):
     # ---- Answers
 
     def receive(self, step):
-        """Compares what has come during a step; acknowledges events."""
+        """Compares the answers received in a step with their commands; acknowledges events."""
         if self.is_closed:
             return
         acknowledges = False
@@ -166,7 +168,7 @@ class LoadClient(rc.Client):
 
     @staticmethod
     def is_good_batch(payload):
-        """Whether all parts are answers with status 0 and tags 0, 1, 2 and so on."""
+        """Returns whether all parts are answers with status 0 and tags 0, 1, 2 and so on."""
         at = number = 0
         while at < len(payload):
             _, size, _, _, tag, _, status, _ = rc.ANSWER.unpack_from(payload, at)
@@ -185,7 +187,7 @@ class LoadClient(rc.Client):
 
 
 class NinthClient:
-    """Connects while all places are taken, with a request or silently."""
+    """A client that connects while all 8 places are taken; it sends a request or nothing."""
 
     def __init__(self, port, asks):
         self.asks = asks
@@ -201,7 +203,7 @@ class NinthClient:
             self.steps += 1
 
     def why_wrong(self):
-        """What differs from docs/remote-control.md; empty: nothing."""
+        """Returns how the answers differ from docs/remote-control.md, or "" if they do not."""
         head = (2, rc.INFO, 4711) if self.asks else (1, 0, 0)
         if len(self.answers) != 1 or not self.client.is_closed:
             return f"got {self.answers}, {'closed' if self.client.is_closed else 'not closed'}"
@@ -215,7 +217,7 @@ class NinthClient:
 
 
 def step_run(run, time_s):
-    """Lets the run go on for a step, and waits for its end."""
+    """Lets the run go on for a step, and waits until the step is done; returns the virtual time."""
     until_s = time_s + STEP_FRAMES * 0.008
     time_s = run.clock(step="frame", count=STEP_FRAMES)["time_s"]
     while time_s < until_s - 0.001:
@@ -224,7 +226,10 @@ def step_run(run, time_s):
 
 
 def load(run, clients, steps):
-    """Sends all commands; returns memory after the warm-up, virtual time and the ninth clients."""
+    """Sends the commands of all steps, and receives the answers.
+
+    Returns the memory of the run after the warm-up, the virtual time passed, and the ninth clients.
+    """
     ninths = []
     memory_kb = 0
     begin_s = time_s = run.clock(pause=True)["time_s"]

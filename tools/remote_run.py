@@ -1,7 +1,7 @@
-"""The parts that the checks of the remote control share: a run that is recorded, and a client.
+"""A recorded run and a client of its remote control, for the scripts that check it.
 
-The protocol is docs/remote-control.md.  Limits in seconds are there so that a check ends when the
-run hangs; no check depends on them.
+The protocol is docs/remote-control.md.  The limits in seconds only end a check whose run hangs; no
+other result depends on them.
 """
 import collections
 import itertools
@@ -34,7 +34,7 @@ Answer = collections.namedtuple("Answer", "version command tag frame status payl
 
 
 def packet(command, payload=b"", tag=0, version=2):
-    """The bytes of a request."""
+    """Returns the bytes of a request."""
     return REQUEST.pack(b"RC", REQUEST.size + len(payload), version, command, tag) + payload
 
 
@@ -43,11 +43,11 @@ def error_text(answer):
 
 
 class Refused(Exception):
-    """An answer whose status is not 0."""
+    """Raised when the status of an answer is not 0."""
 
 
 class Client:
-    """A connection: bytes out, answers and events in."""
+    """A connection to the remote control: sends requests, receives answers and events."""
 
     def __init__(self, port):
         self.socket = socket.create_connection(("127.0.0.1", port), HANG_S)
@@ -60,7 +60,10 @@ class Client:
         self.socket.sendall(data)
 
     def take(self, wait):
-        """Reads what has come, or with `wait` until something comes; returns whole packets."""
+        """Receives bytes, and returns the packets that are complete.
+
+        With `wait`, waits until bytes come; otherwise returns at once.
+        """
         if not select.select([self.socket], [], [], HANG_S if wait else 0)[0]:
             if wait:
                 raise TimeoutError(f"no answer within {HANG_S} s")
@@ -74,7 +77,7 @@ class Client:
         return self.split()
 
     def split(self):
-        """Takes the whole packets out of the bytes that have come."""
+        """Removes the complete packets from the received bytes, and returns them."""
         found, at = [], 0
         while len(self.bytes) - at >= ANSWER.size:
             magic, size, version, command, tag, frame, status, zero = ANSWER.unpack_from(self.bytes, at)
@@ -89,7 +92,10 @@ class Client:
         return found
 
     def ask_all(self, requests):
-        """Sends requests (command, payload) at once; returns the answers, which must be good."""
+        """Sends all requests (command, payload) at once; returns the answers.
+
+        Raises an exception unless each answer belongs to its request and has status 0.
+        """
         tags = [next(self.tags) % 0x10000 for _ in requests]
         self.send(b"".join(packet(*request, tag) for request, tag in zip(requests, tags)))
         answers = []
@@ -112,13 +118,13 @@ class Client:
 
 
 class Run:
-    """openr run on a stick of its own, recorded, with a battery that lasts."""
+    """A process of `openr run` with its own stick, a recording, and a battery that stays full."""
 
     def __init__(self, openr, folder, *flags):
         self.openr, self.folder = str(openr), pathlib.Path(folder)
         self.stick = self.folder / "stick"
         self.said = self.folder / "run.txt"
-        # The socket of the run, NAME.PROCESS, is in this folder.
+        # The run makes its control socket below this folder; clock() finds it there.
         self.environment = {**os.environ, "XDG_RUNTIME_DIR": str(self.folder)}
         subprocess.run([self.openr, "stick", "host", "-o", str(self.stick)], check=True,
                        stdout=subprocess.DEVNULL)
@@ -146,7 +152,10 @@ class Run:
             pass
 
     def clock(self, **request):
-        """Asks for the clock of the run, after a change of it (inputs.md, "The socket of a run")."""
+        """Changes the clock of the run as `request` says (inputs.md, "The socket of a run").
+
+        Returns the state of the clock afterwards.
+        """
         if self.control is None:
             sockets = list((self.folder / "openr-host").glob("*.*"))
             self.control = socket.socket(socket.AF_UNIX)
@@ -158,12 +167,12 @@ class Run:
         return json.loads(self.lines.readline())
 
     def memory_kb(self):
-        """The resident memory of the run."""
+        """Returns the resident memory of the run."""
         status = pathlib.Path(f"/proc/{self.process.pid}/status").read_text()
         return int(re.search(r"VmRSS:\s+(\d+) kB", status)[1])
 
     def end(self):
-        """Presses the pause button; returns what is wrong with the end of the run."""
+        """Presses the pause button; returns a text if the run does not end well, else ""."""
         if self.process.poll() is None:
             self.process.send_signal(signal.SIGINT)
         try:
@@ -180,7 +189,7 @@ class Run:
         return ""
 
     def check_end(self, more=""):
-        """Ends the run, replays it, and says whether both went well.  `more` follows the figures."""
+        """Ends the run and replays it; prints verdicts, and figures that end with `more`."""
         why = self.end()
         verdict("the run ends as the pause button asks", not why, why)
         messages, why = self.replay()
@@ -194,7 +203,7 @@ class Run:
         self.process.wait()
 
     def replay(self):
-        """Replays the recording; returns its messages, and what is wrong."""
+        """Replays the recording; returns the number of messages, and a text if the replay fails."""
         done = subprocess.run([self.openr, "replay", str(self.folder / "run.rec"), "--json"],
                               stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
                               env=self.environment, check=False)

@@ -1,4 +1,4 @@
-"""A run of `openr run` as a process, for scripts and tests that drive it."""
+"""A process of `openr run`, for scripts and tests that control it."""
 import re
 import signal
 import subprocess
@@ -6,13 +6,13 @@ import threading
 
 
 class RunProcess:
-    """`openr run` with the flags given.  Keeps the lines of its standard error in `said`."""
+    """A process of `openr run` with the given flags; `said` has the lines of its standard error."""
 
     def __init__(self, openr, *flags):
         self.openr = str(openr)
         self.said = []
         self.changed = threading.Condition()
-        self.is_silent = False  # its standard error has ended
+        self.is_silent = False  # whether the standard error has ended
         self.process = subprocess.Popen(
             [self.openr, "run", "--rc-port", "0", *flags], stdin=subprocess.DEVNULL,
             stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, errors="replace")

@@ -23,8 +23,8 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 FAILED = re.compile(r"^\[  FAILED  \] ([\w/]+\.[\w/]+)", re.MULTILINE)
 TOTALS = re.compile(r"^(\d+) passed, (\d+) failed(?:, (\d+) skipped)?$")
-LIMIT_S = 1800  # for one program; with sanitizers, on two busy cores
-SHARDS = {"distribution_tests": 4}  # for processes and leases; ros2_run.h has domains for four
+LIMIT_S = 1800  # for one program: enough with sanitizers on two busy cores
+SHARDS = {"distribution_tests": 4}  # they wait for leases; ros2_run.h has 4 domains
 
 
 def environment(shard):
@@ -51,7 +51,7 @@ def run(name, command, shard):
     lines = output.strip().splitlines()
     totals = TOTALS.match(lines[-1]) if lines else None
     seconds = time.monotonic() - begin
-    if totals is None:  # a script: its exit status is the result; a program: it crashed
+    if totals is None:  # no totals: a script without totals, or a program that has crashed
         good = status == 0 and name.endswith(".sh")
         return name, int(good), int(not good), 0, output, seconds
     passed, failed, skipped = (int(n or 0) for n in totals.groups())
@@ -61,19 +61,22 @@ def run(name, command, shard):
 
 
 def parts(name):
-    """What a part of the test program is called, and the environment that says which it is."""
+    """Splits a test program into parts; returns name and environment variables of each part."""
     count = SHARDS[name]
     return [(f"{name} {i + 1}/{count}",
              {"GTEST_TOTAL_SHARDS": str(count), "GTEST_SHARD_INDEX": str(i)}) for i in range(count)]
 
 
 def quick_programs(build):
-    """The test programs that run in one process, as CMake has written them down."""
+    """Returns the test programs that run in one process, from the list that CMake has written."""
     return [build / "bin" / name for name in (build / "quick_tests.txt").read_text().split()]
 
 
 def jobs(build, pattern, quick):
-    """Name, command and environment of everything to run: what waits, the others, and what runs alone."""
+    """Returns three lists of (name, command, environment).
+
+    The lists: programs that mostly wait, the other programs, programs that have to run alone.
+    """
     waiting, found, alone = [], [], []
     gtest = [f"--gtest_filter=*{pattern}*"] if pattern else []
     if quick:
@@ -100,7 +103,8 @@ def jobs(build, pattern, quick):
         found.append((both.name, [sys.executable, str(both), "--build", str(build)], {}))
     browser = ROOT / "tools/browser_test.py"
     if pattern in browser.name:
-        # A browser without a graphics card needs both cores, and the run goes in real time.
+        # The browser draws without a graphics card and needs both cores, while its run has to keep
+        # up with real time: no other test may run beside them.
         alone.append((browser.name, [sys.executable, str(browser), "--build", str(build)], {}))
     page = ROOT / "tools/page_test.py"
     if pattern in page.name:
@@ -109,7 +113,10 @@ def jobs(build, pattern, quick):
 
 
 def keep(folder, name, command, shard, output):
-    """Writes what a failed program printed; returns the file and the names of failed tests."""
+    """Writes the output of a failed program to a file.
+
+    Returns the file and the names of the failed tests.
+    """
     folder.mkdir(parents=True, exist_ok=True)
     file = folder / (re.sub(r"[^\w.]+", "-", name) + ".log")
     again = " ".join([f"{key}={value}" for key, value in shard.items()] +

@@ -27,20 +27,20 @@ import original_names  # noqa: E402
 from source_names import KEYWORDS, Source  # noqa: E402
 
 HEADERS = ROOT / "runtime/include"
-# Books that name nothing of ours; the others there also describe this project.
+# Books that describe only the robot.  The other books of docs/openr also describe this project.
 REFERENCES = [ROOT / "docs/openr" / f"{book}.md"
               for book in ("binary", "core", "field-notes", "measured", "network", "robot")]
 TABLE = ROOT / "tools/surface/sdk_surface.tsv"
 LIBRARY = ROOT / "tools/surface/robot_c_library.txt"
 MACROS = ROOT / "tools/surface/macro_names.txt"
 SOURCES = (".cc", ".cpp", ".c", ".h")
-# Made by the stub generator of a stub.cfg (core.md 4.2 and 4.3), and by tools/genmodel.
+# Headers that the stub generator makes of a stub.cfg (core.md 4.2 and 4.3), and tools/genmodel.
 GENERATED_HEADERS = {"def.h", "entry.h", "RobotConstants.h"}
 GENERATED_NAMES = re.compile(r"^(NUM_)?ROBOTS$|^(sbj|obs|entry)[A-Z]\w*$|^Entry_\w+$|^Extra_Entry$|^numOf(Subject|Observer)$")
 
 
 def names_of_headers():
-    """{name: header that has it first}"""
+    """Returns {name: first header that contains the name}."""
     names = {}
     for header in sorted(HEADERS.rglob("*.h")):
         place = str(header.relative_to(HEADERS))
@@ -57,7 +57,10 @@ def macro_names():
 
 
 class References:
-    """Which names the reference texts know; `prefix{A 0, B 1}` and tables with a prefix count."""
+    """Names that the reference texts contain.
+
+    A text may write names in short: `prefix{A 0, B 1}` stands for prefixA and prefixB.
+    """
 
     def __init__(self):
         self.words = {}
@@ -86,7 +89,7 @@ class References:
             return self.words[name]
         if name.endswith(".h"):
             return self.words.get(name.split("/")[-1], "-") if "/formats/" not in name else "-"
-        for cut in range(len(name) - 1, 2, -1):  # orsb + PAUSE, oprmreqSPEAKER_MUTE_ON / _OFF
+        for cut in range(len(name) - 1, 2, -1):  # orsb + PAUSE: a text may name the parts
             left, right = name[:cut].rstrip("_"), name[cut:].lstrip("_")
             source = self.words.get(left) or self.words.get(left + "_") or self.stems.get(left)
             if source and (right in self.words or "_" + right in self.words):
@@ -129,13 +132,13 @@ class Surface:
         self.table = read_table()
         self.library = read_library()
         self.macros = macro_names()
-        self.used = collections.Counter()  # (name, where it is from)
+        self.used = collections.Counter()  # keys: (name, where the name comes from)
 
     def of_sdk(self, name):
         return self.table.get(name, ("", "-"))[1] != "-"
 
     def judge_include(self, what, own_files):
-        """An offence, or None."""
+        """Returns a text if objects may not include the header, or None."""
         name = what[1:-1]
         if what[0] == '"' and (Path(name).name in own_files or name in GENERATED_HEADERS):
             return None
@@ -173,25 +176,28 @@ class Surface:
         return f"{name}: not declared here, and not of the SDK or the robot's C library"
 
     def macro_offences(self, file, source, is_macro_allowed=lambda name: False):
-        """Declarations of names that the original headers define as macros."""
+        """Yields an offence for each declared name that the original headers define as a macro."""
         for name, line in sorted(source.declarations().items(), key=lambda item: item[1]):
             if name in self.macros and not is_macro_allowed(name):
                 yield f"{file}:{line}: {name}: a macro of the robot's headers; take another name"
 
     def check_headers(self, folder):
-        """The same in our own headers, which may have the macros themselves and what a reference names."""
+        """Yields the offences of macro_offences() for our own headers.
+
+        A header may define such a macro, or declare the name if a reference declares it, too.
+        """
         for header in sorted(Path(folder).rglob("*.h")):
             source = Source(header.read_text())
             yield from self.macro_offences(
                 header, source, lambda name: name in source.defined or self.is_documented(name))
 
     def is_documented(self, name):
-        """Whether a reference names it with this meaning, not only the list of macros."""
-        is_word = name.islower()  # max, min: in every text
+        """Returns whether a reference other than the list of macros has the name."""
+        is_word = name.islower()  # such as max: a word that every text contains
         return not is_word and self.table.get(name, ("", "-"))[1] not in ("-", "macro_names")
 
     def check_program(self, files, own_files, shared_names):
-        """Offences of sources that belong together; they see each other's names."""
+        """Yields the offences of the sources of a program; a name of one source is known in all."""
         sources = {file: Source(file.read_text(errors="replace")) for file in files}
         own = set(shared_names)
         for source in sources.values():
@@ -215,7 +221,7 @@ def sources_below(folder):
 
 
 def programs(folder):
-    """Folders whose sources belong together: objects/ as a whole, each example by itself."""
+    """Yields the folders of programs: objects/ is one program, each example is another."""
     if folder.name == "examples":
         for child in sorted(folder.iterdir()):
             if child.name == "controllers" and child.is_dir():
@@ -227,7 +233,7 @@ def programs(folder):
 
 
 def check(folders, surface):
-    """All offences, in order."""
+    """Yields the offences of all programs in the folders."""
     devices = sources_below(ROOT / "objects/Controller/include")
     interface = set()
     for header in devices:
@@ -239,19 +245,22 @@ def check(folders, surface):
             yield from surface.check_program(files, own_files, interface)
 
 
-# Of the C++ library of 1998, behind its templates; and the compiler's own.
+# Functions that templates of the C++ library of 1998 call, and functions of the compiler.
 LIBRARY_SYMBOLS = re.compile(r"std::(_Rb_tree_|__throw_|ios_base::Init::|allocator<|(__cxx11::)?basic_string<"
                              r"|(__detail::)?_List_node_base)"
                              r"|operator (new|delete)|__|_Unwind_|_gp_disp$|_GLOBAL_OFFSET_TABLE_$")
 
 
 def judge_symbol(symbol, surface):
-    """An offence, or None.  `symbol` as nm -C shows it: OPENR::OpenPrimitive(char const*, ...)"""
+    """Returns a text if the robot does not have the symbol, or None.
+
+    `symbol`: as nm -C prints it, such as OPENR::OpenPrimitive(char const*, ...).
+    """
     name = re.sub(r"^(vtable|typeinfo|typeinfo name|VTT) for ", "", re.sub(r"\(.*", "", symbol))
     if LIBRARY_SYMBOLS.match(name):
         return None
     parts = [part.strip() for part in re.split(r"::", name) if part.strip()]
-    plain = [part.split()[0].lstrip("~") for part in parts]  # "operator new" of a class
+    plain = [part.split()[0].lstrip("~") for part in parts]  # of "operator new" only "operator"
     if len(plain) == 1 and (plain[0] in surface.library["functions"] or surface.of_sdk(plain[0])):
         return None
     if len(plain) > 1 and all(part == "operator" or surface.of_sdk(part) for part in plain):
@@ -268,7 +277,10 @@ def symbol_offences(file, surface):
 
 
 def stale_table():
-    """Names that came or went since the table was made, in our headers or in the references."""
+    """Yields a text for each name whose line in the table is out of date.
+
+    The name has appeared or disappeared, in our headers or in the references.
+    """
     now, then = names_of_headers(), read_table()
     references = References()
     for name in sorted(set(now) & set(then)):

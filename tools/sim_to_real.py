@@ -33,24 +33,25 @@ NO_LOAD_RATIO = 2.0
 KEY_FRAME_S = 0.016
 SWING_HZ = 1.25
 SWINGS = 4
-RAMP_S = 0.8            # the swing grows from nothing, and fades, in this time
+RAMP_S = 0.8            # time in which the swing grows at the start, and fades at the end
 
 # The factor of each joint's P gain in the run that takes the part of the real dog.
 FACTORS = [0.6, 0.7, 1.4, 0.5, 0.6, 0.7, 0.75, 0.5, 0.6, 1.0, 0.8, 0.5, 1.3, 0.7, 0.9]
 
-# Bounds of what the log gives back against what was put in: the difference of both lags, and the
-# ratio of both gains.  The neck tilts against the weight of the head, which the equation leaves
-# out: near the upright head, weight acts like a spring that pushes on, and makes the servo softer.
+# Bounds of the errors: by how much the lag difference and the gain ratio from the log may differ
+# from those that the equation predicts.  The joint neck_tilt has bounds of its own, because the
+# equation has no weight: near the upright pose the weight of the head pushes the joint away from
+# the middle, so that the servo acts softer.
 LAG_BOUND_MS, GAIN_BOUND = 1.0, 0.005
 WEIGHT_LAG_BOUND_MS, WEIGHT_GAIN_BOUND = 6.0, 0.02
 
 
 def amplitude_deg(joint):
-    return 8 if joint["name"].endswith("_j2") else 12  # J2 has 11 degrees to the inside
+    return 8 if joint["name"].endswith("_j2") else 12  # J2 can move only 11 degrees inwards
 
 
 def swing_csv():
-    """The motion, as openr mtn from-csv reads it: every joint swings about the standing posture."""
+    """Returns a motion as CSV (openr mtn from-csv): each joint swings about the standing pose."""
     stand = MODEL["postures"]["rows"]
     stand = next(row for row in stand if row["name"] == "stand")["degrees"]
     middle = dict(zip((row["name"] for row in MODEL["joints"]["rows"]), stand))
@@ -69,10 +70,10 @@ def swing_csv():
 
 
 def response(joint, gains):
-    """Lag in ms and gain of a servo at the frequency of the swing, without load and inertia.
+    """Returns lag in ms and gain of a servo at the frequency of the swing, for no load and inertia.
 
-    drive = P e + I sum(e) + D (r - v), and without load the drive is that of the motor's speed:
-    drive / 255 = v / no-load speed.  Speeds are differences of one frame.
+    The drive is P e + I sum(e) + D (r - v), with error e, commanded speed r and measured speed v.
+    Without load, drive / 255 = v / no-load speed.  A speed is the difference between two frames.
     """
     low, high = joint["hard"]
     counts = AD_STEPS / math.radians(high - low)
@@ -87,7 +88,10 @@ def response(joint, gains):
 
 
 def p_gain_of(joint, gains, lag_ms):
-    """The P gain with which the servo has this lag: a larger gain makes the lag smaller."""
+    """Returns the P gain with which the servo has this lag.
+
+    Because a larger gain makes the lag smaller, the search can halve the interval.
+    """
     low, high = 1.0, 127.0
     for _ in range(60):
         middle = (low + high) / 2
@@ -99,7 +103,7 @@ def p_gain_of(joint, gains, lag_ms):
 
 
 class Run:
-    """A dog of its own, with its paws in the air."""
+    """A process of `openr run` whose dog is lifted, so that its paws are in the air."""
 
     def __init__(self, openr, folder, name):
         self.openr = openr
@@ -144,7 +148,7 @@ class Run:
 
 
 def play(openr, folder, log):
-    """Plays the swing on both dogs and returns the gains of both, joint by joint."""
+    """Plays the swing on both dogs; returns for each joint the gains of the real and other dog."""
     table, motion = folder / "swing.csv", folder / "SWING.MTN"
     table.write_text(swing_csv())
     subprocess.run([openr, "mtn", "from-csv", table, "-o", motion], check=True)
@@ -171,7 +175,10 @@ def compare(openr, log, group, *more):
 
 
 def rows_of(openr, log, put_in):
-    """For each joint: the difference in lag and the ratio of gains, put in and given back."""
+    """Returns a row for each joint: lag difference and gain ratio of both dogs.
+
+    Keys with "put_in" are predicted by response(); the others come from the log.
+    """
     rows = []
     for joint, gains, real, simulated in zip(JOINTS, put_in, compare(openr, log, "measured"),
                                              compare(openr, log, "simulated")):

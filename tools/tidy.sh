@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Runs clang-tidy with the checks of .clang-tidy on the product's sources, as one compiles them:
-# several at a time.  Needs a build of the preset release.
+# Runs clang-tidy with the checks of .clang-tidy on the product, one process per unity file of the
+# build (a file that includes several sources).  Needs a build of the preset release.
 set -uo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -14,7 +14,7 @@ import json
 product = ("runtime", "virtualrobot", "distribution", "cli", "kit", "openr", "testing")
 for entry in json.load(open("build/release/compile_commands.json")):
     below = entry["file"].split("build/release/")[-1].split("/")[0]
-    # Sources with a precompiled header of g++ and generated ones are left out.
+    # clang-tidy cannot read a precompiled header of g++, so sources with one are left out.
     if below in product and "/Unity/" in entry["file"] and "cmake_pch" not in entry["command"]:
         print(entry["file"])
 PYTHON

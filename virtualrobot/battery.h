@@ -23,13 +23,13 @@ struct Battery {
   // bit then never changes, no object is notified of it.
   bool is_low_at_boot() const { return percent < kLowCapacityPercent; }
 
-  // Remaining capacity in percent, `time_us` of virtual time after boot.
+  // Returns the remaining capacity in percent, `time_us` of virtual time after boot.
   int PercentAt(int64_t time_us) const;
 };
 
 // Reads the text of an option into `battery`.  "100%": full at boot, and stays full.  "drain": full
 // at boot, and drains.  "1%" to "99%": capacity at boot, and drains.  Returns "", or an error that
-// says what is wrong with `text` and, where it can be guessed, what was meant.
+// names the mistake in `text` and, if it can be guessed, the text that was meant.
 std::string ParseBattery(std::string_view text, Battery* battery);
 
 }  // namespace openr_host

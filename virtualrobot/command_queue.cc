@@ -49,7 +49,7 @@ void CommandQueue::Start(int64_t frame, std::vector<std::string>* problems) {
     uint32_t length = 0;
     for (int i = 0; i < command.frames; ++i) length += command.FrameLength(i);
     longest = std::max(longest, length);
-    // An element that moves nothing is not played, but its length counts for the length of the
+    // Does not play an element that moves nothing, but counts its length for the length of the
     // vector.
     if (command.primitive == nullptr || command.frames == 0) continue;
     elements_.push_back({command, 0, start_ + command.FrameLength(0)});
@@ -59,7 +59,7 @@ void CommandQueue::Start(int64_t frame, std::vector<std::string>* problems) {
 }
 
 void CommandQueue::FindFace(std::vector<std::string>* problems) {
-  // The element of the last light of the face decides the mode.  All elements are searched, because
+  // Searches all elements, because the element of the last light of the face decides the mode, and
   // elements may come in any order.
   face_ = -1;
   bool a = false, b = false;
@@ -99,7 +99,7 @@ void CommandQueue::Apply(int64_t frame, std::vector<std::string>* problems) {
   for (Element& element : elements_) {
     if (frame >= element.ends) {
       if (element.command_frame + 1 >= element.command.frames)
-        continue;  // the element holds its last value
+        continue;  // keeps the last value, because the element is over
       ++element.command_frame;
       element.ends += element.command.FrameLength(element.command_frame);
     }

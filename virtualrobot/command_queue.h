@@ -29,8 +29,7 @@ struct RobotParts;
 
 class CommandQueue {
  public:
-  // Maximum number of vectors that wait.  The limit of the robot is not known; Sony's samples need
-  // four.
+  // The most vectors that may wait.  The limit of the robot is not known; Sony's samples need four.
   static constexpr size_t kMax = 32;
 
   // Makes a queue for the vectors of `subject`, which move the parts of `robot`.  `robot` must

@@ -66,8 +66,8 @@ int CountFrames(const OCommandInfo& info, const OCommandData& data, std::string*
         "the element behind it and is not played",
         info.numFrames, ocommandMAX_FRAMES);
   }
-  // NewCommandVectorData() fills each frame with the number kNeverFilled, so a frame that still has
-  // this number was never filled.
+  // Looks for the number kNeverFilled, with which NewCommandVectorData() fills each frame: such a
+  // frame was never filled by the program.
   for (int i = 0; i < frames; ++i) {
     if (data.value[i].value[0] != kNeverFilled) continue;
     *problem = fmt::format(
@@ -150,8 +150,7 @@ void ReadCommandElements(const SentVector& vector, longword frame_number,
     element.data =
         reinterpret_cast<const OCommandData*>(vector.At(info.dataOffset, sizeof(OCommandData)));
     const Primitive* const primitive = primitives->Find(info.primitiveID);
-    // The element is kept even when it is wrong, because its frames count for the length of the
-    // vector.
+    // Keeps a wrong element, too, because its frames count for the length of the vector.
     if (element.data == nullptr || info.dataOffset % alignof(OCommandData) != 0) {
       element.data = nullptr;
       problem = fmt::format(

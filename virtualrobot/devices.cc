@@ -57,7 +57,7 @@ void Devices::SetLed2(int led, OLEDValue value) {
 void Devices::SetLed3(int led, const OLEDCommandValue3& value) {
   LedDevice& device = leds[static_cast<size_t>(led)];
   device.intensity = std::clamp<int>(value.intensity, 0, kIntensityMax);
-  // The old mode is kept when a command has none of the two modes A and B, as on the robot.
+  // Keeps the old mode if a command has none of the two modes A and B, as on the robot.
   if (value.mode == oled3_MODE_A || value.mode == oled3_MODE_B) device.mode = value.mode;
 }
 

@@ -126,7 +126,8 @@ std::string Hands::FindSensors(const std::string& name, std::vector<int>* sensor
 std::string Hands::ReadPress(std::string_view rest, Inputs::Action* action) {
   std::vector<std::string> words = SplitInput(rest);
   if (words.size() == 1 && words[0] == "pause") {
-    // A robot that is off does not see the button; its boot timer boots it all the same.
+    // Leaves the button of a robot alone that is off, because it would not see the button; its boot
+    // timer boots it all the same.
     *action = [this] {
       if (!robot_.system.robot(robot_.robot_index).powered_off) robot_.power.PressPause();
     };
@@ -273,8 +274,8 @@ void Hands::LetGo() {
   robot_.body->Hold({});
 }
 
-// Moves the hand by one frame.  A hand that sets the robot down lets go when something carries the
-// robot.
+// Moves the hand by one frame.  If the hand sets the robot down, and something carries the robot,
+// the hand lets go.
 void Hands::MoveGrip() {
   double& z_m = grip_->X_WB.translation().z();
   if (grip_->sets_down) {

@@ -59,9 +59,9 @@ void JointWatch::ServosChanged(const BodyState& body, bool motor_power,
     const bool has_sunk = HasSunk(joints_[j], devices_.joints[j].target_urad * kRadPerUrad);
     joints_[j].has_acted = joints_[j].has_acted || acts;
     if (!begins || joints_[j].told_start) continue;
-    // A servo that begins to act near its set point is not reported, because its joint does not
-    // jump. A limp joint that has only sunk from its set point is not reported either, because this
-    // is no mistake of the program.
+    // Does not report a servo that begins to act near its set point, because its joint does not
+    // jump. Does not report a limp joint that has only sunk from its set point, because this is no
+    // mistake of the program.
     const JointDevice& device = devices_.joints[j];
     const double measured = body.joints[j].angle_rad;
     const double target = device.target_urad * kRadPerUrad;
@@ -119,8 +119,8 @@ void JointWatch::CheckForRadians(size_t joint, const CommandElement& element,
     const slongword urad = element.Urad(i);
     const bool tiny = urad != 0 && urad >= -kTinyUrad && urad <= kTinyUrad;
     watched.tiny_frames = tiny ? watched.tiny_frames + 1 : 0;
-    // A program that sends radians by mistake never sends a number above 4, so a larger number
-    // proves that the program uses microradians.
+    // Notes whether a number is larger than 4: a program that sends radians by mistake never sends
+    // such a number, so the program uses microradians.
     watched.was_in_urad = watched.was_in_urad || urad < -kTinyUrad || urad > kTinyUrad;
   }
   if (watched.tiny_frames < kTinyFrames || watched.told_radians || watched.was_in_urad) return;
@@ -134,8 +134,8 @@ void JointWatch::CheckForRadians(size_t joint, const CommandElement& element,
 void JointWatch::VectorStarts(const std::vector<CommandElement>& elements, const BodyState& body,
                               bool motor_power, bool motor_power_cut,
                               std::vector<std::string>* problems) {
-  // Joints without power or gain are collected for one report, because a program that forgets power
-  // or gain forgets it for many joints.
+  // Collects joints without power or gain for one report, because a program that forgets power or
+  // gain forgets it for many joints.
   std::vector<std::string> without_power, without_gain;
   for (const CommandElement& element : elements) {
     if (element.primitive == nullptr || element.type != odataJOINT_COMMAND2 || element.frames == 0)

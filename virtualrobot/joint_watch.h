@@ -44,7 +44,7 @@ class JointWatch {
   // is not known.  Called after every frame.
   int NoteFrame(const BodyState& body);
 
-  // Forgets what it has seen, because the robot is switched off.
+  // Forgets all observations, because the robot is switched off.
   void SwitchOff();
 
   void HashState(Hasher* hasher) const;
@@ -56,7 +56,8 @@ class JointWatch {
   };
   struct Joint {
     bool acted = false;       // whether the servo acted at the last change of gains or power
-    bool told_start = false;  // told_*: which mistakes of the joint were reported already
+    bool told_start = false;  // told_*: whether this kind of mistake was reported for the joint
+                              // already
     bool told_jump = false;
     bool told_effect = false;
     bool told_radians = false;

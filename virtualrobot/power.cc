@@ -74,7 +74,7 @@ OPowerStatus Power::Status() const {
 }
 
 void Power::SetMotorPower(bool on) {
-  if (pause_ && on) return;  // because the pause button has cut motor power for good
+  if (pause_ && on) return;  // the pause button has cut motor power for good
   motor_power_ = on;
   NotifyChange();
 }
@@ -93,7 +93,8 @@ void Power::SetCapacity(int percent) {
 }
 
 void Power::SetCharging(bool on) {
-  SetCapacity(RemainingCapacity());  // the capacity changes at another speed from now on
+  SetCapacity(RemainingCapacity());  // stores the present capacity, because it changes at another
+                                     // speed from now on
   charging_ = on;
   NotifyChange();
 }
@@ -138,7 +139,8 @@ void Power::NotifyChange() {
     if (!Asks(watcher.filter, before, now)) continue;
     OwnedMessage message =
         system_->NewMessage(ObjectIdOf(watcher.entry.GetOID()), watcher.entry.GetSelector());
-    std::memset(message->payload, 0, sizeof(OPowerStatusMessage));  // the padding is hashed too
+    // clears the padding, too, because the hash includes it
+    std::memset(message->payload, 0, sizeof(OPowerStatusMessage));
     auto& payload = *reinterpret_cast<OPowerStatusMessage*>(message->payload);
     payload.msgType = omsgPOWER_STATUS;
     payload.powerStatus.robotStatus = now.robotStatus;

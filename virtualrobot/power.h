@@ -80,7 +80,7 @@ class Power {
   // is our choice.
   static constexpr int64_t kChargeUs = 72'000'000;
 
-  Battery battery_;  // at capacity_since_us_
+  Battery battery_;  // state at the time capacity_since_us_
   int64_t capacity_since_us_ = 0;
   bool charging_ = false;
   bool motor_power_ = false;

@@ -131,7 +131,7 @@ const PrimitiveRequests::Row PrimitiveRequests::kRows[] = {
      0, SetSoundType},
     {oprmreqSPEAKER_GET_SOUND_TYPE, oprimitiveSPEAKER, 0,
      sizeof(OPrimitiveControl_SpeakerSoundType), GetSoundType},
-    // MIDI sound is not played, so the requests for its volume and tuning do nothing.
+    // Do nothing for volume and tuning of MIDI sound, because MIDI sound is not played.
     {oprmreqSPEAKER_SET_VOLUME_MIDI, oprimitiveSPEAKER, kAnySize, 0, Nothing},
     {oprmreqSPEAKER_MASTER_TUNING_MIDI, oprimitiveSPEAKER,
      sizeof(OPrimitiveControl_MasterTuningMIDI), 0, Nothing},
@@ -151,7 +151,8 @@ const PrimitiveRequests::Row PrimitiveRequests::kRows[] = {
      Choose<&CameraDevice::SetGain>},
     {oprmreqCAM_SET_SHUTTER_SPEED, oprimitiveFBKIMAGESENSOR, sizeof(OPrimitiveControl_CameraParam),
      0, Choose<&CameraDevice::SetShutter>},
-    // Refused, because it is not known how 32 segments are packed into the 100 bytes of the answer.
+    // Refuses the request, because it is not known how 32 segments are packed into the 100 bytes of
+    // the answer.
     {oprmreqCAM_GET_CDT_TABLE, oprimitiveFBKIMAGESENSOR, sizeof(OPrimitiveControl_Cdt),
      sizeof(OPrimitiveControl_Cdt), NotSupported},
     {oprmreqCAM_AE_ON, oprimitiveFBKIMAGESENSOR, 0, 0,
@@ -172,8 +173,8 @@ const PrimitiveRequests::Row PrimitiveRequests::kRows[] = {
      SetLed2},
     {oprmreqLED3_SET_COMMAND, oprimitiveLED3, sizeof(OPrimitiveControl_LEDCommandValue3), 0,
      SetLed3},
-    // The requests oprmreqBT_ATTACH, oprmreqBT_DETACH and oprmreqSENSOR_WATCH_BT_SWITCH are left
-    // out, because no model has the Bluetooth primitive.  So they are answered with oINVALID_ARG,
+    // Leaves out rows for oprmreqBT_ATTACH, oprmreqBT_DETACH and oprmreqSENSOR_WATCH_BT_SWITCH,
+    // because no model has the Bluetooth primitive.  These requests are answered with oINVALID_ARG,
     // like every request to a primitive that does not accept it.
 };
 
@@ -194,8 +195,8 @@ OStatus VirtualRobot::ControlPrimitive(OPrimitiveID id, OPrimitiveRequest reques
     parts_.Warn(fmt::format("ControlPrimitive: {} has no request {}", primitive->locator, request));
     return oINVALID_ARG;
   }
-  // The sizes are checked, so that a program that passes the wrong structure does not make us read
-  // or write the memory beside the structure.
+  // Checks the sizes, so that a program that passes the wrong structure does not make us read or
+  // write the memory beside the structure.
   const auto fits = [](size_t wanted, const void* data, size_t size) {
     return wanted == PrimitiveRequests::kAnySize || wanted == 0 ||
            (data != nullptr && size == wanted);

@@ -44,7 +44,7 @@ void RobotParts::SwitchOff() {
   watch.SwitchOff();
   speaker.SwitchOff(frame);
   safe_posture.SwitchOff();
-  {  // the system objects own the regions that these parts give up
+  {  // scope of the system objects, because they own the regions that these parts give up
     const CurrentScope scope(&system, system.FindObject(robot_index, kVirtualRobotComm));
     sensors.SwitchOff();
     camera.SwitchOff(frame);

@@ -14,7 +14,7 @@ void SafePosture::Apply(int64_t frame, Devices* devices) {
     if (gone.from_urad.empty()) {
       for (const JointDevice& joint : devices->joints) gone.from_urad.push_back(joint.target_urad);
     }
-    // Each set point goes along a straight line from its value at the start to the sleeping
+    // Moves each set point along a straight line from its value at the start to the sleeping
     // posture.
     const std::vector<double> rest_rad = model_.PostureAngles("sleep");
     const int64_t step = std::min(moved, kMoveFrames);

@@ -37,13 +37,13 @@ void Servo::BeginFrame(const JointCommand& command, double angle_rad) {
     integral_ = 0;
     return;
   }
-  // The D part acts on the change of the set point.  Because a servo that was off has no earlier
-  // set point, its first set point counts as unchanged.
+  // Takes the first set point of a servo that was off as unchanged: the D part acts on the change
+  // of the set point, and such a servo has no earlier one.
   const double last_rad = enabled_ ? target_rad_ : command.target_rad;
   enabled_ = true;
   target_rad_ = command.target_rad;
   target_speed_rad_s_ = (target_rad_ - last_rad) / kFrame_s;
-  if (!(gains_ == command.gains)) {  // gains seldom change, and the conversion takes time
+  if (!(gains_ == command.gains)) {  // seldom true; saves the conversion, which takes time
     gains_ = command.gains;
     p_ = Effective(gains_.p, gains_.p_shift) * counts_per_rad_;
     i_ = Effective(gains_.i, gains_.i_shift) * counts_per_rad_;

@@ -47,8 +47,8 @@ void SyncKeys::Arrive(OVRSyncKey key) {
   if (group == nullptr) return;
   ++group->arrived;
   ASSERT(group->arrived <= group->parts, "{} of {} parts", group->arrived, group->parts);
-  // Vectors with parts of one key start together, so they wait until all parts have arrived.  Then
-  // the key ends, and MayStart() returns true for each of them.
+  // Ends the key when all parts have arrived, so that MayStart() returns true for each of their
+  // vectors: vectors with parts of one key start together.
   if (group->arrived == group->parts) group->alive = false;
 }
 

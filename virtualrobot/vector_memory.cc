@@ -20,7 +20,7 @@ size_t BytesOf(const RCRegion& region, const RegionTable& regions) {
   if (region.Base() == nullptr) return 0;
   const size_t block = regions.SizeOf(region.MemID());
   if (block == 0)
-    return region.Size();  // the memory is of another kind, whose size is not known here
+    return region.Size();  // the memory is of another kind, and its size is not known here
   return std::min(region.Size(), block - std::min<size_t>(block, region.Offset()));
 }
 
@@ -49,7 +49,7 @@ SentVector ReadSentVector(RCRegion* region, size_t info_size, const char* kind, 
                     "element {} is the last",
                     kind, static_cast<int64_t>(header.maxNumData) - 1));
   }
-  // Each number is limited by the number before it, because an object can write any number into a
+  // Limits each number by the number before it, because an object can write any number into a
   // header.
   const size_t room = (vector.bytes - sizeof header) / info_size;
   const size_t made_for = std::min<size_t>(header.maxNumData, room);

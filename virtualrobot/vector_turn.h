@@ -1,5 +1,5 @@
-// Decides when the first vector of a queue may start: at once, or together with the vectors that
-// carry the other parts of its synchronisation key.
+// VectorTurn: decides when the first vector of a queue may start: at once, or together with the
+// vectors that carry the other parts of its synchronisation key.
 #pragma once
 
 #include <OPENR/ODataFormats.h>

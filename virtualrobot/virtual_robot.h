@@ -24,7 +24,7 @@ class VirtualRobot : public RobotServices {
                VirtualRobotOptions options = {});
   ~VirtualRobot() override;
 
-  // ---- for the program, tests and pictures
+  // ---- Functions for the program, tests and pictures
   const RobotModel& model() const { return parts_.model; }
   const Body& body() const { return *parts_.body; }
   Body& body() { return *parts_.body; }
@@ -34,8 +34,8 @@ class VirtualRobot : public RobotServices {
   const OSensorValue& sensor(int index) const { return parts_.sensors.Latest(index); }
 
   // Virtual time from the moment at which a robot with a boot timer is switched off, or its timer
-  // has run down, to its boot.  How long the robot needs is not known; the number is our choice,
-  // and long enough for the body to lie still.
+  // has run down, to its boot.  The time that the robot needs is not known; the number is our
+  // choice, and long enough for the body to lie still.
   static constexpr int64_t kBootUs = 3'000'000;
 
   // Returns the number of frames completed since the last boot.
@@ -53,7 +53,8 @@ class VirtualRobot : public RobotServices {
     return parts_.camera.TakePicture(parts_.frame, *parts_.body, picture);
   }
 
-  // Does the same for what the colour detection sees in it (see CameraDevice::TakeColours()).
+  // Takes a picture of the colours that the camera's colour detection has found in this picture
+  // (see CameraDevice::TakeColours()).
   std::string TakeColours(Picture* colours) {
     return parts_.camera.TakeColours(parts_.frame, *parts_.body, colours);
   }
@@ -74,7 +75,7 @@ class VirtualRobot : public RobotServices {
   // Returns the parts of this robot, for its system objects.
   RobotParts& parts() { return parts_; }
 
-  // ---- RobotServices
+  // ---- Implementation of RobotServices
   OStatus OpenPrimitive(const char* locator, OPrimitiveID* id) override;
   OStatus ClosePrimitive(OPrimitiveID id) override;
   OStatus ControlPrimitive(OPrimitiveID id, OPrimitiveRequest request, void* param,

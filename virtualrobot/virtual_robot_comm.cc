@@ -20,7 +20,8 @@ OVirtualRobotComm::OVirtualRobotComm(RobotParts* robot) : robot_(*robot) {
   sensor_ = AddSubject("OVirtualRobotComm.Sensor.OSensorFrameVectorData.S");
   frame_ = AddExtra("Frame", [this](void*) { Frame(); });
   image_ = AddSubject("OVirtualRobotComm.FbkImageSensor.OFbkImageVectorData.S");
-  // The service Alert is obsolete on the robot: connections to it are accepted, but it never sends.
+  // Accepts connections to the service Alert but never sends, because the service is obsolete on
+  // the robot.
   AddSubject("OVirtualRobotComm.Alert.OPrimitiveMapData.S");
   host().post_class = MessageClass::kVector;
 }
@@ -36,7 +37,8 @@ OStatus OVirtualRobotComm::DoStart(const OSystemEvent&) {
 
 OStatus OVirtualRobotComm::DoDestroy(const OSystemEvent&) {
   running_ = false;
-  // Nobody reads these regions any more, and only this object can give them back.
+  // Gives these regions back here: no object reads them any more, and only this object can give
+  // them back.
   queues_.clear();
   exposed_.Release();
   return oSUCCESS;

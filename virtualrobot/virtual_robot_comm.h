@@ -1,6 +1,6 @@
 // The system object with the services Effector, Sensor and FbkImageSensor.  This object is the
-// clock of the robot: it runs Frame() every 8 ms.  Frame n lasts from n * 8 ms to (n + 1) * 8 ms,
-// and Frame() runs at its end.
+// clock of the robot: Frame() runs every 8 ms.  Frame n lasts from n * 8 ms to (n + 1) * 8 ms, and
+// Frame() runs at its end.
 #pragma once
 
 #include <string>

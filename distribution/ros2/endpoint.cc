@@ -55,8 +55,8 @@ bool Ros2Writer::HasReaders() const {
 
 void Ros2Writer::Write(const void* sample) {
   if (!HasReaders()) return;
-  // A failed write is ignored, because the run must not depend on readers.  Readers miss this
-  // sample, for instance when they are so slow that Cyclone DDS has no room for it.
+  // Ignores a failed write, because the run must not depend on readers.  Readers miss this sample,
+  // for instance when they are so slow that Cyclone DDS has no room for it.
   static_cast<void>(dds_write(writer_, sample));
 }
 
@@ -82,8 +82,7 @@ void* Ros2Reader::Take() {
     void* sample = nullptr;
     dds_sample_info_t info;
     if (dds_take(reader_, &sample, &info, 1, 1) <= 0) return nullptr;
-    // A sample without valid data only says that a writer no longer exists, so this sample is
-    // skipped.
+    // Skips a sample without valid data: it only says that a writer no longer exists.
     if (info.valid_data) return sample;
     Return(sample);
   }

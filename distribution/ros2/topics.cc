@@ -96,7 +96,7 @@ void Ros2Imu::Publish(int64_t time_us, const std::array<double, 3>& acceleration
   sensor_msgs_msg_dds__Imu_ sample{};
   sample.header_ = HeaderOf(time_us, frame_id_.c_str());
   sample.orientation_.w_ = 1;
-  // A covariance that begins with -1 means "not measured" (sensor_msgs/Imu).
+  // Marks the covariances as not measured: -1 as the first number means this (sensor_msgs/Imu).
   sample.orientation_covariance_[0] = -1;
   sample.angular_velocity_covariance_[0] = -1;
   sample.linear_acceleration_ = {acceleration_m_s2[0], acceleration_m_s2[1], acceleration_m_s2[2]};

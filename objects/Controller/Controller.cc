@@ -24,7 +24,7 @@ Controller::Controller()
     for (int i = 0; i < NUM_REGIONS; i++) ledRegion_[i] = earRegion_[i] = 0;
 }
 
-// ---- Life ----------------------------------------------------------------------------
+// ---- Boot and end of the object ------------------------------------------------------
 
 OStatus
 Controller::DoInit(const OSystemEvent&)
@@ -32,8 +32,8 @@ Controller::DoInit(const OSystemEvent&)
     NEW_ALL_SUBJECT_AND_OBSERVER;
     REGISTER_ALL_ENTRY;
     SET_ALL_READY_AND_NOTIFY_ENTRY;
-    // JointMover sends reports without waiting for Controller.  This buffer keeps the reports, so
-    // that none is lost.
+    // Keeps the reports in this buffer, so that none is lost: JointMover sends them without waiting
+    // for Controller.
     observer[obsSetValue]->SetBufCtrlParam(0, 1, MAX_NUM_DATA);
 
     char design[orobotdesignNAME_MAX + 1] = "";
@@ -107,7 +107,7 @@ Controller::NewRegions(int numElements, RCRegion** regions)
     return oSUCCESS;
 }
 
-// ---- Events --------------------------------------------------------------------------
+// ---- Events from other objects -------------------------------------------------------
 
 void
 Controller::ReadyLed(const OReadyEvent& event)
@@ -164,7 +164,7 @@ Controller::NotifySensor(const ONotifyEvent& event)
     observer[event.ObsIndex()]->AssertReady(event.SenderID());
 }
 
-// ---- ControllerPort ------------------------------------------------------------------
+// ---- Implementation of ControllerPort ------------------------------------------------
 
 bool
 Controller::IsLedReady()
@@ -184,8 +184,8 @@ Controller::IsBatchMoverReady()
     return subject[sbjBatchMover]->IsReady() != 0;
 }
 
-// Returns a vector with a free region and elements that are not filled yet; 0 when all regions are
-// in use.
+// Returns a vector in a free region, whose elements are not filled yet; 0 when all regions are in
+// use.
 OCommandVectorData*
 Controller::BeginVector(RCRegion** regions, int numElements, RCRegion** region)
 {

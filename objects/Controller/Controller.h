@@ -53,7 +53,7 @@ private:
     // is ready.
     static const int NUM_REGIONS = 2;
 
-    // Functions of ControllerPort
+    // Implementation of ControllerPort
     virtual bool IsLedReady();
     virtual bool IsEarReady();
     virtual bool IsBatchMoverReady();

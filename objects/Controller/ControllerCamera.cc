@@ -55,7 +55,7 @@ Convert(OFbkImageVectorData* vector, int width, int height, Uint8* out)
 void
 Controller::NotifyImage(const ONotifyEvent& event)
 {
-    if (!isCameraOn_) return;  // because this image was sent before the camera was disabled
+    if (!isCameraOn_) return;  // this image was sent before the camera was disabled
     Uint8* out = CameraBuffer();
     if (out != 0) {
         OFbkImageVectorData* vector = (OFbkImageVectorData*)event.Data(event.NumOfData() - 1);

@@ -142,7 +142,7 @@ ControllerCore::Step(int ms)
         port_->Remark("robot_step() after robot_run(): main() ends here, the run function goes on");
     }
     place_ = NOWHERE;
-    // Leaves main() here and returns when the vector has ended.  Where main() cannot be left, as on
+    // Leaves main() here and returns when the vector has ended.  If main() cannot be left, as on
     // the robot, the program ends.
     if (!port_->LeaveLoop()) {
         isStepping_ = false;
@@ -183,7 +183,7 @@ ControllerCore::LedReady()
     SendBuffers();
 }
 
-// Sends all that has changed.  The LED vector is sent even without a change, because its end begins
+// Sends all that has changed.  Sends the LED vector even without a change, because its end begins
 // the next iteration.
 void
 ControllerCore::SendBuffers()

@@ -15,8 +15,8 @@ class ControllerPort {
 public:
     virtual ~ControllerPort() {}
 
-    // Each returns whether the receiver of one kind of output (LED vectors, ear vectors, batch
-    // commands for JointMover) is ready for the next one.
+    // Return whether the receiver of one kind of output is ready for the next one: LED vectors, ear
+    // vectors, batch commands for JointMover.
     virtual bool IsLedReady() = 0;
     virtual bool IsEarReady() = 0;
     virtual bool IsBatchMoverReady() = 0;

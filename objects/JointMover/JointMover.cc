@@ -16,7 +16,7 @@ JointMover::JointMover()
     memset(&plan_, 0, sizeof(plan_));
 }
 
-// ---- Life ----------------------------------------------------------------------------
+// ---- Boot and end of the object ------------------------------------------------------
 
 OStatus
 JointMover::DoInit(const OSystemEvent&)
@@ -47,8 +47,8 @@ JointMover::DoStart(const OSystemEvent&)
     return oSUCCESS;
 }
 
-// Stops the object.  Does not move the joints to a resting posture, because the pause button has
-// cut motor power already (BBS 421).
+// Stops the object.  Leaves the joints where they are, because the pause button has cut motor power
+// already (BBS 421).
 OStatus
 JointMover::DoStop(const OSystemEvent&)
 {
@@ -233,7 +233,7 @@ JointMover::Play(const MoverCommand& command)
     core_.ReportRefusal(command);
 }
 
-// ---- MoverPort -----------------------------------------------------------------------
+// ---- Implementation of MoverPort -----------------------------------------------------
 
 Sint32
 JointMover::Measure(int joint)

@@ -67,13 +67,14 @@ public:
     void Step(Sint32 urad[MAX_JOINTS]);
     Sint32 Position(int joint) const { return trajectory_[joint].Position(); }
 
-    // Called when command vector number `vector` was made, and when it has ended.  Each vector's
-    // number is higher by 1 than that of the vector before.
+    // Called when command vector number `vector` was made, and when it has ended.  The number of
+    // each vector is 1 more than that of the vector before.
     void VectorMade(Sint32 vector);
     void VectorEnded(Sint32 vector);
 
 private:
-    enum Gain { gainOFF, gainON, gainWAITING };  // gainWAITING: until vector wakeVector_ has ended
+    enum Gain { gainOFF, gainON, gainWAITING };  // gainWAITING: off until vector wakeVector_ has
+                                                 // ended
 
     MoverPort* port_;
     const RobotConstants* robot_;
@@ -81,7 +82,8 @@ private:
     Gain gain_[MAX_JOINTS];
     Sint32 pid_[MAX_JOINTS][3];  // P, I and D gain of each joint
     bool hasPower_;
-    Sint32 wakeVector_[MAX_JOINTS];  // number of the vector; -1: the vector was not made yet
+    Sint32 wakeVector_[MAX_JOINTS];  // number of the vector for which the joint waits; -1: the
+                                     // vector was not made yet
     Sint32 wakeGoal_[MAX_JOINTS];
 };
 

@@ -7,8 +7,8 @@
 
 #include <string.h>
 
-// Sets the position of a joint now, or after the motion that moves the joint.  `wake` says that the
-// command switches the joint on if it is off; otherwise such a joint stays off.
+// Sets the position of a joint: now, or after the motion if a motion moves the joint.  A joint that
+// is off is switched on if `wake` is true, and otherwise stays off.
 void
 MoverCore::SetPosition(int joint, Sint32 urad, bool wake)
 {
@@ -36,8 +36,8 @@ MoverCore::MoveJoint(const MoverCommand& command)
         joints_.SetAcceleration(command.joint, command.value);
 }
 
-// Lets a joint follow another robot, whose positions come again and again.  The joint goes to a
-// position that is far away within its limits, as to the first key frame of a motion.
+// Moves a joint that follows another robot.  Positions of that robot come again and again, so the
+// joint goes to a far position within its limits, as to the first key frame of a motion.
 void
 MoverCore::Track(const MoverCommand& command)
 {
@@ -51,8 +51,8 @@ MoverCore::Track(const MoverCommand& command)
     }
 }
 
-// Returns the position at which a limp joint is to be held.  A joint that has hardly moved is held
-// where it was, because otherwise it would creep when it is switched off and on again and again.
+// Returns the position at which a limp joint is to be held.  This is its old position if it has
+// hardly moved; otherwise it would creep when it is switched off and on again and again.
 Sint32
 MoverCore::HoldPosition(int joint) const
 {

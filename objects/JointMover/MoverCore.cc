@@ -134,8 +134,8 @@ MoverCore::VectorEnded()
     underWay_[0] = underWay_[1];
     numUnderWay_--;
     joints_.VectorEnded(ended.number);
-    // A vector of an earlier state, such as a motion that was stopped, must not advance the present
-    // state.
+    // Ignores a vector of an earlier state, such as a motion that was stopped, because it must not
+    // advance the present state.
     if (ended.stateCount != stateCount_) return;
     if (state_ == moverMTN) Report(ended.keyFrame, ended.commanded);
     if (ended.arrived) Advance();

@@ -37,7 +37,8 @@ const int MAX_VECTORS_UNDER_WAY = 2;
 // frame (Hohl 2004, section 4.1.2: smaller than 45 degrees).
 const Sint32 PREPARE_LIMIT_URAD = 785398;
 
-// Distance, in urad, that a limp joint may have moved to be held where it was: 0.1 degree.
+// Distance, in urad, up to which a limp joint counts as not moved, so that it is held at its old
+// position: 0.1 degree.
 const Sint32 CREEP_URAD = 1745;
 
 // The positions for the next command vector, for every joint of the robot, in urad (10^-6 rad).

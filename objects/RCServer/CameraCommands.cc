@@ -6,8 +6,8 @@
 
 #include "TextFormat.h"
 
-// Asks the camera for one picture.  Another client's picture stays until that client has forgotten
-// it, because RCServer has memory for one.
+// Asks the camera for one picture.  Refuses if another client has a picture and has asked for a
+// part of it lately, because RCServer has memory for one picture only.
 int
 RequestHandler::AskForPicture(RcReader* in)
 {

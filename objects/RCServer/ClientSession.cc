@@ -2,8 +2,8 @@
 
 #include <string.h>
 
-// Size, in bytes, that most answers do not exceed.  Requests that arrived together are answered in
-// one send, as long as another answer of this size keeps the send below RC_MAX_PACKET.
+// Size, in bytes, of all but a few answers.  Answers to requests that arrived together go into one
+// send, as long as one more answer of this size fits into RC_MAX_PACKET.
 static const int USUAL_ANSWER_SIZE = 256;
 
 void
@@ -34,7 +34,7 @@ ClientSession::Take(const Uint8* bytes, int size)
     hasSpoken_ = true;
 }
 
-// Returns whether the packet in the framer says only that the client has taken packets of streams.
+// Returns whether the packet in the framer only acknowledges packets of streams.
 bool
 ClientSession::IsAcknowledgement() const
 {

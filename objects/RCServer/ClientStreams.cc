@@ -18,16 +18,16 @@ ClientStreams::Begin(int stream, Uint16 period, Uint16 tag)
     begun.tag = tag;
 }
 
-// Returns whether the period since lastFrame is over.  A frame number that has begun anew is a large
-// difference here, so that the packet comes early and not never.
+// Returns whether the period since lastFrame is over.  Also returns true when frame numbers have
+// begun anew, because the difference is large then; so a packet comes early, and not never.
 bool
 ClientStreams::IsPeriodOver(const Stream& stream, Uint32 frame) const
 {
     return !stream.wasSent || frame - stream.lastFrame >= stream.period;
 }
 
-// For sensor values, which come in every vector, only those count of which a packet is due.  For
-// set values all count, because each is a key frame.
+// Counts new values of a stream.  Sensor values come in every vector, so only those count for which
+// a packet is due.  All set values count, because each is a key frame.
 void
 ClientStreams::NewValues(int stream, Uint32 frame)
 {

@@ -1,8 +1,9 @@
 //
-// The subscriptions of one client: which streams it wants, and whether a packet of one is due.
+// The subscriptions of one client: the streams that it wants, and whether a packet of a stream is
+// due.
 //
 // A packet of a stream has the newest values at the time when it is sent.  A client that does not
-// take its packets in time gets fewer, so a stream needs no memory for old values.
+// take its packets in time gets fewer packets, so a stream needs no memory for old values.
 //
 
 #ifndef ClientStreams_h_DEFINED
@@ -26,7 +27,7 @@ public:
     // number of the newest sensor values.
     void NewValues(int stream, Uint32 frame);
 
-    // Returns the stream of which a packet is due in `frame`; -1: none is.
+    // Returns the stream with a packet that is due in `frame`; -1: no packet is due.
     int Due(Uint32 frame) const;
 
     // Called when a packet of `stream` is made.  Returns the number of values that were left out
@@ -41,8 +42,8 @@ private:
         Uint16 tag;
         Uint16 period;
         bool wasSent;      // whether lastFrame is valid
-        Uint32 lastFrame;  // frame of the last packet, or of the last that was due
-        Uint16 numNew;     // values since the last packet, those of which a packet would be due
+        Uint32 lastFrame;  // frame of the last packet that was sent or was due
+        Uint16 numNew;     // number of values since the last packet for which a packet was due
     };
 
     bool IsPeriodOver(const Stream& stream, Uint32 frame) const;

@@ -6,8 +6,8 @@
 
 #include "TextFormat.h"
 
-// Tells the names from an index on.  The folder is read for each part, so that no list has to be
-// kept for a client; when files come or go between two parts, the indices change.
+// Writes the names of motions from an index on.  Reads the folder anew for each part, so that no
+// list has to be kept for a client.  If files come or go between two parts, the indices change.
 int
 RequestHandler::ListMotions(RcReader* in, RcWriter* out)
 {
@@ -45,7 +45,7 @@ int
 RequestHandler::BeginUpload(RcReader* in, RcWriter* out)
 {
     RcUploadBegin request;
-    // Whatever is wrong with the new upload, the one before has ended.
+    // Ends the upload before, even if the new request is wrong.
     upload_[client_].Abort();
     if (!request.Read(in)) return FailSize();
     if (request.kind >= NUM_RC_FILE_KINDS) return FailKind(request.kind);

@@ -33,7 +33,7 @@ FileUpload::RemoveLeftovers(const StickStore& store) const
                                   store.Path(rcfileIMAGE, TemporaryName("OLD")) };
     std::string kept;
     for (int i = 0; i < 3; i++) {
-        // Usually there is no such file.
+        // Ignores ENOENT, because usually there is no such file.
         if (remove(paths[i].c_str()) != 0 && errno != ENOENT) kept = paths[i];
     }
     return kept;
@@ -89,8 +89,8 @@ FileUpload::Append(Uint32 offset, const Uint8* bytes, int count, std::string* wh
                                (unsigned)size_),
                     why);
     }
-    // Because the C library would keep the bytes, each part is flushed: a full stick is told by the
-    // answer to the part that found no room.
+    // Flushes each part, because the C library would keep the bytes otherwise.  So the answer to a
+    // part says whether the stick had room for it.
     if (fwrite(bytes, 1, (size_t)count, file_) != (size_t)count || fflush(file_) != 0) {
         return Fail(rcerrorNOT_WRITTEN,
                     TextFormat("%s: byte %u cannot be written; is the stick full?", target_.name,
@@ -102,7 +102,7 @@ FileUpload::Append(Uint32 offset, const Uint8* bytes, int count, std::string* wh
     return rcOK;
 }
 
-// ---- The end -------------------------------------------------------------------------
+// ---- End of an upload ----------------------------------------------------------------
 
 int
 FileUpload::End(StickStore* store, const RobotConstants* robot, MtnFile* motion, std::string* why)
@@ -110,7 +110,8 @@ FileUpload::End(StickStore* store, const RobotConstants* robot, MtnFile* motion,
     if (file_ == 0) return Fail(rcerrorNO_UPLOAD, NO_UPLOAD, why);
     int status = CheckWhole(why);
     if (status != rcOK) return status;
-    // A file that is open for writing cannot be opened for reading on the robot.
+    // Closes the file before it is checked, because the robot cannot open a file for reading that
+    // is open for writing.
     const bool isWritten = fclose(file_) == 0;
     file_ = 0;
     status = isWritten ? CheckContent(robot, motion, why) : rcerrorNOT_WRITTEN;
@@ -136,7 +137,8 @@ FileUpload::CheckWhole(std::string* why)
                 why);
 }
 
-// Checks what the stick has, not what has arrived, so that a write error is found, too.
+// Checks the content of the file on the stick, not the bytes that have arrived, so that a write
+// error is found, too.
 int
 FileUpload::CheckContent(const RobotConstants* robot, MtnFile* motion, std::string* why)
 {
@@ -174,8 +176,8 @@ int
 FileUpload::PutInPlace(StickStore* store, std::string* why)
 {
     const std::string target = store->Path(target_);
-    // The old image is copied and not renamed, so that at no time there is no image: without one
-    // the robot would not boot.
+    // Copies the old image instead of renaming it, so that the stick always has an image: without
+    // one the robot would not boot.
     if (target_.kind == rcfileIMAGE && StickStore::SizeOf(target) >= 0) {
         const std::string copy = store->Path(rcfileIMAGE, TemporaryName("OLD"));
         if (!store->Copy(target, copy) ||

@@ -2,9 +2,8 @@
 // The upload of one client: a file that arrives in parts.
 //
 // The parts go to a temporary file beside the target, UPLOADn.TMP, where n is the client's place.
-// End() checks the whole and renames the temporary file, so the target is the old file or the whole
-// new one, never a part.  Everything that goes wrong ends the upload and removes the temporary
-// file.
+// End() checks the whole file and renames it.  So the target is always either the old or the
+// complete new file.  Every error ends the upload and removes the temporary file.
 //
 
 #ifndef FileUpload_h_DEFINED
@@ -23,16 +22,17 @@ public:
     // Sets the number of the client, for the name of the temporary file.
     void SetPlace(int place) { place_ = place; }
 
-    // Begins an upload.  An upload that this client has begun before ends.
+    // Begins an upload.  Ends an earlier upload of this client that has not ended yet.
     int Begin(const StickStore& store, const RcUploadBegin& request, std::string* why);
 
     // Appends data to the file; `offset` must be the number of bytes received so far.
     int Append(Uint32 offset, const Uint8* bytes, int count, std::string* why);
 
-    // Checks the file and puts it in place.  `motion` is used to check a motion for `robot`.
+    // Checks the file and gives it its final name.  `motion` is memory for checking a motion for
+    // `robot`.
     int End(StickStore* store, const RobotConstants* robot, MtnFile* motion, std::string* why);
 
-    // Ends the upload, if one was begun, without a trace on the stick.
+    // Ends the upload, if there is one, and removes its temporary file.
     void Abort();
 
     // Removes the temporary files that a client of this place has left behind in an earlier run.

@@ -6,8 +6,8 @@
 
 #include "TextFormat.h"
 
-// Tells records from a number on, as many as there is room for.  Older records than those that are
-// kept are left out: the client sees it by the number of the first one.
+// Writes records from a number on, as many as there is room for.  If older records are not kept any
+// more, begins with the oldest record; the client sees this by the number of the first record.
 int
 RequestHandler::TellLog(RcReader* in, RcWriter* out)
 {

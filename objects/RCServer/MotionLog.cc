@@ -2,7 +2,7 @@
 
 #include "Angle.h"
 
-// Returns whether the vendor's motion files have the joint.  Mouth and tail are in none.
+// Returns whether the vendor's motion files have the joint.  They lack mouth and tail.
 static bool
 IsLogged(const JointConstants& joint)
 {

@@ -1,8 +1,8 @@
 //
 // The last key frames of motions, as records of Hohl 2004, table 3.9 (RemoteLog.h).
 //
-// Records have numbers, counted from 0 since the robot has booted.  The last CAPACITY of them are
-// kept, so that several clients can read them, each at its own pace.
+// Records have numbers, counted from 0 since the robot has booted.  The last CAPACITY records are
+// kept, so that several clients can read them, each at its own speed.
 //
 
 #ifndef MotionLog_h_DEFINED
@@ -21,11 +21,11 @@ public:
 
     void Begin(const RobotConstants* robot);
 
-    // Adds a record of the report when a motion plays.  `sensors` are the newest sensor values,
-    // for the paws.
+    // Adds a record of the report, if a motion plays.  `sensors` are the newest sensor values,
+    // which have the state of the paws.
     void Add(const SetValueMessage& report, const SensorValues& sensors);
 
-    // Return the number of records so far, and the number of the oldest one that is kept.
+    // Return the number of records so far, and the number of the oldest record that is kept.
     Uint32 Count() const { return count_; }
     Uint32 Oldest() const { return count_ > (Uint32)CAPACITY ? count_ - CAPACITY : 0; }
 
@@ -36,7 +36,7 @@ public:
 
 private:
     const RobotConstants* robot_;
-    int numJoints_;  // joints of a record
+    int numJoints_;  // number of joints in a record
     Uint32 count_;
     Uint8 record_[CAPACITY][RC_MAX_LOG_RECORD];
 };

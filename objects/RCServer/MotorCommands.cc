@@ -25,14 +25,14 @@ RequestHandler::SwitchMotor(int command, RcReader* in)
     message.joint = all ? MOVER_ALL_JOINTS : joint;
     status = Post(message);
     if (status != rcOK || !all) return status;
-    // Assumed until JointMover reports.
+    // Assumes the new state until JointMover reports.
     motorsOff_ = command == rcMOTOR_OFF;
     if (motorsOff_) state_ = moverACCEPTING_COMMANDS;
     return rcOK;
 }
 
-// Tells the gains of a joint.  When the request has gains, sets them first; then the answer has
-// them already, although JointMover sets them a moment later.
+// Answers with the gains of a joint.  If the request has gains, sets them first, and answers with
+// the new gains although JointMover sets them a moment later.
 int
 RequestHandler::SetOrTellGains(RcReader* in, RcWriter* out)
 {

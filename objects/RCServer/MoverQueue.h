@@ -32,8 +32,8 @@ public:
     }
 
 private:
-    // Maximum number of commands.  There is room for commands of six clients to every joint, and
-    // more, before JointMover is ready again.
+    // Maximum number of commands: enough for commands of six clients to every joint before
+    // JointMover is ready again.
     static const int CAPACITY = 128;
 
     MoverCommand command_[CAPACITY];

@@ -11,7 +11,7 @@ PictureSlot::Take(int client, int layer, Uint32 frame)
     isHere_ = false;
 }
 
-// A layer that is larger than that of any known robot is cut off.
+// Keeps a copy of the layer.  Cuts a layer that is larger than that of any known robot.
 void
 PictureSlot::Put(const CameraLayer& layer)
 {

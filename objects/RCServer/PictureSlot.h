@@ -1,5 +1,6 @@
 //
-// The one picture of the camera that RCServer keeps, for the client that has asked for it.
+// The memory for one picture of the camera, which RCServer keeps for the client that has asked for
+// it.
 //
 
 #ifndef PictureSlot_h_DEFINED
@@ -7,7 +8,7 @@
 
 #include "RemoteCamera.h"
 
-// A layer of an image of the camera, as the robot has sent it.
+// A layer of an image of the camera, with the bytes that the robot has sent.
 struct CameraLayer {
     Uint32 frame;  // frame number of the image
     Uint16 width;  // in pixels
@@ -20,7 +21,7 @@ class PictureSlot {
 public:
     PictureSlot() : owner_(-1), layer_(0), lastFrame_(0), isHere_(false) {}
 
-    // Returns the client to which the slot belongs; -1: to none.
+    // Returns the client to which the slot belongs; -1: no client.
     int Owner() const { return owner_; }
 
     // Returns whether the owner has not asked for the picture or for a part of it in the last two
@@ -54,7 +55,7 @@ private:
 
     int owner_;
     int layer_;
-    Uint32 lastFrame_;  // frame in which the owner last asked for something
+    Uint32 lastFrame_;  // frame of the owner's last request
     bool isHere_;
     CameraLayer kept_;  // `bytes` is not used
     Uint8 bytes_[RC_MAX_PICTURE];

@@ -33,7 +33,7 @@ RCServer::RCServer()
     }
 }
 
-// ---- Life ----------------------------------------------------------------------------
+// ---- Boot and end of the object ------------------------------------------------------
 
 OStatus
 RCServer::DoInit(const OSystemEvent&)
@@ -41,8 +41,8 @@ RCServer::DoInit(const OSystemEvent&)
     NEW_ALL_SUBJECT_AND_OBSERVER;
     REGISTER_ALL_ENTRY;
     SET_ALL_READY_AND_NOTIFY_ENTRY;
-    // JointMover sends reports without waiting for RCServer.  This buffer keeps the reports, so
-    // that none is lost.
+    // Keeps the reports in this buffer, so that none is lost: JointMover sends them without waiting
+    // for RCServer.
     observer[obsSetValue]->SetBufCtrlParam(0, 1, MAX_NUM_DATA);
 
     char design[orobotdesignNAME_MAX + 1] = "";
@@ -94,7 +94,7 @@ RCServer::DoDestroy(const OSystemEvent&)
     return oSUCCESS;
 }
 
-// ---- The robot -----------------------------------------------------------------------
+// ---- Messages from and to other objects ----------------------------------------------
 
 void
 RCServer::NotifySensor(const ONotifyEvent& event)
@@ -114,18 +114,18 @@ RCServer::NotifySetValue(const ONotifyEvent& event)
 {
     for (int i = 0; i < event.NumOfData(); i++) {
         handler_.SetMover(*(const SetValueMessage*)event.Data(i));
-        SendEvents();  // for each message, because a client wants every key frame
+        SendEvents();  // sends after each message, because a client wants every key frame
     }
     observer[event.ObsIndex()]->AssertReady(event.SenderID());
 }
 
-// Keeps the layer that a client waits for.  Ready is not asserted again, so that the camera sends no
-// more images.
+// Keeps the layer that a client waits for.  Does not assert ready again, so that the camera sends
+// no more images.
 void
 RCServer::NotifyImage(const ONotifyEvent& event)
 {
     const int layer = handler_.WantedLayer();
-    if (layer < 0) return;  // because this image was sent before the client had gone
+    if (layer < 0) return;  // this image was sent before the client had gone
     OFbkImageVectorData* vector = (OFbkImageVectorData*)event.Data(event.NumOfData() - 1);
     const OFbkImageInfo* info = vector->GetInfo(layer);
     CameraLayer image;
@@ -173,7 +173,7 @@ RCServer::SendLedEar()
     memset(&ledEar_, 0, sizeof(ledEar_));
 }
 
-// ---- RequestPort ---------------------------------------------------------------------
+// ---- Implementation of RequestPort ---------------------------------------------------
 
 bool
 RCServer::PostMover(const MoverCommand& command)
@@ -213,7 +213,8 @@ RCServer::WantImage(bool wanted)
 void
 RCServer::EndRun(bool reboot)
 {
-    if (runEnd_ == runGOES_ON) runEnd_ = reboot ? runREBOOT : runSHUTDOWN;  // the first one counts
+    // only the first request counts
+    if (runEnd_ == runGOES_ON) runEnd_ = reboot ? runREBOOT : runSHUTDOWN;
 }
 
 // Shuts the robot down a moment after the answer was handed to the network, because the network

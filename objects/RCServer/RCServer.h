@@ -57,7 +57,7 @@ private:
     static const int NUM_CLIENTS = RC_PLACES + 1;
     COMPILE_TIME_CHECK(EveryClientHasAnUpload, NUM_CLIENTS == RequestHandler::MAX_CLIENTS);
 
-    // What a client has asked for.
+    // The end of the run that a client has asked for.
     enum RunEnd { runGOES_ON, runSHUTDOWN, runREBOOT };
 
     enum ClientState {
@@ -74,12 +74,12 @@ private:
         byte* receiveData;
         byte* sendData;
         ClientSession session;
-        bool isReceiving;  // whether a receive, or a send, runs
+        bool isReceiving;  // whether a receive runs, and whether a send runs
         bool isSending;
         Uint32 lastFrame;  // frame in which the client last sent bytes
     };
 
-    // Functions of RequestPort
+    // Implementation of RequestPort
     virtual bool PostMover(const MoverCommand& command);
     virtual void PostLedEar(const LedEarState& change);
     virtual bool ReadFile(const std::string& path, std::vector<Uint8>* bytes, std::string* error);
@@ -115,8 +115,8 @@ private:
     MoverQueue mover_;    // commands that wait until JointMover is ready
     LedEarState ledEar_;  // changes that wait until Controller is ready
     RunEnd runEnd_;       // set by a request for shutdown or reboot
-    bool isEnding_;       // whether the answer to this request was sent
-    Uint32 endFrame_;     // frame in which it was sent
+    bool isEnding_;       // whether the answer to the request for the end was sent
+    Uint32 endFrame_;     // frame in which that answer was sent
     bool isStopped_;
 };
 

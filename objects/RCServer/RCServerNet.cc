@@ -122,7 +122,8 @@ RCServer::PlaceWaiting(Uint32 frame)
     int waiting = -1;
     int silent = -1;
     for (int i = 0; i < NUM_CLIENTS; i++) {
-        // A client that is not receiving has sent requests, whose answers are on their way.
+        // Skips a client that is not receiving: it has sent requests, and their answers are on
+        // their way.
         if (client_[i].state != clientOPEN || !client_[i].isReceiving) continue;
         if (client_[i].session.IsWaiting()) {
             waiting = i;
@@ -140,7 +141,7 @@ RCServer::PlaceWaiting(Uint32 frame)
         Close(silent);
         client_[waiting].session.SetWaiting(false);
     } else if (frame - client_[waiting].lastFrame >= IDLE_FRAMES) {
-        TurnAway(waiting);  // it sent no request, and other clients may want to connect
+        TurnAway(waiting);  // the client has sent no request, and other clients may want to connect
     }
 }
 
@@ -196,7 +197,8 @@ RCServer::ReceiveCont(ANTENVMSG msg)
         client_[index].session.Take(client_[index].receiveData, receive->sizeMin);
         Serve(index);
     } else if (client_[index].isSending) {
-        client_[index].session.SetLast();  // what is being sent still goes out
+        // Closes the connection later, when the bytes that are being sent have arrived.
+        client_[index].session.SetLast();
     } else {
         Close(index);  // usually because the client has closed the connection
     }
@@ -254,7 +256,7 @@ RCServer::SendCont(ANTENVMSG msg)
         Serve(index);
         return;
     }
-    // Because the client has asked for the end, the run ends also when the answer was not sent.
+    // Ends the run also if the answer could not be sent, because the client has asked for the end.
     if (client_[index].session.EndsRun()) {
         isEnding_ = true;
         endFrame_ = sensors_.frame;

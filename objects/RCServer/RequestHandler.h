@@ -21,15 +21,15 @@
 
 class RequestHandler {
 public:
-    // Largest number of clients, counted with those that wait for a place.
+    // Largest number of clients, including those that wait for a place.
     static const int MAX_CLIENTS = 9;
 
     // Makes a handler.  `port` must outlive the handler.
     explicit RequestHandler(RequestPort* port);
 
-    // Begins to serve `robot`, and removes what an earlier run has left of uploads.  `stickRoot` is
-    // the path of the folder that has the folder MS of the stick: "" on the robot.  Returns "" or
-    // the path of a file that should have been removed and is still there.
+    // Begins to serve `robot`, and removes temporary files of uploads from an earlier run.
+    // `stickRoot` is the path of the folder that has the folder MS of the stick: "" on the robot.
+    // Returns "" or the path of a file that could not be removed.
     std::string Begin(const RobotConstants* robot, const std::string& stickRoot = "");
 
     // Set the newest sensor values of the robot, and the newest report of JointMover.
@@ -53,8 +53,8 @@ public:
     // Returns the frame number of the newest sensor values.
     Uint32 Frame() const { return sensors_.frame; }
 
-    // Returns whether a packet of a stream is due for a client, and writes to `out` all that are.
-    // REQUIRES: `out` is empty and has room for RC_MAX_PACKET bytes.
+    // HasEvents() returns whether a packet of a stream is due for a client.  WriteEvents() writes
+    // all due packets to `out`.  REQUIRES: `out` is empty and has room for RC_MAX_PACKET bytes.
     bool HasEvents(int client) const { return streams_[client].Due(sensors_.frame) >= 0; }
     void WriteEvents(int client, RcWriter* out);
 
@@ -139,8 +139,9 @@ private:
     StickStore store_;
     Uint8 part_[RC_MAX_DOWNLOAD_DATA];  // part of a file to send; too large for the stack
     ClientStreams streams_[MAX_CLIENTS];
-    // The last member, because a constructor behind it would need code that destroys uploads when
-    // that constructor throws.  Such code calls std::terminate(), which the robot lacks.
+    // Must be the last member: a constructor of a member behind it would need code that destroys
+    // uploads when that constructor throws.  Such code calls std::terminate(), which the robot
+    // lacks.
     FileUpload upload_[MAX_CLIENTS];
 };
 

@@ -32,14 +32,14 @@ public:
     // Celsius.
     virtual void ReadBattery(Sint32* capacity, Sint32* temperature) = 0;
 
-    // Reads the power status.  Returns false when the robot does not tell it.
+    // Reads the power status.  Returns false when the robot does not report it.
     virtual bool ReadPower(RcPower* power) = 0;
 
     // Reads the P, I and D gain of a joint and their shifts.  Returns false when the gain is
     // disabled; then all six are 0.
     virtual bool ReadGains(int joint, Uint16 gains[6]) = 0;
 
-    // Begins or ends to ask for images of the camera.
+    // Begins or ends to receive images of the camera.
     virtual void WantImage(bool wanted) = 0;
 
     // Shuts the robot down as soon as the present answer was sent.  With `reboot`, the robot boots

@@ -42,7 +42,7 @@ StickStore::Path(int kind, const std::string& name) const
     return root_ + (kind == rcfileMOTION ? MTN_DIRECTORY : IMAGE_DIRECTORY) + name;
 }
 
-// ---- The list ------------------------------------------------------------------------
+// ---- List of motions -----------------------------------------------------------------
 
 void
 StickStore::ReadMotions()
@@ -118,8 +118,8 @@ bool
 StickStore::Replace(const std::string& from, const std::string& to)
 {
     if (rename(from.c_str(), to.c_str()) == 0) return true;
-    // Some file systems refuse to rename a file to a name that exists.  Because no source says what
-    // the robot's does, the other file is then removed first; a folder is never removed.
+    // Removes the other file first if the file system refuses to rename a file to a name that
+    // exists. No source says whether the robot's file system does.  A folder is never removed.
     if (SizeOf(to) < 0 || remove(to.c_str()) != 0) return false;
     return rename(from.c_str(), to.c_str()) == 0;
 }

@@ -2,8 +2,8 @@
 // The files of the Memory Stick that remote clients may list, read, replace and delete: motions,
 // and the image of the controller.
 //
-// Every function works with a buffer of fixed size, whatever the files and folders hold.  Functions
-// that can fail return a RcStatus and set `why` to the reason.
+// All functions use buffers of a fixed size, for any number and size of files.  Functions that can
+// fail return a RcStatus and set `why` to the reason.
 //
 
 #ifndef StickStore_h_DEFINED
@@ -14,7 +14,7 @@
 #include "MtnName.h"
 #include "RemoteFiles.h"
 
-// A checked name of a file, and the folder that it belongs to.
+// A file name that was checked, and the kind of file, which decides the folder.
 struct StickName {
     int kind;  // RcFileKind
     char name[MTN_NAME_SIZE];
@@ -36,8 +36,8 @@ public:
     std::string Path(const StickName& file) const { return Path(file.kind, file.name); }
 
     // Reads the names of all motions.  Count() returns their number, Name() their names, sorted.
-    // Reads at most 682 motions and leaves out the last ones of more, because the robot's file
-    // system lists no more than 682 files of a folder.
+    // Reads at most 682 motions and leaves out any others, because the robot's file system lists no
+    // more than 682 files of a folder.
     void ReadMotions();
     int Count() const { return count_; }
     const char* Name(int index) const { return names_[index]; }
@@ -50,7 +50,7 @@ public:
     static int ReadPart(const std::string& path, Uint32 offset, Uint8* bytes, int count,
                         Uint32* size);
 
-    // Gives the file `from` the name `to`.  A file that has this name is replaced.
+    // Gives the file `from` the name `to`, and replaces a file of this name.
     static bool Replace(const std::string& from, const std::string& to);
 
     // Copies the file `from` to `to`.  When this fails, there is no file `to`.
@@ -58,7 +58,7 @@ public:
 
 private:
     static const int MAX_MOTIONS = 682;
-    static const int NAME_SIZE = 13;  // "NAME1234.MTN" and its end
+    static const int NAME_SIZE = 13;  // "NAME1234.MTN" with its closing NUL
 
     void Insert(const char* name);
 

@@ -1,6 +1,6 @@
 //
-// The commands of version 2: which function answers each of them, and BATCH, which has several
-// requests in one packet.
+// The commands of version 2 of the protocol, with the functions that answer them, and BATCH, which
+// has several requests in one packet.
 //
 
 #include "RequestHandler.h"

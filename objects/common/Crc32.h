@@ -1,5 +1,5 @@
 //
-// The CRC-32 of a file that goes over the network, as in zlib, gzip and IEEE 802.3.
+// The CRC-32 of files that are sent over the network, as in zlib, gzip and IEEE 802.3.
 //
 
 #ifndef Crc32_h_DEFINED
@@ -7,8 +7,8 @@
 
 #include "FixedTypes.h"
 
-// Returns the CRC-32 of bytes whose first part has the CRC-32 `before` and whose rest is `bytes`.
-// The CRC-32 of no bytes is 0.
+// Returns the CRC-32 of a sequence of bytes.  Its first part has the CRC-32 `before`, the rest is
+// `bytes`.  The CRC-32 of no bytes is 0.
 Uint32 Crc32(Uint32 before, const Uint8* bytes, int size);
 
 #endif  // Crc32_h_DEFINED

@@ -14,8 +14,9 @@ ImageProcessor
 ImageProcessorOf(const Uint8* bytes, int size)
 {
     if (size < IMAGE_HEAD_SIZE) return imageUNKNOWN;
-    // The robot's images are gzip files (1f 8b, method 8).  Because this code does not unpack them,
-    // every gzip file counts as the robot's.  A host image that is packed must be unpacked first.
+    // Takes every gzip file for an image of the robot, because the robot's images are gzip files
+    // (1f 8b, method 8) and this code does not unpack them.  A packed image of the host must be
+    // unpacked first.
     if (bytes[0] == 0x1f && bytes[1] == 0x8b && bytes[2] == 8) return imageMIPS;
     if (GetU32(bytes) != ELF_MAGIC || bytes[5] != ELF_LITTLE_ENDIAN) return imageUNKNOWN;
     const int machine = GetU16(bytes + 18);

@@ -1,7 +1,7 @@
 //
-// The processor that an image (.BIN) is for, as its first bytes tell.
+// Finds the processor for which an image (.BIN) was made, by its first bytes.
 //
-// An image of the robot is a gzip file with an ELF file of 32 bits for MIPS inside
+// An image of the robot is a gzip file that contains an ELF file of 32 bits for MIPS
 // (docs/openr/binary.md); an image of the host is an ELF file of 64 bits for x86-64.
 //
 
@@ -10,10 +10,10 @@
 
 #include "FixedTypes.h"
 
-// The numbers are part of the remote control (INFO).
+// Processors of images.  The numbers are part of the remote control's protocol (INFO).
 enum ImageProcessor { imageUNKNOWN = 0, imageMIPS = 1, imageX86_64 = 2 };
 
-// Number of bytes at the beginning of an image that tell its processor.
+// Number of bytes at the beginning of an image that are needed to find its processor.
 const int IMAGE_HEAD_SIZE = 20;
 
 // Returns the processor of an image that begins with `bytes`, or imageUNKNOWN when the bytes do not
@@ -23,7 +23,7 @@ ImageProcessor ImageProcessorOf(const Uint8* bytes, int size);
 // Returns the processor for which this code was compiled, which runs only images of its own kind.
 ImageProcessor OwnProcessor();
 
-// Returns words for messages: "the robot (MIPS)".
+// Returns a name for messages, such as "the robot (MIPS)".
 const char* ImageProcessorName(int processor);
 
 #endif  // ImageFile_h_DEFINED

@@ -54,9 +54,9 @@ private:
     size_t at_;
 
 public:
-    int section;      // number of the section that is being read; -1: before the first
+    int section;      // number of the section that is being read; -1: none yet
     size_t start;     // offset in the file at which this section begins
-    Uint32 declared;  // size that the section itself says, in bytes
+    Uint32 declared;  // size of the section, in bytes, as written in the section itself
 };
 
 MtnFile::MtnFile()

@@ -21,17 +21,17 @@ struct RcPicturePart {
     Uint16 parts;   // number of parts of the picture
     Uint32 frame;   // frame number of the picture
     Uint8 layer;
-    Uint8 bands;    // bands of each row: Y, Cr, Cb and three more; 1 for layer C
+    Uint8 bands;    // number of bands in each row: Y, Cr, Cb and three more; 1 for layer C
     Uint16 width;   // in pixels
     Uint16 height;
 
     static const int SIZE = 14;
 
     void Write(RcWriter* out) const;
-    void Read(RcReader* in);  // leaves the bytes
+    void Read(RcReader* in);  // does not read the bytes of the layer
 };
 
-// Largest number of bytes of a layer in an answer.  All parts but the last have so many.
+// Largest number of bytes of a layer in an answer.  All parts but the last have this size.
 const int RC_MAX_PICTURE_DATA = RC_MAX_PACKET - RC_ANSWER_HEADER_SIZE - RcPicturePart::SIZE;
 
 #endif  // RemoteCamera_h_DEFINED

@@ -1,13 +1,13 @@
 //
 // The log of motions over the remote control (version 2): records as in Hohl 2004, table 3.9.
 //
-// A record is, in little-endian numbers of 16 bits unless it says otherwise:
+// A record has these little-endian numbers, of 16 bits unless noted:
 //
 //   key frame
 //   commanded positions, one for each joint of the log
 //   8 bits: number of measured values, that of the joints plus 4
 //   measured positions, then the four paws, 0 or 1
-//   8 bits: number of simulated values, 0: a client that has them puts them there
+//   8 bits: number of simulated values, 0: a client may add such values there
 //
 // The joints are those of the vendor's motion files, 15 on the ERS-210, in the order of the robot.
 // Positions are in 0.01 degree.
@@ -23,7 +23,7 @@
 // The first bytes of a log file, before the records.
 #define RC_LOG_HEADER "AIBO_1.1"
 
-// Number that asks for no record but for the number of records.
+// Record number in a request that asks only for the number of records.
 const Uint32 RC_LOG_END = 0xffffffff;
 
 const int RC_LOG_PAWS = 4;
@@ -48,7 +48,7 @@ struct RcLogHead {
     static const int SIZE = 12;
 
     void Write(RcWriter* out) const;
-    void Read(RcReader* in);  // leaves the records
+    void Read(RcReader* in);  // does not read the records
 };
 
 #endif  // RemoteLog_h_DEFINED

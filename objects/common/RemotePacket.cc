@@ -51,7 +51,7 @@ RcWriter::U32(Uint32 value)
 }
 
 // Returns `c`, or '?' when `c` is not printable ASCII, because strings come from files and from the
-// other side and are shown on terminals.
+// network and are shown on terminals.
 static char
 Ascii(char c)
 {
@@ -169,8 +169,8 @@ RcFramer::Next()
     size_ -= consumed_;
     memmove(buffer_, buffer_ + consumed_, size_);
     consumed_ = 0;
-    // The magic number is checked as soon as its two bytes have arrived, so that a client of
-    // another protocol gets an answer instead of waiting for the rest of a header.
+    // Checks the magic number as soon as its two bytes have arrived, so that a client of another
+    // protocol gets an answer instead of waiting for the rest of a header.
     if (size_ >= 2 && GetU16(buffer_) != RC_MAGIC) {
         error_ = TextFormat("a packet begins with 'RC', not with the bytes %02x %02x", buffer_[0],
                             buffer_[1]);

@@ -1,8 +1,8 @@
 //
 // Packets of the remote control: the byte level of docs/remote-control.md.
 //
-// RCServer on the robot and the client on the host use this code.  No read or write goes beyond its
-// buffer: reading after the end of a packet gives zeros and sets a flag.
+// RCServer on the robot and the client on the host use this code.  No function reads or writes
+// beyond its buffer: reading after the end of a packet returns zeros and sets a flag.
 //
 
 #ifndef RemotePacket_h_DEFINED
@@ -59,7 +59,7 @@ public:
     Uint8* End() const { return buffer_ + size_; }
     int Room() const { return capacity_ - size_; }
 
-    // Counts `count` bytes that the caller has written to End() himself.  REQUIRES: count <= Room().
+    // Counts `count` bytes that the caller has written at End().  REQUIRES: count <= Room().
     void Add(int count) { size_ += count; }
 
     // Drops all bytes after the first `size`.
@@ -68,7 +68,7 @@ public:
     // Writes the header into the first RC_HEADER_SIZE bytes, when the size is known.
     void PutHeader(int command, int tag, int version = RC_VERSION);
 
-    // Writes `size` bytes as they are.
+    // Writes `size` bytes without a change.
     void Bytes(const Uint8* bytes, int size);
 
 private:

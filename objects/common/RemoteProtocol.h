@@ -38,7 +38,8 @@ enum RcCommand {
     rcUNSUBSCRIBE = 0x33,
     rcCAMERA = 0x34,  // RemoteCamera.h
     rcCAMERA_PART = 0x35,
-    rcEVENT = 0x3f,  // a packet of a stream; from a client, that it has taken packets: no answer
+    rcEVENT = 0x3f,  // a packet of a stream; from a client it acknowledges packets and has no
+                     // answer
     rcMTN_LIST = 0x42,  // the commands for files are in RemoteFiles.h
     rcUPLOAD_BEGIN = 0x50,
     rcUPLOAD_DATA = 0x51,
@@ -66,7 +67,7 @@ enum RcStatus {
     rcerrorNO_UPLOAD = 12,    // data for an upload that was not begun, or has ended with an error
     rcerrorNOT_IN_BATCH = 13,  // the command must be sent in a packet of its own
     rcerrorTOO_LONG = 14,      // the answer has no room in the batch
-    rcerrorNO_PICTURE = 15     // a part of a picture for which this client has not asked
+    rcerrorNO_PICTURE = 15     // the request is about a picture for which this client has not asked
 };
 
 // Size of the smallest answer to a request in a batch, in bytes: any answer with a payload of up to
@@ -92,10 +93,10 @@ struct RcInfo {
     std::string design;    // such as "ERS-210"
     std::string software;  // "openr-host RCServer"
 
-    // The next members are sent in version 2 only.
+    // The values `processor`, `largestMotion` and `largestImage` are sent in version 2 only.
     bool hasFiles;         // whether the three values below are there
     Uint8 processor;       // ImageProcessor of the images that the robot runs
-    Uint32 largestMotion;  // bytes of the largest motion and image that can be uploaded
+    Uint32 largestMotion;  // sizes in bytes of the largest motion and image that can be uploaded
     Uint32 largestImage;
 
     void Write(RcWriter* out) const;
@@ -143,7 +144,7 @@ struct RcJointState {
     bool Read(RcReader* in);
 };
 
-// Joint of MOTOR_OFF and MOTOR_ON that stands for all joints and motor power.
+// Number for the joint of MOTOR_OFF and MOTOR_ON that stands for all joints and motor power.
 const Uint8 RC_ALL_JOINTS = 255;
 
 // Largest P, I or D gain.  People used P gains up to 63; a report says that the robot takes 7 bits
@@ -181,7 +182,8 @@ struct RcSensors {
     std::vector<Sint32> binary;    // values of binary sensors, 0 or 1
     std::vector<Sint32> other;     // in 10^-6 N, m, degree C or m/s^2, or in A/D counts
     std::vector<Sint32> misc;      // battery: capacity in %, temperature in 0.01 degree C
-    std::vector<Sint32> keyFrame;  // one number: the key frame reached last (0 to 32767), or -1
+    std::vector<Sint32> keyFrame;  // a single number: the key frame reached last (0 to 32767), or
+                                   // -1
 
     void Write(RcWriter* out) const;
     bool Read(RcReader* in);

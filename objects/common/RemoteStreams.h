@@ -1,6 +1,6 @@
 //
-// Packets of the remote control that the robot sends unasked to clients that have subscribed
-// (version 2, docs/remote-control.md).
+// Packets of streams of the remote control.  The robot sends them without further requests to
+// clients that have subscribed (version 2, docs/remote-control.md).
 //
 
 #ifndef RemoteStreams_h_DEFINED
@@ -14,7 +14,7 @@
 
 enum RcStream {
     rcstreamSENSORS = 0,     // values of RcSensors
-    rcstreamSET_VALUES = 1,  // what JointMover reports: RcSetValues
+    rcstreamSET_VALUES = 1,  // reports of JointMover: RcSetValues
     NUM_RC_STREAMS
 };
 
@@ -35,21 +35,21 @@ struct RcEventHead {
     Uint16 leftOut;  // number of values that the client has missed since the packet before
 
     void Write(RcWriter* out) const;
-    void Read(RcReader* in);  // leaves the values
+    void Read(RcReader* in);  // does not read the values
 };
 
-// A report of JointMover: the state, and while a motion plays the key frame.  Positions are in 0.01
-// degree.
+// A report of JointMover: its state and, while a motion plays, the key frame.  Positions are in
+// 0.01 degree.
 struct RcSetValues {
     Uint8 state;      // MoverState
     Uint8 isOver;     // 1: the motion of `file` has ended or was refused
     Uint8 motorsOff;  // 1: motor power is off by MOTOR_OFF
-    Uint8 earMask;    // ears that the motion moves, and those of them that are on
+    Uint8 earMask;    // ears that the motion moves, and the ears of these that are on
     Uint8 earOn;
     Sint32 keyFrame;   // key frame to which the positions belong; -1: no motion plays
     std::string file;  // file of the motion; "": none
     std::vector<Sint32> commanded;
-    std::vector<Sint32> measured;  // as many as commanded
+    std::vector<Sint32> measured;  // as many positions as in `commanded`
 
     void Write(RcWriter* out) const;
     bool Read(RcReader* in);

@@ -34,7 +34,7 @@ struct JointConstants {
     Sint16 mtnIndex;      // index of the joint in the vendor's MTN files; -1: in none
 };
 
-enum LedKind { ledLED2 = 2, ledLED3 = 3 };  // takes OLEDCommandValue2 or 3
+enum LedKind { ledLED2 = 2, ledLED3 = 3 };  // kind of command: OLEDCommandValue2 or 3
 
 struct LedConstants {
     const char* title;
@@ -42,7 +42,8 @@ struct LedConstants {
     Sint32 kind;  // LedKind
 };
 
-enum PlungerKind { plungerJOINT3 = 3, plungerJOINT4 = 4 };  // takes OJointCommandValue3 or 4
+// kind of command: OJointCommandValue3 or 4
+enum PlungerKind { plungerJOINT3 = 3, plungerJOINT4 = 4 };
 
 struct PlungerConstants {
     const char* title;

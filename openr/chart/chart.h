@@ -1,4 +1,4 @@
-// Chart, a picture of curves to be drawn, as plain data: panels in rows and columns.
+// Chart, a picture of curves as plain data: panels in rows and columns.
 #pragma once
 
 #include <string>
@@ -17,23 +17,24 @@ enum class Look {
 
 struct Curve {
   Look look = Look::kFirst;
-  std::string label;         // text in the legend; curves of the same label are one entry of it
-  std::vector<double> x, y;  // points; x rises
+  std::string label;         // text in the legend, where all curves with the same label share one
+                             // entry
+  std::vector<double> x, y;  // coordinates of the points; x rises
 };
 
 struct Panel {
   std::string title;
-  std::string note;  // short text at the right end of the title's line
+  std::string note;  // short text to the right of the title
   std::vector<Curve> curves;
 };
 
 struct Chart {
   std::string title;
   std::string subtitle;
-  std::string x_label, y_label;  // with units
+  std::string x_label, y_label;  // texts at the axes, with units
   int columns = 3;               // >= 1
   double y_span_min = 4;         // smallest span of an axis, so that small noise does not fill it
-  std::vector<Panel> panels;     // row by row
+  std::vector<Panel> panels;     // the panels of the first row, then those of the second row, ...
 };
 
 enum class FileType { kSvg, kPng };
@@ -44,11 +45,12 @@ using DrawChartFunction = void(const Chart& chart, FileType type, std::string* b
                                std::string* error);
 constexpr char kDrawChartName[] = "openr_draw_chart";
 
-// Returns the reason why `file` is no name of a chart, which ends in .svg or .png; "" if it is.
+// Returns the reason why a chart cannot be written to a file of the name `file`; "" if it can.
+// Charts are written to .svg and .png files.
 std::string WhyNoChartName(const std::string& file);
 
-// Draws the chart and writes it to `file`.  The first call loads libopenr_chart.so and Cairo.
-// Returns "" or the error.
+// Draws the chart and writes it to `file`.  Returns "" or the error.  The first call loads
+// libopenr_chart.so and Cairo.
 std::string WriteChart(const Chart& chart, const std::string& file);
 
 }  // namespace openr_host::chart

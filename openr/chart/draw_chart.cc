@@ -1,5 +1,5 @@
-// openr_draw_chart(), which draws a chart with Cairo.  The program loads libopenr_chart.so and
-// calls only this function of it (chart.h).
+// Draws a chart with Cairo: openr_draw_chart(), the only function of libopenr_chart.so that the
+// program calls (chart.h).
 #include <cairo-svg.h>
 #include <cairo.h>
 
@@ -14,16 +14,16 @@
 namespace openr_host::chart {
 namespace {
 
-// Sizes in units of the picture; a unit is a point of an SVG file.
+// Sizes in units of the picture; a unit is one point in an SVG file.
 constexpr double kMargin = 24;
 constexpr double kPlotWidth = 320, kPlotHeight = 128;
-constexpr double kTickRoom = 40;  // left of a plot, for the numbers of its axis
+constexpr double kTickRoom = 40;  // space left of a plot, for the numbers at its axis
 constexpr double kColumnGap = 22, kRowGap = 14;
-constexpr double kTitleRoom = 22;  // above a plot
-constexpr double kHeadRoom = 76;   // above all plots
+constexpr double kTitleRoom = 22;  // space above a plot
+constexpr double kHeadRoom = 76;   // space above all plots
 constexpr double kAxisLabelRoom = 22;
-constexpr double kFootRoom = 52;   // below all plots
-constexpr double kPngScale = 1.5;  // pixels for a unit
+constexpr double kFootRoom = 52;   // space below all plots
+constexpr double kPngScale = 1.5;  // pixels per unit
 constexpr double kPi = 3.14159265358979323846;
 
 struct Rgb {
@@ -31,7 +31,7 @@ struct Rgb {
 };
 constexpr Rgb kBackground{1, 1, 1}, kPlotBackground{0.975, 0.978, 0.982}, kGrid{0.88, 0.89, 0.90},
     kFrame{0.62, 0.64, 0.67}, kInk{0.13, 0.15, 0.18}, kPaleInk{0.38, 0.41, 0.45};
-// Colours that people with any colour vision can tell apart (Okabe and Ito), and a grey.
+// Grey, and two colours that people with any colour vision can tell apart (Okabe and Ito).
 constexpr Rgb kGrey{0.66, 0.68, 0.71}, kBlue{0.0, 0.40, 0.64}, kVermilion{0.80, 0.32, 0.0};
 
 struct Rect {
@@ -42,13 +42,13 @@ struct Span {
   double low, high;
 };
 
-// The numbers at an axis.
+// The values at an axis that get a number: `first`, `first` + `step`, ...
 struct Ticks {
   double first, step;
   int decimals;
 };
 
-// Returns ticks at multiples of 1, 2 or 5 times a power of ten, `count` or fewer.
+// Returns ticks at multiples of 1, 2 or 5 times a power of ten, at most `count` of them.
 Ticks TicksOf(const Span& span, int count) {
   const double rough = (span.high - span.low) / count;
   const double power = std::pow(10, std::floor(std::log10(rough)));
@@ -67,8 +67,8 @@ void Widen(const std::vector<double>& values, Span* span) {
   }
 }
 
-// Returns the text with a `?` for each byte that is no printable ASCII, because Cairo refuses text
-// that is not UTF-8, and names in motion files may be anything.
+// Replaces all bytes but printable ASCII by '?', because Cairo refuses text that is not UTF-8, and
+// names in motion files may have any bytes.
 std::string Printable(std::string text) {
   for (char& c : text) {
     if (c < ' ' || c > '~') c = '?';
@@ -133,7 +133,8 @@ class Painter {
             kPlotWidth, kPlotHeight};
   }
 
-  // The span of a panel's values, with some room above and below.
+  // Returns the range of a panel's vertical axis: the range of its values, and some space above and
+  // below.
   Span YSpanOf(const Panel& panel) const {
     Span span{1e300, -1e300};
     for (const Curve& curve : panel.curves) Widen(curve.y, &span);
@@ -202,7 +203,8 @@ class Painter {
     cairo_set_dash(cairo_, nullptr, 0, 0);
   }
 
-  // Draws one sample and one label for each kind of curve, at the right end of the head.
+  // Draws the legend at the right end of the head: for each label a short line in the look of its
+  // curves, and the label.
   void DrawLegend(double width) {
     std::vector<const Curve*> entries;
     for (const Panel& panel : chart_.panels) {
@@ -267,7 +269,7 @@ class Painter {
     return extents.x_advance;
   }
 
-  // Returns the text without its middle if it is wider than `room`.
+  // Returns the text; replaces its middle by dots if the text is wider than `room`.
   std::string Shortened(const std::string& text, double size, bool is_bold, double room) {
     std::string shortened = text;
     for (size_t left_out = 1;
@@ -284,8 +286,8 @@ class Painter {
     cairo_set_font_size(cairo_, size);
   }
 
-  // Writes a text whose base line begins at x, y; with `anchor` 0.5 or 1 its middle or its end is
-  // there.
+  // Writes a text whose base line begins at x, y.  With `anchor` 0.5 the middle of the text is at
+  // x, with 1 its end.
   void Text(double x, double y, const std::string& text, double size, bool is_bold,
             const Rgb& colour, double anchor = 0) {
     const double width = WidthOfText(text, size, is_bold);

@@ -46,7 +46,7 @@ std::vector<std::string> CommandNames(const CLI::App& parent) {
 }
 
 // Returns the error message for `word`, which stands in the place of a command of `parent` but is
-// none.  If `word` is "", the message says that the command is missing.
+// no command.  If `word` is "", the message says that the command is missing.
 std::string NoSuchCommand(const CLI::App& parent, const std::string& word) {
   const std::vector<std::string> names = CommandNames(parent);
   const std::string path = PathOf(parent);
@@ -107,8 +107,8 @@ std::string ExplainCommandLine(const CLI::App& app, const CLI::ParseError& error
   const auto is = [&error](CLI::ExitCodes kind) {
     return error.get_exit_code() == static_cast<int>(kind);
   };
-  // A misspelt command causes two errors: no command was found, and a word is left over.  The
-  // missing command is explained first, because NoSuchCommand() suggests the right spelling.
+  // Explains the missing command first.  A misspelt command causes two errors, a missing command
+  // and an unknown word, but only NoSuchCommand() suggests the right spelling.
   if (is(CLI::ExitCodes::RequiredError) && NeedsCommand(command)) {
     const auto word = std::find_if_not(rest.begin(), rest.end(), &IsFlag);
     if (word != rest.end()) return NoSuchCommand(command, *word);

@@ -6,11 +6,12 @@
 
 namespace openr_host {
 
-// Returns one line: what is wrong with the command line, and what the user may have meant.  `app`
-// is the whole program; `error` is what app.parse() threw.
+// Returns one line about a wrong command line: the mistake, and what the user may have meant. `app`
+// is the whole program; `error` is the exception that app.parse() has thrown.
 std::string ExplainCommandLine(const CLI::App& app, const CLI::ParseError& error);
 
-// Returns what to type for help about the command on the command line, such as "openr help run".
+// Returns the words to type for help about the command on the command line, such as "openr help
+// run".
 std::string HelpWords(const CLI::App& app);
 
 }  // namespace openr_host

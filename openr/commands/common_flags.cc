@@ -92,8 +92,8 @@ CLI::Validator IsWritable() { return CLI::Validator(&WhyNotWritable, "FILE"); }
 
 void RefuseInput(const std::string& flag, const std::string& file, const std::string& problem) {
   if (problem.empty()) return;
-  // CLI11 would put the flag's name before the text of a ValidationError.  This text already begins
-  // with the name, so we throw a plain ParseError.
+  // Throws a plain ParseError instead of a ValidationError, because CLI11 would put the flag's name
+  // before the text of the latter, and this text already begins with the name.
   throw CLI::ParseError(fmt::format("{} {}: {}", flag, file, problem),
                         CLI::ExitCodes::ValidationError);
 }

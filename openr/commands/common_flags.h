@@ -29,8 +29,8 @@ CLI::Option* AddDurationFlag(CLI::App* command, const std::string& name,
 CLI::Option* AddDurationFlag(CLI::App* command, const std::string& name, int64_t* us,
                              const std::string& description);
 
-// Returns the rate that the value `text` of --rate names: virtual seconds per second, 0 for "max".
-// Throws CLI::ValidationError if it names none.
+// Returns the rate that `text`, the value of --rate, means: virtual seconds per second; 0 for
+// "max". Throws CLI::ValidationError if `text` is no rate.
 double RateOf(const std::string& text);
 
 // Returns a check of a flag's value: it accepts only whole numbers from 0 to 2^64 - 1.

@@ -30,7 +30,7 @@ struct ControllerFlags {
   std::string name;
   std::string folder;
   std::string source;   // folder or file of the controller to run
-  std::string address;  // of the robot
+  std::string address;  // address of the robot
   int64_t timeout_us = 3'000'000;
 };
 
@@ -90,14 +90,15 @@ Function* Load(const std::string& library, const char* name) {
 
 // Builds the controller as a library and loads it into this process.
 int (*LoadController(const ControllerFlags& flags))() {
-  const TempFolder folder;  // a file that is loaded may be removed
+  const TempFolder folder;  // deleted at the end; a loaded file may be deleted
   const std::string library = folder.path() + "/controller.so";
   if (!BuildControllerLibrary({flags.source, ControllerLibrary(), library})) return nullptr;
   return Load<int()>(library, kControllerMainName);
 }
 
 int Run(const ControllerFlags& flags) {
-  // Comes first, because the controller's library is linked with this one by its bare name.
+  // Loads our own library first, because the controller's library is linked with it by its bare
+  // name.
   auto* const run = Load<RunController>(ControllerLibrary(), kRunControllerName);
   auto* const controller_main = LoadController(flags);
   if (controller_main == nullptr) return kExitWrong;

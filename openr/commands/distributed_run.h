@@ -66,8 +66,8 @@ class DistributedRun {
   // the run, so that the report is written soon.
   void ShortenTimeouts();
 
-  // Adds to `report`, the report of the run, what is known about each worker: its objects, its
-  // losses and the times of its handlers.  Does nothing without workers.
+  // Adds a description of each worker to `report`, the report of the run: its objects, its losses
+  // and the times of its handlers.  Does nothing without workers.
   void Describe(nlohmann::ordered_json* report) const;
 
   // Ends the worker processes.
@@ -79,7 +79,8 @@ class DistributedRun {
   const bool is_free_;
   const Ros2Flags ros2_flags_;
   const std::unique_ptr<WorkerGroup> workers_;  // null: all objects are in this process
-  std::unique_ptr<Bus> own_bus_;                // set if DDS is used without workers
+  std::unique_ptr<Bus> own_bus_;                // null: DDS is not used, or the workers have the
+                                                // Bus
   Bus* bus_ = nullptr;                          // null: DDS is not used
   std::unique_ptr<Ros2Link> ros2_;
   std::unique_ptr<Monitor> monitor_;

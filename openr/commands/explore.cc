@@ -205,11 +205,11 @@ int WithConsole(int exit_code, const SharedConsole& console) {
   return kExitWrong;
 }
 
-// Sets what `plan`, the plan of the exploration, takes from `stick`: the length of the runs, the
-// properties and the function that prepares a run.  The objects of the runs print to `console`,
-// which must outlive `plan`.
+// Sets the members of `plan` that depend on `stick`: the length of the runs, the properties and the
+// function that prepares a run.  The objects of the runs print to `console`, which must outlive
+// `plan`.
 void SetStick(const ExploredStick& stick, const SharedConsole& console, ExplorePlan* plan) {
-  // The cost file is loaded here only to report its errors once.  Later each process loads the file
+  // Loads the cost file here only to report its errors once.  Later each process loads the file
   // again.
   LoadCostFile(stick.simulation.cost_file);
   plan->run.for_us = stick.for_us;
@@ -283,7 +283,7 @@ void Tell(const Json& result, const std::string& text, bool as_json) {
   fmt::print(as_json ? stderr : stdout, "{}", text);
 }
 
-// Shows the run of a schedule file on the panel.  `answer` is that of ReplayDeviations().
+// Shows the run of a schedule file on the panel.  `answer` is the answer of ReplayDeviations().
 int ShowFailure(const ExploreFlags& flags, const ExploredStick& stick, uint64_t seed,
                 const Json& deviations, const Json& answer) {
   ShowOptions show = flags.show;

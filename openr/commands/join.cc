@@ -43,7 +43,7 @@ std::string WhyNoStick(const std::string& folder) {
   return fmt::format("{}: there is no such folder; give a copy of the run's stick", folder);
 }
 
-// Exit codes of the child process in which the worker runs with --restart.
+// Exit codes with which a worker started by --restart ends its child process.
 constexpr int kRefused = 3;  // the run refuses this version or stick; a restart cannot help
 constexpr int kOffline = 4;  // the worker threw an exception, usually without a network
 
@@ -56,7 +56,8 @@ void BecomeChild(pid_t parent) {
   ::signal(SIGHUP, SIG_IGN);
 }
 
-volatile sig_atomic_t g_ended_by = 0;  // first of SIGINT, SIGTERM, SIGHUP that came; 0: none
+volatile sig_atomic_t g_ended_by = 0;  // the first signal that came: SIGINT, SIGTERM or SIGHUP; 0:
+                                       // none
 volatile sig_atomic_t g_child = 0;     // process id of the worker that --restart runs; 0: none
 
 // Handles SIGINT, SIGTERM and SIGHUP.  After the first signal, the worker finishes the handler that
@@ -77,7 +78,7 @@ void HandleEndSignals(int flags) {
     sigaction(signal, nullptr, &action);
     if (action.sa_handler == SIG_IGN) continue;
     action.sa_handler = &OnEndSignal;
-    // The handler runs on the alternate stack, because an object may have used up its own stack.
+    // Runs the handler on the alternate stack, because an object may have used up its own stack.
     action.sa_flags = SA_ONSTACK | flags;
     sigemptyset(&action.sa_mask);
     sigaction(signal, &action, nullptr);
@@ -171,7 +172,8 @@ int Join(JoinFlags flags, bool is_known = false) {
     const std::string file = flags.parent != 0 ? flags.crash_log
                              : is_own          ? own_stick->crash_log()
                                                : CrashLogOn(stick);
-    std::optional<std::string> place;  // added to the record's name; none: it is on the run's stick
+    std::optional<std::string> place;  // text after the name of the crash record; nullopt: the
+                                       // record is on the run's stick
     if (flags.parent == 0) {
       place = " on " + HostName();
     } else if (file != CrashLogOn(stick)) {
@@ -213,9 +215,9 @@ int JoinInChild(const JoinFlags& flags, bool is_known, pid_t* child) {
   return status;
 }
 
-// Runs a worker in a child process, and starts another one when it ends before the run is over.
-// Each worker has a new process, so the crash of one does not harm the next.  Without a network,
-// says so once and tries again; but if the very first worker has no network, returns an error,
+// Runs a worker in a child process, and starts another worker when it ends before the run is over.
+// Each worker has a new process, so a crash does not harm the next worker.  Without a network,
+// prints one error and tries again.  If even the first worker has no network, returns an error,
 // because the flags for the network are probably wrong.
 int JoinAgainAndAgain(const JoinFlags& flags) {
   constexpr unsigned kPause_s = 1;

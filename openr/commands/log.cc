@@ -35,14 +35,16 @@ constexpr double kSameMotionDeg = 0.1;
 constexpr LogGroup kGroups[] = {LogGroup::kCommanded, LogGroup::kMeasured, LogGroup::kSimulated};
 
 struct LogFlags {
-  std::string file, other;         // `other` only for compare; "": compare within `file`
-  std::string motion;              // motion file of the log; "": not named
-  std::string group, other_group;  // of the two sides of compare; "": chosen by the log
-  std::string output;              // chart to write; "": none
+  std::string file, other;         // files to read; `other` is only for compare; "": compare within
+                                   // `file`
+  std::string motion;              // motion file of the log; "": the user has named none
+  std::string group, other_group;  // groups of the two sides of compare; "": chosen by the content
+                                   // of the log
+  std::string output;              // chart to write; "": no chart
   bool json = false;
 };
 
-// A log with the times of its records.
+// A log with the times at which its records were made.
 struct TimedLog {
   std::string name;
   LogFile log;
@@ -87,7 +89,8 @@ int CountOf(const LogFile& log, LogGroup group) {
   return count;
 }
 
-// Names the case of Hohl 2004, section 3.3.6, by the groups that records have.
+// Returns the name of the log's case in Hohl 2004, section 3.3.6.  The numbers of records with
+// measured and with simulated values decide.
 const char* CaseOf(int measured, int simulated) {
   if (measured > 0 && simulated > 0) return "synchronised play-back";
   if (measured > 0) return "play-back on the robot";
@@ -136,8 +139,8 @@ const std::optional<LogValues>* ValuesOf(const LogRecord& record, LogGroup group
   return group == LogGroup::kMeasured ? &record.measured : &record.simulated;
 }
 
-// Prints the columns of one group: the joints, and of measured groups the paws.  The fields of a
-// record without this group are empty.
+// Prints the columns of one group: the joints, and for measured and simulated groups the paws.  The
+// fields of a record without this group are empty.
 void PrintFields(const LogRecord& record, LogGroup group) {
   const std::optional<LogValues>* const values = ValuesOf(record, group);
   const size_t joints = record.commanded_cdeg.size();
@@ -187,8 +190,8 @@ void LogPlot(const LogFlags& flags) {
   WriteChartFile(ChartOf(timed.log, timed.times_ms, timed.name), flags.output);
 }
 
-// Returns the group of one side of a comparison: the one that the flag names, or else the robot's
-// values if the log has them, otherwise the simulated ones.
+// Returns the group of one side of a comparison: the group that the flag names.  Without the flag,
+// the values of the real robot if the log has them, else the simulated values.
 LogGroup GroupOf(const std::string& flag, const LogFile& log) {
   for (const LogGroup group : kGroups) {
     if (flag == NameOf(group)) return group;
@@ -196,7 +199,7 @@ LogGroup GroupOf(const std::string& flag, const LogFile& log) {
   return CountOf(log, LogGroup::kMeasured) > 0 ? LogGroup::kMeasured : LogGroup::kSimulated;
 }
 
-// Returns the group with which the values of a single log are compared.
+// Returns the group to compare with the other group of the same log.
 LogGroup OtherGroupOf(const std::string& flag, const LogFile& log) {
   if (!flag.empty()) return GroupOf(flag, log);
   return CountOf(log, LogGroup::kSimulated) > 0 ? LogGroup::kSimulated : LogGroup::kMeasured;
@@ -210,8 +213,8 @@ ComparedSide SideOf(const TimedLog& timed, LogGroup group, const std::string& la
   return side;
 }
 
-// Compares two groups of one log.  A synchronised log has both robots; another one is compared with
-// what was commanded.
+// Compares two groups of one log: in a synchronised log the values of both robots, in any other log
+// the values of the robot with the commanded positions.
 Comparison CompareWithin(const LogFlags& flags) {
   const TimedLog timed = ReadTimedLog(flags.file, flags.motion);
   const bool both =
@@ -229,12 +232,12 @@ Comparison CompareWithin(const LogFlags& flags) {
   return comparison;
 }
 
-// Says so when two logs seem to be of different motions.  That is no error: motions that are alike
-// can be compared as well.
+// Prints a warning if two logs seem to be of different motions.  This is no error, because similar
+// motions can be compared as well.
 void WarnIfMotionsDiffer(const TimedLog& first, const TimedLog& second) {
   const std::vector<const JointConstants*> joints = LoggedJoints(*first.log.robot);
   const size_t count = std::min(first.log.records.size(), second.log.records.size());
-  // The first record has where the joints were commanded before the motion.
+  // Leaves out the first record, because its commanded positions are those from before the motion.
   for (size_t i = 1; i < count; ++i) {
     const LogRecord& a = first.log.records[i];
     const LogRecord& b = second.log.records[i];
@@ -251,7 +254,7 @@ void WarnIfMotionsDiffer(const TimedLog& first, const TimedLog& second) {
   }
 }
 
-// Returns the name of the file with that of the folder that it is in.
+// Returns the name of the file with the name of its folder.
 std::string WithFolder(const std::string& file) {
   const std::filesystem::path path = std::filesystem::absolute(file);
   return (path.parent_path().filename() / path.filename()).string();
@@ -268,7 +271,7 @@ Comparison CompareFiles(const LogFlags& flags) {
   WarnIfMotionsDiffer(first, second);
   const LogGroup group = GroupOf(flags.group, first.log);
   const LogGroup other_group = GroupOf(flags.other_group, second.log);
-  // Files of the same name are told apart by their folders.
+  // Adds the folders to the labels if both files have the same name.
   const bool same = first.name == second.name;
   const std::string name = same ? WithFolder(flags.file) : first.name;
   const std::string other_name = same ? WithFolder(flags.other) : second.name;
@@ -329,7 +332,7 @@ void LogCompare(const LogFlags& flags) {
 
 using LogAction = void (*)(const LogFlags& flags);
 
-// Runs `action`.  Prints an error as JSON too, if the answer would have been JSON.
+// Runs `action`.  If the user gave --json, prints an error as JSON, too.
 int PerformLog(LogAction action, const LogFlags& flags) {
   try {
     action(flags);

@@ -31,7 +31,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Lets `command` run `action`, whose errors are printed and make the exit status 1.
+// Makes `command` run `action`.  Errors of `action` are printed and make the exit status 1.
 void OnCall(CLI::App* command, int* exit_code, std::function<void()> action) {
   command->callback([exit_code, action = std::move(action)] {
     try {
@@ -59,12 +59,13 @@ void ThrowIfAny(const std::string& problem) {
 
 struct FromCsvFlags {
   std::string file, output;
-  std::string like;  // motion file to take the names from; "": none
+  std::string like;  // motion file from which to take the names; "": none
   std::optional<std::string> name, creator, label;
 };
 
-// Sets the names of `motion`: those of the flags, then those of the motion named by --like, then
-// the name of the table's file, and creator and design label of our own motions.
+// Sets the names of `motion`.  A name comes from its flag, else from the motion file of --like,
+// else it has a default: the name of the table's file, and the creator and design label of our own
+// motions.
 void SetNames(const FromCsvFlags& flags, MotionFile* motion) {
   motion->name = std::filesystem::path(flags.file).stem().string();
   if (!flags.like.empty()) {
@@ -109,8 +110,8 @@ std::vector<OdaMember> MembersOf(const std::string& file, const std::string& byt
   }
 }
 
-// Returns `name` with a `?` for each byte that is no printable ASCII, because a container may come
-// from anywhere, and control bytes must not reach a terminal.
+// Replaces all bytes but printable ASCII in `name` by '?', because a container may come from
+// anywhere, and control bytes must not reach a terminal.
 std::string Printable(std::string name) {
   for (char& c : name) {
     if (c < ' ' || c > '~') c = '?';
@@ -140,7 +141,8 @@ void UnpackOda(const OdaFlags& flags) {
   const std::vector<OdaMember> members = MembersOf(flags.file, bytes);
   const std::filesystem::path folder = flags.folder;
   for (const OdaMember& member : members) {
-    // The link itself counts, wherever it leads to: writing would follow it out of the folder.
+    // Refuses a symbolic link even with --overwrite, because writing would follow it out of the
+    // folder.
     std::error_code error;
     if (flags.overwrites && !std::filesystem::is_symlink(folder / member.file, error)) continue;
     if (std::filesystem::symlink_status(folder / member.file, error).type() ==

@@ -20,7 +20,8 @@ void AddPanelCommand(CLI::App* app, int* exit_code) {
   command->add_option("--run", options->run,
                       "Name or process id of the run that the page shows first; without it the "
                       "only run there is");
-  // What openr run says to the server that it starts, and people do not (PanelProcess).
+  // Adds the flag that openr run gives to the server that it starts (PanelProcess).  The flag is
+  // hidden, because it is not for users.
   command->add_option("--fd", options->run_pipe, "Descriptor whose end of file ends the server")
       ->group("");
   command->callback([options, exit_code] {

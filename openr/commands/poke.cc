@@ -114,7 +114,8 @@ class RunConsole {
   explicit RunConsole(const LiveFlags& flags)
       : robot_(flags.robot), client_(FindLiveRun(flags.run)) {}
 
-  // Adds an input and prints its time.  Returns false after printing an error.
+  // Sends an input to the run and prints the time at which it takes effect.  Returns false after
+  // printing an error.
   bool Do(const std::string& input) {
     return Print({{"do", "input"}, {"line", input}}, [&](const Json& answer) {
       return fmt::format("t={:.3f} s: {}\n", answer.at("time_s").get<double>(), input);
@@ -123,7 +124,7 @@ class RunConsole {
 
   bool ShowInputs() { return Print({{"do", "inputs"}}, &InputsText); }
 
-  // Obeys one line that was typed: a command of the console or an input.  Returns false after
+  // Carries out a line that was typed: a command of the console or an input.  Returns false after
   // printing an error.
   bool Line(const std::string& line) {
     const size_t end = std::min(line.find(' '), line.size());
@@ -192,8 +193,8 @@ int RunAttach(const LiveFlags& flags) {
     if (!std::getline(std::cin, line) || line == "quit") break;
     if (!line.empty() && !console.Line(line)) good = false;
   }
-  // Returns kExitWrong after an error only if the lines come from a script.  A person at a terminal
-  // has seen each error when it came.
+  // Returns kExitWrong after an error only if the lines come from a script, because a person at a
+  // terminal has seen each error at once.
   return good || is_terminal ? kExitGood : kExitWrong;
 }
 
@@ -212,8 +213,8 @@ void AddPokeCommand(CLI::App* app, int* exit_code) {
       "poke", "Gives a run an input: openr poke RUN press chin for 300ms; without one, lists them");
   auto flags = std::make_shared<LiveFlags>();
   AddLiveFlags(command, flags.get());
-  // Takes the words after the command as they are and not as flags, because the number -5 in "push
-  // 0 -5 0" begins like a flag.
+  // Takes the words after the command unchanged, because CLI11 would take the number -5 in "push 0
+  // -5 0" for a flag.
   command->prefix_command();
   command->callback(
       [command, flags, exit_code] { *exit_code = RunPoke(*flags, command->remaining()); });

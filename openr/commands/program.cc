@@ -51,7 +51,8 @@ void AddCommands(CLI::App* app, int* exit_code) {
 void TellFailure(const std::string& why, bool as_json) {
   std::fprintf(stderr, "openr: %s\n", why.c_str());
   if (!as_json) return;
-  const auto replace = nlohmann::json::error_handler_t::replace;  // for bytes that are not UTF-8
+  // replaces bytes that are not UTF-8
+  const auto replace = nlohmann::json::error_handler_t::replace;
   std::printf("%s\n", nlohmann::json{{"error", why}}.dump(-1, ' ', false, replace).c_str());
 }
 
@@ -87,7 +88,7 @@ int RunProgram(int argc, char** argv) {
     TellFailure(Explain(error), as_json);
     return kExitWrong;
   } catch (const std::system_error& error) {
-    if (std::ferror(stdout) != 0) {  // then fmt::print() threw: stdout cannot be written
+    if (std::ferror(stdout) != 0) {  // fmt::print() has thrown, because stdout cannot be written
       NoteLostAnswer(error.code().value());
     } else {
       TellFailure(error.what(), as_json);

@@ -27,7 +27,8 @@ remote::Address AddressOf(const RcFlags& flags) {
 }
 
 int Perform(const RcFlags& flags, const RcAction& action) {
-  // A log has the records of both robots, so one action makes it.
+  // Acts at each robot separately, unless a log is wanted: one action makes a log, because a log
+  // has records of both robots.
   if (!flags.with.empty() && flags.log.empty()) {
     AddressOf(flags);
     return PerformAtBoth(flags, action);
@@ -88,7 +89,7 @@ CLI::Validator KeyFramesPerVector() {
   return CLI::Validator(problem, "");
 }
 
-// Throws if a command cannot be carried out at two robots at once.
+// Throws if a command cannot be carried out at two robots at the same time.
 void CheckForBoth(const RcFlags& flags, const std::string& command) {
   static const std::set<std::string> one_robot = {"stream", "log",    "camera",   "upload",
                                                   "delete", "reboot", "download", "shutdown"};
@@ -99,8 +100,8 @@ void CheckForBoth(const RcFlags& flags, const std::string& command) {
                                fmt::format("'{}' is for one robot; call it for each", command));
 }
 
-// Adds the commands of openr rc.  They store their flags in one RcFlags, because HOST, --timeout
-// and --json belong to all of them.
+// Adds the commands of openr rc.  The commands store their flags in one RcFlags, because HOST,
+// --timeout and --json belong to all of them.
 class RcCommands {
  public:
   RcCommands(CLI::App* app, int* exit_code)

@@ -26,7 +26,8 @@ void Say(const RcFlags& flags, uint32_t frame, const Json& json, const std::stri
   PrintRcAnswer(flags.json, frame, json, text);
 }
 
-// Time between two requests for the log.  The robot keeps the records of 8 s of its own time.
+// Time between two requests for the log, short because the robot keeps only the records of the last
+// 8 s of its own time.
 constexpr useconds_t kLogPollUs = 5'000;
 
 void WriteLog(const RcFlags& flags, const remote::LogReader& log) {
@@ -41,7 +42,7 @@ void WriteLog(const RcFlags& flags, const remote::LogReader& log) {
       text);
 }
 
-// A device of the robot: the index that requests name it by, and its name for messages.
+// A device of the robot: its index in requests, and its name for messages.
 struct Device {
   int index;
   std::string name;
@@ -148,7 +149,7 @@ void RcPlayAction(remote::Connection* robot, const RcFlags& flags) {
                   play.loops == 1 ? "once" : fmt::format("{} times", play.loops)));
   if (flags.log.empty()) return;
   while (log.Take() != moverACCEPTING_COMMANDS) usleep(kLogPollUs);
-  log.Take();  // the last key frames, which may have come before the state
+  log.Take();  // fetches the last key frames, which may have been recorded before the state changed
   WriteLog(flags, log);
 }
 

@@ -1,5 +1,5 @@
-// The actions of the commands of `openr rc`: each sends requests to the robot and prints its
-// answers.
+// The actions of the commands of `openr rc`.  Each action sends requests to the robot and prints
+// its answers.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ struct RcFlags {
   bool track = false;  // whether a robot that follows ignores its limits
   int64_t timeout_us = 3'000'000;
   bool json = false;
-  std::string device;  // name, title, locator or number
+  std::string device;  // name, title, locator or number of a device
   double value = 0;
   std::string state;  // "on" or "off"
   bool watch = false;
@@ -32,15 +32,17 @@ struct RcFlags {
   std::string file;
   int loops = 1;
   int key_frames = 0;
-  std::string layer = "m";         // of the camera's picture: "h", "m", "l" or "c"
-  bool raw = false;                // whether to write the bytes of the layer as the robot has them
-  std::string log;                 // file of the host for the log of a motion; "": none
+  std::string layer = "m";         // layer of the camera's picture: "h", "m", "l" or "c"
+  bool raw = false;                // whether to write the bytes of the layer exactly as the robot
+                                   // sends them
+  std::string log;                 // file on this host for the log of a motion; "": no log
   bool simulated = false;          // whether the log's values are those of a simulated robot
-  std::string output;              // file of the host for a download; "": as on the stick
-  std::vector<std::string> goals;  // "neck_pan=30"
+  std::string output;              // file on this host for a download; "": the same name as on the
+                                   // stick
+  std::vector<std::string> goals;  // joints with positions: "neck_pan=30"
   std::string stream;              // "sensors" or "keyframes"
-  int count = 0;                   // events to take; 0: until Ctrl-C
-  std::vector<int> gains;          // P, I and D; empty: only show them
+  int count = 0;                   // number of events to print; 0: until Ctrl-C
+  std::vector<int> gains;          // gains P, I and D; empty: only show the present gains
 };
 
 // A function that sends requests to `robot` and prints the answers to standard output.  Throws
@@ -59,15 +61,15 @@ void RcMotorAction(remote::Connection* robot, const RcFlags& flags);
 void RcGainsAction(remote::Connection* robot, const RcFlags& flags);
 void RcPowerAction(remote::Connection* robot, const RcFlags& flags);
 
-// Plays a motion on two robots, and returns the bytes of a log as those of a simulated robot's log
-// (rc_play_with.cc).
+// Actions for two robots (rc_play_with.cc): play a motion on both, and convert the bytes of a log
+// to those of a simulated robot's log.
 void RcPlayWithAction(remote::Connection* robot, const RcFlags& flags);
 std::string SimulatedLog(const std::string& bytes);
 
 // Fetches a picture of the camera (rc_camera.cc).
 void RcCameraAction(remote::Connection* robot, const RcFlags& flags);
 
-// Actions that take what the robot sends unasked (rc_streams.cc).
+// Actions that receive events, which the robot sends without further requests (rc_streams.cc).
 void RcStreamAction(remote::Connection* robot, const RcFlags& flags);
 void RcLogAction(remote::Connection* robot, const RcFlags& flags);
 

@@ -29,12 +29,12 @@ constexpr int64_t kFollowVectorUs = 32'000;  // a sensor vector has 4 frames of 
 constexpr int64_t kFollowPeriodMaxUs = 10'000'000;
 constexpr int kStatusesPerReport = 5;  // RemotePair tells its status every 200 ms
 
-// One of the two robots, and how the action at it has ended.
+// A robot of the two, with the result of the action at this robot.
 struct Partner {
   std::string address;
   std::unique_ptr<remote::Connection> connection;
   std::string problem;
-  Json refusal;  // the answer of --json if the robot has refused; null: it has not
+  Json refusal;  // answer for --json if the robot has refused the action; null: it has not
 };
 
 void Act(Partner* robot, const RcFlags& flags, const RcAction& action) {
@@ -59,7 +59,7 @@ std::string Milliseconds(const std::optional<double>& value) {
   return value ? fmt::format("{:.0f} ms", *value) : "unknown";
 }
 
-// Prints one line about two robots, of which one follows the other.
+// Prints one line about two robots when one follows the other.
 void PrintFollowing(const RcFlags& flags, const std::vector<RcDescription>& joints,
                     const PairStatus& status) {
   const auto &mine = status.joints[kFirst], &other = status.joints[kSecond];
@@ -98,7 +98,8 @@ void PrintFollowing(const RcFlags& flags, const std::vector<RcDescription>& join
 
 int PerformAtBoth(const RcFlags& flags, const RcAction& action) {
   Partner robots[2] = {{flags.address, nullptr, "", {}}, {flags.with, nullptr, "", {}}};
-  // Nothing is done at one robot when the other one cannot be reached.
+  // Connects to both robots before the action begins, so that nothing is done at one robot if the
+  // other cannot be reached.
   for (Partner& robot : robots) {
     robot.connection = std::make_unique<remote::Connection>(
         remote::ParseAddress(robot.address),

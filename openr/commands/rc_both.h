@@ -5,11 +5,12 @@
 
 namespace openr_host {
 
-// Connects to both robots, flags.address and flags.with, then carries out `action` at both at the
-// same time.  Returns the exit code.  Throws what remote::Connection throws.
+// Connects to both robots, flags.address and flags.with.  Then carries out `action` at both at the
+// same time.  Returns the exit code.  Throws the exceptions of remote::Connection.
 int PerformAtBoth(const RcFlags& flags, const RcAction& action);
 
-// Lets the robot flags.address follow the robot flags.with, until Ctrl-C or flags.count reports.
+// Makes the robot flags.address follow the robot flags.with, until Ctrl-C or after flags.count
+// reports.
 int FollowRobot(const RcFlags& flags);
 
 }  // namespace openr_host

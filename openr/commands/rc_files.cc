@@ -20,7 +20,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Shows on a terminal how far a file is, in one line that is removed at the end.
+// Shows the progress of a transfer on a terminal, in one line that is removed at the end.
 class ProgressLine {
  public:
   explicit ProgressLine(std::string name)

@@ -13,8 +13,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr uint32_t kNoFrame = 0xffffffff;
 
-thread_local std::string t_robot;  // see RcRobotLabel; "": none
-std::mutex g_print_mutex;          // two threads print when there are two robots
+thread_local std::string t_robot;  // address of RcRobotLabel in this thread; "": none
+std::mutex g_print_mutex;          // protects the output, because with two robots two threads print
 
 }  // namespace
 

@@ -15,7 +15,8 @@ std::string FrameText(uint32_t frame);
 // the robot has no sensor values yet.
 nlohmann::ordered_json FrameJson(uint32_t frame);
 
-// While it exists, answers that its thread prints begin with the address of their robot.
+// A label for answers: while it exists, answers that its thread prints begin with the address of
+// their robot.
 class RcRobotLabel {
  public:
   explicit RcRobotLabel(const std::string& address);
@@ -24,8 +25,8 @@ class RcRobotLabel {
   RcRobotLabel& operator=(const RcRobotLabel&) = delete;
 };
 
-// Prints an answer of the robot: `text` with the frame number, or with `as_json` one JSON object of
-// frame number and `json`.
+// Prints an answer of the robot: `text` with the frame number.  With `as_json`, prints one JSON
+// object with the frame number and the members of `json`.
 void PrintRcAnswer(bool as_json, uint32_t frame, const nlohmann::ordered_json& json,
                    const std::string& text);
 

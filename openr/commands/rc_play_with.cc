@@ -20,15 +20,15 @@
 namespace openr_host {
 namespace {
 
-// Time between two requests for the logs, as short as that of a single robot.
+// Time between two requests for the logs, the same as for one robot.
 constexpr useconds_t kBothPollUs = 5'000;
 
 remote::PlayAnswer Play(remote::Connection* robot, const RcFlags& flags) {
   return robot->PlayMotion(flags.file, flags.loops, flags.key_frames);
 }
 
-// Plays on both robots.  If the other one refuses or cannot be reached, the first one is stopped,
-// so that no robot plays alone.
+// Plays on both robots.  If the other robot refuses or cannot be reached, stops the first robot, so
+// that no robot plays alone.
 remote::PlayAnswer PlayBoth(remote::Connection* robot, remote::Connection* other,
                             const RcFlags& flags) {
   const remote::PlayAnswer answer = Play(robot, flags);
@@ -48,7 +48,8 @@ void TakeBoth(remote::LogReader* log, remote::LogReader* other) {
     const int state = log->Take();
     plays = other->Take() != moverACCEPTING_COMMANDS || state != moverACCEPTING_COMMANDS;
   }
-  log->Take();  // the last key frames, which may have come before the state
+  log->Take();  // fetches the last key frames, which may have been recorded before the state
+                // changed
   other->Take();
 }
 

@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 constexpr int64_t kVectorUs = 32'000;  // a sensor vector has 4 frames of 8 ms
 constexpr int kPeriodMax = 65532;      // frames; the largest multiple of 4 in 16 bits
 
-// Returns the number of frames of the period for `every_us`, rounded up to whole sensor vectors.
+// Returns the period for `every_us` in frames, rounded up to whole sensor vectors.
 int PeriodOf(int64_t every_us) {
   const int64_t vectors = (every_us + kVectorUs - 1) / kVectorUs;
   return static_cast<int>(
@@ -62,7 +62,7 @@ class SetValueFormat {
   const std::vector<remote::Description> joints_;
 };
 
-// Adds to an event how many the client has missed before it.
+// Prints an event, with the number of events that the client has missed before it.
 void PrintEvent(const RcFlags& flags, const remote::Event& event, Json json, std::string text) {
   if (event.left_out > 0) text += fmt::format("\n  {} left out before", event.left_out);
   json["left_out"] = event.left_out;

@@ -32,7 +32,7 @@ struct ReplayFlags {
   bool console = false;
   bool panel = false;
   ShowOptions show;
-  int64_t handler_limit_us = 10'000'000;  // the default of openr run
+  int64_t handler_limit_us = 10'000'000;  // the same default as in openr run
 };
 
 nlohmann::ordered_json TextOrNull(const std::string& text) {

@@ -82,7 +82,7 @@ std::string Summary(const nlohmann::ordered_json& report, const std::optional<Ru
 }
 
 // Writes the report when an object ends the run, by a crash or by a handler that does not return.
-// The report has the present state and, as "error", the record of the crash.
+// The report has the present state of the run and, as "error", the record of the crash.
 void ReportTheEnding(Ending* ending, Simulation* simulation, DistributedRun* distribution,
                      const RunFacts& facts, const RunFlags& flags) {
   {
@@ -136,7 +136,7 @@ std::unique_ptr<PanelProcess> StartPanel(const RunFlags& flags, const LiveServer
   return std::make_unique<PanelProcess>(socket.filename(), flags.panel_port);
 }
 
-// One run of `openr run`, from the flags to the report.
+// A run of `openr run`, from the flags to the report.
 class CommandedRun {
  public:
   explicit CommandedRun(const RunFlags& flags);
@@ -173,7 +173,7 @@ class CommandedRun {
   MessageHistory history_;
   LiveEvents live_events_;
   const LiveContext live_context_;
-  bool is_silent_ = false;     // this is a copy of the run, which prints nothing
+  bool is_silent_ = false;     // this process is a copy of the run, which prints nothing
   bool is_assembled_ = false;  // `simulation_` has been made
   bool boots_ = false;
   RunFacts facts_;
@@ -201,15 +201,16 @@ CommandedRun::CommandedRun(const RunFlags& flags)
     throw CLI::ValidationError("--events", problem);
 }
 
-// Returns the options of the simulation: those of the flags, to which the console, the recorder and
-// the connections of `distribution_` are added.
+// Returns the options of the simulation: those from the flags, with the console, the recorder and
+// the connections of `distribution_`.
 SimulationOptions CommandedRun::Options() {
   SimulationOptions options = flags_.simulation;
   options.stick = stick_.folder();
   options.log_level = flags_.log == "error" ? 1 : flags_.log == "warning" ? 2 : 3;
   options.console = [this](std::string_view text) {
     if (!is_silent_) console_.Print(text);
-    // Images may print while they are loaded, before there is a clock.
+    // Uses time 0 for text that images print while they are loaded, because the clock does not
+    // exist yet.
     console_log_.Add(is_assembled_ ? system().now_us() : 0, text);
   };
   options.network_filter = [this](int robot, std::unique_ptr<Network> inner) {
@@ -229,9 +230,8 @@ int CommandedRun::Run() {
   boots_ = simulation_.loaded() && !is_refused && distribution_.Connect(&simulation_);
   bool good = boots_;
   if (!boots_) NoteThatItDoesNotBoot(is_refused);
-  // After a Ctrl-C while the run waited for its workers, it is not known whether the robot would
-  // have booted.  So `boots_` is set, because otherwise the program would print that the robot does
-  // not boot.
+  // Sets `boots_` after a Ctrl-C while the run waited for its workers.  It is not known whether the
+  // robot would have booted, and the program would otherwise print that the robot does not boot.
   if (!boots_ && interrupts_.count() > 0) boots_ = true;
   if (good) {
     good = RunToTheEnd();
@@ -254,22 +254,22 @@ void CommandedRun::NoteThatItDoesNotBoot(bool is_refused) {
   system().NoteRunEnd(end);
 }
 
-// Returns the name by which `openr poke` finds this run: that of --run-name, else "default" for the
-// default stick, or the name of the stick's folder.
+// Returns the name by which `openr poke` finds this run: the value of --run-name; without it
+// "default" for the default stick, or the name of the stick's folder.
 std::string CommandedRun::LiveName() const {
   if (!flags_.placement.bus.run.empty()) return flags_.placement.bus.run;
   if (stick_.is_default()) return "default";
   return std::filesystem::absolute(stick_.name()).lexically_normal().filename();
 }
 
-// Returns why this run cannot be rewound; "" if it can.
+// Returns the reason why this run cannot be rewound; "" if it can.
 std::string CommandedRun::WhyNotRewound() const {
   if (distribution_.has_processes()) return "its objects are in several processes";
   if (flags_.ros2.is_on) return "it is connected to ROS 2 (--ros2)";
   return "";
 }
 
-// Lets clients of the run go back to earlier moments.
+// Sets the run up so that its clients can go back to earlier moments.
 void CommandedRun::BeginRewind(LiveServer* live, Runner* runner, Watchdog* watchdog) {
   RewindParts parts;
   parts.simulation = &simulation_;
@@ -298,9 +298,9 @@ void CommandedRun::BeginRewind(LiveServer* live, Runner* runner, Watchdog* watch
 // Boots the robots and runs the simulation to its end.  Returns false after printing an error.
 bool CommandedRun::RunToTheEnd() {
   const EndingAnswer answer(flags_.json ? StandardOutput() : -1, flags_.report_file);
-  // The crash record of a run on the default stick is in a folder that users do not know.  So the
-  // finding about a crash must name the record's file, which CrashLog does if `place` has a value.
-  // The value is "", because no text needs to follow the file's name.
+  // Gives `place` a value for a run on the default stick, so that the finding about a crash names
+  // the record's file: its folder is not known to users.  The value is "", because no text needs to
+  // follow the file's name.
   std::optional<std::string> place;
   if (stick_.is_default()) place = "";
   const CrashLog crash_log(

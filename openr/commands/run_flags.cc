@@ -177,7 +177,7 @@ std::vector<PictureRequest> PictureRequests(const RunFlags& flags) {
   return plans;
 }
 
-// Throws if two flags name the same file, because each would overwrite what the other writes.
+// Throws if two flags name the same file, because each would overwrite the output of the other.
 void CheckThatFilesDiffer(const RunFlags& flags) {
   std::vector<std::pair<std::string, std::string>> named = {
       {"--report", flags.report_file},       {"--record", flags.record_file},
@@ -198,7 +198,7 @@ void CheckThatFilesDiffer(const RunFlags& flags) {
   }
 }
 
-// Throws if the run would write something else than the JSON object of --json to standard output.
+// Throws if other output than the JSON object of --json would go to standard output.
 void CheckStandardOutput(const RunFlags& flags) {
   if (!flags.json) return;
   const std::pair<const char*, const std::string&> named[] = {

@@ -41,12 +41,12 @@ struct RunFlags {
 // line is read.
 void DescribeRunFlags(CLI::App* command, RunFlags* flags);
 
-// Returns whether the run has a panel: with --panel, and without --no-panel if a person sees its
-// address on a terminal and the panel is built.
+// Returns whether the run has a panel.  --panel and --no-panel decide; without them, it has one if
+// the panel is built and standard error is a terminal, on which a person sees its address.
 bool WantsPanel(const RunFlags& flags);
 
-// Returns what the flags say about the run.  Throws CLI::ValidationError if two flags do not go
-// together, or a value cannot be used.
+// Returns the plan of the run that the flags describe.  Throws CLI::ValidationError if two flags
+// contradict each other, or if a value cannot be used.
 RunPlan PlanOf(const RunFlags& flags);
 
 }  // namespace openr_host

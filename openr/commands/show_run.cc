@@ -44,7 +44,8 @@ int ShowRun(const MakeKnownRun& make, const ShowOptions& options) {
         "what it needs");
   InterruptCounter interrupts;
   ConsoleLog console;
-  KnownRun* run_made = nullptr;  // images may print while the run is made
+  KnownRun* run_made = nullptr;  // the run once it is made; null before, while images may print
+                                 // already
   const std::unique_ptr<KnownRun> run = make([&](std::string_view text) {
     console.Add(run_made == nullptr ? 0 : run_made->simulation().system().now_us(), text);
   });

@@ -17,15 +17,15 @@ namespace openr_host {
 class KnownRun;
 
 struct ShowOptions {
-  std::string name;            // of the run in the list of the page
-  uint16_t panel_port = 8210;  // or the next free port
+  std::string name;            // name of the run in the list of the page
+  uint16_t panel_port = 8210;  // port of the panel; if it is taken, the next free one
   double rate = 1;             // virtual seconds per second; 0: as fast as possible
 };
 
-// Adds the flags of ShowOptions but for the name, which go only with the flag `panel`.
+// Adds the flags of ShowOptions, except for the name.  The flags need the flag `panel`.
 void AddShowFlags(CLI::App* command, CLI::Option* panel, ShowOptions* options);
 
-// Type of the function that assembles the run, whose objects print to `console`.
+// Type of a function that assembles a run and makes its objects print to `console`.
 using MakeKnownRun =
     std::function<std::unique_ptr<KnownRun>(const std::function<void(std::string_view)>& console)>;
 

@@ -20,8 +20,9 @@
 namespace openr_host {
 namespace {
 
-constexpr int64_t kSliceUs = 50'000;      // how often Ctrl-C is noticed
-constexpr int64_t kOthersUs = 1'500'000;  // --once listens so long; each run is heard once a second
+constexpr int64_t kSliceUs = 50'000;      // longest wait, so that Ctrl-C is noticed soon
+constexpr int64_t kOthersUs = 1'500'000;  // time that --once listens; each run sends its status
+                                          // once a second
 
 struct TopFlags {
   BusOptions bus;

@@ -15,11 +15,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Run = RunsHeard::Run;
 
-constexpr double kSilent_s = 3;   // longer silence is shown; a run sends its status once a second
+constexpr double kSilent_s = 3;   // a longer silence is shown; a run sends its status once a second
 constexpr double kEnded_s = 10;   // an ended run is shown for this time
 constexpr size_t kStateMax = 40;  // most characters of a state in the table
 
-// The process that an object runs in.
+// The process in which an object runs.
 struct ProcessHost {
   std::string process;
   std::string host;
@@ -177,7 +177,8 @@ void RunsHeard::Take(const std::vector<RunStatus>& news, double now_s) {
     if (!status.objects.empty()) {
       runs_[key] = {status, now_s};
     } else if (const auto found = runs_.find(key); found != runs_.end()) {
-      found->second.status.has_ended = true;  // a status without objects: the run is gone
+      found->second.status.has_ended = true;  // a status without objects means that the run has
+                                              // ended
       found->second.heard_s = now_s;
     }
   }
@@ -257,7 +258,7 @@ std::string OnScreen(const std::string& text, size_t rows, size_t columns) {
     lines.resize(rows - 1);
     lines.push_back(fmt::format("... {}", Counted(left_out, "more line")).substr(0, columns));
   }
-  std::string screen;  // clears each line to its end, and the rest of the screen
+  std::string screen;  // text that clears each line to its end, and the rest of the screen
   for (const std::string& line : lines) screen += (screen.empty() ? "" : "\r\n") + line + "\x1b[K";
   return screen + "\x1b[J";
 }

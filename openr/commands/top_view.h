@@ -11,7 +11,8 @@
 
 namespace openr_host {
 
-// The runs that have sent their status, each with its last status and the time when that came.
+// The runs that have sent their status, each with its last status and the arrival time of that
+// status.
 class RunsHeard {
  public:
   struct Run {
@@ -21,8 +22,7 @@ class RunsHeard {
 
   void Take(const std::vector<RunStatus>& news, double now_s);
 
-  // Removes the runs that ended more than 10 s ago.  Until then the user can read in the table how
-  // they ended.
+  // Removes the runs that ended more than 10 s ago.  Until then the table shows how they ended.
   void Forget(double now_s);
 
   bool empty() const { return runs_.empty(); }

@@ -8,7 +8,7 @@ namespace {
 namespace remote = openr::remote;
 
 constexpr int kLargestLayer = 0;
-// Time between two tries while another client fetches a picture.
+// Time between two attempts to fetch a picture while the robot serves another client.
 constexpr std::chrono::milliseconds kBusyWait{100};
 // Number of tries in a row without a picture after which the user is told.  They last 10 s, far
 // longer than another client needs for a picture.

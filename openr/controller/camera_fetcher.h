@@ -1,4 +1,4 @@
-// CameraFetcher, which fetches pictures of the robot's camera one after the other.
+// CameraFetcher, which fetches pictures from the robot's camera one after the other.
 #pragma once
 
 #include <atomic>
@@ -19,12 +19,12 @@ class CameraFetcher {
   CameraFetcher(const CameraFetcher&) = delete;
   CameraFetcher& operator=(const CameraFetcher&) = delete;
 
-  // If a new picture has come since the last call, puts it into `*rgb`, three bytes a pixel from
-  // the top left, and returns true.
+  // Puts the newest picture into `*rgb`, three bytes a pixel from the top left, and returns true,
+  // if a new picture has come since the last call.
   bool Take(std::string* rgb);
 
-  // Returns the reason why no pictures come, once; "" as long as they come, or for the first 10 s
-  // in which the robot has none.
+  // Returns the reason why no pictures come; "" if they come, if the robot has had none for less
+  // than 10 s, or if the reason was returned before.
   std::string TakeProblem();
 
  private:
@@ -34,7 +34,7 @@ class CameraFetcher {
   const openr::remote::Options options_;
   std::atomic<bool> is_ended_ = false;
   std::mutex mutex_;
-  std::string picture_;  // the newest; "" after it was taken
+  std::string picture_;  // the newest picture; "" after Take() has returned it
   std::string problem_;
   std::thread thread_;
 };

@@ -20,8 +20,8 @@ using Clock = std::chrono::steady_clock;
 
 volatile sig_atomic_t g_stops = 0;  // number of the signal that ends the controller; 0: none
 
-// A controller may never return, so a further signal ends the process at once.  One that comes
-// within a second does not: the program timeout sends two.
+// Ends the process at once at a second signal, because a controller may never return.  Ignores a
+// second signal within one second, because the program `timeout` sends two.
 void OnStop(int signal_number) {
   static volatile int64_t first_ms = 0;
   if (g_stops == 0) {
@@ -40,7 +40,7 @@ void CatchStop() {
   sigaction(SIGTERM, &action, nullptr);
 }
 
-// One controller from its main() to its end.
+// A controller from the start of its main() to its end.
 class Session {
  public:
   explicit Session(const ControllerRun& run)
@@ -63,11 +63,12 @@ class Session {
   StepClock clock_;
   std::string why_ = "its loop has ended";
   int status_ = kExitGood;
-  uint32_t first_frame_ = 0, last_frame_ = 0;  // at the begin of the first and the last iteration
+  uint32_t first_frame_ = 0, last_frame_ = 0;  // frame numbers at the start of the first and of the
+                                               // last iteration
 };
 
-// Waits as the robot's Controller does, whose main() begins when the robot stands.  Returns false
-// when Ctrl-C ends the program before.
+// Waits until the robot stands, because the main() of a controller on the robot begins then, too.
+// Returns false when Ctrl-C ends the program before.
 bool Session::WaitForStanding() {
   const auto is_ended = [this] { return g_stops != 0 || port_.Stands(); };
   port_.ReceiveUntil(Clock::now() + std::chrono::milliseconds(100), is_ended);
@@ -101,8 +102,8 @@ bool Session::WaitForNextStep() {
   }
 }
 
-// Makes an iteration while main() of the controller waits in robot_step().  Main() cannot be left,
-// so the process ends here when the program ends.
+// Makes an iteration while main() of the controller waits in robot_step().  Ends the process here
+// when the program is to end, because main() cannot be left.
 void Session::StepInMain() {
   port_.core()->LedReady();
   if (!WaitForNextStep()) std::exit(End());
@@ -132,7 +133,8 @@ int Session::End() {
   return status_;
 }
 
-// Returns how long iterations were on the robot's clock, which need not go like this computer's.
+// Returns a text with the mean duration of iterations on the robot's clock, which may run slower or
+// faster than this computer's.
 std::string Session::RobotTime() const {
   const auto count = static_cast<double>(clock_.iterations());
   if (count == 0 || last_frame_ <= first_frame_) return "";

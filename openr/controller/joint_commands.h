@@ -1,4 +1,4 @@
-// JointCommands, which finds the requests for what a controller has changed.
+// JointCommands, which converts the changes that a controller has made to requests to the robot.
 #pragma once
 
 #include <optional>
@@ -10,16 +10,16 @@
 
 namespace openr_host {
 
-// A request to the robot, and words for it in messages.
+// A request to the robot, and its description for messages.
 struct RobotCommand {
   openr::remote::Call call;
-  std::string what;  // "a position of neck_pan"
-  int joint = -1;    // of a position; -1: no position
+  std::string what;  // such as "a position of neck_pan"
+  int joint = -1;    // the joint whose position the request sets; -1: another request
 };
 
-// Compares the buffer of a controller with what was sent before.  Values that have not changed
-// since are not sent again, so a command that another client has given meanwhile stays (Hohl
-// 2004, 4.2.3). They are compared in the units of the protocol: 0.01 degree and so on.
+// Compares the buffer of a controller with the values that were sent before.  Unchanged values are
+// not sent again, so a command that another client has given meanwhile stays (Hohl 2004, 4.2.3).
+// Values are compared in the units of the protocol, such as 0.01 degree.
 class JointCommands {
  public:
   // Begins with the values that JointMover has before its first command (Messages.h): no position

@@ -22,8 +22,9 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int kFrameMs = 8;
 constexpr std::chrono::milliseconds kSlice{50};  // longest wait, so that Ctrl-C is noticed soon
-constexpr int kEventsAtOnce = 64;                // taken before answers are looked at
-// Number of frames after which they are counted from 0 again (docs/remote-control.md).
+constexpr int kEventsAtOnce = 64;                // events that are taken before answers are looked
+                                                 // at
+// Number of different frame numbers: after the largest one follows 0 (docs/remote-control.md).
 constexpr uint32_t kFramesMax = 0x0ffffff1;
 
 // Returns whether `frame` is after `other`.
@@ -74,8 +75,8 @@ bool RemotePort::TakeStep(int* step_ms) {
   return *step_ms > 0;
 }
 
-// Does `function`, which asks the robot something.  Returns false and sets `*refusal` to the reason
-// if that fails.  An error of the connection is kept for Check().
+// Calls `function`, which asks the robot for something.  If that fails, returns false and sets
+// `*refusal` to the reason.  Keeps an error of the connection for Check().
 template <typename Function>
 bool RemotePort::Guarded(const Function& function, std::string* refusal) {
   if (failure_) {
@@ -94,10 +95,10 @@ bool RemotePort::Guarded(const Function& function, std::string* refusal) {
   return false;
 }
 
-// ---- What the robot sends
+// ---- Events from the robot
 
 void RemotePort::ReceiveUntil(Clock::time_point deadline, const std::function<bool()>& is_ended) {
-  // At least once, because a controller that is always late must receive values, too.
+  // Receives at least once, because a controller that is always late must get values, too.
   do {
     auto event = robot_.NextEvent(std::min(deadline, Clock::now() + kSlice));
     for (int i = 0; i < kEventsAtOnce && event; ++i) {
@@ -134,7 +135,8 @@ void RemotePort::TakeSensors(const remote::Sensors& sensors, uint32_t frame) {
   }
   core_.SetSensors(values);
   battery_percent_ = at(sensors.misc, 0);
-  // Values from before the answer to MTN_PLAY do not know of the motion.
+  // Ignores the state in values that are older than the answer to MTN_PLAY, because they still say
+  // that no motion plays.
   if (!playing_.empty() && !IsAfter(frame, play_frame_)) return;
   state_ = sensors.state == 0xff ? -1 : sensors.state;
   const int key_frame = sensors.keyFrame.empty() ? -1 : sensors.keyFrame[0];
@@ -169,7 +171,8 @@ void RemotePort::TakePicture() {
   if (!problem.empty()) Say("no images of the camera: " + problem);
 }
 
-// Asks for INFO when the robot has been silent, so that a robot that has stopped is noticed.
+// Sends the request INFO when the robot has been silent for long, so that a robot that has stopped
+// is noticed.
 void RemotePort::ShowLife() {
   if (life_ != 0) {
     if (!robot_.IsAnswered(life_)) return;
@@ -215,8 +218,8 @@ void RemotePort::Finish() {
 
 // ---- Commands
 
-// Sends what has changed.  ControllerCore sends joints, ears and lights in this order, the lights
-// in every iteration; so all requests of an iteration go out here.
+// Sends all changes of an iteration.  ControllerCore sends joints, ears and lights in this order,
+// and the lights in every iteration, so this is the last call of the iteration.
 void RemotePort::SendLeds(Uint32 on, int frames) {
   step_ms_ = frames * kFrameMs;
   std::vector<RobotCommand> commands;
@@ -251,14 +254,14 @@ void RemotePort::Send(const std::vector<RobotCommand>& commands) {
   }
 }
 
-// Plays a motion.  It is over at once if the robot refuses it.
+// Plays a motion.  If the robot refuses the motion, reports it as over at once.
 void RemotePort::SendMover(const MoverCommand& command) {
   playing_ = command.file;
   std::string refusal;
   const auto play = [&] {
     robot_.PlayMotion(playing_, command.loops, command.keyFramesPerVector);
     play_frame_ = robot_.frame();
-    state_ = moverPREPARE_MTN;  // until sensor values tell
+    state_ = moverPREPARE_MTN;  // until sensor values give the real state
   };
   if (Guarded(play, &refusal)) return;
   Say(fmt::format("mtn_play: {} was refused: {}", playing_, refusal));
@@ -277,7 +280,7 @@ bool RemotePort::ReadFile(const std::string& path, std::vector<Uint8>* bytes, st
       error);
 }
 
-// Returns the file of a motion beside the controller; "" if there is none.
+// Returns the path of a motion file in the controller's folder; "" if there is none.
 std::string RemotePort::LocalMotion(const std::string& name) const {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder_, error)) {
@@ -286,8 +289,8 @@ std::string RemotePort::LocalMotion(const std::string& name) const {
   return "";
 }
 
-// Returns the bytes of a motion.  One beside the controller is put on the robot's stick first, as
-// `openr controller build` does.
+// Returns the bytes of a motion.  A motion file in the controller's folder is first uploaded to the
+// robot's stick, because `openr controller build` puts it there, too.
 std::string RemotePort::FetchMotion(const std::string& name) {
   const std::string local = LocalMotion(name);
   if (local.empty()) return robot_.Download(rcfileMOTION, name);
@@ -337,8 +340,9 @@ void RemotePort::Print(const char* text) {
 
 // ---- A controller that is an endless loop
 
-// Waits here, in robot_step(), because a controller of this computer may wait: there is no second
-// stack to leave.  Makes iterations of the core, of which one continues this loop.
+// Waits here, in robot_step(), because a controller on this computer may wait; a second stack as on
+// the robot is not needed.  Makes iterations of the core until one of them continues the loop of
+// the controller.
 bool RemotePort::LeaveLoop() {
   is_continued_ = false;
   while (!is_continued_) on_step_();

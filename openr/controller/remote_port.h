@@ -1,4 +1,4 @@
-// RemotePort, the robot of a controller that runs on this computer.
+// RemotePort, which gives a controller on this computer access to its robot.
 #pragma once
 
 #include <deque>
@@ -17,16 +17,17 @@
 
 namespace openr_host {
 
-// Implements what ControllerCore, the loop of the Controller object, needs of a robot: commands are
-// requests of the remote control, sensor values come from its stream.
+// Implements the functions of a robot that ControllerCore, the loop of the Controller object,
+// calls: sends commands as requests of the remote control, and takes sensor values from its stream.
 //
-// The functions of ControllerPort are called in code of the controller, which may be C, so they
-// throw nothing.  An error of the connection is kept, and Check() throws it.
+// Functions of ControllerPort are called in code of the controller, which may be C, so they throw
+// nothing.  They keep an error of the connection, and Check() throws it.
 class RemotePort : public ControllerPort {
  public:
-  // Subscribes to the sensor values.  `folder` is that of the controller.  Throws remote::Error;
-  // std::runtime_error if the robot is of an unknown design.  `on_step` makes an iteration of the
-  // loop while the controller waits in robot_step(); it does not return when the program ends.
+  // Subscribes to the sensor values.  `folder` is the controller's folder.  `on_step` makes an
+  // iteration of the loop while the controller waits in robot_step(); it does not return when the
+  // program ends.  Throws remote::Error; throws std::runtime_error if the design of the robot is
+  // unknown.
   RemotePort(const openr::remote::Address& address, openr::remote::Options options,
              std::string folder, std::function<void()> on_step);
   ~RemotePort() override;
@@ -38,24 +39,24 @@ class RemotePort : public ControllerPort {
   void ReceiveUntil(std::chrono::steady_clock::time_point deadline,
                     const std::function<bool()>& is_ended);
 
-  // Throws the error that a function below has met, if any.
+  // Throws the error that another function has kept, if any.
   void Check() const;
 
   // Waits for the answers to all commands under way.  Throws remote::Error.
   void Finish();
 
-  // Returns whether the robot stands, so that it takes commands.
+  // Returns whether the robot stands, and so takes commands.
   bool Stands() const;
 
-  // Returns whether the core has sent the lights, which it does in each iteration of its loop, and
-  // forgets it.  `*step_ms` gets the time step.
+  // Returns whether the core has sent the lights since the last call.  It sends them in each
+  // iteration of its loop.  Sets `*step_ms` to the time step.
   bool TakeStep(int* step_ms);
 
   // Returns the frame number of the newest sensor values.
   uint32_t frame() const { return core_.Sensors().frame; }
 
  private:
-  // Functions of ControllerPort
+  // ---- Implementation of ControllerPort
   bool IsLedReady() override { return true; }
   bool IsEarReady() override { return true; }
   bool IsBatchMoverReady() override { return true; }
@@ -108,22 +109,24 @@ class RemotePort : public ControllerPort {
   std::unique_ptr<CameraFetcher> camera_;
   std::exception_ptr failure_;
 
-  std::optional<BatchMoverCommand> wanted_;  // the joints as the controller wants them
-  // Positions that were refused as BUSY, by joint with the words for it.
+  std::optional<BatchMoverCommand> wanted_;  // the joints as the controller wants them; nullopt: no
+                                             // change
+  // Joints whose new positions the robot has refused as BUSY, with the text of the warning.
   std::vector<std::pair<int, std::string>> busy_;
   Uint32 wanted_ears_ = 0;
-  Uint32 sent_leds_ = 0;  // as the controller has last commanded; at first all are off
+  Uint32 sent_leds_ = 0;  // the lights as commanded last; at first all are off
   Uint32 sent_ears_ = 0;
-  int state_ = -1;  // MoverState; -1: not heard of yet
+  int state_ = -1;  // MoverState; -1: not known yet
   int battery_percent_ = 0;
   std::string playing_;      // file of the motion that plays for the controller; "": none
-  uint32_t play_frame_ = 0;  // frame of the answer to its MTN_PLAY
-  int step_ms_ = 0;          // of the lights sent last; 0: none since TakeStep()
+  uint32_t play_frame_ = 0;  // frame number in the answer to MTN_PLAY for this motion
+  int step_ms_ = 0;          // time step of the lights sent last; 0: none sent since TakeStep()
   int rounded_ms_ = 0;       // the time step whose rounding was reported last
   bool is_continued_ = false;
   std::chrono::steady_clock::time_point heard_{};   // time of the last event or answer
   std::chrono::steady_clock::time_point warned_{};  // time of the last WarnOfRefusal()
-  openr::remote::RequestId life_ = 0;               // a request for a sign of life; 0: none
+  openr::remote::RequestId life_ = 0;               // id of the INFO request that waits for its
+                                                    // answer; 0: none
 };
 
 }  // namespace openr_host

@@ -7,35 +7,36 @@
 
 namespace openr_host {
 
-// Says when the next iteration is to begin, and counts how long iterations were.  Times come from
-// the caller.
+// Computes when the next iteration is to begin, and measures the duration of iterations.  The
+// caller passes in the present time.
 class StepClock {
  public:
   using Time = std::chrono::steady_clock::time_point;
   using Duration = std::chrono::steady_clock::duration;
 
-  // How late an iteration may begin without being taken for late: a frame of the robot.
+  // The largest delay with which an iteration still counts as on time: a frame of the robot.
   static constexpr std::chrono::milliseconds kLate{8};
 
-  // Called at the end of an iteration, which asks for `step`.  Returns when the next one begins:
-  // `step` after this one began.  The first call counts `now` as the begin of the first iteration.
+  // Returns when the next iteration is to begin: `step` after the planned time of the present
+  // iteration.  Called at the end of an iteration, which asks for `step`.  The first call takes
+  // `now` for the time at which the first iteration has begun.
   Time Next(Time now, Duration step);
 
-  // Called when the next iteration begins.  Returns "" if it begins at most kLate after the time
-  // that Next() returned.  Otherwise plans the further iterations from now, because lost time is
-  // not made up for, and returns a warning, at most one a second.
+  // Returns a warning if the next iteration, which begins now, begins more than kLate after the
+  // time that Next() returned; else "".  Warns at most once a second.  Plans the following
+  // iterations from now on in this case, because lost time is not made up for.
   std::string Begin(Time now);
 
-  int64_t iterations() const { return iterations_; }  // whole ones: their successor has begun
+  int64_t iterations() const { return iterations_; }  // iterations that have ended
 
-  // Describes asked and achieved time steps: "640 iterations in 41.0 s; asked for were 64 ms each,
-  // achieved 64.1 ms on average, 71 ms at most".
+  // Describes the time steps that were asked for and achieved: "640 iterations in 41.0 s; asked for
+  // were 64 ms each, achieved 64.1 ms on average, 71 ms at most".
   std::string Summary() const;
 
  private:
   bool has_begun_ = false;
-  Time begin_{};    // of the present iteration, as it was
-  Time planned_{};  // of the present iteration, as it should have been
+  Time begin_{};    // time at which the present iteration has begun
+  Time planned_{};  // time at which the present iteration was to begin
   Time next_{};
   Time warned_{};
   Duration step_{};

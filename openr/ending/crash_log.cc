@@ -146,8 +146,8 @@ class RecordFile {
   // Opens the file `name`.  If `name` is null, no file is opened or written.
   explicit RecordFile(const std::string* name) : name_(name) {
     if (name == nullptr) return;
-    // The system call is made directly, because open() is replaced in this process by a function
-    // that may open a file of the object's Memory Stick instead.
+    // Calls the system directly, because open() is replaced in this process by a function that may
+    // open a file of the object's Memory Stick instead.
     descriptor_ =
         static_cast<int>(syscall(SYS_openat, AT_FDCWD, name->c_str(),
                                  O_WRONLY | O_CREAT | (g_adds ? O_APPEND : O_TRUNC), 0666));
@@ -158,16 +158,16 @@ class RecordFile {
     if (descriptor_ >= 0 && error_ == 0) error_ = WriteAll(descriptor_, text.text());
   }
 
-  // Prints on standard error that the file was written, or why it could not be written.  Returns
-  // true if it was written.
+  // Prints on standard error that the file was written, or the reason why not.  Returns true if it
+  // was written.
   bool Tell() const {
     if (name_ == nullptr) return false;
     SignalText note;
     if (error_ == 0) {
       note.Add("openr: wrote ").Add(*name_);
     } else {
-      // This function runs in a signal handler, where no memory may be allocated.  strerror() may
-      // do so; strerrordesc_np() of the GNU C library does not.
+      // Uses strerrordesc_np() of the GNU C library, because strerror() may allocate memory, which
+      // is not allowed in a signal handler.
       const char* const why = strerrordesc_np(error_);
       note.Add("openr: ").Add(*name_).Add(": the record of the crash cannot be written: ");
       note.Add(why == nullptr ? "unknown error" : why);
@@ -212,9 +212,9 @@ void OnCrashSignal(int signal, siginfo_t* info, void* context) {
   if (t_current.object != nullptr) AddName(signal, *info, context, &name);
   text.Add("EXCEPTION ").Add(name.text());
   const bool is_overflow = StackMemory::AnyGuardContains(info->si_addr);
-  // Only an address that the object has accessed is printed.  The address of the instruction
-  // (SIGFPE, SIGILL) and an address in a stack guard differ from run to run, so they are left out;
-  // the call stack in the record shows the place of the crash.
+  // Prints only an address that the object has accessed.  The address of the instruction (SIGFPE,
+  // SIGILL) and an address in a stack guard differ from run to run, so they are left out; the call
+  // stack in the record shows the place of the crash.
   if ((signal == SIGSEGV || signal == SIGBUS) && !is_overflow)
     text.Add(" at address 0x").AddNumber(reinterpret_cast<uint64_t>(info->si_addr), 16);
   text.Add("\nOBJECT ");
@@ -280,9 +280,9 @@ CrashLog::~CrashLog() {
 }
 
 void CrashLog::BeginAfresh(const std::string& file) {
-  // Errors are ignored.  A file that does not exist needs no removing.  If the file cannot be
-  // removed, writing the record to it later will most likely fail too, and RecordFile::Tell()
-  // reports that.
+  // Ignores errors.  A file that does not exist need not be removed.  If the file cannot be
+  // removed, writing the record to it will most likely fail too, and RecordFile::Tell() reports
+  // that.
   std::error_code error;
   std::filesystem::remove(file, error);
 }

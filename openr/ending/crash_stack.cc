@@ -34,9 +34,8 @@ _Unwind_Reason_Code Take(_Unwind_Context* context, void* data) {
   walk->is_outside = walk->is_outside || is_interrupted != 0;
   if (!walk->is_outside || IsStackChange(address)) return _URC_NO_REASON;
   if (walk->count == walk->max) return _URC_END_OF_STACK;
-  // For a function that has called another one, `address` is the return address, which may already
-  // belong to the next line or function.  So the address before it is stored, which is inside the
-  // call instruction.
+  // Stores the address before the return address, because the return address may already belong to
+  // the next line or function.  The address before it is inside the call instruction.
   walk->addresses[walk->count++] = is_interrupted != 0 ? address : address - 1;
   return _URC_NO_REASON;
 }

@@ -11,9 +11,9 @@ namespace openr_host {
 class Object;
 
 // The call stack of an object at a signal that its code has caused.  Made in the handler of this
-// signal.  A stack may be so damaged that walking it crashes again, so for a crash BeginEnding() is
-// called first, which prepares for such a second signal.  Frames are named by file and offset, not
-// by address, so that the same crash gives the same text in each run.  The functions of the runtime
+// signal.  A stack may be so damaged that walking it crashes again, so the signal handler calls
+// BeginEnding() first, which prepares for a second signal.  Frames are named by file and offset,
+// not by address, so that the same crash gives the same text in each run.  Functions of the runtime
 // that called the object's handler are left out.
 class CrashStack {
  public:

@@ -18,7 +18,7 @@ class Object;
 struct Ending {
   EndKind kind = EndKind::kCrash;
   SignalText record;         // lines for a person to read
-  SignalText finding;        // one sentence for the report
+  SignalText finding;        // a sentence for the report
   Object* object = nullptr;  // the object that was running; null if none was
   bool answered = false;     // an EndingAction has written the JSON answer; see EndingAnswer
 };

@@ -71,7 +71,7 @@ Watchdog::Watchdog(int64_t limit_us) : limit_us_(limit_us) {
   armed_ = StartTimer();
 }
 
-// Returns false if there are no timers.
+// Starts the timer of the thread.  Returns false if the system has no such timers.
 bool Watchdog::StartTimer() const {
   sigevent event{};
   event.sigev_notify = SIGEV_THREAD_ID;

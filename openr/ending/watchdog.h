@@ -16,7 +16,7 @@ class Watchdog {
   Watchdog(const Watchdog&) = delete;
   Watchdog& operator=(const Watchdog&) = delete;
 
-  // Starts the Watchdog again in a fork of the process, which has no timers of the original.
+  // Starts the timer again in a fork of the process, because a fork has no timers.
   void StartAgain();
 
  private:

@@ -105,8 +105,8 @@ class ExactSchedule : public ExploreSchedule {
   // ---- The current delivery
   //
   // A delivery becomes the current one when its receiver is chosen.  If the receiver was the only
-  // candidate, so that there was no choice, its delivery becomes the current one when the message
-  // is delivered.
+  // candidate, so that no choice was made, its delivery becomes the current one when the message is
+  // delivered.
   bool has_event_ = false;
   bool is_begun_ = false;  // the message of this delivery has been delivered
   ObjectId event_target_ = kNoObject;

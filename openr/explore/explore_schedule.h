@@ -29,12 +29,12 @@ struct DeviationLog {
 };
 
 // The kinds of choices that a schedule may make.  For a kind that is false, the schedule makes the
-// choices of a run without exploration.
+// same choices as a run without exploration.
 struct Vary {
   bool starts = true;   // the order in which objects get DoStart
   bool ties = true;     // the order of objects that have messages due at the same time
-  bool delays = true;   // how late objects get messages
-  bool network = true;  // how late data from the network come
+  bool delays = true;   // delays of messages to objects
+  bool network = true;  // delays of data from the network
   bool costs = true;    // the jitter, that is the random part, of the handlers' processor times
   bool frames = true;   // the number of the robot's first frame
 };
@@ -50,7 +50,7 @@ class ExploreSchedule : public Schedule {
   int64_t ExtraDelayUs(const Message& message, int64_t now_us, int64_t delay_us) final;
 
   // Returns the difference between the processor time of this call of a handler and the time in the
-  // cost file.  It lies between -range_us and range_us.
+  // cost file.  The difference lies between -range_us and range_us.
   int64_t CostJitterUs(const Object& object, uint32_t selector, int64_t range_us);
 
   // Returns the number that the first frame (8 ms) of `robot` has, in a run of `frames` frames.
@@ -73,7 +73,7 @@ class ExploreSchedule : public Schedule {
   virtual int64_t PickCostUs(const Deviation& spot, int64_t range_us) = 0;
   virtual int64_t PickFrame(const Deviation& spot, int64_t frames) = 0;
   // Called for every message when it is posted, that is, sent.  Derived classes override this
-  // function if their choices depend on who sends to whom.
+  // function if their choices depend on sender and receiver.
   virtual void SawPost(const Message&) {}
 
   const System& system() const { return system_; }
@@ -98,7 +98,8 @@ class ExploreSchedule : public Schedule {
   std::map<std::tuple<ObjectId, ObjectId, uint32_t>, Stream> streams_;
   // The number of calls of CostJitterUs() so far, by object and selector of the handler.
   std::map<std::pair<ObjectId, uint32_t>, uint64_t> calls_;
-  std::vector<int64_t> last_due_us_;  // when the last message comes, by receiver (without network)
+  std::vector<int64_t> last_due_us_;  // time at which the last message arrives, by receiver
+                                      // (without messages from the network)
   std::vector<int8_t> is_network_;  // by object: 1 if it is the IPStack, else 0; -1: not known yet
   std::vector<Deviation> deviations_;
   DeviationLog* log_ = nullptr;

@@ -16,11 +16,12 @@ struct ExplorePlan {
   RunOptions run;
   ForkLimits limits;
   uint64_t first_seed = 1;
-  uint64_t runs = 100;        // number of seeds; for a search, limit of runs
+  uint64_t runs = 100;        // number of seeds; for a search, the most runs
   int jobs = 1;               // number of child processes that make runs
-  bool reduce = true;         // for a search: of orders with equal results, try only one
+  bool reduce = true;         // for a search: true tries only one of several orders with equal
+                              // results
   bool stop_at_first = true;  // stop at the first seed that breaks a property
-  int shorten_runs = 2000;    // limit of runs for shortening; 0: no shortening
+  int shorten_runs = 2000;    // the most runs for shortening a failure; 0: no shortening
   // A function that is called after each run with the number of runs so far, to show progress; may
   // be empty.  Runs that only shorten a failure do not count.
   std::function<void(uint64_t runs)> progress;

@@ -58,10 +58,10 @@ void MoveMemory() {
   UseOtherAddresses();
   constexpr size_t kHoleBytes = (96 << 20) + 7 * 4096;
   mmap(nullptr, kHoleBytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-  // Makes a hole at the end of the heap, of which malloc() does not know.  The next memory for
-  // malloc() lies behind the hole, so later blocks have other addresses than in other processes.
+  // Makes a hole at the end of the heap that malloc() does not know.  The next memory for malloc()
+  // lies behind the hole, so later blocks have other addresses than in other processes.
   if (sbrk(13 * 4096 + 16) == reinterpret_cast<void*>(-1))
-    return;  // sbrk() has failed: the heap stays where it is
+    return;  // sbrk() has failed, so the heap stays where it is
   static void* volatile hole = malloc(4099);
   (void)hole;
 }
@@ -85,8 +85,8 @@ class PlanServer {
     Json again = {{"seed", plan.at("seed")}, {"slice_us", kOddSliceUs}, {"blind", true}};
     if (answer.contains("time_us")) again["until_us"] = answer["time_us"];
     const bool differs = !AreEqual(answer, elsewhere_->RunOne(again));
-    // A third run uses the addresses of the first run.  It shows whether only the addresses of the
-    // second run made the difference.
+    // Makes a third run with the addresses of the first run.  It shows whether only the addresses
+    // of the second run made the difference.
     const bool differs_here = differs && !AreEqual(answer, server_.Run(again));
     answer["differs"] = differs_here;
     answer["depends_on_addresses"] = differs && !differs_here;

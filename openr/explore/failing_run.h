@@ -14,8 +14,8 @@ namespace openr_host {
 class FailingRun : public KnownRun {
  public:
   // Boots the run that `prepare` assembles, with the deviations `script` (deviation.h) and the seed
-  // `seed`, both of the schedule file.  `answer` is the answer of ReplayDeviations(), which says
-  // when and why the run fails; if it has not failed, this run goes on for `for_us`.  Throws
+  // `seed`, both from the schedule file.  `answer` is the answer of ReplayDeviations(): it has time
+  // and reason of the failure.  If `answer` has no failure, this run goes on for `for_us`.  Throws
   // std::runtime_error if the run cannot start.
   FailingRun(const PrepareRun& prepare, const nlohmann::ordered_json& script, uint64_t seed,
              int64_t for_us, const nlohmann::ordered_json& answer);
@@ -29,7 +29,7 @@ class FailingRun : public KnownRun {
   PreparedRun prepared_;
   std::unique_ptr<ExploreSchedule> schedule_;
   int64_t length_us_;
-  std::string why_;  // of the failure
+  std::string why_;  // reason of the failure
 };
 
 }  // namespace openr_host

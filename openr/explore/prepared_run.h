@@ -16,8 +16,8 @@ class ExploreSchedule;
 
 struct PreparedRun {
   System* system = nullptr;
-  Simulation* simulation = nullptr;   // null: objects that were not loaded from a stick
-  std::vector<VirtualRobot*> robots;  // empty: objects without a simulated body
+  Simulation* simulation = nullptr;   // null: the objects were not loaded from a stick
+  std::vector<VirtualRobot*> robots;  // empty: the objects have no simulated body
   ExploredCost* cost = nullptr;       // null: handlers take no time
   std::shared_ptr<void> owner;        // keeps the system, the robots and the cost alive
   std::string problem;                // the reason why the run cannot start; "": it can
@@ -27,8 +27,9 @@ struct PreparedRun {
 // explorer calls it once.
 using PrepareRun = std::function<PreparedRun()>;
 
-// Lets `schedule`, which must exist as long as the run, choose what the robot leaves open in a run
-// of at most `for_us`.  The random numbers of the simulation follow from `seed`.
+// Makes `schedule`, which must exist as long as the run, choose all orders and delays that the
+// robot leaves open, in a run of at most `for_us`.  The random numbers of the simulation follow
+// from `seed`.
 void SetSchedule(PreparedRun* prepared, uint64_t seed, ExploreSchedule* schedule, int64_t for_us);
 
 // Assembles a run of the objects on a Memory Stick, on a robot with a simulated body.  The objects

@@ -1,4 +1,4 @@
-// A line on the terminal that shows how far an exploration is.
+// ProgressLine: a line on the terminal that shows the progress of an exploration.
 #pragma once
 
 #include <cstdint>

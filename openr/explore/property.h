@@ -17,7 +17,7 @@ namespace openr_host {
 // The parts of a run that properties can read.
 struct RunView {
   const PreparedRun* prepared = nullptr;
-  const std::vector<StandingMonitor>* standing = nullptr;  // one for each robot
+  const std::vector<StandingMonitor>* standing = nullptr;  // a monitor for each robot
   int64_t last_activity_us = 0;  // time of the last activity of an object (activity.h)
 };
 

@@ -86,7 +86,8 @@ ScheduleFile ReadScheduleFile(const std::string& path, Json* deviations) try {
   simulation.strict = json.at("strict").get<bool>();
   simulation.guard_regions = json.at("guard").get<bool>();
   simulation.cost_file = json.at("cost").get<std::string>();
-  // Older files have no field "battery".  Their runs had a battery that drains.
+  // Takes "drain" if the field "battery" is missing, because older files do not have the field and
+  // their runs had a battery that drains.
   simulation.battery = json.value("battery", "drain");
   schedule.stick.for_us = json.at("for_us").get<int64_t>();
   schedule.stick.properties = json.at("properties").get<std::vector<std::string>>();

@@ -17,8 +17,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// A choice of the last run.  An element of stack_ has the candidates of the choice, and knows which
-// of them have been explored.
+// A choice in the last run.  An element of stack_ has the candidates of the choice, and notes the
+// candidates that have been explored.
 struct Frame {
   std::vector<ObjectId> candidates;
   SleepSet sleep;  // deliveries that need not be tried at this choice

@@ -52,7 +52,7 @@ class Shortener {
         if (i < begin || i >= end) rest.push_back(script_[i]);
       }
       if (Try(std::move(rest))) {
-        any = true;  // the part behind the removed one is at `begin` now
+        any = true;  // the part behind the removed one begins at `begin` now
       } else {
         begin = end;
       }

@@ -39,7 +39,7 @@ class Breakpoints {
  public:
   Breakpoints(Replayer* replayer, const ReplayView* view) : replayer_(replayer), view_(view) {}
 
-  // Adds the breakpoint `text`.  Returns "", or what is wrong with `text`.
+  // Adds the breakpoint `text`.  Returns "", or the error in `text`.
   std::string Add(const std::string& text);
   // Removes the breakpoint `number`, counted from 1.  Returns false if no breakpoint has this
   // number.
@@ -47,9 +47,9 @@ class Breakpoints {
   size_t size() const { return all_.size(); }
   const std::string& text(size_t number) const { return all_[number - 1].text; }
 
-  // Called when the user lets the replay run on.  A "when" breakpoint whose condition holds now
-  // would stop the replay again at the next message.  So Hit() ignores such a breakpoint until its
-  // condition has been false once.
+  // Prepares for letting the replay run on.  A "when" breakpoint whose condition holds now would
+  // stop the replay again at the next message, so Hit() ignores it until its condition has been
+  // false once.
   void Arm();
   // Tests all breakpoints after the replay has delivered a message.  Returns the number, counted
   // from 1, of the first breakpoint that stops the replay here; 0 if the replay goes on.

@@ -1,5 +1,5 @@
-// Two implementations of Network: one records what comes from the network during a run, the other
-// gives a replay what was recorded.
+// Two implementations of Network: one records the events of the network during a run, the other
+// gives the recorded events to a replay.
 #pragma once
 
 #include <functional>

@@ -14,9 +14,9 @@ class Recorder {
  public:
   Recorder(std::string file, bool payloads) : file_(std::move(file)), payloads_(payloads) {}
 
-  // Sets a function in `options` that puts a network in front of each robot's own network, and of
-  // what an earlier such function has put there.  It passes all calls on, and tells this recorder
-  // what comes from outside.  Called before the simulation is made with `options`.
+  // Puts a recording network in front of each robot's network, and of networks that were put there
+  // before, by a function in `options`.  The recording network passes all calls on, and gives this
+  // recorder all events from outside.  Called before the simulation is made with `options`.
   void Listen(SimulationOptions* options);
 
   // Begins the file.  `stick` is the folder in which a replay finds the files of the Memory Stick
@@ -28,7 +28,7 @@ class Recorder {
 
   void NoteLoss(const std::string& process, int64_t time_us) { writer_->AddLoss(process, time_us); }
 
-  // Writes the end of the recording, with the hashes with which a replay compares its own.  Returns
+  // Writes the end of the recording, with the hashes that a replay compares with its own.  Returns
   // "", or the error in writing the file.
   std::string Finish(System* system) { return writer_->Finish(system); }
 

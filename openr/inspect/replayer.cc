@@ -41,9 +41,9 @@ SimulationOptions Replayer::OptionsOf(const TraceHeader& header, const ReplayOpt
   return options;
 }
 
-// Makes a copy of the Memory Stick as it was at the beginning of the recorded run: copies the
-// folder `now`, and undoes in the copy `changes`, which are in the recording, the last one first.
-// Returns the folder of the copy.
+// Makes a copy of the Memory Stick with its content at the beginning of the recorded run: copies
+// the folder `now`, then undoes the recorded `changes` in the copy, the last one first.  Returns
+// the folder of the copy.
 std::string Replayer::StickOfThen(const std::string& now, const std::vector<TraceEntry>& changes) {
   namespace fs = std::filesystem;
   const fs::path stick = fs::path(folder_.path()) / "stick";
@@ -72,7 +72,7 @@ Replayer::Replayer(const ReplayOptions& replay) : file_(replay.file), reader_(re
         "handlers ended; openr trace shows what happened",
         file_));
   }
-  std::vector<TraceEntry> changes;  // of the stick
+  std::vector<TraceEntry> changes;  // recorded changes of the stick
   for (TraceReader reader(file_); reader.Peek() != nullptr;) {
     TraceEntry entry = reader.Take();
     const int64_t time_us = entry.kind == Kind::kMessage ? entry.record.time_us : entry.time_us;
@@ -81,7 +81,7 @@ Replayer::Replayer(const ReplayOptions& replay) : file_(replay.file), reader_(re
   }
   SimulationOptions options = OptionsOf(reader_.header(), replay);
   const std::string stick = options.stick;
-  if (options.robots == 1) {  // one robot: a stick that several share is read-only
+  if (options.robots == 1) {  // with several robots, the stick is read-only
     if (std::error_code error; !std::filesystem::is_directory(stick, error)) {
       throw std::runtime_error(
           fmt::format("{}: the stick {} is no longer there; give it with --stick", file_, stick));
@@ -285,9 +285,9 @@ bool Replayer::Step() {
   system().RunOne(std::max(next_us, system().now_us()));
   if (!difference_.empty()) return false;
   if (count_ != before || at_end_) return true;
-  // RunOne() has delivered no message up to the time of the next entry of the recording.  If this
-  // entry is input, all is well, and the next Step() applies it.  If it is a message, the replay
-  // has failed to deliver it and so differs from the recording.
+  // Checks whether the replay has missed a message, because RunOne() has delivered none up to the
+  // time of the next entry.  If this entry is input, the next Step() applies it.  If it is a
+  // message, the replay differs from the recording.
   const TraceEntry* const next = reader_.Peek();
   if (next == nullptr || next->kind != Kind::kMessage) return true;
   const TraceEntry missing = *next;
@@ -296,7 +296,7 @@ bool Replayer::Step() {
 }
 
 void Replayer::RunOne(int64_t time_us) {
-  // Inputs are applied first, because the entry behind them may be later than `time_us`.
+  // Applies inputs first, because the time of the entry behind them may be later than `time_us`.
   while (ApplyInput()) {
   }
   if (!WhyOver().empty()) return;
@@ -304,7 +304,7 @@ void Replayer::RunOne(int64_t time_us) {
   if (next_us <= time_us || next_us == INT64_MAX) {
     Step();
   } else {
-    system().RunUntil(time_us);  // nothing is recorded up to then
+    system().RunUntil(time_us);  // no entry is recorded up to this time
   }
 }
 

@@ -18,15 +18,15 @@ namespace openr_host {
 
 struct ReplayOptions {
   std::string file;
-  std::string stick;  // folder of the Memory Stick; "": the one that the recording names
+  std::string stick;  // folder of the Memory Stick; "": the folder that the recording names
   std::function<void(std::string_view)> console;
 };
 
 class Replayer : public KnownRun {
  public:
-  // Assembles the run and boots it, on a copy of the Memory Stick as it was at the beginning of the
-  // recorded run.  Throws std::runtime_error when the recording, or a file that it needs, cannot be
-  // used, or when something besides the recorded run has changed files of the stick.
+  // Assembles the run and boots it, on a copy of the Memory Stick with its content at the beginning
+  // of the recorded run.  Throws std::runtime_error if the recording, or a file that it needs,
+  // cannot be used, or if anything but the recorded run has changed files of the stick.
   explicit Replayer(const ReplayOptions& options);
   ~Replayer() override;
   Replayer(const Replayer&) = delete;
@@ -35,12 +35,12 @@ class Replayer : public KnownRun {
   Simulation& simulation() override { return *simulation_; }
   System& system() { return simulation_->system(); }
 
-  // Applies the recorded input whose time has come, then goes on to the next entry of the
-  // recording.  If that is a message, delivers one message and compares the two.  If that is input,
+  // Applies the recorded input that is due, then goes on to the next entry of the recording.  If
+  // the entry is a message, delivers one message and compares both.  If the entry is input,
   // delivers nothing, and the next call applies the input.  Returns false at the end of the
   // recording and after a difference.
   bool Step();
-  // ---- KnownRun
+  // ---- Implementation of KnownRun
   void RunOne(int64_t time_us) override;
   int64_t length_us() const override { return length_us_; }
   std::string WhyOver() const override;

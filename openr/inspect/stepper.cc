@@ -122,8 +122,8 @@ class Stepper {
     }
   }
 
-  // Runs the new copy of a snapshot forward to the message or the time to which the user goes back.
-  // The snapshot was taken after `here` messages.
+  // Runs the new copy of a snapshot forward, to the message or the time to which the user goes
+  // back. The snapshot was taken after `here` messages.
   void CatchUp(uint64_t here) {
     went_back_ = false;  // Forward() must not stop at the snapshots that it takes now
     if (shared_->target > here) Forward(shared_->target - here);
@@ -160,9 +160,9 @@ class Stepper {
       view_.Sample();
       if (replayer_->count() - last_snapshot_ >= kSnapshotMessages) {
         if (!Snapshot()) _exit(0);
-        // When the user goes back to a snapshot that was taken here, the new copy returns from
-        // Snapshot() too.  It stops here, because the command that called Forward() was over long
-        // before.
+        // Stops here if this process is a new copy, made because the user goes back to a snapshot
+        // that was taken here.  The new copy returns from Snapshot(), too, but the command that
+        // called Forward() was over long before.
         if (went_back_) return false;
       }
     }

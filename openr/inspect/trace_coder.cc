@@ -59,7 +59,8 @@ void TraceCoder::WritePayload(const TraceEntry& entry, ByteWriter* out) {
   for (size_t at = 0; at < now.size();) {
     size_t equal = at;
     while (equal < now.size() && now[equal] == last[equal]) ++equal;
-    size_t other = equal;  // ends after 4 equal bytes; fewer would save less than a new piece costs
+    size_t other = equal;  // end of the difference: 4 equal bytes; a shorter gap would save less
+                           // than a new piece costs
     for (size_t run = 0; other < now.size() && run < 4; ++other)
       run = now[other] == last[other] ? run + 1 : 0;
     out->Varint(equal - at);

@@ -66,7 +66,8 @@ TraceHeader HeaderOf(std::string_view text) {
   json.at("images").get_to(h.images);
   json.at("strict").get_to(h.strict);
   json.at("payloads").get_to(h.payloads);
-  // Older recordings have no field "battery".  Their runs had a battery that drains.
+  // Takes "drain" if the field "battery" is missing, because older recordings do not have the field
+  // and their runs had a battery that drains.
   h.battery = json.value("battery", "drain");
   h.is_free = json.value("free_running", false);
   h.addresses = json.value("ip", h.addresses);
@@ -230,8 +231,8 @@ TraceReader::TraceReader(const std::string& file) : file_(file) {
   coder_.emplace(header_.payloads);
 }
 
-// Returns the part of an error text that says where in the run the problem is, by the last message
-// that was read: "after message 500 (t=1.248000 s, Controller -> JointMover "...")".
+// Returns the part of an error text that names the place of the problem in the run by the last
+// message read: "after message 500 (t=1.248000 s, Controller -> JointMover "...")".
 std::string TraceReader::AfterWhat() const {
   if (last_.number == 0) return "before the first message";
   return fmt::format("after message {} (t={:.6f} s, {} -> {} \"{}\")", last_.number,

@@ -35,7 +35,7 @@ struct TraceHeader {
   std::string cost;                    // cost file; "": handlers take no time
   std::string battery;                 // value of --battery, see ParseBattery()
   std::string microphone, images;      // sound file, folder of pictures; "": none
-  std::vector<std::string> addresses;  // arguments of --ip, "10.0.1.2=127.0.0.1"
+  std::vector<std::string> addresses;  // arguments of --ip, such as "10.0.1.2=127.0.0.1"
   int robots = 1;
   uint64_t seed = 1;
   bool strict = false;
@@ -95,7 +95,8 @@ class TraceCoder {
   const bool payloads_;
   uint64_t number_ = 0;
   int64_t time_us_ = 0;
-  std::map<std::pair<int32_t, size_t>, std::string> last_;  // last payloads by sender and size
+  // key: sender and size; value: last payload
+  std::map<std::pair<int32_t, size_t>, std::string> last_;
 };
 
 class TraceWriter {
@@ -138,7 +139,8 @@ class TraceWriter {
   int descriptor_ = -1;
   int error_ = 0;  // errno of the first failed write
   ByteWriter block_;
-  std::map<int32_t, int> objects_;  // by id: Object::predecessors when its name was written
+  std::map<int32_t, int> objects_;  // key: id of an object; value: Object::predecessors when the
+                                    // object's name was written
   std::set<std::pair<int32_t, uint32_t>> entries_;
 };
 
@@ -198,7 +200,8 @@ class TraceReader {
   std::pair<std::string, std::string> why_ended_;
   std::vector<std::string> problems_;
   std::string note_;
-  std::map<int32_t, std::pair<int, std::string>> objects_;  // by id: robot and name
+  // key: id of an object; value: robot and name
+  std::map<int32_t, std::pair<int, std::string>> objects_;
   std::map<std::pair<int32_t, uint32_t>, std::string> entries_;
 };
 

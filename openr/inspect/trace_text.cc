@@ -30,7 +30,7 @@ const char* EventName(NetworkEvent::Kind kind) {
   return kNames[static_cast<int>(kind)];
 }
 
-// Returns `text` on one line: typed text may have several.
+// Returns `text` on one line, because typed text may have several lines.
 std::string OnOneLine(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
   return text;

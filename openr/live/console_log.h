@@ -15,23 +15,23 @@ class ConsoleLog {
     std::string text;
   };
 
-  // The limits of what is kept: the number of lines, and the characters of a line.
+  // Limits of the log: the number of lines, and the characters of a line.
   static constexpr size_t kLinesMax = 1000;
   static constexpr size_t kLineMax = 2000;
 
-  // Adds text that was printed at the virtual time `time_us`.  A line that has no end yet is kept
-  // until its end comes.
+  // Adds text that was printed at the virtual time `time_us`.  Keeps the first part of a line until
+  // the end of the line comes.
   void Add(int64_t time_us, std::string_view text);
 
   // Returns how many lines were added since the start of the run.
   uint64_t count() const { return count_; }
-  // Returns the last lines, of which the newest has the number count() - 1.
+  // Returns the last lines.  The newest line has the number count() - 1.
   const std::deque<Line>& lines() const { return lines_; }
 
  private:
   uint64_t count_ = 0;
   std::deque<Line> lines_;
-  std::string begun_;  // a line without its end
+  std::string begun_;  // the first part of a line that has no end yet
 };
 
 }  // namespace openr_host

@@ -27,7 +27,7 @@ nlohmann::ordered_json Couplings::Answer(uint64_t client, const nlohmann::json& 
   return {{"coupled", !with.empty()}, {"rate", clock_->rate()}};
 }
 
-// Returns "" or the reason why there can be no such coupling.
+// Begins the coupling.  Returns "" or the reason why it is refused.
 std::string Couplings::Begin(const Coupling& coupling) {
   if (coupling.with.size() > kAddressMax) return "the address is too long";
   if (rewind_->shows_past()) {
@@ -60,7 +60,8 @@ void Couplings::Update() {
       all_.empty()
           ? ""
           : fmt::format("the robot at {} is connected, and cannot go back with it", all_[0].with));
-  // A free run keeps its rate.
+  // Leaves the rate alone if it is fixed, or if the number of couplings has not changed from or to
+  // 0.
   if (all_.empty() == !is_paced_ || clock_->is_fixed()) return;
   is_paced_ = !all_.empty();
   if (is_paced_) {

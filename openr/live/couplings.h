@@ -1,4 +1,4 @@
-// Couplings: which robots of this run clients control together with a second robot.
+// Couplings: the robots of this run that clients control together with a second robot.
 #pragma once
 
 #include <cstdint>
@@ -11,11 +11,12 @@ namespace openr_host {
 class Rewind;
 class RunClock;
 
-// While there is a coupling, the run goes on in real time, because a robot cannot go faster, and
-// cannot be rewound, because the second robot would not go back.  Afterwards it has the rate it had
-// before, unless somebody has chosen another one meanwhile.
+// While a coupling exists, the run goes on in real time, because a real robot cannot go faster. The
+// run cannot be rewound, because the second robot would not go back.  After the last coupling, the
+// run has its earlier rate again, unless a client has chosen another rate meanwhile.
 //
-// A coupling ends with the connection of its client, so nothing is left when a client is killed.
+// A coupling ends with the connection of its client, so no coupling is left when a client is
+// killed.
 class Couplings {
  public:
   Couplings(RunClock* clock, Rewind* rewind) : clock_(clock), rewind_(rewind) {}
@@ -23,10 +24,10 @@ class Couplings {
   // Answers the request "couple" of the client with this number (docs/inputs.md).
   nlohmann::ordered_json Answer(uint64_t client, const nlohmann::json& request);
 
-  // Ends the couplings of a client that has gone.
+  // Ends the couplings of a client whose connection has ended.
   void End(uint64_t client);
 
-  // Forgets all couplings, in a fork of the process, which gets a rate of its own.
+  // Forgets all couplings.  Called in a fork of the process, which chooses its own rate.
   void Forget();
 
  private:
@@ -43,7 +44,7 @@ class Couplings {
   Rewind* const rewind_;
   std::vector<Coupling> all_;
   bool is_paced_ = false;   // a coupling has switched the run to real time
-  double rate_before_ = 1;  // rate of the run before that
+  double rate_before_ = 1;  // rate of the run before the couplings
 };
 
 }  // namespace openr_host

@@ -18,8 +18,8 @@
 namespace openr_host {
 namespace {
 
-// Reads a T at `offset` of `content` into `value`.  Returns false if the content, which may have
-// been cut, is shorter.
+// Reads a T at `offset` of `content` into `value`.  Returns false if the content is too short,
+// because it may have been cut.
 template <typename T>
 bool ReadAt(const std::string& content, size_t offset, T* value) {
   if (offset > content.size() || content.size() - offset < sizeof(T)) return false;
@@ -35,7 +35,7 @@ std::string LocatorOf(PrimitiveTable* table, OPrimitiveID id) {
   return primitive == nullptr ? fmt::format("primitive {:#x}", id) : primitive->locator;
 }
 
-// Writes the last frame of each primitive of a command vector.
+// Returns the last frame of each primitive of a command vector as text.
 std::string DecodeCommands(const RobotModel& model, const std::string& content) {
   PrimitiveTable table(model);
   ODataVectorInfo vector;
@@ -56,7 +56,7 @@ std::string DecodeCommands(const RobotModel& model, const std::string& content) 
   return text;
 }
 
-// Writes the last frame of each element of a sensor vector.
+// Returns the last frame of each element of a sensor vector as text.
 std::string DecodeSensors(const RobotModel& model, const std::string& content) {
   PrimitiveTable table(model);
   ODataVectorInfo vector;
@@ -107,7 +107,8 @@ std::string DecodeMoverCommand(const RobotModel& model, const std::string& conte
 
 std::string DecodeSetValue(const RobotModel& model, const std::string& content) {
   SetValueMessage message;
-  // One notification may have several messages, of which the last is the newest.
+  // Reads the last message only, because a notification may have several messages and the last one
+  // is the newest.
   if (content.size() < sizeof message ||
       !ReadAt(content, content.size() - sizeof message, &message))
     return "";
@@ -150,7 +151,7 @@ std::string DecodeReady(const std::string& content) {
   return words[1] == 0 ? kind : fmt::format("{}, gives back {} regions", kind, words[1]);
 }
 
-// Shows content of an unknown type: as text if all of it is printable, else as 32-bit numbers.
+// Returns content of an unknown type as text if all of it is printable, else as 32-bit numbers.
 std::string DecodeUnknown(const std::string& content) {
   std::string text = content.substr(0, 256);
   while (text.ends_with('\0')) text.pop_back();
@@ -166,7 +167,7 @@ std::string DecodeUnknown(const std::string& content) {
   return text;
 }
 
-// Returns the third of the four parts of a service's name, the type of its data.
+// Returns the data type in the name of a service, the third of its four parts.
 std::string TypeOf(const std::string& service) {
   const size_t first = service.find('.');
   const size_t second = service.find('.', first + 1);

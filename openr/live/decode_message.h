@@ -1,4 +1,4 @@
-// Writes the content of messages as text, for people who look at a run.
+// Converts the content of messages to text that people can read.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@ namespace openr_host {
 
 struct RobotModel;
 
-// Returns the content of a message of the service `subject` ("RCServer.Mover.MoverCommand.S"),
-// which a robot of this model has sent.  The type of the content, here MoverCommand, is taken from
-// the name of the service.  Content of types that are not known here is shown as text if it is
-// printable, else as numbers.
+// Returns the content of a message as text.  A robot of this model has sent the message, by the
+// service `subject` ("RCServer.Mover.MoverCommand.S").  The name of the service names the type of
+// the content, here MoverCommand.  Content of an unknown type is shown as text if it is printable,
+// else as numbers.
 std::string DecodeMessage(const RobotModel& model, const std::string& subject,
                           const MessageHistory::Entry& entry);
 

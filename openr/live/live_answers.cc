@@ -32,7 +32,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// One request, and the run that it is about.
+// A request, and the run to which it was sent.
 struct Asked {
   const LiveContext& context;
   const nlohmann::json& request;
@@ -104,7 +104,7 @@ Json AnswerObjects(const Asked& asked) {
   return {{"time_s", TimeOf(asked)}, {"objects", objects}};
 }
 
-// Returns the name of the service that `entry`, a handler of the object `id`, belongs to:
+// Returns the name of the service to which `entry`, a handler of the object `id`, belongs:
 // "RCServer.Move.MoveCommand.S".  Returns "(gone)" if the object does not exist any more.
 std::string ServiceAt(const System& system, const OServiceEntry& entry, ObjectId id) {
   const Object* const object = system.object(id);
@@ -157,8 +157,8 @@ Json AnswerObject(const Asked& asked) {
           {"findings", findings}};
 }
 
-// Returns the robot whose number the request gives in "robot" (without it, robot 0); null if the
-// simulation has no robot of this number.
+// Returns the robot with the number in the member "robot" of the request (0 without it); null if
+// the simulation has no such robot.
 const VirtualRobot* RobotOf(const Asked& asked) {
   const auto& robots = asked.simulation()->robots();
   const int robot = asked.robot();
@@ -273,7 +273,8 @@ Json AnswerCamera(const Asked& asked) {
           {"png", Base64(png)}};
 }
 
-// Returns an event of the run as it is now, for the process of a run that shows an earlier moment.
+// Returns an event of the run at the present moment.  The process of a view uses this request to
+// get events of the moment that it shows.
 Json AnswerEvent(const Asked& asked) {
   const auto name = asked.request.at("name").get<std::string>();
   const auto& kinds = LiveEvents::Kinds();
@@ -314,7 +315,7 @@ Json AnswerHashes(const Asked& asked) {
           {"state_hash", fmt::format("{:016x}", asked.system().state_hash())}};
 }
 
-// Answers a request that is about an earlier moment, while the run shows one.
+// Answers a request about the earlier moment that the run shows now.
 Json AnswerInPast(const Asked& asked, const std::string& name) {
   Rewind* const rewind = asked.context.rewind;
   if (name == "input")
@@ -334,7 +335,7 @@ Json AnswerInPast(const Asked& asked, const std::string& name) {
   if (!RunClock::ParseStep(request["step"].get<std::string>(), &step)) return AnswerClock(asked);
   const int count = request.value("count", 1);
   if (count < 1 || count > RunClock::kStepsMax) return AnswerClock(asked);
-  // Sensor values come every four frames.
+  // Converts steps over sensor values to frames: sensor values come every four frames.
   const int64_t frames = step == RunClock::Step::kVector ? 4 * count : count;
   const std::string problem =
       step == RunClock::Step::kMessage
@@ -343,7 +344,7 @@ Json AnswerInPast(const Asked& asked, const std::string& name) {
   return problem.empty() ? asked.context.events->Clock() : Error(problem);
 }
 
-// Returns the bytes of `content` as hexadecimal digits, at most 64 bytes of it.
+// Returns the first 64 bytes of `content`, or fewer, as hexadecimal digits.
 std::string HexOf(const std::string& content) {
   std::string hex;
   for (const char c : content.substr(0, 64)) hex += fmt::format("{:02x}", static_cast<uint8_t>(c));

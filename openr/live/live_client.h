@@ -1,4 +1,4 @@
-// LiveClient, with which openr poke and openr attach send requests to the socket of a run
+// LiveClient, through which openr poke and openr attach send requests to the socket of a run
 // (live_server.h).
 #pragma once
 
@@ -13,14 +13,15 @@ class LiveClient {
  public:
   static constexpr int kTimeoutMs = 10'000;
 
-  // Connects.  Throws std::runtime_error if the run cannot be reached within `timeout_ms`.
+  // Connects to the run.  Throws std::runtime_error if the run cannot be reached within
+  // `timeout_ms`.
   explicit LiveClient(const LiveRun& run, int timeout_ms = kTimeoutMs);
   ~LiveClient();
   LiveClient(const LiveClient&) = delete;
   LiveClient& operator=(const LiveClient&) = delete;
 
   // Sends `request` and returns the answer.  Throws std::runtime_error if the run ends before its
-  // answer, or gives none within `timeout_ms`.
+  // answer, or does not answer within `timeout_ms`.
   nlohmann::ordered_json Ask(const nlohmann::ordered_json& request);
 
  private:

@@ -1,4 +1,4 @@
-// LiveContext: what the requests of other programs to a run can read and change.
+// LiveContext: the parts of a run that requests of other programs can read and change.
 #pragma once
 
 namespace openr_host {
@@ -17,8 +17,9 @@ struct LiveContext {
   ConsoleLog* console;
   MessageHistory* history;
   LiveEvents* events;
-  Rewind* rewind;             // goes back to earlier moments
-  KnownRun* known = nullptr;  // the run, if it repeats what is known; null: people can change it
+  Rewind* rewind;             // makes the run go back to earlier moments
+  KnownRun* known = nullptr;  // the replay, if this run repeats a recording or another known run;
+                              // null: clients can change this run
 };
 
 }  // namespace openr_host

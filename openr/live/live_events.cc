@@ -23,18 +23,18 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int64_t kMs = 1'000'000;  // ns
+constexpr int64_t kMs = 1'000'000;  // nanoseconds
 
-// Virtual time over which messages are counted for a rate, at least.
+// The least virtual time over which messages are counted to compute a rate.
 constexpr int64_t kRateUs = 500'000;
 
-// Number of the lines from before it watched that a client gets.
+// The largest number of earlier lines that a client gets when it begins to watch.
 constexpr size_t kFirstLines = 200;
 
 double InSeconds(int64_t time_us) { return static_cast<double>(time_us) / 1e6; }
 
-// Returns the link of `connection`.  Returns null until its two objects have made the link, and for
-// a subject of an object of the system, which has no OSubject.
+// Returns the link of `connection`.  Returns null until both objects have made the link.  Returns
+// null also for a subject of a system object, because it has no OSubject.
 const ObserverLink* LinkOf(System* system, const Connection& connection) {
   const auto& directory = system->robot(connection.robot).directory;
   const auto from = directory.find(connection.subject), to = directory.find(connection.observer);
@@ -83,7 +83,7 @@ const std::vector<LiveEvents::Kind>& LiveEvents::Kinds() {
   return kinds;
 }
 
-// Returns a number that is different whenever the run has gone on.
+// Returns a number that differs from all earlier ones when the run has gone on since.
 uint64_t LiveEvents::Version() const {
   System& system = context_.simulation->system();
   return system.message_count() + static_cast<uint64_t>(system.now_us());
@@ -112,19 +112,21 @@ std::string LiveEvents::Line(std::string_view name, EventCursor* cursor) {
     return line(FindingsJson(context_));
   }
   uint64_t& shown = cursor->versions[std::string(name)];
-  // The first version is counted from 1, because 0 says that the client has been shown none.
+  // Adds 1, because version 0 in the cursor means that the client has got no event yet.
   if (const uint64_t version = Version() + 1; std::exchange(shown, version) == version) return "";
   if (name == "pose") return begin + "," + PoseText(context_.simulation) + "}";
   return line(name == "values" ? ValuesJson(context_.simulation) : Graph());
 }
 
-// Returns the event `name` of an earlier moment, which the process that shows this moment makes.
-// There are no events "log", because a client has had the lines already.
+// Returns the event `name` of the earlier moment that is shown.  The process of the view makes the
+// event.  Never returns events "log", because the client has got the lines already.
 std::string LiveEvents::LineOfPast(std::string_view name, EventCursor* cursor) {
   if (name == "log") return "";
-  if (name == "findings") cursor->findings = UINT64_MAX;  // in the present, all are sent again
+  // Resets the cursor, so that the present sends all findings again after the view has ended.
+  if (name == "findings") cursor->findings = UINT64_MAX;
   const Rewind& rewind = *context_.rewind;
-  // No moment of the present has such a version, because virtual time is below 2^63 us.
+  // Sets the highest bit, so that the version differs from all versions of the present: virtual
+  // time is below 2^63 us.
   const uint64_t moment =
       static_cast<uint64_t>(rewind.shown_us()) + rewind.shown_messages() + (uint64_t{1} << 63);
   uint64_t& shown = cursor->versions[std::string(name)];
@@ -163,7 +165,7 @@ Json LiveEvents::Clock() {
 }
 
 // Computes the messages per second of virtual time since the last update, for every object and
-// connection, unless that was too short ago to say much.
+// connection.  Does nothing if the last update was so short ago that the rates would be inexact.
 void LiveEvents::UpdateRates() {
   System& system = context_.simulation->system();
   const int64_t passed_us = system.now_us() - rates_us_;

@@ -1,4 +1,5 @@
-// The events of a run: lines that the run sends unasked to a client that watches it.
+// The events of a run: lines that the run sends to a client that watches it, without further
+// requests.
 #pragma once
 
 #include <cstdint>
@@ -12,34 +13,36 @@
 
 namespace openr_host {
 
-// What one client has been sent.
+// The part of the events that a client has got already.
 struct EventCursor {
   uint64_t console_lines = 0;
-  bool has_console = false;  // the client got the lines from before it watched
+  bool has_console = false;  // whether the client got the lines from before it watched
   uint64_t findings = UINT64_MAX;
-  std::map<std::string, uint64_t> versions;  // by event: the version of the run that it showed
+  std::map<std::string, uint64_t> versions;  // key: name of the event; value: version of the run in
+                                             // the last event of this name
 };
 
 class LiveEvents {
  public:
   struct Kind {
     const char* name;
-    int64_t interval_ns;  // least time between two such events; a client may ask for a longer time
+    int64_t interval_ns;  // least time between two events of this kind; a client may ask for a
+                          // longer time
   };
-  // The events, in the order in which they are sent.
+  // Returns all kinds of events, in the order in which they are sent.
   static const std::vector<Kind>& Kinds();
 
   explicit LiveEvents(const LiveContext& context) : context_(context) {}
 
-  // Returns the event `name` of the run as it is at the moment that is shown, as one line without
-  // its end.  Returns "" if `cursor` says that the client knows everything already.
+  // Returns the event `name` of the moment that is shown, as one line without its line end.
+  // Returns "" if `cursor` says that the client has got this event already.
   std::string Line(std::string_view name, EventCursor* cursor);
 
-  // Called with whether any client watches the event "graph".  As long as one does, the messages of
-  // connections are kept.
+  // Begins or ends to keep the messages of connections.  `is_watched`: a client watches the event
+  // "graph", which shows these messages.
   void WatchGraph(bool is_watched);
 
-  // Returns the state of the clock: virtual time, messages, pause, rate and measured speed.
+  // Returns the state of the clock: virtual time, messages, pause, wanted rate and measured speed.
   nlohmann::ordered_json Clock();
 
  private:
@@ -58,15 +61,17 @@ class LiveEvents {
 
   const LiveContext context_;
   int64_t rates_us_ = 0;                // virtual time at which the rates were computed
-  std::map<int, Rate> objects_;         // messages that objects have received, by object
-  std::map<size_t, Rate> connections_;  // messages, by index in System::connections()
-  // Values at the last update of speed_: the clock of this computer and the virtual time.
+  std::map<int, Rate> objects_;         // messages that objects have received; key: id of the
+                                        // object
+  std::map<size_t, Rate> connections_;  // messages of connections; key: index in
+                                        // System::connections()
+  // The clock of this computer and the virtual time at the last update of speed_.
   int64_t speed_ns_ = 0;
   int64_t speed_us_ = 0;
   double speed_ = 0;  // virtual seconds per second
 };
 
-// Returns the findings of the run, as the request "findings" has them.
+// Returns the findings of the run, as the answer to the request "findings".
 nlohmann::ordered_json FindingsJson(const LiveContext& context);
 
 // Returns the identifier of a connection: "0:SUBJECT>OBSERVER".

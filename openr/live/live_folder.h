@@ -1,4 +1,4 @@
-// The folder in which each run of this user has a socket, so that other commands find the run.
+// The folder in which each run of this user has a socket, so that other commands can find the run.
 #pragma once
 
 #include <string>
@@ -6,29 +6,29 @@
 
 namespace openr_host {
 
-// A run of this user that goes on, and that openr poke and openr attach can reach through its
-// socket.
+// A run of this user that goes on, and that openr poke and openr attach can reach by its socket.
 struct LiveRun {
   std::string name;    // --run-name, or the last part of the stick's path
   int process = 0;     // process id of openr run
   std::string socket;  // path of its socket
 };
 
-// Returns the folder of the sockets, which only this user can enter, and makes it if it is missing.
-// Throws std::runtime_error if it cannot be made, or if others can enter it.
+// Returns the folder of the sockets, which only this user can enter.  Makes the folder if it is
+// missing.  Throws std::runtime_error if that is not possible, or if other users can enter the
+// folder.
 std::string LiveFolder();
 
-// Returns the path of the socket of this process: "FOLDER/NAME.PROCESS".  Other characters of
-// `name` than letters, digits, '_' and '-' become '_', and it is cut to 40 characters, because the
-// path of a socket has 107 at most.
+// Returns the path of the socket of this process: "FOLDER/NAME.PROCESS".  Replaces other characters
+// in `name` than letters, digits, '_' and '-' by '_', and cuts the name to 40 characters, because
+// the path of a socket can have 107 at most.
 std::string LiveSocketPath(const std::string& name);
 
 // Returns the runs of this user that go on, sorted by name.  Removes the sockets of processes that
-// have ended, because a process that was killed has not removed its own.
+// have ended, because a killed process could not remove its own.
 std::vector<LiveRun> LiveRuns();
 
-// Returns the run that the user means: `wanted` is its name or its process id.  Throws
-// std::runtime_error with the names of all runs if no run fits, or several do.
+// Returns the run with the name or the process id `wanted`.  Throws std::runtime_error with the
+// names of all runs if no run fits, or if several fit.
 LiveRun FindLiveRun(const std::string& wanted);
 
 }  // namespace openr_host

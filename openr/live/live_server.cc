@@ -25,7 +25,7 @@ namespace {
 
 constexpr int64_t kNsPerMs = 1'000'000;
 constexpr int64_t kIntervalNs = 2 * kNsPerMs;
-constexpr int kPeriodMs = 8;  // shortest period of events, a frame
+constexpr int kPeriodMs = 8;  // shortest time between two events of a kind: one frame
 
 }  // namespace
 
@@ -46,7 +46,7 @@ void LiveServer::Open() {
   };
   if (path_.size() >= sizeof address.sun_path) fail("the path is too long for a socket");
   std::memcpy(address.sun_path, path_.c_str(), path_.size() + 1);
-  unlink(path_.c_str());  // an earlier process with the same id may have left it behind
+  unlink(path_.c_str());  // an earlier process with the same id may have left the socket
   listener_ = socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
   if (listener_ < 0 ||
       bind(listener_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 ||
@@ -105,7 +105,8 @@ bool LiveServer::AnswerLines(Client* client) {
   return client->received.size() <= kRequestMax;
 }
 
-// Answers a request: here if the answer depends on the client, else as all clients are answered.
+// Answers a request.  Answers here the requests whose answers depend on the client; calls answer_
+// for all others.
 nlohmann::ordered_json LiveServer::AnswerTo(Client* client, const nlohmann::json& request) {
   if (request.at("do") == "watch") return BeginWatch(client, request);
   if (request.at("do") == "couple" && couplings_ != nullptr)
@@ -113,7 +114,7 @@ nlohmann::ordered_json LiveServer::AnswerTo(Client* client, const nlohmann::json
   return answer_(request);
 }
 
-// Answers the request "watch": the events that it names are sent to `client` from now on, and no
+// Answers the request "watch".  From now on `client` gets the events that the request names, and no
 // others.
 nlohmann::ordered_json LiveServer::BeginWatch(Client* client, const nlohmann::json& request) {
   if (events_ == nullptr) throw std::runtime_error("there is nothing to watch here");
@@ -135,7 +136,7 @@ nlohmann::ordered_json LiveServer::BeginWatch(Client* client, const nlohmann::js
   return {{"watching", !client->watches.empty()}};
 }
 
-// Tells `events_` whether a client watches the event "graph".
+// Tells `events_` whether any client watches the event "graph".
 void LiveServer::TellWatchedEvents() {
   if (events_ == nullptr) return;
   const auto is_graph = [](const Watch& watch) {
@@ -151,22 +152,23 @@ bool LiveServer::is_watched() const {
                      [](const Client& client) { return !client.watches.empty(); });
 }
 
-// Adds the events that are due to what `client` is sent.  A client that has not taken the last ones
-// gets none, so it gets fewer events instead of old ones.
+// Adds the events that are due to the bytes to send to `client`.  Adds none while the client has
+// not taken earlier bytes, so that a slow client gets fewer events instead of old ones.
 void LiveServer::SendEvents(Client* client, int64_t now_ns) {
   if (!client->to_send.empty()) return;
   for (Watch& watch : client->watches) {
     if (now_ns < watch.next_ns) continue;
-    // Counts from when the event was due and not from now, because the run serves its clients only
-    // between frames: otherwise 16 ms would become 24 ms.
+    // Counts from the time when the event was due, not from now, because the run serves its clients
+    // only between frames: otherwise 16 ms would become 24 ms.
     watch.next_ns = std::max(watch.next_ns + watch.interval_ns, now_ns);
     const std::string line = events_->Line(LiveEvents::Kinds()[watch.kind].name, &client->cursor);
     if (!line.empty()) client->to_send += line + "\n";
   }
 }
 
-// Reads and answers what `client` has sent, without waiting for more.  Returns false if the client
-// must be closed, because it has sent its last request, is beyond a limit or cannot be reached.
+// Reads and answers all requests that `client` has sent; does not wait for more.  Returns false if
+// the client must be closed, because it has closed its side, has exceeded a limit or cannot be
+// reached.
 bool LiveServer::Receive(Client* client) {
   char buffer[16 << 10];
   for (;;) {
@@ -194,8 +196,8 @@ void LiveServer::ServeAll() {
   Accept();
   const size_t count = clients_.size();
   std::erase_if(clients_, [this, now_ns](Client& client) {
-    // A client may send its last request and close its side at once, so it gets its answers even if
-    // the connection is over.
+    // Sends the answers even if the client has closed its side, because a client may send its last
+    // request and close its side at once.
     const bool goes_on = Receive(&client);
     SendEvents(&client, now_ns);
     const bool is_sent = Send(&client);

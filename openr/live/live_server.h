@@ -1,10 +1,11 @@
-// The server of a run: other commands of this user ask it and give it inputs while the run goes on.
+// The server of a run.  It lets other commands of this user ask for the state of the run and give
+// inputs to it while it goes on.
 //
-// The server listens on a socket of LiveFolder().  A client sends one JSON object a line, and gets
+// The server listens on a socket in LiveFolder().  A client sends one JSON object a line, and gets
 // one JSON object a line (docs/inputs.md, "The socket of a run").  A client that watches the run
-// gets events, lines that it has not asked for, as well.  The run serves its clients between
-// frames, in its only thread, and never waits for a client: a client that does not take its
-// answers, or sends a line without an end, is closed.
+// also gets events, which are lines that answer no request.  The run serves its clients between
+// frames, in its only thread, and never waits for a client: it closes a client that does not take
+// its answers, or that sends too long a line.
 #pragma once
 
 #include <cstdint>
@@ -26,14 +27,14 @@ class LiveServer {
   // is closed.
   static constexpr size_t kRequestMax = size_t{64} << 10;
   static constexpr size_t kAnswersMax = size_t{4} << 20;
-  static constexpr size_t kClientsMax = 32;  // the panel may have 16 pages
+  static constexpr size_t kClientsMax = 32;  // enough for the 16 pages of the panel
 
   // Type of the function that makes the answer to a request (AnswerLive() in a run).
   using Answer = std::function<nlohmann::ordered_json(const nlohmann::json& request)>;
 
   // Makes the socket of this run.  `events`, which must outlive the server, makes the events; null:
-  // nobody can watch.  `couplings` must outlive the server, too; null: there is no request
-  // "couple". Throws std::runtime_error if the socket cannot be made.
+  // no client can watch.  `couplings` must outlive the server, too; null: the request "couple" is
+  // refused.  Throws std::runtime_error if the socket cannot be made.
   LiveServer(const std::string& name, Answer answer, LiveEvents* events,
              Couplings* couplings = nullptr);
   // Removes the socket.
@@ -49,11 +50,11 @@ class LiveServer {
   // `timeout_ms`.  A run that is paused calls this function.
   void WaitAndServe(int timeout_ms);
 
-  // Closes the sockets of this fork of the process, without effect for the original and its
-  // clients.
+  // Closes the sockets in this fork of the process.  The original process and its clients do not
+  // notice.
   void Forget();
-  // Makes a socket for the fork of the process, which from now on is a run of its own.  Throws
-  // std::runtime_error if the socket cannot be made.  REQUIRES: Forget() was called.
+  // Makes a new socket for this fork of the process, which is a run of its own from now on.  Throws
+  // std::runtime_error if that is not possible.  REQUIRES: Forget() was called.
   void OpenAgain();
 
   // Returns whether a client watches the run.
@@ -64,13 +65,13 @@ class LiveServer {
   struct Watch {
     size_t kind;          // index of LiveEvents::Kinds()
     int64_t interval_ns;  // least time between two events of this kind
-    int64_t next_ns;      // when the next one may be sent
+    int64_t next_ns;      // earliest time of the next event
   };
 
   struct Client {
     uint64_t number;  // differs for all clients of this run
     int descriptor;
-    std::string received;  // the begin of the next request
+    std::string received;  // the first bytes of a request that is not complete yet
     std::string to_send;   // answers that the socket has not taken yet
     std::vector<Watch> watches;
     EventCursor cursor;
@@ -93,7 +94,7 @@ class LiveServer {
   LiveEvents* const events_;
   Couplings* const couplings_;
   std::string path_;
-  int process_ = 0;  // a fork of this process must not remove the socket
+  int process_ = 0;  // id of the process that has made the socket; a fork must not remove it
   int listener_ = -1;
   int64_t next_ns_ = 0;
   uint64_t client_count_ = 0;  // clients that have connected so far

@@ -1,5 +1,5 @@
-// MessageHistory, which keeps the last messages of each connection of a run, for people who look at
-// the run.
+// MessageHistory, which keeps the last messages of each connection of a run, so that people can
+// look at them.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ class Object;
 struct Message;
 struct TraceRecord;
 
-// Returns the name of the service that the entry `selector` of `object` belongs to:
+// Returns the name of the service to which the entry `selector` of `object` belongs:
 // "RCServer.Move.MoveCommand.S".
 std::string ServiceOfEntry(const Object& object, uint32_t selector);
 
@@ -27,12 +27,12 @@ class MessageHistory {
   struct Entry {
     uint64_t number;
     int64_t time_us;
-    bool is_ready;        // a ready of the observer; otherwise a notification of the subject
-    uint32_t size;        // bytes of the content
-    std::string content;  // the content, as in a recording; at most kContentMax bytes of it
+    bool is_ready;        // true: a ready of the observer; false: a notification of the subject
+    uint32_t size;        // bytes of the whole content
+    std::string content;  // the content as in a recording, cut to kContentMax bytes
   };
 
-  // Limits of what is kept: messages of a connection, and bytes of a message.
+  // Limits of the history: messages of a connection, and bytes of a message.
   static constexpr size_t kMessagesMax = 20;
   static constexpr size_t kContentMax = 16384;  // a sensor vector of any robot fits
 
@@ -42,11 +42,12 @@ class MessageHistory {
   MessageHistory(const MessageHistory&) = delete;
   MessageHistory& operator=(const MessageHistory&) = delete;
 
-  // Begins and ends to keep messages.  To end it forgets all messages.
+  // Begin and end the recording of messages.  End() also forgets all messages.
   void Begin();
   void End();
 
-  // Returns how many messages the ends of a connection have sent each other since Begin().
+  // Returns the number of messages that both ends of a connection have sent each other since
+  // Begin().
   uint64_t CountOf(int robot, const std::string& subject, const std::string& observer) const;
   // Returns the last messages between the service `subject` and the service `observer` of a robot,
   // the newest first.  Both are full names: "RCServer.Mover.MoverCommand.S".
@@ -54,13 +55,14 @@ class MessageHistory {
                             const std::string& observer) const;
 
  private:
-  // A connection: the entry of the subject, then that of the observer.
+  // The entries that identify a connection: the subject's object and selector, then the observer's.
   using Ends = std::tuple<ObjectId, uint32_t, ObjectId, uint32_t>;
 
   struct ConnectionMessages {
     std::string subject;  // names of both services
     std::string observer;
-    int loads = -1;  // how often objects of these two ids were loaded again when they were named
+    int loads = -1;  // number of times that objects with these two ids had been loaded when the
+                     // services were named
     uint64_t count = 0;
     std::deque<Entry> last;
   };
@@ -70,7 +72,7 @@ class MessageHistory {
                                  const std::string& observer) const;
 
   System& system_;
-  int sink_ = 0;  // 0: no messages are kept now
+  int sink_ = 0;  // id of the trace sink; 0: no messages are recorded now
   std::map<Ends, ConnectionMessages> connections_;
 };
 

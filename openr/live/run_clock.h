@@ -1,8 +1,7 @@
-// RunClock: how fast a run goes, whether it is paused, and which steps a paused run still has to
-// make.
+// RunClock: the rate of a run, its pause, and the steps that a paused run has still to make.
 //
-// The clock decides only when a run goes on, never what happens in it, so its changes are not part
-// of a recording.
+// The clock decides only when a run goes on, never what happens in it.  So changes of the clock are
+// not part of a recording.
 #pragma once
 
 #include <cstdint>
@@ -33,18 +32,19 @@ class RunClock {
   void Pause();
   void GoOn();
 
-  // Pauses the run, and makes it go on for `count` steps.  A step of another kind replaces steps
-  // that wait.
+  // Pauses the run, and makes it go on for `count` steps.  If steps of another kind wait, replaces
+  // them.
   void AddSteps(Step step, int count);
-  // Takes one of the steps that wait; kNone: none waits.
+  // Removes one of the waiting steps and returns it; kNone if none waits.
   Step TakeStep();
 
   // Makes the run go on as fast as possible to the virtual time `time_us`, and pauses it there.
   void GoTo(int64_t time_us);
-  // Returns the time of GoTo(); INT64_MAX: none.
+  // Returns the time that GoTo() has set; INT64_MAX: none.
   int64_t goal_us() const { return goal_us_; }
 
-  // Sets `step` to the step "frame", "message" or "vector".  Returns false for other names.
+  // Sets `step` to the step that `name` means: "frame", "message" or "vector".  Returns false for
+  // other names.
   static bool ParseStep(std::string_view name, Step* step);
 
  private:

@@ -19,12 +19,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Returns `value` without digits that say nothing, so that lines are short.
+// Returns `value` rounded to four decimals, so that lines are short.
 double Rounded(double value) { return std::round(value * 1e4) / 1e4; }
 
 Json JsonOf(const Eigen::Vector3d& v) { return Json::array({v.x(), v.y(), v.z()}); }
 
-// Returns x, y, z in metres and the quaternion w, x, y, z of a pose.
+// Returns a pose as seven numbers: x, y, z in metres, and w, x, y, z of the quaternion.
 Json JsonOf(const Eigen::Isometry3d& pose) {
   const Eigen::Vector3d p = pose.translation();
   const Eigen::Quaterniond q(pose.linear());
@@ -146,7 +146,7 @@ void AppendPose(const Eigen::Isometry3d& pose, std::string* text) {
                  p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z());
 }
 
-// Returns the values of `robot`, whose number in `system` is `number`.
+// Returns the values of `robot`.  `number` is its number in `system`.
 Json ValuesOf(System* system, int number, VirtualRobot* robot) {
   const RobotModel& model = robot->model();
   const bool is_off = system->robot(number).powered_off;

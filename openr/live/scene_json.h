@@ -9,15 +9,15 @@
 
 namespace openr_host {
 
-// Returns everything about the robots that does not change during a run: parts with their shapes,
+// Returns everything about the robots that does not change in a run: parts with their shapes,
 // joints with their limits, lights, ears and sensors.
 nlohmann::ordered_json SceneJson(const Simulation& simulation);
 
-// Returns where the parts, lights and ears of the robots are now, as the text of the members
+// Returns the present poses of parts and states of lights and ears, as the text of the members
 // "time_s" and "robots" of a JSON object.
 std::string PoseText(Simulation* simulation);
 
-// Returns the values of joints, sensors and battery of the robots now.
+// Returns the present values of joints, sensors and battery of the robots.
 nlohmann::ordered_json ValuesJson(Simulation* simulation);
 
 }  // namespace openr_host

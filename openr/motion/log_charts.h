@@ -10,21 +10,22 @@
 
 namespace openr_host {
 
-// Returns the chart of all groups of a log.  `times_ms` are those of its records.
+// Returns the chart of all groups of a log.  `times_ms` are the times of its records.
 chart::Chart ChartOf(const LogFile& log, const std::vector<double>& times_ms,
                      const std::string& title);
 
-// One side of a comparison.
+// The positions and the label of a motion in a comparison.
 struct ComparedSide {
   JointTraces traces;
   std::string label;  // text in the legend
 };
 
-// Two sides of a comparison, A and B.
+// Two motions to compare, A and B.
 struct Comparison {
   std::string title;
   ComparedSide a, b;
-  JointTraces commanded;  // drawn behind the curves of A and B; empty: not drawn
+  JointTraces commanded;  // commanded positions, drawn below the curves of A and B; empty: not
+                          // drawn
   const RobotConstants* robot = nullptr;
   std::vector<JointDifference> differences;
 };
@@ -32,7 +33,8 @@ struct Comparison {
 // Returns the chart of a comparison, with lag and error of each joint.
 chart::Chart ChartOf(const Comparison& comparison);
 
-// Returns the chart of a motion file: the way of each joint, and marks at the key frames.
+// Returns the chart of a motion file: the position of each joint over time, with marks at the key
+// frames.
 chart::Chart ChartOf(const MtnFile& motion, const std::string& title);
 
 }  // namespace openr_host

@@ -12,14 +12,16 @@ namespace openr_host {
 namespace {
 
 constexpr double kDegPerCdeg = 0.01;
-constexpr double kShiftStepMs = 4;  // distance of the shifts that the first search tries
-constexpr double kNearMs = 16;      // the second search tries shifts so near the first result
+constexpr double kShiftStepMs = 4;  // distance between the shifts that the first search tries
+constexpr double kNearMs = 16;      // the largest distance of a shift in the second search from the
+                                    // result of the first
 constexpr double kLagToleranceMs = 0.01;
 
-// A cubic curve through points: between two of them it has the slopes that their neighbours give.
+// A cubic curve through points.  Its slope at a point is that of the line through both neighbours
+// of the point.
 class Curve {
  public:
-  // REQUIRES: at least two points, times that rise.
+  // REQUIRES: two or more points, and rising times.
   Curve(const std::vector<double>& times, const std::vector<double>& values)
       : times_(times), values_(values), slopes_(times.size()) {
     const size_t last = times.size() - 1;
@@ -44,10 +46,10 @@ class Curve {
   std::vector<double> slopes_;
 };
 
-// The straight line from the positions in A to those in B that fits best.
+// The straight line that fits the positions in B best as a function of those in A.
 struct Fit {
   double gain = 0;
-  double unexplained = 1;  // part of B's variance that the line leaves, 0 to 1
+  double unexplained = 1;  // fraction of B's variance that the line does not explain, 0 to 1
 };
 
 Fit FitLine(const std::vector<double>& a, const std::vector<double>& b) {
@@ -64,7 +66,8 @@ Fit FitLine(const std::vector<double>& a, const std::vector<double>& b) {
     bb += db * db;
     ab += da * db;
   }
-  // Motions in opposite directions have nothing in common: no shift makes them one motion.
+  // Gives up if the positions do not vary, or vary in opposite directions: no shift makes them one
+  // motion.
   if (aa <= 0 || bb <= 0 || ab <= 0) return {};
   return {ab / aa, 1 - ab * ab / (aa * bb)};
 }
@@ -80,10 +83,10 @@ bool Moves(const std::vector<double>& deg) {
   return *high - *low >= kMovesDeg;
 }
 
-// Finds the lag of one joint, in two searches.  Each search judges all its shifts by the same
-// records, those that no shift moves out of B, so that the number of records decides nothing.  The
-// first search has to leave out many records, because its shifts are large.  The second one tries
-// only shifts near the result of the first one, and so has nearly all records.
+// Finds the lag of one joint in two searches.  Each search compares all its shifts on the same
+// records, those that no shift moves out of B, so that the number of records has no influence.  The
+// first search tries large shifts, so it has to leave out many records.  The second search tries
+// only shifts near the result of the first one, so it uses nearly all records.
 class LagSearch {
  public:
   LagSearch(const JointTraces& a, const JointTraces& b, size_t joint)
@@ -113,7 +116,7 @@ class LagSearch {
   }
 
  private:
-  // Takes the records of A that shifts up to `margin_ms` leave inside of B.
+  // Takes the records of A that stay inside the time of B with any shift up to `margin_ms`.
   void TakeRecords(double margin_ms) {
     times_.clear();
     a_deg_.clear();
@@ -125,8 +128,8 @@ class LagSearch {
     }
   }
 
-  // Returns the shift between both limits with the least unexplained variance, by the golden
-  // section: each step keeps 0.618 of the interval.
+  // Returns the shift between both limits with the least unexplained variance.  Uses golden-section
+  // search: each step keeps 0.618 of the interval.
   double Minimum(double low_ms, double high_ms) const {
     constexpr double kGolden = 0.6180339887498949;
     while (high_ms - low_ms > kLagToleranceMs) {
@@ -152,7 +155,7 @@ class LagSearch {
   const JointTraces& a_;
   const size_t joint_;
   const Curve curve_;
-  const double begin_ms_, end_ms_;  // time that A and B have in common
+  const double begin_ms_, end_ms_;  // limits of the time that A and B have in common
   std::vector<double> times_, a_deg_;
 };
 

@@ -1,4 +1,4 @@
-// Compares how joints have moved: two groups of positions of one log, or of two logs.
+// Compares the motions of joints: two groups of positions from one log, or from two logs.
 #pragma once
 
 #include <optional>
@@ -13,41 +13,43 @@ enum class LogGroup { kCommanded, kMeasured, kSimulated };
 
 const char* NameOf(LogGroup group);  // "commanded"
 
-// The positions of all joints, as functions of time.
+// The positions of all joints over time.
 struct JointTraces {
   std::vector<double> times_ms;          // rising
   std::vector<std::vector<double>> deg;  // [joint][time]
 };
 
-// Returns the positions of a group, with the times of their records.  Leaves out records without
-// this group.  `times_ms` has the time of each record of `log` (log_times.h).
+// Returns the positions of a group with the times of their records.  Leaves out records that do not
+// have this group.  `times_ms` has the time of each record of `log` (log_times.h).
 JointTraces TracesOf(const LogFile& log, const std::vector<double>& times_ms, LogGroup group);
 
-// The difference of a joint's motion in B from its motion in A.
+// The difference between a joint's motion in B and its motion in A.
 //
-// The lag is the shift of time with which both motions fit best, whatever their offset and gain: B
-// at the time t + lag is about offset + gain * A at the time t.  Between records, positions are
-// interpolated by cubic curves, so the lag is not bound to key frames.
+// The lag is the shift of time with which both motions fit best, whatever their offset and gain:
+// the position in B at the time t + lag is about offset + gain * the position in A at the time t.
+// Positions between records are interpolated by cubic curves, so the lag need not be a multiple of
+// the time between key frames.
 struct JointDifference {
   double mean_deg = 0;  // mean of B - A
   double max_deg = 0;   // largest |B - A|
   double rms_deg = 0;   // root of the mean square of B - A
-  // Missing when the joint moves by less than kMovesDeg, when fewer than kSamplesMin records are
-  // left for the comparison, or when the best shift is the largest that was tried.
+  // The lag; nullopt when the joint moves by less than kMovesDeg, when fewer than kSamplesMin
+  // records are left for the comparison, or when the best shift is the largest that was tried.
   std::optional<double> lag_ms;
-  std::optional<double> gain;               // missing like the lag
+  std::optional<double> gain;               // nullopt when lag_ms is nullopt
   std::optional<double> rms_after_lag_deg;  // like rms_deg, with B shifted by the lag
 };
 
 constexpr double kMovesDeg = 1;
-constexpr double kLagMaxMs = 320;  // largest shift that is tried; a short motion: 1/4 of its length
+constexpr double kLagMaxMs = 320;  // the largest shift that is tried; for a short motion, 1/4 of
+                                   // its length
 constexpr int kSamplesMin = 8;
 
-// Compares B with A, joint by joint, over the time that both have.  REQUIRES: both have the same
-// number of joints.  Throws std::runtime_error when they have no time in common.
+// Compares B with A, joint by joint, over the time that both cover.  REQUIRES: both have the same
+// number of joints.  Throws std::runtime_error when they cover no common time.
 std::vector<JointDifference> CompareTraces(const JointTraces& a, const JointTraces& b);
 
-// Returns the rounded value as text.  A value that rounds to 0 has no sign.
+// Returns the value as text with this number of decimals.  A value that rounds to 0 has no sign.
 std::string Rounded(double value, int decimals);
 
 }  // namespace openr_host

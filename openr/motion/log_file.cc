@@ -122,8 +122,8 @@ std::vector<const JointConstants*> LoggedJoints(const RobotConstants& robot) {
   return joints;
 }
 
-// The file does not say which robot it is of.  Because a wrong number of joints puts the counts of
-// values at wrong places, a file fits at most one of the numbers.
+// Tries each design of robot, because the file does not name its robot.  At most one design fits: a
+// wrong number of joints makes the counts of values be read at wrong places.
 LogFile ParseLog(const std::string& bytes) {
   std::string problem;
   for (const char* const design : {"ERS-210", "ERS-7"}) {
@@ -133,7 +133,9 @@ LogFile ParseLog(const std::string& bytes) {
       log.records = LogReader(bytes, static_cast<int>(LoggedJoints(*log.robot).size())).ReadAll();
       return log;
     } catch (const std::runtime_error& error) {
-      if (problem.empty()) problem = error.what();  // the format of the report is the ERS-210's
+      if (problem.empty())
+        problem = error.what();  // keeps the error for the ERS-210, which comes
+                                 // first and whose format the report describes
     }
   }
   throw std::runtime_error(problem);

@@ -25,7 +25,7 @@
 
 namespace openr_host {
 
-// The values of one group, measured or simulated, of a record.
+// The measured or the simulated values of a record.
 struct LogValues {
   std::vector<int16_t> positions_cdeg;
   std::array<uint16_t, RC_LOG_PAWS> paws{};  // left fore, left hind, right fore, right hind
@@ -41,19 +41,20 @@ struct LogRecord {
 };
 
 struct LogFile {
-  const RobotConstants* robot = nullptr;  // ParseLog() finds it by the number of joints
+  const RobotConstants* robot = nullptr;  // the robot, which ParseLog() finds by the number of
+                                          // joints
   std::vector<LogRecord> records;
 };
 
-// Returns the joints that a log of `robot` has: those of the vendor's motion files.
+// Returns the joints whose positions a log of `robot` has: the joints of the vendor's motion files.
 std::vector<const JointConstants*> LoggedJoints(const RobotConstants& robot);
 
 // Reads the bytes of a log file.  Throws std::runtime_error "offset 48: ..." with the place and the
-// mistake when the bytes are no such file.
+// mistake if they are no log file.
 LogFile ParseLog(const std::string& bytes);
 
-// Returns the bytes of a log file.  REQUIRES: each record has as many positions as the log has
-// joints, and its key frame is 0 to 32767.
+// Returns the bytes of a log file.  REQUIRES: each record has one position for each joint of the
+// log, and a key frame of 0 to 32767.
 std::string FormatLog(const LogFile& log);
 
 }  // namespace openr_host

@@ -9,7 +9,7 @@
 namespace openr_host {
 namespace {
 
-// Throws if record `i` of both logs is not of the same moment of the same motion.
+// Throws if the records `i` of both logs are not from the same moment of the same motion.
 void RequireSameMoment(const LogFile& real, const LogFile& other, size_t i) {
   const LogRecord& a = real.records[i];
   const LogRecord& b = other.records[i];
@@ -19,7 +19,8 @@ void RequireSameMoment(const LogFile& real, const LogFile& other, size_t i) {
         "the same motion",
         i, a.key_frame, b.key_frame));
   }
-  // The first record has where the joints were commanded before the motion.
+  // Does not compare the commanded positions of the first record, because they are those from
+  // before the motion.
   if (i == 0) return;
   const std::vector<const JointConstants*> joints = LoggedJoints(*real.robot);
   for (size_t j = 0; j < joints.size(); ++j) {

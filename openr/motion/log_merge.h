@@ -1,26 +1,27 @@
-// Puts logs of robots together to the log of a synchronised play-back.
+// Merges the logs of two robots into the log of a synchronised play-back.
 #pragma once
 
 #include "openr/motion/log_file.h"
 
 namespace openr_host {
 
-// Returns the log with its measured values in the group of simulated values: the log of a simulated
-// play-back (Hohl 2004, section 3.3.6).
+// Returns the log with its measured values moved to the group of simulated values: the log of a
+// simulated play-back (Hohl 2004, section 3.3.6).
 LogFile AsSimulated(LogFile log);
 
-// Returns the log of `real` with the measured values of `other`, which has played the same motion,
-// as simulated values.
+// Returns the log `real`, with the measured values of `other` as simulated values.  `other` is the
+// log of another robot that has played the same motion.
 //
-// A value belongs to the record of its key frame, whenever the robots have reached it.  So the
-// delay between the two robots is compensated without shifting values by one key frame, as the
-// report has to.  Records that `other` does not have, because its motion has ended before, have no
-// simulated values.
+// Values are merged by key frame, whatever the times at which the robots have reached it.  This
+// compensates the delay between the two robots; the report has to shift values by one key frame
+// instead.  Records that `other` lacks, because its motion has ended earlier, get no simulated
+// values.
 //
-// Throws std::runtime_error when the records are of different key frames, or the commanded
-// positions differ by more than kSameCommandCdeg: then the motions were not the same.
+// Throws std::runtime_error if the key frames of the records differ, or if commanded positions
+// differ by more than kSameCommandCdeg, because the motions were not the same then.
 LogFile MergeLogs(const LogFile& real, const LogFile& other);
 
-constexpr int kSameCommandCdeg = 2;  // positions are rounded to 1
+constexpr int kSameCommandCdeg = 2;  // both positions are rounded to 0.01 degree, so they can
+                                     // differ by rounding
 
 }  // namespace openr_host

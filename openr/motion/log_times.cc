@@ -12,16 +12,16 @@ namespace {
 
 constexpr double kPlayedFrameMs = 8;
 
-// Plays `motion` as the robot does, with a record at the end of each command vector, and returns
-// the times of the records as long as their key frames are those of the log.
+// Plays `motion` as the robot does, and makes a record at the end of each command vector.  Returns
+// the times of the records, up to the first record whose key frame differs from that in the log.
 std::vector<double> PlayTimes(const LogFile& log, const MtnFile& motion, int per_vector) {
   MtnPlayer player;
-  // The player gets one loop more than there are records, so that the log decides when it ends.
+  // Plays more loops than there are records, so that the end of the log ends the play-back.
   player.Start(&motion, static_cast<int>(log.records.size()) + 1, per_vector);
   std::vector<double> times_ms;
   int frames = 0;
   for (const LogRecord& record : log.records) {
-    // The first record is of the key frame at which the motion begins.
+    // Makes the first record at the key frame with which the motion begins.
     const int wanted = times_ms.empty() ? 0 : player.FramesOfNextVector();
     if (wanted == 0 && !times_ms.empty()) break;
     for (int f = 0; f < wanted; ++f) player.NextFrame();
@@ -36,7 +36,7 @@ std::vector<double> PlayTimes(const LogFile& log, const MtnFile& motion, int per
 
 std::vector<double> TimesOf(const LogFile& log) {
   std::vector<double> times_ms;
-  int loop_begin = 0;  // number of key frames in the loops before
+  int loop_begin = 0;  // number of key frames in all loops before this one
   for (size_t i = 0; i < log.records.size(); ++i) {
     const int now = log.records[i].key_frame;
     const int before = i > 0 ? log.records[i - 1].key_frame : -1;
@@ -46,7 +46,8 @@ std::vector<double> TimesOf(const LogFile& log) {
           "(--motion FILE.MTN), which has their number",
           i, now));
     }
-    // A loop begins with the first gap, so only the beginning of a motion is a key frame 0.
+    // Refuses another key frame 0 in the log: only a motion begins with it, because a further loop
+    // begins with the gap before its second key frame.
     if (i > 0 && now == 0) {
       throw std::runtime_error(
           fmt::format("record {}: another motion begins; a log to be read has one motion", i));
@@ -58,10 +59,11 @@ std::vector<double> TimesOf(const LogFile& log) {
 }
 
 std::vector<double> TimesOf(const LogFile& log, const MtnFile& motion) {
-  // A motion of one key frame has no gap to play, so its log has one record.
+  // Returns early for a motion of one key frame, because it has no gap to play and its log has one
+  // record.
   if (motion.NumKeyFrames() < 2 && log.records.size() < 2)
     return std::vector<double>(log.records.size(), 0.0);
-  size_t most = 0;  // largest number of records that fit a play-back of `motion`
+  size_t most = 0;  // largest number of records that agree with a play-back of `motion`
   for (int per_vector = 2; per_vector <= MAX_VECTOR_FRAMES / 2; per_vector += 2) {
     std::vector<double> times_ms = PlayTimes(log, motion, per_vector);
     if (times_ms.size() == log.records.size()) return times_ms;

@@ -45,7 +45,7 @@ class CsvReader {
   }
 
  private:
-  // Takes the next line that is not empty into fields_.  Returns false at the end of the text.
+  // Reads the next line that is not empty into fields_.  Returns false at the end of the text.
   bool NextLine() {
     while (!text_.empty()) {
       const size_t end = std::min(text_.find('\n'), text_.size());
@@ -82,7 +82,7 @@ class CsvReader {
         fmt::format("line {}: {} joints, must be 1 to {}", line_, joints, MTN_MAX_JOINTS));
   }
 
-  // Returns the time of the key frame.
+  // Reads the fields of a line as a key frame and adds it to the motion.  Returns its time.
   int ReadKeyFrame(int last_ms) {
     if (fields_.size() != kFirstJoint + motion_.locators.size()) {
       throw std::runtime_error(fmt::format("line {}: has {} fields, the first line has {}", line_,
@@ -161,7 +161,7 @@ class CsvReader {
                                          fields_[column].substr(0, 80), why));
   }
 
-  std::string_view text_;  // what was not read yet
+  std::string_view text_;  // the text that was not read yet
   int line_ = 0;           // number of the line in fields_, from 1
   std::vector<std::string_view> fields_;
   MotionFile motion_;

@@ -1,4 +1,4 @@
-// The write side of a motion file (MTN), as objects/common/MtnFile.h reads it.
+// Writes motion files (MTN), which objects/common/MtnFile.h reads.
 #pragma once
 
 #include <array>
@@ -9,7 +9,8 @@
 namespace openr_host {
 
 struct KeyFrame {
-  int interpolation = 0;  // number of interpolated frames before it; unused in the first
+  int interpolation = 0;  // number of interpolated frames before this key frame; unused in the
+                          // first key frame
   // Roll, pitch and yaw of the body; pitch is positive with the nose up.  Players ignore them.
   std::array<int32_t, 3> attitude_urad{};
   std::vector<int32_t> angles_urad;  // order of MotionFile::locators
@@ -18,13 +19,14 @@ struct KeyFrame {
 struct MotionFile {
   std::string name;  // "stand#sit"
   std::string creator = "openr-host";
-  std::string design_label = "DRX-900";  // ERS-210 and ERS-220
+  std::string design_label = "DRX-900";  // the label of ERS-210 and ERS-220
   std::vector<std::string> locators;
   std::vector<KeyFrame> key_frames;
 };
 
-// Version 1.2, four sections, 16 ms, little-endian.  Throws std::invalid_argument when a key
-// frame has not one angle per locator or a string is longer than its length byte can say.
+// Returns a motion file of version 1.2 with four sections, 16 ms frames and little-endian numbers.
+// Throws std::invalid_argument if a key frame does not have one angle per locator, or if a string
+// is too long for its length byte.
 std::vector<uint8_t> WriteMtn(const MotionFile& motion);
 
 }  // namespace openr_host

@@ -44,8 +44,8 @@ std::string ExtensionOf(const OdaMember& member) {
   return "BIN";
 }
 
-// Returns letters, digits and underscores only, so that the name is good on a Memory Stick and
-// leads to no other folder.
+// Returns the name with only its letters, digits and underscores, so that it is valid on a Memory
+// Stick and leads to no other folder.
 std::string StemOf(const std::string& name) {
   std::string stem;
   for (const char c : name.substr(0, kStemMax)) {
@@ -56,7 +56,7 @@ std::string StemOf(const std::string& name) {
   return stem.empty() ? "_" : stem;
 }
 
-// Returns a name that is not in `taken`: with a number at its end if it has to differ.
+// Returns a file name that is not in `taken`; puts a number at its end if necessary.
 std::string NewName(const OdaMember& member, std::set<std::string>* taken) {
   const std::string stem = StemOf(member.name), extension = ExtensionOf(member);
   std::string file = stem + "." + extension;
@@ -103,7 +103,8 @@ std::vector<OdaMember> ReadOda(std::string_view bytes) {
   size_t total = 0;
   for (size_t i = 0; i < count; ++i) {
     members.push_back(ReadEntry(bytes, kOdaHead + i * kOdaEntry));
-    // Members that overlap could make a small container fill a disk.
+    // Limits the sum of the sizes, because members that overlap could make a small container fill a
+    // disk.
     total += members.back().bytes.size();
     if (total > bytes.size()) {
       RefuseOda(kOdaHead + i * kOdaEntry,

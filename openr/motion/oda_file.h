@@ -11,16 +11,17 @@ namespace openr_host {
 struct OdaMember {
   std::string type;        // "OMTN", "WAVE", "MIDI", "LED", "SYN", "OSND"
   std::string name;        // as in the container: at most 128 bytes, not always readable text
-  std::string file;        // name for a file of its own, 8+3, different from all others
-  std::string_view bytes;  // part of the container's bytes
+  std::string file;        // file name to save the member under, 8+3 characters, different for each
+                           // member
+  std::string_view bytes;  // content, a part of the container's bytes
 };
 
-// Largest number of members that is read.  The containers of the robots' software have up to some
-// hundred.
+// The largest number of members of a container that is read.  Containers of the robots' software
+// have up to some hundred members.
 constexpr size_t kOdaMembersMax = 4096;
 
 // Returns the members of a container, in its order.  `bytes` must outlive them.  Throws
-// std::runtime_error "offset 8: ..." with the mistake when the bytes are no container.
+// std::runtime_error "offset 8: ..." with the mistake if the bytes are no container.
 std::vector<OdaMember> ReadOda(std::string_view bytes);
 
 }  // namespace openr_host

@@ -11,7 +11,8 @@ constexpr size_t kSamplesMin = 10;
 // Largest misfit at which LagMs() returns a lag (see Misfit()).  A larger misfit means that the
 // follower does not follow the leader.
 constexpr double kMisfitMax = 0.25;
-constexpr double kNearBest = 0.05;  // a misfit so near to the smallest one is as good
+constexpr double kNearBest = 0.05;  // misfits up to this much above the smallest one count as
+                                    // equally good
 
 }  // namespace
 
@@ -54,9 +55,9 @@ int LagMeter::LiveliestJoint(int64_t from_ms) const {
   return liveliest;
 }
 
-// Returns the part of the leader's movement that remains when the follower's positions since
-// `from_ms` are compared with those of the leader `lag_ms` earlier: variance of the difference by
-// variance of the leader.  A constant difference counts as none.
+// Returns the misfit of the follower's positions since `from_ms` to the leader's positions `lag_ms`
+// earlier: the variance of their difference, divided by the variance of the leader's positions.  A
+// constant difference is no misfit.
 double LagMeter::Misfit(int joint, int64_t lag_ms, int64_t from_ms) const {
   const auto j = static_cast<size_t>(joint);
   double n = 0, sum = 0, squares = 0, leader_sum = 0, leader_squares = 0;
@@ -92,7 +93,7 @@ std::optional<int64_t> LagMeter::LagMs() const {
     misfits.push_back(Misfit(joint, lag_ms, from_ms));
   const double best = *std::min_element(misfits.begin(), misfits.end());
   if (best > kMisfitMax) return std::nullopt;
-  // A movement that repeats itself fits again one period later, so the first good minimum counts.
+  // Takes the first good minimum, because a periodic movement fits again one period later.
   size_t at = 0;
   while (misfits[at] > best + kNearBest) ++at;
   while (at + 1 < misfits.size() && misfits[at + 1] < misfits[at]) ++at;

@@ -1,4 +1,5 @@
-// LagMeter: how long one robot's joints are behind those of another one that they follow.
+// LagMeter: measures by how much the joints of one robot lag behind those of the robot that it
+// follows.
 #pragma once
 
 #include <cstdint>
@@ -8,23 +9,23 @@
 
 namespace openr_host {
 
-// Measures the lag by correlation of measured positions: it shifts the positions of the follower in
+// Measures the lag by correlation of measured positions: shifts the positions of the follower in
 // time until they fit those of the leader best.  The round trip of a packet would be only a part of
 // the lag, because the joints need time, too.
 class LagMeter {
  public:
-  // The movement that is looked at, and the largest lag that is found.
+  // Duration of the movement that is compared, and the largest lag that can be found.
   static constexpr int64_t kWindowMs = 3000;
   static constexpr int64_t kLagMaxMs = 1500;
-  // Range in which a joint of the leader must have moved, in 0.01 degree, to say something.
+  // Least range of a joint's movement in 0.01 degree; a smaller movement does not show the lag.
   static constexpr int32_t kRangeMin = 300;
 
-  // Adds positions of all joints, in 0.01 degree, that the robot had at `time_ms`.  A time before
-  // that of the last positions counts as that.
+  // Adds the positions of all joints at `time_ms`, in 0.01 degree.  A time before that of the last
+  // added positions is replaced by the latter.
   void AddLeader(int64_t time_ms, const std::vector<int32_t>& joints);
   void AddFollower(int64_t time_ms, const std::vector<int32_t>& joints);
 
-  // Returns the lag in ms; none if no joint has moved enough, or the movements do not fit.
+  // Returns the lag in ms; nullopt if no joint has moved enough, or if the movements do not fit.
   std::optional<int64_t> LagMs() const;
 
   void Clear();

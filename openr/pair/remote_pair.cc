@@ -19,17 +19,22 @@ namespace openr_host {
 namespace {
 
 constexpr int kTellMs = 200;           // time between two reports of the status
-constexpr int64_t kRoundTripMs = 500;  // time between two requests for the round trip
-// Requests without an answer that a robot may have.  More positions are left out: newer ones come.
+constexpr int64_t kRoundTripMs = 500;  // time between two measurements of the round trip
+// The most requests without an answer of one robot.  Above this, positions are left out, because
+// newer positions follow.
 constexpr size_t kPostedMax = 16;
-// A robot that has been silent for so long gets no positions, because they would all be old when it
-// goes on.
+// The longest silence of a robot after which it still gets positions.  When it goes on after a
+// longer silence, all positions sent meanwhile would be old.
 constexpr int64_t kSilentMs = 500;
-constexpr size_t kTripsMax = 32;   // round trips of which the shortest one is that of the link
-constexpr int kEventsMax = 100;    // events of one robot that are taken before the other one's turn
+constexpr size_t kTripsMax = 32;   // number of last round trips; the shortest of them is taken for
+                                   // that of the link
+constexpr int kEventsMax = 100;    // events that are taken from one robot before the other robot's
+                                   // turn
 constexpr int32_t kChangeMin = 5;  // smaller changes of a goal, in 0.01 degree, are not sent
-constexpr uint32_t kFramesPerTurn = 0x0ffffff1;  // frame numbers begin anew
-// Frames in which a robot goes to a goal by TRACK, and the most it moves in one, in 0.01 degree.
+constexpr uint32_t kFramesPerTurn = 0x0ffffff1;  // number of frames after which frame numbers begin
+                                                 // again with 0
+// Limits of the frames in which a robot goes to a goal by TRACK, and the largest step of a joint in
+// one frame, in 0.01 degree.
 constexpr uint32_t kTrackFramesMin = RC_FRAMES_PER_VECTOR, kTrackFramesMax = 40;
 constexpr uint32_t kTrackStepMax = 400;
 
@@ -111,7 +116,7 @@ RemotePair::RemotePair(const remote::Address& first, const remote::Address& seco
 
 RemotePair::~RemotePair() = default;
 
-// Throws std::runtime_error if the robots have different joints, and keeps their descriptions.
+// Reads the descriptions of both robots.  Throws std::runtime_error if their joints differ.
 void RemotePair::CheckJoints(const remote::Address& first, const remote::Address& second) {
   const RcInfo &a = info(kFirst), &b = info(kSecond);
   if (a.design != b.design || a.numJoints != b.numJoints) {
@@ -130,8 +135,8 @@ void RemotePair::CheckJoints(const remote::Address& first, const remote::Address
   }
 }
 
-// Sends any number of requests in batches.  Throws std::runtime_error for the first
-// that is refused.
+// Sends any number of requests in batches.  Throws std::runtime_error for the first request that a
+// robot refuses.
 std::vector<remote::Answer> RemotePair::SetAll(PairSide side,
                                                const std::vector<remote::Call>& calls) {
   std::vector<remote::Answer> all;
@@ -200,7 +205,7 @@ void RemotePair::Run(PairControl* control, const std::function<void(const PairSt
   }
 }
 
-// Waits until a robot has sent something or the wish has changed.
+// Waits until a robot has sent something, or until the wish has changed.
 void RemotePair::Wait(const PairControl& control) {
   pollfd waited[] = {{sides_[kFirst].robot->descriptor(), POLLIN, 0},
                      {sides_[kSecond].robot->descriptor(), POLLIN, 0},
@@ -223,7 +228,8 @@ void RemotePair::SetWish(const PairWish& wish) {
 }
 
 void RemotePair::Serve(PairSide side) {
-  // A robot that sends without end must not keep the other one waiting.
+  // Limits the number of events, because a robot that sends all the time must not keep the other
+  // robot waiting.
   for (int i = 0; i < kEventsMax; ++i) {
     const std::optional<remote::Event> event = sides_[side].robot->NextEvent({});
     TakeAnswers(side);
@@ -241,7 +247,7 @@ void RemotePair::TakeEvent(PairSide side, const remote::Event& event) {
   }
 }
 
-// Takes the answers that have arrived.
+// Takes all answers of a robot that have arrived.
 void RemotePair::TakeAnswers(PairSide side) {
   auto& posted = sides_[side].posted;
   for (auto next = posted.begin(); next != posted.end();) {
@@ -266,15 +272,15 @@ void RemotePair::TakeAnswer(PairSide side, const remote::Answer& answer, const P
   for (const remote::Answer& each : own.robot->ReadBatch(answer, posted.calls)) {
     if (each.status == rcOK) continue;
     status_.refusal[side] = each.error;
-    // A robot of an earlier version goes to the positions within its limits.
+    // Uses MOVE from now on, because a robot with an earlier version does not know TRACK.
     if (each.status == rcerrorUNKNOWN_COMMAND) own.tracks = false;
     own.sent.clear();  // all positions are sent again
     return;
   }
 }
 
-// Returns the time at which a packet that has just come was sent.  Takes half of the shortest round
-// trip as its way, because longer ones have waited somewhere.
+// Returns the time at which a packet that has just arrived was sent.  Takes half of the shortest
+// round trip for the way of the packet, because longer round trips include waiting.
 int64_t RemotePair::SentMs(PairSide side) const {
   const std::deque<int64_t>& trips = sides_[side].trips_ms;
   return trips.empty() ? now_ms_ : now_ms_ - *std::min_element(trips.begin(), trips.end()) / 2;
@@ -293,16 +299,19 @@ void RemotePair::TakeSensors(PairSide side, const remote::Event& event) {
     lag_.AddFollower(SentMs(side), values.joints);
   }
   if (wish_.follow == Follow::kSecond && side == kFirst) Lead(side, event.frame, values.joints);
-  // On the way to the first key frame of a motion there are no key frames yet.
+  // Follows the measured positions on the way to the first key frame of a motion, because the
+  // second robot reports no key frames yet.
   if (side == kSecond && values.state == moverPREPARE_MTN && wish_.follows_motions &&
       wish_.follow == Follow::kNone)
     Lead(side, event.frame, values.joints);
-  // While a motion plays, its key frames lead.
+  // Does not follow measured positions while a motion plays, because the first robot then follows
+  // its key frames.
   if (wish_.follow == Follow::kFirst && side == kSecond && !(plays && wish_.follows_motions))
     Lead(side, event.frame, values.joints);
 }
 
-// Takes a report of the second robot's JointMover: the first robot follows its key frames.
+// Takes a report of the second robot's JointMover, and makes the first robot follow the key frame
+// in it.
 void RemotePair::TakeSetValues(const remote::Event& event) {
   const auto values = sides_[kSecond].robot->Read<RcSetValues>(event);
   const bool plays = values.keyFrame >= 0;
@@ -316,8 +325,8 @@ void RemotePair::TakeSetValues(const remote::Event& event) {
   if (Lead(kSecond, event.frame, values.commanded)) ++status_.key_frames;
 }
 
-// Sends the robot that does not lead the goals of the one that leads, which had them in `frame`.
-// Returns false if the robot gets nothing: it does not accept commands, is silent, or is there.
+// Sends goals to the robot that follows.  The leader had these goals in `frame`.  Returns false if
+// nothing is sent: the follower does not accept commands, is silent, or has reached the goals.
 bool RemotePair::Lead(PairSide leader, uint32_t frame, const std::vector<int32_t>& goals) {
   Side& follower = sides_[OtherOf(leader)];
   if (follower.state != moverACCEPTING_COMMANDS || goals.size() != joints_.size()) return false;
@@ -330,7 +339,8 @@ bool RemotePair::Lead(PairSide leader, uint32_t frame, const std::vector<int32_t
     if (!is_first && std::abs(int64_t{goals[i]} - follower.sent[i]) < kChangeMin) continue;
     const auto way =
         static_cast<uint32_t>(i < measured.size() ? std::abs(int64_t{goals[i]} - measured[i]) : 0);
-    // One frame more than has passed, so that the joint does not stop before the next goal comes.
+    // Allows one frame more than has passed, so that the joint does not stop before the next goal
+    // comes.
     const uint32_t frames =
         std::clamp(std::max(is_first ? kTrackFramesMax : passed + 1, way / kTrackStepMax),
                    kTrackFramesMin, kTrackFramesMax);
@@ -345,7 +355,7 @@ bool RemotePair::Lead(PairSide leader, uint32_t frame, const std::vector<int32_t
   return true;
 }
 
-// Asks for the state from time to time.  The time until the answer is the round trip.
+// Asks a robot for its state from time to time.  The time until the answer is the round trip.
 void RemotePair::MeasureRoundTrip(PairSide side) {
   Side& own = sides_[side];
   if (!own.posted.empty() || now_ms_ - own.asked_ms < kRoundTripMs) return;

@@ -1,4 +1,4 @@
-// RemotePair: two robots that are controlled together.  One can follow the other.
+// RemotePair: two robots that a client controls together.  One robot can follow the other.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,8 @@ namespace openr_host {
 
 namespace remote = openr::remote;
 
-// The two robots of a pair.  In the panel the first one is simulated, the second one is any other.
+// The two robots of a pair.  In the panel the first robot is a simulated one, the second robot is
+// any other robot.
 enum PairSide { kFirst = 0, kSecond = 1 };
 
 enum class Follow { kNone, kFirst, kSecond };  // which robot follows the other one
@@ -26,33 +27,35 @@ enum class Follow { kNone, kFirst, kSecond };  // which robot follows the other 
 struct PairOptions {
   int timeout_ms = 3000;
   int period = RC_FRAMES_PER_VECTOR;  // frames between two sensor values
-  // Whether a robot that follows goes straight to each position (TRACK), instead of within its
-  // limits of speed and acceleration (MOVE).
+  // Whether a robot that follows goes straight to each position (TRACK) instead of within its
+  // limits of speed and acceleration (MOVE).  The index is a PairSide.
   bool tracks[2] = {true, false};
-  // Whether the first robot may be silent, because people pause a simulation.
+  // Whether the first robot may be silent for long, because people may pause a simulation.
   bool first_may_pause = false;
 };
 
-// The wish of a person for a pair.  A person may change it at any time.
+// The wish of a person: what the two robots are to do.  The person may change it at any time.
 struct PairWish {
   Follow follow = Follow::kNone;
-  bool follows_motions = true;  // the first robot follows key frames of motions of the second one
+  bool follows_motions = true;  // the first robot follows key frames of the second robot's motions
 };
 
 struct PairStatus {
   Follow follow = Follow::kNone;
-  std::optional<double> round_trip_ms[2];  // of a request and its answer, of each robot
-  std::optional<int64_t> lag_ms;           // see LagMeter; none while nothing moves
-  std::string state[2];                    // of JointMover; "": not known
-  std::vector<int32_t> joints[2];          // measured, in 0.01 degree
+  std::optional<double> round_trip_ms[2];  // times from a request to its answer; index: PairSide
+  std::optional<int64_t> lag_ms;           // the lag that LagMeter has measured; nullopt while
+                                           // nothing moves
+  std::string state[2];                    // states of both JointMovers; "": not known
+  std::vector<int32_t> joints[2];          // measured positions, in 0.01 degree
   std::string motion;                      // file of the motion that the second robot plays
   int key_frame = -1;
-  uint64_t key_frames = 0;  // key frames that the first robot has been sent
-  std::string refusal[2];   // why a robot has refused the last positions; "": it has not
+  uint64_t key_frames = 0;  // number of key frames that were sent to the first robot
+  std::string refusal[2];   // reason why a robot has refused the last positions; "": it has taken
+                            // them
 };
 
-// Passes the wish of a person, and the request to end the pair, from other threads to the thread in
-// RemotePair::Run().
+// Passes the wish of a person, and the request to end the pair, from other threads to the thread
+// that runs RemotePair::Run().
 class PairControl {
  public:
   PairControl();
@@ -76,12 +79,12 @@ class PairControl {
   bool is_ended_ = false;
 };
 
-// A plain client of both robots, for one thread.  It waits for an answer only in its constructor
-// and in the functions that prepare the pair; in Run() it serves both without waiting for either.
+// A client of both robots, to be used in one thread.  Waits for answers only in its constructor and
+// in the functions that prepare the pair.  Run() serves both robots and waits for neither.
 class RemotePair {
  public:
-  // Connects to both robots.  Throws remote::Error if one cannot be reached, and std::runtime_error
-  // if they have different joints, with the difference.
+  // Connects to both robots.  Throws remote::Error if a robot cannot be reached, and
+  // std::runtime_error with the difference if the robots have different joints.
   RemotePair(const remote::Address& first, const remote::Address& second,
              const PairOptions& options);
   ~RemotePair();
@@ -89,32 +92,35 @@ class RemotePair {
   const std::vector<RcDescription>& joints() const { return joints_; }
   const RcInfo& info(PairSide side) const { return sides_[side].info; }
 
-  // Gives the first robot the limits of speed and acceleration of the second one, and returns them.
+  // Sets the first robot's limits of speed and acceleration to those of the second robot, and
+  // returns them.
   std::vector<RcJointState> CopyLimits();
   // Switches lights and ears of both robots off.
   void ResetLights();
 
-  // Serves both robots until `control` is ended.  Tells the status several times a second.  Throws
-  // remote::Error when a connection is lost; the text begins with the address.
+  // Serves both robots until `control` ends the pair.  Calls `tell` with the status several times a
+  // second.  Throws remote::Error when a connection is lost; its text begins with the address of
+  // the robot.
   void Run(PairControl* control, const std::function<void(const PairStatus&)>& tell);
 
  private:
-  // A request that was sent.
+  // A request that was sent and not answered yet.
   struct Posted {
     int64_t time_ms = 0;
-    size_t calls = 0;  // of a batch; 0: no batch
+    size_t calls = 0;  // number of commands of a batch; 0: the request is no batch
   };
 
   struct Side {
     std::string address;
     std::unique_ptr<remote::Connection> robot;
     RcInfo info;
-    int64_t heard_ms = 0;  // when the last packet has come
-    int64_t asked_ms = 0;  // when the last request for the round trip was sent
-    std::map<remote::RequestId, Posted> posted;  // requests without an answer
-    std::deque<int64_t> trips_ms;                // the last round trips
-    std::vector<int32_t> sent;                   // goals that this robot was sent last; empty: none
-    uint32_t goal_frame = 0;                     // frame of the other robot that had these goals
+    int64_t heard_ms = 0;                        // time of the last packet from the robot
+    int64_t asked_ms = 0;                        // time of the last request for the round trip
+    std::map<remote::RequestId, Posted> posted;  // requests without an answer yet
+    std::deque<int64_t> trips_ms;                // times of the last round trips, in ms
+    std::vector<int32_t> sent;                   // goals that were sent last to this robot; empty:
+                                                 // none
+    uint32_t goal_frame = 0;                     // frame in which the other robot had these goals
     int state = -1;                              // MoverState; -1: not known
     bool tracks = false;
   };

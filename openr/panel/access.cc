@@ -22,7 +22,8 @@ std::string NewToken() {
 
 bool IsSameSecret(std::string_view a, std::string_view b) {
   if (a.size() != b.size()) return false;  // the length is no secret
-  // Volatile, so that the compiler does not end the loop early.
+  // Declares `difference` volatile, so that the compiler does not end the loop at the first
+  // difference.
   volatile unsigned char difference = 0;
   for (size_t i = 0; i < a.size(); ++i)
     difference = static_cast<unsigned char>(difference | (a[i] ^ b[i]));

@@ -1,4 +1,4 @@
-// Decides which WebSockets the panel's server opens.
+// Access: decides which requests and WebSockets the panel's server refuses.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace openr_host {
 // Returns a new random token: 128 bits as 32 hexadecimal digits.
 std::string NewToken();
 
-// Returns whether the texts are equal.  The time that this takes tells nothing about the place of
+// Returns whether the texts are equal.  The time of the comparison does not depend on the place of
 // the first difference, so nobody can find a token digit by digit.
 bool IsSameSecret(std::string_view a, std::string_view b);
 
@@ -25,11 +25,12 @@ class Access {
   // Returns the address to open in a browser.
   std::string Url() const;
 
-  // Returns the reason why the request is refused; "" if it is not.  A name of a host that is not
-  // this one can lead here (DNS rebinding), so the header Host is checked, for files as well.
+  // Returns the reason why a request for a file is refused; "" if it is not.  Checks the header
+  // Host, because a foreign host name can be made to lead to this computer (DNS rebinding).
   std::string WhyNoFile(const WebRequest& request) const;
-  // Returns the same for a WebSocket, which needs the token.  A browser says in Origin which site
-  // has made the request; programs that are no browsers say nothing, and need the token only.
+  // Returns the reason why a request for a WebSocket is refused; "" if it is not.  The request
+  // needs the token.  Checks the header Origin, in which a browser names the site that makes the
+  // request; other programs send no such header.
   std::string WhyNoSocket(const WebRequest& request) const;
 
  private:

@@ -1,4 +1,4 @@
-// Base64 (RFC 4648, section 4), in which files travel in JSON.
+// Base64 (RFC 4648, section 4), the encoding of files in JSON messages.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@ namespace openr_host {
 
 std::string ToBase64(std::string_view bytes);
 
-// Returns the bytes; none if `text` is not whole Base64 with its padding.
+// Returns the decoded bytes; nullopt if `text` is not complete Base64 with its padding.
 std::optional<std::string> FromBase64(std::string_view text);
 
 }  // namespace openr_host

@@ -17,9 +17,9 @@ namespace openr_host {
 namespace {
 
 constexpr int kPortTimeoutMs = 3000;
-constexpr size_t kEndpointMax = 260;  // the longest name of a host, and a port
+constexpr size_t kEndpointMax = 260;  // longest host name with a port
 
-// Returns whether `host` is this computer's own address 127.x.y.z.
+// Returns whether `host` is a loopback address of this computer, 127.x.y.z.
 bool IsLoopback(const std::string& host) {
   addrinfo hints{};
   hints.ai_family = AF_INET;

@@ -1,4 +1,4 @@
-// Addresses of remote controls that pages use: of robots of a run, and of any other robot.
+// Addresses of the remote controls that pages use, of robots of a run and of all other robots.
 #pragma once
 
 #include <string>
@@ -11,17 +11,18 @@ namespace openr_host {
 
 namespace remote = openr::remote;
 
-// Returns the address "HOST:PORT" that a page has sent.  Throws std::runtime_error if it is none.
+// Returns the address in `text`, "HOST:PORT", which a page has sent.  Throws std::runtime_error if
+// `text` is no address.
 remote::Address ParseEndpoint(const std::string& text);
 
-// Asks `run` for the ports of the remote control, one for each robot; 0: none yet.  Throws
-// std::runtime_error if the run does not answer.
+// Asks `run` for the ports of the remote control, one port for each robot.  A port is 0 if the
+// robot does not listen yet.  Throws std::runtime_error if the run does not answer.
 std::vector<int> RemotePorts(const LiveRun& run);
 
 // Returns the address of the remote control of a robot of `run`.
 remote::Address AddressInRun(const LiveRun& run, size_t robot);
 
-// Throws std::runtime_error if `address` is that of a robot of `run`.
+// Throws std::runtime_error if `address` is the address of a robot of `run`.
 void CheckElsewhere(const LiveRun& run, const remote::Address& address);
 
 }  // namespace openr_host

@@ -9,10 +9,11 @@
 
 namespace openr_host {
 
-// A page and the threads that work for it share an Outbox.  It may be used in any thread.
+// A page and the threads that work for it share an Outbox.  All functions may be called in any
+// thread.
 class Outbox {
  public:
-  // `wake` lets the event loop look into the outbox.
+  // `wake` makes the event loop look into the outbox.
   explicit Outbox(std::function<void()> wake) : wake_(std::move(wake)) {}
 
   void Add(std::string text) {
@@ -25,7 +26,8 @@ class Outbox {
     const std::lock_guard lock(mutex_);
     return std::exchange(texts_, {});
   }
-  // Ends the outbox, because its page is gone.  What is added later is dropped.
+  // Closes the outbox, because its page does not exist any more.  Drops all texts that are added
+  // later.
   void Close() {
     const std::lock_guard lock(mutex_);
     wake_ = nullptr;

@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Returns whether the begin of a message shows that it is an upload, whose data follow.
+// Returns whether `text`, the first part of a message, shows that the message is an upload.
 bool BeginsUpload(std::string_view text) {
   return text.substr(0, Page::kMessageMax).find("\"upload\"") != std::string_view::npos;
 }
@@ -70,7 +70,7 @@ void Page::End(int code, const std::string& why) {
   }
 }
 
-// Takes a part of a message that comes while the page is closing.
+// Drops a part of a message that comes while the page is closing.
 void Page::Drop(size_t size, bool is_last) {
   if (!ending_) return;
   dropped_ += size;
@@ -88,7 +88,8 @@ void Page::Queue(std::string text) {
   if (queue_.Add(std::move(text))) {
     connection_->WantSend();
   } else {
-    // The page takes nothing, so it would not take the reason either.
+    // Closes the socket at once, because the page reads nothing and so would not read the reason
+    // either.
     is_closing_ = true;
     connection_->Abort();
   }

@@ -19,8 +19,8 @@
 
 namespace openr_host {
 
-// Codes with which the server closes the WebSocket of a page (docs/panel-server.md).  1003 to 1013
-// are those of RFC 6455; 4000 and above are our own.
+// Codes with which the server closes the WebSocket of a page (docs/panel-server.md).  Codes 1003 to
+// 1013 are from RFC 6455; codes from 4000 on are our own.
 enum PageClose {
   kCloseNoText = 1003,
   kCloseTooLong = 1009,
@@ -31,30 +31,31 @@ enum PageClose {
 
 class Page : public WebPage {
  public:
-  // Bytes of a message of a page: of an upload, and of all others.
+  // The most bytes of a message of a page: of an upload, and of any other message.
   static constexpr size_t kUploadMax = size_t{12} << 20;
   static constexpr size_t kMessageMax = size_t{64} << 10;
-  // Bytes that the server drops of the message during which it ends a page.
+  // The most bytes that the server reads and drops after it has decided to close a page.
   static constexpr size_t kDropMax = size_t{64} << 20;
-  // Number of robots whose remote control one page uses at a time.
+  // The most robots whose remote control one page may use at a time.
   static constexpr size_t kEndpointsMax = 4;
 
   Page(WebLoop* loop, WebConnection* connection, RunsLister* runs);
   ~Page() override;
 
-  // Connects the page to a run.  The page is told if that is not possible.
+  // Connects the page to a run.  Tells the page if that is not possible.
   void Join(const LiveRun& run);
 
-  // Tells the page that its run has ended, or why there is none, and closes it.  If the page is
-  // amid a message, the connection is closed after that message: when a socket is closed with
-  // unread bytes in it, the kernel of the other side throws away what it has received, so that the
-  // page would not see why it was closed.
+  // Tells the page that its run has ended, or why it has no run, and closes the page.  If a part of
+  // a message of the page has come, waits for the rest of the message first: when a socket is
+  // closed with unread bytes in it, the kernel of the other side throws away what it has received,
+  // and the page would not see the reason.
   void End(int code, const std::string& why);
 
-  // Takes the answers of threads.
+  // Sends the answers that threads have put into the outbox.
   void Collect();
 
-  // Closes all connections.  Called before the loop ends, because the page lives longer.
+  // Closes all connections of the page.  Called before the loop ends, because the page is destroyed
+  // after the loop.
   void Leave();
 
   void Take(std::string_view part, bool is_text, bool is_last) override;
@@ -76,19 +77,20 @@ class Page : public WebPage {
   const std::shared_ptr<Outbox> outbox_;
   std::optional<LiveRun> run_;
   std::unique_ptr<RunLink> link_;                             // null: no run
-  std::map<std::string, std::unique_ptr<RcBridge>> bridges_;  // by endpoint
-  std::map<size_t, std::unique_ptr<PairBridge>> pairs_;       // by robot of the run
-  std::string received_;                                      // the begin of the next message
+  std::map<std::string, std::unique_ptr<RcBridge>> bridges_;  // key: endpoint
+  std::map<size_t, std::unique_ptr<PairBridge>> pairs_;       // key: number of the robot in the run
+  // the first bytes of a message that is not complete yet
+  std::string received_;
   PageQueue queue_;
   bool is_amid_message_ = false;  // a part of a message has come, but not its last part
-  bool is_closing_ = false;       // nothing more is queued or obeyed
+  bool is_closing_ = false;       // no message is queued or obeyed any more
   // Code and reason of a close that waits for the end of the message that is coming.
   struct Ending {
     int code;
     std::string why;
   };
   std::optional<Ending> ending_;
-  size_t dropped_ = 0;  // bytes of that message
+  size_t dropped_ = 0;  // bytes of that message that were dropped
 };
 
 }  // namespace openr_host

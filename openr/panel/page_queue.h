@@ -9,12 +9,13 @@ namespace openr_host {
 
 class PageQueue {
  public:
-  // Bytes of messages that may wait.  A page beyond that is closed.
+  // The most bytes of messages that may wait.  A page with more is closed.
   static constexpr size_t kBytesMax = size_t{8} << 20;
 
   // Adds a message.  An event that shows a state ("pose", "values", "graph") replaces the waiting
   // event of its name, so that a slow page skips old states instead of falling behind.  If more
-  // than kBytesMax wait, drops all events that show a state.  Returns false if that is not enough.
+  // than kBytesMax bytes wait, drops all events that show a state.  Returns false if that is not
+  // enough.
   bool Add(std::string text);
 
   // Removes the oldest message and returns it; "" if there is none.

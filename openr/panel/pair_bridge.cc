@@ -23,7 +23,7 @@ struct PairBridge::Work {
   const LiveRun run;
   const size_t robot;
   const remote::Address second;
-  const nlohmann::json id;  // of the request that connects
+  const nlohmann::json id;  // id of the request that connects the robots
   const std::shared_ptr<Outbox> outbox;
   PairOptions options;
   PairControl control;
@@ -42,7 +42,7 @@ constexpr size_t kKnownMax = 1000;
 
 std::atomic<int> g_pair_threads = 0;
 
-// Returns whether this server connects this robot of the run with the second robot for the first
+// Returns whether this server connects this robot of the run with a second robot for the first
 // time.
 bool IsFirstTime(const PairBridge::Work& work) {
   static std::mutex mutex;
@@ -108,19 +108,20 @@ OrderedJson StatusJson(const PairBridge::Work& work, const PairStatus& status) {
   return event;
 }
 
-// Lets the run go on in real time, and not be rewound, as long as it exists.
+// A coupling: while it exists, the run goes on in real time and cannot be rewound.
 class Coupling {
  public:
-  // Throws std::runtime_error if the run refuses that.
+  // Throws std::runtime_error if the run refuses the coupling.
   explicit Coupling(const PairBridge::Work& work) : live_(work.run, kRunTimeoutMs), work_(work) {
     const OrderedJson answer = Ask(work.second.Text());
     if (answer.contains("error")) throw std::runtime_error(answer["error"].get<std::string>());
   }
   ~Coupling() {
     try {
-      Ask("");  // so that the page sees the old rate at once
+      Ask("");  // makes the page see the old rate at once
     } catch (const std::exception&) {
-      // The run has ended, or ends the coupling when it sees the end of the connection.
+      // Ignores the error: either the run has ended, or it ends the coupling when it sees that the
+      // connection is closed.
     }
   }
   Coupling(const Coupling&) = delete;
@@ -160,8 +161,9 @@ void SendAnswer(const PairBridge::Work& work, OrderedJson answer) {
   Send(work, std::move(answer));
 }
 
-// Connects both robots and serves them.  Returns why the connection was lost; "" when it was ended
-// or the page has been told already why there is none.
+// Connects both robots and serves them until the connection ends.  Returns the reason why the
+// connection was lost; "" if a page ended it, or if the page knows already why it could not be
+// made.
 std::string ServePair(PairBridge::Work* work) {
   bool is_connected = false;
   try {
@@ -197,7 +199,7 @@ PairBridge::PairBridge(const LiveRun& run, size_t robot, const nlohmann::json& r
   if (g_pair_threads >= kThreadsMax)
     throw std::runtime_error("too many connections to robots are being closed; try again soon");
   ++g_pair_threads;
-  // The thread is detached because the event loop must not wait for a robot that does not answer.
+  // Detaches the thread, because the event loop must not wait for a robot that does not answer.
   std::thread([work = work_] {
     const std::string why = ServePair(work.get());
     work->is_over = true;

@@ -12,32 +12,33 @@ namespace openr_host {
 class PairControl;
 
 // Connects both robots and serves them in a thread of its own, because a robot may not answer
-// (docs/panel-server.md, "Both dogs").  The answer to the request that has made the bridge, and
-// events "pair", go into an outbox.
+// (docs/panel-server.md, "Both dogs").  Puts the answer to the request that has made the bridge,
+// and events "pair", into an outbox.
 class PairBridge {
  public:
-  // Number of threads of all bridges of this process.
+  // The most threads of all bridges of this process together.
   static constexpr int kThreadsMax = 16;
 
-  // `request` has the address of the second robot.  Throws std::runtime_error if it has none, or
-  // there are too many threads.
+  // `request` has the address of the second robot.  Throws std::runtime_error if the address is
+  // missing, or if there are too many threads.
   PairBridge(const LiveRun& run, size_t robot, const nlohmann::json& request,
              std::shared_ptr<Outbox> outbox);
-  // Lets the thread disconnect both robots.  Does not wait for that.
+  // Makes the thread disconnect both robots, and does not wait for it.
   ~PairBridge();
   PairBridge(const PairBridge&) = delete;
   PairBridge& operator=(const PairBridge&) = delete;
 
-  // Changes what the robots do, as `request` says.  Throws std::runtime_error for another value.
+  // Changes what the robots do, as `request` says.  Throws std::runtime_error if a value in it is
+  // not allowed.
   void Set(const nlohmann::json& request);
 
   // Returns whether the connection has failed or was lost.
   bool is_over() const;
 
-  // Returns whether a bridge of this process has a thread.
+  // Returns whether any bridge of this process has a thread.
   static bool HasThreads();
 
-  struct Work;  // what the thread and the bridge share
+  struct Work;  // data that the thread and the bridge share
 
  private:
   const std::shared_ptr<Work> work_;

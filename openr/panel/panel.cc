@@ -34,9 +34,9 @@ namespace openr_host {
 namespace {
 
 constexpr size_t kPagesMax = 16;
-// Ports that are tried, from the one that the user wants.
+// The most ports to try, beginning with the port that the user wants.
 constexpr int kPortsMax = 100;
-// Time for pages to hear that the run has ended.
+// The time in which pages can receive the message that the run has ended.
 constexpr int kFarewellMs = 300;
 
 constexpr char kNoPage[] =
@@ -49,8 +49,8 @@ panel_page</code>.</p>
 on a run.</p></html>
 )";
 
-// Returns a socket that listens on 127.0.0.1, on the first free port from `*port`, which becomes
-// its number.
+// Returns a socket that listens on 127.0.0.1, on the first free port from `*port` on.  Sets `*port`
+// to this port.
 int Listen(uint16_t* port) {
   const int first = *port;
   for (int number = first; number < first + kPortsMax && number <= 65535; ++number) {
@@ -79,8 +79,8 @@ int Listen(uint16_t* port) {
                   kPortsMax, first));
 }
 
-// Returns the run that `wanted` means: NAME.PROCESS, a name or a process id.  "" is the only run
-// that goes on, if there is just one.
+// Returns the run that `wanted` names by NAME.PROCESS, a name or a process id.  "" names the only
+// run that goes on, if there is just one.
 std::optional<LiveRun> FindRun(const std::string& wanted) {
   const std::vector<LiveRun> runs = LiveRuns();
   if (wanted.empty()) return runs.size() == 1 ? std::optional(runs[0]) : std::nullopt;
@@ -94,7 +94,8 @@ std::string NameOf(const std::optional<LiveRun>& run) {
   return run ? std::filesystem::path(run->socket).filename().string() : "";
 }
 
-// A descriptor that calls a function when it can be read, and is closed when that returns false.
+// A descriptor that calls a function when it can be read, and is closed when the function returns
+// false.
 class Listener final : public WebDescriptor {
  public:
   explicit Listener(
@@ -140,7 +141,7 @@ class Panel : public WebService {
   void OnWake() override;
 
  private:
-  // A page that leaves the set of pages when its WebSocket is closed.
+  // A page that removes itself from the set of pages when its WebSocket is closed.
   class OpenPage;
 
   WebAnswer WithHeaders(WebAnswer answer) const;
@@ -153,7 +154,7 @@ class Panel : public WebService {
   uint16_t port_;
   const int listener_descriptor_;
   const Access access_;
-  const std::string folder_;  // of the built page; "": not built
+  const std::string folder_;  // folder of the built page; "": the page is not built
   std::string own_run_;
   RunsLister runs_;
   std::set<OpenPage*> pages_;
@@ -228,7 +229,8 @@ WebAnswer Panel::WithHeaders(WebAnswer answer) const {
   const auto add = [&answer](const char* name, const std::string& value) {
     answer.headers.emplace_back(name, value);
   };
-  // Pages show pictures and plots of their own making (data:, blob:), and set styles of elements.
+  // Allows data: and blob: for pictures and inline styles, because pages make pictures and plots
+  // themselves and set styles of elements.
   add("content-security-policy",
       fmt::format("default-src 'self'; connect-src 'self' ws://127.0.0.1:{0} ws://localhost:{0}; "
                   "img-src 'self' data: blob:; font-src 'self' data:; worker-src 'self' blob:; "
@@ -236,7 +238,8 @@ WebAnswer Panel::WithHeaders(WebAnswer answer) const {
                   "form-action 'none'; frame-ancestors 'none'",
                   port_));
   add("x-content-type-options", "nosniff");
-  // The address of the page has the token, so the browser must not send the address to other sites.
+  // Forbids the browser to send the address of the page to other sites, because the address has the
+  // token.
   add("referrer-policy", "no-referrer");
   add("cross-origin-opener-policy", "same-origin");
   add("cross-origin-resource-policy", "same-origin");
@@ -316,7 +319,8 @@ void PrintAddress(const std::string& url, bool is_of_run) {
   }
   const std::string text = "openr: " + line;
   [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text.data(), text.size());
-  // Leaves the stream, because a program that reads the words of the run waits for its end.
+  // Replaces standard error by /dev/null, because a program that reads the output of the run waits
+  // until all processes have closed it.
   const int nowhere = open("/dev/null", O_RDWR | O_CLOEXEC);
   if (nowhere < 0) return;
   dup2(nowhere, STDERR_FILENO);
@@ -328,14 +332,15 @@ void PrintAddress(const std::string& url, bool is_of_run) {
 void ServePanel(const PanelOptions& options) {
   {
     Panel panel(options);
-    // The last word of a run is what has ended it, so nothing is printed behind it.
+    // Prints nothing if the run has ended already, because the last line of a run must be the
+    // reason for its end.
     if (options.run_pipe >= 0 && HasRunEnded(options.run_pipe)) return;
     PrintAddress(panel.Url(), options.run_pipe >= 0);
     panel.Run();
   }
   if (!RcBridge::HasThreads() && !PairBridge::HasThreads() && !RunsLister::HasThreads()) return;
-  // A thread still waits for a robot.  Ends the process without destructors of static variables,
-  // because the thread may use them.
+  // Ends the process without destructors of static variables, because a thread still waits for a
+  // robot and may use them.
   const int exit_code = FinishStandardOutput(0, "openr");
   fflush(nullptr);
   _exit(exit_code);

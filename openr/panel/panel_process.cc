@@ -18,20 +18,22 @@
 namespace openr_host {
 namespace {
 
-// Descriptor of the pipe in the server.
+// Number of the descriptor of the pipe in the server's process.
 constexpr int kPipeInServer = 3;
 
-// Makes this process the server.  Only calls functions that may be called after fork().  Does not
-// return.
+// Makes this process the server, and does not return.  Calls only functions that are allowed after
+// fork().
 [[noreturn]] void BecomeServer(const char* program, int pipe, char* const* arguments) {
-  setsid();  // Ctrl-C in the terminal of the run and its end do not reach the server
+  setsid();  // keeps Ctrl-C in the terminal of the run, and the end of the terminal, away from the
+             // server
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
   const int nowhere = open("/dev/null", O_RDWR);
   dup2(nowhere, STDIN_FILENO);
   dup2(nowhere, STDOUT_FILENO);
-  // A descriptor that dup2() makes stays open in the next program, but not if both are equal.
+  // Clears the close-on-exec flag.  A descriptor that dup2() makes has no such flag, but dup2()
+  // does nothing if both descriptors are equal.
   if (pipe == kPipeInServer) {
     fcntl(pipe, F_SETFD, 0);
   } else {
@@ -39,7 +41,7 @@ constexpr int kPipeInServer = 3;
   }
   close_range(kPipeInServer + 1, ~0u, 0);
   execv(program, arguments);
-  execv("/proc/self/exe", arguments);  // a new build may have removed the file
+  execv("/proc/self/exe", arguments);  // runs the program even if a new build has removed its file
   _exit(127);
 }
 
@@ -63,8 +65,8 @@ PanelProcess::PanelProcess(const std::string& run, uint16_t port) {
   const std::string program = ProgramFile();
   const pid_t child = fork();
   if (child == 0) {
-    // Forks again and ends, so that the server is no child of the run: nobody has to wait for the
-    // end of the server, and it leaves no zombie.
+    // Forks again and ends, so that the server is no child of the run: the run need not wait for
+    // its end, and no zombie is left.
     if (fork() == 0) {
       close(ends[1]);
       BecomeServer(program.c_str(), ends[0], arguments.data());

@@ -9,14 +9,14 @@ namespace openr_host {
 // The server is a process of its own, `openr panel`, so that the simulation keeps its one thread.
 // The run never waits for the server, and goes on if the server ends.
 //
-// The server ends when all processes have closed the writing end of a pipe: this process and the
-// copies that it makes of itself with fork().  So it outlives a run that goes on in such a copy.
+// The server ends when all processes have closed the writing end of a pipe: the run and all forks
+// of the run.  So the server goes on when the run goes on in a fork.
 class PanelProcess {
  public:
   // Starts the server of the run `run` ("default.123"), on the first free port from `port` on.
   // Prints a warning if that is not possible.
   PanelProcess(const std::string& run, uint16_t port);
-  // Lets the server end, and does not wait for that.
+  // Makes the server end, and does not wait for it.
   ~PanelProcess();
   PanelProcess(const PanelProcess&) = delete;
   PanelProcess& operator=(const PanelProcess&) = delete;
@@ -25,7 +25,7 @@ class PanelProcess {
   int pipe_ = -1;
 };
 
-// Returns whether there are a built page and the library that serves it.
+// Returns whether the built page and the library that serves it are installed.
 bool HasPanel();
 
 }  // namespace openr_host

@@ -19,7 +19,8 @@ namespace {
 
 std::atomic<int> g_bridge_threads = 0;
 
-// Returns a text that is the same for all commands for the same value of a joint.
+// Returns the name of the joint's value that a command sets, the same text for all commands that
+// set the same value.
 std::string JointValueOf(const nlohmann::json& request) {
   const std::string call = request.value("call", "");
   if (call != "move" && call != "speed" && call != "accel") return "";
@@ -41,7 +42,7 @@ struct RcBridge::Queue {
   struct Call {
     nlohmann::json request;
     size_t size;
-    std::string joint_value;  // call and joint, if the call sets a value of a joint; else ""
+    std::string joint_value;  // names call and joint if the call sets a value of a joint; else ""
     std::vector<nlohmann::json> ids;
   };
 
@@ -51,7 +52,7 @@ struct RcBridge::Queue {
   size_t bytes = 0;
   bool is_ended = false;
 
-  // Waits for a call.  Returns false when the bridge is gone.
+  // Waits for a call.  Returns false when the bridge does not exist any more.
   bool Take(Call* call) {
     std::unique_lock lock(mutex);
     changed.wait(lock, [this] { return is_ended || !calls.empty(); });
@@ -83,7 +84,7 @@ RcBridge::RcBridge(RcCalls::FindAddress find_address, std::shared_ptr<Outbox> ou
   if (g_bridge_threads >= kThreadsMax)
     throw std::runtime_error("too many connections to robots are being closed; try again soon");
   ++g_bridge_threads;
-  // The thread is detached because the event loop must not wait for it: a call to a robot that does
+  // Detaches the thread, because the event loop must not wait for it: a call to a robot that does
   // not answer takes seconds.
   std::thread([find_address = std::move(find_address), outbox = outbox_, queue = queue_] {
     {

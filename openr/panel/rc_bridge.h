@@ -14,27 +14,28 @@ namespace openr_host {
 // for the robot.  Answers and events go into an outbox.
 class RcBridge {
  public:
-  // Limits of the calls that may wait.  A call beyond is answered with an error.
+  // The most calls, and the most bytes of calls, that may wait.  Any further call is answered with
+  // an error.
   static constexpr size_t kCallsMax = 64;
   static constexpr size_t kBytesMax = size_t{16} << 20;
-  // Number of threads of all bridges of this process.
+  // The most threads of all bridges of this process together.
   static constexpr int kThreadsMax = 64;
 
   // Throws std::runtime_error if there are too many threads.
   RcBridge(RcCalls::FindAddress find_address, std::shared_ptr<Outbox> outbox);
-  // Ends the thread after the call that it does now.  Does not wait for that.
+  // Makes the thread end after its present call, and does not wait for it.
   ~RcBridge();
   RcBridge(const RcBridge&) = delete;
   RcBridge& operator=(const RcBridge&) = delete;
 
-  // Adds a call, which has `size` bytes.  A command for the value of a joint takes the place of one
-  // for the same value that still waits: the older one is not sent, and both get the same answer.
+  // Adds a call, which has `size` bytes.  A command that sets a value of a joint replaces a waiting
+  // command for the same value: the older command is not sent, and both get the same answer.
   void Add(nlohmann::json request, size_t size);
 
-  // Returns whether a bridge of this process has a thread.
+  // Returns whether any bridge of this process has a thread.
   static bool HasThreads();
 
-  struct Queue;  // what the thread and the bridge share
+  struct Queue;  // data that the thread and the bridge share
 
  private:
   const std::shared_ptr<Outbox> outbox_;

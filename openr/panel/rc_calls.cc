@@ -23,11 +23,13 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double kCdegPerDeg = 100;
-constexpr double kValueMax = 1e6;  // in degrees; a value in 0.01 degree fits into 32 bits
+constexpr double kValueMax = 1e6;  // degrees; a larger value in 0.01 degree would not fit into 32
+                                   // bits
 
 double Degrees(Sint32 value_cdeg) { return value_cdeg / kCdegPerDeg; }
 
-// Returns the member of a request as text: a device is named by text or by its number.
+// Returns the member of a request as text, also if it is a number, because a page may name a device
+// by name or by number.
 std::string TextOf(const nlohmann::json& request, const char* member) {
   const nlohmann::json& value = request.at(member);
   return value.is_number_integer() ? std::to_string(value.get<int64_t>())
@@ -218,7 +220,8 @@ Json RcCalls::Upload(const Request& request, const Progress& progress) {
   }
   const size_t size = bytes->size();
   const bool plays = file_kind == rcfileMOTION && request.contains("loops");
-  // Checked before the upload, so that no file is left when nothing can play.
+  // Checks `loops` before the upload, so that no file is left on the stick when the motion cannot
+  // play.
   if (plays && request["loops"].get<int>() < 1) throw std::runtime_error("'loops' is 1 or more");
   if (plays) name = FreeName();
   robot_->Upload(file_kind, name, *bytes, [&progress](size_t sent, size_t whole) {
@@ -228,7 +231,7 @@ Json RcCalls::Upload(const Request& request, const Progress& progress) {
   return {{"name", name}, {"size", size}};
 }
 
-// Returns a name for a file that is on the stick only while its motion begins.
+// Returns an unused name for a motion file, which is deleted again as soon as the motion has begun.
 std::string RcCalls::FreeName() {
   const std::vector<remote::ListEntry> motions = robot_->ListMotions();
   for (int i = 0; i <= 99; ++i) {

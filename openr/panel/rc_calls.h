@@ -1,4 +1,4 @@
-// RcCalls, which does what a page asks of a robot's remote control ("do":"rc").
+// RcCalls, which carries out the calls of a page to a robot's remote control ("do":"rc").
 #pragma once
 
 #include <functional>
@@ -17,14 +17,14 @@ namespace openr_host {
 
 namespace remote = openr::remote;
 
-// A plain client of the remote control.  It connects at the first call, and again at the next one
-// after the connection was lost.  It waits for each answer, so it belongs into a thread of its own.
+// A client of the remote control.  Connects at the first call, and at the next call after the
+// connection was lost.  Waits for each answer, so it must be used in a thread of its own.
 class RcCalls {
  public:
   using Json = nlohmann::ordered_json;
-  // Finds the address of the robot.  Throws std::runtime_error if there is none.
+  // Finds the address of the robot.  Throws std::runtime_error if the robot has none.
   using FindAddress = std::function<remote::Address()>;
-  // Called with the number of bytes of an upload that the robot has taken, and their sum.
+  // Called during an upload with two numbers of bytes: those that the robot has taken, and all.
   using Progress = remote::Progress;
 
   explicit RcCalls(FindAddress find_address);
@@ -57,7 +57,7 @@ class RcCalls {
   Json Sensors(const Request& request, const Progress& progress);
   Json Power(const Request& request, const Progress& progress);
 
-  // Returns the connection; makes it if there is none.
+  // Returns the connection to the robot, and connects first if necessary.
   remote::Connection* Robot();
   using Setter = double (remote::Connection::*)(int joint, double value);
   Json JointValue(Setter setter, const Request& request, const char* member);

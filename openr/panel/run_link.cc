@@ -55,7 +55,8 @@ bool RunLink::Send(const std::string& line) {
 
 bool RunLink::OnReadable() {
   char buffer[64 << 10];
-  // A run that writes as fast as this reads must not keep the loop from its pages.
+  // Limits the reads of one call, because a run that writes all the time must not keep the loop
+  // from its other pages.
   constexpr int kReadsMax = 8;
   for (int i = 0; i < kReadsMax; ++i) {
     const ssize_t count = recv(descriptor_, buffer, sizeof buffer, 0);
@@ -91,7 +92,7 @@ bool RunLink::OnWritable() {
 
 void RunLink::OnClosed() {
   watched_ = nullptr;
-  const auto end = owner_.end;  // the owner may delete this link
+  const auto end = owner_.end;  // copied, because the owner may delete this link in the call
   end(has_answered_ ? name_ + " has ended"
                     : name_ + " has ended, or serves as many clients as it can (32)");
 }

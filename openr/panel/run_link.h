@@ -11,9 +11,9 @@ namespace openr_host {
 
 class RunLink final : public WebDescriptor {
  public:
-  // Bytes for the run that may wait before the page is not read any more.
+  // The most bytes for the run that may wait.  Above this, the page should not be read.
   static constexpr size_t kWaitingMax = size_t{256} << 10;
-  // Bytes of the longest line of a run.
+  // The most bytes of a line of a run.
   static constexpr size_t kLineMax = size_t{8} << 20;
 
   struct Owner {
@@ -24,13 +24,14 @@ class RunLink final : public WebDescriptor {
     std::function<void()> resume;
   };
 
-  // Connects without waiting.  Throws std::runtime_error if that is not possible.
+  // Begins to connect, and does not wait.  Throws std::runtime_error if that is not possible.
   RunLink(WebLoop* loop, const LiveRun& run, Owner owner);
   ~RunLink();
   RunLink(const RunLink&) = delete;
   RunLink& operator=(const RunLink&) = delete;
 
-  // Sends a line.  Returns false if the page should send no more until resume().
+  // Sends a line to the run.  Returns false if the page should send no more until resume() is
+  // called.
   bool Send(const std::string& line);
 
   bool OnReadable() override;
@@ -44,8 +45,8 @@ class RunLink final : public WebDescriptor {
   const std::string name_;
   Owner owner_;
   WebLoop::Watched watched_ = nullptr;
-  int descriptor_ = -1;   // the loop owns it
-  std::string received_;  // the begin of the next line
+  int descriptor_ = -1;   // descriptor of the socket, which the loop owns
+  std::string received_;  // the first bytes of a line that is not complete yet
   std::string to_send_;
   bool has_answered_ = false;
 };

@@ -22,7 +22,7 @@ constexpr size_t kQuestionsMax = 64;
 
 std::atomic<int> g_lister_threads = 0;
 
-// Returns what pages show of a run.  A run that does not answer has no model and no time.
+// Returns the description of a run for pages.  A run that does not answer has no model and no time.
 Json DescribeRun(const LiveRun& run) {
   Json json = {{"name", run.name},
                {"process", run.process},
@@ -66,7 +66,7 @@ struct RunsLister::Questions {
   const std::string own;
   std::mutex mutex;
   std::vector<Question> waiting;
-  bool is_answering = false;  // a thread runs AnswerAll()
+  bool is_answering = false;  // a thread executes AnswerAll()
 
   void AnswerAll() {
     for (;;) {

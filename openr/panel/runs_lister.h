@@ -9,19 +9,19 @@
 
 namespace openr_host {
 
-// Asks all runs of this user for their state, in a thread of its own, because a run that is stopped
-// does not answer.
+// Asks all runs of this user for their state.  Does so in a thread, because a stopped run does not
+// answer.
 class RunsLister {
  public:
-  // `own` is the run ("default.123") that the server belongs to; "" if it belongs to none.
+  // `own` is the run ("default.123") that has started this server; "" if a user started it.
   explicit RunsLister(std::string own);
   RunsLister(const RunsLister&) = delete;
   RunsLister& operator=(const RunsLister&) = delete;
 
-  // Puts the answer into the outbox, with `id`.
+  // Collects the states of all runs, and puts them into the outbox as the answer to request `id`.
   void Ask(std::shared_ptr<Outbox> outbox, nlohmann::json id);
 
-  // Returns whether a lister of this process has a thread.
+  // Returns whether any lister of this process has a thread.
   static bool HasThreads();
 
  private:

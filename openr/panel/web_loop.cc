@@ -12,9 +12,9 @@
 namespace openr_host {
 namespace {
 
-// Bytes of the socket's buffer for a page, which the kernel doubles.  Small, because what is in the
-// buffer cannot be replaced by newer values any more: a slow page shall get fewer poses, not later
-// ones.
+// Size in bytes of the socket's buffer for a page, which the kernel doubles.  The size is small
+// because newer values cannot replace what is in the buffer: a slow page should get fewer poses,
+// not late ones.
 constexpr int kSendBufferSize = 128 << 10;
 constexpr size_t kReceivePartMax = size_t{64} << 10;
 constexpr size_t kHeadersMax = size_t{8} << 10;
@@ -35,8 +35,8 @@ class LwsConnection : public WebConnection {
   }
   void SetReading(bool is_on) override { lws_rx_flow_control(wsi_, is_on ? 1 : 0); }
 
-  // Sends the next message of the page.  Returns what libwebsockets' callback returns: not 0 if the
-  // connection must be closed.
+  // Sends the next message to the page.  Returns the result for libwebsockets' callback: not 0 if
+  // the connection must be closed.
   int Send(WebPage* page) {
     const std::string text = page->Next();
     if (!text.empty()) {
@@ -47,7 +47,7 @@ class LwsConnection : public WebConnection {
       return 0;
     }
     if (!close_code_) return 0;
-    // A reason has 123 bytes at most (RFC 6455, section 5.5).
+    // Cuts the reason, because it may have 123 bytes at most (RFC 6455, section 5.5).
     std::string why = close_why_.substr(0, 120);
     lws_close_reason(wsi_, static_cast<lws_close_status>(*close_code_),
                      reinterpret_cast<unsigned char*>(why.data()), why.size());
@@ -125,7 +125,7 @@ bool SendText(lws* wsi, const WebAnswer& answer) {
   return lws_write(wsi, body.data() + LWS_PRE, answer.text.size(), LWS_WRITE_HTTP_FINAL) >= 0;
 }
 
-// Sends `answer`.  Returns what libwebsockets' callback returns: not 0 if the connection must be
+// Sends `answer`.  Returns the result for libwebsockets' callback: not 0 if the connection must be
 // closed.
 int SendAnswer(lws* wsi, const WebAnswer& answer) {
   if (answer.file.empty())
@@ -215,7 +215,7 @@ class LwsLoop : public WebLoop {
       case LWS_CALLBACK_HTTP:
         return SendAnswer(wsi, LoopOf(wsi)->service_->Answer(RequestOf(wsi)));
       case LWS_CALLBACK_HTTP_CONFIRM_UPGRADE: {
-        // HTTP/2, the other thing that libwebsockets can upgrade to, would go past our checks.
+        // Refuses all upgrades but WebSockets, because an upgrade to HTTP/2 would avoid our checks.
         if (std::strcmp(static_cast<const char*>(in), "websocket") != 0) return -1;
         const auto refusal = LoopOf(wsi)->service_->Refuse(RequestOf(wsi));
         if (refusal == nullptr) return 0;
@@ -267,7 +267,8 @@ class LwsLoop : public WebLoop {
     }
   }
 
-  // The timer is the first member, so that its address is that of the struct.
+  // The timer must be the first member, because its callback converts the address of the timer to
+  // that of the struct.
   struct StopTimer {
     lws_sorted_usec_list_t timer;
     LwsLoop* loop;
@@ -275,7 +276,7 @@ class LwsLoop : public WebLoop {
 
   WebService* const service_;
   const std::string protocol_;
-  std::array<lws_protocols, 4> protocols_{};  // the last one is the end of the list
+  std::array<lws_protocols, 4> protocols_{};  // the last entry is the end of the list
   lws_context* context_ = nullptr;
   lws_vhost* vhost_ = nullptr;
   StopTimer stop_timer_{{}, this};

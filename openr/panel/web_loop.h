@@ -1,8 +1,9 @@
 // The interface of libopenr_panel.so: an event loop with HTTP and WebSockets.
 //
-// The implementation is web_loop.cc, the only file that includes libwebsockets.  It is a library of
-// its own that only `openr panel` loads, so that a simulation never has the code of libwebsockets
-// and OpenSSL in its process.  All functions are called in one thread, but for WebLoop::Wake().
+// The implementation is web_loop.cc, the only file that includes libwebsockets.  Only `openr panel`
+// loads this library, so that a simulation never has the code of libwebsockets and OpenSSL in its
+// process.  All functions are called in one thread, but WebLoop::Wake() may be called in any
+// thread.
 #pragma once
 
 #include <memory>
@@ -13,13 +14,13 @@
 
 namespace openr_host {
 
-// A request of HTTP, also the one that begins a WebSocket.
+// A request of HTTP.  A WebSocket begins with such a request, too.
 struct WebRequest {
   bool is_get = false;
-  std::string path;      // "/index.html": without the query, decoded
+  std::string path;      // "/index.html": decoded and without the query
   std::string host;      // header Host; "" if the request has none
   std::string origin;    // header Origin; "" if the request has none
-  std::string protocol;  // Sec-WebSocket-Protocol
+  std::string protocol;  // header Sec-WebSocket-Protocol; "" if the request has none
   std::string run;       // value of "run=" in the query
 };
 
@@ -35,11 +36,11 @@ struct WebAnswer {
 // The socket of a page.
 class WebConnection {
  public:
-  // Lets the loop call WebPage::Next() as soon as the socket takes bytes.
+  // Makes the loop call WebPage::Next() as soon as the socket takes bytes.
   virtual void WantSend() = 0;
   // Closes the WebSocket with `code` and `why` (RFC 6455, section 7.4) when Next() returns "".
   virtual void CloseWhenSent(int code, const std::string& why) = 0;
-  // Closes the socket at once, without a word to the page.
+  // Closes the socket at once, and sends no reason to the page.
   virtual void Abort() = 0;
   // Stops or resumes reading from the page.
   virtual void SetReading(bool is_on) = 0;
@@ -48,11 +49,11 @@ class WebConnection {
   ~WebConnection() = default;
 };
 
-// A page, the other end of a WebSocket.
+// The program's end of a WebSocket; the other end is a page in a browser.
 class WebPage {
  public:
   virtual ~WebPage() = default;
-  // Takes a part of a message of the page.  `is_last`: the message is complete.
+  // Takes a part of a message from the page.  `is_last` says that the message is complete.
   virtual void Take(std::string_view part, bool is_text, bool is_last) = 0;
   // Returns the next message for the page; "" if none waits.
   virtual std::string Next() = 0;
@@ -73,15 +74,16 @@ class WebDescriptor {
   ~WebDescriptor() = default;
 };
 
-// The program behind the loop.
+// The functions of the program that the loop calls.
 class WebService {
  public:
   virtual WebAnswer Answer(const WebRequest& request) = 0;
   // Returns the answer that refuses a WebSocket; null if it may be opened.
   virtual std::unique_ptr<WebAnswer> Refuse(const WebRequest& request) = 0;
-  // Called when a WebSocket was opened.  `connection` exists as long as the page that is returned.
+  // Called when a WebSocket was opened.  `connection` exists as long as the page that this function
+  // returns.
   virtual std::unique_ptr<WebPage> Open(const WebRequest& request, WebConnection* connection) = 0;
-  // Called after WebLoop::Wake().
+  // Called in the thread of the loop after WebLoop::Wake().
   virtual void OnWake() = 0;
 
  protected:
@@ -92,19 +94,19 @@ class WebLoop {
  public:
   virtual ~WebLoop() = default;
 
-  // Serves until Stop() was called.
+  // Serves until Stop() is called.
   virtual void Run() = 0;
   virtual void Stop() = 0;
   // Calls Stop() after `ms` milliseconds.
   virtual void StopAfter(int ms) = 0;
 
-  // Lets Run() call WebService::OnWake().  May be called in any thread.
+  // Makes Run() call WebService::OnWake().  May be called in any thread.
   virtual void Wake() = 0;
 
-  // Serves HTTP on a connection that was accepted.  The loop owns the descriptor.
+  // Serves HTTP on an accepted connection.  The loop owns the descriptor from now on.
   virtual void Serve(int connection) = 0;
 
-  // A descriptor that is watched; null after an error.
+  // A descriptor that the loop watches; null after an error.
   using Watched = void*;
   // Watches a descriptor, which the loop owns from now on.
   virtual Watched Watch(int descriptor, WebDescriptor* handler) = 0;

@@ -17,8 +17,8 @@ struct Address {
   std::string Text() const { return host + ":" + std::to_string(port); }
 };
 
-// Reads "HOST" or "HOST:PORT"; without a port it is the usual one, 54000.  Throws Error (kAddress)
-// if `text` is neither.  IPv6 addresses are refused, because the robot's network is IPv4.
+// Reads "HOST" or "HOST:PORT"; without a port, the port is 54000.  Throws Error (kAddress) for any
+// other text.  Refuses IPv6 addresses, because the robot's network is IPv4.
 Address ParseAddress(const std::string& text);
 
 }  // namespace openr::remote

@@ -10,7 +10,7 @@
 namespace openr::remote {
 namespace {
 
-// Returns the version of the protocol for a request: the first that has the command.
+// Returns the version of the protocol for a request: the first version that has the command.
 int VersionFor(int command) {
   switch (command) {
     case rcINFO:
@@ -81,7 +81,7 @@ void Connection::ThrowSilent() const {
         "end another client");
 }
 
-// Called after this connection was lost.  Returns whether the robot answers on a new connection, so
+// Returns whether the robot answers on a new connection.  Called when this connection was lost, so
 // that the error can say whether only the connection or the whole run has ended.
 bool Connection::RobotGoesOn() const {
   if (is_probe_) return false;
@@ -89,7 +89,8 @@ bool Connection::RobotGoesOn() const {
     Connection(address_, options_, true).Request(rcINFO);
     return true;
   } catch (const Error& error) {
-    return error.code() == ErrorCode::kRefused;  // it has no place for one more client now
+    return error.code() == ErrorCode::kRefused;  // the robot goes on, but serves as many clients as
+                                                 // it can
   }
 }
 
@@ -123,7 +124,7 @@ void Connection::SendBytes(const Bytes& bytes) {
   }
 }
 
-// Receives a packet.  Returns false if no whole packet has come until `deadline`.
+// Receives a packet.  Returns false if no complete packet has arrived by `deadline`.
 bool Connection::ReceivePacket(Clock::time_point deadline) {
   for (;;) {
     const RcFramer::Result result = framer_.Next();
@@ -146,8 +147,8 @@ bool Connection::ReceivePacket(Clock::time_point deadline) {
   }
 }
 
-// Takes the packet that was received last to its place: an event to those that NextEvent() returns,
-// an answer to its request.
+// Stores the packet that was received last: an event with those that NextEvent() returns, an answer
+// with its request.
 void Connection::TakePacket() {
   RcAnswerHeader header;
   if (!header.Read(framer_)) ThrowMalformed();
@@ -162,7 +163,8 @@ void Connection::TakeAnswer(const RcAnswerHeader& header) {
   const auto found = pending_.find(header.header.tag);
   if (found == pending_.end()) {
     Answer answer = AnswerFrom(header, framer_);
-    // An error without a request: bytes that were no packet, or no place for one more client.
+    // Throws, because an error without a request is no answer: the robot has received bytes that
+    // are no packet, or serves as many clients as it can.
     if (answer.status != rcOK) throw Error(answer.status, answer.frame, answer.error);
     ThrowMalformed();
   }
@@ -182,7 +184,8 @@ void Connection::KeepEvent(const RcAnswerHeader& header) {
   if (events_.size() == kEventsMax) events_.pop_front();
   events_.push_back({header.header.tag, header.frame, head.stream, head.leftOut,
                      Bytes(in.Rest(), in.Rest() + in.RestSize())});
-  SendBytes(MakePacket(rcEVENT, header.header.tag, {}));  // lets the next ones come
+  // allows the robot to send the next events
+  SendBytes(MakePacket(rcEVENT, header.header.tag, {}));
 }
 
 // ---- Requests
@@ -206,7 +209,7 @@ bool Connection::IsAnswered(RequestId id) {
 Answer Connection::WaitForAny(RequestId id) {
   const Clock::time_point deadline = Clock::now() + options_.timeout;
   while (!pending_.at(id).answer) {
-    // The clock is asked as well, because events that come all the time are no answer.
+    // Looks at the clock even if packets arrive, because these may be events only, and no answer.
     if (Clock::now() > deadline || !ReceivePacket(deadline)) ThrowSilent();
     TakePacket();
   }
@@ -316,7 +319,7 @@ Event Connection::NextEvent() {
   for (;;) {
     std::optional<Event> event = NextEvent(Clock::now() + options_.timeout);
     if (event) return *std::move(event);
-    Request(rcINFO);  // throws when the robot is gone
+    Request(rcINFO);  // throws if the robot does not answer any more
   }
 }
 

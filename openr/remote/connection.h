@@ -5,7 +5,7 @@
 //   robot.SetSpeed(pan, 60);  // degrees/s
 //   robot.Move(pan, 30);      // degrees
 //
-// Whatever goes wrong is an Error (error.h), whose text says what to do.
+// All failures are exceptions of the class Error (error.h).  Their texts say what the user can do.
 #pragma once
 
 #include <chrono>
@@ -31,11 +31,12 @@ namespace openr::remote {
 
 class TcpStream;
 
-// The structs of requests and answers are those of the protocol, which client and robot share;
-// their headers say units and order.
-using Info = RcInfo;                // what robot this is, and what it does
-using Description = RcDescription;  // a device: names, and limits of a joint or kind of a sensor
-using JointState = RcJointState;    // 0.01 degree, 0.01 degree/s, 0.01 degree/s^2
+// Structs of requests and answers.  Client and robot share these structs of the protocol; their
+// headers describe units and order.
+using Info = RcInfo;                // design of the robot and what it does now
+using Description = RcDescription;  // a device: its names, and the limits of a joint or the kind of
+                                    // a sensor
+using JointState = RcJointState;    // units: 0.01 degree, 0.01 degree/s, 0.01 degree/s^2
 using Gains = RcGains;
 using Power = RcPower;
 using Sensors = RcSensors;
@@ -46,7 +47,7 @@ using ListEntry = RcListEntry;
 using Bytes = std::vector<uint8_t>;
 
 struct Options {
-  // How long to wait for the connection, and for each answer.
+  // Time limit for connecting, and for each answer.
   std::chrono::milliseconds timeout{3000};
 };
 
@@ -58,7 +59,7 @@ struct Answer {
   uint32_t frame =
       0xffffffff;     // frame of 8 ms of the robot's newest sensor values; 0xffffffff: none
   int status = rcOK;  // RcStatus
-  std::string error;  // the robot's words if the status is not rcOK
+  std::string error;  // the robot's error text if the status is not rcOK
   Bytes payload;      // empty if the status is not rcOK
 };
 
@@ -68,26 +69,26 @@ struct Call {
   Bytes payload;
 };
 
-// A packet of a stream, which the robot sends unasked.
+// A packet of a stream.  The robot sends these packets without further requests.
 struct Event {
   RequestId subscription = 0;  // result of Subscribe()
   uint32_t frame = 0;
   int stream = 0;    // RcStream
   int left_out = 0;  // number of values that were not sent since the event before
-  Bytes values;      // of Sensors or SetValues; see Read()
+  Bytes values;      // values of Sensors or SetValues; see Read()
 };
 
-// Called with the number of bytes of a file that are there, and their sum; first with 0.
+// Called during a transfer with the number of bytes that were transferred, and the size of the
+// file.  The first call has 0 bytes.
 using Progress = std::function<void(size_t done, size_t size)>;
 
 // A TCP connection to a robot.  The caller owns it and uses it in one thread at a time.
 //
-// Functions throw Error.  If Error::LeavesConnection() is false, the connection is of no use any
-// more; nothing connects again by itself, because subscriptions, an upload that had begun and what
-// other clients did meanwhile are for the caller to consider.
+// Functions throw Error.  If Error::LeavesConnection() is false, the connection cannot be used any
+// more.  It does not connect again by itself, because its subscriptions and begun uploads are lost,
+// and other clients may have changed the robot meanwhile; the caller must decide what to do.
 //
-// Requests use version 1 of the protocol where that has the command, so that older robots answer
-// them.
+// Requests use version 1 of the protocol if it has the command, so that older robots answer them.
 class Connection {
  public:
   explicit Connection(const Address& address, Options options = {});
@@ -97,65 +98,68 @@ class Connection {
 
   const Address& address() const { return address_; }
 
-  // Returns the frame of the newest answer that a function below has waited for.
+  // Returns the frame number in the newest answer that one of the functions below has waited for.
   uint32_t frame() const { return frame_; }
 
   // ---- Devices: indices are those of the robot's model, from 0.
 
   Info GetInfo();
 
-  // Returns all devices of a kind.  Asks the robot once; the result stays valid and the same.
+  // Returns all devices of a kind.  Asks the robot only in the first call; the result never
+  // changes.
   const std::vector<Description>& Devices(RcDeviceKind kind);
 
-  // Returns the index of the device whose short name ("LF_j1"), title ("Left fore leg J1"), locator
-  // ("PRM:/r2/c1-Joint2:j1", its name in OPEN-R) or number is `name`.  Throws Error (kNoDevice)
-  // with a list of all if the robot has none.
+  // Returns the index of a device.  `name` is its short name ("LF_j1"), title ("Left fore leg J1"),
+  // locator ("PRM:/r2/c1-Joint2:j1", its name in OPEN-R) or number.  If the robot has no such
+  // device, throws Error (kNoDevice) with a list of all devices.
   int Find(RcDeviceKind kind, const std::string& name);
 
   // ---- Joints, lights, ears
 
   JointState GetJoint(int joint);
 
-  // Each returns the value in force: the one asked for or the limit of the joint next to it.  They
-  // return before the joint has moved.  A value beyond 10^6 counts as 10^6.  REQUIRES: the value
-  // is a number.
+  // Each function returns the value that is now in force: the value asked for, or the joint's limit
+  // if the value is beyond it.  They return before the joint has moved.  Values beyond 10^6 count
+  // as 10^6.  REQUIRES: the value is a number.
   double Move(int joint, double degrees);
   double SetSpeed(int joint, double degrees_per_s);
   double SetAcceleration(int joint, double degrees_per_s2);
 
-  // A request of Move() and so on for Send() and Batch().  `command` is rcMOVE, rcSPEED or rcACCEL.
+  // Returns a request of Move(), SetSpeed() or SetAcceleration(), to be sent with Send() or
+  // Batch(). `command` is rcMOVE, rcSPEED or rcACCEL.
   static Call JointCall(RcCommand command, int joint, double value);
-  // Reads the answer to JointCall().
+  // Returns the value in an answer to JointCall().
   double InForce(const Answer& answer) const;
 
   void SetLed(int led, bool on);
   void SetEar(int ear, bool on);
 
-  // `joint` may be RC_ALL_JOINTS: all joints and motor power.
+  // `joint` may be RC_ALL_JOINTS, which switches all joints and the motor power.
   void SwitchMotor(int joint, bool on);
   Gains GetGains(int joint);
-  Gains SetGains(int joint, int p, int i, int d);  // each 0 to RC_MAX_GAIN; returns the new ones
+  Gains SetGains(int joint, int p, int i, int d);  // each gain is 0 to RC_MAX_GAIN; returns the new
+                                                   // gains
 
   // ---- Sensors and power
 
   Sensors GetSensors();
   Power GetPower();
 
-  // Asks for a picture, and waits for it at most for the time limit of the options.  `layer` is 0
-  // H, 1 M, 2 L or 3 C.
+  // Asks for a picture and waits for it, at most for the time limit of the options.  `layer` is 0
+  // for H, 1 for M, 2 for L, 3 for C.
   Picture TakePicture(int layer);
 
-  // ---- Motions and files of the stick.  `name` is a bare 8+3 name: "WALK.MTN".
+  // ---- Motions and files of the stick.  `name` is a file name of 8+3 characters: "WALK.MTN".
 
-  // Plays a motion; returns before it begins.  `loops` is 1 to 65535.  `key_frames_per_vector` is
-  // 0 (the robot chooses), 2, 4, 6 or 8.
+  // Starts a motion; returns before the motion begins.  `loops` is 1 to 65535.
+  // `key_frames_per_vector` is 2, 4, 6, 8 or 0 (the robot chooses).
   PlayAnswer PlayMotion(const std::string& name, int loops = 1, int key_frames_per_vector = 0);
   void StopMotion();
 
   std::vector<ListEntry> ListMotions();  // sorted by name; sizes in bytes
 
-  // Puts a file on the stick, in place of the one that has this name.  The robot checks the
-  // content; the old file stays if the new one is refused or the connection ends.
+  // Uploads a file to the stick; replaces a file of the same name.  The robot checks the content.
+  // If the robot refuses the file or the connection ends, the old file stays.
   void Upload(RcFileKind kind, const std::string& name, const std::string& bytes,
               const Progress& progress = {});
   std::string Download(RcFileKind kind, const std::string& name, const Progress& progress = {});
@@ -168,10 +172,10 @@ class Connection {
 
   // ---- Events
 
-  // Subscribes to a stream in place of an earlier subscription to it.  `period` is the smallest
+  // Subscribes to a stream; replaces an earlier subscription to it.  `period` is the smallest
   // number of frames between two events: a multiple of 4 and not 0 for sensors, 0 or more for set
-  // values.  Events are acknowledged when a function of this class receives them, so a caller that
-  // calls none gets few.
+  // values. Functions of this class acknowledge events when they receive them, so the robot sends
+  // few events to a caller that calls no function.
   RequestId Subscribe(RcStream stream, int period);
   void Unsubscribe(RcStream stream);
 
@@ -179,48 +183,51 @@ class Connection {
   // limit of the options, sends INFO to test that the robot still answers.  Throws if it does not.
   // Keeps the newest kEventsMax events that arrive while another function waits.
   Event NextEvent();
-  // Waits at most until `deadline`; receives what has arrived even if that is in the past.
+  // Returns the next event; nullopt if none arrives until `deadline`.  Receives bytes that have
+  // arrived already even if `deadline` is in the past.
   std::optional<Event> NextEvent(std::chrono::steady_clock::time_point deadline);
   static constexpr size_t kEventsMax = 1000;
 
-  // ---- Any request, and several without waiting
+  // ---- Single requests of any kind, and several requests without waiting
 
   // Sends a request and waits for its answer.  `version` is the version of the protocol; 0: the
-  // first that has the command.
+  // first version that has the command.
   Answer Request(int command, const Bytes& payload = {}, int version = 0);
 
-  // Sends a request and returns at once.  The id must be given to Wait(), WaitForAny() or Drop(),
-  // once.  The robot answers in the order of the requests; the caller may wait in any.  At most
-  // kInFlight requests should be under way, because the answers of more may fill the buffers of
-  // the network, and then neither side can send.
+  // Sends a request and returns at once.  The caller must pass the id once to Wait(), WaitForAny()
+  // or Drop().  The robot answers in the order of the requests; the caller may wait in any order.
+  // At most kInFlight requests should wait for answers, because more answers may fill the buffers
+  // of the network, and then neither side can send.
   RequestId Send(int command, const Bytes& payload = {}, int version = 0);
   static constexpr size_t kInFlight = 32;
 
-  // Returns whether the answer is there, so that Wait() does not wait.  Throws Error (kTimeout) if
-  // the request was sent longer ago than the time limit of the options.
+  // Returns whether the answer has arrived, so that Wait() returns at once.  Throws Error
+  // (kTimeout) if the request was sent longer ago than the time limit of the options.
   bool IsAnswered(RequestId id);
   Answer Wait(RequestId id);        // throws Error (kRefused) if the robot refuses
   Answer WaitForAny(RequestId id);  // returns a refusal as well
-  void Drop(RequestId id);          // the answer is thrown away when it comes
+  void Drop(RequestId id);          // drops the answer when it arrives
 
-  // Sends a request for each payload without waiting in between, so that many take few round trips.
-  // Throws the first refusal when all answers are there.
+  // Sends a request for each payload without waiting in between, so that many requests take few
+  // round trips.  If requests are refused, throws the first refusal after all answers have arrived.
   std::vector<Answer> RequestAll(int command, const std::vector<Bytes>& payloads);
 
   // Sends up to RC_MAX_BATCH requests in one packet, which the robot carries out in the same frame.
-  // Returns their answers in the same order; a refusal is one of them and does not end the batch.
+  // Returns their answers in the same order.  A refusal is an answer, too, and does not end the
+  // batch.
   std::vector<Answer> Batch(const std::vector<Call>& calls);
   RequestId SendBatch(const std::vector<Call>& calls);
-  std::vector<Answer> WaitForBatch(RequestId id, size_t count);  // `count` of the calls
+  // `count` is the number of calls in the batch
+  std::vector<Answer> WaitForBatch(RequestId id, size_t count);
 
   // ---- For programs that serve several robots in one thread
 
-  // Returns the socket, for poll().  REQUIRES: only poll() is called with it.
+  // Returns the socket, for poll().  REQUIRES: the caller uses it with poll() only.
   int descriptor() const;
-  // Returns the answer if one of the functions above has received it, and forgets the request then.
-  // Does not wait and does not receive; NextEvent() with a deadline in the past receives.
+  // Returns the answer if a function above has received it, and forgets the request then.  Does not
+  // wait and does not receive; NextEvent() with a deadline in the past receives.
   std::optional<Answer> TakeAnswer(RequestId id);
-  // Reads the answer to SendBatch(), which had `count` calls.
+  // Returns the answers in the answer to SendBatch().  `count` is the number of its calls.
   std::vector<Answer> ReadBatch(const Answer& answer, size_t count) const;
 
   // Makes the payload of a request from a struct of the protocol.
@@ -254,7 +261,7 @@ class Connection {
     return payload;
   }
 
-  // A request that was sent and not taken by Wait() yet.
+  // A request that was sent, and whose answer no function has taken yet.
   struct Pending {
     std::chrono::steady_clock::time_point sent;
     bool is_dropped = false;
@@ -276,7 +283,7 @@ class Connection {
 
   const Address address_;
   const Options options_;
-  const bool is_probe_;  // made by RobotGoesOn() to test the robot
+  const bool is_probe_;  // this connection was made by RobotGoesOn(), to test the robot
   std::unique_ptr<TcpStream> stream_;
   RcFramer framer_;
   RequestId last_id_ = 0;

@@ -10,7 +10,8 @@ namespace openr::remote {
 namespace {
 
 constexpr double kCdegPerDegree = 100;
-constexpr double kValueMax = 1e6;  // in degrees; in 0.01 degree it fits into 32 bits
+constexpr double kValueMax = 1e6;  // degrees; larger values in 0.01 degree might not fit into 32
+                                   // bits
 
 }  // namespace
 
@@ -18,7 +19,8 @@ constexpr double kValueMax = 1e6;  // in degrees; in 0.01 degree it fits into 32
 
 Info Connection::GetInfo() {
   const Answer answer = WaitForAny(Send(rcINFO, {}, RC_VERSION_FILES));
-  // A robot that serves version 1 only tells less.
+  // Asks with version 1 of the protocol if the robot serves no later version; its answer has fewer
+  // fields.
   if (answer.status == rcerrorVERSION) return Read<Info>(Request(rcINFO));
   if (answer.status != rcOK) throw Error(answer.status, answer.frame, answer.error);
   return Read<Info>(answer);

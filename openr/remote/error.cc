@@ -5,7 +5,7 @@
 namespace openr::remote {
 namespace {
 
-// Returns what a client can do about a refusal.  Where the robot's text says it, returns "".
+// Returns what a client can do about a refusal; "" if the robot's text says it already.
 std::string AdviceFor(int status) {
   switch (status) {
     case rcerrorVERSION:

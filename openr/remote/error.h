@@ -9,17 +9,17 @@ namespace openr::remote {
 
 enum class ErrorCode {
   kAddress,      // the text is no address, or no host has this name
-  kUnreachable,  // no connection: nothing listens there, or it does not answer in time
+  kUnreachable,  // no connection: no program listens there, or none answers in time
   kTimeout,      // connected, but the robot has not answered or taken bytes in time
   kLost,         // the connection has ended
-  kProtocol,     // the bytes that came are not those of the remote control
+  kProtocol,     // the bytes that arrived do not follow the protocol of the remote control
   kRefused,      // the robot refuses the request; status() and text() say why
   kNoDevice,     // the robot has no device with this name
   kFileChanged,  // the file on the stick changed while it was downloaded
 };
 
-// Thrown by every function of the library that can fail.  what() is text(), then "; " and advice()
-// if there is any.
+// Thrown by all functions of the library that can fail.  what() returns text(), followed by "; "
+// and advice() if advice() is not "".
 class Error : public std::runtime_error {
  public:
   Error(ErrorCode code, const std::string& text, const std::string& advice = "");
@@ -28,15 +28,15 @@ class Error : public std::runtime_error {
   Error(int status, uint32_t frame, const std::string& text);
 
   ErrorCode code() const { return code_; }
-  const std::string& text() const { return text_; }      // what is wrong
-  const std::string& advice() const { return advice_; }  // what to do; "": the text says it
-  int status() const {
-    return status_;
-  }                                          // RcStatus (RemoteProtocol.h); 0 (rcOK)
-                                             // if the robot has not refused
-  uint32_t frame() const { return frame_; }  // if the robot has refused: frame of its answer
+  const std::string& text() const { return text_; }  // the error
+  // Returns what the user can do against the error; "" if text() says it.
+  const std::string& advice() const { return advice_; }
+  // Returns the RcStatus (RemoteProtocol.h) of a refusal; 0 (rcOK) if the robot has not refused.
+  int status() const { return status_; }
+  uint32_t frame() const { return frame_; }  // frame number in the robot's refusal
 
-  // Returns whether the connection can be used further.  After the other errors, make a new one.
+  // Returns whether the connection can still be used after this error.  If not, the caller must
+  // make a new connection.
   bool LeavesConnection() const;
 
  private:

@@ -8,32 +8,33 @@ namespace openr::remote {
 
 class Connection;
 
-// Reads the records that the robot makes of each key frame while a motion plays.  The robot keeps
-// the last 256, 8 s of a motion with the usual vectors.  Functions throw the errors of Connection.
+// Reads the records of the log, which the robot makes for each key frame while a motion plays.  The
+// robot keeps the last 256 records, 8 s of a motion with vectors of the usual length.  Functions
+// throw the errors of Connection.
 class LogReader {
  public:
   // `connection` must outlive the reader.
   explicit LogReader(Connection* connection) : connection_(connection) {}
 
-  // Leaves out the records that the robot has already.
+  // Skips the records that the robot has made before this call.
   void SkipOld();
 
-  // Reads the records that have come since the last call.  Returns the state of JointMover
-  // (MoverState) after them.
+  // Reads the records that the robot has made since the last call.  Returns the state of JointMover
+  // (MoverState) after the last of them.
   int Take();
 
-  // Returns the bytes of a log file of Hohl 2004, table 3.9: the header and all records that were
+  // Returns the bytes of a log file (Hohl 2004, table 3.9): the header and all records that were
   // read.
   std::string File() const;
 
   int count() const { return count_; }  // number of records that were read
-  // Number of records that the robot has dropped before they were read.
+  // Returns the number of records that the robot has dropped before they were read.
   uint32_t lost() const { return lost_; }
-  uint32_t frame() const { return frame_; }  // frame of the last answer
+  uint32_t frame() const { return frame_; }  // frame number of the last answer
 
  private:
   Connection* const connection_;
-  uint32_t next_ = 0;  // number of the next record
+  uint32_t next_ = 0;  // number of the next record to read
   uint32_t lost_ = 0;
   uint32_t frame_ = 0;
   int count_ = 0;

@@ -11,7 +11,7 @@
 namespace openr::remote {
 namespace {
 
-// Time between two questions whether the picture is there.
+// Time between two requests that ask whether the picture is ready.
 constexpr std::chrono::milliseconds kPictureWait{20};
 
 // The payload of CAMERA_PART.
@@ -20,7 +20,7 @@ struct PartNumber {
   void Write(RcWriter* out) const { out->U16(static_cast<Uint32>(part)); }
 };
 
-// The payload of its answer.
+// The payload of an answer to CAMERA_PART.
 struct PicturePart {
   RcPicturePart head;
   std::string bytes;
@@ -72,7 +72,8 @@ std::string Picture::Rgb() const {
   }
   std::string pixels;
   for (int row = 0; row < height; ++row) {
-    // The last row of Y begins with 16 bytes of other data, so the row above stands for it.
+    // Uses the row above instead of the last row of Y, because the last row begins with 16 bytes of
+    // other data.
     const int y_row = row == height - 1 && row > 0 ? row - 1 : row;
     const auto* const y = reinterpret_cast<const uint8_t*>(bytes.data()) +
                           row_size * static_cast<size_t>(y_row * bands);

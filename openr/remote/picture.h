@@ -6,10 +6,11 @@
 
 namespace openr::remote {
 
-// A layer of a picture.  Its bands are interleaved row by row: a row of Y, one of Cr, one of Cb,
-// and three more, then the next row.  Layer C has one band, the detected colours.
+// A layer of a picture.  Layers H, M and L have six bands, interleaved row by row: a row of Y, of
+// Cr, of Cb and of three more bands, then the next row of each.  Layer C has one band, the detected
+// colours.
 struct Picture {
-  uint32_t frame = 0;  // frame of 8 ms in which it was taken
+  uint32_t frame = 0;  // frame of 8 ms in which the picture was taken
   int layer = 0;       // 0 H, 1 M, 2 L, 3 C
   int bands = 0;
   int width = 0;  // pixels
@@ -17,7 +18,7 @@ struct Picture {
   std::string bytes;
 
   // Returns red, green and blue of each pixel, row by row from the top left.  Throws
-  // std::runtime_error if the picture has no colours: layer C, or bytes are missing.
+  // std::runtime_error if the picture is of layer C, which has no colours, or if bytes are missing.
   std::string Rgb() const;
 
   // Returns the picture as a file: .ppm (P6), or .pgm (P5) for layer C.  Throws std::runtime_error

@@ -5,7 +5,7 @@
 namespace openr::remote {
 namespace {
 
-// Bits of the robot status, as docs/remote-control.md has them.
+// Bits of the robot status, from docs/remote-control.md.
 constexpr uint32_t kMotorPower = 0x2;
 constexpr uint32_t kStationConnected = 0x10;
 

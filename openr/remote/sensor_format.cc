@@ -47,7 +47,8 @@ Json Values(const std::vector<RcDescription>& names, const std::vector<Sint32>& 
 }  // namespace
 
 std::string StateName(int state) {
-  // RCServer sends 0xff, which is -1 in a byte, until JointMover has reported its first state.
+  // Treats 0xff as "starting", because RCServer sends 0xff, -1 in a byte, until JointMover has
+  // reported its first state.
   return state == 0xff ? "starting" : MoverStateName(state);
 }
 

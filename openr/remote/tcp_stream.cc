@@ -48,7 +48,7 @@ TcpStream::TcpStream(const Address& address, std::chrono::milliseconds timeout) 
                             gai_strerror(problem)),
                 "this machine is 127.0.0.1");
   }
-  // The socket does not block, because connect() must give up at the deadline.
+  // Makes a non-blocking socket, because connect() must give up at the deadline.
   socket_ = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
   int error = socket_ < 0 || connect(socket_, found->ai_addr, found->ai_addrlen) != 0 ? errno : 0;
   freeaddrinfo(found);
@@ -57,8 +57,7 @@ TcpStream::TcpStream(const Address& address, std::chrono::milliseconds timeout) 
     if (socket_ >= 0) close(socket_);
     ThrowUnreachable(address, error, timeout);
   }
-  // Nagle's algorithm holds small packets back.  It is switched off, because requests are small and
-  // must leave at once.
+  // Switches Nagle's algorithm off, because requests are small and must leave at once.
   const int on = 1;
   setsockopt(socket_, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
 }
@@ -67,14 +66,14 @@ TcpStream::~TcpStream() { close(socket_); }
 
 bool TcpStream::WaitFor(short events, Clock::time_point deadline) const {
   for (;;) {
-    // Rounded up, because a wait of 0 ms would try again and again until the deadline.
+    // Rounds up, because a wait of 0 ms would be tried again and again until the deadline.
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now());
     const auto left_ms = std::clamp<int64_t>(left.count(), 0, 1'000'000'000);
     pollfd wanted{socket_, events, 0};
     const int ready = poll(&wanted, 1, static_cast<int>(left_ms));
     if (ready > 0) return true;
     if (ready == 0 && left_ms < 1'000'000'000) return false;
-    if (ready < 0 && errno != EINTR) return true;  // the call behind tells the error
+    if (ready < 0 && errno != EINTR) return true;  // the next call on the socket finds the error
   }
 }
 

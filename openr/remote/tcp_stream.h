@@ -1,4 +1,4 @@
-// TcpStream, the bytes of a connection.  Used by Connection only.
+// TcpStream, which sends and receives the bytes of a Connection.
 #pragma once
 
 #include <chrono>
@@ -13,10 +13,10 @@ namespace openr::remote {
 
 using Clock = std::chrono::steady_clock;
 
-// A TCP connection whose functions wait until a given time at most.
+// A TCP connection.  Its functions wait until a given time at most.
 class TcpStream {
  public:
-  // Connects, at the latest until `deadline`.  Throws Error (kAddress, kUnreachable).
+  // Connects within `timeout`.  Throws Error (kAddress, kUnreachable).
   TcpStream(const Address& address, std::chrono::milliseconds timeout);
   ~TcpStream();
   TcpStream(const TcpStream&) = delete;
@@ -24,21 +24,22 @@ class TcpStream {
 
   enum class Result { kGood, kTimeout, kLost };
 
-  // Sends all bytes.
+  // Sends all bytes; gives up at `deadline`.
   Result Send(const uint8_t* bytes, size_t size, Clock::time_point deadline);
 
   // Waits for bytes and reads up to `capacity` of them.  `*count` gets their number.  With a
   // deadline in the past, reads only what has arrived already.
   Result Receive(uint8_t* bytes, size_t capacity, Clock::time_point deadline, size_t* count);
 
-  // After kLost: the reason in words.
+  // Returns the reason of the loss after a function has returned kLost.
   const std::string& why_lost() const { return why_lost_; }
   int descriptor() const { return socket_; }
 
  private:
   bool WaitFor(short events, Clock::time_point deadline) const;
   int WaitForConnection(Clock::time_point deadline) const;  // returns 0 or an errno
-  Result Lost(int error);                                   // 0: the other end has closed
+  // `error` is an errno; 0: the other end has closed the connection
+  Result Lost(int error);
 
   int socket_ = -1;
   std::string why_lost_;

@@ -1,4 +1,4 @@
-// PictureRequest, a picture to be taken during a run: --snapshot t=5s,view=side -o a.png.
+// PictureRequest, a picture to take during a run: --snapshot t=5s,view=side -o a.png.
 #pragma once
 
 #include <cstdint>

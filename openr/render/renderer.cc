@@ -17,7 +17,8 @@ namespace {
 constexpr int kOversample = 3;  // drawn pixels per pixel of the picture, in each direction
 constexpr int kEdgeSteps = 8;   // segments of a quarter circle at the edges of shapes
 constexpr int kShadowPixels = 2048;
-constexpr double kShadowHalfM = 0.40;  // shadows reach so far from the camera's target
+constexpr double kShadowHalfM = 0.40;  // distance from the camera's target up to which shadows are
+                                       // drawn
 constexpr double kFloorHalfM = 6;
 const Eigen::Vector3f kBackground(0.93f, 0.94f, 0.95f);
 const Colour kFloorColour{0.83f, 0.84f, 0.85f};
@@ -150,9 +151,9 @@ std::vector<uint8_t> Draw(const Scene& scene, int width_px, int height_px) {
   glEnable(GL_DEPTH_TEST);
   glEnableClientState(GL_VERTEX_ARRAY);
   glEnableClientState(GL_NORMAL_ARRAY);
-  // The first pass draws how far surfaces are from two lights: the sun, and the sky straight above.
-  // The second pass draws the picture; a point is in shadow if another surface is nearer to the
-  // light.
+  // Draws in two passes.  The first pass draws the distance of surfaces from two lights: the sun,
+  // and the sky straight above.  The second pass draws the picture; a point is in shadow if another
+  // surface is nearer to the light.
   DrawDepths(items, sun, depth_program, sun_depth);
   DrawDepths(items, sky, depth_program, sky_depth);
 

@@ -17,12 +17,13 @@ class VirtualRobot;
 // The state of a robot that can be seen: its posture, lights and ears.
 struct RobotLook {
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
-  std::vector<Eigen::Isometry3d> X_WL;  // of each body, in the order of Body::BodyPoses()
-  std::vector<bool> leds_on;            // in the order of RobotModel::leds; those missing are off
-  std::vector<double> plungers_rad;     // in the order of RobotModel::plungers; those missing are 0
+  std::vector<Eigen::Isometry3d> X_WL;  // poses of the bodies, in the order of Body::BodyPoses()
+  std::vector<bool> leds_on;            // in the order of RobotModel::leds; missing lights are off
+  std::vector<double> plungers_rad;     // in the order of RobotModel::plungers; missing angles are
+                                        // 0
 };
 
-// Returns what can be seen of `robot` now.
+// Returns the present posture, lights and ears of `robot`.
 RobotLook LookOf(const VirtualRobot& robot);
 
 // The place of the camera relative to the robot: at its right side, in front of it, above it, in

@@ -20,8 +20,8 @@ Eigen::Isometry3d At(const Eigen::Vector3d& place_m) {
 }
 
 // Adds the parts as boxes with rounded edges, instead of the plain boxes that physics uses.  Leaves
-// out parts of 2 mm or less.  These are the plates of 1 mm to which the model reduces the joints J1
-// of the legs.  They lie inside the box of the trunk, so a picture does not need them.
+// out parts of 2 mm or less: the plates of 1 mm by which the model represents the joints J1 of the
+// legs.  They lie inside the box of the trunk, so a picture does not need them.
 void AddParts(const RobotModel& model, std::vector<RobotShape>* shapes) {
   for (size_t i = 0; i < model.bodies.size(); ++i) {
     const BodyPart& part = model.bodies[i];

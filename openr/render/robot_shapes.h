@@ -14,8 +14,8 @@ namespace openr_host {
 // A shape that is fixed to part `body` of a robot.
 struct RobotShape {
   int body = 0;  // index of RobotModel::bodies
-  // Its X_WS is the pose in the part, not in the world.  For an ear, this is the pose at angle 0.
-  // For a light, the colour is that of the light when it is off.
+  // `shape.X_WS` is the pose in the part, not in the world.  For an ear, this is the pose at angle
+  // 0. For a light, the colour is that of the light when it is off.
   render::Shape shape;
   int led = -1;         // for a light: index of RobotModel::leds, otherwise -1
   render::Colour glow;  // for a light: its colour when it is on

@@ -18,7 +18,7 @@ struct Colour {
 struct Shape {
   Eigen::Isometry3d X_WS = Eigen::Isometry3d::Identity();  // centre and axes of the box in W
   Eigen::Vector3d size_m{0, 0, 0};                         // lengths of the edges
-  double radius_m = 0;  // of the rounding; at most half of the shortest edge is used
+  double radius_m = 0;  // radius of the edges; at most half of the shortest edge is used
   Colour colour;
   float gloss = 0.3f;  // from 0, dull, to 1, polished
   bool glows = false;  // shines in its own colour, also in the shadow
@@ -27,7 +27,8 @@ struct Shape {
 struct Camera {
   Eigen::Vector3d p_W{1, -1, 0.5};  // place of the camera
   Eigen::Vector3d target_W{0, 0, 0};
-  Eigen::Vector3d up{0, 0, 1};  // direction that is up in the picture; not the line of sight
+  Eigen::Vector3d up{0, 0, 1};  // direction that is up in the picture; must not be parallel to the
+                                // line of sight
   double fov_rad = 0.5;         // angle of view from the bottom to the top of the picture
 };
 

@@ -1,5 +1,6 @@
-// Shaders in GLSL 1.20.  The two depth shaders draw how far the nearest surfaces are from a light.
-// With these distances the two picture shaders, which draw the picture, find what is in shadow.
+// Shaders in GLSL 1.20.  The two depth shaders draw the distance of the nearest surfaces from a
+// light. The two picture shaders draw the picture, and use these distances to find the points in
+// shadow.
 #pragma once
 
 namespace openr_host::render {

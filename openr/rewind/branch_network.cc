@@ -116,7 +116,7 @@ void BranchNetwork::Drop(NetHandle handle, bool reset) {
   if (!repeats_) PassingNetwork::Drop(handle, reset);
 }
 
-// Updates sockets_ for `event`, which Poll() returns to the robot now.
+// Updates sockets_ for an event that Poll() returns to the robot now.
 void BranchNetwork::Follow(const NetworkEvent& event) {
   switch (event.kind) {
     case NetworkEvent::Kind::kAccepted:
@@ -129,7 +129,8 @@ void BranchNetwork::Follow(const NetworkEvent& event) {
     case NetworkEvent::Kind::kResolved:
     case NetworkEvent::Kind::kFailed:
     case NetworkEvent::Kind::kClosed:
-      // The robot can only drop such a socket now, so there is nothing to open again.
+      // Marks the socket as unused, because the robot can only drop it after such an event.  GoOn()
+      // then has nothing to open again for it.
       sockets_[event.handle].kind = Socket::Kind::kNew;
       break;
     default:

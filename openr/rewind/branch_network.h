@@ -1,9 +1,9 @@
 // BranchNetwork, the network of a robot whose run can be copied at an earlier moment.
 //
-// In the run it passes all calls on and logs what comes from outside.  In a copy it first says
-// again what came in the run, and reaches nobody.  When the copy goes on as a new run, it opens the
-// ports again at which the robot listens.  Connections do not go on: their peers talk to the first
-// run, so the robot sees them broken.
+// In the run itself, passes all calls on to the real network and logs the events that come from
+// outside.  In a copy of the run, first returns the logged events again and sends nothing.  When
+// the copy goes on as a new run, the network opens the ports again at which the robot listens.  The
+// robot sees its connections as broken, because their peers are still connected to the first run.
 #pragma once
 
 #include <cstdint>
@@ -20,15 +20,17 @@ namespace openr_host {
 
 class BranchNetwork : public PassingNetwork {
  public:
-  // `log` gets what comes from outside to robot number `robot`, and must outlive the network.
+  // Logs the events that come from outside to robot number `robot` in `log`, which must outlive the
+  // network.
   BranchNetwork(std::unique_ptr<Network> inner, int robot, InputLog* log)
       : PassingNetwork(std::move(inner)), robot_(robot), log_(*log) {}
 
-  // Says `input`, of which all are for this robot, in the calls of Poll() of their numbers, and
-  // reaches nobody from now on.  REQUIRES: Forget() was called.
+  // Repeats `inputs`, which are all for this robot: each call of Poll() returns the events that the
+  // call of the same number returned in the original run.  Nothing is sent any more.  REQUIRES:
+  // Forget() was called.
   void Repeat(std::deque<LoggedInput> inputs);
-  // Ends Repeat(), or Forget() if nothing was repeated: drops the inputs that Poll() has not
-  // returned yet, opens the ports of the robot again, and uses the real network from now on.
+  // Goes on with the real network after Repeat(), or after Forget() if nothing was repeated.  Drops
+  // the inputs that Poll() has not returned yet, and opens the ports of the robot again.
   void GoOn();
 
   void At(NetHandle handle, uint32_t ip) override;
@@ -47,17 +49,19 @@ class BranchNetwork : public PassingNetwork {
   std::vector<NetworkEvent> Poll() override;
 
  private:
-  // What the robot has opened, as far as it is needed to open it again.
+  // A socket of the robot, with what is needed to open it again.
   struct Socket {
     enum class Kind { kNew, kListener, kStream, kUdp, kName, kAddress };
     Kind kind = Kind::kNew;
     bool has_address = false;  // At() was called with `address`
-    uint32_t address = 0;      // kAddress: the one whose name is asked for
+    uint32_t address = 0;      // kAddress: the address for which the robot has asked the name
     uint16_t port = 0;
     bool any_port = false;
-    std::deque<NetHandle> accepts;  // kListener: calls of Accept() that wait
-    size_t datagrams = 0;           // kUdp: of the ReceiveFrom() that waits; 0: none
-    std::string name;               // kName: host name whose address the robot has asked for
+    std::deque<NetHandle> accepts;  // kListener: sockets of the calls of Accept() that wait
+    size_t datagrams = 0;           // kUdp: datagrams for which ReceiveFrom() waits; 0: it does not
+                                    // wait
+    std::string name;               // kName: the host name for which the robot has asked the
+                                    // address
   };
 
   void Follow(const NetworkEvent& event);
@@ -67,8 +71,9 @@ class BranchNetwork : public PassingNetwork {
   InputLog& log_;
   uint64_t poll_ = 0;                 // number of calls of Poll()
   bool repeats_ = false;              // Poll() returns logged inputs, and nothing is sent
-  std::deque<LoggedInput> inputs_;    // what Poll() still has to say, in order of its numbers
-  std::vector<NetworkEvent> broken_;  // what the next Poll() says after the copy has gone on
+  std::deque<LoggedInput> inputs_;    // inputs that Poll() has still to return, in order of their
+                                      // numbers
+  std::vector<NetworkEvent> broken_;  // events that the next Poll() returns after GoOn()
   std::map<NetHandle, Socket> sockets_;
 };
 

@@ -1,5 +1,5 @@
-// InputLog: what came into a run from outside, kept so that a copy of an earlier moment of the run
-// can do the same again.
+// InputLog: the inputs that came into a run from outside.  They are kept so that a copy of the run
+// can repeat them.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace openr_host {
 
-// An input line, or what a robot's network said.
+// An input line, or the events that the network of a robot returned.
 struct LoggedInput {
   int robot = 0;
   // An input line ("press chin"), and when it was added: the virtual time, and the number of
@@ -20,14 +20,14 @@ struct LoggedInput {
   std::string line;
   int64_t time_us = 0;
   uint64_t messages = 0;
-  // The events that call number `poll` of Network::Poll() has returned; 0: this is a line.
+  // The events that call number `poll` of Network::Poll() has returned.  0: this is an input line.
   uint64_t poll = 0;
   std::vector<NetworkEvent> events;
 };
 
 class InputLog {
  public:
-  // The most bytes of inputs that are kept.
+  // The largest number of bytes that the inputs of a log may have together; see is_full().
   static constexpr size_t kBytesMax = size_t{64} << 20;
 
   void Add(LoggedInput input);
@@ -39,7 +39,7 @@ class InputLog {
   // Drops the inputs before number `begin`.
   void DropBefore(uint64_t begin);
 
-  // Returns whether more than kBytesMax bytes are kept.
+  // Returns whether the inputs have more than kBytesMax bytes.
   bool is_full() const { return bytes_ > kBytesMax; }
 
  private:
@@ -50,7 +50,7 @@ class InputLog {
   size_t bytes_ = 0;
 };
 
-// Convert inputs to and from JSON that has binary values, for another process.
+// Converts inputs to and from JSON with binary values, to send them to another process.
 nlohmann::json ToJson(const std::vector<LoggedInput>& inputs);
 std::vector<LoggedInput> LoggedInputsOf(const nlohmann::json& json);
 

@@ -28,20 +28,21 @@ namespace {
 
 using PlainJson = nlohmann::json;
 
-// The least distance of two checkpoints, in virtual time and by the clock of this computer.
+// The least distance between two checkpoints, in virtual time and by the clock of this computer.
 constexpr int64_t kDistanceUs = 1'500'000;
 constexpr int64_t kDistanceNs = 300'000'000;
 
-// The most memory that all checkpoints may take.  With more, old checkpoints are dropped.
+// The most memory that all checkpoints may take together.  Above this, old checkpoints are dropped.
 constexpr size_t kMemoryMax = size_t{1} << 30;
 
 // The most bytes of files that a checkpoint may copy from the Memory Stick.
 constexpr size_t kStickBytesMax = size_t{64} << 20;
 
-// The longest time in which a view must have reached its moment.
+// The longest time that a view may need to reach its moment.
 constexpr int kViewTimeoutMs = 60'000;
 
-// Returns the memory that process `process` needs, of shared memory its part, in bytes.
+// Returns the memory of process `process` in bytes.  Memory that processes share is counted in
+// parts, one for each of them.
 size_t MemoryOf(pid_t process) {
   std::ifstream file(fmt::format("/proc/{}/smaps_rollup", process));
   for (std::string word; file >> word;) {
@@ -108,8 +109,7 @@ bool Rewind::AfterFrame(bool is_watched) {
   return false;
 }
 
-// Makes a checkpoint.  Returns false in the original run, and returns again, with true, in a
-// branch.
+// Makes a checkpoint.  Returns false in the original run.  Returns again, with true, in a branch.
 bool Rewind::Take() {
   auto* const stick = dynamic_cast<FolderStick*>(system().robot(0).stick.get());
   ASSERT(stick != nullptr);
@@ -151,8 +151,8 @@ void Rewind::Drop(Checkpoint* checkpoint) {
   waitpid(checkpoint->process, nullptr, 0);
 }
 
-// Drops checkpoints from which nobody needs to start any more, and every second one if they take
-// too much memory.
+// Drops the checkpoints that are older than the span to which the run can go back.  Drops every
+// second checkpoint if they take too much memory.
 void Rewind::DropOld() {
   UpdateMemory();
   const int64_t begin_us = system().now_us() - parts_.span_us;
@@ -223,7 +223,7 @@ std::string Rewind::ShowMessage(uint64_t count) {
   return Show(LastBefore(INT64_MAX, count), {{"messages", count}});
 }
 
-// Shows the moment `target`, for which `checkpoint` is the last checkpoint.  Returns "" or an
+// Shows the moment `target`.  `checkpoint` is the last checkpoint before it.  Returns "" or an
 // error.
 std::string Rewind::Show(Checkpoint* checkpoint, const PlainJson& target) {
   if (!WhyNot().empty()) return "this run cannot be rewound: " + WhyNot();
@@ -232,7 +232,7 @@ std::string Rewind::Show(Checkpoint* checkpoint, const PlainJson& target) {
                                   "client watches the run"
                                 : fmt::format("the first checkpoint is of t={:.3f} s",
                                               InSeconds(checkpoints_.front().time_us));
-  // A view can only go forward.
+  // Keeps the present view only for a later moment, because a view can only go forward.
   const bool is_later =
       checkpoint == shown_ && (target.contains("time_us") ? target["time_us"] >= shown_us_
                                                           : target["messages"] >= shown_messages_);
@@ -256,7 +256,7 @@ std::string Rewind::Show(Checkpoint* checkpoint, const PlainJson& target) {
   return "";
 }
 
-// Ends the view; its checkpoint waits again.
+// Ends the view.  The checkpoint of the view then waits for the next request.
 void Rewind::LeaveView() {
   if (shown_ == nullptr) return;
   SendMessage(shown_->socket, {{"leave", true}});
@@ -277,7 +277,7 @@ nlohmann::ordered_json Rewind::Forward(const PlainJson& request) {
 
 nlohmann::ordered_json Rewind::Branch(double rate) {
   if (!shows_past()) return {{"error", "no earlier moment is shown from which to go on"}};
-  // The ports must be free before the branch opens them.
+  // Closes the ports of this run, because the branch opens the same ports.
   for (BranchNetwork* const network : networks_) network->Forget();
   std::optional<PlainJson> answer;
   if (SendMessage(shown_->socket, {{"branch", rate}}))
@@ -302,7 +302,7 @@ nlohmann::ordered_json Rewind::Branch(double rate) {
 int Rewind::WaitForBranch(const std::function<int()>& interrupts) {
   constexpr useconds_t kIntervalUs = 20'000;
   ASSERT(has_branched());
-  // Signals of the terminal reach the branch as well, so they must not be passed on.
+  // Ignores signals of the terminal, because the terminal sends them to the branch as well.
   for (const int signal : {SIGINT, SIGHUP}) ::signal(signal, SIG_IGN);
   int status = 0, passed = 0;
   while (waitpid(branch_parent_, &status, WNOHANG) == 0) {

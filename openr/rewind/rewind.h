@@ -1,11 +1,11 @@
 // Rewind: goes back to an earlier moment of a run that goes on.
 //
-// While somebody watches the run, the run forks now and then.  Each fork is a checkpoint: it does
-// nothing but wait, and holds everything as it was.  To show an earlier moment, the last checkpoint
-// before it forks again.  This view repeats the run up to the moment, with the inputs of the run,
-// and answers requests.  Meanwhile the run waits.  A view can go on from its moment as a new run, a
-// branch; the first run then ends, and its process waits for the branch, so that a terminal sees
-// one program.
+// While a client watches the run, the run forks now and then.  Each fork is a checkpoint: it only
+// waits, and so keeps the state of its moment.  To show an earlier moment, the last checkpoint
+// before the moment forks again.  This second fork is a view: it repeats the run up to the moment,
+// with the inputs of the run, and answers requests.  Meanwhile the run waits.  A view can go on
+// from its moment as a new run, a branch.  The first run then ends, but its process waits for the
+// branch, so that a terminal sees one program.
 //
 //   openr run ----- checkpoint ----- view, later branch
 //             \---- checkpoint
@@ -38,25 +38,25 @@ class Network;
 class Simulation;
 class System;
 
-// Functions of the program that Rewind calls, and the run that it rewinds.
+// The run to rewind, and functions of the program that Rewind calls.
 struct RewindParts {
   Simulation* simulation = nullptr;
-  std::string why_not;  // the reason why this run cannot be rewound; "": it can
-  // The run, if it repeats what is known.  Then a view or a branch asks it to go on.  Null: a view
-  // repeats the inputs of the run.
+  std::string why_not;  // the reason why this run cannot be rewound; "": it can be
+  // The replay, if this run replays a recording or a known run; a view or a branch then asks the
+  // replay to go on.  Null: a view repeats the logged inputs of this run.
   KnownRun* known = nullptr;
-  // How far back one can go, in virtual time.
+  // The span of virtual time before the present to which the run can go back.
   int64_t span_us = 60'000'000;
-  // Answers a request of a client, in a view.
+  // Answers the request of a client.  Called in a view.
   std::function<nlohmann::ordered_json(const nlohmann::json& request)> answer;
-  // Called in the process of a new checkpoint.  Makes it print nothing, and leave the sockets of
-  // the original process alone.
+  // Makes the process of a new checkpoint print nothing, and leave the sockets of the original
+  // process alone.  Called in that process.
   std::function<void()> become_copy;
-  // Called in a view after each frame, and before it repeats an input.
+  // Called in a view: after each frame, and before an input line is repeated.
   std::function<void()> after_frame;
   std::function<void(int robot, const std::string& line)> before_input;
-  // Called in a view that becomes a branch, with the rate at which it is to go on.  Returns the
-  // name of the new run.
+  // Makes the process of a view that of a branch, which is to go on at `rate`.  Returns the name of
+  // the new run.
   std::function<std::string(double rate)> become_branch;
 };
 
@@ -74,16 +74,16 @@ class Rewind {
   // Begins to follow the run.  REQUIRES: System::Boot() has not been called.
   void Begin(RewindParts parts);
 
-  // Takes a checkpoint if it is time for one, and drops old ones; drops all if nobody watches.
-  // Called after each frame.  Returns false in the original run, and returns again, with true, in a
-  // branch.
+  // Takes a checkpoint if it is time for one, and drops old checkpoints.  Drops all checkpoints if
+  // no client watches the run.  Called after each frame.  Returns false in the original run.
+  // Returns again, with true, in a branch.
   bool AfterFrame(bool is_watched);
 
-  // Refuses to go back, for the reason `why`; "": goes back again.
+  // Refuses all requests to go back, for the reason `why`.  "": allows them again.
   void Refuse(std::string why) { refusal_ = std::move(why); }
 
-  // Returns what clients are told: whether and how far the run can be rewound, the checkpoints with
-  // their memory, and the moment that is shown.
+  // Returns the state of Rewind for clients: whether and how far the run can be rewound, the number
+  // and memory of the checkpoints, and the moment that is shown.
   nlohmann::ordered_json Status();
 
   bool shows_past() const { return shown_ != nullptr; }
@@ -91,21 +91,22 @@ class Rewind {
   // or the reason why that is not possible.
   std::string ShowTime(int64_t time_us);
   std::string ShowMessage(uint64_t count);
-  // Ends the view: the run is shown as it is, and still waits.
+  // Ends the view.  Clients then see the present state of the run, which still waits.
   void ShowPresent();
   // Returns the virtual time, in us, and the number of messages of the moment that is shown.
   int64_t shown_us() const { return shown_us_; }
   uint64_t shown_messages() const { return shown_messages_; }
 
-  // Lets the view answer `request`.  REQUIRES: shows_past().
+  // Passes `request` to the view and returns its answer.  REQUIRES: shows_past().
   nlohmann::ordered_json Forward(const nlohmann::json& request);
 
   // Makes the view a run of its own, which goes on at `rate`.  Returns {"run": NAME}, or {"error":
-  // TEXT}.  The caller must then end this run, and call WaitForBranch().
+  // TEXT}.  After success, the caller must end this run and call WaitForBranch().
   nlohmann::ordered_json Branch(double rate);
   bool has_branched() const { return branch_ > 0; }
-  // Waits for the end of the branch and returns its exit code.  `interrupts` returns how many
-  // signals to end this process has received; whenever there are more, the branch gets SIGTERM.
+  // Waits for the end of the branch and returns its exit code.  `interrupts` returns the number of
+  // signals to end this process that were received.  Each time this number has grown, the branch
+  // gets SIGTERM.
   int WaitForBranch(const std::function<int()>& interrupts);
 
  private:
@@ -140,8 +141,9 @@ class Rewind {
 
   RewindParts parts_;
   InputLog log_;
-  std::vector<BranchNetwork*> networks_;  // by robot
-  SavedStick original_files_;             // files that objects have changed, as they were before
+  std::vector<BranchNetwork*> networks_;  // index: number of the robot
+  SavedStick original_files_;             // files that objects have changed, with their first
+                                          // content
   std::deque<Checkpoint> checkpoints_;    // in order of time
   Checkpoint* shown_ = nullptr;           // the checkpoint whose view is shown
   int64_t shown_us_ = 0;
@@ -151,8 +153,8 @@ class Rewind {
   size_t memory_bytes_ = 0;
   pid_t branch_ = -1;         // process of the branch; -1: none
   pid_t branch_parent_ = -1;  // process of the branch's checkpoint, a child of this process
-  std::string trouble_;       // why no more checkpoints are taken
-  std::string refusal_;       // why the run is not to be rewound for now
+  std::string trouble_;       // the reason why no more checkpoints are taken; "": none
+  std::string refusal_;       // the reason given to Refuse(); "": none
 
   bool is_view_ = false;
   int64_t last_frame_us_ = 0;           // end of the last frame that this view has run

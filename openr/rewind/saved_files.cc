@@ -41,7 +41,7 @@ void Replace(int descriptor, const std::string& path, int flags, off_t offset) {
 void CopyBytes(int from, off_t size, const std::string& path) {
   const int to = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (to < 0) Throw(errno, path);
-  // The descriptor may be open for writing only, so the bytes are read through a new one.
+  // Opens the file again for reading, because `from` may be open for writing only.
   const std::string source = fmt::format("/proc/self/fd/{}", from);
   const int in = open(source.c_str(), O_RDONLY | O_CLOEXEC);
   int error = in < 0 ? errno : 0;
@@ -61,8 +61,8 @@ void CopyBytes(int from, off_t size, const std::string& path) {
   if (error != 0) Throw(error, path);
 }
 
-// Returns whether a standard stream of this process leads to the file with this `status`.  Text for
-// people goes on in one file, whichever copy of the run prints it.
+// Returns whether a standard stream of this process leads to the file with this `status`.  Such a
+// file is not copied, because the text of all copies of the run goes into one file.
 bool IsStandardStream(const struct stat& status) {
   for (int descriptor = 0; descriptor <= STDERR_FILENO; ++descriptor) {
     struct stat stream;
@@ -73,7 +73,7 @@ bool IsStandardStream(const struct stat& status) {
   return false;
 }
 
-// The flags with which an open file can be opened again.
+// Returns the flags of `flags` that opening a file again needs.
 int FlagsAgain(int flags) { return flags & (O_ACCMODE | O_APPEND | O_NONBLOCK); }
 
 }  // namespace
@@ -92,7 +92,7 @@ size_t SavedStick::bytes() const {
 }
 
 void SavedStick::CopyTo(const std::string& folder) const {
-  // Paths are in order of their names, so a folder is made before the files in it.
+  // Makes a folder before the files in it, because the paths are sorted by name.
   for (const auto& [path, saved] : files_) {
     const fs::path target = fs::path(folder) / path;
     if (saved.is_folder) {

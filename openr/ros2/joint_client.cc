@@ -126,7 +126,7 @@ void JointClient::Request(int command, int joint, double value) {
   writer.U16(RC_HEADER_SIZE + 5);
   writer.U8(RC_VERSION);
   writer.U8(static_cast<Uint32>(command));
-  writer.U16(0);  // tag of the request; not needed, since answers come in order
+  writer.U16(0);  // tag of the request; not needed, because answers come in order
   writer.U8(static_cast<Uint32>(joint));
   writer.S32(static_cast<Sint32>(std::lround(value * kCentidegPerRad)));
   out_.append(reinterpret_cast<const char*>(bytes), static_cast<size_t>(writer.Size()));
@@ -145,7 +145,7 @@ void JointClient::WriteRequests() {
 std::vector<NetworkEvent> JointClient::Poll() {
   std::vector<NetworkEvent> events = PassingNetwork::Poll();
   for (const NetworkEvent& event : events) std::erase(accepts_, event.handle);
-  // The client connects when it has its first target, so a run without commands has no connection.
+  // Connects only when there is a first target, so that a run without commands has no connection.
   if (handle_ == 0 && (wanted_.empty() || !TakePlace(&events))) return events;
   if (taken_ > 0) {
     events.push_back(EventOf(NetworkEvent::Kind::kSent, handle_));
@@ -156,8 +156,8 @@ std::vector<NetworkEvent> JointClient::Poll() {
     Forget();
     return events;
   }
-  // After an invalid answer the client sends no more requests and ends the connection, because the
-  // object that listens on this port is not the remote control.
+  // Sends no more requests after an invalid answer and ends the connection, because the object that
+  // listens on this port is not the remote control.
   if (!is_broken_) WriteRequests();
   if (wants_ > 0 && (is_broken_ || !out_.empty())) {
     events.push_back(EventOf(NetworkEvent::Kind::kReceived, handle_));

@@ -60,7 +60,7 @@ class JointClient : public PassingNetwork {
 
   const Refused refused_;
   std::map<int, JointTarget> wanted_;  // stored targets by joint
-  NetHandle listener_ = 0;             // where the remote control listens; 0: it does not
+  NetHandle listener_ = 0;             // listener of the remote control; 0: it does not listen
   std::deque<NetHandle> accepts_;      // Accept() calls of the remote control that wait
 
   // ---- State of the connection
@@ -68,7 +68,8 @@ class JointClient : public PassingNetwork {
   std::string out_;       // requests that the robot has not received yet
   int unanswered_ = 0;
   uint64_t taken_ = 0;  // bytes of answers that came since the last Poll()
-  size_t wants_ = 0;    // most bytes that the robot's waiting Receive() takes; 0: none waits
+  size_t wants_ = 0;    // most bytes that the robot's waiting Receive() takes; 0: no Receive()
+                        // waits
   bool is_closing_ = false;
   bool is_broken_ = false;  // the robot has sent something that is no valid answer
   RcFramer framer_;

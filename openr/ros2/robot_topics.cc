@@ -73,14 +73,14 @@ std::string RobotTopics::Publish(int64_t time_us) {
 void RobotTopics::PublishJoints(int64_t time_us) {
   std::vector<double> positions, velocities;
   for (const JointModel& joint : robot_->model().joints) positions.push_back(Value(joint.sensor));
-  // The robot does not measure joint speeds, so those of the simulated body are published.
+  // Publishes the joint speeds of the simulated body, because the robot does not measure them.
   for (const JointState& joint : robot_->body().state().joints)
     velocities.push_back(joint.speed_rad_s);
   joints_.Publish(time_us, positions, velocities);
 }
 
-// The robot's sensors measure gravity minus acceleration.  ROS 2 expects acceleration minus
-// gravity, so the sign is changed.
+// Publishes the acceleration with its sign changed: the robot's sensors measure gravity minus
+// acceleration, and ROS 2 expects acceleration minus gravity.
 void RobotTopics::PublishAcceleration(int64_t time_us) {
   const std::vector<Sensor>& sensors = robot_->model().sensors;
   Eigen::Vector3d felt{0, 0, 0};

@@ -36,7 +36,7 @@ class RobotTopics {
   Ros2JointStates joints_;
   Ros2Imu imu_;
   Ros2Image image_;
-  std::map<int, std::unique_ptr<Ros2Switch>> switches_;  // by number of the sensor
+  std::map<int, std::unique_ptr<Ros2Switch>> switches_;  // key: number of the sensor
   std::map<int, std::unique_ptr<Ros2Number>> numbers_;
   Picture picture_;
 };

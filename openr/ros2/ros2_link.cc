@@ -11,7 +11,8 @@
 namespace openr_host {
 namespace {
 
-constexpr int kPatienceFrames = 125;  // 1 s; then a target that the robot has not taken is dropped
+constexpr int kPatienceFrames = 125;  // 1 s; after this time a target that the robot has not taken
+                                      // is dropped
 constexpr size_t kNamespaceMax = 64;  // characters
 constexpr const char* kCommandTopic = "/joint_command";
 
@@ -85,7 +86,8 @@ void Ros2Link::TakeCommands(Robot* robot) {
         ": a publisher does not match and is not heard; it has to be reliable and to speak "
         "XCDR1, which is the default of ROS 2");
   }
-  const bool is_waiting = robot->client->IsWaiting();  // the robot has not taken earlier targets
+  const bool is_waiting = robot->client->IsWaiting();  // whether the robot has not taken earlier
+                                                       // targets
   for (int i = 0; i < Ros2JointCommands::kWaitingMax; ++i) {
     const std::optional<Ros2JointCommand> command = robot->commands->Take();
     if (!command) break;
@@ -97,7 +99,7 @@ void Ros2Link::TakeCommands(Robot* robot) {
   robot->frames_waiting = is_waiting ? robot->frames_waiting + 1 : 0;
   if (robot->frames_waiting == kPatienceFrames) {
     robot->frames_waiting = 0;
-    robot->client->GiveUp();  // the robot must not move later, by an old command
+    robot->client->GiveUp();  // because the robot must not move later by an old command
     robot->complaints->Add(fmt::format(
         "{}: the remote control of the robot has not taken a command for 1 s, it is given up; is "
         "RCServer on the stick and started, and has it less than eight clients?",

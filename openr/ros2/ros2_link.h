@@ -20,11 +20,11 @@
 namespace openr_host {
 
 // Returns "" if `name` can be a namespace of ROS 2: words with "/" between them, such as
-// "lab/aibo".  Returns an error text if not.
+// "lab/aibo".  Otherwise returns an error text.
 std::string WrongNamespace(const std::string& name);
 
-// Prints messages about problems of one robot with ROS 2.  A problem may come again with each
-// frame.  So the same text is printed once only, and at most kMax different texts are printed.
+// Prints messages about problems of one robot with ROS 2.  Because a problem may come again with
+// each frame, prints the same text only once, and at most kMax different texts.
 class Ros2Complaints {
  public:
   using Say = std::function<void(const std::string& line)>;

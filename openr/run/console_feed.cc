@@ -28,8 +28,8 @@ ConsoleFeed::ConsoleFeed(const std::string& file)
   text_ = std::move(*text);
 }
 
-// Returns the complete lines that have come on standard input, without waiting.  An incomplete line
-// is kept for a later call.  At the end of standard input, returns it too.
+// Returns the complete lines that have arrived on standard input; does not wait.  Keeps an
+// incomplete line for a later call, but returns it at the end of standard input.
 std::string ConsoleFeed::TakeLines() {
   pollfd input = {STDIN_FILENO, POLLIN, 0};
   while (is_open_ && poll(&input, 1, 0) > 0) {

@@ -1,4 +1,5 @@
-// ConsoleFeed, which gives the robots' programs the console input: a file, or what a user types.
+// ConsoleFeed, which gives console input to the robots' programs: a file, or text that a user
+// types.
 #pragma once
 
 #include <string>
@@ -9,21 +10,21 @@ class System;
 
 class ConsoleFeed {
  public:
-  // `file` "-" means standard input, of which each Feed() gives the lines that have come.  "" means
-  // the same if standard input is a terminal, else no input.  The content of any other file is
-  // given at the start of the run.  Throws std::runtime_error when the file cannot be read.
+  // `file` "-" means standard input; each Feed() gives the lines that have arrived.  "" means the
+  // same if standard input is a terminal, else no input.  Any other file is given as a whole at the
+  // start of the run.  Throws std::runtime_error if the file cannot be read.
   explicit ConsoleFeed(const std::string& file);
 
-  // Gives every robot of `system` the console input that has come since the last call: lines from
-  // standard input, or in the first call the content of the file.
+  // Gives every robot of `system` the console input since the last call: lines from standard input,
+  // or in the first call the content of the file.
   void Feed(System* system);
 
  private:
   std::string TakeLines();
 
-  std::string text_;          // input that has come and was not given yet
-  bool is_terminal_ = false;  // standard input is a terminal, which shows what is typed
-  bool is_open_ = false;      // standard input may bring more
+  std::string text_;          // input that has arrived and was not given to robots yet
+  bool is_terminal_ = false;  // standard input is a terminal, which shows the typed text itself
+  bool is_open_ = false;      // more text may arrive on standard input
 };
 
 }  // namespace openr_host

@@ -19,7 +19,7 @@
 namespace openr_host {
 namespace {
 
-// Takes the first word off `text`, with the blanks after it.
+// Removes the first word of `text` with the blanks after it, and returns the word.
 std::string_view TakeWord(std::string_view* text) {
   size_t end = 0;
   while (end < text->size() && !IsBlank((*text)[end])) ++end;
@@ -97,7 +97,8 @@ void EventScript::Feed(System* system) {
     const Event& event = events_.front();
     const std::string problem = system->inputs().Add(event.robot, event.input);
     if (problem.empty()) continue;
-    // Check() has accepted the line, but before the boot it could not check the names of services.
+    // Adds a finding although Check() has accepted the line, because Check() could not check names
+    // of services before the boot.
     system->AddFindingAboutRobot(event.robot, Severity::kError,
                                  fmt::format("{}: {}", event.place, problem));
   }

@@ -2,7 +2,7 @@
 //
 //   # TIME [robot N] INPUT
 //   2s      press chin for 300ms
-//   +500ms  push 0 5 0            # so long after the line above
+//   +500ms  push 0 5 0            # 500 ms after the line above
 //   4s      robot 1 lift
 //
 // docs/inputs.md describes the inputs.
@@ -18,22 +18,23 @@ class System;
 
 class EventScript {
  public:
-  // Reads `file`; "" is a script without lines.  Throws std::runtime_error "FILE:LINE: ..." when
-  // the file cannot be read, or a line has no time or an earlier one than the line before.
+  // Reads `file`; "" is a script without lines.  Throws std::runtime_error "FILE:LINE: ..." if the
+  // file cannot be read, if a line has no time, or if its time is before that of the line above.
   explicit EventScript(const std::string& file);
 
-  // Checks the script before the run.  Returns "", or "FILE:LINE: ..." for the first line whose
-  // input the robots of `system` do not know or which names a wrong robot.
+  // Checks the script before the run.  Returns "", or "FILE:LINE: ..." for the first line that has
+  // an unknown input or a wrong robot.
   std::string Check(const System& system) const;
 
-  // Gives the robots the inputs whose time has come.  Called between frames of 8 ms.
+  // Gives the robots the inputs that are due.  Called between frames of 8 ms.
   void Feed(System* system);
 
   // Removes the next event if it is this input, because something else has already given it to the
   // robot.
   void Skip(int robot, const std::string& input);
 
-  // Adds an error finding if the time of some inputs has not come.  Called at the end of the run.
+  // Adds an error finding if some inputs were not due before the end of the run.  Called at that
+  // end.
   void ReportRest(System* system) const;
 
  private:

@@ -10,8 +10,8 @@ namespace {
 
 volatile sig_atomic_t g_count = 0;
 
-// Counts SIGINT, SIGTERM and SIGHUP.  The third signal, of whatever kind, ends the process at once,
-// in case the run hangs.
+// Counts SIGINT, SIGTERM and SIGHUP.  Ends the process at the third of these signals, in case the
+// run hangs.
 void OnInterruptSignal(int) {
   g_count = g_count + 1;
   if (g_count < 3) return;
@@ -31,8 +31,8 @@ void Install(int signal, void (*handler)(int)) {
   sigaction(signal, &action, nullptr);
 }
 
-// Returns whether this process ignores `signal` from its start, as nohup makes it ignore SIGHUP.
-// The signal then stays ignored, because the user wants it so.
+// Returns whether this process has ignored `signal` from its start, as a process under nohup
+// ignores SIGHUP.  The signal then stays ignored, because the user wants that.
 bool IsIgnored(int signal) {
   struct sigaction action {};
   return sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;

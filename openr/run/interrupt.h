@@ -4,15 +4,15 @@
 
 namespace openr_host {
 
-// The effect of SIGHUP on this process.  The signal comes when its terminal is closed.
+// Effects of SIGHUP, which comes when the terminal of this process is closed.
 enum class HangUp {
-  kEnds,     // ends the process, which is the signal's default
-  kCounts,   // is counted like Ctrl-C
-  kIgnored,  // has none, because the run ends by itself
+  kEnds,     // ends the process, as is the signal's default
+  kCounts,   // counts like Ctrl-C
+  kIgnored,  // none, because the run ends by itself
 };
 
-// While an InterruptCounter exists, SIGINT and SIGTERM do not end the process but are counted.  The
-// third one ends the process at once, in case the run hangs.
+// While an InterruptCounter exists, SIGINT and SIGTERM are counted and do not end the process.  The
+// third signal ends the process at once, in case the run hangs.
 class InterruptCounter {
  public:
   explicit InterruptCounter(HangUp hang_up = HangUp::kEnds);
@@ -22,7 +22,8 @@ class InterruptCounter {
 
   int count() const;
 
-  // Begins to count again from 0, in a fork of the process that has changed what signals do.
+  // Begins to count from 0 again.  Called in a fork of the process, which has changed its signal
+  // handlers.
   void StartAgain();
 
  private:

@@ -40,15 +40,17 @@ class KnownRunner {
   int64_t FrameEnd() const { return (system_.now_us() / kFrameUs + 1) * kFrameUs; }
 
   void AfterFrame() {
-    // Checkpoints are taken even if nobody watches yet: the beginning must stay in reach.
+    // Takes checkpoints even while nobody watches, so that the beginning of the run can be shown
+    // later.
     if (!parts_.rewind->AfterFrame(true)) return;
-    // This process has just become a branch, which goes on from an earlier moment.
+    // Restarts the pacer, because this process has just become a branch, which goes on from an
+    // earlier moment.
     pacer_.Restart();
     is_over_ = false;
   }
 
   void WaitOrStep() {
-    constexpr int kWaitMs = 50;  // in which Ctrl-C may have to wait
+    constexpr int kWaitMs = 50;  // longest time that Ctrl-C may have to wait
     const RunClock::Step step = is_over_ ? RunClock::Step::kNone : parts_.clock->TakeStep();
     if (step == RunClock::Step::kNone) {
       parts_.live->WaitAndServe(kWaitMs);
@@ -78,7 +80,7 @@ class KnownRunner {
   void NoteEnd() {
     const std::string why = parts_.run->WhyOver();
     if (why.empty()) return;
-    if (!parts_.clock->paused()) parts_.clock->Pause();  // nothing follows
+    if (!parts_.clock->paused()) parts_.clock->Pause();  // pauses, because the run is over
     if (is_over_) return;
     is_over_ = true;
     parts_.say(why);

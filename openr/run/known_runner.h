@@ -1,5 +1,4 @@
-// KnownRunner: runs a known run, such as a recording, at the pace that somebody who watches it
-// wants.
+// KnownRunner: runs a known run, such as a recording, at the rate that its viewers choose.
 #pragma once
 
 #include <functional>
@@ -22,8 +21,7 @@ struct KnownRunnerParts {
   std::function<void(const std::string& line)> say;  // prints a message for the user
 };
 
-// Runs until Ctrl-C.  When the run is over, it is paused at its last moment, and can be rewound.
-// Returns the exit code.
+// Runs until Ctrl-C, and returns the exit code.  At its end the run is paused, and can be rewound.
 int RunKnown(const KnownRunnerParts& parts);
 
 }  // namespace openr_host

@@ -17,7 +17,7 @@ class Simulation;
 struct RunFacts {
   double wall_time_s = 0;
   uint64_t seed = 1;
-  std::vector<StandingMonitor> standing;  // one for each robot
+  std::vector<StandingMonitor> standing;  // a monitor for each robot
 };
 
 // Returns the report, with keys in the order of docs/cli.md.

@@ -189,7 +189,8 @@ double Runner::wall_time_s() const {
 // run in worker processes.  The run goes no faster than the clock of this computer.  While it waits
 // for the clock, it applies the results of these handlers when they come.
 void Runner::RunFreely(int64_t stop_us, Pacer* pacer) {
-  constexpr double kSliceUs = 1000;  // longest wait in `pump`; events of that time come so late
+  constexpr double kSliceUs = 1000;  // longest wait in `pump`; it is also the largest delay of an
+                                     // event that comes meanwhile
   System& system = simulation_->system();
   while (!system.powered_off()) {
     const int64_t clock_us = pacer->TimeNow(system.now_us());
@@ -205,7 +206,7 @@ void Runner::RunFreely(int64_t stop_us, Pacer* pacer) {
 // is paused, because the user wants the run to end.
 bool Runner::WaitWhilePaused(Pacer* pacer) {
   if (plan_.clock == nullptr || !plan_.clock->paused() || paused_us_ >= 0) return false;
-  constexpr int kWaitMs = 50;  // in which Ctrl-C and typed text may have to wait
+  constexpr int kWaitMs = 50;  // longest time that Ctrl-C and typed text may have to wait
   const RunClock::Step step = plan_.clock->TakeStep();
   if (step == RunClock::Step::kNone) {
     plan_.live->WaitAndServe(kWaitMs);
@@ -223,8 +224,8 @@ void Runner::GoOn(Pacer* pacer) {
   if (plan_.clock != nullptr && plan_.clock->rate() != pacer->rate())
     pacer->set_rate(plan_.clock->rate());
   if (plan_.pump) return RunFreely(stop_us, pacer);
-  // After the pause button was pressed, the run does not wait for the clock any more, because the
-  // user wants the run to end.
+  // Does not wait for the clock after the pause button was pressed, because the user wants the run
+  // to end.
   if (paused_us_ < 0) pacer->WaitFor(stop_us);
   simulation_->system().RunUntil(stop_us);
 }
@@ -243,7 +244,7 @@ bool Runner::Run() {
     if (plan_.live != nullptr) plan_.live->Serve();
     const int64_t before_us = system.now_us();
     if (!WaitWhilePaused(&pacer)) GoOn(&pacer);
-    // A step over a message may have ended within a frame.
+    // Does not end the frame if a step over a message has stopped within it.
     const bool is_within_frame = system.now_us() < NextStopAfter(before_us);
     if (!is_within_frame || system.powered_off()) AfterFrame();
     // A branch restarts the pacer, because the pacer still counts from the checkpoint's moment.

@@ -25,7 +25,7 @@ class Rewind;
 class Simulation;
 
 struct RunPlan {
-  std::optional<int64_t> for_us;  // --for, in virtual time; none: until the robots are off
+  std::optional<int64_t> for_us;  // --for, in virtual time; nullopt: until the robots are off
   std::string for_text;           // for_us as the user wrote it
   bool until_idle = false;        // --until-idle: ends also when objects are quiet for kIdleUs
   double rate = 1;                // virtual seconds per real second; 0: as fast as possible
@@ -49,8 +49,8 @@ struct RunPlan {
 // from an object of the stick, other than one that asks for sensor values (IsActivity()).
 constexpr int64_t kIdleUs = 1'000'000;
 
-// Virtual time that objects have to shut the robot down after the pause button was pressed.  If
-// none has done so by then, the runner shuts all robots down.
+// Virtual time in which objects can shut the robot down after the pause button was pressed.  After
+// this time the runner shuts all robots down.
 constexpr int64_t kPauseUs = 1'000'000;
 
 class Runner {
@@ -61,8 +61,8 @@ class Runner {
   // taken.  If a picture was wanted for a time after the end, adds an error to the findings.
   bool Run();
 
-  // Watches how the robots stand.  Called after each frame, also of a copy of the run that repeats
-  // frames.
+  // Notes whether the robots stand.  Called after each frame, also in a copy of the run that
+  // repeats frames.
   void SampleStanding();
 
   // Returns how long the run has taken by the clock of this computer.  The time for drawing
@@ -71,17 +71,17 @@ class Runner {
   const std::vector<StandingMonitor>& standing() const { return standing_; }
 
  private:
-  // The facts about a robot that were printed last.
+  // The facts about a robot that were printed last, so that only changes are printed.
   struct Announced {
-    uint16_t port = 0;    // of its remote control; 0: none
-    int boots = 1;        // how often it had booted
+    uint16_t port = 0;    // port of its remote control; 0: none
+    int boots = 1;        // number of boots
     bool is_off = false;  // whether it was off and waited for its boot timer
   };
 
   void WatchActivity();
   void Finish();
-  // Returns the reason if the run is over; none if it goes on.  Also returns none when all robots
-  // are off, because the System has then noted the reason already.
+  // Returns the reason if the run is over; nullopt if it goes on.  Also returns nullopt when all
+  // robots are off, because the System has then noted the reason already.
   std::optional<RunEnd> WhyOver() const;
   // Return the virtual time up to which the run goes in one step, from now or from `now_us`: the
   // next frame boundary or, if that is earlier, the end of --for.
@@ -104,7 +104,7 @@ class Runner {
   const InterruptCounter* const interrupts_;
   std::vector<StandingMonitor> standing_;
   std::vector<bool> taken_;           // for each picture: it was taken
-  std::vector<Announced> announced_;  // by robot
+  std::vector<Announced> announced_;  // index: number of the robot
   int activity_sink_ = 0;
   int64_t last_activity_us_ = 0;
   int64_t paused_us_ = -1;  // virtual time when the button was pressed; -1: not pressed

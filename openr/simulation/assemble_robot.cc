@@ -23,8 +23,8 @@ VirtualRobotOptions DevicesWithBattery(const std::string& battery) {
   return devices;
 }
 
-// The order of these calls must not change: objects get their numbers in this order, and the
-// numbers decide the order of messages.
+// Keeps the order of these calls: objects get their numbers in this order, and the numbers decide
+// the order of messages.
 AssembledRobot AssembleRobot(System* system, const RobotModel& model, RobotEquipment parts) {
   ASSERT(parts.make_network != nullptr);
   AssembledRobot robot;

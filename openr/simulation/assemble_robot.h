@@ -25,7 +25,7 @@ std::unique_ptr<Body> MakeBody(const std::string& kind, const RobotModel& model,
 VirtualRobotOptions DevicesWithBattery(const std::string& battery);
 
 struct RobotEquipment {
-  std::shared_ptr<MemoryStick> stick;  // null: none
+  std::shared_ptr<MemoryStick> stick;  // null: the robot has no stick
   std::unique_ptr<Body> body;          // null: the robot has no body and no OVirtualRobotComm
   VirtualRobotOptions devices;
   // Makes the network of a robot; `robot` is the robot's number in the System.
@@ -35,7 +35,7 @@ struct RobotEquipment {
 
 struct AssembledRobot {
   int number = 0;                    // the robot's number in the System
-  VirtualRobot* virtual_robot = {};  // null without a body
+  VirtualRobot* virtual_robot = {};  // null: the robot has no body
   IpStack* ip_stack = {};
   std::shared_ptr<Network> network;
   IpStackOptions ip_stack_options;

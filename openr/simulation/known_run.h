@@ -1,7 +1,7 @@
-// KnownRun: a run of which everything that comes from outside is known before: a recording, or a
+// KnownRun: a run with inputs from outside that are known before it begins: a recording, or a
 // failing run of an exploration.
 //
-// Such a run can be watched like one that is under way, but nobody can change what happens in it.
+// People can watch a known run like any other run, but cannot change what happens in it.
 #pragma once
 
 #include <cstdint>
@@ -17,18 +17,19 @@ class KnownRun {
 
   virtual Simulation& simulation() = 0;
 
-  // Gives the run the input that is due now.  Then delivers the next message if it is due by
-  // `time_us`, or else sets the clock to `time_us`, or to an earlier input.  Does nothing when the
-  // run is over.
+  // Gives the run the inputs that are due now.  Then delivers the next message if it is due by
+  // `time_us`; otherwise sets the clock to `time_us`, or to the time of the next input if that is
+  // earlier.  Does nothing when the run is over.
   virtual void RunOne(int64_t time_us) = 0;
 
   // Returns the virtual time at which the run is over.
   virtual int64_t length_us() const = 0;
 
-  // Returns why the run is over, for users; "" while it goes on.
+  // Returns the reason why the run is over, for users; "" while it goes on.
   virtual std::string WhyOver() const = 0;
 
-  // Runs to the virtual time `time_us`, behind all messages that are due then, or to the end.
+  // Runs to the virtual time `time_us` or to the end of the run.  Delivers all messages that are
+  // due at `time_us`, too.
   void RunUntil(int64_t time_us);
 };
 

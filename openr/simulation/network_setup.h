@@ -22,7 +22,7 @@ std::unique_ptr<Network> MakeHostNetwork(int rc_port, std::vector<AddressPair> a
 // Returns the reason why the remote control cannot listen on port `rc_port`; "" if it can.
 std::string WhyNoPort(int rc_port);
 
-// Returns a network without sockets: programs outside cannot reach the robot.
+// Returns a network without sockets: other programs cannot reach the robot.
 std::unique_ptr<Network> MakeLonelyNetwork();
 
 // Returns the port of this computer for the remote control; 0 while no object listens on it.

@@ -76,8 +76,8 @@ VirtualRobotOptions DevicesOf(const SimulationOptions& options, bool is_first) {
 std::string StickFolder(const std::string& wanted) {
   if (wanted.empty()) return DefaultStick();
   std::error_code error;
-  // Locate() ignores upper and lower case, as a Memory Stick does, so it also finds a folder
-  // "open-r".
+  // Uses Locate(), because it ignores upper and lower case, as a Memory Stick does, and so finds a
+  // folder "open-r", too.
   const MemoryStick::Location root = FolderStick(wanted).Locate("/MS/OPEN-R");
   if (root.exists && std::filesystem::is_directory(root.path, error)) return wanted;
   if (root.error != 0 && root.error != ENOENT) {
@@ -123,8 +123,8 @@ void Simulation::AddRobot(const SimulationOptions& options, int index) {
   const StandIns stand_ins =
       options.stand_ins ? options.stand_ins(system_.get(), robot) : StandIns();
   if (!Load(robot, stand_ins)) loaded_ = false;
-  // Objects in other processes cannot be loaded again: their processes have loaded them, and hold
-  // what the first boot has left.
+  // Leaves out the function for a second boot if objects run in other processes.  They cannot be
+  // loaded again, because their processes keep the state from the first boot.
   if (options.stand_ins) return;
   system_->robot(robot).load_again = [this, robot] {
     AddSystemObjectsAgain(system_.get(), &parts_.at(static_cast<size_t>(robot)));
@@ -132,7 +132,7 @@ void Simulation::AddRobot(const SimulationOptions& options, int index) {
   };
 }
 
-// Loads what is on the stick of `robot`.  Returns false if the robot would not boot.
+// Loads the objects on the stick of `robot`.  Returns false if the robot would not boot.
 bool Simulation::Load(int robot, const StandIns& stand_ins) {
   return LoadStick(system_.get(), robot, stand_ins, {GatewayImage(system_.get(), robot)});
 }
@@ -159,7 +159,7 @@ std::vector<AddressPair> Simulation::AddressesOf(const SimulationOptions& option
   if (!text) return options.addresses;
   const AddressConfig config = ParseAddressConfig(kAddressFile, *text, model_.design);
   for (const Diagnostic& diagnostic : config.diagnostics) {
-    if (index == 0)  // once only, because all robots have the same stick
+    if (index == 0)  // only once, because all robots have the same stick
       system_->AddFindingAbout(nullptr, diagnostic.severity, RenderWithoutKind(diagnostic));
   }
   return MergeAddressPairs(options.addresses, config.pairs);

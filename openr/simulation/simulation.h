@@ -30,7 +30,8 @@ struct SimulationOptions {
   std::string robot = "ers210";  // name of a model
   std::string world;             // a world file; "": a flat floor
   std::string body = "ode";      // "ode" or "ideal"
-  int robots = 1;                // each in a world of its own; several can only read the stick
+  int robots = 1;                // number of robots, each in a world of its own; several can only
+                                 // read the stick
   uint64_t seed = 1;
   bool strict = false;
   // Files for the first robot.  Without them its sound is discarded, it hears silence, and its
@@ -105,10 +106,10 @@ class Simulation {
   const RobotModel model_;
   const World world_;
   const std::string stick_;
-  const std::shared_ptr<ConfiguredCost> cost_;  // made from the cost file; null: none
+  const std::shared_ptr<ConfiguredCost> cost_;  // made from the cost file; null: no cost file
   std::unique_ptr<System> system_;
   std::vector<VirtualRobot*> robots_;
-  std::vector<AssembledRobot> parts_;  // by robot
+  std::vector<AssembledRobot> parts_;  // index: number of the robot
   bool loaded_ = true;
 };
 

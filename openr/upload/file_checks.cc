@@ -16,7 +16,7 @@ namespace {
   throw std::runtime_error(fmt::format("{}: {}", file, why));
 }
 
-// Returns the bytes to send for an image.  ImageToSend() checks their number.
+// Returns the bytes that are sent for an image.  Does not check their number; ImageToSend() does.
 std::string BytesOfImage(const std::string& file, std::string packed, const RcInfo& info) {
   ImageFile image = CheckImage(packed);
   if (info.processor == imageMIPS) {
@@ -28,7 +28,8 @@ std::string BytesOfImage(const std::string& file, std::string packed, const RcIn
                                ImageProcessorName(imageMIPS), ImageProcessorName(info.processor)));
   }
   if (!image.problem.empty()) ThrowFor(file, image.problem);
-  // Sends the image unpacked, because RCServer takes every packed image for one of a real robot.
+  // Sends the image unpacked, because RCServer takes every packed image for an image of a real
+  // robot.
   return std::move(image.bytes);
 }
 

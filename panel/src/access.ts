@@ -1,9 +1,10 @@
-// The token that the server gave to this page in its address.
+// The token that the page has got from the server in its address, and the run in that address.
 
 const TOKEN_KEY = 'openr-panel-token';
 
-// Returns the token of the address or, after a reload, of the storage of this tab; "" without one.
-// Removes it from the address bar, so that it does not come into a picture or a bookmark.
+// Returns the token in the address or, after a reload, in the storage of this tab; "" without a
+// token. Removes the token from the address bar, so that it does not get into a screenshot or a
+// bookmark.
 export function takeToken(): string {
   const address = new URL(location.href);
   const token = address.searchParams.get('token');
@@ -18,7 +19,7 @@ export function takeToken(): string {
   return token;
 }
 
-// Returns the run that the address names; "": the run that started the server.
+// Returns the run that the address names; "" means the run that has started the server.
 export function runOfAddress(): string {
   return new URL(location.href).searchParams.get('run') ?? '';
 }

@@ -1,13 +1,13 @@
-// ConfirmButton: a button that asks in its own place before it acts.
+// ConfirmButton: a button that asks for confirmation in its own place before it acts.
 import { button, el } from './dom';
 
 const BACK_AFTER_MS = 8000;
 
 export interface ConfirmTexts {
-  label: string; // on the button
-  question: string; // "Delete WALK.MTN?"
-  yes: string; // "Delete"
-  aria?: string; // label for readers of the screen, if `label` is only a sign
+  label: string; // text on the button
+  question: string; // question before the action: "Delete WALK.MTN?"
+  yes: string; // text of the button that confirms: "Delete"
+  aria?: string; // label for screen readers, needed if `label` is only a symbol
   className?: string;
 }
 

@@ -1,5 +1,5 @@
-// Connection: the WebSocket of the page to one run. It pairs requests with answers, and connects
-// again after the server was away.
+// Connection: the WebSocket of the page to one run. It assigns answers to requests, and connects
+// again after the connection was lost.
 import type { Answer, Request } from './protocol';
 
 export type LinkState = 'connecting' | 'open' | 'lost' | 'ended' | 'refused';
@@ -13,7 +13,8 @@ export interface ConnectionOwner {
 const CLOSE_RUN_ENDED = 4001;
 const CLOSE_NO_RUN = 4002;
 
-// Wait before the n-th attempt to connect again: 0.5 s, then twice as long each time, at most 8 s.
+// Returns the wait before attempt number `attempt` to connect again: 0.5 s, then twice as long each
+// time, at most 8 s.
 export function waitBeforeAttemptMs(attempt: number): number {
   return Math.min(8000, 500 * 2 ** Math.min(attempt, 10));
 }
@@ -40,7 +41,8 @@ export class Connection {
     this.open();
   }
 
-  // Sends a request. The promise is rejected with the text of the error that the run answers.
+  // Sends a request and returns the promise of its answer. If the run answers with an error, the
+  // promise is rejected with the text of this error.
   ask<T = Answer>(request: Request): Promise<T> {
     const socket = this.socket;
     if (socket === null || socket.readyState !== WebSocket.OPEN)
@@ -52,7 +54,7 @@ export class Connection {
     });
   }
 
-  // Returns the number that the next request will have.
+  // Returns the number that the next request will get.
   get idOfNext(): number {
     return this.nextId;
   }

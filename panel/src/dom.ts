@@ -1,4 +1,5 @@
-// Short ways to make elements. Text from the run is only ever set as text, never as HTML.
+// Helper functions that make elements of the page. Text from the run is inserted as text and never
+// as HTML.
 
 type Child = Node | string | null;
 export type Attributes = Record<string, string | number | boolean | undefined>;
@@ -42,12 +43,13 @@ export function button(
   return element;
 }
 
-// Sets the text of `element`, if it is another one: most values do not change from event to event.
+// Sets the text of `element` only if it differs, because most values stay the same from event to
+// event.
 export function setText(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text;
 }
 
-// Sets a class of `element`, if it is not so already.
+// Sets or removes a class of `element`, if that changes anything.
 export function setClass(element: Element, name: string, isSet: boolean): void {
   if (element.classList.contains(name) !== isSet) element.classList.toggle(name, isSet);
 }
@@ -63,7 +65,7 @@ export function isVisible(element: HTMLElement): boolean {
   return element.isConnected && element.offsetParent !== null && !document.hidden;
 }
 
-// Offers `text` as a file to be saved.
+// Offers the user to save `text` as a file.
 export function saveFile(name: string, type: string, text: string): void {
   const address = URL.createObjectURL(new Blob([text], { type }));
   const link = el('a', { href: address, download: name });

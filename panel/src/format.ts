@@ -1,4 +1,4 @@
-// Numbers and times as the page shows them.
+// Formats numbers and times for the page.
 
 export const UNKNOWN = 'unknown';
 
@@ -19,7 +19,7 @@ export function degrees(value: number | null | undefined): string {
   return text === UNKNOWN ? text : `${text}°`;
 }
 
-// Virtual time: 75.25 is "1:15.250".
+// Formats a virtual time: 75.25 is "1:15.250".
 export function clockTime(seconds: number): string {
   if (!Number.isFinite(seconds)) return '0:00.000';
   const ms = Math.round(Math.abs(seconds) * 1000);
@@ -52,7 +52,7 @@ interface Quantity {
   max: number;
 }
 
-// The run sends sensors in OPEN-R units, such as 10^-6 N. The page shows SI units.
+// Units of sensors. The run sends values in OPEN-R units, such as 10^-6 N; the page shows SI units.
 const quantities: Record<string, Quantity> = {
   switch: { scale: 1, symbol: '', digits: 0, min: 0, max: 1 },
   force: { scale: 1e-6, symbol: 'N', digits: 3, min: 0, max: 1 },

@@ -1,4 +1,4 @@
-// The bar at the top: which run, which robot, how it is.
+// The bar at the top of the page: the run, the robot and its state.
 import { button, el, setClass, setText } from './dom';
 import { switchTheme, isDark, onTheme } from './theme';
 import type { Session } from './session';
@@ -55,7 +55,8 @@ function makeRobotChoice(session: Session): HTMLElement {
   return choice;
 }
 
-// The chips with what must be seen at once: state of the dog, battery, what waits.
+// Makes the chips in the bar for the most important facts: the state of the dog, its battery, and
+// objects that wait.
 function makeChips(session: Session, show: (panel: string) => void): HTMLElement[] {
   const state = el('span', { class: 'chip', title: 'State of JointMover' }, '–');
   const motors = el('span', { class: 'chip optional' }, '');
@@ -121,7 +122,7 @@ export function makeHeader(
   );
 }
 
-// The bar across the page that says that nothing moves any more, and why.
+// Makes the bar across the page that says why the page shows no new values.
 export function makeLinkBanner(session: Session, join: (run: string) => void): HTMLElement {
   const text = el('span', {});
   const next = el('span', { class: 'next' });

@@ -1,5 +1,5 @@
-// LastValue: sends a value that changes quickly, such as that of a slider, at most so often, and
-// always the last one.
+// LastValue: sends a value that changes quickly, such as that of a slider, at most once in a
+// period. The last value is always sent.
 
 export interface Timers {
   now(): number;
@@ -18,7 +18,7 @@ export class LastValue<T> {
   private isWaiting = false;
   private sentAt = -Infinity;
 
-  // `send` may return a promise: the next value then waits for it.
+  // If `send` returns a promise, the next value waits until the promise is fulfilled.
   constructor(
     private readonly periodMs: number,
     private readonly send: (value: T) => Promise<unknown> | void,

@@ -1,5 +1,5 @@
-// Layout: which panels lie in which region of the page, by its width. A region with more than one
-// panel has tabs.
+// Layout: decides which panels are in which region of the page, depending on the width of the page.
+// A region with more than one panel has tabs.
 import { button, el } from './dom';
 
 export interface PanelDef {
@@ -10,7 +10,7 @@ export interface PanelDef {
 
 type Regions = Record<string, string[]>;
 
-// From the widest to the narrowest; the first one that fits is taken.
+// Layouts from the widest to the narrowest; the first layout that fits is used.
 const layouts: { name: string; minWidth: number; regions: Regions }[] = [
   {
     name: 'ultra',
@@ -121,7 +121,7 @@ export class Layout {
     this.arrange();
   }
 
-  // Brings the panel `id` to the front.
+  // Shows the panel `id` in front of the other panels of its region.
   show(id: string): void {
     this.regions.find((each) => each.has(id))?.show(id);
   }

@@ -1,4 +1,4 @@
-// The panel: a page that shows a run of openr-host and acts on it.
+// The panel: a page that shows a run of openr-host and gives inputs to it.
 import './style/base.css';
 import './style/layout.css';
 import './style/stage.css';
@@ -42,7 +42,8 @@ function start(): void {
   ];
   const stage = makeStageView(session);
   const layout = new Layout(panels, stage, makeTimeBar(session));
-  // Nobody can act on a recording.
+  // Disables the panels that act on the robot while the run is a recording, because nobody can act on
+  // a recording.
   const acting = panels.filter((each) => each.id === 'motions' || each.id === 'robot');
   session.on('clock', () => {
     for (const each of acting) each.element.inert = session.isRecording;

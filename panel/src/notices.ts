@@ -1,4 +1,4 @@
-// Short texts about what has just been done or refused, at the lower edge of the page.
+// Notices: short texts at the lower edge of the page about actions that were done or refused.
 import { button, el } from './dom';
 import type { Session } from './session';
 

@@ -1,19 +1,19 @@
-// Pair: the second robot that is controlled together with the dog of the run, and where commands go
-// (Hohl 2004, section 3.3.1).
+// Pair: the second robot that is controlled together with the dog of the run, and the choice of the
+// robots to which commands go (Hohl 2004, section 3.3.1).
 import type { Answer, PairAnswer, PairEvent } from './protocol';
 import type { Session } from './session';
 
 export type PairPhase = 'none' | 'connecting' | 'connected' | 'closing';
 export type Follow = 'none' | 'simulation' | 'robot';
 
-// Calls about files, and those that end the robot's run: they go to one robot only.
+// Calls that go to one robot only: calls about files, and those that end the robot's run.
 const ONE_ROBOT = ['motions', 'upload', 'download', 'delete', 'play', 'reboot', 'shutdown', 'connect'];
 
-// Returns the endpoints to which a call of the remote control goes.
+// Returns the endpoints (addresses of remote controls) to which a call goes.
 export function targetsOf(call: string, endpoint: string, simulation: boolean, follow: Follow): string[] {
   if (endpoint === '') return ['run'];
   if (ONE_ROBOT.includes(call)) return [endpoint];
-  // A dog that follows the other one gets its positions from there.
+  // Sends a position only to the dog that leads, because the other dog gets its positions from it.
   if (call === 'move' && follow === 'simulation') return [endpoint];
   if (call === 'move' && follow === 'robot') return ['run'];
   return simulation ? [endpoint, 'run'] : [endpoint];
@@ -22,14 +22,14 @@ export function targetsOf(call: string, endpoint: string, simulation: boolean, f
 export class Pair {
   phase: PairPhase = 'none';
   endpoint = '';
-  // The box "simulation". Always checked while no second robot is connected.
+  // Whether the box "simulation" is checked. It always is while no second robot is connected.
   simulation = true;
   follow: Follow = 'none';
   answer: PairAnswer | null = null;
   status: PairEvent | null = null;
-  why = ''; // the last connection was lost for this reason
+  why = ''; // the reason why the last connection was lost
 
-  private id: unknown = null; // of the request that has connected
+  private id: unknown = null; // id of the request that has connected the second robot
   private robot = 0;
 
   constructor(private readonly session: Session) {}
@@ -38,7 +38,7 @@ export class Pair {
     return this.phase === 'connected';
   }
 
-  // The motion that the second robot plays; "": none.
+  // Returns the motion that the second robot plays; "" means none.
   get motion(): string {
     return this.isConnected ? (this.status?.motion ?? '') : '';
   }
@@ -72,7 +72,8 @@ export class Pair {
     await this.session.tell({ do: 'pair', call: 'disconnect', robot: this.robot }, 'Disconnect');
   }
 
-  // Asks the server for another box or another way to follow, and shows what it has accepted.
+  // Asks the server to change the box "simulation" or the robot that follows, and shows the values
+  // that the server has accepted.
   async wish(simulation: boolean, follow: Follow): Promise<void> {
     if (!this.isConnected) return;
     const wanted = simulation || follow !== 'simulation' ? follow : 'none';
@@ -84,13 +85,13 @@ export class Pair {
     else this.set({});
   }
 
-  // Forgets the second robot, because the page has no connection to its server any more.
+  // Forgets the second robot, because the page has lost the connection to its server.
   leave(): void {
     if (this.phase !== 'none') this.reset('');
   }
 
   take(event: PairEvent): void {
-    if (event.pair !== this.id) return; // of an earlier connection
+    if (event.pair !== this.id) return; // the event belongs to an earlier connection
     if (event.state === 'connected') {
       this.status = event;
       this.set({});

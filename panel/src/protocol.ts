@@ -1,5 +1,6 @@
 // Messages between the page and the run, as docs/inputs.md describes them. Every member may be
-// missing: an older run sends less, and a run that has just begun knows little.
+// missing, because an older run sends fewer members, and a run that has just begun does not know
+// all of them.
 
 export type Pose = [number, number, number, number, number, number, number];
 export type Vec3 = [number, number, number];
@@ -76,7 +77,7 @@ export interface PoseEvent {
 
 export interface RobotValues {
   state: string;
-  // Virtual time at which a robot that is off boots again.
+  // Virtual time at which a robot that is switched off boots again.
   boots_at_s?: number | null;
   joints: [number | null, number | null][];
   gains: number[];
@@ -169,7 +170,8 @@ export interface Clock {
   rate: number;
   speed: number;
   rewind?: Rewind;
-  // The length of a recording, or of another run that nobody can change, and why it is over.
+  // For a recording or another run that nobody can change: its length, and the reason why it is
+  // over.
   length_s?: number;
   over?: string;
 }
@@ -230,7 +232,7 @@ export interface PairAnswer {
 
 export interface PairEvent {
   event: 'pair';
-  pair: unknown; // id of the request that has connected
+  pair: unknown; // id of the request that has connected the second robot
   robot: number;
   endpoint: string;
   state: 'connected' | 'lost' | 'closed';

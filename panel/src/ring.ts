@@ -1,4 +1,4 @@
-// Ring: the last values of a stream; the oldest ones make room.
+// Ring: keeps the last values of a stream. When it is full, the oldest value is dropped.
 
 export class Ring<T> {
   private readonly items: T[] = [];
@@ -19,7 +19,7 @@ export class Ring<T> {
     }
   }
 
-  // Returns the item that is `index` items younger than the oldest one.
+  // Returns the item with the number `index`, counted from the oldest item, which has number 0.
   at(index: number): T | undefined {
     if (index < 0 || index >= this.items.length) return undefined;
     return this.items[(this.first + index) % this.items.length];

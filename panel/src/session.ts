@@ -1,5 +1,5 @@
 // Session: the run that the page shows, its newest events, and the requests to it. Views subscribe
-// to what they draw.
+// to the topics that they draw.
 import { Connection, type LinkState } from './connection';
 import { Pair } from './pair';
 import type {
@@ -41,7 +41,7 @@ type Listener<T extends Topic> = (value: Topics[T]) => void;
 const EVENTS = ['pose', 'values', 'graph', 'log', 'findings', 'clock'] as const;
 const RUNS_PERIOD_MS = 4000;
 
-// Members that an event must have as lists. Events without them are left out.
+// Members that must be lists in an event. An event without these lists is ignored.
 const LISTS: Record<string, string[]> = {
   pose: ['robots'],
   values: ['robots'],
@@ -62,7 +62,7 @@ export class Session {
   readonly pair = new Pair(this);
 
   private connection: Connection | null = null;
-  private readonly failed = new Set<Topic>(); // topics that a view could not read
+  private readonly failed = new Set<Topic>(); // topics with an event that a view could not handle
   private readonly listeners = new Map<Topic, Listener<Topic>[]>();
 
   constructor(
@@ -84,14 +84,15 @@ export class Session {
       try {
         listener(value);
       } catch (error) {
-        // A message that a view cannot read must not stop the other views.
+        // Prints the error and goes on, because an event that one view cannot handle must not stop
+        // the other views.
         if (!this.failed.has(topic)) console.error(`panel: ${topic}:`, error);
         this.failed.add(topic);
       }
     }
   }
 
-  // Shows the run `run`; an empty name is the run that started the server.
+  // Shows the run `run`; "" means the run that has started the server.
   join(run: string): void {
     this.connection?.close();
     this.run = run;
@@ -122,7 +123,7 @@ export class Session {
     return this.connection?.idOfNext ?? 0;
   }
 
-  // Asks, and shows the error if there is one. Returns null then.
+  // Sends a request. If the answer is an error, shows the error and returns null.
   async tell<T = Answer>(request: Request, what: string): Promise<T | null> {
     try {
       return await this.ask<T>(request);
@@ -136,8 +137,8 @@ export class Session {
     return this.tell({ do: 'input', robot, line }, line);
   }
 
-  // Calls the remote control: of the run, of the second robot, or of both at once. Returns the first
-  // answer that is no error, null if there is none.
+  // Calls the remote control of the run, of the second robot, or of both at the same time. Returns
+  // the first answer that is no error; null if there is none.
   async rc<T = Answer>(call: string, more: Record<string, unknown>, what: string): Promise<T | null> {
     const targets = this.pair.targets(call);
     const answers = targets.map((endpoint) => {
@@ -158,7 +159,7 @@ export class Session {
     return clock !== null;
   }
 
-  // Whether the run repeats what is known, so that nobody can change it.
+  // Returns whether the run is a recording or another known run, so that nobody can change it.
   get isRecording(): boolean {
     return this.clock?.length_s !== undefined;
   }

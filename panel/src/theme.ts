@@ -1,4 +1,4 @@
-// Light and dark: as the system has it, or as the person has chosen.
+// The theme of the page, light or dark: that of the system, or the one that a person has chosen.
 
 const KEY = 'openr-panel-theme';
 export type Theme = 'auto' | 'light' | 'dark';
@@ -34,7 +34,7 @@ export function switchTheme(): void {
   try {
     localStorage.setItem(KEY, theme);
   } catch {
-    // The choice then lasts until the page is left.
+    // Ignores the error: the choice then lasts only until the page is closed.
   }
   apply();
 }
@@ -44,7 +44,7 @@ export function startTheme(): void {
   apply();
 }
 
-// Returns the value of a colour of the style sheet.
+// Returns the value of a colour in the style sheet.
 export function colourOf(name: string): string {
   return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
 }

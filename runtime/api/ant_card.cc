@@ -16,9 +16,9 @@ using openr_host::WlanConfig;
 
 namespace {
 
-// The card asks for permission (RTS) before it sends a frame longer than kRtsThreshold, and splits
-// one longer than kFragmentationThreshold.  These are the default values of 802.11b.  No frame is
-// so long, so a card with these values never asks and never splits.
+// Frame lengths above which the card asks for permission (RTS), and above which it splits a frame.
+// These are the default values of 802.11b.  No frame is so long, so a card with these values never
+// asks and never splits.
 constexpr int32 kRtsThreshold = 2347;
 constexpr int32 kFragmentationThreshold = 2346;
 
@@ -52,9 +52,9 @@ extern "C" {
 
 EtherStatus ERA201D1_GetMACAddress(EtherDriverGetMACAddressMsg* msg) {
   return Ask(msg, [msg](const IpStack& stack) {
-    // The first octet, 0x02, marks an address that was chosen by a user, so no real card has it
-    // (IEEE 802, locally administered).  The last octets are the number of the robot, so each robot
-    // has an address of its own.
+    // Makes an address that no real card has: the first octet, 0x02, marks an address that a user
+    // has chosen (IEEE 802, locally administered).  The last octets are the number of the robot, so
+    // each robot has an address of its own.
     const int robot = stack.host().robot + 1;
     const byte octets[6] = {0x02,
                             0x00,

@@ -33,9 +33,9 @@ OwnedMessage NewRequest(IpStack* stack, const antEnvMsg& message) {
   std::memcpy(request->payload, static_cast<const void*>(&message), size);
   request->size = static_cast<uint32_t>(size);
   request->kind = PayloadKind::kHashed;
-  // The trace of the run stores a hash of this message and not its bytes, because the message holds
-  // addresses.  The data to which the message points are hashed too, but only if they lie in a
-  // mapped shared buffer.  Other addresses are not read, because they may be invalid.
+  // Gives the trace a hash of this message instead of its bytes, because the message holds
+  // addresses.  Also hashes the data to which the message points, but only if they lie in a mapped
+  // shared buffer, because other addresses may be invalid.
   const AntData data = DataToSend(message);
   const bool known = stack->buffers().Contains(data.begin, data.size);
   request->payload_hash = AntMessageHash(message, known ? data.begin : nullptr,
@@ -63,7 +63,8 @@ antError antEnvMsg::Send(antStackRef target, OID& oid, int32 entry, int size) {
   sender = OidOf(t_current.object->id);
   msgSize = size;
   invocationType = ANTENVMSG_SEND;
-  // The stack sends its answer later, as a message to entry `entry` of object `oid`.
+  // Names the entry and the object that get the answer, because the stack sends it later, as a
+  // message.
   contInfo.oid = oid;
   contInfo.selector = static_cast<Selector>(entry);
   return AntErrorOf(t_current.system->Post(NewRequest(stack, *this)));

@@ -104,7 +104,7 @@ void OCalendarTime::Sprint(char* text) const {
 
 void OCalendarTime::RFC2822(char* text) const {
   if (!ProperDate()) return Write(text, "improper date");
-  // "-0000" means that the zone is unknown (RFC 2822, 3.3).
+  // Writes "-0000" for an unknown zone (RFC 2822, 3.3).
   const std::string zone =
       timeDif_ == otimeTIME_DIF_UNDEF
           ? "-0000"

@@ -138,8 +138,7 @@ OStatus SetMotorPower(OPower power) {
 OStatus Shutdown(const OBootCondition& bootCondition) {
   const ApiScope scope;
   const OStatus status = Services().Shutdown(bootCondition);
-  // The RobotServices of a robot without devices return oNOT_SUPPORTED.  Such a robot shuts down
-  // too.
+  // Shuts down also with oNOT_SUPPORTED, which the RobotServices of a robot without devices return.
   if (status == oSUCCESS || status == oNOT_SUPPORTED)
     t_current.system->Shutdown(
         t_current.object->robot,
@@ -262,8 +261,8 @@ OStatus GetVolumeSwitch(OVolumeSwitch* volume) {
   return Services().GetVolumeSwitch(volume);
 }
 
-// The functions about MWInfo belong to level 1 of the interface, for which there is no document
-// (core.md 6.1).  So they do nothing.
+// Return oNOT_SUPPORTED, because the functions about MWInfo belong to level 1 of the interface, for
+// which there is no document (core.md 6.1).
 OStatus RequireMWInfo(MWIID) { return oNOT_SUPPORTED; }
 OStatus CancelMWInfo(MWIID) { return oNOT_SUPPORTED; }
 OStatus IsMWInfoRequired(MWIID, bool* required) {

@@ -14,8 +14,8 @@ using namespace openr_host;
 
 namespace {
 
-// A real robot stopped when it had this number of regions.  Its program had made a new vector for
-// every command (field-notes.md, 3.4).
+// The number of regions at which a real robot stopped, because its program had made a new vector
+// for every command (field-notes.md, 3.4).
 constexpr int kRegionsOfRobot = 0x1cb;
 // The number of regions of one object above which a warning is given.  The number is our choice:
 // sample programs need two regions per service, so an object with more than 64 probably makes new
@@ -116,7 +116,7 @@ OStatus NewCommandVectorData(size_t numCommands, MemoryRegionID* memID,
     info->dataOffset = static_cast<longword>(kHeader + numCommands * kInfo + i * kData);
     info->dataSize = kData;
     OCommandData* const data = (*baseAddr)->GetData(static_cast<int>(i));
-    // Marks the commands as not set, so that the simulated robot knows which of them the program
+    // Marks the commands as not set, so that the simulated robot can see which of them the program
     // has set (fresh_command.h).
     for (OCommandValue& value : data->value) value.value[0] = kNeverFilled;
   }

@@ -29,7 +29,7 @@ struct Diagnostic {
   std::string file;
   int line = 0;
   int column = 0;
-  std::string message;  // what is wrong and what to do; one line, no full stop
+  std::string message;  // the mistake and how to correct it, in a single line without a full stop
   std::string text;
 };
 

@@ -92,9 +92,9 @@ const KeywordName* FindKeyword(std::string_view word) {
 // text of the line from its first word, `word`, on.
 void WarnOfNearMiss(const Piece& rest, std::string_view word, Reporter* reporter) {
   if (FindKeyword(word) != nullptr) {
-    // "Service" and "Extra" are also words of plain English, so a comment may begin with them.  A
-    // Service line has a quote and an Extra line a bracket, so a line with neither is taken for a
-    // comment.
+    // Takes a line that begins with "Service" or "Extra" for a comment if it has neither quote nor
+    // bracket: both are words of plain English, but a Service line has a quote and an Extra line a
+    // bracket.
     const bool is_prose = (word == "Service" || word == "Extra") &&
                           rest.text.find_first_of("\"(") == std::string_view::npos;
     if (is_prose) return;
@@ -146,8 +146,8 @@ std::optional<ServiceName> ParseQuotedName(Piece* rest, Reporter* reporter) {
     reporter->Error(column, fmt::format("service name of {} characters, the limit is {}",
                                         text.size(), kServiceNameBytesMax));
   }
-  // The generated def.h has a constant such as sbjMove, whose name contains the service.  So the
-  // service must have only characters that a C++ name may have.
+  // Allows only characters of C++ names in the service, because the generated def.h has a constant
+  // such as sbjMove with its name.
   const bool makes_names = std::all_of(name->service.begin(), name->service.end(), IsNameCharacter);
   if (!makes_names) {
     const char* const prefix = name->is_subject() ? "sbj" : "obs";

@@ -59,8 +59,8 @@ class Arena {
   static constexpr size_t kSpanBytes = size_t{64} << 10;
   static constexpr size_t kSpans = AddressPlace::kHeapBytes / kSpanBytes;
 
-  // One span of 64 KiB.  It holds small blocks of one size class, or is the first or a later span
-  // of a large block.
+  // A span of 64 KiB.  It holds small blocks of one size class, or is the first or a later span of
+  // a large block.
   struct Span {
     int16_t use = kFree;      // the index of a size class, or kFree, kLarge, kInside
     uint16_t span_count = 0;  // in the first span of a large block: the number of its spans

@@ -55,7 +55,7 @@ class ConsoleInput {
   void GiveUp(Terminal* terminal, ObjectId reader, uint64_t box);
 
   System* const system_;
-  std::map<int, Terminal> terminals_;  // by index of the robot
+  std::map<int, Terminal> terminals_;  // key: number of the robot
   bool echo_ = true;
 };
 

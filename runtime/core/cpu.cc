@@ -52,8 +52,8 @@ void Cpu::Begin(Object* object, uint32_t selector, int64_t cost_us, int64_t now_
                     "parts",
                     object->EntryName(selector), kLongHandlerUs / 1000));
   }
-  // The new handler interrupts the running handler, which has used the time since it last got the
-  // processor.
+  // Subtracts the time that the running handler has used since it last got the processor, because
+  // the new handler interrupts it.
   if (!jobs_.empty()) jobs_.back().left_us -= now_us - jobs_.back().since_us;
   jobs_.push_back({object, cost_us, now_us});
   object->processor.is_busy = true;
@@ -69,13 +69,14 @@ void Cpu::End(int64_t now_us) {
   jobs_.pop_back();
   if (!jobs_.empty()) jobs_.back().since_us = now_us;
   object->processor.is_busy = false;
-  // Without a current object, Post() does not put the messages back into the outbox.
+  // Clears the current object, because otherwise Post() would put the messages back into the
+  // outbox.
   const CurrentScope nobody(system_, nullptr);
   for (ProcessorState::Outgoing& outgoing : std::exchange(object->processor.outbox, {})) {
     system_->Post(std::move(outgoing.message), outgoing.delay_us);
   }
-  // Held and waiting messages are older than all messages due now, so they go to the front of the
-  // queue.  The newest is put there first, so that the oldest is delivered first.
+  // Puts held and waiting messages at the front of the queue, because they are older than all
+  // messages due now.  The newest message goes there first, so that the oldest is delivered first.
   object->ReturnHeld();
   while (!waiting_.empty()) {
     system_->Readmit(std::move(waiting_.back()));

@@ -35,8 +35,8 @@ char* GuardPages::MapPages(char* area, size_t bytes) {
     return pages == MAP_FAILED ? nullptr : static_cast<char*>(pages);
   }
   size_t& next = next_in_[area];
-  // After the end of the area, the search continues at its beginning, where copies that are still
-  // in use may lie.  The search then tries the pages after such copies.
+  // Searches on from the beginning of the area after its end.  Copies that are still in use may lie
+  // there, so pages in use are skipped.
   for (size_t tried = 0; tried < AddressPlace::kCopyBytes; tried += bytes) {
     if (next + bytes > AddressPlace::kCopyBytes) next = 0;
     char* const pages = area + next;
@@ -58,8 +58,8 @@ char* GuardPages::TakePages(char* area, size_t bytes) {
 }
 
 char* GuardPages::NewCopy(const AddressPlace* place, const char* data, size_t size) {
-  // The addresses of the copy and of `data` are equal modulo 16, so that data are as well aligned
-  // for the observer as for the subject.
+  // Gives the copy the same address modulo 16 as `data`, so that the observer sees data with the
+  // same alignment as the subject.
   const size_t shift = reinterpret_cast<uintptr_t>(data) % 16;
   const size_t bytes = Pages(shift + size + 1);
   if (bytes > AddressPlace::kCopyBytes) return nullptr;
@@ -83,9 +83,9 @@ void GuardPages::Retire(const char* copy) {
   } else if (area != nullptr) {
     munmap(page, bytes);
   } else {
-    // Without a planned area, the pages stay mapped but cannot be accessed.  If they were unmapped,
-    // the kernel could put other memory at these addresses, and a later access of the observer
-    // would be no fault.
+    // Keeps the pages mapped without access if the area is not planned.  If they were unmapped, the
+    // kernel could put other memory at these addresses, and a later access of the observer would be
+    // no fault.
     madvise(page, bytes, MADV_DONTNEED);
     mprotect(page, bytes, PROT_NONE);
   }

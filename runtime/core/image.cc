@@ -42,8 +42,8 @@ std::string RunFolder::AddCopy(const std::string& file, const std::string& bytes
     return "";
   };
   const fs::path source(file);
-  // Each copy gets a folder of its own.  Forks of this process use the same RunFolder and could
-  // otherwise overwrite each other's copies.
+  // Gives each copy a folder of its own, because forks of this process use the same RunFolder and
+  // could overwrite each other's copies.
   std::string folder_name = folder_.path() + "/XXXXXX";
   if (mkdtemp(folder_name.data()) == nullptr) return fail(folder_.path());
   const fs::path folder = folder_name;
@@ -109,7 +109,7 @@ std::string ImageObject::TakePlace(const std::string& original) {
   auto taken = std::make_unique<AddressPlace>(id);
   if (taken->heap() == nullptr) return bytes;
   place = std::move(taken);
-  // Under Valgrind the image is not moved, because Valgrind expects debug information to match the
+  // Does not move the image under Valgrind, because Valgrind expects debug information to match the
   // addresses in the file.
   if (!IsUnderValgrind())
     RebaseImage(&bytes, reinterpret_cast<uintptr_t>(place->image()), AddressPlace::kImageBytes);
@@ -217,8 +217,8 @@ bool ImageObject::Dispatch(uint32_t selector, void* payload) {
 // (field-notes.md, 4.4).  Each kind of operation is reported once per object.
 void ImageObject::ReportFpFlags(uint32_t selector) {
   const ApiScope scope;
-  // A conversion to an integer that checked_code.cc has reported also sets the flag kFpInvalid.  In
-  // this case the flag is not reported again here.
+  // Does not report kFpInvalid again after a conversion to an integer that checked_code.cc has
+  // reported, because such a conversion sets this flag, too.
   const unsigned reported = has_reported_cast ? unsigned{kFpInvalid} : 0u;
   const unsigned fresh = FpFlags() & ~fp_seen_ & ~reported;
   const bool makes_denormals = ((fp_seen_ | fresh) & kFpUnderflow) != 0;
@@ -241,8 +241,8 @@ void ImageObject::ReportFpFlags(uint32_t selector) {
          "a floating-point operation made an infinity (division by 0, log(0), a result too large)",
          "the robot is said to stop when it is used");
   }
-  // The robot turns denormal results into 0, so an object that makes denormals here would not have
-  // them on the robot.  Therefore the use of denormals by such an object is not reported.
+  // Does not report denormals of an object that makes them itself, because the robot turns denormal
+  // results into 0, so that the object would not have them there.
   if ((fresh & kFpDenormal) && !makes_denormals) {
     warn(kFpDenormal,
          "a denormal number was used in a floating-point operation (an int taken for a float, "

@@ -10,8 +10,9 @@ namespace openr_host {
 
 struct ImageFile {
   std::string bytes;           // the shared object, decompressed
-  bool is_compressed = false;  // with gzip, as Makefiles of programs do when they install
-  bool is_for_robot = false;   // a MIPS binary
+  bool is_compressed = false;  // compressed with gzip, as the Makefiles of some programs install
+                               // images
+  bool is_for_robot = false;   // the file is a MIPS binary
   std::string problem;         // the reason why the file cannot be loaded; "" if it can be loaded
 };
 
@@ -19,11 +20,11 @@ struct ImageFile {
 // it is an image, is for this machine, and is complete.
 ImageFile ReadImageFile(const std::string& path);
 
-// The same for the bytes of a file.
+// Checks the bytes of a file like ReadImageFile(), without reading a file.
 ImageFile CheckImage(std::string bytes);
 
-// Returns the .ocf text (name, priority and memory sizes of the object) that is in the bytes of a
-// host image; "" if there is none.
+// Returns the .ocf text (name, priority and memory sizes of the object) in the bytes of a host
+// image; "" if the image has no such text.
 std::string OcfTextOf(const std::string& bytes);
 
 // Returns all texts of at least 8 characters in the bytes of an image, as the tool `strings` does.

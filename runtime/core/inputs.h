@@ -31,7 +31,7 @@ class Inputs {
     std::string usage;  // "press NAME [N%] [for DURATION]"
     std::string help;   // "Presses a sensor that people touch."
     // Reads `rest`, the text after the verb and one blank, for a robot.  Sets `action` and returns
-    // "", or returns what is wrong with `rest`.
+    // "", or returns the error in `rest`.
     std::function<std::string(int robot, std::string_view rest, Action* action)> read;
   };
 
@@ -49,9 +49,9 @@ class Inputs {
   // Returns "" if Add() would accept `line` now, or the reason why not.
   std::string Check(int robot, std::string_view line) const;
 
-  // Adds the input `line` for `robot`.  It takes effect at the next frame boundary, or at once if
-  // the present time is a frame boundary.  Returns "", or what is wrong with the line; then nothing
-  // is added.  REQUIRES: not called in a handler.
+  // Adds the input `line` for `robot`.  The input takes effect at the next frame boundary, or at
+  // once if the present time is a frame boundary.  Returns "", or the error in the line; then
+  // nothing is added.  REQUIRES: not called in a handler.
   std::string Add(int robot, std::string_view line);
 
   // Registers a `listener` that Add() calls with each line that it accepts.
@@ -77,7 +77,7 @@ class Inputs {
   std::string Read(int robot, std::string_view line, Action* action) const;
 
   System* const system_;
-  std::map<std::pair<int, std::string>, Verb> verbs_;  // by robot and name
+  std::map<std::pair<int, std::string>, Verb> verbs_;  // key: robot and name
   std::deque<Waiting> waiting_;                        // in order of time
   std::vector<Listener> listeners_;
 };

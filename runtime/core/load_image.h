@@ -12,15 +12,16 @@ class ImageObject;
 class Object;
 class System;
 
-// Loads the image `path` ("/MS/OPEN-R/MW/OBJS/JOINTMOV.BIN") as object `id` of `robot`, from the
-// file `file` of the stick, or if this is "" from `path`.  If the image cannot be loaded, returns
-// null and adds an error finding that begins with `where`, the reason of the load: "OBJECT.CFG:3"
-// or "reload".
+// Loads an image of the stick as object `id` of `robot`.  `path` is the path of the image
+// ("/MS/OPEN-R/MW/OBJS/JOINTMOV.BIN").  If `file` is not "", loads this file of the stick instead.
+// `where` names the reason of the load, "OBJECT.CFG:3" or "reload".  If the image cannot be loaded,
+// returns null and adds an error finding that begins with `where`.
 std::unique_ptr<ImageObject> OpenImage(System* system, int robot, ObjectId id,
                                        const std::string& path, const std::string& where,
                                        const std::string& file = "");
 
-// Does as OpenImage(), and adds the object to `system`.  Returns the object, or null.
+// Loads an image like OpenImage(), with a new object id, and adds the object to `system`.  Returns
+// the object; null if the image cannot be loaded.
 Object* LoadImage(System* system, int robot, const std::string& path, const std::string& where,
                   const std::string& file = "");
 

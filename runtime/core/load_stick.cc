@@ -82,8 +82,8 @@ std::string StickLoader::NameInImage(const std::string& path) {
 StandIns::const_iterator StickLoader::FindStandIn(const std::string& path) {
   if (stand_ins_.empty()) return stand_ins_.end();
   const auto by_file = stand_ins_.find(std::filesystem::path(path).filename().string());
-  // Looks for the name of the object only if the file name is not found, because reading the name
-  // from the image takes time.
+  // Looks for the object's name only if the file name is not found, because reading the name from
+  // the image takes time.
   return by_file != stand_ins_.end() ? by_file : stand_ins_.find(NameInImage(path));
 }
 
@@ -97,9 +97,9 @@ bool StickLoader::LoadObject(const ObjectRecord& record) {
          LoadKept(record.path, where);
 }
 
-// Loads, instead of the image `path`, the image that an upload has replaced by it and has kept with
-// the ending .OLD.  The robot does not do so: its boot ends.  Returns false if there is no such
-// image, and with SystemOptions::strict.
+// Loads the kept image of `path`, a file with the ending .OLD: an upload gives this ending to the
+// image that it replaces.  The robot has no such rule; its boot ends without the image.  Returns
+// false if there is no such file, and with SystemOptions::strict.
 bool StickLoader::LoadKept(const std::string& path, const std::string& where) {
   if (stick_ == nullptr || system_.options().strict) return false;
   const std::string kept = std::filesystem::path(path).replace_extension(".OLD");
@@ -136,8 +136,8 @@ void StickLoader::LoadConnections() {
   const bool is_strict = system_.options().strict;
   const auto text = ReadConfig("CONNECT.CFG");
   if (!text) {
-    // A robot also starts without CONNECT.CFG, and some old programs whose objects are not
-    // connected have no such file.  So a missing CONNECT.CFG becomes only a note.
+    // Adds only a note if CONNECT.CFG is missing, because a robot also starts without it, and old
+    // programs whose objects are not connected have no such file.
     const std::string why = WhyNoConfig("CONNECT.CFG");
     const Severity severity = why.ends_with(kMissing) ? Severity::kNote
                               : is_strict             ? Severity::kError

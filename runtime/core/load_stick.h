@@ -1,5 +1,5 @@
-// LoadStick(): loads what the configuration files on a robot's Memory Stick name: objects,
-// connections and design data (files that programs find by keywords).
+// LoadStick(): loads the objects, the connections and the design data (files that programs find by
+// keywords) that the configuration files on a robot's Memory Stick name.
 #pragma once
 
 #include <functional>
@@ -22,18 +22,18 @@ using StandIns = std::map<std::string, std::function<void(const std::string& pat
 struct SystemImage {
   std::string file;           // the name of the image in OBJECT.CFG: "TCPGW.BIN"
   std::function<void()> add;  // adds the object; called instead of loading the image
-  // Adds findings if the rest of the stick does not fit this part.  Called when everything is
-  // loaded.
+  // Adds findings if the rest of the stick does not fit this part.  Called after the whole stick
+  // was loaded.
   std::function<void()> check;
 };
 
 // Loads the images that OBJECT.CFG names, and adds the connections of CONNECT.CFG and the keywords
 // of DESIGNDB.CFG to the system.  Each problem becomes a finding with file:line.  If `stand_ins`
-// has a function for the file of a system image, this function is called and not SystemImage::add.
-// If an image cannot be loaded, but a file of the same name with the ending .OLD can, this file is
-// loaded instead: RCServer keeps an image so when it is replaced by an upload.  Returns false if
-// the robot would not boot, because an image is missing or cannot be loaded.  REQUIRES: before
-// System::Boot(), or in Robot::load_again.
+// has a function for the file of a system image, calls this function and not SystemImage::add.  If
+// an image cannot be loaded, loads the file of the same name with the ending .OLD: RCServer gives
+// this ending to the old image when an upload replaces it.  Returns false if the robot would not
+// boot, because an image is missing or cannot be loaded.  REQUIRES: before System::Boot(), or in
+// Robot::load_again.
 bool LoadStick(System* system, int robot, StandIns stand_ins = {},
                const std::vector<SystemImage>& system_images = {});
 

@@ -60,7 +60,8 @@ ObjectManager::ObjectManager() {
   });
 }
 
-// Keeps back messages to the objects of `robot`, or of all robots, until their boot permits them.
+// Keeps messages to the objects of `robot`, or of all robots, back until their boot permits
+// delivery.
 void ObjectManager::KeepBack(int robot) {
   are_connected_ = false;
   for (const auto& object : system().objects()) {
@@ -152,12 +153,13 @@ void ObjectManager::RunBoot(int robot, size_t findings_before) {
   system().booted_ = true;
 }
 
-// Boots `robot`, which has been off, with new loads of all its images.
+// Boots `robot` again after it was off.  Loads all its images anew.
 void ObjectManager::RunBootAgain(int robot) {
   const size_t findings_before = system().findings().all().size();
   shutting_down_.erase(robot);
-  // Only lost processes leave services there, and a robot with objects in other processes does not
-  // boot again.  The addresses in this set would be wrong after the boot.
+  // Clears this set, because its addresses would be wrong after the boot.  The set has services of
+  // lost processes only, and a robot with objects in other processes does not boot again, so no
+  // service is lost.
   unreported_.clear();
   if (!system().LoadAgain(robot)) return;
   KeepBack(robot);
@@ -307,8 +309,8 @@ bool ObjectManager::MayBeLost(int robot, const std::string& service) const {
 }
 
 void ObjectManager::ReportUnknown(const Connection& connection, const std::string& service) {
-  // A service of a lost process is only kept in unreported_ now, because the loss of the process
-  // has been reported and the process may come back.
+  // Keeps a service of a lost process in unreported_, because the loss of the process has been
+  // reported and the process may come back.
   if (MayBeLost(connection.robot, service)) {
     unreported_.emplace(&connection, service);
     return;

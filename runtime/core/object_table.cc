@@ -92,15 +92,15 @@ void PassStatistics(const Object& old, Object* fresh) {
   fresh->waiting_max = old.waiting_max;
   fresh->handler_ns_max = old.handler_ns_max;
   fresh->stack_max = old.stack_max;
-  // The count still includes the messages that a gate keeps, because `fresh` will receive these
-  // messages.
+  // Takes over the whole count, which includes messages that a gate keeps, because `fresh` will
+  // receive them.
   fresh->waiting = old.waiting;
 }
 
 }  // namespace
 
 ObjectTable::~ObjectTable() {
-  // Objects are destroyed in reverse order, because images may refer to objects made before them.
+  // Destroys the objects in reverse order, because images may refer to objects made before them.
   while (!objects_.empty()) objects_.pop_back();
 }
 
@@ -184,8 +184,8 @@ std::vector<OwnedMessage> ObjectTable::TakeMessagesTo(Object* object) {
   for (OwnedMessage& message : system_->queue().TakeIf(is_to_object)) {
     if (!message->is_reply) messages.push_back(std::move(message));
   }
-  // The messages taken so far were counted as waiting.  Those in outboxes, which are taken below,
-  // were not.
+  // Subtracts only the messages taken so far, because those in outboxes, which are taken below,
+  // were never counted as waiting.
   object->waiting -= static_cast<int>(messages.size());
   ASSERT(object->waiting >= 0, "{} has {} waiting messages", object->name, object->waiting);
   for (const auto& sender : objects_) TakeOutgoing(sender.get(), object->id, &messages);
@@ -230,8 +230,8 @@ void ObjectTable::Place(std::unique_ptr<Object> fresh) {
   for (const Listener& listener : replace_listeners_) listener(id);
   PassStatistics(*old, fresh.get());
   fresh->is_off = old->is_off;
-  // An old object whose handler waits, or still has the processor, is kept: that handler ends later
-  // and needs its object until then.
+  // Keeps an old object whose handler waits or still has the processor, because that handler needs
+  // its object until it ends.
   if (old->handler.running != nullptr || old->processor.is_busy)
     outlived_.push_back(std::move(objects_[static_cast<size_t>(id)]));
   objects_[static_cast<size_t>(id)] = std::move(fresh);

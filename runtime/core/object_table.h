@@ -29,8 +29,9 @@ class ObjectTable {
 
   // Adds `object` and returns it.  REQUIRES: object->id is an id that IdFor() returns now.
   Object* Adopt(std::unique_ptr<Object> object);
-  // Returns the id for a new object of `robot`, of which `key` is the path, or the name if it has
-  // no path.  This is the id that the object had before the robot was switched off, or a new id.
+  // Returns the id for a new object of `robot`.  `key` is the path of the object, or its name if it
+  // has no path.  The id is that of an object with this key from before the robot was switched off,
+  // or a new one.
   ObjectId IdFor(int robot, std::string_view key) const;
   ObjectId NextId() const { return static_cast<ObjectId>(objects_.size()); }
 
@@ -94,8 +95,8 @@ class ObjectTable {
   void Place(std::unique_ptr<Object> fresh);
 
   System* const system_;
-  std::vector<std::unique_ptr<Object>> objects_;   // by id
-  std::vector<std::unique_ptr<Object>> outlived_;  // objects replaced before their handler ended
+  std::vector<std::unique_ptr<Object>> objects_;   // index: id of the object
+  std::vector<std::unique_ptr<Object>> outlived_;  // replaced objects whose handler has not ended
   std::vector<Listener> end_listeners_;
   std::vector<Listener> replace_listeners_;
 };

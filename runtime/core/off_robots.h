@@ -27,10 +27,10 @@ class OffRobots {
   // Returns the virtual time at which robot number `robot` boots.  REQUIRES: Contains(robot).
   int64_t BootUs(int robot) const { return robots_.at(robot).boot_us; }
 
-  // Returns the end of the next frame of these robots, or INT64_MAX if there are none.
+  // Returns the end of the next frame of these robots; INT64_MAX if no robot is off.
   int64_t NextUs() const;
-  // Moves the bodies of these robots if a frame ends now, and posts the boot of those whose time
-  // has come.  A robot is removed only when it boots (System::LoadAgain()), because the object
+  // Moves the bodies of these robots if a frame ends now, and posts the boot of each robot that is
+  // due to boot.  A robot is removed only when it boots (System::LoadAgain()), because the object
   // manager may be busy.
   void DoDue();
 
@@ -43,7 +43,7 @@ class OffRobots {
   };
 
   System* const system_;
-  std::map<int, Times> robots_;  // by index of the robot
+  std::map<int, Times> robots_;  // key: number of the robot
 };
 
 }  // namespace openr_host

@@ -1,5 +1,5 @@
-// Posts messages in the name of an object, for tests and people who send an object a message that
-// no handler has sent.
+// Posts messages in the name of an object, although none of its handlers has sent them.  Used by
+// tests, and by people with the input `send`.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace openr_host {
 
 class System;
 
-// One end of a connection: the object, and the selector of the entry that receives the messages of
+// An end of a connection: the object, and the selector of the entry that receives the messages of
 // the other end.  Subjects receive readies, observers receive notifications.
 struct ServiceEnd {
   ObjectId object = kNoObject;
@@ -26,12 +26,12 @@ enum class ServiceSide { kSubject, kObserver };
 // "Blinker.Blink.int.S".
 bool NamesService(std::string_view name, std::string_view service);
 
-// Returns the service of `robot` that `name` names.  `side` says whether to search for a subject or
-// an observer.  Returns nullopt if there is no such service.
+// Returns the service of `robot` with the name `name`.  `side` says whether to search for a subject
+// or an observer.  Returns nullopt if there is no such service.
 std::optional<ServiceEnd> FindService(const System& system, int robot, std::string_view name,
                                       ServiceSide side);
 
-// Returns the names of the subjects that are connected with the observer that `observer` names.
+// Returns the names of all subjects that are connected with `observer`, the name of an observer.
 std::vector<std::string> SubjectsOf(const System& system, int robot, std::string_view observer);
 
 // Post a notification with one datum to `observer`, or a ready of `observer` to `subject`, each in

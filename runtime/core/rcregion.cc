@@ -44,7 +44,7 @@ struct Pool {
 };
 
 Pool& ThePool() {
-  // The pool is never deleted, because a static object of the program may still delete regions when
+  // Never deletes the pool, because a static object of the program may still delete regions when
   // the program ends.
   static thread_local Pool* const pool = new Pool;
   return *pool;
@@ -143,9 +143,9 @@ void RCRegion::AddReference() { ++count_; }
 void RCRegion::RemoveReference() {
   if (--count_ > 0) return;
   const ApiScope scope;
-  // The last reference to a received region (one with a source_) belongs to the runtime, which
-  // deletes the region when the observer's next ready gives it back.  An object that removes this
-  // reference has made one call too many, so the region is not deleted here.
+  // Does not delete a received region (one with a source_) here.  Its last reference belongs to the
+  // runtime, which deletes the region when the observer's next ready gives it back.  An object that
+  // removes this reference has made one call too many.
   const bool received = source_ != nullptr;
   if ((received || count_ < 0) && t_current.system != nullptr) {
     t_current.system->AddFinding(

@@ -37,11 +37,11 @@ OwnedMessage Requests::Await(uint64_t box, int64_t timeout_us, std::string_view 
   const Message* const wake = system_->calls().BeginWait(box, timeout_us, why);
   OwnedMessage message = system_->dispatcher().WaitFor(box);
   self->handler.blocked_why.clear();
-  // A wait that reaches its limit ends with an empty reply from the object itself
-  // (LocalCalls::BeginWait()).
+  // Recognises the end of a wait at its limit: LocalCalls::BeginWait() has posted an empty reply
+  // from the object itself for this purpose.
   *timed_out = message->kind == PayloadKind::kHashed && message->sender == self->id;
   if (*timed_out) return message;  // the box stays open, because the reply may still come
-  // The reply came before the time-out, so the message that would end the wait is removed.
+  // Removes the message that would end the wait, because the reply came before the time-out.
   if (wake != nullptr) system_->queue().TakeIf([wake](const Message& m) { return &m == wake; });
   self->boxes.open.erase(box);
   return message;
@@ -69,8 +69,8 @@ int32_t Requests::Call(ObjectId target, uint32_t selector, const void* data, siz
   if (error != sSUCCESS) return error;
   const std::string why =
       fmt::format("the answer of {} ({})", callee->name, callee->EntryName(selector));
-  // The time-out is in virtual time.  If the callee's handler runs in another process, it takes
-  // wall time and no virtual time.  So such a time-out is ignored, and the wait begins again.
+  // Repeats a wait that has timed out while the callee's handler runs in another process.  The
+  // time-out is in virtual time, and such a handler takes wall time but no virtual time.
   for (;;) {
     const int32_t result = Wait(box, reply, reply_size, nullptr, timeout_us, why);
     if (result != sTIMEOUT || !system_->object(target)->IsAtWorkElsewhere()) return result;

@@ -59,13 +59,13 @@ class RobotServices {
 
   // ---- Called by the system, not by objects
 
-  // Returns how long the robot stays off, in us of virtual time, after the shutdown that Shutdown()
-  // has asked for; none if nothing but a person boots it again.
+  // Returns the virtual time in us for which the robot stays off after the shutdown that Shutdown()
+  // has begun; nullopt if only a person can boot the robot again.
   virtual std::optional<int64_t> TimeOffUs() const { return {}; }
   // Switches the devices off, and sets all their state and settings as at a boot.  Called when a
   // robot that boots again has shut down.
   virtual void SwitchOff() {}
-  // Moves the body for a frame, at the end of which the function is called.
+  // Moves the body for one frame while the robot is off.  Called at the end of the frame.
   virtual void RunFrameWhileOff() {}
 
   // Sets the state of all random generators of the robot as for a new robot with this seed.  Called

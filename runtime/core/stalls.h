@@ -19,7 +19,7 @@ struct Stall {
   ObjectId object = kNoObject;  // the object that waits, or the subject's object
   int64_t since_us = 0;         // virtual time when the wait began
   std::string text;             // "JointMover waits for ready of RCServer on ... since t=1.248 s"
-  const char* advice = "";      // what the author of the program can do
+  const char* advice = "";      // tells the author of the program how to end the wait
   // The observer has asserted no ready since its last notification, or not at all, and no data wait
   // for the observer.  The observer may have forgotten to assert, or may want no more data.  So
   // this stall is reported only if no object of the run sends messages any more.

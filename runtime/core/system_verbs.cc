@@ -30,8 +30,8 @@ std::string AppendWhole(std::string_view text, std::string* bytes) {
   const char* const end = text.data() + text.size();
   const auto [at, error] = std::from_chars(text.data(), end, value);
   if (error != std::errc() || at != end) return fmt::format("'{}' is no whole number", text);
-  // Both the signed and the unsigned values of the type are accepted, because the type's name says
-  // only how many bytes the value has.
+  // Accepts both signed and unsigned values of the type, because its name says only how many bytes
+  // the value has.
   constexpr int kBits = 8 * sizeof(T);
   if constexpr (kBits < 64) {
     if (value < -(int64_t{1} << (kBits - 1)) || value >= int64_t{1} << kBits)
@@ -93,7 +93,7 @@ std::string ReadSentDatum(std::string_view rest, SentDatum* datum) {
   return "";
 }
 
-// Finds the ends of the connection that `datum` names.  Returns "" or what is wrong.
+// Finds the ends of the connection that `datum` names.  Returns "" or the error.
 std::string FindEnds(const System& system, const SentDatum& datum, ServiceEnd* subject,
                      ServiceEnd* observer) {
   const auto to = FindService(system, datum.robot, datum.observer, ServiceSide::kObserver);
@@ -114,7 +114,8 @@ std::string FindEnds(const System& system, const SentDatum& datum, ServiceEnd* s
   return "";
 }
 
-// Posts `datum`.  A failure is an error finding, because nobody waits for the result here.
+// Posts `datum`.  Reports a failure as an error finding, because no caller waits for the result
+// here.
 void Send(System* system, const SentDatum& datum) {
   ServiceEnd subject, observer;
   std::string problem = FindEnds(*system, datum, &subject, &observer);
@@ -128,7 +129,7 @@ std::string ReadSend(System* system, int robot, std::string_view rest, Inputs::A
   SentDatum datum;
   datum.robot = robot;
   std::string problem = ReadSentDatum(rest, &datum);
-  // Before the boot the services have no entries yet, so the names can be checked only later.
+  // Checks the names only after the boot, because the services have no entries before it.
   ServiceEnd subject, observer;
   if (problem.empty() && system->booted()) problem = FindEnds(*system, datum, &subject, &observer);
   *action = [system, datum] { Send(system, datum); };

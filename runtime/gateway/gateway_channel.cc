@@ -18,8 +18,8 @@ void GatewayChannel::HashState(Hasher* hasher) const {
 void OutgoingChannel::Up() { observer_->AssertReady(); }
 
 void OutgoingChannel::Notify(const ONotifyEvent& event) {
-  // Data of the subject that arrive without a connection are dropped.  The subject may have sent
-  // them before it received the "not ready" of Down().
+  // Drops data that arrive from the subject without a connection.  The subject may have sent them
+  // before it received the "not ready" of Down().
   if (!connection_.is_up()) {
     gateway_->host().dropped_count += 1;
     return;
@@ -104,8 +104,8 @@ void IncomingChannel::Received(std::string_view bytes) {
   GatewaySet set;
   GatewayStream::Result result;
   while ((result = stream_.NextSet(&set)) == GatewayStream::Result::kTaken) {
-    // A peer must wait for a ready before it sends data.  Data without a ready cause only a
-    // warning, because nothing is lost: the local subject keeps these data until its observer is
+    // Warns about data without a ready: a peer must wait for a ready before it sends data.  This is
+    // no error, because nothing is lost: the local subject keeps these data until its observer is
     // ready.
     if (!std::exchange(asked_, false)) {
       gateway_->Warn(

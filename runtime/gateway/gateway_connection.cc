@@ -101,8 +101,8 @@ void GatewayConnection::TakeListen(const TCPEndpointListenMsg& answer) {
     Warn(fmt::format("cannot listen, error {}", static_cast<int>(answer.error)));
     return;
   }
-  // The endpoint that listened has become the connection to `client`, so a new endpoint has to
-  // listen.
+  // Listens with a new endpoint, because the endpoint that listened has become the connection to
+  // `client`.
   const antModuleRef client = listener_;
   Listen();
   if (is_up_) {

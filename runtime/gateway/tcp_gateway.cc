@@ -37,8 +37,8 @@ TcpGateway::TcpGateway(const GatewayConfig& config) {
     std::memcpy(&index, payload, sizeof index);
     channels_.at(static_cast<size_t>(index))->connection().LookForAnswer();
   });
-  // The message queue must hold the messages of all channels.  A channel has only a few at a time
-  // (answers of the network, data, readies), so 8 for each channel are enough.
+  // Makes the message queue large enough for all channels.  A channel has only a few messages at a
+  // time (answers of the network, data, readies), so 8 for each channel are enough.
   host().queue_max = std::max(host().queue_max, 8 * static_cast<int>(channels_.size()));
 }
 
@@ -131,9 +131,8 @@ class GatewayLoader {
         has_robot_file_(Text(kRobotGatewayFile).has_value()),
         config_(Read(kRobotGatewayFile, GatewaySide::kRobot)) {
     GatewayConfig other = Read(kHostGatewayFile, GatewaySide::kHost);
-    // A record for OPEN-R calls says to which robot a program sends its calls.  The record of
-    // ROBOTGW.CFG has precedence over that of the other file, because this run is a robot: it
-    // answers calls itself.
+    // Prefers the record of ROBOTGW.CFG to that of the other file.  The record says to which robot
+    // a program sends its OPEN-R calls; this run is a robot, so it answers calls itself.
     if (!config_.proxy) config_.proxy = std::move(other.proxy);
     std::move(other.services.begin(), other.services.end(), std::back_inserter(config_.services));
     std::move(other.diagnostics.begin(), other.diagnostics.end(),
@@ -160,9 +159,8 @@ class GatewayLoader {
     if (!text && !CallsARobot()) return;
     const ConnectConfig wires = ParseConnectConfig("CONNECT.CFG", text.value_or(""), Design());
     const bool is_wired = !config_.services.empty() && NamesGateway(wires);
-    // The stick of a PC, unlike that of a robot, does not name the gateway in OBJECT.CFG.  So the
-    // gateway is also added if CONNECT.CFG connects one of its services, or if programs call a
-    // robot.
+    // Adds the gateway also if CONNECT.CFG connects one of its services, or if programs call a
+    // robot: the stick of a PC, unlike that of a robot, does not name the gateway in OBJECT.CFG.
     if (host_ == nullptr && (is_wired || CallsARobot())) {
       Add();
       if (has_robot_file_)

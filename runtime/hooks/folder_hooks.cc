@@ -100,7 +100,8 @@ DIR* opendir(const char* path) {
       names.resize(kEntriesMax);
     }
   }
-  // Without an ApiScope, malloc() takes the memory from the object's heap and not from the host's.
+  // Calls malloc() without an ApiScope, so that the memory comes from the object's heap and not
+  // from the host's.
   auto* const folder = static_cast<Folder*>(malloc(sizeof(Folder)));
   if (folder != nullptr) {
     folder->count = names.size();

@@ -112,9 +112,9 @@ void* realloc(void* block, size_t size) {
     free(block);
     return nullptr;
   }
-  // The new block comes from the heap of the code that calls realloc().  So a block may even move
-  // from an object's heap to the host's heap, or back.  A block of an object stays in place if it
-  // does not grow and shrinks by less than half.
+  // Takes the new block from the heap of the code that calls realloc(), so a block may move from an
+  // object's heap to the host's heap, or back.  Leaves a block of an object in place if it does not
+  // grow and shrinks by less than half.
   const size_t old_size = from_arena ? Arena::UsableSize(block) : malloc_usable_size(block);
   if (from_arena && size <= old_size && size > old_size / 2) return block;
   void* const moved = malloc(size);

@@ -90,7 +90,7 @@ DNSEndpointError DnsEndpoint::GetAddress(DNSEndpointGetAddressMsg* message) cons
   return DNS_SUCCESS;
 }
 
-// Finds an alias by its index.  Alias 0 is the official name, so there is one alias more than in
+// Finds an alias by its index.  Alias 0 is the official name, so the largest index is the number of
 // HostInfo::aliases.
 DNSEndpointError DnsEndpoint::GetAlias(DNSEndpointGetAliasMsg* message) const {
   const auto index = static_cast<size_t>(message->index);
@@ -143,8 +143,8 @@ void DnsEndpoint::AnswerReady() {
 // Sony's sample NTP reads this name and uses it as an address if it is a dotted address.
 void DnsEndpoint::FinishQuery(DNSEndpointError error) {
   ASSERT(query_.has_value());
-  // The messages for a query by name and by address have the same fields but different types, so
-  // one generic lambda fills both.
+  // Uses a generic lambda, because the messages for a query by name and by address have the same
+  // fields but different types.
   const auto fill = [&](auto& message) {
     message.n_address = static_cast<int32>(host_.addresses.size());
     message.n_alias = 1 + static_cast<int32>(host_.aliases.size());

@@ -77,8 +77,8 @@ NetAddress HostNetwork::ToHost(NetAddress remote, const HostPorts& ports) {
     const uint32_t ip = bound == bound_.end() ? bind_ip_ : bound->second;
     return {ip == 0 ? 0x7f000001 : ip, own};
   }
-  // The robot's own address reaches only ports on which the robot listens.  For other ports returns
-  // port 0, so that the connect fails and does not reach a program of the host.
+  // Returns port 0 for ports of the robot's own address on which it does not listen, so that the
+  // connect fails and does not reach a program of the host.
   if (remote.ip == ip_ && !addresses_.Has(ip_)) return {remote.ip, 0};
   return addresses_.ToHost(remote);
 }
@@ -174,8 +174,8 @@ void HostNetwork::Close(NetHandle handle) {
 
 void HostNetwork::Bind(NetHandle handle, uint16_t port, bool any_port) {
   const uint32_t ip = BindIp(handle);
-  // If the stack has chosen the port, the program is a client, which must reach other hosts.  A
-  // socket bound to 127.0.0.1 cannot reach them, so the socket is bound to any address.
+  // Binds the socket to any address if the stack has chosen the port: the program is then a client,
+  // which must reach other hosts, and a socket bound to 127.0.0.1 cannot.
   NoteBindError(ip, udp_.Bind(handle, {any_port ? 0 : ip, port}, any_port, &events_));
 }
 
@@ -236,8 +236,8 @@ void HostNetwork::AcceptAll(Listener* listener) {
     NetAddress remote;
     Fd fd = AcceptFrom(listener->fd, &remote);
     if (!fd.valid()) {
-      // ECONNABORTED: the client has closed its connection before it was accepted.  Another client
-      // may wait, so the loop goes on.
+      // Continues with the next client after ECONNABORTED, which means that a client has closed its
+      // connection before it was accepted.
       if (errno == ECONNABORTED) continue;
       if (!MustWait(errno)) {
         events_.push_back(NoteEvent(fmt::format("a connection waits: {}", std::strerror(errno))));

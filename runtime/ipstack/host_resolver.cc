@@ -28,7 +28,8 @@ NetError ErrorOf(int status) {
 NetError ResolveOnHost(const std::string& name, HostInfo* host) {
   addrinfo hints{};
   hints.ai_family = AF_INET;
-  hints.ai_socktype = SOCK_STREAM;  // one type only, or each address would be listed once per type
+  hints.ai_socktype = SOCK_STREAM;  // asks for a single type, because each address would be listed
+                                    // once per type otherwise
   hints.ai_flags = AI_CANONNAME;
   addrinfo* list = nullptr;
   const int status = getaddrinfo(name.c_str(), nullptr, &hints, &list);

@@ -30,7 +30,7 @@ const sockaddr* Generic(const sockaddr_in* address) {
 
 void SetOption(int fd, int level, int option) {
   const int on = 1;
-  // An error is ignored, because the socket also works without the option.
+  // Ignores an error, because the socket also works without the option.
   setsockopt(fd, level, option, &on, sizeof on);
 }
 
@@ -75,7 +75,8 @@ NetError NetErrorOf(int error) {
 Fd OpenSocket(NetProtocol protocol) {
   const int type = protocol == NetProtocol::kTcp ? SOCK_STREAM : SOCK_DGRAM;
   Fd fd(socket(AF_INET, type | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
-  // A remote control sends small packets, which must not wait for each other (Nagle's algorithm).
+  // Switches Nagle's algorithm off, because a remote control sends small packets, which must not
+  // wait for each other.
   if (fd.valid() && protocol == NetProtocol::kTcp) SetOption(fd.get(), IPPROTO_TCP, TCP_NODELAY);
   return fd;
 }
@@ -86,8 +87,8 @@ int BindSocket(const Fd& fd, NetAddress local) {
 }
 
 int ListenOn(const Fd& fd, NetAddress local, int backlog) {
-  // With this option the port can be bound even while connections of the last run are in state
-  // TIME_WAIT.
+  // Sets SO_REUSEADDR, so that the port can be bound even while connections of the last run are in
+  // state TIME_WAIT.
   SetOption(fd.get(), SOL_SOCKET, SO_REUSEADDR);
   if (const int error = BindSocket(fd, local)) return error;
   return listen(fd.get(), backlog) == 0 ? 0 : errno;
@@ -108,8 +109,8 @@ int ConnectResult(const Fd& fd) {
 }
 
 Fd AcceptFrom(const Fd& listener, NetAddress* remote) {
-  // accept() creates a socket before it finds out that no connection waits.  Usually no connection
-  // waits, so poll() is asked first.
+  // Calls poll() before accept(), because usually no connection waits and accept() would first
+  // create a socket.
   pollfd waiting{listener.get(), POLLIN, 0};
   if (poll(&waiting, 1, 0) == 0) {
     errno = EAGAIN;

@@ -54,14 +54,13 @@ void HostUdp::Poll(std::vector<NetworkEvent>* events) {
       NetworkEvent event;
       event.kind = NetworkEvent::Kind::kDatagram;
       event.handle = handle;
-      // An error here is about an earlier send (port unreachable).  In UDP the datagram of such a
-      // send is lost without an error, so the error is ignored.
+      // Ignores the error, which is about an earlier send (port unreachable): in UDP a datagram may
+      // be lost without an error.
       if (ReceiveBytes(socket.fd, kDatagramMax, &event.bytes, &event.remote) < 0) break;
       any = true;
       events->push_back(std::move(event));
     }
-    // The datagrams that have arrived answer the request, even if they are fewer than the request
-    // allows.
+    // Ends the request even if fewer datagrams have arrived than it allows.
     if (any) socket.want = 0;
   }
 }

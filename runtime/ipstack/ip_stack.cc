@@ -224,8 +224,8 @@ void IpStack::HandleEndpointMessage(Operation* operation) {
   const int32_t protocol = ProtocolOf(ref);
   const auto found = endpoints_.find(ref.index);
   if (found == endpoints_.end() || found->second->protocol() != protocol) {
-    // Indexes are given out in order.  So an index that is unknown, but not larger than the last
-    // one, belonged to a closed endpoint.
+    // Recognises a closed endpoint by its index: indexes are given out in order, so an unknown
+    // index that is not larger than the last one belonged to a closed endpoint.
     const bool was_closed = found == endpoints_.end() && ref.index != 0 && ref.index <= last_index_;
     return Answer(operation,
                   was_closed && protocol != 0 ? ClosedError(protocol) : InvalidError(protocol));
@@ -280,9 +280,9 @@ void IpStack::KeepPolling() {
   bool needed = false;
   for (const auto& [index, endpoint] : endpoints_) needed = needed || endpoint->WaitsForNetwork();
   if (!needed) return;
-  // The message must be due exactly at the beginning of the frame.  Post() adds creep_us() to the
-  // delay.  This is 1 us while very many messages are delivered at one instant, so that time goes
-  // on.  So creep_us() is subtracted here.
+  // Subtracts creep_us(), because the message must be due exactly at the beginning of the frame and
+  // Post() adds creep_us() to the delay.  This is 1 us while very many messages are delivered at
+  // one instant, so that time goes on.
   const int64_t now_us = system().now_us();
   const int64_t delay_us = kFrameUs - now_us % kFrameUs - system().dispatcher().creep_us();
   system().Post(system().NewMessage(host().id, poll_entry_), delay_us);

@@ -166,7 +166,7 @@ void LoopbackNetwork::Drop(NetHandle handle, bool reset) {
   if (const auto found = connections_.find(handle); found != connections_.end()) {
     Connection& connection = found->second;
     if (reset) connection.link->reset = true;
-    // The bytes that are not sent yet still reach the peer, because a host's kernel also goes on
+    // Passes the bytes that are not sent yet to the peer, because a host's kernel also goes on
     // sending after a close.
     connection.peer().bytes += connection.out;
     connection.peer().ended = true;

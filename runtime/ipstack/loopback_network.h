@@ -68,7 +68,7 @@ class LoopbackNetwork : public Network {
   uint16_t HostPort(NetProtocol, uint16_t port) const override { return port; }
 
  private:
-  // One direction of a connection.
+  // A direction of a connection.
   struct Pipe {
     std::string bytes;
     bool ended = false;  // the writer has ended the stream

@@ -295,8 +295,8 @@ void TcpEndpoint::Accepted(const NetworkEvent& event) {
   const bool welcome = (wanted_.ip == 0 || wanted_.ip == event.remote.ip) &&
                        (wanted_.port == 0 || wanted_.port == event.remote.port);
   stack_->tcp_ports().Forget(local_port_, this);
-  // The program waits for one certain peer, but another peer has connected.  So this connection is
-  // reset, and the endpoint waits for the next one.
+  // Resets this connection, because the program waits for one certain peer and another peer has
+  // connected.  Then the endpoint waits for the next connection.
   if (!welcome) {
     stack_->Drop(socket_, true);
     socket_ = stack_->Open(this);

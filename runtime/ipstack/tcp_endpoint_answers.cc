@@ -20,8 +20,8 @@ void TcpEndpoint::FinishOpening() {
   if (state_ == State::kListening || state_ == State::kConnecting) return;
   LeavePort();
   if (state_ == State::kFailed) return Finish(&opening_, error_);
-  // The messages of Listen and Connect have the same fields but different types, so one generic
-  // lambda fills both.
+  // Uses a generic lambda, because the messages of Listen and Connect have the same fields but
+  // different types.
   const auto fill = [this](auto& message) {
     message.lAddress = stack_->LocalAddress(local_ip_);
     message.lPort = local_port_;
@@ -40,8 +40,8 @@ void TcpEndpoint::FinishSend() {
   const auto& message = send_->As<TCPEndpointSendMsg>();
   if (state_ == State::kFailed) return Finish(&send_, error_);
   if (unsent_ + message.size > pool_bytes_) return;
-  // The buffer is checked again, because the program may have destroyed or unmapped it while the
-  // Send waited.
+  // Checks the buffer again, because the program may have destroyed or unmapped it while the Send
+  // waited.
   if (!stack_->buffers().Contains(message.buffer, message.size)) {
     return Finish(&send_, TCP_BUFFER_INVALID);
   }
@@ -59,7 +59,7 @@ void TcpEndpoint::FinishReceive() {
   auto& message = receive_->As<TCPEndpointReceiveMsg>();
   const auto min = static_cast<size_t>(message.sizeMin);
   const auto max = static_cast<size_t>(message.sizeMax);
-  // After the end of the stream no more bytes come, so fewer bytes than sizeMin are delivered too.
+  // Delivers fewer bytes than sizeMin after the end of the stream, because no more bytes come.
   const bool enough = in_.size() >= min || (ended_ && !in_.empty());
   if (!enough && state_ != State::kFailed && !ended_) {
     if (!asked_) {
@@ -69,7 +69,7 @@ void TcpEndpoint::FinishReceive() {
     return;
   }
   if (!enough) return Finish(&receive_, state_ == State::kFailed ? error_ : TCP_CONNECTION_CLOSED);
-  // The buffer is checked again, because the program may have destroyed or unmapped it while the
+  // Checks the buffer again, because the program may have destroyed or unmapped it while the
   // Receive waited.
   if (!stack_->buffers().Contains(message.buffer, message.sizeMax)) {
     return Finish(&receive_, TCP_BUFFER_INVALID);

@@ -15,7 +15,7 @@ class UdpEndpoint : public Endpoint {
  public:
   UdpEndpoint(IpStack* stack, ObjectId owner, int32_t pool_bytes);
 
-  // The robot crashes at larger datagrams (field-notes.md, 11.7).
+  // The largest datagram that the robot survives; it crashes at larger ones (field-notes.md, 11.7).
   static constexpr int kRobotDatagramMax = 18'500;
   static constexpr int kDatagramMax = 65507;  // bytes that fit into an IPv4 packet
   static constexpr size_t kReadAhead = 16;    // datagrams read from the network at a time
@@ -48,7 +48,7 @@ class UdpEndpoint : public Endpoint {
   void Finish(std::optional<Operation>* operation, UDPEndpointError error,
               const void* data = nullptr, size_t size = 0);
 
-  NetHandle socket_ = 0;   // 0: not bound
+  NetHandle socket_ = 0;   // handle of the bound socket; 0: not bound
   uint32_t local_ip_ = 0;  // the address that the program gave; 0: any
   uint16_t port_ = 0;
   NetAddress peer_;  // set by Connect; ip 0: none

@@ -113,7 +113,7 @@ void MemoryStick::HashFile(std::string_view name, std::string_view otherwise, Ha
   const uint64_t size = file.is_open() ? std::filesystem::file_size(location.path, error) : 0;
   if (!file.is_open() || error) return hasher->AddText(otherwise);
   hasher->Add(size);
-  // The file is read piece by piece, because it may be larger than the memory of the host.
+  // Reads the file piece by piece, because it may be larger than the memory of the host.
   std::string piece;
   for (uint64_t left = size; left > 0 && file; left -= piece.size()) {
     piece.resize(std::min<uint64_t>(left, kPieceBytes));
@@ -164,8 +164,7 @@ uint64_t FolderStick::ContentHash() {
   for (fs::recursive_directory_iterator it(root_, error), end; !error && it != end;
        it.increment(error)) {
     const std::string extension = UpperCase(it->path().extension().string());
-    // The hash leaves out the record of a crash in an earlier run, because this run does not read
-    // that file.
+    // Leaves out the record of a crash in an earlier run, because this run does not read that file.
     const bool is_crash_record = UpperCase(it->path().filename().string()) == kCrashRecord;
     if (it->is_regular_file(error) && extension != ".BIN" && extension != ".DBG" &&
         !is_crash_record)

@@ -1,4 +1,4 @@
-// Models as C++98 tables: the text of RobotConstants.h and RobotConstants.cc.
+// Writes robot models as C++98 tables: the text of RobotConstants.h and RobotConstants.cc.
 #pragma once
 
 #include <string>
@@ -10,7 +10,8 @@ namespace openr_host::genmodel {
 
 std::string HeaderText(const std::vector<RobotTables>& robots);
 
-// Throws std::runtime_error for a kind of device that objects/ does not know.
+// Returns the text of RobotConstants.cc.  Throws std::runtime_error for a kind of device that
+// objects/ does not know.
 std::string SourceText(const std::vector<RobotTables>& robots);
 
 }  // namespace openr_host::genmodel

@@ -1,10 +1,10 @@
-// openr_genmodel: writes objects' robot constants from the robot models.
+// openr_genmodel: generates the robot constants of the objects from the robot models.
 //
 //   openr_genmodel DIR MODEL.json...
 //
-// writes DIR/RobotConstants.h and DIR/RobotConstants.cc, all models in one table, in the
-// order given.  Files whose content would not change are left untouched, so that nothing
-// is rebuilt for nothing.
+// Writes DIR/RobotConstants.h and DIR/RobotConstants.cc, with all models in one table, in the given
+// order.  Leaves a file alone if its content would not change, so that the build does not compile
+// it again.
 #include <fmt/format.h>
 
 #include <filesystem>

@@ -11,7 +11,8 @@ namespace {
 int32_t UradOf(double rad) { return static_cast<int32_t>(std::lround(rad * 1e6)); }
 int32_t CdegOf(double rad) { return static_cast<int32_t>(std::lround(Degrees(rad) * 100)); }
 
-// A limit is rounded towards the inside: 12062.5 hundredths are over the 120.625 degree/s allowed.
+// Rounds a limit down to hundredths: 120.625 degree/s becomes 12062, because 12063 would exceed the
+// limit.
 int32_t CdegBelow(double rad) {
   return static_cast<int32_t>(std::floor(Degrees(rad) * 100 + 1e-6));
 }
@@ -19,7 +20,8 @@ int32_t CdegBelow(double rad) {
 JointRow RowOf(const JointModel& joint, const RobotModel& model) {
   JointRow row;
   row.name = joint.name;
-  // The sensor vector carries the angle of every joint, and there its title.
+  // Takes the title of the joint from its element of the sensor vector, which has one for every
+  // joint.
   row.title = model.sensors.at(static_cast<size_t>(joint.sensor)).name;
   row.locator = joint.locator;
   row.min_urad = UradOf(joint.soft_rad.min);
@@ -35,7 +37,8 @@ JointRow RowOf(const JointModel& joint, const RobotModel& model) {
   return row;
 }
 
-// Hohl 2004, 5.3.5: a head sensor counts as touched beyond half of its upper limit.
+// Returns half of the upper limit of a head sensor, beyond which it counts as touched (Hohl 2004,
+// 5.3.5).
 int32_t TouchLimit(const Sensor& sensor) {
   if (sensor.kind == SensorKind::kSwitch) return 0;
   if (sensor.kind == SensorKind::kForce || sensor.kind == SensorKind::kRaw)

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kMmPerM = 1000;
 
-// Where `p_m` is in the plane of a leg, seen from the leg's J1 axis.  `side` is 1 for a fore and -1
-// for a hind leg.
+// Converts a point of the model to the plane of a leg, seen from the leg's J1 axis.  `side` is 1
+// for a fore leg and -1 for a hind leg.
 LegPoint FromAxis(const Eigen::Vector3d& p_m, const Eigen::Vector3d& axis_m, double side) {
   const Eigen::Vector3d p_mm = kMmPerM * p_m, axis_mm = kMmPerM * axis_m;
   return {side * (p_mm.x() - axis_mm.x()), p_mm.z() - axis_mm.z()};
@@ -74,7 +74,8 @@ std::vector<std::string> Dog::Locators() const {
   return locators;
 }
 
-// Place in a key frame; the model lists the joints in the order of the files.
+// Returns the index of a joint in key frames.  The model lists the joints in the order of the
+// motion files.
 int Dog::IndexOf(const std::string& joint) const {
   for (int j = 0; j < robot_->numJoints; ++j) {
     if (robot_->joints[j].name == joint) return robot_->joints[j].mtnIndex;
@@ -96,7 +97,8 @@ KeyFrame Dog::FrameOf(const std::string& posture) const {
   return frame;
 }
 
-// The paws' balls touch the floor: the line between their centres is as steep as the body.
+// Computes the stance from the condition that the balls of the paws touch the floor: the line
+// between the centres of a fore and a hind ball is as steep as the body.
 Stance Dog::StanceOf(const std::string& posture) const {
   const PostureConstants* const found = FindPosture(robot_, posture.c_str());
   if (found == nullptr)

@@ -1,5 +1,5 @@
-// The ERS-210 as its motions need it: two kinds of legs in the plane, limits, postures, and the
-// pose of the body over paws on a flat floor.
+// Dog: the data of the ERS-210 that motions need.  These are two kinds of legs, each in its plane,
+// limits, postures, and the pose of the body over paws on a flat floor.
 #pragma once
 
 #include <string>
@@ -11,19 +11,20 @@
 
 namespace openr_host::motions {
 
-// Body and paws, symmetrical left and right.  Millimetres and radians; seen from the floor
-// under the middle of the four J1 axes.
+// The pose of the body, and the places of the paws, which are symmetrical left and right.  Places
+// are in millimetres, seen from the floor below the middle of the four J1 axes; angles are in
+// radians.
 struct Stance {
-  double height_mm = 0;  // of that middle over the floor
-  double pitch_rad = 0;  // nose up positive
-  double fore_mm = 0;    // where the paws stand, forward positive
+  double height_mm = 0;  // height of the middle of the J1 axes over the floor
+  double pitch_rad = 0;  // pitch of the body; positive: nose up
+  double fore_mm = 0;    // places of the paws; forward is positive
   double hind_mm = 0;
-  double tilt_rad = 0;  // of the neck
+  double tilt_rad = 0;  // tilt angle of the neck
 };
 
 Stance Blend(const Stance& from, const Stance& to, double share);
 
-// What a paw does beyond standing at its place: forward and lifted, millimetres.
+// The offset of a paw from its place in the stance, forward and up, in millimetres.
 struct PawOffset {
   double forward_mm = 0, lift_mm = 0;
 };
@@ -33,29 +34,29 @@ struct PawOffsets {
 
 class Dog {
  public:
-  // Reads the geometry from a robot model (JSON); limits and postures are those of the objects.
-  // Throws std::runtime_error naming file and field.
+  // Reads the geometry from a robot model (JSON), and takes limits and postures from the objects'
+  // constants.  Throws std::runtime_error with file and field.
   explicit Dog(const std::string& model_path);
 
   const RobotConstants& robot() const { return *robot_; }
 
-  // The joints of the vendor's motion files: neck and legs.
+  // Returns the locators of the joints in the vendor's motion files: neck and legs.
   std::vector<std::string> Locators() const;
 
-  // The stance of a posture of the model, whose paws touch one plane.
+  // Returns the stance of a posture of the model in which all paws touch one plane.
   Stance StanceOf(const std::string& posture) const;
 
-  // The key frame of a posture of the model, exactly as the model has it.
+  // Returns the key frame with exactly the angles of a posture of the model.
   KeyFrame FrameOf(const std::string& posture) const;
 
-  // A key frame by inverse kinematics.  Throws std::domain_error naming `what` when a paw
-  // is out of reach or a joint leaves its software limits.
+  // Computes a key frame by inverse kinematics.  Throws std::domain_error, with `what`, if a paw
+  // cannot be reached or a joint leaves its software limits.
   KeyFrame FrameOf(const Stance& stance, const PawOffsets& offsets, const std::string& what) const;
 
-  // Key frames on the way between two postures, which may be of the model or of inverse
-  // kinematics; the first is left out, the last is `to.frame`.  Body and paws go from stance to
-  // stance, slowly at both ends.  A posture may bend a nearly straight knee the other way than
-  // inverse kinematics would; the difference fades along the way.
+  // Returns key frames on the way between two poses, without the first pose; the last key frame is
+  // `to.frame`.  Body and paws move from stance to stance, slowly at both ends.  A posture of the
+  // model may bend a nearly straight knee the other way than inverse kinematics does; the
+  // difference is reduced along the way.
   struct Pose {
     Stance stance;
     KeyFrame frame;
@@ -75,8 +76,8 @@ class Dog {
   int IndexOf(const std::string& joint) const;
 
   const RobotConstants* robot_;
-  double axis_mm_ = 0;  // J1 axes ahead of and behind the middle
-  double ball_mm_ = 0;  // radius of a paw
+  double axis_mm_ = 0;  // distance of the J1 axes from the middle of the body
+  double ball_mm_ = 0;  // radius of the ball of a paw
   Leg fore_{{}, {}}, hind_{{}, {}};
 };
 

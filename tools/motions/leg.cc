@@ -10,7 +10,7 @@
 namespace openr_host::motions {
 namespace {
 
-// A positive angle turns a paw that hangs down outward.
+// Rotates a point about the origin.  A positive angle moves a paw that hangs down outward.
 LegPoint Turn(const LegPoint& p, double angle_rad) {
   const double c = std::cos(angle_rad), s = std::sin(angle_rad);
   return {p.out * c - p.up * s, p.out * s + p.up * c};
@@ -28,7 +28,8 @@ LegPoint Leg::Paw(const LegAngles& angles) const {
 
 LegAngles Leg::Reach(const LegPoint& target, const std::string& what) const {
   const double thigh = Length(knee_), shin = Length(paw_), far = Length(target);
-  // Law of cosines: the angle between thigh and shin directions, 0 when the leg is stretched.
+  // Computes the angle between thigh and shin by the law of cosines; it is 0 when the leg is
+  // stretched.
   const double cosine = (far * far - thigh * thigh - shin * shin) / (2 * thigh * shin);
   if (cosine > 1 || cosine < -1) {
     throw std::domain_error(fmt::format(

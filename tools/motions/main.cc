@@ -2,9 +2,10 @@
 //
 //   openr_motions DIR MODEL.json
 //
-// SIT stand to sit, STAND sit to stand, LIE stand to lying, BOW; WALKSTA, WALK and WALKEND are a
-// walk: start once, cycle as often as wanted, end.  All are computed here from the model's geometry
-// and postures.
+// The motions are SIT (from standing to sitting), STAND (from sitting to standing), LIE (from
+// standing to lying), BOW, and a walk of three files: WALKSTA begins it, WALK is a cycle that can
+// be repeated, WALKEND ends it.  All motions are computed from the geometry and the postures of the
+// model.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -25,7 +26,7 @@ using openr_host::KeyFrame;
 using openr_host::MotionFile;
 using openr_host::WriteMtn;
 
-// Files that would not change are left untouched.
+// Writes the file unless its content would not change.
 void WriteIfChanged(const std::filesystem::path& path, const std::vector<uint8_t>& bytes) {
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   if (openr_host::ReadFile(path) == text) return;

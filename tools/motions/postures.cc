@@ -7,7 +7,8 @@
 namespace openr_host::motions {
 namespace {
 
-// Key frames on the way, each `interpolation` + 1 ticks of 16 ms after the one before.
+// Adds `count` key frames on the way from pose to pose.  Each follows the one before after
+// `interpolation` + 1 ticks of 16 ms.
 void Go(const Dog& dog, const Dog::Pose& from, const Dog::Pose& to, int count, int interpolation,
         const std::string& what, std::vector<KeyFrame>* frames) {
   for (KeyFrame& frame : dog.Way(from, to, count, what)) {
@@ -16,7 +17,7 @@ void Go(const Dog& dog, const Dog::Pose& from, const Dog::Pose& to, int count, i
   }
 }
 
-// Straight to a posture, every joint at its own pace.
+// Adds the key frame of a posture, so that every joint moves straight to its angle.
 void GoStraight(const KeyFrame& to, int interpolation, std::vector<KeyFrame>* frames) {
   frames->push_back(to);
   frames->back().interpolation = interpolation;
@@ -36,7 +37,8 @@ std::vector<KeyFrame> Stand(const Dog& dog) {
   return frames;
 }
 
-// First down on bent legs, then the fore legs slide forward and the hind legs fold.
+// Makes the dog lie down: first it bends its legs, then the fore legs slide forward and the hind
+// legs fold.
 std::vector<KeyFrame> Lie(const Dog& dog) {
   Stance low;
   low.height_mm = 88;

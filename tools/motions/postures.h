@@ -1,7 +1,8 @@
 // Slow motions between postures, and a bow.
 //
-// The body goes from one stance to the next while inverse kinematics keeps the paws on the
-// floor; key frames lie close enough that the straight lines between them do, too.
+// The body moves from one stance to the next, and inverse kinematics keeps the paws on the floor.
+// The joints move in straight lines between key frames, so the key frames are so close together
+// that the paws stay on the floor between them, too.
 #pragma once
 
 #include <vector>
@@ -10,12 +11,12 @@
 
 namespace openr_host::motions {
 
-// From the posture "stand" to "sit", and back; from "stand" to "sleep".
+// Motions from the posture "stand" to "sit", from "sit" to "stand", and from "stand" to "sleep".
 std::vector<KeyFrame> Sit(const Dog& dog);
 std::vector<KeyFrame> Stand(const Dog& dog);
 std::vector<KeyFrame> Lie(const Dog& dog);
 
-// From "stand" down in front, a nod, and up again.
+// A motion from "stand": the dog lowers its front, nods and rises again.
 std::vector<KeyFrame> Bow(const Dog& dog);
 
 }  // namespace openr_host::motions

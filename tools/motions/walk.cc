@@ -7,18 +7,20 @@
 namespace openr_host::motions {
 namespace {
 
-// Frames in which body and paws go from standing to where the walk has them, all paws down.
+// Number of frames in which body and paws move from standing to the stance of the walk, with all
+// paws on the floor.
 constexpr int kCrouchFrames = 20;
 
-// Cycles in which the steps grow to full length, or shrink to none.
+// Number of cycles in which the steps grow to their full length, or shrink to 0.
 constexpr int kRampCycles = 1;
 
 double Smooth(double t) { return t * t * (3 - 2 * t); }
 
-// A paw at `phase` of its cycle, 0 where it touches the floor; `size` scales the step.
+// Returns the offset of a paw at `phase` of its cycle; at phase 0 the paw touches the floor.
+// `size` scales the step.
 PawOffset PawAt(const Gait& gait, double phase, double size) {
   phase -= std::floor(phase);
-  const double reach = gait.step_mm * gait.duty * size;  // of the body while the paw stands
+  const double reach = gait.step_mm * gait.duty * size;  // way of the body while the paw stands
   if (phase < gait.duty) return {reach * (0.5 - phase / gait.duty), 0};
   const double t = (phase - gait.duty) / (1 - gait.duty);
   return {reach * (Smooth(t) - 0.5), gait.lift_mm * size * std::sin(kPi * t) * std::sin(kPi * t)};
@@ -29,7 +31,8 @@ PawOffsets PawsAt(const Gait& gait, double phase, double size) {
   return {one, other, other, one};
 }
 
-// The body of the walk: level, lower than standing, the paws under its centre of mass.
+// Returns the stance of the walk: the body is level and lower than in standing, and the paws are
+// under its centre of mass.
 Stance WalkStance(const Dog& dog, const Gait& gait) {
   Stance stance = dog.StanceOf("stand");
   stance.height_mm = gait.height_mm;
@@ -39,8 +42,8 @@ Stance WalkStance(const Dog& dog, const Gait& gait) {
   return stance;
 }
 
-// The walk begins and ends where all four paws are down: one diagonal has just been put down, the
-// other is about to be lifted.
+// Returns the phase of the walk in a frame.  The walk begins and ends with all four paws on the
+// floor: one diagonal has just been put down, the other is about to be lifted.
 double PhaseOf(const Gait& gait, int frame) {
   return (gait.duty - 0.5) / 2 + double(frame) / gait.period_frames;
 }

@@ -33,12 +33,12 @@ def table(name):
 
 
 def left_out():
-    """{name: reason}"""
+    """Returns {name that our headers need not have: reason}."""
     return {name: reason for name, reason in table("left_out.tsv")}
 
 
 def rows():
-    """The rows of the table that our headers have to have, in order."""
+    """Yields the rows of the table whose names our headers must have, in order."""
     absent = left_out()
     for fields in table("original_names.tsv"):
         row = Row(*(fields + [""] * 5)[:5])
@@ -47,7 +47,7 @@ def rows():
 
 
 def members(row):
-    """Size, and [(member, offset, type, is_array)] of a type; a base class is no member."""
+    """Returns the size of a type, and [(member, offset, type, is_array)] without base classes."""
     size, *fields = [field.strip() for field in row.facts.split(";")]
     found = []
     for field in fields:
@@ -82,7 +82,7 @@ def typedef_checks(row):
 
 
 def method_checks(row):
-    """A function per form that calls it with what the robot's takes."""
+    """Yields a function for each overload, which calls the method with the robot's parameters."""
     owner, method = row.name.rsplit("::", 1)
     for form in row.facts.split(" | "):
         parameters, result = re.match(r"\((.*)\) -> (.*)$", form).groups()
@@ -114,7 +114,7 @@ def checks(row):
 
 
 def source_of(header, some_rows):
-    """A source that includes `header` and checks these rows."""
+    """Returns a source that includes `header` and checks the rows."""
     lines = [f"#include <{header}>", PREAMBLE]
     for number, row in enumerate(some_rows):
         lines += [f"// {row.kind} {row.name}", f"namespace row{number} {{"]
@@ -129,7 +129,7 @@ def source_of(header, some_rows):
 
 
 def sources(some_rows):
-    """{header: source}"""
+    """Returns {header: source that checks the names of the header}."""
     by_header = collections.defaultdict(list)
     for row in some_rows:
         by_header[row.header].append(row)
@@ -137,7 +137,7 @@ def sources(some_rows):
 
 
 def layouts(some_rows):
-    """A function for tests/mips/abi that checks all sizes and offsets."""
+    """Returns the text of a C++ function for tests/mips/abi that checks all sizes and offsets."""
     found = [row for row in some_rows if row.kind == "type"]
     lines = [f"#include <{header}>" for header in sorted({row.header for row in found})]
     lines += ["", '#include "abi.h"', "", "void CheckOriginalNames() {"]

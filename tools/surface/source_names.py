@@ -1,7 +1,7 @@
-"""The names in C and C++ sources: which a program declares itself, and which it takes from outside.
+"""Finds the names in C and C++ sources that a program declares, and those that it uses.
 
-No compiler: a name counts as declared where it stands as one does (after a type, in an enum, after
-#define).  That is enough to tell a program's own names from those of its surroundings.
+The module has no compiler: a name counts as declared if it stands after a type, in an enum or after
+#define.  That is enough to tell a program's own names from those of its surroundings.
 """
 import re
 
@@ -10,7 +10,7 @@ asm auto bool break case catch char class const const_cast continue default dele
 explicit export extern false float for friend goto if inline int long mutable namespace new operator private protected
 public register reinterpret_cast return short signed sizeof static static_cast struct switch template this throw true
 try typedef typeid typename union unsigned using virtual void volatile wchar_t while""".split())
-# After these an expression follows, not the name that is declared.
+# Words after which an expression follows, not a declared name.
 EXPRESSION = set("return else case goto new delete throw sizeof do typeid and or not".split())
 BUILTIN = set("bool char const double float int long short signed unsigned void wchar_t struct class enum".split())
 
@@ -18,11 +18,11 @@ TOKEN = re.compile(r"[A-Za-z_]\w*|::|->|\d[\w.]*|[^\s\w]")
 
 
 class Source:
-    """Tokens of a text as (text, line), what it includes, and the macros it defines."""
+    """The tokens of a source as (text, line), its includes, and the macros that it defines."""
 
     def __init__(self, text):
         self.includes = []  # (line, "<stdio.h>")
-        self.defined = {}  # {macro or its parameter: line}
+        self.defined = {}  # {macro, or parameter of a macro: line}
         text = self._without_attributes(self._without_comments(text))
         self.tokens = []
         joined = text.replace("\\\n", "  ")
@@ -42,12 +42,12 @@ class Source:
 
     @staticmethod
     def _without_attributes(text):
-        """What stands in __attribute__ and __asm__ is the compiler's."""
+        """Removes __attribute__ and __asm__, because their words are no names of the program."""
         return re.sub(r"__attribute__\s*\(\((\([^()]*\)|[^()])*\)\)|__asm__\s*\([^()]*\)",
                       lambda match: "\n" * match.group(0).count("\n"), text)
 
     def _directive(self, number, kind, rest):
-        """What of the line is to be looked at."""
+        """Keeps includes and macros; returns the rest of the line that can contain names."""
         if kind in ("include", "include_next"):
             self.includes.append((number, rest.strip()))
             return ""
@@ -62,7 +62,7 @@ class Source:
         return set(self.declarations())
 
     def declarations(self):
-        """{name: line of its first declaration}"""
+        """Returns {name: line of its first declaration}."""
         names = dict(self.defined)
         words = [word for word, _ in self.tokens]
         enum_depth, depth = [], 0
@@ -96,7 +96,7 @@ class Source:
         if before == "(" and words[i - 2] in DECLARING_MACROS:
             return True
         if before == "*" and words[i - 2] == "(" and words[i + 1:i + 3] == [")", "("]:
-            return True  # int (*function)(int)
+            return True  # such as int (*function)(int)
         if before[0].isalpha() or before[0] == "_":
             return before not in EXPRESSION
         if before in "*&" and words[i + 1:i + 2] and words[i + 1] in ";,)=([:{":
@@ -121,7 +121,7 @@ class Source:
 
     @classmethod
     def _others(cls, words, i):
-        """b and c of `int a, *b = 0, c[3];`"""
+        """Returns the names that follow the first: b and c in `int a, *b = 0, c[3];`."""
         names, depth = set(), 0
         for j in range(i + 1, min(len(words) - 2, i + 400)):
             word = words[j]
@@ -138,7 +138,10 @@ class Source:
         return names
 
     def uses(self):
-        """(name, line, qualifier, is_call) of every name; qualifier "." for members, "::" for ::name."""
+        """Yields (name, line, qualifier, is_call) for every use of a name.
+
+        The qualifier is "." for a member, "::" for ::name, else the name before "::", or "".
+        """
         words = [word for word, _ in self.tokens]
         for i, (word, line) in enumerate(self.tokens):
             if not self._is_name(word):
@@ -154,5 +157,5 @@ class Source:
 
 
 TYPE_NAMES = set("byte sbyte word sword longword slongword size_t string int16 int32 uint16 uint32 boolean".split())
-DECLARING_MACROS = {"COMPILE_TIME_CHECK"}  # (name, condition)
+DECLARING_MACROS = {"COMPILE_TIME_CHECK"}  # parameters: (name, condition)
 TEMPLATES = set("vector list deque map multimap set multiset pair queue stack bitset auto_ptr".split())

@@ -110,8 +110,8 @@ CameraShot CameraDevice::ShotBefore(int64_t frame, const Body& body) const {
   shot.frame = frame - 1;
   shot.fov_h_rad = model_.fov_h_rad;
   shot.fov_v_rad = model_.fov_v_rad;
-  // The lens looks along `direction` and is not rolled, so its y axis is horizontal in the frame of
-  // the part that carries it.
+  // Computes the axes of the lens.  The lens looks along `direction` and is not rolled, so its y
+  // axis is horizontal in the frame of the part that carries it.
   const Eigen::Vector3d& x = model_.direction;
   const Eigen::Vector3d y = Eigen::Vector3d::UnitZ().cross(x).normalized();
   Eigen::Isometry3d X_LC = Eigen::Isometry3d::Identity();
@@ -145,8 +145,8 @@ void CameraDevice::FillInfos(longword frame_number, OFbkImageVectorData* vector)
   size_t offset = kHeadBytes;
   for (OFbkImageLayer layer = 0; layer < ofbkimageNUM_LAYERS; ++layer) {
     OFbkImageInfo& info = *vector->GetInfo(static_cast<int>(layer));
-    // The type with six bands is always correct, because recent system software always sends all
-    // bands (BBS 1856).
+    // Uses the type with six bands, because recent system software always sends all bands (BBS
+    // 1856).
     info.type = layer == ofbkimageLAYER_C ? odataFBK_CDT : odataFBK_YCrCb_HPF;
     info.primitiveID = id_;
     info.frameNumber = frame_number;
@@ -185,7 +185,7 @@ std::string CameraDevice::TakeColours(int64_t frame, const Body& body, Picture* 
   Picture picture = picture_;
   std::string problem = source_->Capture(ShotBefore(frame, body), &picture);
   if (!problem.empty()) return problem;
-  // A vector in memory of our own, because regions belong to objects.
+  // Makes the vector in memory of our own, because regions belong to objects.
   std::vector<byte> memory(kHeadBytes + DataBytes());
   auto* const vector = reinterpret_cast<OFbkImageVectorData*>(memory.data());
   FillInfos(0, vector);

@@ -50,16 +50,16 @@ class CameraDevice {
   RCRegion* MakeVector(int64_t frame, const Body& body, std::string* problem);
 
   // Takes the picture of the image that MakeVector() returns, for a reader outside the simulation.
-  // The picture is not split into layers: it has the size of the sensor, and gain, shutter and
-  // white balance are applied.  Changes no state.  Returns "", or the reason why there is no
-  // picture.
+  // The picture is not split into layers: it has the size of the sensor, with gain, shutter and
+  // white balance applied.  Changes no state.  Returns "", or the reason why there is no picture.
   std::string TakePicture(int64_t frame, const Body& body, Picture* picture);
 
   // Takes the same picture as the robot's colour detection sees it: layer C of the image, with the
   // colour of ColourOfChannel() in each pixel in which a channel was detected, and black elsewhere.
   // Returns "", or the reason why there is no picture.
   std::string TakeColours(int64_t frame, const Body& body, Picture* colours);
-  // Returns the colour, red, green and blue, that stands for channel 0 to 7 in such a picture.
+  // Returns the colour (red, green and blue) that stands for channel 0 to 7 in a picture of
+  // TakeColours().
   static const std::array<uint8_t, 3>& ColourOfChannel(int channel);
 
   // Sets the settings as they are at boot, and gives up the regions of all vectors.  The robot is

@@ -23,8 +23,8 @@ bool ColourTables::Set(const OCdtInfo& info) {
   const auto bit = static_cast<uint8_t>(info.channel);
   for (size_t segment = 0; segment < ocdtMAX_Y_SEGMENT; ++segment) {
     const longword packed = info.table[segment];
-    // The value ocdtINIT means that the segment detects no colour.  As a rectangle it would detect
-    // neutral grey, so it is replaced by the empty range from 1 to 0.
+    // Replaces ocdtINIT, which means that the segment detects no colour, by the empty range from 1
+    // to 0.  As a rectangle, ocdtINIT would detect neutral grey.
     const bool unused = packed == ocdtINIT;
     Mark(&cr_[segment], bit, unused ? 1 : packed & 0xff, unused ? 0 : packed >> 8 & 0xff);
     Mark(&cb_[segment], bit, unused ? 1 : packed >> 16 & 0xff, unused ? 0 : packed >> 24);

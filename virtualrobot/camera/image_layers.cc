@@ -141,7 +141,7 @@ void ImageLayers::Make(const Picture& picture, const Exposure& exposure, const C
          picture.height);
   const auto data = [&](OFbkImageLayer layer) { return vector->GetData(static_cast<int>(layer)); };
   ReadPicture(picture, exposure, data(ofbkimageLAYER_H));
-  // Each layer is made from the luminance of the layer before it, and layer H from the luminance of
+  // Makes each layer from the luminance of the layer before it, and layer H from the luminance of
   // the picture.
   const byte* light = luminance_.data();
   size_t row_bytes = static_cast<size_t>(width_);

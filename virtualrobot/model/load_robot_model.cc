@@ -44,7 +44,7 @@ void ReadBodies(const JsonReader& root, RobotModel* model) {
     row.AllowOnly({"name", "mass", "size", "centre"});
     BodyPart body;
     body.name = row.At("name").Text();
-    // Names must be unique, because joints and sensors refer to them.
+    // Refuses a name that occurs twice, because joints and sensors refer to parts by name.
     if (model->FindBody(body.name) >= 0) row.Fail("a second body '{}'", body.name);
     body.mass_kg = row.At("mass").Number() / 1000;
     if (body.mass_kg < 0)
@@ -85,8 +85,8 @@ void ReadJoint(const JsonReader& row, RobotModel* model) {
     row.At("axis").Fail("must be one of the axes of B, as [0, -1, 0]");
   }
   joint.anchor_m = Metres(row.At("anchor"));
-  // The position of the joint is the best guess for the child's centre of mass, which is not known
-  // without a box.
+  // Takes the position of the joint as the best guess for the child's centre of mass, which is not
+  // known without a box.
   if (!child.has_box) child.centre_m = joint.anchor_m;
   joint.soft_rad = Span(row.At("soft"), Radians(1));
   joint.hard_rad = Span(row.At("hard"), Radians(1));
@@ -228,8 +228,8 @@ void ReadCamera(const JsonReader& camera, RobotModel* model) {
   c.fov_v_rad = Radians(fov[1]);
   if (c.width_px % 8 != 0 || c.height_px % 8 != 0)
     camera.At("pixels").Fail("{} x {} cannot be halved three times", c.width_px, c.height_px);
-  // The program computes the size of each layer from that of the layer before it, so the sizes in
-  // the file are only compared with the computed sizes.
+  // Only compares the sizes in the file with the computed sizes, because the program computes the
+  // size of each layer from that of the layer before it.
   for (const JsonReader& layer : camera.At("layers").Elements()) {
     const std::vector<double> size = layer.Numbers(2);
     c.layers.emplace_back(static_cast<int>(size[0]), static_cast<int>(size[1]));
@@ -249,8 +249,8 @@ void ReadPostures(const JsonReader& root, RobotModel* model) {
       const JointModel& joint = model->joints[j];
       const double degrees = posture.angles_rad[j];
       posture.angles_rad[j] = Radians(degrees);
-      // Half a degree beyond a stop is allowed, because postures that were measured at a stop of a
-      // real robot may be wrong by half a degree.
+      // Allows half a degree beyond a stop, because postures that were measured at a stop of a real
+      // robot may be wrong by half a degree.
       if (degrees < Degrees(joint.hard_rad.min) - 0.5 ||
           degrees > Degrees(joint.hard_rad.max) + 0.5) {
         row.At("degrees").Fail("posture '{}' asks {} for {} degrees, its stops are at {} and {}",

@@ -41,7 +41,7 @@ struct BodyPart {
 
 // The ball at the end of a leg.  The ball belongs to part `body` and has no mass of its own.
 struct Paw {
-  std::string leg;  // one of "LF", "LH", "RF", "RH"
+  std::string leg;  // "LF", "LH", "RF" or "RH"
   int body = -1;
   Eigen::Vector3d centre_m{0, 0, 0};
   double radius_m = 0;

@@ -27,8 +27,8 @@ std::string Objection(const OSoundInfo& info, const Primitive* primitive) {
   return "";
 }
 
-// Returns a text when the vector names another rate, size or number of channels than the speaker is
-// set to; otherwise "".
+// Returns a text if the vector names another rate, size or number of channels than that of the
+// speaker; otherwise "".
 std::string Mismatch(const OSoundInfo& info, const SoundType& type) {
   const auto says = [](word said, int set) { return said != 0 && said != set; };
   if (!says(info.samplingRate, type.rate_hz()) &&
@@ -68,7 +68,7 @@ void SoundQueue::ReadSound(const SentVector& vector, int index, longword frame_n
   OSoundInfo& info = reinterpret_cast<OSoundVectorData*>(vector.header)->info[index];
   const SoundType& type = robot_.speaker.sound_type();
   info.frameNumber = frame_number;
-  // The size in the vector may be wrong, so a sound ends at the latest where its memory ends.
+  // Ends a sound at the latest where its memory ends, because the size in the vector may be wrong.
   size_t bytes = info.dataSize;
   if (bytes > info.maxDataSize || vector.At(info.dataOffset, bytes) == nullptr) {
     const size_t room = info.dataOffset > vector.bytes ? 0 : vector.bytes - info.dataOffset;
@@ -107,8 +107,8 @@ void SoundQueue::Start(int64_t frame, bool behind_another, std::vector<SoundProb
   const SentVector vector = ReadSentVector(playing_.region.get(), sizeof(OSoundInfo),
                                            "sound vector", robot_.system, &found);
   const int64_t wait = WaitOf(vector, &found);
-  // A vector that asks for no delay begins in the middle of `frame`, where the vector before ended.
-  // A delay counts whole frames, from the next one if `frame` has still played a part of that
+  // Begins a vector that asks for no delay in the middle of `frame`, where the vector before ended.
+  // A delay counts whole frames, from the next frame on if `frame` has still played a part of that
   // vector.
   start_ = wait == 0 ? frame : frame + (behind_another ? 1 : 0) + wait;
   if (vector.header != nullptr && !NamesItsMemory(vector, robot_.system)) {
@@ -162,7 +162,7 @@ bool SoundQueue::Fill(int64_t frame, SoundFrame* samples, std::vector<SoundProbl
       filled = Copy(filled, samples);
       played = true;
     } else {
-      filled = kSoundSamplesPerFrame;  // because a vector without sound takes the rest of the frame
+      filled = kSoundSamplesPerFrame;  // a vector without sound takes the rest of the frame
     }
     if (sound_ < sounds_.size()) continue;
     finished_.push_back(std::move(playing_));

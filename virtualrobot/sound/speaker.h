@@ -21,7 +21,8 @@ struct SoundType {
   int bytes_per_sample;
   int samples_per_frame;  // number of samples in a frame of 8 ms
   int rate_hz() const { return samples_per_frame * 125; }
-  int bytes_per_vector() const { return 4 * samples_per_frame * bytes_per_sample; }  // of 32 ms
+  // Returns the size of a vector of 32 ms.
+  int bytes_per_vector() const { return 4 * samples_per_frame * bytes_per_sample; }
 };
 
 class Speaker {

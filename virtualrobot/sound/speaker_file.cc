@@ -20,8 +20,8 @@ class SpeakerFile : public SoundSink {
     info.format = SF_FORMAT_WAV | SF_FORMAT_PCM_16;
     stream_ = sf_open(file_.c_str(), SFM_WRITE, &info);
     if (stream_ == nullptr) throw std::runtime_error(Failed());
-    // This command makes libsndfile update the header after every frame, so that the file can be
-    // read even if the run is killed.
+    // Makes libsndfile update the header after every frame, so that the file can be read even if
+    // the run is killed.
     sf_command(stream_, SFC_SET_UPDATE_HEADER_AUTO, nullptr, SF_TRUE);
   }
 

@@ -10,9 +10,9 @@
 static const char* const LOCATOR = "PRM:/r1/c1/c2/c3/i1-FbkImageSensor:F1";
 static const char* const FILE_NAME = "/MS/OPEN-R/MW/DATA/P/PHOTO.PPM";
 
-// Parameters of the camera's requests.
+// Parameters of requests to the camera.
 static const longword FLUORESCENT = 3;    // white balance, 4300 K
-static const longword GAIN_0_DB = 2;      // the middle one of three
+static const longword GAIN_0_DB = 2;      // the middle value of three
 static const longword SHUTTER_10_MS = 2;  // 1/100 s
 
 Camera::Camera() : camera_(oprimitiveID_UNDEF), numSeen_(0), rgb_(0), width_(0), height_(0) {}
@@ -57,7 +57,7 @@ Camera::DoDestroy(const OSystemEvent&)
     return oSUCCESS;
 }
 
-// For a room with fluorescent lamps.
+// Sets the camera up for a room with fluorescent lamps.
 void
 Camera::SetUp()
 {
@@ -71,7 +71,8 @@ Camera::SetUp()
                             0);
 }
 
-// The stream goes on after our picture; an observer that stops asserting ready stalls it.
+// Keeps asserting ready after our picture was taken, because an observer that stops asserting ready
+// stalls the stream.
 void
 Camera::NotifyImage(const ONotifyEvent& event)
 {
@@ -90,9 +91,9 @@ Clip(double value)
     return value < 0 ? 0 : value > 255 ? 255 : (byte)value;
 }
 
-// From luminance and two differences of colour to red, green and blue.  Cr and Cb are bytes with
-// 128 for none.  The last row of Y begins with 16 bytes of other data, so it is taken from the
-// row above.
+// Converts luminance and two colour differences to red, green and blue.  Cr and Cb are bytes; 128
+// stands for a difference of 0.  The last row of Y begins with 16 bytes of other data, so the row
+// above is used for it.
 void
 Camera::Convert(OFbkImageVectorData* vector)
 {
@@ -119,7 +120,7 @@ Camera::Convert(OFbkImageVectorData* vector)
     }
 }
 
-// PPM: a line of text, then the bytes.
+// Writes a PPM file: a line of text, then the bytes of the pixels.
 bool
 Camera::WriteFile() const
 {

@@ -3,7 +3,8 @@
 //
 //   Camera.Image <- OVirtualRobotComm.FbkImageSensor
 //
-// 25 vectors a second, each with the picture in four layers; we take the largest, 176 x 144.
+// The camera sends 25 vectors a second, each with the picture in four layers.  This object uses the
+// largest layer, 176 x 144.
 //
 
 #ifndef Camera_h_DEFINED
@@ -32,15 +33,15 @@ public:
     void NotifyImage(const ONotifyEvent& event);
 
 private:
-    static const int NUM_SKIPPED = 10;  // pictures: the camera has just been set up
+    static const int NUM_SKIPPED = 10;  // pictures to skip, because the camera has just been set up
 
     void SetUp();
     void Convert(OFbkImageVectorData* vector);
     bool WriteFile() const;
 
     OPrimitiveID camera_;
-    int numSeen_;  // pictures
-    byte* rgb_;    // of the picture, row by row; 0 until it is taken
+    int numSeen_;  // number of pictures received so far
+    byte* rgb_;    // pixels of the picture, row by row; 0 until the picture was taken
     int width_;
     int height_;
 };

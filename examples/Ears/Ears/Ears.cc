@@ -5,7 +5,7 @@
 #include <OPENR/core_macro.h>
 
 static const char* const LOCATORS[] = {
-    "PRM:/r1/c1/c2/c3/e1-Joint3:j5",  // left
+    "PRM:/r1/c1/c2/c3/e1-Joint3:j5",  // left ear
     "PRM:/r1/c1/c2/c3/e2-Joint3:j6"   // right
 };
 static const char* const NAMES[] = {"left", "right"};
@@ -50,7 +50,7 @@ Ears::DoDestroy(const OSystemEvent&)
     return oSUCCESS;
 }
 
-// An ERS-220 has no ears: there this fails with oNOT_FOUND.
+// Opens both ears.  On an ERS-220, which has no ears, this fails with oNOT_FOUND.
 OStatus
 Ears::OpenEars()
 {
@@ -76,7 +76,8 @@ Ears::NewRegion()
     return oSUCCESS;
 }
 
-// One region is enough where the next command is not urgent: at this ready it is free.
+// Uses the only region again: at this ready the region is free.  One region is enough, because the
+// next command is not urgent.
 void
 Ears::ReadyEar(const OReadyEvent& event)
 {
@@ -92,7 +93,7 @@ Ears::ReadyEar(const OReadyEvent& event)
     subject[sbjEar]->NotifyObservers();
 }
 
-// One frame per vector: a plunger must not stay under power for long.
+// Sends a vector with one frame, because a plunger must not stay under power for long.
 void
 Ears::Flick(int ear)
 {

@@ -49,7 +49,7 @@ EchoClient::DoDestroy(const OSystemEvent&)
     return oSUCCESS;
 }
 
-// The first line that is no comment: address and port.
+// Reads address and port from the first line that is no comment.
 OStatus
 EchoClient::ReadConfig()
 {
@@ -89,7 +89,7 @@ EchoClient::NewBuffer()
     return oSUCCESS;
 }
 
-// A local port of IP_PORT_ANY lets the stack choose one.
+// Connects from the local port IP_PORT_ANY, which lets the stack choose a port.
 void
 EchoClient::Connect()
 {
@@ -131,8 +131,8 @@ EchoClient::SendLine()
     send.Send(ipstack_, myOID_, Extra_Entry[entrySendCont], sizeof(send));
 }
 
-// With sizeMin and sizeMax equal the answer comes when the whole line is there, in however
-// many pieces it arrives.
+// Receives the whole line: with equal sizeMin and sizeMax, the answer comes when all its bytes are
+// there, in however many pieces they arrive.
 void
 EchoClient::SendCont(ANTENVMSG msg)
 {

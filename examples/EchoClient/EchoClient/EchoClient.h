@@ -1,6 +1,6 @@
 //
-// EchoClient connects to the echo server that ECHO.CFG names, sends three lines, one after
-// the other, and looks whether they come back as they were.
+// EchoClient connects to the echo server that ECHO.CFG names, sends three lines, one after the
+// other, and checks that they come back unchanged.
 //
 
 #ifndef EchoClient_h_DEFINED
@@ -33,7 +33,8 @@ public:
     void CloseCont(ANTENVMSG msg);
 
 private:
-    static const int BUFFER_SIZE = 256;  // the first half is sent from, the second received to
+    static const int BUFFER_SIZE = 256;  // bytes; the first half is for sending, the second half
+                                         // for receiving
 
     OStatus ReadConfig();
     OStatus NewBuffer();
@@ -48,7 +49,7 @@ private:
     antSharedBuffer buffer_;
     byte* sendData_;
     byte* receiveData_;
-    int line_;  // that is under way
+    int line_;  // index of the line that was sent last
     bool isStopped_;
 };
 

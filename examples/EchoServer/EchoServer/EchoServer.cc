@@ -16,7 +16,7 @@ EchoServer::EchoServer() : isStopped_(false)
     }
 }
 
-// Making buffers is slow: once, here.
+// Makes all buffers here, once, because making buffers is slow.
 OStatus
 EchoServer::DoInit(const OSystemEvent&)
 {
@@ -36,7 +36,7 @@ EchoServer::DoStart(const OSystemEvent&)
     return oSUCCESS;
 }
 
-// Answers may still come; they change nothing any more.
+// Marks the object as stopped.  Answers may still come, but they have no effect any more.
 OStatus
 EchoServer::DoStop(const OSystemEvent&)
 {
@@ -67,8 +67,8 @@ EchoServer::NewBuffers()
     return oSUCCESS;
 }
 
-// An endpoint serves one connection, so each client gets a new one.  Several endpoints may
-// listen on one port.
+// Listens with a new endpoint for each client, because an endpoint serves only one connection.
+// Several endpoints may listen on one port.
 void
 EchoServer::Listen(int index)
 {
@@ -101,7 +101,8 @@ EchoServer::ListenCont(ANTENVMSG msg)
     Receive(index);
 }
 
-// At least one byte: TCP knows no messages, and whatever has come may go back.
+// Receives at least one byte.  TCP has no messages, so any bytes that have arrived may be sent
+// back.
 void
 EchoServer::Receive(int index)
 {
@@ -111,7 +112,7 @@ EchoServer::Receive(int index)
     receive.Send(ipstack_, myOID_, Extra_Entry[entryReceiveCont], sizeof(receive));
 }
 
-// An error means most often that the client has ended its side.
+// Handles received bytes.  An error usually means that the client has closed its side.
 void
 EchoServer::ReceiveCont(ANTENVMSG msg)
 {
@@ -121,7 +122,7 @@ EchoServer::ReceiveCont(ANTENVMSG msg)
     if (receive->error != TCP_SUCCESS) {
         Close(index);
     } else {
-        Send(index, receive->sizeMin);  // now the number of bytes received
+        Send(index, receive->sizeMin);  // sizeMin is now the number of bytes received
     }
 }
 
@@ -133,7 +134,8 @@ EchoServer::Send(int index, int size)
     send.Send(ipstack_, myOID_, Extra_Entry[entrySendCont], sizeof(send));
 }
 
-// From here on the buffer is ours again; the client may not have the bytes yet.
+// Receives again.  From here on the buffer belongs to this object again, although the client may
+// not have received the bytes yet.
 void
 EchoServer::SendCont(ANTENVMSG msg)
 {

@@ -1,8 +1,9 @@
 //
-// EchoServer sends back whatever a client sends, over TCP, to two clients at a time.
+// EchoServer sends all bytes that it receives over TCP back to the client, for two clients at a
+// time.
 //
-// Each connection goes round: listen, receive, send, receive, ... close, listen.  At most one
-// operation of a connection is under way, and its answer comes to an entry of this object.
+// Each connection repeats these operations: listen, receive, send, receive, ... close, listen.  At
+// most one operation of a connection is pending, and its answer comes to an entry of this object.
 //
 
 #ifndef EchoServer_h_DEFINED
@@ -37,14 +38,14 @@ private:
     static const int PORT = 7000;
     static const int NUM_CONNECTIONS = 2;
 
-    // The robot sends up to 1024 bytes at once; of 1025 to 3072 the last part would come
-    // 200 ms later (Nagle's algorithm).
+    // Size of a buffer in bytes.  The robot sends up to 1024 bytes at once; of 1025 to 3072 bytes
+    // the last part would be sent 200 ms later (Nagle's algorithm).
     static const int BUFFER_SIZE = 1024;
 
     struct Connection {
         antModuleRef endpoint;
         antSharedBuffer buffer;
-        byte* data;  // BUFFER_SIZE bytes; belongs to the stack while an operation is under way
+        byte* data;  // BUFFER_SIZE bytes; belongs to the stack while an operation is pending
         int numEchoed;
     };
 

@@ -4,14 +4,15 @@
 #include <OPENR/OSyslog.h>
 #include <OPENR/core_macro.h>
 
-// Runs while the image is loaded, before the system can be called: only sets members.
+// Only sets members, because the constructor runs while the image is loaded, before the system can
+// be called.
 Hello::Hello()
 {
     for (int i = 0; i < numOfSubject; i++) subject[i] = 0;
     for (int i = 0; i < numOfObserver; i++) observer[i] = 0;
 }
 
-// Makes what the object needs.  No object is connected yet.
+// Makes everything that the object needs.  No object is connected yet.
 OStatus
 Hello::DoInit(const OSystemEvent&)
 {
@@ -22,7 +23,7 @@ Hello::DoInit(const OSystemEvent&)
     return oSUCCESS;
 }
 
-// Every object has had its DoInit, and CONNECT.CFG has been carried out.
+// Starts the work.  Every object has had its DoInit, and the connections of CONNECT.CFG were made.
 OStatus
 Hello::DoStart(const OSystemEvent&)
 {
@@ -36,7 +37,7 @@ Hello::DoStart(const OSystemEvent&)
     return oSUCCESS;
 }
 
-// The robot is about to power off: send nothing any more.
+// Stops sending, because the robot is about to switch off.
 OStatus
 Hello::DoStop(const OSystemEvent&)
 {
@@ -46,7 +47,7 @@ Hello::DoStop(const OSystemEvent&)
     return oSUCCESS;
 }
 
-// Every object has had its DoStop.
+// Frees everything.  Every object has had its DoStop.
 OStatus
 Hello::DoDestroy(const OSystemEvent&)
 {

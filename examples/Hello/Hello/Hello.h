@@ -1,5 +1,5 @@
 //
-// Hello says when the system calls it: the four events in the life of every object.
+// Hello prints a line at each of the four events in the life of every object.
 //
 
 #ifndef Hello_h_DEFINED
@@ -16,7 +16,7 @@ public:
     Hello();
     virtual ~Hello() {}
 
-    // The stub, which stubgen2 makes of stub.cfg, reaches for these two by name.
+    // Arrays that the stub uses by name.  stubgen2 makes the stub from stub.cfg.
     OSubject* subject[numOfSubject];
     OObserver* observer[numOfObserver];
 

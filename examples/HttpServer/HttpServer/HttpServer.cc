@@ -61,7 +61,7 @@ HttpServer::DoDestroy(const OSystemEvent&)
     return oSUCCESS;
 }
 
-// A model without a joint has no such locator; the page then leaves the joint out.
+// Opens the joints.  Leaves out a joint that the robot does not have, so the page does not show it.
 OStatus
 HttpServer::OpenJoints()
 {
@@ -75,7 +75,7 @@ HttpServer::OpenJoints()
     return oSUCCESS;
 }
 
-// Keeps the newest angles: a request is answered at once from what is here.
+// Keeps the newest angles, so that a request can be answered at once.
 void
 HttpServer::NotifySensor(const ONotifyEvent& event)
 {
@@ -102,8 +102,8 @@ HttpServer::FindElements(OSensorFrameVectorData* vector)
     }
 }
 
-// Writes header and body for a request that is complete, and returns their size.  The body
-// comes first, since the header tells its size.
+// Writes header and body of the answer to a complete request, and returns their size.  Writes the
+// body first, because the header has its size.
 int
 HttpServer::Answer(const char* request, char* answer) const
 {
@@ -130,7 +130,8 @@ HttpServer::Answer(const char* request, char* answer) const
     return headerSize + size;
 }
 
-// At most 35 bytes a joint, so a page and its header have less than 1024: see Send().
+// Writes the joints.  A joint takes at most 35 bytes, so a page with its header has less than 1024
+// bytes: see Send().
 int
 HttpServer::WriteJoints(bool isPage, char* text) const
 {

@@ -44,25 +44,25 @@ public:
 private:
     static const int PORT = 8080;
     static const int NUM_CONNECTIONS = 2;
-    static const int REQUEST_SIZE = 2048;  // what browsers send about themselves included
-    static const int HTTP_HEADER_SIZE = 256;  // of an answer, at most
+    static const int REQUEST_SIZE = 2048;  // bytes, including the headers that browsers send
+    static const int HTTP_HEADER_SIZE = 256;  // bytes of the header of an answer, at most
     static const int ANSWER_SIZE = 4096;
 
     struct Connection {
         antModuleRef endpoint;
         antSharedBuffer buffer;
-        char* request;  // REQUEST_SIZE bytes, and after them ANSWER_SIZE for the answer
+        char* request;  // REQUEST_SIZE bytes for the request, then ANSWER_SIZE bytes for the answer
         char* answer;
-        int requestSize;  // received so far
+        int requestSize;  // bytes of the request received so far
     };
 
-    // HttpServer.cc
+    // ---- Functions in HttpServer.cc
     OStatus OpenJoints();
     void FindElements(OSensorFrameVectorData* vector);
     int Answer(const char* request, char* answer) const;
     int WriteJoints(bool isPage, char* text) const;
 
-    // HttpServerNet.cc
+    // ---- Functions in HttpServerNet.cc
     OStatus NewBuffers();
     void Listen(int index);
     void Receive(int index);
@@ -70,10 +70,10 @@ private:
     void Close(int index);
 
     OPrimitiveID joint_[NUM_JOINTS];
-    int element_[NUM_JOINTS];  // place in the sensor vector
+    int element_[NUM_JOINTS];  // index of each joint's element in the sensor vector
     bool isFound_;
-    slongword angle_[NUM_JOINTS];  // newest, 10^-6 rad
-    longword frame_;               // of these angles
+    slongword angle_[NUM_JOINTS];  // newest angles, in 10^-6 rad
+    longword frame_;               // frame number of these angles
 
     antStackRef ipstack_;
     Connection connection_[NUM_CONNECTIONS];

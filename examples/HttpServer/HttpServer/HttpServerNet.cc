@@ -58,7 +58,8 @@ HttpServer::ListenCont(ANTENVMSG msg)
     Receive((int)(long)listen->continuation);
 }
 
-// Behind what has come already: a request may arrive in pieces.  One byte is left for a zero.
+// Receives more bytes behind those that have arrived, because a request may arrive in pieces.
+// Keeps one byte free for a closing zero.
 void
 HttpServer::Receive(int index)
 {
@@ -70,7 +71,7 @@ HttpServer::Receive(int index)
     receive.Send(ipstack_, myOID_, Extra_Entry[entryReceiveCont], sizeof(receive));
 }
 
-// A request ends with an empty line.
+// Answers when the request is complete, that is, when it ends with an empty line.
 void
 HttpServer::ReceiveCont(ANTENVMSG msg)
 {
@@ -94,8 +95,8 @@ HttpServer::ReceiveCont(ANTENVMSG msg)
     }
 }
 
-// One send for header and page, of 1024 bytes at most: on the robot what is beyond leaves up to
-// 200 ms later (Nagle's algorithm), and a second send would wait as long.
+// Sends header and page at once, 1024 bytes at most.  On the robot, further bytes would be sent up
+// to 200 ms later (Nagle's algorithm), and so would a second send.
 void
 HttpServer::Send(int index, int size)
 {

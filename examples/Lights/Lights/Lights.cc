@@ -4,7 +4,7 @@
 #include <OPENR/OSyslog.h>
 #include <OPENR/core_macro.h>
 
-// Of the ERS-210, around both eyes: l1 to l3 left, from below; l6 to l4 right, from above.
+// The LEDs around the eyes of the ERS-210: l1 to l3 left, from below; l6 to l4 right, from above.
 static const char* const LOCATORS[] = {
     "PRM:/r1/c1/c2/c3/l1-LED2:l1",
     "PRM:/r1/c1/c2/c3/l2-LED2:l2",
@@ -19,7 +19,8 @@ Lights::Lights() : round_(0), allOn_(0), numSent_(0)
     for (int i = 0; i < NUM_LEDS; i++) led_[i] = oprimitiveID_UNDEF;
 }
 
-// Vectors are made here, once.  A new one for each command would end with a robot out of memory.
+// Makes the vectors here, once, because a robot whose program makes a new vector for each command
+// runs out of memory.
 OStatus
 Lights::DoInit(const OSystemEvent&)
 {
@@ -83,7 +84,7 @@ Lights::NewRegion()
                         vector->vectorInfo.totalSize);
 }
 
-// One vector holds the whole round: six frames for each LED, each lasting PERIOD, and in
+// Fills the vector with a whole round: six frames for each LED, each of the length PERIOD.  In
 // frame f only light f is on.
 void
 Lights::FillRound(OCommandVectorData* vector)
@@ -99,7 +100,8 @@ Lights::FillRound(OCommandVectorData* vector)
     }
 }
 
-// A state lasts when no vector follows.
+// Fills the vector with one frame that switches all lights on.  They stay on, because no vector
+// follows.
 void
 Lights::FillAllOn(OCommandVectorData* vector)
 {
@@ -112,8 +114,8 @@ Lights::FillAllOn(OCommandVectorData* vector)
     }
 }
 
-// The first ready says that the robot listens, each later one that a vector has ended.  Readies
-// come even when DoInit has failed.
+// Sends the next vector.  The first ready means that the robot is ready for vectors, each later
+// ready that a vector has ended.  Readies come even when DoInit has failed.
 void
 Lights::ReadyLed(const OReadyEvent& event)
 {

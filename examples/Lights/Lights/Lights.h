@@ -1,5 +1,5 @@
 //
-// Lights lets a light run around the six eye lights, three times, then switches all on.
+// Lights switches the six eye lights on one after the other, for three rounds, then all together.
 //
 //   Lights.Led -> OVirtualRobotComm.Effector
 //
@@ -34,7 +34,7 @@ public:
 private:
     static const int NUM_LEDS = 6;
     static const int NUM_ROUNDS = 3;
-    static const int PERIOD = 16;  // frames of 8 ms that one light is on
+    static const int PERIOD = 16;  // time for which each light is on, in frames of 8 ms
 
     OStatus OpenLeds();
     RCRegion* NewRegion();
@@ -44,7 +44,7 @@ private:
     OPrimitiveID led_[NUM_LEDS];
     RCRegion* round_;  // a vector that never changes can be sent again and again
     RCRegion* allOn_;
-    int numSent_;  // rounds
+    int numSent_;  // number of rounds sent
 };
 
 #endif  // Lights_h_DEFINED

@@ -1,5 +1,5 @@
 //
-// Barometer sends three readings to everybody who is connected.
+// Barometer sends three readings to all connected observers.
 //
 //   Barometer.Value -> Display.Value, Recorder.Value
 //

@@ -14,7 +14,7 @@ Display::DoInit(const OSystemEvent&)
     return oSUCCESS;
 }
 
-// Asserts ready to every subject that is connected.
+// Asserts ready to all connected subjects.
 OStatus
 Display::DoStart(const OSystemEvent&)
 {
@@ -38,8 +38,8 @@ Display::DoDestroy(const OSystemEvent&)
     return oSUCCESS;
 }
 
-// The next reading is asked of the sender of this one only: a ready to all would tell the
-// other instrument of a readiness it knows already.
+// Asserts ready only to the sender of this reading, because the other instrument knows already that
+// this object is ready.
 void
 Display::NotifyValue(const ONotifyEvent& event)
 {

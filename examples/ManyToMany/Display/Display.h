@@ -1,5 +1,5 @@
 //
-// Display prints the readings of all instruments as they come.
+// Display prints the readings of all instruments when they arrive.
 //
 //   Display.Value <- Thermometer.Value, Barometer.Value
 //

@@ -14,7 +14,7 @@ Recorder::DoInit(const OSystemEvent&)
     return oSUCCESS;
 }
 
-// Asserts ready to every subject that is connected.
+// Asserts ready to all connected subjects.
 OStatus
 Recorder::DoStart(const OSystemEvent&)
 {

@@ -1,5 +1,5 @@
 //
-// Recorder counts the readings and says when they are complete.
+// Recorder counts the readings and prints a line when all have arrived.
 //
 //   Recorder.Value <- Thermometer.Value, Barometer.Value
 //
@@ -29,7 +29,7 @@ public:
     void NotifyValue(const ONotifyEvent& event);
 
 private:
-    static const int NUM_WANTED = 6;  // three of each instrument
+    static const int NUM_WANTED = 6;  // three readings from each of the two instruments
 
     int numReadings_;
 };

@@ -6,7 +6,7 @@
 
 #include "Reading.h"
 
-// Degrees Celsius.
+// Readings in degrees Celsius.
 static const slongword VALUES[] = {21, 22, 24};
 static const int NUM_VALUES = sizeof(VALUES) / sizeof(VALUES[0]);
 
@@ -42,8 +42,8 @@ Thermometer::DoDestroy(const OSystemEvent&)
     return oSUCCESS;
 }
 
-// One ready comes from each observer.  What is sent while one of them is not ready waits for
-// that one, and the next notify would replace it; so we send when all of them are.
+// Sends the next reading when all observers are ready.  Each observer sends a ready of its own.  A
+// reading for an observer that is not ready would wait, and the next reading would replace it.
 void
 Thermometer::ReadyValue(const OReadyEvent& event)
 {

@@ -1,5 +1,5 @@
 //
-// Thermometer sends three readings to everybody who is connected.
+// Thermometer sends three readings to all connected observers.
 //
 //   Thermometer.Value -> Display.Value, Recorder.Value
 //

@@ -1,5 +1,5 @@
 //
-// What both instruments send.
+// The data that both instruments send.
 //
 
 #ifndef Reading_h_DEFINED
@@ -10,7 +10,7 @@
 const size_t READING_NAME_SIZE = 16;
 
 struct Reading {
-    char name[READING_NAME_SIZE];  // of the instrument
+    char name[READING_NAME_SIZE];  // name of the instrument
     slongword value;
 };
 

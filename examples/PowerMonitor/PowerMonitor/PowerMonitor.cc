@@ -12,15 +12,16 @@ PowerMonitor::PowerMonitor() : isGoingDown_(false)
     for (int i = 0; i < numOfObserver; i++) observer[i] = 0;
 }
 
-// No subject and no observer is made: nothing is connected.
+// Makes no subject and no observer, because nothing is connected.
 OStatus
 PowerMonitor::DoInit(const OSystemEvent&)
 {
     return oSUCCESS;
 }
 
-// Every change of the three bits, both edges, and of the capacity; the other numbers never.
-// No message comes about the present state, so we ask for it.
+// Asks for a message at every change of three bits, in both directions, and of the battery's
+// capacity; changes of the other numbers cause no message.  Reads the present state first, because
+// no message comes about it.
 OStatus
 PowerMonitor::DoStart(const OSystemEvent&)
 {
@@ -51,7 +52,7 @@ PowerMonitor::DoDestroy(const OSystemEvent&)
     return oSUCCESS;
 }
 
-// An entry is an object and a selector in it: where messages go.
+// Returns the entry to which the messages are to be sent: this object and a selector in it.
 OServiceEntry
 PowerMonitor::Entry() const
 {
@@ -83,7 +84,8 @@ PowerMonitor::Print(const OPowerStatus& status)
                (status.robotStatus & orsbSTATION_CONNECTED) != 0 ? ", on its station" : ""));
 }
 
-// Shutdown() returns at once; then every object gets its DoStop, ours too.
+// Shuts the robot down.  Shutdown() returns at once; then every object gets its DoStop, this one,
+// too.
 void
 PowerMonitor::Shutdown()
 {

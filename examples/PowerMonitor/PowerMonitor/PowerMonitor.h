@@ -1,8 +1,8 @@
 //
-// PowerMonitor tells of the battery and switches the robot off when its pause button is
+// PowerMonitor prints the state of the battery, and switches the robot off when its pause button is
 // pressed or the battery is low.
 //
-// Without an object that does this, the button does nothing.
+// Without an object that does this, the button has no effect.
 //
 
 #ifndef PowerMonitor_h_DEFINED

@@ -56,8 +56,8 @@ Recorder::DoDestroy(const OSystemEvent&)
     return oSUCCESS;
 }
 
-// Copies, and writes only when all is there: writing to the stick while sound comes in would
-// lose some.
+// Copies the sound, and writes the file only when all sound was recorded: writing to the stick
+// while sound comes in would lose some of it.
 void
 Recorder::NotifyMic(const ONotifyEvent& event)
 {
@@ -71,7 +71,7 @@ Recorder::NotifyMic(const ONotifyEvent& event)
         observer[event.ObsIndex()]->AssertReady(event.SenderID());
         return;
     }
-    // No further ready: the recording is over.
+    // Asserts no further ready, because the recording is over.
     if (WriteFile()) OSYSPRINT(("Recorder: wrote %s, %d bytes\n", FILE_NAME,
                                 WAV_HEADER_SIZE + numBytes_));
 }

@@ -1,9 +1,9 @@
 //
-// Recorder writes one second of what the microphones hear to the Memory Stick, as a WAV file.
+// Recorder writes one second of the microphones' sound to the Memory Stick, as a WAV file.
 //
 //   Recorder.Mic <- OVirtualRobotAudioComm.Mic
 //
-// 16 kHz, 16 bits, left and right: 2048 bytes every 32 ms.
+// The sound has 16 kHz, 16 bits, left and right channel: 2048 bytes every 32 ms.
 //
 
 #ifndef Recorder_h_DEFINED
@@ -33,13 +33,13 @@ public:
 
 private:
     static const int BYTES_PER_VECTOR = 2048;
-    static const int NUM_VECTORS = 32;  // 1024 ms
+    static const int NUM_VECTORS = 32;  // number of vectors to record: 1024 ms
     static const int NUM_BYTES = NUM_VECTORS * BYTES_PER_VECTOR;
 
     bool WriteFile() const;
 
     OPrimitiveID mic_;
-    byte* data_;  // NUM_BYTES: too much for a member, so from the heap, once
+    byte* data_;  // NUM_BYTES bytes from the heap; too many for a member of the object
     int numBytes_;
 };
 

@@ -2,7 +2,8 @@
 
 #include <string.h>
 
-// Byte by byte: an address that is no multiple of the size would stop the robot's processor.
+// Writes `value` byte by byte, because a write to an address that is no multiple of its size would
+// stop the robot's processor.
 static void
 Put(byte* place, longword value, int size)
 {
@@ -21,7 +22,7 @@ WriteWavHeader(byte* header, int channels, longword samplesPerSecond, longword d
     Put(header + 24, samplesPerSecond, 4);
     Put(header + 28, samplesPerSecond * sampleSize, 4);
     Put(header + 32, sampleSize, 2);
-    Put(header + 34, 16, 2);  // bits
+    Put(header + 34, 16, 2);  // bits per sample
     memcpy(header + 36, "data", 4);
     Put(header + 40, dataSize, 4);
 }

@@ -1,5 +1,5 @@
 //
-// The first 44 bytes of a WAV file.
+// Writes the header of a WAV file, its first 44 bytes.
 //
 
 #ifndef WavHeader_h_DEFINED
@@ -9,7 +9,7 @@
 
 const int WAV_HEADER_SIZE = 44;
 
-// For `dataSize` bytes of 16-bit samples that follow.
+// Writes the header for `dataSize` bytes of 16-bit samples, which follow it in the file.
 void WriteWavHeader(byte* header, int channels, longword samplesPerSecond, longword dataSize);
 
 #endif  // WavHeader_h_DEFINED

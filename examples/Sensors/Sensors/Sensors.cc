@@ -5,11 +5,12 @@
 #include <OPENR/OUnits.h>
 #include <OPENR/core_macro.h>
 
-// In the order of the enumeration.
+// Locators of the sensors, in the order of the enumeration.
 const char* const Sensors::LOCATORS[] = {
     "PRM:/r1/c1/c2/c3/p1-Sensor:p1",  // 10^-6 m
     "PRM:/r6/s1-Sensor:s1",           // oswitchOFF, oswitchON
-    "PRM:/a3-Sensor:a3",              // 10^-6 m/s^2, of gravity: negative while standing
+    "PRM:/a3-Sensor:a3",              // 10^-6 m/s^2, includes gravity: negative while the robot
+                                      // stands
     "PRM:/r6/t1-Sensor:t1",           // 10^-6 degree Celsius
     "PRM:/r1/c1-Joint2:j1"            // 10^-6 rad
 };
@@ -62,8 +63,8 @@ Sensors::DoDestroy(const OSystemEvent&)
     return oSUCCESS;
 }
 
-// A vector of four frames comes every 32 ms.  Whoever takes longer over one gets a later one
-// next, never an older one.
+// Prints the newest values.  A vector of four frames comes every 32 ms.  An object that needs more
+// time gets fewer vectors, but never an old one.
 void
 Sensors::NotifySensor(const ONotifyEvent& event)
 {
@@ -81,8 +82,8 @@ Sensors::NotifySensor(const ONotifyEvent& event)
     observer[event.ObsIndex()]->AssertReady(event.SenderID());
 }
 
-// An element is known by its primitive id.  Its place depends on the model of the robot but
-// stays the same from vector to vector.
+// Finds the elements of the sensors by their primitive ids.  The place of an element depends on the
+// model of the robot, but stays the same from vector to vector.
 void
 Sensors::FindElements(OSensorFrameVectorData* vector)
 {
@@ -95,7 +96,7 @@ Sensors::FindElements(OSensorFrameVectorData* vector)
     }
 }
 
-// The last frame of the vector.
+// Returns the value in the last frame of the vector.
 slongword
 Sensors::Newest(OSensorFrameVectorData* vector, int sensor) const
 {

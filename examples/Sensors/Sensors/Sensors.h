@@ -33,18 +33,18 @@ private:
     enum { DISTANCE, BACK_SWITCH, UP, TEMPERATURE, NECK_TILT, NUM_SENSORS };
 
     static const char* const LOCATORS[NUM_SENSORS];
-    static const int VECTORS_PER_LINE = 31;  // of 32 ms: 992 ms
+    static const int VECTORS_PER_LINE = 31;  // number of vectors of 32 ms from line to line: 992 ms
 
     void FindElements(OSensorFrameVectorData* vector);
     slongword Newest(OSensorFrameVectorData* vector, int sensor) const;
     void Print(OSensorFrameVectorData* vector);
 
     OPrimitiveID id_[NUM_SENSORS];
-    int element_[NUM_SENSORS];  // place in the vector, -1: not there
+    int element_[NUM_SENSORS];  // index of each sensor's element in the vector; -1: there is none
     bool isFound_;
     int numVectors_;
-    longword nextFrame_;  // that should come
-    longword numLost_;    // frames
+    longword nextFrame_;  // frame number that the next vector should have
+    longword numLost_;    // number of frames that were missed
 };
 
 #endif  // Sensors_h_DEFINED

@@ -11,16 +11,18 @@ const int NUM_LEG_JOINTS = 12;
 
 struct LegJoint {
     const char* locator;
-    word gain[3];  // P, I, D: the standard ones (Model Information ERS-210, 2.3)
+    word gain[3];  // the standard gains P, I and D (Model Information ERS-210, 2.3)
 };
 
-// Left fore, left hind, right fore, right hind; of each J1 (swing), J2 (spread), J3 (knee).
+// The joints of the left fore, left hind, right fore and right hind leg; for each leg J1 (swing),
+// J2 (spread) and J3 (knee).
 extern const LegJoint LEG_JOINTS[NUM_LEG_JOINTS];
 
 struct Posture {
     const char* name;
     double degrees[NUM_LEG_JOINTS];  // in the order of LEG_JOINTS
-    int numVectors;                  // of 128 ms, that the way there takes
+    int numVectors;                  // duration of the movement to this posture, in vectors of 128
+                                     // ms
 };
 
 const int NUM_POSTURES = 3;

@@ -80,7 +80,8 @@ StandUp::NewRegions()
     return oSUCCESS;
 }
 
-// One reference is ours; with a second one the Effector still has the region.
+// Returns a region that only this object refers to.  While there is a second reference, the
+// Effector still uses the region.
 RCRegion*
 StandUp::FindFreeRegion()
 {
@@ -90,7 +91,8 @@ StandUp::FindFreeRegion()
     return 0;
 }
 
-// Comes first when the Effector listens, then once for every vector that has ended.
+// Continues the movement.  Called first when the Effector is ready for vectors, then once for every
+// vector that has ended.
 void
 StandUp::ReadyMove(const OReadyEvent& event)
 {
@@ -110,12 +112,12 @@ StandUp::ReadyMove(const OReadyEvent& event)
         SendVectors();
         break;
     case DONE:
-        break;  // what is not answered asks no more; the last set points hold
+        break;  // sends nothing, so no further ready comes; the last set points stay in force
     }
 }
 
-// Set points where the legs are.  With gains on and a set point somewhere else the dog would
-// jump.
+// Sends set points at the present angles of the legs.  With enabled gains and other set points the
+// dog would jump.
 void
 StandUp::HoldStill()
 {
@@ -147,8 +149,8 @@ StandUp::EnableGains()
     }
 }
 
-// Fills what is free, which is two regions the first time and then one, and sends it with
-// one notify: a second notify before the next ready would replace the first.
+// Fills all free regions, two at first and then one each time, and sends them with one notify: a
+// second notify before the next ready would replace the first.
 void
 StandUp::SendVectors()
 {
@@ -174,7 +176,8 @@ StandUp::BeginPosture()
     OSYSPRINT(("StandUp: to %s\n", POSTURES[posture_].name));
 }
 
-// From posture to posture in a smooth curve: slow at both ends, so nothing jerks.
+// Fills a vector with the next part of the way between two postures.  The way is a smooth curve,
+// slow at both ends, so that the legs do not jerk.
 void
 StandUp::FillNextVector(OCommandVectorData* vector)
 {

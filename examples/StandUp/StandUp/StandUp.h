@@ -3,8 +3,9 @@
 //
 //   StandUp.Move -> OVirtualRobotComm.Effector
 //
-// A servo tries to reach each set point at once, so we send one for every frame of 8 ms, 16
-// in a vector, and keep two vectors under way: while one plays, the other waits behind it.
+// A servo goes to each set point as fast as it can.  So this object sends a set point for every
+// frame of 8 ms, 16 in a vector.  It keeps two vectors in the Effector: while one plays, the other
+// waits.
 //
 
 #ifndef StandUp_h_DEFINED
@@ -37,7 +38,8 @@ private:
     static const int NUM_REGIONS = 2;
     static const int NUM_FRAMES = ocommandMAX_FRAMES;
 
-    // DONE until DoInit has succeeded: readies come even when it has failed.
+    // The state is DONE until DoInit has succeeded, because readies come even when DoInit has
+    // failed.
     enum State { IDLE, HOLDING, MOVING, DONE };
 
     OStatus OpenJoints();
@@ -52,9 +54,9 @@ private:
     State state_;
     OPrimitiveID joint_[NUM_LEG_JOINTS];
     RCRegion* region_[NUM_REGIONS];
-    double from_[NUM_LEG_JOINTS];  // degrees, where the present way begins
-    int posture_;                  // that we are on the way to
-    int vector_;                   // next one of that way
+    double from_[NUM_LEG_JOINTS];  // angles in degrees at which the present movement begins
+    int posture_;                  // index of the posture to which the dog moves
+    int vector_;                   // number of the next vector of this movement
 };
 
 #endif  // StandUp_h_DEFINED

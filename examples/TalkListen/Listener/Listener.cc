@@ -14,7 +14,7 @@ Listener::DoInit(const OSystemEvent&)
     return oSUCCESS;
 }
 
-// The first readiness; without it no subject ever sends anything.
+// Asserts ready for the first time.  Without this ready, no subject would ever send anything.
 OStatus
 Listener::DoStart(const OSystemEvent&)
 {
@@ -38,8 +38,8 @@ Listener::DoDestroy(const OSystemEvent&)
     return oSUCCESS;
 }
 
-// First take the data, then assert ready, once: from there on the data belong to the
-// talker again.
+// Takes the data first, and then asserts ready once: from then on the data belong to the talker
+// again.
 void
 Listener::NotifyHear(const ONotifyEvent& event)
 {

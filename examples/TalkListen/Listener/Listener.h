@@ -1,5 +1,5 @@
 //
-// Listener prints the lines it hears.
+// Listener prints the lines that it receives.
 //
 //   Listener.Hear <- Talker.Say
 //

@@ -42,20 +42,20 @@ Talker::DoDestroy(const OSystemEvent&)
     return oSUCCESS;
 }
 
-// The listener can take one line more.  This may come before our own DoStart, when the
-// listener was started first; nothing here minds.
+// Sends the next line, because the listener is ready for it.  The first ready may come before our
+// own DoStart, if the listener was started first; this object does not depend on the order.
 void
 Talker::ReadySay(const OReadyEvent& event)
 {
-    if (!event.IsAssert()) return;  // it has taken its readiness back
+    if (!event.IsAssert()) return;  // the listener has withdrawn its ready
     if (numSaid_ == NUM_TEXTS) {
         OSYSPRINT(("Talker: the listener has heard it all\n"));
-        return;  // without an answer there is no further ready
+        return;  // sends nothing, so no further ready comes
     }
     Say(TEXTS[numSaid_]);
 }
 
-// SetData() copies, so a local variable will do.
+// Passes a local variable to SetData(), which copies it.
 void
 Talker::Say(const char* text)
 {

@@ -1,5 +1,5 @@
 //
-// Talker says three lines, each when its listener is ready for it.
+// Talker sends three lines, each when its listener is ready for it.
 //
 //   Talker.Say -> Listener.Hear
 //

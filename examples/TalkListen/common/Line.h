@@ -1,8 +1,8 @@
 //
-// What Talker sends and Listener gets.
+// The data that Talker sends to Listener.
 //
-// Sender and receiver are separate programs: what they share is bytes.  So no pointers, no
-// std::string, nothing virtual, and both include this one file.
+// Sender and receiver are separate programs, and only bytes are passed between them.  So the struct
+// has no pointers, no std::string and no virtual functions, and both programs include this file.
 //
 
 #ifndef Line_h_DEFINED
@@ -13,7 +13,7 @@
 const size_t LINE_SIZE = 32;
 
 struct Line {
-    longword number;       // from 1
+    longword number;       // counted from 1
     char text[LINE_SIZE];  // with a zero at its end
 };
 

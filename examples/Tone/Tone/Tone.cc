@@ -53,8 +53,9 @@ Tone::DoDestroy(const OSystemEvent&)
     return oSUCCESS;
 }
 
-// The amplifier has its power from the motors' supply; muted while that comes on, so that it
-// does not crack.  -10 dB is the loudest that its circuit is made for.
+// Mutes the speaker while the motors' power, which is also the amplifier's, is switched on, so that
+// the speaker does not crack.  The volume is -10 dB, the largest for which the robot's circuit is
+// made.
 OStatus
 Tone::SetUpSpeaker()
 {
@@ -102,7 +103,8 @@ Tone::FindFreeRegion()
     return 0;
 }
 
-// First when the speaker listens, then once for every vector that has been played.
+// Sends the next vector.  Called first when the speaker is ready for vectors, then once for every
+// vector that was played.
 void
 Tone::ReadySpeaker(const OReadyEvent& event)
 {
@@ -124,7 +126,7 @@ Tone::ReadySpeaker(const OReadyEvent& event)
     }
 }
 
-// The last vector is filled up with silence.
+// Fills a vector with the next samples, and the rest of the last vector with silence.
 void
 Tone::FillNextVector(OSoundVectorData* vector)
 {
@@ -135,7 +137,8 @@ Tone::FillNextVector(OSoundVectorData* vector)
     numSent_ += SAMPLES_PER_VECTOR;
 }
 
-// 500 Hz fit 32 times into 16 kHz, so the tone ends where it began: at zero.
+// Returns a sample of the tone.  500 Hz fit 32 times into 16 kHz, so the tone ends with the value
+// with which it began, zero.
 sword
 Tone::Sample(int number) const
 {

@@ -3,8 +3,8 @@
 //
 //   Tone.Speaker -> OVirtualRobotAudioComm.Speaker
 //
-// 16 kHz, 16 bits, mono: 1024 bytes are 32 ms.  Two vectors are under way, as with joints: while
-// one plays, the other waits behind it.
+// The sound has 16 kHz, 16 bits, mono: 1024 bytes are 32 ms.  The object keeps two vectors in the
+// speaker: while one plays, the other waits.
 //
 
 #ifndef Tone_h_DEFINED
@@ -37,8 +37,8 @@ private:
     static const int SAMPLES_PER_SECOND = 16000;
     static const int SAMPLES_PER_VECTOR = 512;
     static const int HERTZ = 500;
-    static const int NUM_SAMPLES = SAMPLES_PER_SECOND;  // one second
-    static const int AMPLITUDE = 8000;                  // of 32767
+    static const int NUM_SAMPLES = SAMPLES_PER_SECOND;  // the tone lasts a second
+    static const int AMPLITUDE = 8000;                  // the largest sample would be 32767
 
     OStatus SetUpSpeaker();
     OStatus NewRegions();
@@ -48,8 +48,9 @@ private:
 
     OPrimitiveID speaker_;
     RCRegion* region_[NUM_REGIONS];
-    int numSent_;  // samples
-    bool isDone_;  // also until DoInit has succeeded: readies come even when it has failed
+    int numSent_;  // number of samples sent
+    bool isDone_;  // also true until DoInit has succeeded, because readies come even when it has
+                   // failed
 };
 
 #endif  // Tone_h_DEFINED

@@ -38,7 +38,8 @@ UdpEcho::DoStart(const OSystemEvent&)
     return oSUCCESS;
 }
 
-// The receive that is under way is answered with an error, which finds isOpen_ false.
+// Marks the socket as closed and closes it.  The pending receive is answered with an error, which
+// has no effect then.
 OStatus
 UdpEcho::DoStop(const OSystemEvent&)
 {
@@ -49,7 +50,7 @@ UdpEcho::DoStop(const OSystemEvent&)
     return oSUCCESS;
 }
 
-// A buffer can be given back when it is no longer mapped.
+// Unmaps the buffers before they are given back, because a mapped buffer cannot be given back.
 OStatus
 UdpEcho::DoDestroy(const OSystemEvent&)
 {
@@ -60,7 +61,8 @@ UdpEcho::DoDestroy(const OSystemEvent&)
     return oSUCCESS;
 }
 
-// Call() holds up the whole object, so it is for what is answered at once, as a bind is.
+// Binds the port with Call(), which stops the whole object until the answer comes.  This is good
+// for requests that are answered at once, such as a bind.
 OStatus
 UdpEcho::Bind()
 {
@@ -85,7 +87,7 @@ UdpEcho::Receive()
     receive.Send(ipstack_, myOID_, Extra_Entry[entryReceiveCont], sizeof(receive));
 }
 
-// The answer says where the datagram came from and how long it is.
+// Sends the datagram back.  The answer of the stack has its sender and its size.
 void
 UdpEcho::ReceiveCont(ANTENVMSG msg)
 {
@@ -93,12 +95,12 @@ UdpEcho::ReceiveCont(ANTENVMSG msg)
     if (!isOpen_) return;
     if (receive->error != UDP_SUCCESS) {
         OSYSLOG1((osyslogERROR, "UdpEcho: receive failed, error %d", (int)receive->error));
-        return;  // another try would fail as fast
+        return;  // another attempt would fail as fast
     }
     char address[16];
     OSYSPRINT(("UdpEcho: %d bytes from %s\n", receive->size,
                receive->address.GetAsString(address)));
-    if (receive->size == 0) {  // an empty datagram is legal, an empty send is not
+    if (receive->size == 0) {  // an empty datagram may be received, but not be sent
         Receive();
         return;
     }
@@ -106,7 +108,8 @@ UdpEcho::ReceiveCont(ANTENVMSG msg)
     send.Send(ipstack_, myOID_, Extra_Entry[entrySendCont], sizeof(send));
 }
 
-// The buffer is ours again.  A datagram that could not be sent is lost like any other.
+// Receives the next datagram, because the buffer belongs to this object again.  A datagram that
+// could not be sent is lost, as in any UDP network.
 void
 UdpEcho::SendCont(ANTENVMSG msg)
 {

@@ -1,7 +1,7 @@
 //
-// UdpEcho sends each datagram back to where it came from.
+// UdpEcho sends each datagram back to its sender.
 //
-// Three steps, for ever: receive, send, receive.  One endpoint serves every client.
+// The object repeats two steps for ever: receive, send.  One endpoint serves all clients.
 //
 
 #ifndef UdpEcho_h_DEFINED
@@ -32,7 +32,7 @@ public:
 
 private:
     static const int PORT = 7001;
-    static const int BUFFER_SIZE = 4096;  // of a larger datagram the rest is lost
+    static const int BUFFER_SIZE = 4096;  // bytes; the rest of a larger datagram is lost
 
     OStatus Bind();
     void Receive();

@@ -1,6 +1,6 @@
 /*
- * battery: shows the battery on the tail, blue while there is plenty; when it runs low the dog lies
- * down and blinks orange.
+ * battery: shows the charge of the battery by the light of the tail, blue while there is enough.
+ * When the battery is low, the dog lies down and the light blinks orange.
  */
 
 #include <device/led.h>

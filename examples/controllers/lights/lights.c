@@ -1,5 +1,6 @@
 /*
- * lights: one light of the face after the other, up the left side and down the right one.
+ * lights: switches the lights of the face on one after the other, up the left side and down the
+ * right side.
  */
 
 #include <device/led.h>

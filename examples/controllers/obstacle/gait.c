@@ -3,7 +3,7 @@
 #include <device/mtn.h>
 
 static MTN *begin, *cycle, *end;
-static MTN *playing; /* null: stands */
+static MTN *playing; /* null: the dog stands */
 
 void
 gait_load(void)

@@ -1,5 +1,5 @@
 /*
- * obstacle: walks until something is near, stops, and shows it with the red lights of the eyes.
+ * obstacle: walks until an obstacle is near, then stops and switches the red lights of the eyes on.
  */
 
 #include <device/distance_sensor.h>
@@ -9,7 +9,7 @@
 #include "gait.h"
 
 #define TIME_STEP 32 /* ms */
-#define NEAR 450     /* mm: a walk cycle goes on for a while */
+#define NEAR 450     /* mm; far enough, because a walk cycle is played to its end */
 
 static DeviceTag distance, left, right;
 

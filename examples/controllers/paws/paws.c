@@ -1,6 +1,6 @@
 /*
- * paws: reflexes on what the paws feel.  A paw that loses the floor lights a light of its side, and
- * the head turns to the fore paw that is up.
+ * paws: reacts to the switches of the paws.  A paw that leaves the floor switches on a light on its
+ * side, and the head turns to a lifted fore paw.
  */
 
 #include <device/led.h>

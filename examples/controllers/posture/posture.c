@@ -1,7 +1,7 @@
 /*
- * posture: lets the head go limp so that you can put it where you like, remembers where it is,
- * looks straight ahead, and goes back to what it remembers.  The mode indicator is on while the
- * motors are off.
+ * posture: switches the motors of the head off so that you can move it by hand, and stores its
+ * position.  Then the head looks straight ahead, and goes back to the stored position.  The mode
+ * indicator is on while the motors are off.
  */
 
 #include <device/led.h>
@@ -11,7 +11,7 @@
 #define NUM_JOINTS 3
 #define TIME_STEP 64 /* ms */
 #define LIMP 48      /* steps in which the head can be moved */
-#define AHEAD 48     /* steps until it goes back */
+#define AHEAD 48     /* steps until the head goes back */
 
 static const char *const NAMES[NUM_JOINTS] = {
     "PRM:/r1/c1-Joint2:j1", "PRM:/r1/c1/c2-Joint2:j2", "PRM:/r1/c1/c2/c3-Joint2:j3"

@@ -9,7 +9,7 @@
 #define REST 32      /* steps between two motions */
 
 static MTN *motions[2];
-static int next; /* of motions */
+static int next; /* index of the next motion */
 static int rested;
 
 static void

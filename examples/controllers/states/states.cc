@@ -1,6 +1,6 @@
 //
-// states: a small state machine, in C++.  The back sits the dog down and lets it stand up, the head
-// makes it bow while it stands, and a motion is always played to its end.
+// states: a small state machine, in C++.  A touch of the back makes the dog sit down or stand up, a
+// touch of the head makes it bow while it stands.  Every motion is played to its end.
 //
 //            back                 over           back                 over
 //   STANDS ---------> SITS_DOWN ---------> SITS ---------> STANDS_UP ---------> STANDS

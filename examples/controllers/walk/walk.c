@@ -1,6 +1,6 @@
 /*
- * walk: walks ten cycles, stands still and waits.  A motion is played once; that it is over says when
- * to play it again.
+ * walk: walks ten cycles, stands still and waits.  A motion is played once, so the controller plays
+ * it again when it is over.
  */
 
 #include <device/led.h>
@@ -11,7 +11,7 @@
 #define CYCLES 10
 
 static MTN *begin, *cycle, *end;
-static MTN *playing; /* null: not any more */
+static MTN *playing; /* null: no motion plays */
 static int cycles;
 static DeviceTag mode;
 

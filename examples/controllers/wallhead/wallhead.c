@@ -1,6 +1,6 @@
 /*
- * wallhead: the head follows the distance of what is ahead: straight when nothing is near, and
- * turned to the left the more the nearer it is.
+ * wallhead: turns the head by the distance of an obstacle ahead: straight ahead when no obstacle is
+ * near, and the further to the left the nearer the obstacle is.
  */
 
 #include <device/distance_sensor.h>
@@ -8,8 +8,8 @@
 #include <device/servo.h>
 
 #define TIME_STEP 64 /* ms */
-#define FAR 900      /* mm, as far as the sensor sees */
-#define TURN 0.001f  /* rad for each mm that something is nearer */
+#define FAR 900      /* mm, the range of the sensor */
+#define TURN 0.001f  /* rad for each mm that the obstacle is nearer than FAR */
 
 static DeviceTag pan, distance;
 

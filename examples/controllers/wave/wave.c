@@ -12,9 +12,9 @@
 #define WAVES 3
 
 static DeviceTag leg[NUM_JOINTS];
-static float sitting[NUM_JOINTS]; /* the leg on the floor */
+static float sitting[NUM_JOINTS]; /* angles of the leg on the floor */
 static MTN *sit, *stand;
-static int step = -1; /* of waving; -1: not yet, else since the dog sat */
+static int step = -1; /* steps since the dog sat; -1: it does not sit yet */
 
 static void
 reset(void)
@@ -35,7 +35,7 @@ move(float j1, float j2, float j3)
     servo_set_position(leg[2], j3);
 }
 
-/* What to do in the n-th movement since the dog sat; returns 0 when there is nothing left. */
+/* Makes the n-th movement since the dog sat; returns 0 when no movement is left. */
 static int
 movement(int n)
 {

@@ -1,4 +1,5 @@
-// Both dogs: connecting a second robot, the box "simulation", and one dog that follows the other.
+// The panel "Both dogs": connects a second robot, has the box "simulation", and lets one dog follow
+// the other.
 import { button, el, setClass, setDisabled, setText } from '../dom';
 import { degrees, UNKNOWN } from '../format';
 import type { Follow } from '../pair';
@@ -15,7 +16,8 @@ function milliseconds(value: number | null | undefined): string {
   return value === null || value === undefined ? UNKNOWN : `${Math.round(value)} ms`;
 }
 
-// Returns the joint at which two poses differ most, and by how much; -1 if there is none.
+// Returns the joint at which two poses differ most, with the difference; -1 if there is no such
+// joint.
 export function largestDifference(a: (number | null)[], b: number[]): { joint: number; deg: number } {
   let largest = { joint: -1, deg: 0 };
   a.forEach((mine, joint) => {

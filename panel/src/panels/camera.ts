@@ -1,4 +1,5 @@
-// The picture of the robot's camera and its colour layer, asked for only while they can be seen.
+// The picture of the robot's camera and its colour layer. The page requests them only while they
+// are visible.
 import { button, el, setText } from '../dom';
 import { clockTime } from '../format';
 import type { Session } from '../session';

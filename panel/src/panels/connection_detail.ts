@@ -65,7 +65,8 @@ export function makeConnectionDetail(session: Session, close: () => void): Conne
     const key = messages.map((each) => each.number).join();
     if (key === shown) return;
     shown = key;
-    // A message that a person has opened stays, so the list is held then.
+    // Leaves the list unchanged while a person has a message in it open, so that this message does
+    // not disappear.
     if (list.querySelector('details[open]:not([data-first])') !== null) return;
     const top = messages[0];
     list.replaceChildren(...messages.slice(0, 20).map((each) => messageElement(each, each === top)));

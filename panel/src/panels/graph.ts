@@ -1,4 +1,4 @@
-// The object graph while it runs: objects and connections with what goes through them.
+// The graph of the objects and connections of a run, with the messages that pass through them.
 import { button, el, setClass, setText, svg } from '../dom';
 import { costText, rateText } from '../format';
 import type { GraphConnection, GraphEvent, GraphObject } from '../protocol';
@@ -14,7 +14,7 @@ import {
   type Route,
 } from './graph_layout';
 
-// Characters of the lines of a node that fit into it.
+// The most characters that fit into a line of a node.
 const LINE_MAX = 28;
 
 function clip(text: string, max = LINE_MAX): string {
@@ -148,7 +148,7 @@ class GraphView {
   private objectRows = new Map<string, HTMLElement>();
   private shape = '';
   private chosen = '';
-  private isFormChosen = false; // a person has said whether to show a picture or a list
+  private isFormChosen = false; // a person has chosen between picture and list
 
   constructor(private readonly session: Session) {
     this.detail = makeConnectionDetail(session, () => this.choose(''));
@@ -202,7 +202,7 @@ class GraphView {
     const connections = (graph.connections ?? []).filter((each) => each.robot === this.session.robot);
     this.showSummary(objects, connections);
     const narrow = this.element.clientWidth < 560;
-    // The picture would be too small to be read in a narrow panel.
+    // Shows a list in a narrow panel, because the picture would be too small to read.
     if (!this.isFormChosen) this.showAs(narrow ? 'list' : 'picture');
     const shape = `${narrow}${shapeOf(objects, connections)}`;
     if (shape !== this.shape) {

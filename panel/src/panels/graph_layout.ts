@@ -1,9 +1,9 @@
-// Places of objects and connections in the picture of the object graph.
+// Computes the places of objects and connections in the picture of the object graph.
 import dagre from '@dagrejs/dagre';
 import type { GraphConnection, GraphObject } from '../protocol';
 
 export interface Placed {
-  x: number; // upper left corner
+  x: number; // coordinate of the upper left corner
   y: number;
   width: number;
   height: number;
@@ -23,26 +23,27 @@ export interface GraphLayout {
 
 export const NODE_WIDTH = 172;
 const NODE_HEIGHT = 66;
-// Objects without connections are small, and lie in rows below the others.
+// Objects without connections are drawn small, in rows below the others.
 export const LONE_HEIGHT = 40;
 const LONE_GAP = 12;
 const PORT_GAP = 14;
 const LABEL_HEIGHT = 14;
 const CHARACTER_WIDTH = 6.4;
 
-// "RCServer.Mover.MoverCommand.S" is the service "Mover".
+// Returns the name of a service without object and type: "Mover" for
+// "RCServer.Mover.MoverCommand.S".
 export function serviceName(service: string): string {
   return service.split('.')[1] ?? service;
 }
 
-// Text that is the same for two graphs with the same objects and connections.
+// Returns a text that is equal for two graphs if they have the same objects and connections.
 export function shapeOf(objects: GraphObject[], connections: GraphConnection[]): string {
   return JSON.stringify([objects.map((each) => each.name), connections.map((each) => each.id)]);
 }
 
 interface Port {
   node: string;
-  isAfter: boolean; // at the side of the node where later ranks are
+  isAfter: boolean; // whether the port is on the side of the node towards later ranks
   route: Route;
   isEnd: boolean;
 }
@@ -57,7 +58,8 @@ export function layOut(
   graph.setDefaultEdgeLabel(() => ({}));
   const ends = connections.flatMap((each) => [each.from, each.to]);
   for (const name of new Set(ends)) {
-    // Each port needs room at the side of its node, of which there are two.
+    // Makes the node large enough for its ports. They share two sides of the node, and each needs
+    // room.
     const ports = ends.filter((each) => each === name).length;
     const room = (ports + 1) * PORT_GAP;
     const isFlat = direction === 'LR';
@@ -88,7 +90,8 @@ export function layOut(
   return layout;
 }
 
-// Lets the lines of a node begin and end side by side, in the order in which they go on.
+// Places the ends of the lines at a node side by side, in the order of the places to which the
+// lines lead.
 function spreadPorts(layout: GraphLayout, connections: GraphConnection[], isFlat: boolean): void {
   const sides = new Map<string, Port[]>();
   const add = (port: Port) => {
@@ -121,7 +124,8 @@ function labelWidth(connection: GraphConnection): number {
   return (serviceName(connection.subject).length + 6) * CHARACTER_WIDTH;
 }
 
-// Moves labels into the picture that would reach over its left edge, and widens it to the right.
+// Makes room for labels that reach over an edge of the picture: moves them in at the left, and
+// makes the picture wider at the right.
 function makeRoomForLabels(layout: GraphLayout, connections: GraphConnection[]): void {
   for (const each of connections) {
     const label = layout.routes.get(each.id)?.label;
@@ -148,7 +152,8 @@ function addLoneObjects(layout: GraphLayout, objects: GraphObject[]): void {
   layout.height = top + Math.max(0, rows * (LONE_HEIGHT + LONE_GAP) - LONE_GAP);
 }
 
-// A smooth line through `points`: straight to the middle of each leg, and around each corner.
+// Returns a smooth line through `points`: straight to the middle of each section, and rounded at
+// each corner.
 export function curveThrough(points: { x: number; y: number }[]): string {
   const at = (p: { x: number; y: number }) => `${p.x.toFixed(1)},${p.y.toFixed(1)}`;
   const first = points[0];

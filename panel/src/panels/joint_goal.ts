@@ -1,5 +1,6 @@
-// JointGoal: what the handle of a joint's slider shows. After a person has let go of it, the handle
-// stays where it was put until the run's own target has come there, or the robot does not go there.
+// JointGoal: the value that the handle of a joint's slider shows. After a person has moved the
+// handle, it stays there until the target in the run has reached this value, or until the robot
+// does not go there.
 
 const NEAR_DEG = 0.6;
 const GIVE_UP_MS = 4000;
@@ -19,7 +20,7 @@ export class JointGoal {
     this.goal = null;
   }
 
-  // Returns what the handle shows when the run's target is `target`.
+  // Returns the value for the handle. `target` is the joint's target in the run.
   show(target: number | null, nowMs: number): number | null {
     if (this.goal === null) return target;
     const distance = target === null ? Infinity : Math.abs(target - this.goal);
@@ -27,7 +28,7 @@ export class JointGoal {
       this.goal = null;
       return target;
     }
-    // A target that still comes nearer is on its way.
+    // Keeps waiting while the target in the run comes nearer.
     if (distance < this.nearest - 0.01) {
       this.nearest = distance;
       this.setAt = nowMs;
@@ -40,7 +41,8 @@ export class JointGoal {
   }
 }
 
-// Errors of joints, largest first; joints without a target or an angle come last.
+// Returns the indices of joints sorted by error, the largest first. Joints without a target or an
+// angle come last.
 export function byError(joints: [number | null, number | null][]): number[] {
   const error = (i: number) => errorOf(joints[i]) ?? -1;
   return joints.map((_, i) => i).sort((a, b) => error(b) - error(a) || a - b);

@@ -1,4 +1,5 @@
-// Joints: one slider each, with the target as its handle and the measured angle as a mark.
+// The panel of joints: a slider for each joint, with the target as its handle and the measured
+// angle as a mark.
 import { button, el, setClass, setDisabled, setText } from '../dom';
 import { degrees, UNKNOWN } from '../format';
 import { LastValue } from '../last_value';
@@ -8,7 +9,7 @@ import { byError, errorOf, JointGoal } from './joint_goal';
 
 const MOVE_PERIOD_MS = 50; // at most 20 commands a second
 const LOCKING_STATES = ['mtn', 'prepare-mtn'];
-// The order by error changes at most this often, so that it can be read.
+// The order by error changes at most once in this time, so that a person can read it.
 const SORT_PERIOD_MS = 600;
 
 function lockReason(isRecording: boolean, isPast: boolean, motion: string, plays: boolean): string {
@@ -72,7 +73,7 @@ class JointRow {
     if (isLocked) this.goal.clear();
   }
 
-  // Shows where the second robot has this joint; null: there is no such robot.
+  // Shows the position of this joint at the second robot; null: no second robot is connected.
   showOther(deg: number | null): void {
     setClass(this.track, 'paired', deg !== null);
     if (deg !== null) this.track.style.setProperty('--other', fraction(this.joint, deg).toFixed(4));
@@ -109,7 +110,7 @@ function fraction(joint: JointData, deg: number): number {
   return range > 0 ? Math.min(1, Math.max(0, (deg - joint.min_deg) / range)) : 0;
 }
 
-// The slider of the speed, or the acceleration, of all joints.
+// A slider for the speed limit, or the acceleration limit, of all joints.
 class LimitSlider {
   readonly element: HTMLElement;
   private readonly slider = el('input', { type: 'range', min: 1, max: 100, step: 1, value: 100 });
@@ -136,7 +137,7 @@ class LimitSlider {
     this.showText();
   }
 
-  // Shows what the robot has: the largest value in force.
+  // Shows the largest of the values that are in force at the robot.
   setInForce(values: number[]): void {
     if (values.length === 0) return;
     this.slider.value = String(Math.round(Math.max(...values)));
@@ -201,7 +202,8 @@ class Joints {
       isPaired = pair.isConnected;
       this.rows.forEach((row, i) => row.showOther(isPaired ? (pair.status?.deg?.[i] ?? null) : null));
     });
-    // No values come while the run is paused, so the lock also follows the clock.
+    // Updates the lock with events of the clock, too, because no values come while the run is
+    // paused.
     session.on('clock', () => {
       if (this.isPast !== this.wasPast) this.reshow();
     });
@@ -226,7 +228,7 @@ class Joints {
     this.reshow();
   }
 
-  // Reads the limits in force, once the person has used the remote control.
+  // Reads the limits in force when a person has used the remote control for the first time.
   private async connect(): Promise<void> {
     const key = `${this.session.run}/${this.session.robot}`;
     if (this.connected === key) return;

@@ -1,4 +1,4 @@
-// The log: the lines that objects printed, with a filter, and the findings of the run.
+// The log panel: the lines that objects have printed, with a filter, and the findings of the run.
 import { button, el, setText } from '../dom';
 import { clockTime } from '../format';
 import { Ring } from '../ring';
@@ -64,7 +64,7 @@ class LogView {
 
 const signs: Record<string, string> = { error: '✕', warning: '▲', note: '·', info: '·' };
 
-// A button that goes to the moment of a finding.
+// Makes a button that goes to the moment of a finding.
 export function findingButton(session: Session, finding: Finding): HTMLElement {
   const severity = finding.severity ?? '';
   const target = button('', () => {

@@ -1,4 +1,4 @@
-// Motions: which there are, playing them with progress, uploading and deleting them.
+// The panel of motions: lists, plays, uploads and deletes them.
 import { button, el, setDisabled, setText } from '../dom';
 import { confirmButton } from '../confirm';
 import { fixed, sizeText } from '../format';
@@ -8,14 +8,15 @@ import { makeUpload } from './upload';
 
 interface Playing {
   name: string;
-  duration: number; // of all loops, s
+  duration: number; // duration of all loops, in s
   loops: number;
-  startedAt: number | null; // virtual time at which state mtn was seen first
+  startedAt: number | null; // virtual time at which the state "mtn" was seen first
   askedAt: number;
   where: 'simulation' | 'robot'; // the dog that plays the file
 }
 
-// The robot begins a motion within this time after its answer, or not at all.
+// The longest time between the robot's answer and the start of the motion. A motion that has not
+// begun by then will not begin.
 const BEGIN_MAX_S = 20;
 
 class Motions {

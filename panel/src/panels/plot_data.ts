@@ -1,5 +1,5 @@
-// The data of the plots: the values of the last minute, and how lines, scales and files are made of
-// them.
+// The data of the plots: the values of the last minute, with functions that make lines, scales and
+// files of them.
 import { quantityOf } from '../format';
 import type { RobotValues, Scene, ValuesEvent } from '../protocol';
 
@@ -7,7 +7,7 @@ export const WINDOW_S = 60;
 const SAMPLES_MAX = 1500;
 
 export interface Series {
-  id: string; // "joint:neck_pan:commanded", "sensor:chin"
+  id: string; // such as "joint:neck_pan:commanded" or "sensor:chin"
   label: string;
   unit: string;
   isDashed: boolean;
@@ -34,7 +34,8 @@ export class History {
     return this.samples[0]?.t ?? null;
   }
 
-  // Adds the values of an event. Time that goes back takes later samples away.
+  // Adds the values of an event. If its time is earlier than that of the newest sample, removes all
+  // later samples.
   add(event: ValuesEvent): void {
     while (this.samples.length > 0 && (this.newest ?? 0) >= event.time_s) this.samples.pop();
     this.samples.push({ t: event.time_s, robots: event.robots });
@@ -47,7 +48,7 @@ export class History {
     this.samples = [];
   }
 
-  // Times and values of a series from `from` to `to`.
+  // Returns the times and values of a series from `from` to `to`.
   points(series: Series, robot: number, from: number, to: number): [number, number | null][] {
     const points: [number, number | null][] = [];
     for (const sample of this.samples) {
@@ -63,7 +64,7 @@ export class History {
   }
 }
 
-// All series that a scene has, by group, in the order of the scene.
+// Returns all series of a scene by group, in the order of the scene.
 export function seriesOf(scene: Scene, robot: number): { group: string; series: Series[] }[] {
   const data = scene.robots[robot];
   const joints = (data?.joints ?? []).map((joint, i) => {
@@ -95,7 +96,7 @@ export function seriesOf(scene: Scene, robot: number): { group: string; series: 
   ];
 }
 
-// Round numbers from `min` to `max`, about `count` of them.
+// Returns about `count` round numbers from `min` to `max`.
 export function ticks(min: number, max: number, count: number): number[] {
   const span = max - min;
   if (!(span > 0) || !Number.isFinite(span)) return [min];
@@ -107,7 +108,7 @@ export function ticks(min: number, max: number, count: number): number[] {
   return all;
 }
 
-// A range that has all `values`, with some room around them.
+// Returns a range that contains all `values`, with some space above and below them.
 export function rangeAround(values: number[], unit: string): { min: number; max: number } {
   if (unit === '0/1') return { min: -0.15, max: 1.15 };
   if (values.length === 0) return { min: 0, max: 1 };
@@ -127,7 +128,7 @@ function csvField(text: string): string {
   return /[",\n]/.test(text) ? `"${text.replace(/"/g, '""')}"` : text;
 }
 
-// A table with a column for the time and one for each series.
+// Returns a table as text: a column for the time, and one column for each series.
 export function csvOf(history: History, series: Series[], robot: number, from: number, to: number): string {
   const head = ['time_s', ...series.map((each) => csvField(`${each.label} (${each.unit})`))];
   const columns = series.map((each) => history.points(each, robot, from, to));
@@ -141,7 +142,7 @@ export function csvOf(history: History, series: Series[], robot: number, from: n
   return [head, ...rows].map((row) => row.join(',')).join('\n') + '\n';
 }
 
-// The line through `points`; unknown values make a gap.
+// Returns the line through `points` as an SVG path. Unknown values make a gap.
 export function pathOf(
   points: [number, number | null][],
   x: (t: number) => number,

@@ -1,5 +1,5 @@
-// PlotPicture: the chosen series as an SVG picture, one lane per unit. The file that is saved is
-// this picture.
+// PlotPicture: the chosen series as an SVG picture, with one lane for each unit. The saved file is
+// the same picture.
 import { svg } from '../dom';
 import { fixed } from '../format';
 import { pathOf, rangeAround, ticks, type History, type Series } from './plot_data';
@@ -19,7 +19,7 @@ export interface PlotRequest {
   to: number;
   width: number;
   height: number;
-  cursor: number | null; // the moment of the past that is shown
+  cursor: number | null; // the moment of the past that the page shows; null: the present
   colours: PlotColours;
 }
 
@@ -28,11 +28,12 @@ const RIGHT = 10;
 const TOP = 6;
 const BOTTOM = 18;
 const GAP = 8;
-const LEGEND = 15; // height of a row of names of lines, above each lane
+const LEGEND = 15; // height of a row with the names of lines, above each lane
 const CHARACTER = 6;
 const FONT = 'ui-sans-serif, system-ui, sans-serif';
 
-// Commanded and measured of one joint have the same colour, and differ by dashes.
+// Returns the number of a colour. The commanded and the measured line of a joint have the same
+// colour, and differ by their dashes.
 export function colourIndex(all: Series[], series: Series): number {
   const key = (each: Series) => each.id.split(':').slice(0, 2).join(':');
   const keys = [...new Set(all.map(key))];
@@ -60,7 +61,7 @@ interface Name {
   row: number;
 }
 
-// Places names of lines side by side, in as many rows as they need.
+// Places the names of lines side by side, in as many rows as necessary.
 function placeNames(names: string[], width: number): Name[] {
   let x = LEFT;
   let row = 0;

@@ -1,4 +1,4 @@
-// Plots: chosen joints and sensors over the last minute.
+// The panel of plots: curves of chosen joints and sensors over the last minute.
 import { button, el, saveFile, setText } from '../dom';
 import type { Session } from '../session';
 import { colourOf, onTheme } from '../theme';
@@ -20,7 +20,8 @@ class Plots {
   private readonly scroll = el('input', { type: 'range', min: 0, max: 1, step: 0.01, value: 1, 'aria-label': 'Part of the last minute' });
   private known: Series[] = [];
   private chosen: string[] = [...FIRST_SERIES];
-  private heldAt: number | null = null; // right end of a plot that does not go on
+  private heldAt: number | null = null; // time at the right end of a paused plot; null: the plot
+                                        // goes on
   private isDirty = false;
 
   constructor(private readonly session: Session) {

@@ -1,4 +1,5 @@
-// The robot as a whole: lights, ears, motors, battery, its controller, and switching it off.
+// The panel of the whole robot: lights, ears, motors, battery, controller image, and switching the
+// robot off.
 import { button, el, setText } from '../dom';
 import { confirmButton } from '../confirm';
 import type { DeviceData } from '../protocol';
@@ -9,7 +10,8 @@ function section(title: string, ...children: (HTMLElement | string)[]): HTMLElem
   return el('section', { class: 'block' }, el('h2', {}, title), ...children);
 }
 
-// Buttons that switch lights or ears; a sign and a word say whether they are on.
+// Makes buttons that switch lights or ears. A symbol and a word on each button show whether it is
+// on.
 function makeToggles(session: Session, call: 'led' | 'ear', devices: DeviceData[]): HTMLElement[] {
   return devices.map((device, index) => {
     const toggle = button(
@@ -46,7 +48,7 @@ function makeDevices(session: Session): HTMLElement[] {
     if (leds.offsetParent === null) return;
     const robot = pose.robots[session.robot];
     [...leds.children].forEach((each, i) => showToggle(each as HTMLElement, (robot?.leds?.[i] ?? 0) !== 0));
-    // An ear that is on stands up, and its angle is 0.
+    // Shows an ear as on if its angle is near 0, because an ear that is on stands up.
     [...ears.children].forEach((each, i) =>
       showToggle(each as HTMLElement, Math.abs(robot?.ears?.[i] ?? 1) < 0.6),
     );

@@ -1,4 +1,5 @@
-// Sensors: value, unit, a bar over the range and the last seconds as a line; and the camera.
+// The panel of sensors: for each sensor the value, the unit, a bar over its range and a line of the
+// last seconds; and the camera.
 import { el, setClass, setText, svg } from '../dom';
 import { fixed, quantityOf, sensorText } from '../format';
 import { Ring } from '../ring';
@@ -15,7 +16,7 @@ interface Range {
   max: number;
 }
 
-// The range of a sensor, in the unit that the page shows.
+// Returns the range of a sensor, in the unit that the page shows.
 export function rangeOf(sensor: SensorData): Range {
   const quantity = quantityOf(sensor.unit);
   if (sensor.unit === 'temperature') return { min: quantity.min, max: quantity.max };

@@ -1,4 +1,4 @@
-// The time bar: pause and steps, how fast the run goes, and the way back.
+// The time bar: pause, steps, the rate of the run, and going back.
 import { button, el, setDisabled, setText } from '../dom';
 import { clockTime, fixed } from '../format';
 import { LastValue } from '../last_value';
@@ -103,7 +103,7 @@ class TimeBar {
     return this.session.clock?.paused === true || this.shows !== null;
   }
 
-  // The moment of the past that is shown; null: the present.
+  // Returns the moment of the past that the page shows; null means the present.
   private get shows(): number | null {
     return this.session.clock?.rewind?.shows_s ?? null;
   }
@@ -117,7 +117,7 @@ class TimeBar {
     }
   }
 
-  // Shows the moment `time`. Only a recording has moments that are still to come.
+  // Shows the moment `time`. A moment in the future is possible only in a recording.
   private async goTo(time: number): Promise<void> {
     const { session } = this;
     const newest = session.clock?.rewind?.to_s ?? 0;
@@ -136,7 +136,7 @@ class TimeBar {
     const rewind = this.session.clock?.rewind;
     const from = rewind?.from_s ?? 0;
     const now = this.shows ?? rewind?.to_s ?? 0;
-    // Where less than five seconds are kept, the oldest moment is the best there is.
+    // Goes to the oldest moment if less than five seconds can be rewound.
     void this.session.rewind(now - BACK_S < from ? { to_s: from } : { back_s: BACK_S });
   }
 

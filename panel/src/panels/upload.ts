@@ -1,4 +1,4 @@
-// A button that uploads a file to the robot, with progress.
+// Makes a button that uploads a file to the robot, and shows the progress.
 import { button, el, setText } from '../dom';
 import type { Answer } from '../protocol';
 import type { Session } from '../session';
@@ -7,12 +7,13 @@ export interface UploadUse {
   label: string;
   accept: string;
   kind: 'motion' | 'controller';
-  // Plays the motion in the simulation and keeps no file of it: how often.
+  // Returns how many times the motion is to be played. If set, the motion is played in the
+  // simulation and its file is not kept.
   loops?: () => number;
   onDone: (name: string, answer: Answer) => void;
 }
 
-const SIZE_MAX = 8 * 1024 * 1024; // that of the largest image, docs/remote-control.md
+const SIZE_MAX = 8 * 1024 * 1024; // size of the largest image, docs/remote-control.md
 
 async function asBase64(file: File): Promise<string> {
   const address = await new Promise<string>((resolve, reject) => {

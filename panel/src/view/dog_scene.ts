@@ -45,7 +45,8 @@ function makeMesh(shape: ShapeData): THREE.Mesh<THREE.BufferGeometry, THREE.Mesh
   return mesh;
 }
 
-// The floor: lines every `grid` metres, and stronger ones every five, that fade with the distance.
+// Makes the floor: a thin line every `grid` metres, and a stronger line every five of them. The
+// lines fade with the distance.
 function makeFloor(grid: number): THREE.Mesh<THREE.PlaneGeometry, THREE.ShaderMaterial> {
   const material = new THREE.ShaderMaterial({
     transparent: true,
@@ -132,7 +133,7 @@ export class DogScene {
     this.prepareShadow();
   }
 
-  // `environment`: what glossy parts mirror; null where that would cost too much.
+  // Sets the picture that glossy parts mirror; null on computers for which mirroring is too slow.
   setEnvironment(environment: THREE.Texture | null): void {
     const isRich = environment !== null;
     this.scene.environment = environment;
@@ -165,7 +166,7 @@ export class DogScene {
     return this.trunk;
   }
 
-  // Direction in which the dog looks, as an angle about the vertical.
+  // Returns the direction in which the dog looks, as an angle about the vertical axis.
   get heading(): number {
     const [, , , w, x, y, z] = this.trunk;
     return Math.atan2(2 * (x * y + w * z), 1 - 2 * (y * y + z * z));
@@ -242,7 +243,8 @@ export class DogScene {
     this.moveLights();
   }
 
-  // The light that makes shadows goes with the dog, so that its shadow map can be small and fine.
+  // Moves the light that makes shadows with the dog, so that a small shadow map is enough for sharp
+  // shadows.
   private moveLights(): void {
     const [x, y] = this.trunk;
     this.sun.target.position.set(x, y, 0.08);

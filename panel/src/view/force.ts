@@ -1,18 +1,20 @@
-// What a drag on the dog means: a force in newtons, or a height in metres.
+// Converts a drag on the dog to a force in newtons, or to a height in metres.
 import type { Vec3 } from '../protocol';
 
 const NEWTON_PER_PIXEL = 0.1;
 const NEWTON_MAX = 40;
 const LIFT_MAX_M = 0.6;
 
-// Force of a drag over `length` pixels. Short drags push gently, long ones at most with NEWTON_MAX.
+// Returns the force of a drag over `length` pixels: small for a short drag, at most NEWTON_MAX for
+// a long one.
 export function forceOfDrag(length: number): number {
   return Math.min(NEWTON_MAX, length * NEWTON_PER_PIXEL);
 }
 
-// Turns a vector of the world into the frame of a body with the quaternion w, x, y, z.
+// Converts a vector of the world to the frame of a body that has the orientation w, x, y, z (a
+// quaternion).
 export function intoBody(v: Vec3, [w, x, y, z]: [number, number, number, number]): Vec3 {
-  // The inverse of a unit quaternion is its conjugate: v' = q* v q.
+  // Uses the conjugate, which is the inverse of a unit quaternion: v' = q* v q.
   const [a, b, c] = [-x, -y, -z];
   const tx = 2 * (b * v[2] - c * v[1]);
   const ty = 2 * (c * v[0] - a * v[2]);
@@ -34,7 +36,7 @@ export function pushLine(force: Vec3, part: string): string {
   return `push ${force.map(number).join(' ')}${at} for 100ms`;
 }
 
-// Height of a lift by a drag of `pixels` upwards, when a pixel is `metresPerPixel` wide.
+// Returns the height of a lift by a drag of `pixels` upwards. One pixel is `metresPerPixel` wide.
 export function liftOfDrag(pixels: number, metresPerPixel: number): number {
   return Math.min(LIFT_MAX_M, Math.max(0, pixels * metresPerPixel));
 }

@@ -1,4 +1,4 @@
-// Hands: what a person does to the dog with the pointer in the picture, or with buttons.
+// Hands: actions on the dog with the pointer in the picture, or with buttons.
 import { button, el, setClass, svg } from '../dom';
 import type { SensorData } from '../protocol';
 import type { Session } from '../session';
@@ -20,7 +20,7 @@ interface Drag {
   y: number;
 }
 
-// Makes `target` press a sensor as long as a pointer or a key holds it down.
+// Makes `target` press a sensor while a pointer or a key holds the button down.
 export function pressWhileHeld(
   target: HTMLButtonElement,
   press: () => void,
@@ -54,7 +54,8 @@ export function pressWhileHeld(
   });
   target.addEventListener('keyup', end);
   target.addEventListener('click', (event) => {
-    // A click without a pointer or key comes from software that helps people, which cannot hold.
+    // Presses the sensor for a short time at a click without pointer or key: it comes from
+    // assistive software, which cannot hold a button.
     if (event.detail === 0 && !isHeld) pressShortly();
   });
 }

@@ -1,4 +1,5 @@
-// Orbit: where the camera is, around a point that follows the dog. Angles in radians, z is up.
+// Orbit: the place of the camera around a point that follows the dog. Angles are in radians, z is
+// up.
 
 export interface Point {
   x: number;
@@ -15,8 +16,8 @@ const DISTANCE_MIN = 0.25;
 const DISTANCE_MAX = 6;
 
 export class Orbit {
-  yaw = FREE.yaw; // of the camera, seen from the target; 0 is along x
-  pitch = FREE.pitch; // above the floor
+  yaw = FREE.yaw; // direction of the camera, seen from the target; 0 is along x
+  pitch = FREE.pitch; // angle of the camera above the floor
   distance = FREE.distance;
   readonly target: Point = { x: 0, y: 0, z: 0.12 };
   private isPlaced = false;
@@ -31,7 +32,7 @@ export class Orbit {
     this.distance = Math.min(DISTANCE_MAX, Math.max(DISTANCE_MIN, this.distance * 1.1 ** steps));
   }
 
-  // `heading`: the direction in which the dog looks.
+  // Turns the camera to a view. `heading` is the direction in which the dog looks.
   look(view: ViewName, heading: number): void {
     this.distance = FREE.distance;
     this.pitch = view === 'top' ? PITCH_MAX : view === 'free' ? FREE.pitch : 0.1;
@@ -40,7 +41,8 @@ export class Orbit {
       (view === 'front' ? 0 : view === 'side' ? -Math.PI / 2 : view === 'top' ? Math.PI : FREE.yaw);
   }
 
-  // Moves the target towards the trunk at `at`. Returns whether the camera has moved visibly.
+  // Moves the target towards the trunk, which is at `at`. Returns whether the camera has moved
+  // visibly.
   follow(at: Point, share: number): boolean {
     const z = Math.max(0.1, at.z - 0.02);
     const k = this.isPlaced ? share : 1;
@@ -54,7 +56,7 @@ export class Orbit {
     return Math.abs(dx) + Math.abs(dy) + Math.abs(dz) > 1e-5;
   }
 
-  // Place of the camera.
+  // Returns the place of the camera.
   eye(): Point {
     const flat = Math.cos(this.pitch) * this.distance;
     return {
@@ -65,7 +67,8 @@ export class Orbit {
   }
 }
 
-// Returns the rectangles of `count` tiles in a picture of `width` x `height`, from the upper left.
+// Returns the rectangles of `count` tiles in a picture of `width` x `height`, beginning at the
+// upper left.
 export function tiles(
   count: number,
   width: number,

@@ -1,5 +1,5 @@
-// Stage: the picture of the dogs. It draws when something has moved, at most once per picture of
-// the screen.
+// Stage: draws the picture of the dogs. Draws only when something has moved, at most once for each
+// refresh of the screen.
 import * as THREE from 'three';
 import { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js';
 import { el } from '../dom';
@@ -10,12 +10,13 @@ import { Orbit, tiles, type ViewName } from './orbit';
 
 const FOV_DEG = 26;
 
-// A computer that needs longer than this for a picture gets cheaper ones.
+// A computer that needs longer than this for a picture gets pictures of a lower quality.
 const SLOW_MS = 45;
 const SLOW_PICTURES = 15;
 
-// How much a picture may cost, from the best to the cheapest one. `gapMs` is the least time between
-// two pictures: where the processor draws, it must have time for all else.
+// Qualities of pictures, from the best to the cheapest. `gapMs` is the least time between two
+// pictures. It matters where the processor draws, because the processor needs time for other work
+// as well.
 const QUALITIES = [
   { ratio: 2, isRich: true, gapMs: 0 },
   { ratio: 1, isRich: true, gapMs: 0 },
@@ -23,7 +24,7 @@ const QUALITIES = [
   { ratio: 0.7, isRich: false, gapMs: 150 },
 ] as const;
 
-// Returns whether the processor draws, because there is no graphics card.
+// Returns whether the processor draws, because the computer has no graphics card.
 function isDrawnBySoftware(renderer: THREE.WebGLRenderer): boolean {
   const gl = renderer.getContext();
   const info = gl.getExtension('WEBGL_debug_renderer_info');
@@ -62,7 +63,7 @@ export class Stage {
     new ResizeObserver(() => this.touch()).observe(this.canvas);
   }
 
-  // False where the browser has no WebGL.
+  // Returns false if the browser has no WebGL.
   get works(): boolean {
     return this.renderer !== null;
   }
@@ -91,7 +92,7 @@ export class Stage {
     this.touch();
   }
 
-  // Draws soon.
+  // Requests that a new picture is drawn soon.
   touch(): void {
     if (this.isDirty) return;
     this.isDirty = true;
@@ -100,7 +101,7 @@ export class Stage {
     else requestAnimationFrame(() => this.draw());
   }
 
-  // Returns what lies under a place of the page.
+  // Returns the robot and the part of it at a place of the page.
   pick(clientX: number, clientY: number): { robot: number; hit: StageHit | null } {
     const box = this.canvas.getBoundingClientRect();
     const [x, y] = [clientX - box.left, clientY - box.top];
@@ -125,7 +126,8 @@ export class Stage {
     return { robot, hit: hit === null ? null : { ...hit, robot } };
   }
 
-  // Returns the width of a pixel in metres at `point`, and the directions of the picture.
+  // Returns the width of a pixel in metres at `point`, and the right and up directions of the
+  // picture.
   pixelAt(point: THREE.Vector3): { metres: number; right: THREE.Vector3; up: THREE.Vector3 } {
     const right = new THREE.Vector3();
     const up = new THREE.Vector3();
@@ -188,7 +190,8 @@ export class Stage {
     const eye = this.orbit.eye();
     const { target } = this.orbit;
     this.camera.aspect = aspect;
-    // A narrow picture shows less to the sides, so the camera goes back there.
+    // Makes the angle of view larger for a narrow picture, because it would show too little to the
+    // sides.
     this.camera.fov = aspect < 1.1 ? FOV_DEG * Math.min(2, 1.1 / aspect) : FOV_DEG;
     this.camera.position.set(eye.x, eye.y, eye.z);
     this.camera.lookAt(target.x, target.y, target.z);
@@ -211,7 +214,7 @@ export class Stage {
       if (tile === undefined) return;
       if (pose !== undefined && this.isPoseNew) dog.apply(pose);
       this.aim(dog, tile.width / tile.height);
-      const y = height - tile.y - tile.height; // WebGL counts from below
+      const y = height - tile.y - tile.height; // WebGL counts y from below
       renderer.setViewport(tile.x, y, tile.width, tile.height);
       renderer.setScissor(tile.x, y, tile.width, tile.height);
       renderer.render(dog.scene, this.camera);
@@ -231,7 +234,8 @@ export class Stage {
     const now = performance.now();
     const took = now - this.lastDraw - QUALITIES[this.quality]!.gapMs;
     this.lastDraw = now;
-    if (took > 600) return; // nothing moved
+    // A still picture is drawn rarely, so a very long time does not mean that the browser is slow.
+    if (took > 600) return;
     this.slowPictures = took > SLOW_MS ? this.slowPictures + 1 : 0;
     if (this.slowPictures < SLOW_PICTURES || this.quality + 1 >= QUALITIES.length) return;
     this.slowPictures = 0;

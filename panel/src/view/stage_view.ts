@@ -1,4 +1,4 @@
-// The picture of the dogs with what lies over it: views, the moment shown, hands.
+// The picture of the dogs with the controls above it: views, the moment that is shown, hands.
 import { button, el, setText } from '../dom';
 import { clockTime } from '../format';
 import type { Session } from '../session';

@@ -1,9 +1,10 @@
-// What the steps of the browser test share: the browser, pictures, waiting, and counting clicks.
+// Functions and classes that all steps of the browser test share: they start the browser, save
+// pictures, wait for the page, and count clicks.
 import fs from 'node:fs';
 import path from 'node:path';
 import { chromium } from 'playwright-core';
 
-// WebGL without a graphics card.
+// Arguments of Chromium that let WebGL work without a graphics card.
 const ARGUMENTS = [
   '--no-sandbox',
   '--disable-gpu',
@@ -37,7 +38,7 @@ export function numberOf(text) {
   return Number.parseFloat(String(text).replace('\u2212', '-'));
 }
 
-// "1:02.500" is 62.5.
+// Returns the seconds of a time that the page shows: 62.5 for "1:02.500".
 export function secondsOf(text) {
   const [minutes = '0', seconds = '0'] = String(text).split(':');
   return Number(minutes) * 60 + Number(seconds);
@@ -47,15 +48,16 @@ export class Steps {
   passed = 0;
   failed = [];
 
-  // `only`: text that names of steps must contain; "": all.
+  // `only`: a text; only steps whose names contain it are taken. "" takes all steps.
   constructor(folder, only = '') {
     this.folder = folder;
     this.only = only;
     if (folder) fs.mkdirSync(folder, { recursive: true });
   }
 
-  // Returns whether the step was good, or was not asked for.
-  // `isAlways`: other steps need this one, so it is taken whatever was asked for.
+  // Takes a step: calls `act`, and counts and prints the result. A step whose name does not contain
+  // `only` is left out. Returns false only if the step failed.
+  // `isAlways`: takes the step whatever its name, because other steps need it.
   async step(name, page, act, isAlways = false) {
     if (!isAlways && !name.includes(this.only)) return true;
     const began = Date.now();
@@ -84,7 +86,7 @@ export class Steps {
   }
 }
 
-// The controls of the page, as a person finds them.
+// The panel in a page of the browser. Finds controls by the names that a person reads.
 export class Panel {
   clicks = 0;
 
@@ -101,13 +103,13 @@ export class Panel {
     return this.page.getByRole('button', { name, exact: true });
   }
 
-  // Brings a panel to the front, if it is not seen already.
+  // Clicks the tab of a panel, unless the panel is shown already.
   async show(title) {
     const tab = this.page.getByRole('tab', { name: title, exact: true });
     if ((await tab.getAttribute('aria-selected')) !== 'true') await this.click(tab);
   }
 
-  // Counts the clicks of `act`, which must be three or fewer.
+  // Calls `act`, and throws if it needs more than three clicks.
   async inThreeClicks(act) {
     this.clicks = 0;
     await act();
@@ -130,10 +132,10 @@ export class Panel {
     return numberOf(await this.joint(title).locator('.measured').textContent());
   }
 
-  // Drags the handle of a joint to `share` of its range.
+  // Drags the handle of a joint to `share` (0 to 1) of its range; returns that angle.
   async dragJoint(title, share) {
     const slider = this.page.getByRole('slider', { name: title, exact: true });
-    // Sliders are made anew for a new run, and locked until its first values have come.
+    // For a new run the page makes new sliders, and locks them until the first values of the run come.
     await until(`the slider of ${title} stays locked`, () => slider.isDisabled(), (is) => !is);
     await slider.scrollIntoViewIfNeeded();
     const box = await slider.boundingBox();
@@ -151,7 +153,7 @@ export class Panel {
     return this.page.locator(`[data-sensor="${name}"] .value`).textContent();
   }
 
-  // Texts of the messages at the lower edge that say that something went wrong.
+  // Returns the texts of the error messages at the lower edge of the page.
   async errors() {
     return this.page.locator('.notice.bad .text').allTextContents();
   }

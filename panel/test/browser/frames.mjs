@@ -1,5 +1,5 @@
-// Takes the pictures of the moving picture in the README (tools/moving_picture.py): the dog of a run
-// walks.
+// Takes screenshots of the panel while the dog of a run walks. tools/moving_picture.py makes the
+// moving picture of the README from them.
 //
 //   OPENR_PANEL_URL=http://... OPENR_PANEL_SHOTS=FOLDER node test/browser/frames.mjs
 import fs from 'node:fs';
@@ -8,15 +8,16 @@ import { launch, Panel, until } from './browser.mjs';
 
 const url = process.env['OPENR_PANEL_URL'];
 const folder = process.env['OPENR_PANEL_SHOTS'];
-const FRAMES = 20; // frames of 8 ms between two pictures
+const FRAMES = 20; // frames of 8 ms between two screenshots
 
 const browser = await launch();
 const page = await browser.newPage({ viewport: { width: 1440, height: 900 }, colorScheme: 'dark' });
 await page.goto(url);
 const panel = new Panel(page);
 fs.mkdirSync(folder, { recursive: true });
-// A browser without a graphics card needs longer for a picture than the robot for its movement, so
-// the run is paused and goes on frame by frame.
+// Pauses the run and takes `count` screenshots, with FRAMES frames of the run between them. In real
+// time the dog would move too far between two, because a browser without a graphics card needs long
+// for a screenshot.
 async function film(count) {
   await page.keyboard.press('p');
   await until('the run does not pause', () => page.getByRole('button', { name: /Run/ }).count(), (n) => n > 0);

@@ -1,10 +1,13 @@
-// Drives the panel of a run in a browser, with the controls of the page only.
+// Tests the panel of a run in a browser: uses only the controls that a person can use.
 //
 //   OPENR_PANEL_URL=http://127.0.0.1:8210/?token=... node test/browser/panel_test.mjs [WORD]
 //
-// OPENR_PANEL_SHOTS: folder for pictures of the page. OPENR_PANEL_MOTION: a motion to upload.
-// OPENR_PANEL_CONTROLLER: an image that says "iteration 1", to upload.
-// OPENR_PANEL_SECOND, OPENR_PANEL_LINK: see steps_both.mjs. OPENR_CHROMIUM: the browser. WORD: only steps whose names contain it.
+// WORD: takes only the steps whose names contain WORD. Other variables of the environment:
+//   OPENR_PANEL_SHOTS: the folder for screenshots.
+//   OPENR_PANEL_MOTION: a motion that the test uploads.
+//   OPENR_PANEL_CONTROLLER: a controller image that the test uploads; it prints "iteration 1".
+//   OPENR_PANEL_SECOND, OPENR_PANEL_LINK: see steps_both.mjs.
+//   OPENR_CHROMIUM: the browser.
 import fs from 'node:fs';
 import { launch, Panel, Steps } from './browser.mjs';
 import { stepsOfBoth } from './steps_both.mjs';

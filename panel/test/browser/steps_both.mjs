@@ -1,6 +1,7 @@
-// Steps about a second robot: another run, behind a link that the test can cut.
+// Tests the panel with a second robot: another run, behind a link that the test can cut.
 //
-// OPENR_PANEL_SECOND: its address. OPENR_PANEL_LINK: address of the link's control.
+// OPENR_PANEL_SECOND: the address of the second robot, through the link.
+// OPENR_PANEL_LINK: the address of the control of the link.
 import net from 'node:net';
 import { need, numberOf, Panel, until } from './browser.mjs';
 
@@ -26,7 +27,8 @@ export async function stepsOfBoth(steps, browser, panel, motion) {
   const rate = page.getByLabel('Rate: virtual seconds per second');
   const fact = (name) => page.locator(`.facts dt:text-is("${name}") + dd`).textContent();
   const difference = async () => numberOf((await fact('Largest difference')).split(' ')[1]);
-  // Angle of the robot's neck minus that of the simulation, as the marks of the slider show them.
+  // Returns by how many degrees the necks of robot and simulation differ, from the marks that the
+  // slider shows.
   const neckDifference = async () => {
     await panel.show('Joints');
     const shares = await panel
@@ -41,7 +43,7 @@ export async function stepsOfBoth(steps, browser, panel, motion) {
     await panel.click(panel.button('Connect'));
     await panel.button('Disconnect').waitFor({ timeout: 60_000 });
   };
-  // Drags a joint, and shows the panel of both dogs again.
+  // Drags the slider of the neck, and shows the panel "Both dogs" again; returns the commanded angle.
   const drag = async (share) => {
     await panel.show('Joints');
     const goal = await panel.dragJoint('Neck pan', share);
@@ -104,7 +106,8 @@ export async function stepsOfBoth(steps, browser, panel, motion) {
     await follow.selectOption('simulation');
     await until('the simulation did not follow', difference, (deg) => deg < 6);
     await drag(0.6);
-    // The lag is known only while the dogs move, so that both places are read before the picture is taken.
+    // The page shows a lag only while the dogs move. So we wait until panel and header both show it,
+    // and only then take the screenshot.
     const lags = async () => [await fact('Lag of the pose'), await page.locator('.chip.pair').textContent()];
     await until('no lag is shown', lags, ([inPanel, inHead]) => /\d+ ms/.test(inPanel) && /lag \d+ ms/.test(inHead));
     await steps.picture(page, 'both follow');

@@ -1,8 +1,8 @@
-// Steps about what a person does to the dog: sliders, pressing, pushing, lifting.
+// Tests the controls for what a person does to the dog: sliders, pressing, pushing, lifting.
 import { need, until } from './browser.mjs';
 
-// Moves the pointer over the dog, from the middle of the picture outwards, until the picture says
-// `title`. Returns the place, or null.
+// Moves the pointer over the dog, from the middle of the picture outwards, until the picture shows
+// the tooltip `title`. Returns that position of the pointer, or null.
 async function findInPicture(page, title) {
   const canvas = page.locator('.picture canvas');
   const box = await canvas.boundingBox();

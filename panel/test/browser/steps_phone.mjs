@@ -1,4 +1,4 @@
-// Steps about the page on a phone.
+// Tests the page at the sizes of a phone, a tablet and a large screen.
 import { need, Panel, until } from './browser.mjs';
 
 const SIZES = [

@@ -1,4 +1,4 @@
-// Steps about the robot: motions, files, lights, battery.
+// Tests the panel of the robot: motions, files, lights, battery.
 import path from 'node:path';
 import { need, until } from './browser.mjs';
 

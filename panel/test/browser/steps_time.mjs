@@ -1,4 +1,4 @@
-// Steps about time: pause, steps, rate, going back, and going on from there.
+// Tests the controls of time: pause, single steps, rate, going back, and a new run from the past.
 import { need, until } from './browser.mjs';
 
 export async function stepsOfTime(steps, panel, controller) {
@@ -15,7 +15,8 @@ export async function stepsOfTime(steps, panel, controller) {
     await until('one frame is not 8 ms', () => panel.time(), (t) => Math.abs(t - before - 0.008) < 0.0081);
     await panel.click(panel.button('Message'));
     const vector = await panel.time();
-    // Several objects can observe one vector, each at the same virtual time.
+    // Several objects can handle one vector at the same virtual time, and each click goes on by one
+    // of them. So one click may leave the time as it is, but four change it.
     for (let i = 0; i < 4; ++i) await panel.click(panel.button('Vector'));
     await until('a vector did not go on', () => panel.time(), (t) => t > vector && t < vector + 0.3);
     await panel.click(panel.button('▶ Run'));

@@ -1,4 +1,4 @@
-// Steps about what the page shows: the dog, joints, graph, plots, log.
+// Tests what the page shows: the dog, joints, graph, plots, log.
 import fs from 'node:fs';
 import { need, until } from './browser.mjs';
 
@@ -10,7 +10,7 @@ async function saved(panel, name) {
   return fs.readFileSync(await (await wait).path(), 'utf8');
 }
 
-// Returns whether the other steps make sense.
+// Returns whether the page is connected; without a connection the other steps make no sense.
 export async function stepsOfConnecting(steps, panel) {
   const { page } = panel;
   return steps.step('the page connects and hides its token', page, async () => {

@@ -1,4 +1,4 @@
-// One band of a camera image.
+// A band of a camera image.
 #ifndef OPENR_OFBKIMAGE_H_INCLUDED
 #define OPENR_OFBKIMAGE_H_INCLUDED
 

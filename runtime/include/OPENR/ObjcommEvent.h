@@ -56,7 +56,7 @@ class OConnectEvent {
   OConnectCmd command_;
 };
 
-// One observer of subject SbjIndex() has asserted or deasserted ready.
+// An observer of subject SbjIndex() has asserted or deasserted ready.
 class OReadyEvent {
  public:
   OReadyEvent(int index, ObserverID id, ObjcommCommand command)

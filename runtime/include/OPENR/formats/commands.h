@@ -129,7 +129,7 @@ struct OJointCommandValue {
 // odataLED_COMMAND
 struct OLEDCommandValue {
   OLEDValue led;
-  word period;  // 16 frames, that is 128 ms
+  word period;  // duration in units of 16 frames (128 ms)
   word padding;
 };
 
