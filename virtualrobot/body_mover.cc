@@ -56,6 +56,9 @@ std::vector<double> BodyMover::Posture(const std::string& name) const {
 void BodyMover::StandUp() {
   EnableAll();
   for (const char* const name : {"broadbase", "sleep", "crouch", "stand"}) {
+    const bool is_known = std::any_of(model_.postures.begin(), model_.postures.end(),
+                                      [name](const auto& posture) { return posture.name == name; });
+    if (!is_known) continue;
     RampTo(Posture(name));
     Hold(0.3);
   }

@@ -28,7 +28,8 @@ class BodyMover {
   // Returns a posture of the model, kept to the software limits.  Throws like PostureAngles().
   std::vector<double> Posture(const std::string& name) const;
 
-  // Enables all joints and stands up through the postures broadbase, sleep, crouch and stand.
+  // Enables all joints and stands up through the postures broadbase, sleep, crouch and stand.  A
+  // posture that the model does not have is left out (the ERS-7 has no "crouch").
   void StandUp();
 
   // Returns the largest distance of a joint from its set point, in degrees.

@@ -23,7 +23,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct ModelFlags {
-  std::vector<std::string> models = {"ers210", "ers220"};
+  std::vector<std::string> models = {"ers210", "ers220", "ers7"};
   bool json = false;
   std::string model;
   std::string file;

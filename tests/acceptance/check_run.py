@@ -196,11 +196,11 @@ def begins_lying(first):
     return first["PRM:/r3/c1-Joint2:j1"] < -60 and not begins_sitting(first)
 
 
-def check_motion(checks, openr, stick, file):
+def check_motion(checks, openr, stick, file, model="ers210"):
     first, last = key_frames(openr, file)
-    robot = Robot(openr, "--stick", stick)
+    robot = Robot(openr, "--stick", stick, "--robot", model)
     try:
-        if begins_sitting(first):
+        if model == "ers210" and begins_sitting(first):
             robot.play("STANDSIT.MTN")
         robot.play(file.name)
     except RuntimeError as refusal:
@@ -212,19 +212,19 @@ def check_motion(checks, openr, stick, file):
     worst = max(off, key=lambda k: abs(off[k]))
     checks.expect(f"{file.name} ends at its last key frame", abs(off[worst]) < 8,
                   (worst, off[worst]))
-    if not begins_lying(first):
+    if model == "ers7" or not begins_lying(first):
         roll = dog["base_rpy_deg"][0]
         checks.expect(f"{file.name} ends upright", abs(roll) < 20, roll)
 
 
-def check_walk(checks, openr, stick):
-    start = run_report(openr, "--for", "20s")["robots"][0]["base_position_m"]
-    robot = Robot(openr, "--stick", stick)
-    robot.play("SWSDK.MTN")
-    robot.play("WWFWD.MTN", 5)
+def check_walk(checks, openr, stick, model, begin, walk):
+    start = run_report(openr, "--for", "20s", "--robot", model)["robots"][0]["base_position_m"]
+    robot = Robot(openr, "--stick", stick, "--robot", model)
+    robot.play(begin)
+    robot.play(walk, 5)
     end = robot.stop()["robots"][0]["base_position_m"]
     forward, sideways = (1000 * (e - s) for e, s in zip(end[:2], start[:2]))
-    checks.expect("SWSDK and five times WWFWD go 150 mm forward", forward >= 150, forward)
+    checks.expect(f"{begin} and five times {walk} go 150 mm forward", forward >= 150, forward)
     checks.expect("and less than 100 mm sideways", abs(sideways) < 100, sideways)
 
 
@@ -241,11 +241,13 @@ def check_motions(checks, openr, build, motions):
             if file.name.startswith("7"):  # for an ERS-7
                 checks.expect(f"{file.name} is refused by an unknown locator",
                               check.returncode == 1 and "PRM:" in check.stderr, check.stderr)
+                check_motion(checks, openr, str(stick), file, "ers7")
                 continue
             checks.expect(f"{file.name} fits the ERS-210", check.returncode == 0, check.stderr)
             if check.returncode == 0:
                 check_motion(checks, openr, str(stick), file)
-        check_walk(checks, openr, str(stick))
+        check_walk(checks, openr, str(stick), "ers210", "SWSDK.MTN", "WWFWD.MTN")
+        check_walk(checks, openr, str(stick), "ers7", "7STDWLK.MTN", "7WWFWD.MTN")
 
 
 def main():

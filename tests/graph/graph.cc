@@ -9,6 +9,7 @@ namespace openr_host {
 Graph::Graph(const GraphOptions& options)
     : Bench({.stick = options.stick,
              .body = options.body,
+             .robot = options.robot,
              .seed = options.seed,
              .measure_stacks = options.measure_stacks}),
       pilot_(&Add<Pilot>("pilot")) {
@@ -46,7 +47,8 @@ void WhenStanding(const GraphOptions& options, const std::function<void(Graph&)>
     }
     return graph;
   };
-  const std::string key = options.stick + options.body + std::to_string(options.seed);
+  const std::string key =
+      options.stick + options.robot + options.body + std::to_string(options.seed);
   standing.try_emplace(key, stand_up).first->second.Run(test, place);
 }
 

@@ -26,10 +26,11 @@ struct GraphOptions {
   uint64_t seed = 1;
   std::string stick = OPENR_STICK;
   bool measure_stacks = false;
+  std::string robot = "ers210";
 };
 
 inline const GraphOptions kIdeal{
-    .body = "ideal", .seed = 1, .stick = OPENR_STICK, .measure_stacks = false};
+    .body = "ideal", .seed = 1, .stick = OPENR_STICK, .measure_stacks = false, .robot = "ers210"};
 
 inline GraphOptions OnStick(const std::string& stick) {
   GraphOptions options;

@@ -40,6 +40,19 @@ TEST(StandUpTest, EveryJointEndsWhereThePostureWantsIt) {
   });
 }
 
+TEST(StandUpTest, TheOtherModelsStandToo) {
+  for (const char* const robot : {"ers220", "ers7"}) {
+    GraphOptions options;
+    options.robot = robot;
+    Graph graph(options);
+    ASSERT_TRUE(graph.RunToStanding()) << robot << graph.console() << graph.Findings();
+    EXPECT_TRUE(graph.Standing()) << robot;
+    EXPECT_NEAR(graph.RollDeg(), 0, 1) << robot;
+    for (const bool paw : graph.dog().body().state().paws) EXPECT_TRUE(paw) << robot;
+    EXPECT_FALSE(graph.system().findings().HasError()) << robot << graph.Findings();
+  }
+}
+
 TEST(StandUpTest, TheIdealBodyStandsToo) {
   Graph graph(kIdeal);
   ASSERT_TRUE(graph.RunToStanding()) << graph.console() << graph.Findings();

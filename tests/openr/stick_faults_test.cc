@@ -137,13 +137,6 @@ TEST(StickFaultsTest, StrictRefusesAnUnknownServiceBeforeAnyObjectStarts) {
   EXPECT_EQ(nlohmann::json::parse(result.out)["virtual_time_s"], 0.0);
 }
 
-TEST(StickFaultsTest, ARobotThatHasNoPhysicsYetNamesTheFlagThatHelps) {
-  const ProgramResult result = RunProgram({"run", "--robot", "ers7", "--for", "100ms"});
-  EXPECT_EQ(result.status, 1);
-  ExpectSaid(result, "ERS-7: no ODE body");
-  ExpectSaid(result, "use --body ideal");
-}
-
 // The same user, or nobody in place of root, who may read everything.
 ProgramResult RunUnprivileged(const std::vector<std::string>& words) {
   if (geteuid() != 0) return RunProgram(words);

@@ -83,9 +83,10 @@ TEST(OdeBodyTest, PosesOfPartsBelongToTheMeasuredAngles) {
 }
 
 TEST(OdeBodyTest, ModelWithoutBoxesIsRefusedByName) {
-  const RobotModel ers7 = ModelNamed("ers7.json");
-  EXPECT_EQ(ErrorOf([&] { OdeBody(ers7, World{}); }),
-            "ERS-7: no ODE body: part 'body' has no box in the model file; use --body ideal");
+  RobotModel model = Ers210();
+  model.bodies[0].has_box = false;
+  EXPECT_EQ(ErrorOf([&] { OdeBody(model, World{}); }),
+            "ERS-210: no ODE body: part 'body' has no box in the model file; use --body ideal");
 }
 
 TEST(OdeBodyTest, PartWithoutMassIsRefusedByName) {
@@ -112,10 +113,24 @@ TEST(OdeBodyTest, Ers220StandsUp) {
   EXPECT_EQ(harness.PawsDown(), 4);
 }
 
+TEST(OdeBodyTest, Ers7StandsUpAndSits) {
+  const RobotModel model = ModelNamed("ers7.json");
+  OdeBody body(model, World{});
+  BodyHarness harness(model, &body);
+  harness.StandUp();
+  EXPECT_NEAR(harness.Position_mm().z(), 145.6, 3);
+  EXPECT_NEAR(harness.RpyDegrees().y(), 1.43, 1);
+  EXPECT_EQ(harness.PawsDown(), 4);
+  EXPECT_LT(harness.JointErrorDegrees(), 2);
+  harness.RampTo(harness.Posture("sit"));
+  harness.Hold(1);
+  EXPECT_NEAR(harness.RpyDegrees().y(), -37.3, 1);  // as its own motions say
+  EXPECT_NEAR(harness.RpyDegrees().x(), 0, 1);
+}
+
 TEST(OdeBodyTest, SeesAWallThroughItsRay) {
   World world;
-  world.boxes.push_back(
-      {.name = "wall", .size_m = {0.1, 1, 1}, .centre_m = {0.55, 0, 0.5}, .yaw_rad = 0});
+  world.things.push_back({.name = "wall", .size_m = {0.1, 1, 1}, .centre_m = {0.55, 0, 0.5}});
   OdeBody body(Ers210(), world);
   EXPECT_DOUBLE_EQ(body.RayDistance({0, 0, 0.1}, {1, 0, 0}, 0.9), 0.5);
 }
