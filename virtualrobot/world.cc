@@ -5,38 +5,70 @@
 #include <utility>
 
 #include "runtime/base/hasher.h"
-#include "runtime/base/read_file.h"
-#include "virtualrobot/det_math.h"
-#include "virtualrobot/json_reader.h"
 
 namespace openr_host {
 namespace {
 
 using Eigen::Vector3d;
 
-// Returns the place where a ray enters the box, as a multiple of `direction_W`: infinite when the
-// ray misses the box, 0 when it starts inside.
-double EnterBox(const WorldBox& box, const Vector3d& p_W, const Vector3d& direction_W) {
-  const double s = DetSin(box.yaw_rad), c = DetCos(box.yaw_rad);
-  const Vector3d r = p_W - box.centre_m;
-  const Vector3d p(c * r.x() + s * r.y(), c * r.y() - s * r.x(), r.z());
-  const Vector3d d(c * direction_W.x() + s * direction_W.y(),
-                   c * direction_W.y() - s * direction_W.x(), direction_W.z());
-  // p and d are the ray in the frame of the box.  The ray is inside the box while it is between the
-  // two faces of each axis.
-  double enter = 0, leave = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < 3; ++k) {
-    const double half = box.size_m[k] / 2;
-    if (d[k] == 0) {
-      if (std::fabs(p[k]) > half) return std::numeric_limits<double>::infinity();
-      continue;
-    }
-    double near = (-half - p[k]) / d[k], far = (half - p[k]) / d[k];
-    if (near > far) std::swap(near, far);
-    enter = std::max(enter, near);
-    leave = std::min(leave, far);
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+// The part of a ray that is inside a shape, as multiples of the ray's direction.  The ray is inside
+// of two shapes at once where both parts overlap.
+struct Inside {
+  double enter = 0, leave = kNever;
+
+  void Cut(double from, double to) {
+    if (from > to) std::swap(from, to);
+    enter = std::max(enter, from);
+    leave = std::min(leave, to);
   }
-  return enter <= leave ? enter : std::numeric_limits<double>::infinity();
+  void Miss() { leave = -1; }
+  double Distance() const { return enter <= leave ? enter : kNever; }
+};
+
+// Cuts `inside` to the part between the planes -half and half of one axis.
+void CutBySlab(double p, double d, double half, Inside* inside) {
+  if (d != 0) {
+    inside->Cut((-half - p) / d, (half - p) / d);
+  } else if (std::fabs(p) > half) {
+    inside->Miss();
+  }
+}
+
+// Cuts `inside` to the part within `radius` of the origin, for a ray of any number of coordinates.
+template <typename Vector>
+void CutByBall(const Vector& p, const Vector& d, double radius, Inside* inside) {
+  const double a = d.squaredNorm(), b = p.dot(d), c = p.squaredNorm() - radius * radius;
+  if (a == 0) {
+    if (c > 0) inside->Miss();
+    return;
+  }
+  const double root = b * b - a * c;
+  if (root < 0) return inside->Miss();
+  inside->Cut((-b - std::sqrt(root)) / a, (-b + std::sqrt(root)) / a);
+}
+
+// Returns the place where a ray enters the thing, as a multiple of `direction_W`: infinite when the
+// ray misses the thing, 0 when it starts inside.
+double EnterThing(const WorldThing& thing, const Vector3d& p_W, const Vector3d& direction_W) {
+  const Vector3d p = thing.R_WT.transpose() * (p_W - thing.centre_m);
+  const Vector3d d = thing.R_WT.transpose() * direction_W;
+  const Vector3d half = thing.size_m / 2;
+  Inside inside;
+  switch (thing.shape) {
+    case ThingShape::kBox:
+      for (int k = 0; k < 3; ++k) CutBySlab(p[k], d[k], half[k], &inside);
+      break;
+    case ThingShape::kSphere:
+      CutByBall(p, d, half.x(), &inside);
+      break;
+    case ThingShape::kCylinder:
+      CutBySlab(p.z(), d.z(), half.z(), &inside);
+      CutByBall(Eigen::Vector2d(p.head<2>()), Eigen::Vector2d(d.head<2>()), half.x(), &inside);
+      break;
+  }
+  return inside.Distance();
 }
 
 }  // namespace
@@ -46,53 +78,18 @@ double RayDistance(const World& world, const Vector3d& p_W, const Vector3d& dire
   double distance_m = max_m;
   if (p_W.z() <= 0) return 0;
   if (direction_W.z() < 0) distance_m = std::min(distance_m, -p_W.z() / direction_W.z());
-  for (const WorldBox& box : world.boxes) {
-    distance_m = std::min(distance_m, EnterBox(box, p_W, direction_W));
-  }
+  for (const WorldThing& thing : world.things)
+    distance_m = std::min(distance_m, EnterThing(thing, p_W, direction_W));
   return distance_m;
 }
 
-World ParseWorld(const std::string& text, const std::string& name) {
-  const nlohmann::json json = JsonReader::ParseText(text, name);
-  const JsonReader root(json, name);
-  root.AllowOnly({"schema", "name", "friction", "boxes"});
-  if (root.At("schema").Text() != "openr-host world 1") {
-    root.At("schema").Fail("is '{}', this program reads 'openr-host world 1'",
-                           root.At("schema").Text());
-  }
-  World world;
-  world.name = root.At("name").Text();
-  if (root.Has("friction")) {
-    world.floor_friction = root.At("friction").Number();
-    if (world.floor_friction < 0) {
-      root.At("friction").Fail("is {}, must be >= 0", world.floor_friction);
-    }
-  }
-  if (!root.Has("boxes")) return world;
-  for (const JsonReader& row : root.At("boxes").Elements()) {
-    row.AllowOnly({"name", "size_m", "centre_m", "yaw_deg"});
-    WorldBox box;
-    box.name = row.At("name").Text();
-    box.size_m = row.At("size_m").Vector();
-    box.centre_m = row.At("centre_m").Vector();
-    if (row.Has("yaw_deg")) box.yaw_rad = Radians(row.At("yaw_deg").Number());
-    if (!(box.size_m.minCoeff() > 0)) {
-      row.At("size_m").Fail("box '{}' is {} x {} x {} m, edges must be > 0", box.name,
-                            box.size_m.x(), box.size_m.y(), box.size_m.z());
-    }
-    world.boxes.push_back(box);
-  }
-  return world;
-}
-
-World LoadWorld(const std::string& path) { return ParseWorld(ReadFileOrThrow(path), path); }
-
 void HashWorld(const World& world, Hasher* hasher) {
   hasher->Add(world.floor_friction);
-  for (const WorldBox& box : world.boxes) {
-    hasher->AddBytes(box.size_m.data(), 3 * sizeof(double));
-    hasher->AddBytes(box.centre_m.data(), 3 * sizeof(double));
-    hasher->Add(box.yaw_rad);
+  for (const WorldThing& thing : world.things) {
+    hasher->Add(thing.shape);
+    hasher->AddBytes(thing.size_m.data(), 3 * sizeof(double));
+    hasher->AddBytes(thing.centre_m.data(), 3 * sizeof(double));
+    hasher->AddBytes(thing.R_WT.data(), 9 * sizeof(double));
   }
 }
 

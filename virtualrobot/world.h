@@ -1,5 +1,5 @@
-// The surroundings of a robot: a floor and static boxes.  docs/worlds.md describes the format of
-// world files.
+// The surroundings of a robot: a floor and static things on it.  docs/worlds.md describes the
+// format of world files.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,18 +10,24 @@ namespace openr_host {
 
 class Hasher;
 
-// A static box in the world frame W, which has z up and the floor at z = 0.
-struct WorldBox {
-  std::string name;                   // name of the box in error messages
-  Eigen::Vector3d size_m{0, 0, 0};    // lengths of the edges, each > 0
-  Eigen::Vector3d centre_m{0, 0, 0};  // centre of the box, in W
-  double yaw_rad = 0;                 // rotation about z, counterclockwise seen from above
+enum class ThingShape { kBox, kSphere, kCylinder };
+
+// A static thing in the world frame W, which has z up and the floor at z = 0.
+struct WorldThing {
+  std::string name;  // name of the thing in error messages and reports
+  ThingShape shape = ThingShape::kBox;
+  // Box: lengths of the edges.  Sphere: three times the diameter.  Cylinder: the diameter twice,
+  // and the length along its own z.  Each > 0.
+  Eigen::Vector3d size_m{0, 0, 0};
+  Eigen::Vector3d centre_m{0, 0, 0};                   // in W
+  Eigen::Matrix3d R_WT = Eigen::Matrix3d::Identity();  // rotation of the thing
+  Eigen::Vector3d colour{0.72, 0.60, 0.46};            // red, green and blue, 0 to 1
 };
 
 struct World {
   std::string name = "flat";
-  double floor_friction = 0.6;  // Coulomb friction coefficient of floor and boxes, >= 0
-  std::vector<WorldBox> boxes;
+  double floor_friction = 0.6;  // Coulomb friction coefficient of floor and things, >= 0
+  std::vector<WorldThing> things;
 };
 
 // Reads a world file (JSON).  Throws std::runtime_error with file, field and value when the file
@@ -34,7 +40,7 @@ World ParseWorld(const std::string& text, const std::string& name);
 void HashWorld(const World& world, Hasher* hasher);
 
 // Returns the distance in metres from `p_W` along the unit vector `direction_W` to the floor or the
-// first box; `max_m` when nothing is nearer; 0 when `p_W` is inside a box or below the floor.
+// first thing; `max_m` when nothing is nearer; 0 when `p_W` is inside a thing or below the floor.
 double RayDistance(const World& world, const Eigen::Vector3d& p_W,
                    const Eigen::Vector3d& direction_W, double max_m);
 

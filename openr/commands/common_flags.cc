@@ -16,8 +16,15 @@ void AddCommonFlags(CLI::App* command, SimulationOptions* options) {
   command->add_option("--robot", options->robot, "Model of the robot")
       ->check(CLI::IsMember({"ers210", "ers220", "ers7"}))
       ->capture_default_str();
-  command->add_option("--world", options->world, "World file (default: a flat floor)")
-      ->check(IsReadable("--world", kWorldFile));
+  const auto world_check = [](const std::string& name) -> std::string {
+    const std::string file = DataFile(name);
+    RefuseInput("--world", file, WhyNotReadable(file, kWorldFile.kind, kWorldFile.extension));
+    return "";
+  };
+  command
+      ->add_option("--world", options->world,
+                   "World file, or corridor.json or ramp-and-stairs.json (default: a flat floor)")
+      ->check(CLI::Validator(world_check, ""));
   command->add_option("--seed", options->seed, "Of everything random")
       ->check(IsCount())
       ->capture_default_str();

@@ -39,11 +39,13 @@ std::string ColourText(const render::Colour& colour) {
 }
 
 Json JsonOf(const render::Shape& shape) {
-  return {{"size", JsonOf(shape.size_m)},
-          {"radius", shape.radius_m},
-          {"pose", JsonOf(shape.X_WS)},
-          {"colour", ColourText(shape.colour)},
-          {"gloss", shape.gloss}};
+  Json json = {{"size", JsonOf(shape.size_m)},
+               {"radius", shape.radius_m},
+               {"pose", JsonOf(shape.X_WS)},
+               {"colour", ColourText(shape.colour)},
+               {"gloss", shape.gloss}};
+  if (shape.is_cylinder) json["cylinder"] = true;
+  return json;
 }
 
 Json LinksJson(const RobotModel& model) {

@@ -62,4 +62,33 @@ Mesh RoundedBox(const Eigen::Vector3f& size, float radius, int steps) {
   return mesh;
 }
 
+// Adds two triangles for each side, and one for each end.
+Mesh Cylinder(const Eigen::Vector3f& size, int sides) {
+  Mesh mesh;
+  const Eigen::Vector3f half = 0.5f * size;
+  // The side and the two ends have vertices of their own, because their normals differ.
+  const auto add_circle = [&](float end, bool is_side) {
+    const auto first = static_cast<uint32_t>(mesh.vertices.size());
+    for (int i = 0; i < sides; ++i) {
+      const float angle = 6.2831853f * static_cast<float>(i) / static_cast<float>(sides);
+      const Eigen::Vector3f out(std::cos(angle), std::sin(angle), 0);
+      mesh.vertices.push_back({{half.x() * out.x(), half.y() * out.y(), end * half.z()},
+                               is_side ? out : Eigen::Vector3f(0, 0, end)});
+    }
+    return first;
+  };
+  const uint32_t low = add_circle(-1, true), high = add_circle(1, true);
+  const uint32_t bottom = add_circle(-1, false), top = add_circle(1, false);
+  const auto n = static_cast<uint32_t>(sides);
+  for (uint32_t i = 0; i < n; ++i) {
+    const uint32_t next = (i + 1) % n;
+    for (const uint32_t index : {low + i, low + next, high + next, low + i, high + next, high + i})
+      mesh.triangles.push_back(index);
+    if (i == 0 || next == 0) continue;
+    for (const uint32_t index : {top, top + i, top + next, bottom, bottom + next, bottom + i})
+      mesh.triangles.push_back(index);
+  }
+  return mesh;
+}
+
 }  // namespace openr_host::render

@@ -1,4 +1,4 @@
-// Makes the triangles of a box with rounded edges.
+// Makes the triangles of boxes with rounded edges and of cylinders.
 #pragma once
 
 #include <Eigen/Core>
@@ -20,5 +20,9 @@ struct Mesh {
 // Returns a box whose centre is the origin.  `radius` is the radius of its edges, at most half of
 // its shortest edge.  `steps` is the number of segments in a quarter circle, at least 1.
 Mesh RoundedBox(const Eigen::Vector3f& size, float radius, int steps);
+
+// Returns a cylinder along z that fills a box of the size `size` around the origin.  `sides` is the
+// number of its side faces, at least 3.
+Mesh Cylinder(const Eigen::Vector3f& size, int sides);
 
 }  // namespace openr_host::render

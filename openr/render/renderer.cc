@@ -16,6 +16,7 @@ namespace {
 
 constexpr int kOversample = 3;  // drawn pixels per pixel of the picture, in each direction
 constexpr int kEdgeSteps = 8;   // segments of a quarter circle at the edges of shapes
+constexpr int kCylinderSides = 48;
 constexpr int kShadowPixels = 2048;
 constexpr double kShadowHalfM = 0.40;  // distance from the camera's target up to which shadows are
                                        // drawn
@@ -56,9 +57,10 @@ struct Item {
 std::vector<Item> MakeItems(const Scene& scene) {
   std::vector<Item> items;
   for (const Shape& shape : scene.shapes) {
-    items.push_back(
-        {RoundedBox(shape.size_m.cast<float>(), static_cast<float>(shape.radius_m), kEdgeSteps),
-         shape.X_WS.matrix().cast<float>(), &shape});
+    items.push_back({shape.is_cylinder ? Cylinder(shape.size_m.cast<float>(), kCylinderSides)
+                                       : RoundedBox(shape.size_m.cast<float>(),
+                                                    static_cast<float>(shape.radius_m), kEdgeSteps),
+                     shape.X_WS.matrix().cast<float>(), &shape});
   }
   return items;
 }

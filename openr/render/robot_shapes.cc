@@ -13,7 +13,6 @@ using render::Shape;
 constexpr Colour kSilver{0.80f, 0.81f, 0.83f};
 constexpr Colour kGrey{0.44f, 0.45f, 0.48f};
 constexpr Colour kBlack{0.13f, 0.13f, 0.15f};
-constexpr Colour kWood{0.72f, 0.60f, 0.46f};
 
 Eigen::Isometry3d At(const Eigen::Vector3d& place_m) {
   return Eigen::Isometry3d(Eigen::Translation3d(place_m));
@@ -233,13 +232,18 @@ Eigen::Isometry3d PlaceInPart(const RobotShape& shape, double angle_rad) {
 
 std::vector<Shape> ShapesOfWorld(const World& world) {
   std::vector<Shape> shapes;
-  for (const WorldBox& box : world.boxes) {
+  for (const WorldThing& thing : world.things) {
     Shape shape;
-    shape.X_WS = Eigen::Translation3d(box.centre_m) *
-                 Eigen::AngleAxisd(box.yaw_rad, Eigen::Vector3d::UnitZ());
-    shape.size_m = box.size_m;
-    shape.radius_m = std::min(0.004, 0.2 * box.size_m.minCoeff());
-    shape.colour = kWood;
+    shape.X_WS.linear() = thing.R_WT;
+    shape.X_WS.translation() = thing.centre_m;
+    shape.size_m = thing.size_m;
+    const double shortest_m = thing.size_m.minCoeff();
+    // A box whose edges are as round as possible is a sphere.
+    shape.radius_m =
+        thing.shape == ThingShape::kSphere ? shortest_m / 2 : std::min(0.004, 0.2 * shortest_m);
+    shape.is_cylinder = thing.shape == ThingShape::kCylinder;
+    const Eigen::Vector3f colour = thing.colour.cast<float>();
+    shape.colour = {colour.x(), colour.y(), colour.z()};
     shape.gloss = 0.1f;
     shapes.push_back(shape);
   }

@@ -18,7 +18,8 @@ struct Colour {
 struct Shape {
   Eigen::Isometry3d X_WS = Eigen::Isometry3d::Identity();  // centre and axes of the box in W
   Eigen::Vector3d size_m{0, 0, 0};                         // lengths of the edges
-  double radius_m = 0;  // radius of the edges; at most half of the shortest edge is used
+  double radius_m = 0;       // radius of the edges; at most half of the shortest edge is used
+  bool is_cylinder = false;  // a cylinder along z fills the box; its edges are sharp
   Colour colour;
   float gloss = 0.3f;  // from 0, dull, to 1, polished
   bool glows = false;  // shines in its own colour, also in the shadow

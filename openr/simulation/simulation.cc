@@ -26,8 +26,9 @@
 namespace openr_host {
 namespace {
 
-World WorldOf(const std::string& file) {
-  if (file.empty()) return {};
+World WorldOf(const std::string& name) {
+  if (name.empty()) return {};
+  const std::string file = DataFile(name);
   RequireReadable(file, kWorldFile);
   return LoadWorld(file);
 }

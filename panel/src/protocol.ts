@@ -11,6 +11,7 @@ export interface ShapeData {
   pose: Pose;
   colour: string;
   gloss?: number;
+  cylinder?: boolean;
   led?: number;
   glow?: string;
   ear?: number;

@@ -45,7 +45,7 @@ TEST_F(RobotSceneTest, NothingReachesBelowTheFloor) {
 
 TEST_F(RobotSceneTest, BoxesOfTheWorldAreShown) {
   World world;
-  world.boxes.push_back({"box", {0.1, 0.2, 0.3}, {1, 0, 0.15}, 0});
+  world.things.push_back({.name = "box", .size_m = {0.1, 0.2, 0.3}, .centre_m = {1, 0, 0.15}});
   EXPECT_EQ(MakeRobotScene(model_, look_, world, View::kTop).shapes.size(),
             MakeRobotScene(model_, look_, World(), View::kTop).shapes.size() + 1);
 }

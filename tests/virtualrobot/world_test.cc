@@ -24,14 +24,14 @@ TEST(WorldTest, ReadsFrictionAndBoxes) {
   const World world = ParseWorld(kWall, "w.json");
   EXPECT_EQ(world.name, "wall");
   EXPECT_EQ(world.floor_friction, 0.4);
-  ASSERT_EQ(world.boxes.size(), 1u);
-  EXPECT_EQ(world.boxes[0].size_m, Vector3d(0.1, 2, 0.5));
+  ASSERT_EQ(world.things.size(), 1u);
+  EXPECT_EQ(world.things[0].size_m, Vector3d(0.1, 2, 0.5));
 }
 
 TEST(WorldTest, FrictionAndBoxesMayBeLeftOut) {
   const World world = ParseWorld(R"({"schema": "openr-host world 1", "name": "flat"})", "w.json");
   EXPECT_EQ(world.floor_friction, World{}.floor_friction);
-  EXPECT_TRUE(world.boxes.empty());
+  EXPECT_TRUE(world.things.empty());
 }
 
 TEST(WorldTest, FlatBoxIsRefused) {
@@ -65,7 +65,7 @@ TEST(WorldTest, ANumberOutOfRangeIsRefusedWithItsPlace) {
 }
 
 TEST(WorldTest, AListIsNoWorld) {
-  EXPECT_EQ(ErrorOf([] { ParseWorld("[]", "w.json"); }), "w.json: must be an object, is []");
+  EXPECT_EQ(ErrorOf([] { ParseWorld("[]", "w.json"); }), "w.json: must be an object with 'schema'");
 }
 
 TEST(WorldTest, MissingFileIsNamed) {
@@ -100,9 +100,96 @@ TEST(RayDistanceTest, IsZeroInsideABox) {
 // Turned by 45 degrees a cube of edge 0.2 shows its edge at half its diagonal.
 TEST(RayDistanceTest, KnowsThatABoxIsTurned) {
   World world;
-  world.boxes.push_back(
-      {.name = "cube", .size_m = {0.2, 0.2, 0.2}, .centre_m = {1, 0, 0.1}, .yaw_rad = Radians(45)});
+  world.things.push_back({.name = "cube",
+                          .size_m = {0.2, 0.2, 0.2},
+                          .centre_m = {1, 0, 0.1},
+                          .R_WT = RotationFromRpy({0, 0, Radians(45)})});
   EXPECT_NEAR(RayDistance(world, {0, 0, 0.1}, {1, 0, 0}, 2), 1 - 0.1 * std::sqrt(2), 1e-12);
+}
+
+// A world of version 2 with the one thing `row`.
+World With(const std::string& row) {
+  return ParseWorld(R"({"schema": "openr-host world 2", "name": "w", "things": [)" + row + "]}",
+                    "w.json");
+}
+
+std::string ErrorOfThing(const std::string& row) {
+  return ErrorOf([&] { With(row); });
+}
+
+TEST(WorldThingTest, EveryShapeIsRead) {
+  const WorldThing ball =
+      With(R"({"shape":"sphere","name":"b","radius_m":0.1,"centre_m":[1,2,3],"colour":[1,0.5,0]})")
+          .things.at(0);
+  EXPECT_EQ(ball.shape, ThingShape::kSphere);
+  EXPECT_EQ(ball.size_m, Vector3d(0.2, 0.2, 0.2));
+  EXPECT_EQ(ball.colour, Vector3d(1, 0.5, 0));
+  const WorldThing pole = With(R"({"shape":"cylinder","name":"p","radius_m":0.05,"height_m":0.4,
+                                   "centre_m":[1,0,0.2]})")
+                              .things.at(0);
+  EXPECT_EQ(pole.size_m, Vector3d(0.1, 0.1, 0.4));
+  const WorldThing box = With(R"({"shape":"box","name":"q","size_m":[1,2,3],"centre_m":[0,0,1],
+                                  "rpy_deg":[90,0,0]})")
+                             .things.at(0);
+  EXPECT_TRUE((box.R_WT * Vector3d::UnitY()).isApprox(Vector3d::UnitZ(), 1e-12));
+}
+
+// A ramp of 0.3 m that rises 0.4 m: its upper face begins at the start and ends 0.3 m ahead.
+TEST(WorldThingTest, ARampRisesFromItsStart) {
+  const WorldThing ramp = With(R"({"shape":"ramp","name":"r","size_m":[0.3,0.5,0.4],
+                                   "start_m":[1,0,0],"yaw_deg":90})")
+                              .things.at(0);
+  const Vector3d half = ramp.size_m / 2;
+  const Vector3d begin = ramp.centre_m + ramp.R_WT * Vector3d(-half.x(), 0, half.z());
+  const Vector3d end = ramp.centre_m + ramp.R_WT * Vector3d(half.x(), 0, half.z());
+  EXPECT_TRUE(begin.isApprox(Vector3d(1, 0, 0), 1e-12)) << begin.transpose();
+  EXPECT_TRUE(end.isApprox(Vector3d(1, 0.3, 0.4), 1e-12)) << end.transpose();
+}
+
+TEST(WorldThingTest, StairsAreBoxesThatRise) {
+  const World world = With(R"({"shape":"stairs","name":"s","size_m":[0.6,0.5,0.3],"steps":3,
+                               "start_m":[1,0,0]})");
+  ASSERT_EQ(world.things.size(), 3u);
+  for (int i = 0; i < 3; ++i) {
+    const WorldThing& step = world.things[i];
+    EXPECT_NEAR(step.centre_m.x() - step.size_m.x() / 2, 1 + 0.2 * i, 1e-12);
+    EXPECT_NEAR(step.centre_m.x() + step.size_m.x() / 2, 1.6, 1e-12);
+    EXPECT_NEAR(step.centre_m.z() + step.size_m.z() / 2, 0.1 * (i + 1), 1e-12);
+  }
+}
+
+TEST(WorldThingTest, MistakesAreNamedWithTheirPlace) {
+  EXPECT_EQ(ErrorOfThing(R"({"shape":"cone","name":"c"})"),
+            "w.json: things[0].shape: is 'cone'; known are box, sphere, cylinder, ramp, stairs");
+  EXPECT_EQ(ErrorOfThing(R"({"shape":"sphere","name":"b","radius_m":0,"centre_m":[0,0,0]})"),
+            "w.json: things[0].radius_m: is 0, must be > 0");
+  EXPECT_EQ(ErrorOfThing(R"({"shape":"sphere","name":"b","radius_m":1,"centre_m":[0,0,0],
+                             "colour":[0,2,0]})"),
+            "w.json: things[0].colour: is [0, 2, 0]; red, green and blue must be 0 to 1");
+  EXPECT_EQ(ErrorOfThing(R"({"shape":"ramp","name":"r","size_m":[1,1,0],"start_m":[0,0,0]})"),
+            "w.json: things[0].size_m: ramp 'r' is 1 x 1 x 0 m, edges must be > 0");
+  EXPECT_EQ(ErrorOfThing(R"({"shape":"box","name":"q","size_m":[1,1,1],"centre_m":[0,0,0],
+                             "yaw_deg":1,"rpy_deg":[0,0,0]})"),
+            "w.json: things[0].yaw_deg: stands beside 'rpy_deg'; leave one out");
+}
+
+TEST(RayDistanceTest, SeesSpheresAndCylinders) {
+  const World ball = With(R"({"shape":"sphere","name":"b","radius_m":0.1,"centre_m":[1,0,0.2]})");
+  EXPECT_DOUBLE_EQ(RayDistance(ball, {0, 0, 0.2}, {1, 0, 0}, 2), 0.9);
+  EXPECT_NEAR(RayDistance(ball, {0, 0.06, 0.2}, {1, 0, 0}, 2), 1 - 0.08, 1e-12);
+  EXPECT_EQ(RayDistance(ball, {0, 0.11, 0.2}, {1, 0, 0}, 2), 2);
+  EXPECT_EQ(RayDistance(ball, {1, 0, 0.2}, {1, 0, 0}, 2), 0);  // inside
+  EXPECT_EQ(RayDistance(ball, {2, 0, 0.2}, {1, 0, 0}, 2), 2);  // behind
+  const World pole = With(R"({"shape":"cylinder","name":"p","radius_m":0.05,"height_m":0.4,
+                              "centre_m":[1,0,0.2]})");
+  EXPECT_NEAR(RayDistance(pole, {0, 0.03, 0.2}, {1, 0, 0}, 2), 1 - 0.04, 1e-12);
+  EXPECT_EQ(RayDistance(pole, {0, 0, 0.5}, {1, 0, 0}, 2), 2);
+  EXPECT_DOUBLE_EQ(RayDistance(pole, {1, 0, 0.7}, {0, 0, -1}, 2), 0.7 - 0.4);
+}
+
+TEST(WorldThingTest, TheShippedWorldsAreRead) {
+  EXPECT_EQ(LoadWorld(OPENR_WORLD_DIR "/corridor.json").things.size(), 4u);
+  EXPECT_EQ(LoadWorld(OPENR_WORLD_DIR "/ramp-and-stairs.json").things.size(), 7u);
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "virtualrobot/det_math.h"
+#include "virtualrobot/ode/ode_bodies.h"
 
 namespace openr_host {
 namespace {
@@ -19,22 +19,31 @@ constexpr int kCornersMax = 4;
 // processors.
 constexpr int kPointsMax = 8;
 
+// Makes a geometry of the size of `thing`.
+dGeomID GeomOf(const WorldThing& thing) {
+  const Vector3d& size = thing.size_m;
+  if (thing.shape == ThingShape::kSphere) return dCreateSphere(nullptr, size.x() / 2);
+  if (thing.shape == ThingShape::kCylinder) return dCreateCylinder(nullptr, size.x() / 2, size.z());
+  return dCreateBox(nullptr, size.x(), size.y(), size.z());
+}
+
 }  // namespace
 
 ContactFinder::ContactFinder(const RobotModel& model, const World& world,
                              const std::vector<dBodyID>& bodies)
-    : model_(model), bodies_(bodies) {
-  for (const WorldBox& box : world.boxes) {
-    const dGeomID geom = dCreateBox(nullptr, box.size_m.x(), box.size_m.y(), box.size_m.z());
-    const double s = DetSin(box.yaw_rad), c = DetCos(box.yaw_rad);
-    const dMatrix3 R = {c, -s, 0, 0, s, c, 0, 0, 0, 0, 1, 0};
-    dGeomSetPosition(geom, box.centre_m.x(), box.centre_m.y(), box.centre_m.z());
+    : model_(model), bodies_(bodies), things_(world.things) {
+  // Because the floor is tested without ODE, parts need an ODE geometry only in a world with
+  // things.
+  if (things_.empty()) return;
+  for (const WorldThing& thing : things_) {
+    const dGeomID geom = GeomOf(thing);
+    const Eigen::Matrix3d& m = thing.R_WT;
+    const dMatrix3 R = {m(0, 0), m(0, 1), m(0, 2), 0,       m(1, 0), m(1, 1),
+                        m(1, 2), 0,       m(2, 0), m(2, 1), m(2, 2), 0};
+    dGeomSetPosition(geom, thing.centre_m.x(), thing.centre_m.y(), thing.centre_m.z());
     dGeomSetRotation(geom, R);
-    world_boxes_.push_back(geom);
+    thing_geoms_.push_back(geom);
   }
-  // Because the floor is tested without ODE, parts need an ODE geometry only in a world with static
-  // boxes.
-  if (world_boxes_.empty()) return;
   for (size_t i = 0; i < bodies.size(); ++i) {
     const Vector3d& size = model.bodies[i].size_m;
     part_boxes_.push_back(dCreateBox(nullptr, size.x(), size.y(), size.z()));
@@ -51,22 +60,18 @@ ContactFinder::ContactFinder(const RobotModel& model, const World& world,
 ContactFinder::~ContactFinder() {
   for (const dGeomID geom : paw_balls_) dGeomDestroy(geom);
   for (const dGeomID geom : part_boxes_) dGeomDestroy(geom);
-  for (const dGeomID geom : world_boxes_) dGeomDestroy(geom);
-}
-
-int ContactFinder::features() const {
-  return static_cast<int>(model_.paws.size() + 8 * model_.bodies.size());
+  for (const dGeomID geom : thing_geoms_) dGeomDestroy(geom);
 }
 
 const std::vector<ContactPoint>& ContactFinder::Find() {
   points_.clear();
   for (size_t i = 0; i < bodies_.size(); ++i) {
     FindBoxOnFloor(static_cast<int>(i));
-    if (!world_boxes_.empty()) FindOnStaticBoxes(static_cast<int>(i), -1);
+    if (!things_.empty()) FindOnThings(static_cast<int>(i), -1);
   }
   for (size_t k = 0; k < model_.paws.size(); ++k) {
     FindPawOnFloor(static_cast<int>(k));
-    if (!world_boxes_.empty()) FindOnStaticBoxes(model_.paws[k].body, static_cast<int>(k));
+    if (!things_.empty()) FindOnThings(model_.paws[k].body, static_cast<int>(k));
   }
   return points_;
 }
@@ -80,7 +85,6 @@ void ContactFinder::FindPawOnFloor(int paw) {
   const double depth_m = model_paw.radius_m - z;
   if (depth_m <= 0) return;
   ContactPoint point;
-  point.feature = paw;
   point.body = model_paw.body;
   point.paw = paw;
   point.p_W = Vector3d(p[0] + R[0] * l.x() + R[1] * l.y() + R[2] * l.z(),
@@ -104,7 +108,6 @@ void ContactFinder::FindBoxOnFloor(int body) {
     found += 1;
     const double x = sx * half.x(), y = sy * half.y(), w = sz * half.z();
     ContactPoint point;
-    point.feature = static_cast<int>(model_.paws.size()) + 8 * body + corner;
     point.body = body;
     point.p_W =
         Vector3d(p[0] + R[0] * x + R[1] * y + R[2] * w, p[1] + R[4] * x + R[5] * y + R[6] * w, z);
@@ -113,31 +116,60 @@ void ContactFinder::FindBoxOnFloor(int body) {
   }
 }
 
-void ContactFinder::FindOnStaticBoxes(int body, int paw) {
+void ContactFinder::FindOnThings(int body, int paw) {
   const dGeomID part = paw >= 0 ? paw_balls_[paw] : part_boxes_[body];
   // Bounding boxes are compared first, because this is cheap and most parts are far from most
-  // static boxes.
+  // things.
   dReal reach[6];
   dGeomGetAABB(part, reach);
-  for (const dGeomID box : world_boxes_) {
+  for (size_t t = 0; t < things_.size(); ++t) {
     dReal room[6];
-    dGeomGetAABB(box, room);
+    dGeomGetAABB(thing_geoms_[t], room);
     bool apart = false;
     for (int i = 0; i < 6; i += 2)
       apart = apart || reach[i] > room[i + 1] || reach[i + 1] < room[i];
     if (apart) continue;
-    dContactGeom found[kPointsMax];
-    const int count = dCollide(part, box, kPointsMax, found, sizeof(dContactGeom));
-    for (int i = 0; i < count; ++i) {
-      ContactPoint point;
-      point.feature = paw >= 0 ? paw : static_cast<int>(model_.paws.size()) + 8 * body + i;
-      point.body = body;
-      point.paw = paw;
-      point.p_W = Vector3d(found[i].pos[0], found[i].pos[1], found[i].pos[2]);
-      point.normal_W = Vector3d(found[i].normal[0], found[i].normal[1], found[i].normal[2]);
-      point.depth_m = found[i].depth;
-      points_.push_back(point);
+    if (things_[t].shape == ThingShape::kBox) {
+      FindOnBox(part, thing_geoms_[t], body, paw);
+    } else {
+      FindOnRoundThing(things_[t], body, paw);
     }
+  }
+}
+
+void ContactFinder::FindOnBox(dGeomID part, dGeomID box, int body, int paw) {
+  dContactGeom found[kPointsMax];
+  const int count = dCollide(part, box, kPointsMax, found, sizeof(dContactGeom));
+  for (int i = 0; i < count; ++i) {
+    ContactPoint point;
+    point.body = body;
+    point.paw = paw;
+    point.p_W = Vector3d(found[i].pos[0], found[i].pos[1], found[i].pos[2]);
+    point.normal_W = Vector3d(found[i].normal[0], found[i].normal[1], found[i].normal[2]);
+    point.depth_m = found[i].depth;
+    points_.push_back(point);
+  }
+}
+
+void ContactFinder::FindOnRoundThing(const WorldThing& thing, int body, int paw) {
+  const Vector3d centre_W = ToEigen(dBodyGetPosition(bodies_[body]));
+  const Eigen::Matrix3d R_WL = RotationOf(bodies_[body]);
+  touches_.clear();
+  if (paw >= 0) {
+    const Paw& ball = model_.paws[paw];
+    const Vector3d offset = ball.centre_m - model_.bodies[body].centre_m;
+    TouchBall(centre_W + R_WL * offset, ball.radius_m, thing, &touches_);
+  } else {
+    TouchBox(centre_W, R_WL, model_.bodies[body].size_m, thing, &touches_);
+  }
+  for (const TouchPoint& touch : touches_) {
+    ContactPoint point;
+    point.body = body;
+    point.paw = paw;
+    point.p_W = touch.p_W;
+    point.normal_W = touch.normal_W;
+    point.depth_m = touch.depth_m;
+    points_.push_back(point);
   }
 }
 

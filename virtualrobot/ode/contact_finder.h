@@ -1,9 +1,9 @@
-// Finds the points at which the paws and boxes of a robot touch the floor and the static boxes of
+// Finds the points at which the paws and boxes of a robot touch the floor and the static things of
 // its world.
 //
-// Our own code tests each part against the floor.  Because parts are not tested against each other
-// (docs/body.md says why), ODE's collision spaces are not needed.  ODE's colliders for boxes and
-// spheres test the parts against the static boxes.
+// Our own code tests each part against the floor, spheres and cylinders.  Because parts are not
+// tested against each other (docs/body.md says why), ODE's collision spaces are not needed.  ODE's
+// colliders for boxes and spheres test the parts against static boxes.
 #pragma once
 
 #include <ode/ode.h>
@@ -12,17 +12,15 @@
 #include <vector>
 
 #include "virtualrobot/body.h"
+#include "virtualrobot/dynamics/touch.h"
 
 namespace openr_host {
 
 struct ContactPoint {
-  // Number of the place of the robot that touches, a paw or a corner of a part's box: 0 to
-  // ContactFinder::features() - 1.  The same place has the same number in every step.
-  int feature = 0;
   int body = -1;  // index of the part in RobotModel::bodies
   int paw = -1;   // index in RobotModel::paws; -1 when the part's box touches
   Eigen::Vector3d p_W{0, 0, 0};
-  Eigen::Vector3d normal_W{0, 0, 1};  // unit vector out of the floor or static box
+  Eigen::Vector3d normal_W{0, 0, 1};  // unit vector out of the floor or thing
   double depth_m = 0;                 // penetration depth, >= 0
 };
 
@@ -35,9 +33,6 @@ class ContactFinder {
   ContactFinder(const ContactFinder&) = delete;
   ContactFinder& operator=(const ContactFinder&) = delete;
 
-  // Returns the number of places that can touch: the paws come first, then 8 corners for each part.
-  int features() const;
-
   // Returns all points that touch now, in the order of the model.  The result is valid until the
   // next call.
   const std::vector<ContactPoint>& Find();
@@ -46,16 +41,20 @@ class ContactFinder {
   void FindPawOnFloor(int paw);
   void FindBoxOnFloor(int body);
 
-  // Adds the points at which part `body` touches the static boxes.  If `paw` is not -1, tests the
-  // ball of that paw instead of the part's box.
-  void FindOnStaticBoxes(int body, int paw);
+  // Add the points at which part `body` touches the static things.  If `paw` is not -1, they test
+  // the ball of that paw instead of the part's box.
+  void FindOnThings(int body, int paw);
+  void FindOnBox(dGeomID part, dGeomID box, int body, int paw);
+  void FindOnRoundThing(const WorldThing& thing, int body, int paw);
 
   const RobotModel& model_;
   const std::vector<dBodyID>& bodies_;
   std::vector<ContactPoint> points_;
-  std::vector<dGeomID> world_boxes_;
-  std::vector<dGeomID> part_boxes_;  // one for each body; empty in a world without static boxes
-  std::vector<dGeomID> paw_balls_;   // one for each paw; empty in a world without static boxes
+  const std::vector<WorldThing> things_;
+  std::vector<dGeomID> thing_geoms_;  // one for each thing; only boxes are tested with it
+  std::vector<dGeomID> part_boxes_;   // one for each body; empty in a world without things
+  std::vector<dGeomID> paw_balls_;    // one for each paw; empty in a world without things
+  std::vector<TouchPoint> touches_;
 };
 
 }  // namespace openr_host

@@ -27,6 +27,13 @@ void PlaceBody(dBodyID body, const Vector3d& centre_W, const Matrix3d& R_WL) {
   dBodySetRotation(body, rotation);
 }
 
+Matrix3d RotationOf(dBodyID body) {
+  const dReal* const r = dBodyGetRotation(body);
+  Matrix3d R;
+  R << r[0], r[1], r[2], r[4], r[5], r[6], r[8], r[9], r[10];
+  return R;
+}
+
 double MassOf(dBodyID body) {
   dMass mass;
   dBodyGetMass(body, &mass);

@@ -25,6 +25,9 @@ double MassOf(dBodyID body);
 // Returns the inertia of `body` about its centre of mass, in its own axes, in kg m^2.
 Eigen::Matrix3d InertiaOf(dBodyID body);
 
+// Returns the rotation of `body`, R_WL.
+Eigen::Matrix3d RotationOf(dBodyID body);
+
 inline Eigen::Vector3d ToEigen(const dReal* v) { return {v[0], v[1], v[2]}; }
 
 }  // namespace openr_host

@@ -20,12 +20,17 @@ function placeAt(object: THREE.Object3D, pose: Pose): void {
 const geometries = new Map<string, THREE.BufferGeometry>();
 
 function geometryOf(shape: ShapeData): THREE.BufferGeometry {
-  const key = `${shape.size.join()}/${shape.radius}`;
+  const key = `${shape.size.join()}/${shape.cylinder ? 'cylinder' : shape.radius}`;
   let geometry = geometries.get(key);
   if (geometry === undefined) {
     const [x, y, z] = shape.size;
-    const radius = Math.min(shape.radius, Math.min(x, y, z) / 2);
-    geometry = new RoundedBoxGeometry(x, y, z, radius > 0.006 ? 5 : 2, Math.max(radius, 1e-5));
+    if (shape.cylinder) {
+      // A cylinder of three.js lies along y.
+      geometry = new THREE.CylinderGeometry(x / 2, x / 2, z, 48).rotateX(Math.PI / 2);
+    } else {
+      const radius = Math.min(shape.radius, Math.min(x, y, z) / 2);
+      geometry = new RoundedBoxGeometry(x, y, z, radius > 0.006 ? 5 : 2, Math.max(radius, 1e-5));
+    }
     geometries.set(key, geometry);
   }
   return geometry;

@@ -99,7 +99,7 @@ TEST_F(StandingTest, SitsDownUprightFromStanding) {
 }
 
 TEST(LyingTest, SlippedPawsDoNotKeepItFromStandingOnIce) {
-  const World ice{.name = "ice", .floor_friction = 0.1, .boxes = {}};
+  const World ice{.name = "ice", .floor_friction = 0.1, .things = {}};
   OdeBody body(Ers210(), ice);
   BodyHarness harness(Ers210(), &body);
   harness.StandUp();

@@ -1,0 +1,103 @@
+// Where balls and boxes touch spheres and cylinders.
+#include "virtualrobot/dynamics/touch.h"
+
+#include <gtest/gtest.h>
+
+#include "virtualrobot/kinematics.h"
+
+namespace openr_host {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+WorldThing Sphere(double radius_m, const Vector3d& centre_m) {
+  return {.name = "sphere",
+          .shape = ThingShape::kSphere,
+          .size_m = Vector3d::Constant(2 * radius_m),
+          .centre_m = centre_m};
+}
+
+WorldThing Pole(double radius_m, double height_m) {
+  return {.name = "pole",
+          .shape = ThingShape::kCylinder,
+          .size_m = {2 * radius_m, 2 * radius_m, height_m},
+          .centre_m = {0, 0, height_m / 2}};
+}
+
+void ExpectPoint(const TouchPoint& point, const Vector3d& p_W, const Vector3d& normal_W,
+                 double depth_m) {
+  EXPECT_LT((point.p_W - p_W).norm(), 1e-12) << point.p_W.transpose();
+  EXPECT_LT((point.normal_W - normal_W).norm(), 1e-12) << point.normal_W.transpose();
+  EXPECT_NEAR(point.depth_m, depth_m, 1e-12);
+}
+
+TEST(TouchTest, BallOnASphere) {
+  std::vector<TouchPoint> points;
+  TouchBall({0, 0, 0.28}, 0.1, Sphere(0.2, {0, 0, 0}), &points);
+  ASSERT_EQ(points.size(), 1u);
+  ExpectPoint(points[0], {0, 0, 0.18}, {0, 0, 1}, 0.02);
+  points.clear();
+  TouchBall({0, 0, 0.31}, 0.1, Sphere(0.2, {0, 0, 0}), &points);
+  EXPECT_TRUE(points.empty());
+}
+
+TEST(TouchTest, BallAtACylinder) {
+  std::vector<TouchPoint> points;
+  TouchBall({0.13, 0, 0.2}, 0.1, Pole(0.05, 0.4), &points);   // its side
+  TouchBall({0, 0, 0.48}, 0.1, Pole(0.05, 0.4), &points);     // its end
+  TouchBall({0.09, 0, 0.43}, 0.1, Pole(0.05, 0.4), &points);  // its rim: 0.04 and 0.03 away
+  ASSERT_EQ(points.size(), 3u);
+  ExpectPoint(points[0], {0.03, 0, 0.2}, {1, 0, 0}, 0.02);
+  ExpectPoint(points[1], {0, 0, 0.38}, {0, 0, 1}, 0.02);
+  ExpectPoint(points[2], {0.01, 0, 0.37}, {0.8, 0, 0.6}, 0.05);
+}
+
+TEST(TouchTest, FaceOfABoxAtASphere) {
+  std::vector<TouchPoint> points;
+  TouchBox({0, 0, 0}, Matrix3d::Identity(), {0.2, 0.2, 0.2}, Sphere(0.05, {0.14, 0.02, 0}),
+           &points);
+  ASSERT_EQ(points.size(), 1u);
+  // The sphere has come 10 mm into the face at x = 0.1, and pushes the box to -x.
+  ExpectPoint(points[0], {0.09, 0.02, 0}, {-1, 0, 0}, 0.01);
+}
+
+TEST(TouchTest, FaceOfABoxAtAPole) {
+  std::vector<TouchPoint> points;
+  TouchBox({0.14, 0, 0.2}, Matrix3d::Identity(), {0.2, 0.3, 0.1}, Pole(0.05, 0.4), &points);
+  ASSERT_FALSE(points.empty());
+  ExpectPoint(points[0], {0.05, 0, 0.2}, {1, 0, 0}, 0.01);
+  for (const TouchPoint& point : points) EXPECT_GT(point.normal_W.x(), 0.99);
+}
+
+TEST(TouchTest, EdgeOfABoxAtAPole) {
+  std::vector<TouchPoint> points;
+  // Turned by 45 degrees, the box has an edge 0.1 * sqrt(2) ahead of its centre.
+  const double reach = 0.1 * std::sqrt(2);
+  TouchBox({reach + 0.04, 0, 0.2}, RotationFromRpy({0, 0, 0.25 * 3.14159265358979}),
+           {0.2, 0.2, 0.1}, Pole(0.05, 0.4), &points);
+  ASSERT_FALSE(points.empty());
+  EXPECT_NEAR(points[0].depth_m, 0.01, 1e-6);
+  EXPECT_NEAR(points[0].normal_W.x(), 1, 1e-6);
+}
+
+TEST(TouchTest, CornersOfABoxOnAStool) {
+  std::vector<TouchPoint> points;
+  TouchBox({0, 0, 0.448}, Matrix3d::Identity(), {0.1, 0.1, 0.1}, Pole(0.2, 0.4), &points);
+  ASSERT_GE(points.size(), 4u);
+  for (const TouchPoint& point : points) {
+    EXPECT_NEAR(point.depth_m, 0.002, 1e-12);
+    EXPECT_NEAR(point.normal_W.z(), 1, 1e-12);
+  }
+}
+
+TEST(TouchTest, WhatIsApartDoesNotTouch) {
+  std::vector<TouchPoint> points;
+  TouchBox({0.16, 0, 0.2}, Matrix3d::Identity(), {0.2, 0.3, 0.1}, Pole(0.05, 0.4), &points);
+  TouchBox({0, 0, 0.46}, Matrix3d::Identity(), {0.1, 0.1, 0.1}, Pole(0.2, 0.4), &points);
+  TouchBox({0, 0, 0}, Matrix3d::Identity(), {0.2, 0.2, 0.2}, Sphere(0.05, {0.16, 0, 0}), &points);
+  EXPECT_TRUE(points.empty());
+}
+
+}  // namespace
+}  // namespace openr_host

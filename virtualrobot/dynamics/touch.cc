@@ -1,0 +1,143 @@
+#include "virtualrobot/dynamics/touch.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/base/assert.h"
+
+namespace openr_host {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+// A box touches the side of a cylinder with a face if the face's direction is at least as level as
+// this: the sine of its angle to the cylinder's end.
+constexpr double kLevel = 0.5;
+
+SurfaceDistance DistanceToBox(const Vector3d& half, const Vector3d& p) {
+  const Vector3d nearest = p.cwiseMax(-half).cwiseMin(half);
+  const Vector3d way = p - nearest;
+  const double length = way.norm();
+  if (length > 0) return {length, way / length};
+  int axis = 0;
+  for (int k = 1; k < 3; ++k) {
+    if (half[k] - std::fabs(p[k]) < half[axis] - std::fabs(p[axis])) axis = k;
+  }
+  SurfaceDistance result{std::fabs(p[axis]) - half[axis], Vector3d::Zero()};
+  result.out[axis] = p[axis] < 0 ? -1 : 1;
+  return result;
+}
+
+SurfaceDistance DistanceToCylinder(const Vector3d& half, const Vector3d& p) {
+  const double across = std::sqrt(p.x() * p.x() + p.y() * p.y());
+  const Vector3d level =
+      across > 0 ? Vector3d(p.x() / across, p.y() / across, 0) : Vector3d::UnitX();
+  const Vector3d up(0, 0, p.z() < 0 ? -1 : 1);
+  const double beside = across - half.x(), above = std::fabs(p.z()) - half.z();
+  if (beside > 0 && above > 0) {
+    const double length = std::sqrt(beside * beside + above * above);
+    return {length, (beside * level + above * up) / length};
+  }
+  return beside > above ? SurfaceDistance{beside, level} : SurfaceDistance{above, up};
+}
+
+// Returns the point of the line from `a` to `b` that is nearest to the z axis, between the heights
+// -half and half if the line comes there.
+Vector3d NearestToAxis(const Vector3d& a, const Vector3d& b, double half) {
+  const Vector3d d = b - a;
+  double from = 0, to = 1;
+  if (d.z() != 0) {
+    double low = (-half - a.z()) / d.z(), high = (half - a.z()) / d.z();
+    if (low > high) std::swap(low, high);
+    from = std::clamp(low, 0.0, 1.0);
+    to = std::clamp(high, 0.0, 1.0);
+  }
+  const double across2 = d.x() * d.x() + d.y() * d.y();
+  const double t = across2 > 0 ? -(a.x() * d.x() + a.y() * d.y()) / across2 : from;
+  return a + std::clamp(t, from, to) * d;
+}
+
+// Adds the points of the box's edges that are in the cylinder.  Vectors are in the axes of the
+// cylinder.
+void TouchByEdges(const Vector3d& centre, const Matrix3d& R, const Vector3d& half,
+                  const WorldThing& thing, std::vector<TouchPoint>* points) {
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int side = 0; side < 4; ++side) {
+      Vector3d corner = half;
+      if (side & 1) corner[(axis + 1) % 3] *= -1;
+      if (side & 2) corner[(axis + 2) % 3] *= -1;
+      Vector3d other = corner;
+      other[axis] *= -1;
+      const Vector3d p =
+          NearestToAxis(centre + R * corner, centre + R * other, thing.size_m.z() / 2);
+      const SurfaceDistance found = DistanceTo(thing.shape, thing.size_m, p);
+      if (found.distance_m < 0) points->push_back({p, found.out, -found.distance_m});
+    }
+  }
+}
+
+// Adds the points at which a face of the box has come into the side of the cylinder: at its middle
+// and its two ends.
+void TouchByFaces(const Vector3d& centre, const Matrix3d& R, const Vector3d& half,
+                  const WorldThing& thing, std::vector<TouchPoint>* points) {
+  const double radius_m = thing.size_m.x() / 2;
+  for (const double share : {-0.5, 0.0, 0.5}) {
+    const Vector3d axis_point(0, 0, share * thing.size_m.z());
+    const SurfaceDistance found =
+        DistanceTo(ThingShape::kBox, 2 * half, R.transpose() * (axis_point - centre));
+    const Vector3d out = R * found.out;  // out of the box
+    if (found.distance_m >= radius_m || std::fabs(out.z()) > kLevel) continue;
+    points->push_back({axis_point - radius_m * out, -out, radius_m - found.distance_m});
+  }
+}
+
+}  // namespace
+
+SurfaceDistance DistanceTo(ThingShape shape, const Vector3d& size_m, const Vector3d& p) {
+  const Vector3d half = size_m / 2;
+  if (shape == ThingShape::kBox) return DistanceToBox(half, p);
+  if (shape == ThingShape::kCylinder) return DistanceToCylinder(half, p);
+  const double length = p.norm();
+  return {length - half.x(), length > 0 ? Vector3d(p / length) : Vector3d::UnitZ()};
+}
+
+void TouchBall(const Vector3d& centre_W, double radius_m, const WorldThing& thing,
+               std::vector<TouchPoint>* points) {
+  const SurfaceDistance found =
+      DistanceTo(thing.shape, thing.size_m, thing.R_WT.transpose() * (centre_W - thing.centre_m));
+  if (found.distance_m >= radius_m) return;
+  const Vector3d out_W = thing.R_WT * found.out;
+  points->push_back({centre_W - radius_m * out_W, out_W, radius_m - found.distance_m});
+}
+
+void TouchBox(const Vector3d& centre_W, const Matrix3d& R_WB, const Vector3d& size_m,
+              const WorldThing& thing, std::vector<TouchPoint>* points) {
+  ASSERT(thing.shape != ThingShape::kBox, "{}: ODE serves pairs of boxes", thing.name);
+  const Vector3d half = size_m / 2;
+  if (thing.shape == ThingShape::kSphere) {
+    const double radius_m = thing.size_m.x() / 2;
+    const SurfaceDistance found =
+        DistanceTo(ThingShape::kBox, size_m, R_WB.transpose() * (thing.centre_m - centre_W));
+    if (found.distance_m >= radius_m) return;
+    const Vector3d out_W = R_WB * found.out;  // out of the box
+    points->push_back({thing.centre_m - radius_m * out_W, -out_W, radius_m - found.distance_m});
+    return;
+  }
+  std::vector<TouchPoint> found;
+  const Vector3d centre = thing.R_WT.transpose() * (centre_W - thing.centre_m);
+  const Matrix3d R = thing.R_WT.transpose() * R_WB;
+  TouchByFaces(centre, R, half, thing, &found);
+  TouchByEdges(centre, R, half, thing, &found);
+  // The deepest points come first; equal ones keep their order.
+  std::stable_sort(found.begin(), found.end(),
+                   [](const TouchPoint& a, const TouchPoint& b) { return a.depth_m > b.depth_m; });
+  if (found.size() > kBoxPointsMax) found.resize(kBoxPointsMax);
+  for (TouchPoint& point : found) {
+    point.p_W = thing.centre_m + thing.R_WT * point.p_W;
+    point.normal_W = thing.R_WT * point.normal_W;
+    points->push_back(point);
+  }
+}
+
+}  // namespace openr_host

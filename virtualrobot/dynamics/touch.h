@@ -1,0 +1,41 @@
+// Finds where balls and boxes of a robot touch static things that ODE's colliders do not serve.
+//
+// Pairs of boxes are left to ODE (ode/contact_finder.h).  ODE's colliders for cylinders call sine
+// and cosine of libm, whose bits depend on the processor.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "virtualrobot/world.h"
+
+namespace openr_host {
+
+struct TouchPoint {
+  Eigen::Vector3d p_W{0, 0, 0};       // the deepest point of the robot or of the thing
+  Eigen::Vector3d normal_W{0, 0, 1};  // unit vector out of the thing
+  double depth_m = 0;                 // > 0
+};
+
+// Distance of a point from the surface of a shape, and the direction of the nearest way out.
+struct SurfaceDistance {
+  double distance_m = 0;         // < 0 inside
+  Eigen::Vector3d out{0, 0, 1};  // unit vector
+};
+
+// Returns the distance of the point `p` in the shape's own axes, with its centre as the origin.
+SurfaceDistance DistanceTo(ThingShape shape, const Eigen::Vector3d& size_m,
+                           const Eigen::Vector3d& p);
+
+// Adds the point at which a ball touches `thing`, if it does.
+void TouchBall(const Eigen::Vector3d& centre_W, double radius_m, const WorldThing& thing,
+               std::vector<TouchPoint>* points);
+
+// Adds the points, at most kBoxPointsMax, at which a box touches `thing`.  REQUIRES: `thing` is a
+// sphere or a cylinder.
+inline constexpr int kBoxPointsMax = 8;
+void TouchBox(const Eigen::Vector3d& centre_W, const Eigen::Matrix3d& R_WB,
+              const Eigen::Vector3d& size_m, const WorldThing& thing,
+              std::vector<TouchPoint>* points);
+
+}  // namespace openr_host

@@ -1,0 +1,159 @@
+// Reads world files (docs/worlds.md).
+#include <cmath>
+
+#include "runtime/base/read_file.h"
+#include "virtualrobot/det_math.h"
+#include "virtualrobot/json_reader.h"
+#include "virtualrobot/kinematics.h"
+#include "virtualrobot/world.h"
+
+namespace openr_host {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+// Most steps of stairs.
+constexpr int kStepsMax = 100;
+// Thickness of a ramp, which is a board.
+constexpr double kRampThickness_m = 0.01;
+
+Matrix3d YawRotation(double yaw_deg) { return RotationFromRpy({0, 0, Radians(yaw_deg)}); }
+
+double YawOf(const JsonReader& row) { return row.Has("yaw_deg") ? row.At("yaw_deg").Number() : 0; }
+
+Vector3d ColourOf(const JsonReader& value) {
+  const Vector3d colour = value.Vector();
+  if (colour.minCoeff() < 0 || colour.maxCoeff() > 1) {
+    value.Fail("is [{}, {}, {}]; red, green and blue must be 0 to 1", colour.x(), colour.y(),
+               colour.z());
+  }
+  return colour;
+}
+
+// Reads edges of a box, a ramp or stairs.
+Vector3d EdgesOf(const JsonReader& row, const WorldThing& thing, const char* shape) {
+  const Vector3d size_m = row.At("size_m").Vector();
+  if (!(size_m.minCoeff() > 0)) {
+    row.At("size_m").Fail("{} '{}' is {} x {} x {} m, edges must be > 0", shape, thing.name,
+                          size_m.x(), size_m.y(), size_m.z());
+  }
+  return size_m;
+}
+
+void ReadBox(const JsonReader& row, WorldThing thing, std::vector<WorldThing>* things) {
+  row.AllowOnly({"shape", "name", "colour", "size_m", "centre_m", "yaw_deg", "rpy_deg"});
+  thing.size_m = EdgesOf(row, thing, "box");
+  thing.centre_m = row.At("centre_m").Vector();
+  if (row.Has("rpy_deg")) {
+    if (row.Has("yaw_deg")) row.At("yaw_deg").Fail("stands beside 'rpy_deg'; leave one out");
+    thing.R_WT = RotationFromRpy(row.At("rpy_deg").Vector() * Radians(1.0));
+  } else {
+    thing.R_WT = YawRotation(YawOf(row));
+  }
+  things->push_back(thing);
+}
+
+void ReadSphere(const JsonReader& row, WorldThing thing, std::vector<WorldThing>* things) {
+  row.AllowOnly({"shape", "name", "colour", "radius_m", "centre_m"});
+  thing.shape = ThingShape::kSphere;
+  thing.size_m.setConstant(2 * row.At("radius_m").NumberAbove(0));
+  thing.centre_m = row.At("centre_m").Vector();
+  things->push_back(thing);
+}
+
+void ReadCylinder(const JsonReader& row, WorldThing thing, std::vector<WorldThing>* things) {
+  row.AllowOnly({"shape", "name", "colour", "radius_m", "height_m", "centre_m", "rpy_deg"});
+  thing.shape = ThingShape::kCylinder;
+  const double diameter_m = 2 * row.At("radius_m").NumberAbove(0);
+  thing.size_m = Vector3d(diameter_m, diameter_m, row.At("height_m").NumberAbove(0));
+  thing.centre_m = row.At("centre_m").Vector();
+  if (row.Has("rpy_deg")) thing.R_WT = RotationFromRpy(row.At("rpy_deg").Vector() * Radians(1.0));
+  things->push_back(thing);
+}
+
+// Adds a board whose upper face rises from `start_m` along its own x.
+void ReadRamp(const JsonReader& row, WorldThing thing, std::vector<WorldThing>* things) {
+  row.AllowOnly({"shape", "name", "colour", "size_m", "start_m", "yaw_deg"});
+  const Vector3d size_m = EdgesOf(row, thing, "ramp");
+  const double length_m = std::sqrt(size_m.x() * size_m.x() + size_m.z() * size_m.z());
+  thing.size_m = Vector3d(length_m, size_m.y(), kRampThickness_m);
+  thing.R_WT = YawRotation(YawOf(row)) * RotationFromRpy({0, -DetAtan2(size_m.z(), size_m.x()), 0});
+  thing.centre_m =
+      row.At("start_m").Vector() + thing.R_WT * Vector3d(length_m / 2, 0, -kRampThickness_m / 2);
+  things->push_back(thing);
+}
+
+// Adds a box for each step.  The stairs rise from `start_m` along their own x.
+void ReadStairs(const JsonReader& row, WorldThing thing, std::vector<WorldThing>* things) {
+  row.AllowOnly({"shape", "name", "colour", "size_m", "steps", "start_m", "yaw_deg"});
+  const Vector3d size_m = EdgesOf(row, thing, "stairs");
+  const auto steps = static_cast<int>(row.At("steps").Whole(1, kStepsMax));
+  const Vector3d start_m = row.At("start_m").Vector();
+  thing.R_WT = YawRotation(YawOf(row));
+  const double tread_m = size_m.x() / steps, rise_m = size_m.z() / steps;
+  const std::string name = thing.name;
+  for (int i = 0; i < steps; ++i) {
+    thing.name = fmt::format("{} {}", name, i + 1);
+    thing.size_m = Vector3d(size_m.x() - i * tread_m, size_m.y(), rise_m);
+    thing.centre_m =
+        start_m + thing.R_WT * Vector3d((size_m.x() + i * tread_m) / 2, 0, (i + 0.5) * rise_m);
+    things->push_back(thing);
+  }
+}
+
+void ReadThing(const JsonReader& row, std::vector<WorldThing>* things) {
+  WorldThing thing;
+  thing.name = row.At("name").Text();
+  if (row.Has("colour")) thing.colour = ColourOf(row.At("colour"));
+  const std::string shape = row.At("shape").Text();
+  if (shape == "box") return ReadBox(row, thing, things);
+  if (shape == "sphere") return ReadSphere(row, thing, things);
+  if (shape == "cylinder") return ReadCylinder(row, thing, things);
+  if (shape == "ramp") return ReadRamp(row, thing, things);
+  if (shape == "stairs") return ReadStairs(row, thing, things);
+  row.At("shape").Fail("is '{}'; known are box, sphere, cylinder, ramp, stairs", shape);
+}
+
+// Reads the boxes of a file of version 1.
+void ReadBoxes(const JsonReader& root, std::vector<WorldThing>* things) {
+  for (const JsonReader& row : root.At("boxes").Elements()) {
+    row.AllowOnly({"name", "size_m", "centre_m", "yaw_deg"});
+    WorldThing thing;
+    thing.name = row.At("name").Text();
+    ReadBox(row, thing, things);
+  }
+}
+
+}  // namespace
+
+World ParseWorld(const std::string& text, const std::string& name) {
+  const nlohmann::json json = JsonReader::ParseText(text, name);
+  const JsonReader root(json, name);
+  const std::string schema = root.At("schema").Text();
+  World world;
+  if (schema == "openr-host world 1") {
+    root.AllowOnly({"schema", "name", "friction", "boxes"});
+    if (root.Has("boxes")) ReadBoxes(root, &world.things);
+  } else if (schema == "openr-host world 2") {
+    root.AllowOnly({"schema", "name", "friction", "things"});
+    if (root.Has("things")) {
+      for (const JsonReader& row : root.At("things").Elements()) ReadThing(row, &world.things);
+    }
+  } else {
+    root.At("schema").Fail(
+        "is '{}', this program reads 'openr-host world 1' and 'openr-host world 2'", schema);
+  }
+  world.name = root.At("name").Text();
+  if (root.Has("friction")) {
+    world.floor_friction = root.At("friction").Number();
+    if (world.floor_friction < 0) {
+      root.At("friction").Fail("is {}, must be >= 0", world.floor_friction);
+    }
+  }
+  return world;
+}
+
+World LoadWorld(const std::string& path) { return ParseWorld(ReadFileOrThrow(path), path); }
+
+}  // namespace openr_host
