@@ -119,7 +119,7 @@ CameraShot CameraDevice::ShotBefore(int64_t frame, const Body& body) const {
   X_LC.linear().col(1) = y;
   X_LC.linear().col(2) = x.cross(y);
   X_LC.translation() = model_.place_m;
-  shot.X_WC = body.BodyPoses()[static_cast<size_t>(model_.body)] * X_LC;
+  shot.X_WC = body.PoseOf(static_cast<size_t>(model_.body)) * X_LC;
   return shot;
 }
 
