@@ -1,6 +1,7 @@
 // openr run --robots N --jobs K: N robots that have nothing to do with each other, K at a time.
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
