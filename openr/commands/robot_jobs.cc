@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 #include <poll.h>
+#include <signal.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -31,6 +33,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr int kInterruptMs = 200;        // how long Ctrl-C may wait for its turn at most
 constexpr size_t kFindingsPrinted = 20;  // the others are in the report
 
 struct RunningCopy {
@@ -155,7 +158,9 @@ void RobotJobs::Print(std::string_view text) {
 // Runs robot `robot` to its end and sends its report through `answer`.
 void RobotJobs::RunInCopy(int robot, int answer) {
   robot_ = robot;
-  interrupts_.StartAgain();
+  // Ctrl-C on a terminal reaches only the process that the user has started, which passes it on.
+  setpgid(0, 0);
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
   const EndingAnswer ending_answer(-1);
   std::optional<std::string> place;  // see CrashLog: the finding names the file
   if (stick_.is_default()) place = "";
@@ -193,8 +198,11 @@ void RobotJobs::Take(int robot, const std::string& said, int status) {
 void RobotJobs::RunAll() {
   ProgressLine progress(STDERR_FILENO, reports_.size(), "robots");
   std::vector<RunningCopy> running;
-  int next = 0;
+  int next = 0, passed_on = 0;
   for (;;) {
+    for (; passed_on < interrupts_.count(); ++passed_on) {
+      for (const RunningCopy& copy : running) kill(copy.process.pid, SIGINT);
+    }
     const bool goes_on = interrupts_.count() == 0 && next < flags_.simulation.robots;
     if (goes_on && static_cast<int>(running.size()) < flags_.jobs) {
       const int robot = next++;
@@ -204,7 +212,7 @@ void RobotJobs::RunAll() {
     if (running.empty()) return;
     std::vector<pollfd> wanted;
     for (const RunningCopy& copy : running) wanted.push_back({copy.process.answers, POLLIN, 0});
-    if (poll(wanted.data(), wanted.size(), -1) < 0) continue;  // a signal, such as Ctrl-C
+    if (poll(wanted.data(), wanted.size(), kInterruptMs) <= 0) continue;
     for (size_t i = running.size(); i-- > 0;) {  // backwards, because elements are erased
       if (wanted[i].revents == 0 || ReadSome(&running[i])) continue;
       close(running[i].process.answers);

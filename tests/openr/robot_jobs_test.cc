@@ -1,5 +1,6 @@
 // openr run --robots N --jobs K: each robot in a process of its own.
 #include <gmock/gmock.h>
+#include <signal.h>
 
 #include <nlohmann/json.hpp>
 #include <set>
@@ -75,6 +76,20 @@ TEST(RobotJobsTest, ACrashEndsItsRobotOnly) {
     EXPECT_EQ(report["findings"][i]["robot"], i);
     EXPECT_EQ(report["findings"][i]["severity"], "error");
   }
+}
+
+TEST(RobotJobsTest, CtrlCPausesTheRobotsThatRunAndStartsNoOthers) {
+  ProgramRun run({"run", "--rate", "max", "--body", "ideal", "--battery", "100%", "--json",
+                  "--robots", "3", "--jobs", "2"});
+  ASSERT_TRUE(run.WaitFor("robot 1: "));
+  run.Signal(SIGINT);
+  const ProgramResult& result = run.Finish();
+  EXPECT_EQ(result.status, 0) << result.err;
+  const json report = json::parse(result.out, nullptr, false);
+  EXPECT_EQ(report["ended_by"], "pause");
+  ASSERT_EQ(report["robots"].size(), 2u);
+  for (const json& robot : report["robots"]) EXPECT_EQ(robot["ended_by"], "pause");
+  EXPECT_THAT(result.err, HasSubstr("openr: 1 robot not started, because Ctrl-C or SIGTERM came"));
 }
 
 TEST(RobotJobsTest, RobotsThatDoNotBootAreReported) {
