@@ -14,8 +14,12 @@ int main(int argc, char** argv) {
     if (argc == 4 && std::string(argv[1]) == "--peer") return openr_host::RunPeer(argv[2], argv[3]);
     std::vector<openr_host::Row> rows = openr_host::MessageRows();
     for (auto& row : openr_host::GraphRows(argv[1])) rows.push_back(std::move(row));
+    for (auto& row : openr_host::ScaleRows(argv[1])) rows.push_back(std::move(row));
     for (auto& row : openr_host::DistributionRows()) rows.push_back(std::move(row));
-    openr_host::RunRows(rows, argc > 2 ? argv[2] : "", argc > 3 ? argv[3] : "");
+    const std::string filter = argc > 2 ? argv[2] : "";
+    // First, because a fork of a process that has run rows would have their memory, too.
+    openr_host::PrintMemoryOfDogs(argv[1], filter);
+    openr_host::RunRows(rows, filter, argc > 3 ? argv[3] : "");
   } catch (const std::exception& e) {
     std::fprintf(stderr, "%s\n", e.what());
     return 1;

@@ -77,6 +77,9 @@ class Body {
   // point of the part, given as in the model file (in B at zero angles), to its place in W.
   virtual std::vector<Eigen::Isometry3d> BodyPoses() const = 0;
 
+  // Returns element `part` of BodyPoses().
+  virtual Eigen::Isometry3d PoseOf(size_t part) const { return BodyPoses()[part]; }
+
   // Adds everything that decides the body's future to `hasher`.
   virtual void HashState(Hasher* hasher) const = 0;
 };

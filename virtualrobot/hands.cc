@@ -297,7 +297,7 @@ void Hands::DoFrame() {
   for (Push& push : pushes_) {
     const Isometry3d& X_WB = robot_.body->state().X_WB;
     const BodyPart& part = robot_.model.bodies[static_cast<size_t>(push.part)];
-    const Isometry3d X_WL = robot_.body->BodyPoses()[static_cast<size_t>(push.part)];
+    const Isometry3d X_WL = robot_.body->PoseOf(static_cast<size_t>(push.part));
     robot_.body->Push(push.part, X_WB.linear() * push.force_B, X_WL * part.centre_m);
     --push.frames_left;
   }

@@ -13,7 +13,8 @@ using Eigen::Vector3d;
 
 }  // namespace
 
-IdealBody::IdealBody(const RobotModel& model, const World& world) : model_(model), world_(world) {
+IdealBody::IdealBody(const RobotModel& model, const World& world)
+    : model_(model), world_(world), robot_(model) {
   for (const double angle_rad : model.PostureAngles("sleep")) {
     state_.joints.push_back({.angle_rad = angle_rad, .speed_rad_s = 0, .drive = 0});
   }
@@ -35,24 +36,27 @@ void IdealBody::Advance(const std::vector<JointCommand>& commands) {
   }
 }
 
+// Computes the pose of the base, and what the paws and the accelerometer feel.
 void IdealBody::Place() const {
-  X_WL_ = LinkPoses(model_, Angles());
-  const RestingPose pose = held_at_ ? HeldPose() : PlaceOnFloor(model_, X_WL_);
-  state_.X_WB = pose.X_WB;
-  state_.paws = pose.paws;
-  state_.gravity_B = pose.X_WB.linear().transpose() * Vector3d(0, 0, -kGravity_m_s2);
-  for (Isometry3d& X : X_WL_) X = pose.X_WB * X;
+  for (size_t j = 0; j < state_.joints.size(); ++j) robot_.SetAngle(j, state_.joints[j].angle_rad);
+  robot_.Move();
+  if (held_at_) {
+    PlaceInHand();
+  } else {
+    robot_.PlaceOnFloor(&pose_);
+  }
+  state_.X_WB = pose_.X_WB;
+  state_.paws = pose_.paws;
+  state_.gravity_B = pose_.X_WB.linear().transpose() * Vector3d(0, 0, -kGravity_m_s2);
   placed_ = true;
 }
 
-// Returns the pose of a robot that a hand holds.  Its paws touch nothing.
-RestingPose IdealBody::HeldPose() const {
-  RestingPose pose;
-  pose.X_WB = *held_at_;
-  pose.paws.assign(model_.paws.size(), false);
-  const double lowest_m = LowestPoint(model_, Angles(), pose.X_WB);
-  if (lowest_m < 0) pose.X_WB.translation().z() -= lowest_m;
-  return pose;
+// Gives the robot the pose of the hand that holds it.  Its paws touch nothing.
+void IdealBody::PlaceInHand() const {
+  pose_.X_WB = *held_at_;
+  pose_.paws.assign(model_.paws.size(), false);
+  const double lowest_m = robot_.LowestPoint(pose_.X_WB);
+  if (lowest_m < 0) pose_.X_WB.translation().z() -= lowest_m;
 }
 
 void IdealBody::Hold(const std::optional<Isometry3d>& X_WB) {
@@ -71,8 +75,15 @@ double IdealBody::RayDistance(const Vector3d& p_W, const Vector3d& direction_W,
 }
 
 std::vector<Isometry3d> IdealBody::BodyPoses() const {
+  std::vector<Isometry3d> X_WL;
+  X_WL.reserve(model_.bodies.size());
+  for (size_t i = 0; i < model_.bodies.size(); ++i) X_WL.push_back(PoseOf(i));
+  return X_WL;
+}
+
+Isometry3d IdealBody::PoseOf(size_t part) const {
   if (!placed_) Place();
-  return X_WL_;
+  return pose_.X_WB * robot_.X_BL()[part];
 }
 
 void IdealBody::HashState(Hasher* hasher) const {
@@ -82,13 +93,6 @@ void IdealBody::HashState(Hasher* hasher) const {
     hasher->Add(joint.speed_rad_s);
   }
   if (held_at_) hasher->AddBytes(held_at_->data(), 16 * sizeof(double));
-}
-
-std::vector<double> IdealBody::Angles() const {
-  std::vector<double> angles_rad;
-  angles_rad.reserve(state_.joints.size());
-  for (const JointState& joint : state_.joints) angles_rad.push_back(joint.angle_rad);
-  return angles_rad;
 }
 
 std::unique_ptr<Body> MakeIdealBody(const RobotModel& model, const World& world) {

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "virtualrobot/body.h"
-#include "virtualrobot/kinematics.h"
+#include "virtualrobot/stiff_robot.h"
 
 namespace openr_host {
 
@@ -25,28 +25,29 @@ class IdealBody : public Body {
 
   void Advance(const std::vector<JointCommand>& commands) override;
 
-  // Return the state and the poses at the end of the last frame.  state() and BodyPoses() compute
-  // the pose of the base only when a joint has moved since the last call.  So a frame whose state
-  // is not read costs next to nothing.
+  // Return the state and the poses at the end of the last frame.  state(), BodyPoses() and PoseOf()
+  // compute the pose of the base only when a joint has moved since the last call, and of the parts
+  // only those that have moved.  So a frame whose state is not read costs next to nothing.
   const BodyState& state() const override;
   double RayDistance(const Eigen::Vector3d& p_W, const Eigen::Vector3d& direction_W,
                      double max_m) const override;
   std::vector<Eigen::Isometry3d> BodyPoses() const override;
+  Eigen::Isometry3d PoseOf(size_t part) const override;
   // The pose of the base follows the hand exactly, but no part of the robot goes below the floor.
   void Hold(const std::optional<Eigen::Isometry3d>& X_WB) override;
   void HashState(Hasher* hasher) const override;
 
  private:
-  std::vector<double> Angles() const;
   void Place() const;
-  RestingPose HeldPose() const;
+  void PlaceInHand() const;
 
   const RobotModel& model_;
   const World world_;
   std::optional<Eigen::Isometry3d> held_at_;  // the pose that a hand gives to the base
   mutable BodyState state_;
-  mutable std::vector<Eigen::Isometry3d> X_WL_;  // result of BodyPoses()
-  // True when X_WL_, and the base and paws in state_, are computed for the present joint angles.
+  mutable StiffRobot robot_;  // at the joint angles of the last Place()
+  mutable RestingPose pose_;  // of robot_
+  // True when robot_, and the base and paws in state_, are computed for the present joint angles.
   mutable bool placed_ = false;
 };
 

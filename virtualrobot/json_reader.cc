@@ -1,5 +1,6 @@
 #include "virtualrobot/json_reader.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace openr_host {
@@ -38,13 +39,8 @@ std::vector<JsonReader> JsonReader::Elements() const {
 void JsonReader::AllowOnly(std::initializer_list<const char*> keys) const {
   if (!value_.is_object()) Fail("must be an object, is {}", value_.dump());
   for (const auto& [name, unused] : value_.items()) {
-    bool known = false;
-    std::string list;
-    for (const char* key : keys) {
-      known = known || name == key;
-      list += (list.empty() ? "" : ", ") + std::string(key);
-    }
-    if (!known) Fail("'{}' is unknown; known here: {}", name, list);
+    if (std::find(keys.begin(), keys.end(), name) == keys.end())
+      Fail("'{}' is unknown; known here: {}", name, fmt::join(keys.begin(), keys.end(), ", "));
   }
 }
 

@@ -30,10 +30,6 @@ Eigen::Vector3d RpyOf(const Eigen::Matrix3d& R);
 std::vector<Eigen::Isometry3d> LinkPoses(const RobotModel& model,
                                          const std::vector<double>& angles_rad);
 
-// Returns the centre of mass, in B and in metres, of all parts at the poses `X_BL` (see
-// LinkPoses()).
-Eigen::Vector3d CentreOfMass(const RobotModel& model, const std::vector<Eigen::Isometry3d>& X_BL);
-
 // The pose of a stiff robot that rests on the floor z = 0.
 struct RestingPose {
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();  // x = y = 0, yaw 0
@@ -44,8 +40,6 @@ struct RestingPose {
 // convex hull that lies under its centre of mass.  The hull encloses all paws and boxes.  Because
 // the search begins with an upright robot, the robot never comes to rest on its back.
 RestingPose PlaceOnFloor(const RobotModel& model, const std::vector<double>& angles_rad);
-// Does the same as the function above, for parts at the poses `X_BL` (see LinkPoses()).
-RestingPose PlaceOnFloor(const RobotModel& model, const std::vector<Eigen::Isometry3d>& X_BL);
 
 // Returns the height over z = 0 of the lowest point of all boxes and paws, for a robot at `X_WB`.
 double LowestPoint(const RobotModel& model, const std::vector<double>& angles_rad,

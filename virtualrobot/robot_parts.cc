@@ -56,6 +56,10 @@ void RobotParts::SwitchOff() {
 
 void RobotParts::Reseed(uint64_t seed) { sensors.set_noise(NoiseOf(robot_index, seed)); }
 
+void RobotParts::TakeNoiseOf(int number) {
+  sensors.set_noise(NoiseOf(number, system.options().seed));
+}
+
 void RobotParts::HashState(Hasher* hasher) const {
   hasher->Add(model.content_hash);
   hasher->Add(frame);

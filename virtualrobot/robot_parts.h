@@ -59,6 +59,10 @@ struct RobotParts {
   // Makes the noise of the sensors start again from `seed`.
   void Reseed(uint64_t seed);
 
+  // Gives the sensors the noise that robot `number` of a run has, for a process that runs this one
+  // robot of a larger run.  REQUIRES: no frame has run yet.
+  void TakeNoiseOf(int number);
+
   void HashState(Hasher* hasher) const;
 
   System& system;

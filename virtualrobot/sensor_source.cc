@@ -65,6 +65,7 @@ SensorSource::SensorSource(const RobotModel& model, const PrimitiveTable& primit
       primitives_(primitives),
       noise_(noise),
       latest_(model.sensors.size()),
+      readings_(model.joints.size()),
       held_(model.sensors.size()),
       frames_(model.sensors.size() * kFramesPerVector) {
   // Padding is set to 0 as well, because all bytes of the samples are hashed.
@@ -72,28 +73,34 @@ SensorSource::SensorSource(const RobotModel& model, const PrimitiveTable& primit
   std::memset(static_cast<void*>(frames_.data()), 0, frames_.size() * sizeof frames_[0]);
 }
 
-OSensorValue SensorSource::JointValueOf(int joint, const Body& body, const Devices& devices) const {
-  const auto index = static_cast<size_t>(joint);
-  const JointState& state = body.state().joints[index];
-  const JointModel& model = model_.joints[index];
+// Takes the sample of a joint's sensor.  A joint whose state has not changed keeps its sample.
+void SensorSource::SampleJoint(size_t index, int joint, const BodyState& state,
+                               const Devices& devices) {
+  const auto j = static_cast<size_t>(joint);
+  const JointState& now = state.joints[j];
+  const slongword target_urad = devices.joints[j].target_urad;
+  JointReading& before = readings_[j];
+  if (before.angle_rad == now.angle_rad && before.drive == now.drive &&
+      before.target_urad == target_urad)
+    return;
+  before = {now.angle_rad, now.drive, target_urad};
+  const Range& stops_rad = model_.joints[j].hard_rad;
   OJointValue value;
   std::memset(static_cast<void*>(&value), 0, sizeof value);
-  value.value = ToMicro(state.angle_rad);
-  value.signal = SignalOf(state.angle_rad, model.hard_rad);
-  value.pwmDuty = static_cast<sword>(std::clamp(state.drive, -32768.0, 32767.0));
-  value.refValue = devices.joints[index].target_urad;
-  value.refSignal = SignalOf(devices.joints[index].target_urad / kMicro, model.hard_rad);
-  OSensorValue sample;
-  static_assert(sizeof sample == sizeof value);
-  std::memcpy(static_cast<void*>(&sample), &value, sizeof sample);
-  return sample;
+  value.value = ToMicro(now.angle_rad);
+  value.signal = SignalOf(now.angle_rad, stops_rad);
+  value.pwmDuty = static_cast<sword>(std::clamp(now.drive, -32768.0, 32767.0));
+  value.refValue = target_urad;
+  value.refSignal = SignalOf(target_urad / kMicro, stops_rad);
+  static_assert(sizeof latest_[index] == sizeof value);
+  std::memcpy(static_cast<void*>(&latest_[index]), &value, sizeof value);
 }
 
 // Measures the distance in front of the sensor, converts it by linear interpolation in the model's
 // table, and adds uniform noise.
 slongword SensorSource::DistanceOf(const Sensor& sensor, const Body& body) {
   if (sensor.body < 0 || sensor.lookup.size() < 2) return static_cast<slongword>(sensor.max);
-  const Eigen::Isometry3d X_WP = body.BodyPoses()[static_cast<size_t>(sensor.body)];
+  const Eigen::Isometry3d X_WP = body.PoseOf(static_cast<size_t>(sensor.body));
   const double distance =
       body.RayDistance(X_WP * sensor.place_m, X_WP.linear() * sensor.direction, kRayMaxM);
   const auto& table = sensor.lookup;
@@ -108,48 +115,43 @@ slongword SensorSource::DistanceOf(const Sensor& sensor, const Body& body) {
   return ToMicro(value * (1.0 + noise * (2.0 * noise_.NextDouble() - 1.0)));
 }
 
-OSensorValue SensorSource::ValueOf(size_t index, const Body& body, const Devices& devices) {
-  const Sensor& sensor = model_.sensors[index];
-  if (sensor.kind == SensorKind::kJoint && sensor.joint >= 0) {
-    return JointValueOf(sensor.joint, body, devices);
-  }
-  OSensorValue sample;
-  std::memset(static_cast<void*>(&sample), 0, sizeof sample);
+// Returns the value of a sensor that does not belong to a joint, and that nobody touches.
+slongword SensorSource::ValueOf(const Sensor& sensor, const Body& body) {
   switch (sensor.kind) {
     case SensorKind::kDistance:
-      sample.value = Clamped(sensor, DistanceOf(sensor, body));
-      break;
+      return Clamped(sensor, DistanceOf(sensor, body));
     case SensorKind::kSwitch:
-      if (sensor.paw >= 0 && body.state().paws[static_cast<size_t>(sensor.paw)])
-        sample.value = oswitchON;
-      break;
+      return sensor.paw >= 0 && body.state().paws[static_cast<size_t>(sensor.paw)] ? oswitchON : 0;
     case SensorKind::kAcceleration:
-      sample.value = Clamped(sensor, ToMicro(body.state().gravity_B.dot(sensor.direction)));
-      break;
+      return Clamped(sensor, ToMicro(body.state().gravity_B.dot(sensor.direction)));
     case SensorKind::kTemperature:
-      sample.value = kTemperatureMicroC;
-      break;
+      return kTemperatureMicroC;
     default:
-      break;  // touch sensors are 0 unless a hand presses them
+      return 0;  // touch sensors are 0 unless a hand presses them
   }
-  // The value is computed even when a hand holds the sensor, so that the noise of the other sensors
-  // stays the same.
-  if (held_[index]) sample.value = *held_[index];
-  return sample;
 }
 
 void SensorSource::SampleNow(const Body& body, const Devices& devices) {
-  for (size_t i = 0; i < latest_.size(); ++i) latest_[i] = ValueOf(i, body, devices);
+  const BodyState& state = body.state();
+  for (size_t i = 0; i < latest_.size(); ++i) {
+    const Sensor& sensor = model_.sensors[i];
+    if (sensor.kind == SensorKind::kJoint && sensor.joint >= 0) {
+      SampleJoint(i, sensor.joint, state, devices);
+      continue;
+    }
+    // The value is computed even when a hand holds the sensor, so that the noise of the other
+    // sensors stays the same.
+    const slongword value = ValueOf(sensor, body);
+    latest_[i].value = held_[i].value_or(value);
+  }
 }
 
 bool SensorSource::Sample(int64_t frame, const Body& body, const Devices& devices) {
   ASSERT(collected_ >= 0 && collected_ < kFramesPerVector, "{} frames", collected_);
   if (collected_ == 0) first_frame_ = frame;
-  const size_t count = latest_.size();
-  for (size_t i = 0; i < count; ++i) {
-    latest_[i] = ValueOf(i, body, devices);
-    frames_[static_cast<size_t>(collected_) * count + i] = latest_[i];
-  }
+  SampleNow(body, devices);
+  std::copy(latest_.begin(), latest_.end(),
+            frames_.begin() + static_cast<ptrdiff_t>(latest_.size()) * collected_);
   if (++collected_ < kFramesPerVector) return false;
   collected_ = 0;
   return true;

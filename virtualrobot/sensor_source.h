@@ -6,6 +6,7 @@
 #include <OPENR/RCRegion.h>
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -59,8 +60,15 @@ class SensorSource {
   void HashState(Hasher* hasher) const;
 
  private:
-  OSensorValue ValueOf(size_t index, const Body& body, const Devices& devices);
-  OSensorValue JointValueOf(int joint, const Body& body, const Devices& devices) const;
+  // The state of a joint from which the newest sample of its sensor was computed.
+  struct JointReading {
+    double angle_rad = std::numeric_limits<double>::infinity();  // at first: equal to no angle
+    double drive = 0;
+    slongword target_urad = 0;
+  };
+
+  void SampleJoint(size_t index, int joint, const BodyState& state, const Devices& devices);
+  slongword ValueOf(const Sensor& sensor, const Body& body);
   slongword DistanceOf(const Sensor& sensor, const Body& body);
   RCRegion* FreeVector();
 
@@ -68,6 +76,7 @@ class SensorSource {
   const PrimitiveTable& primitives_;
   Rng noise_;
   std::vector<OSensorValue> latest_;
+  std::vector<JointReading> readings_;          // [joint]
   std::vector<std::optional<slongword>> held_;  // [sensor]: see Hold()
   std::vector<OSensorValue> frames_;  // [frame][sensor]: samples of kFramesPerVector frames
   int64_t first_frame_ = 0;           // number of the first frame in frames_

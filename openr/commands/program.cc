@@ -4,9 +4,11 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 #include "cli/exit_code.h"
@@ -18,32 +20,38 @@
 namespace openr_host {
 namespace {
 
-void AddCommands(CLI::App* app, int* exit_code) {
+struct Command {
+  std::string_view name;
+  void (*add)(CLI::App* app, int* exit_code);
+};
+
+constexpr Command kCommands[] = {
+    {"run", &AddRunCommand},         {"join", &AddJoinCommand},
+    {"top", &AddTopCommand},         {"poke", &AddPokeCommand},
+    {"attach", &AddAttachCommand},   {"panel", &AddPanelCommand},
+    {"rc", &AddRcCommand},           {"graph", &AddGraphCommand},
+    {"mtn", &AddMtnCommand},         {"log", &AddLogCommand},
+    {"trace", &AddTraceCommand},     {"replay", &AddReplayCommand},
+    {"explore", &AddExploreCommand}, {"build", &AddBuildCommand},
+    {"new", &AddNewCommand},         {"controller", &AddControllerCommand},
+    {"check", &AddCheckCommand},     {"model", &AddModelCommand},
+    {"stick", &AddStickCommand},     {"stubgen", &AddStubgenCommand},
+    {"help", &AddHelpCommand},       {"version", &AddVersionCommand},
+};
+
+// Adds the command `wanted`, the first word of the command line, to `app`.  Adds all commands if
+// there is no such command, or if it tells of the others.  To describe the flags of all commands
+// takes a fifth of the start of the program.
+void AddCommands(CLI::App* app, int* exit_code, std::string_view wanted) {
   app->name("openr");
   app->require_subcommand(1);
   app->set_help_all_flag("--help-all", "Help of all commands");
-  AddRunCommand(app, exit_code);
-  AddJoinCommand(app, exit_code);
-  AddTopCommand(app, exit_code);
-  AddPokeCommand(app, exit_code);
-  AddAttachCommand(app, exit_code);
-  AddPanelCommand(app, exit_code);
-  AddRcCommand(app, exit_code);
-  AddGraphCommand(app, exit_code);
-  AddMtnCommand(app, exit_code);
-  AddLogCommand(app, exit_code);
-  AddTraceCommand(app, exit_code);
-  AddReplayCommand(app, exit_code);
-  AddExploreCommand(app, exit_code);
-  AddBuildCommand(app, exit_code);
-  AddNewCommand(app, exit_code);
-  AddControllerCommand(app, exit_code);
-  AddCheckCommand(app, exit_code);
-  AddModelCommand(app, exit_code);
-  AddStickCommand(app, exit_code);
-  AddStubgenCommand(app, exit_code);
-  AddHelpCommand(app, exit_code);
-  AddVersionCommand(app, exit_code);
+  const auto is_wanted = [wanted](const Command& command) { return command.name == wanted; };
+  const bool has_one =
+      wanted != "help" && std::any_of(std::begin(kCommands), std::end(kCommands), is_wanted);
+  for (const Command& command : kCommands) {
+    if (!has_one || is_wanted(command)) command.add(app, exit_code);
+  }
 }
 
 // Prints the error `why` on standard error.  With `as_json`, because the user gave --json, also
@@ -74,7 +82,7 @@ int PrintAskedFor(const CLI::App& app, const CLI::ParseError& error) {
 int RunProgram(int argc, char** argv) {
   CLI::App app{"Runs OPEN-R objects of Sony's AIBO on a PC, with a simulated body."};
   int exit_code = kExitGood;
-  AddCommands(&app, &exit_code);
+  AddCommands(&app, &exit_code, argc > 1 ? argv[1] : "");
   const bool as_json = std::any_of(argv, argv + argc,
                                    [](const char* word) { return word == std::string("--json"); });
   try {

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -18,6 +19,7 @@
 #include "cli/standard_streams.h"
 #include "openr/commands/commands.h"
 #include "openr/commands/distributed_run.h"
+#include "openr/commands/robot_jobs.h"
 #include "openr/commands/run_flags.h"
 #include "openr/ending/crash_log.h"
 #include "openr/ending/ending.h"
@@ -352,6 +354,19 @@ bool CommandedRun::Report() {
   return IsGood(console_.Problem()) && is_written;
 }
 
+// Runs robots that have a process each (--jobs).  Returns the exit code.
+int RunJobs(const RunFlags& flags) {
+  RefuseFlagsBesideJobs(flags);
+  RobotJobs jobs(flags);
+  const nlohmann::ordered_json report = jobs.Run();
+  const auto& findings = report["findings"];
+  const bool has_error = std::any_of(findings.begin(), findings.end(), [](const auto& finding) {
+    return finding["severity"] == SeverityName(Severity::kError);
+  });
+  const bool is_good = !has_error && report["ended_by"] != EndName(EndKind::kNoBoot);
+  return WriteReport(report, flags) && is_good ? kExitGood : kExitWrong;
+}
+
 }  // namespace
 
 void AddRunCommand(CLI::App* app, int* exit_code) {
@@ -359,7 +374,9 @@ void AddRunCommand(CLI::App* app, int* exit_code) {
       app->add_subcommand("run", "Runs the objects of a stick; Ctrl-C is the pause button");
   auto flags = std::make_shared<RunFlags>();
   DescribeRunFlags(command, flags.get());
-  command->callback([flags, exit_code] { *exit_code = CommandedRun(*flags).Run(); });
+  command->callback([flags, exit_code] {
+    *exit_code = flags->jobs > 0 ? RunJobs(*flags) : CommandedRun(*flags).Run();
+  });
 }
 
 }  // namespace openr_host

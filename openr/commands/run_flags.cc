@@ -38,6 +38,11 @@ void DescribeRun(CLI::App* command, RunFlags* flags) {
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   command
+      ->add_option("--jobs", flags->jobs,
+                   "Run each robot in a process of its own, so many at a time; without it all run "
+                   "in this process, on one clock")
+      ->check(CLI::Range(1, 256));
+  command
       ->add_option("--body", flags->simulation.body, "ode: physics; ideal: joints follow exactly")
       ->check(CLI::IsMember({"ode", "ideal"}))
       ->capture_default_str();

@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 #include <signal.h>
+#include <sys/statvfs.h>
 #include <unistd.h>
 
 #include <cctype>
 #include <cerrno>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -16,6 +18,8 @@ namespace openr_host {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr char kMemoryFolder[] = "/dev/shm";
 
 // Returns the prefix of the names of our temporary folders, which contains the number of the PID
 // namespace.  Containers may share the folder of temporary files but count their processes
@@ -40,12 +44,28 @@ void RemoveStaleFolders(const fs::path& parent, const std::string& prefix) {
   }
 }
 
+// Returns whether small files may be kept in kMemoryFolder.
+bool MayUseMemory() {
+  constexpr uint64_t kFreeBytes = uint64_t{1} << 30;  // enough for the images of 1000 robots
+  struct statvfs facts {};
+  return std::getenv("TMPDIR") == nullptr && statvfs(kMemoryFolder, &facts) == 0 &&
+         (facts.f_flag & (ST_NOEXEC | ST_RDONLY)) == 0 &&
+         uint64_t{facts.f_bavail} * facts.f_frsize >= kFreeBytes &&
+         access(kMemoryFolder, W_OK | X_OK) == 0;
+}
+
+fs::path ParentFor(TempUse use) {
+  if (use == TempUse::kSmallFiles && MayUseMemory()) return kMemoryFolder;
+  std::error_code error;
+  const fs::path parent = fs::temp_directory_path(error);
+  return error ? "." : parent;
+}
+
 }  // namespace
 
-TempFolder::TempFolder() : process_(getpid()) {
+TempFolder::TempFolder(TempUse use) : process_(getpid()) {
   std::error_code error;
-  fs::path parent = fs::temp_directory_path(error);
-  if (error) parent = ".";
+  const fs::path parent = ParentFor(use);
   const std::string prefix = Prefix();
   RemoveStaleFolders(parent, prefix);
   std::string name = (parent / fmt::format("{}{}-XXXXXX", prefix, process_)).string();

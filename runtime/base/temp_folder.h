@@ -6,6 +6,14 @@
 
 namespace openr_host {
 
+enum class TempUse {
+  kAnyFiles,
+  // Files that are few and small.  If the user has not named a place with TMPDIR, they are kept in
+  // memory (/dev/shm) where that has room and lets code be run.  A run makes and removes dozens of
+  // such files, which takes longer on a disk than all else at its start.
+  kSmallFiles,
+};
+
 // Makes a folder and removes it in the destructor.  Only the process that made the folder removes
 // it; a fork of that process does not.  A killed process leaves its folder behind, so the
 // constructor also removes the folders of processes that no longer exist.
@@ -13,7 +21,7 @@ class TempFolder {
  public:
   // Makes the folder.  If that fails, throws std::runtime_error with the place and the system's
   // reason.
-  TempFolder();
+  explicit TempFolder(TempUse use = TempUse::kAnyFiles);
   ~TempFolder();
   TempFolder(const TempFolder&) = delete;
   TempFolder& operator=(const TempFolder&) = delete;

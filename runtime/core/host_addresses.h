@@ -9,8 +9,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <utility>
-#include <vector>
 
 namespace openr_host {
 
@@ -32,8 +30,6 @@ class HostAddresses {
   bool IsMapped(uint64_t address);
 
   int misses_ = 0;
-  // The mapped ranges outside the address plan, each as first address and end, in ascending order.
-  std::vector<std::pair<uint64_t, uint64_t>> ranges_;
 };
 
 }  // namespace openr_host

@@ -44,7 +44,7 @@ class RunFolder {
   void Replace(const std::string& copy, const std::string& bytes);
 
  private:
-  const TempFolder folder_;
+  const TempFolder folder_{TempUse::kSmallFiles};
 };
 
 class ImageObject : public Object {

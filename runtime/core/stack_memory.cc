@@ -18,16 +18,22 @@ namespace {
 
 thread_local StackMemory* t_newest = nullptr;
 
-// The number of words that IsZero() tests together.  One test of many words is faster than a branch
+// Two words, which every x86-64 processor reads and combines at once.
+using TwoWords = uint64_t __attribute__((vector_size(16)));
+
+// The number of bytes that IsZero() tests together.  One test of many words is faster than a branch
 // for each word.
-constexpr size_t kWordsAtATime = 32;
-constexpr size_t kStepBytes = kWordsAtATime * sizeof(uint64_t);
+constexpr size_t kStepBytes = 256;
 
 bool IsZero(const char* bytes) {
-  const auto* const words = reinterpret_cast<const uint64_t*>(bytes);
-  uint64_t bits = 0;
-  for (size_t i = 0; i < kWordsAtATime; ++i) bits |= words[i];
-  return bits == 0;
+  const auto* const words = reinterpret_cast<const TwoWords*>(bytes);
+  TwoWords even = {}, odd = {};
+  for (size_t i = 0; i < kStepBytes / sizeof(TwoWords); i += 2) {
+    even |= words[i];
+    odd |= words[i + 1];
+  }
+  even |= odd;
+  return (even[0] | even[1]) == 0;
 }
 
 }  // namespace
@@ -69,6 +75,9 @@ size_t StackMemory::UsedBytes(size_t gap_bytes) const {
     if (!IsZero(step)) lowest = step;
     if (static_cast<size_t>(lowest - step) >= gap_bytes) break;
   }
+  uint64_t word = 0;
+  while (lowest < top() && (std::memcpy(&word, lowest, sizeof word), word == 0))
+    lowest += sizeof word;
   while (lowest < top() && *lowest == 0) ++lowest;
   return static_cast<size_t>(top() - lowest);
 }

@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include "runtime/base/wall_clock.h"
 #include "runtime/ipstack/host_resolver.h"
 
 namespace openr_host {
@@ -231,6 +232,14 @@ void HostNetwork::Drop(NetHandle handle, bool reset) {
   std::erase_if(events_, [handle](const NetworkEvent& event) { return event.handle == handle; });
 }
 
+bool HostNetwork::IsTimeToAccept() {
+  if (options_.accept_interval_ns == 0 || listeners_.empty()) return true;
+  const int64_t now_ns = WallClockNs();
+  if (now_ns < next_accept_ns_) return false;
+  next_accept_ns_ = now_ns + options_.accept_interval_ns;
+  return true;
+}
+
 void HostNetwork::AcceptAll(Listener* listener) {
   while (!listener->accepts.empty()) {
     NetAddress remote;
@@ -305,7 +314,9 @@ void HostNetwork::Discard(NetHandle handle, Connection* connection) {
 }
 
 std::vector<NetworkEvent> HostNetwork::Poll() {
-  for (auto& [handle, listener] : listeners_) AcceptAll(&listener);
+  if (IsTimeToAccept()) {
+    for (auto& [handle, listener] : listeners_) AcceptAll(&listener);
+  }
   for (auto& [handle, connection] : connections_) PollConnection(handle, &connection);
   const size_t tcp_events = events_.size();
   udp_.Poll(&events_);

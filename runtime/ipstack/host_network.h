@@ -36,6 +36,9 @@ struct HostNetworkOptions {
   // have the same address of the host, AddressMap::FromHost() decides how this address is
   // translated back.
   std::vector<AddressPair> addresses;
+  // Shortest time, by the clock of the host, between two looks for new connections; 0: every Poll()
+  // looks.  A run at full speed polls much more often than connections come.
+  int64_t accept_interval_ns = 0;
   // Names that are answered from this table and not by the host's resolver, which may be slow or
   // may not know them.
   std::map<std::string, HostInfo> names;
@@ -91,6 +94,7 @@ class HostNetwork : public Network {
   // know the peer.
   NetAddress FromHost(NetAddress remote, const HostPorts& ports) const;
 
+  bool IsTimeToAccept();
   void AcceptAll(Listener* listener);
   void PollConnection(NetHandle handle, Connection* connection);
   void Push(NetHandle handle, Connection* connection);
@@ -121,6 +125,7 @@ class HostNetwork : public Network {
   HostUdp udp_;
   std::map<NetHandle, Listener> listeners_;
   std::map<NetHandle, Connection> connections_;
+  int64_t next_accept_ns_ = 0;        // see HostNetworkOptions::accept_interval_ns
   std::vector<NetworkEvent> events_;  // events that the next Poll() returns
 };
 

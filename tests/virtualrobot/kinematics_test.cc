@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "runtime/base/rng.h"
 #include "tests/virtualrobot/body_harness.h"
+#include "virtualrobot/stiff_robot.h"
 
 namespace openr_host {
 namespace {
@@ -98,8 +102,58 @@ TEST(KinematicsTest, PositiveValuesMoveAsTheModelInformationDraws) {
 }
 
 TEST(KinematicsTest, CentreOfMassAtZeroIsTheTablesWithTheOdeMasses) {
-  const auto X_BL = LinkPoses(Ers210(), std::vector<double>(18, 0.0));
-  EXPECT_TRUE((CentreOfMass(Ers210(), X_BL) * 1000).isApprox(Vector3d(11.2, 0, -3.1), 0.01));
+  EXPECT_TRUE((StiffRobot(Ers210()).CentreOfMass() * 1000).isApprox(Vector3d(11.2, 0, -3.1), 0.01));
+}
+
+// Turns some joints at a time, so that most parts keep the poses of the step before.
+TEST(StiffRobotTest, HasTheBitsOfARobotMadeAnewWhateverMovedBefore) {
+  const RobotModel& model = Ers210();
+  std::vector<double> angles_rad = model.PostureAngles("stand");
+  StiffRobot kept(model, angles_rad);
+  Rng random(7, "angles");
+  for (int step = 0; step < 300; ++step) {
+    const auto joint = static_cast<size_t>(random.NextDouble() * 18);
+    const Range& range = model.joints[joint].hard_rad;
+    angles_rad[joint] = range.min + random.NextDouble() * (range.max - range.min);
+    kept.SetAngle(joint, angles_rad[joint]);
+    if (step % 3 == 0) continue;  // so the next Move() turns two joints
+    kept.Move();
+    const StiffRobot anew(model, angles_rad);
+    RestingPose pose_kept, pose_anew;
+    kept.PlaceOnFloor(&pose_kept);
+    anew.PlaceOnFloor(&pose_anew);
+    for (size_t i = 0; i < model.bodies.size(); ++i)
+      ASSERT_EQ(kept.X_BL()[i].matrix(), anew.X_BL()[i].matrix()) << step << " " << i;
+    ASSERT_EQ(pose_kept.X_WB.matrix(), pose_anew.X_WB.matrix()) << step;
+    ASSERT_EQ(pose_kept.paws, pose_anew.paws) << step;
+  }
+}
+
+// Boxes that are far above the lowest point are left out of the search; none may be missed.
+TEST(HullTest, TheLowestPointIsTheLowestOfAllCornersAndBalls) {
+  const RobotModel& model = Ers210();
+  const StiffRobot robot(model, model.PostureAngles("sit"));
+  Rng random(11, "turns");
+  for (int turn = 0; turn < 200; ++turn) {
+    Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
+    X_WB.linear() = RotationFromRpy(
+        {6 * random.NextDouble(), 3 * random.NextDouble() - 1.5, 6 * random.NextDouble()});
+    double lowest_m = 1e9;
+    for (size_t i = 0; i < model.bodies.size(); ++i) {
+      const BodyPart& part = model.bodies[i];
+      for (int corner = 0; part.has_box && corner < 8; ++corner) {
+        const Vector3d side(corner & 1 ? 0.5 : -0.5, corner & 2 ? 0.5 : -0.5,
+                            corner & 4 ? 0.5 : -0.5);
+        const Vector3d p = part.centre_m + part.size_m.cwiseProduct(side);
+        lowest_m = std::min(lowest_m, (X_WB * (robot.X_BL()[i] * p)).z());
+      }
+    }
+    for (const Paw& paw : model.paws) {
+      const Vector3d p = X_WB * (robot.X_BL()[static_cast<size_t>(paw.body)] * paw.centre_m);
+      lowest_m = std::min(lowest_m, p.z() - paw.radius_m);
+    }
+    EXPECT_NEAR(robot.LowestPoint(X_WB), lowest_m, 1e-12) << turn;
+  }
 }
 
 TEST(KinematicsTest, RollPitchYawComeBack) {

@@ -37,6 +37,11 @@ constexpr size_t kHeadBytes = sizeof(ODataVectorInfo) + ofbkimageNUM_LAYERS * si
 
 bool Known(longword parameter) { return parameter >= 1 && parameter <= 3; }
 
+// Returns the number of bytes of a picture of the camera's sensor.
+size_t PictureBytes(const Camera& model) {
+  return static_cast<size_t>(model.width_px) * static_cast<size_t>(model.height_px) * 3;
+}
+
 }  // namespace
 
 CameraDevice::CameraDevice(std::unique_ptr<ImageSource> source, const Camera& model,
@@ -47,8 +52,6 @@ CameraDevice::CameraDevice(std::unique_ptr<ImageSource> source, const Camera& mo
       layers_(model.width_px, model.height_px) {
   picture_.width = model.width_px;
   picture_.height = model.height_px;
-  picture_.rgb.resize(static_cast<size_t>(model.width_px) * static_cast<size_t>(model.height_px) *
-                      3);
   ChooseExposure();
 }
 
@@ -119,7 +122,7 @@ CameraShot CameraDevice::ShotBefore(int64_t frame, const Body& body) const {
   X_LC.linear().col(1) = y;
   X_LC.linear().col(2) = x.cross(y);
   X_LC.translation() = model_.place_m;
-  shot.X_WC = body.BodyPoses()[static_cast<size_t>(model_.body)] * X_LC;
+  shot.X_WC = body.PoseOf(static_cast<size_t>(model_.body)) * X_LC;
   return shot;
 }
 
@@ -160,6 +163,7 @@ void CameraDevice::FillInfos(longword frame_number, OFbkImageVectorData* vector)
 
 RCRegion* CameraDevice::MakeVector(int64_t frame, const Body& body, std::string* problem) {
   const CameraShot shot = ShotBefore(frame, body);
+  picture_.rgb.resize(PictureBytes(model_));  // only now, because most robots never take an image
   *problem = source_->Capture(shot, &picture_);
   RCRegion* const region = FreeVector();
   auto* const vector = reinterpret_cast<OFbkImageVectorData*>(region->Base());
@@ -172,7 +176,7 @@ RCRegion* CameraDevice::MakeVector(int64_t frame, const Body& body, std::string*
 std::string CameraDevice::TakePicture(int64_t frame, const Body& body, Picture* picture) {
   picture->width = model_.width_px;
   picture->height = model_.height_px;
-  picture->rgb.resize(picture_.rgb.size());
+  picture->rgb.resize(PictureBytes(model_));
   std::string problem = source_->Capture(ShotBefore(frame, body), picture);
   if (!problem.empty()) return problem;
   for (size_t i = 0; i < picture->rgb.size(); ++i)
@@ -183,6 +187,7 @@ std::string CameraDevice::TakePicture(int64_t frame, const Body& body, Picture* 
 std::string CameraDevice::TakeColours(int64_t frame, const Body& body, Picture* colours) {
   if (tables_.empty()) return "no object has set a colour table (OPENR::SetCdtVectorData)";
   Picture picture = picture_;
+  picture.rgb.resize(PictureBytes(model_));
   std::string problem = source_->Capture(ShotBefore(frame, body), &picture);
   if (!problem.empty()) return problem;
   // Makes the vector in memory of our own, because regions belong to objects.

@@ -30,10 +30,7 @@ void WriteTag(word field_counter, const std::array<int, ocdtNUM_CHANNELS>& count
 
 }  // namespace
 
-ImageLayers::ImageLayers(int width, int height)
-    : width_(width),
-      height_(height),
-      luminance_(static_cast<size_t>(width) * static_cast<size_t>(height)) {
+ImageLayers::ImageLayers(int width, int height) : width_(width), height_(height) {
   ASSERT(width % 8 == 0 && height % 8 == 0, "{} x {}", width, height);
   ASSERT(WidthOf(ofbkimageLAYER_C) >= ImageLayers::kTagBytes, "no room for the tag in {} pixels",
          width);
@@ -58,6 +55,7 @@ size_t ImageLayers::BytesOfRow(OFbkImageLayer layer) const {
 
 void ImageLayers::ReadPicture(const Picture& picture, const Exposure& exposure, byte* layer_h) {
   const auto width = static_cast<size_t>(width_);
+  luminance_.resize(width * static_cast<size_t>(height_));  // the first picture makes room for all
   const size_t w = width / 2;
   // Goes through squares of four pixels, because four pixels have four values of luminance but
   // share one Cr and one Cb.

@@ -37,6 +37,19 @@ TEST(TempFolderTest, FoldersOfDeadProcessesAreRemovedButForThoseOfOtherContainer
   fs::remove(elsewhere);
 }
 
+TEST(TempFolderTest, SmallFilesAreWhereTMPDIRSaysAndElseInMemoryOrAmongTheOthers) {
+  const char* const before = std::getenv("TMPDIR");
+  const std::string kept = before == nullptr ? "" : before;
+  const TempFolder place;
+  setenv("TMPDIR", place.path().c_str(), 1);
+  EXPECT_EQ(fs::path(TempFolder(TempUse::kSmallFiles).path()).parent_path(), place.path());
+  unsetenv("TMPDIR");
+  const fs::path parent = fs::path(TempFolder(TempUse::kSmallFiles).path()).parent_path();
+  EXPECT_TRUE(parent == "/dev/shm" || parent == fs::temp_directory_path()) << parent;
+  EXPECT_EQ(fs::path(TempFolder().path()).parent_path(), fs::temp_directory_path());
+  if (before != nullptr) setenv("TMPDIR", kept.c_str(), 1);
+}
+
 TEST(TempFolderTest, AFolderThatCannotBeMadeIsNamedWithTheReasonAndTheRemedy) {
   const char* const before = std::getenv("TMPDIR");
   const std::string kept = before == nullptr ? "" : before;

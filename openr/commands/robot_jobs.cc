@@ -1,0 +1,315 @@
+#include "openr/commands/robot_jobs.h"
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "cli/counted.h"
+#include "cli/json_text.h"
+#include "cli/output_file.h"
+#include "cli/process_copy.h"
+#include "openr/ending/crash_log.h"
+#include "openr/ending/ending.h"
+#include "openr/ending/watchdog.h"
+#include "openr/explore/progress_line.h"
+#include "openr/run/report.h"
+#include "openr/run/runner.h"
+#include "runtime/base/assert.h"
+#include "runtime/base/hasher.h"
+#include "runtime/base/wall_clock.h"
+
+namespace openr_host {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kInterruptMs = 200;        // how long Ctrl-C may wait for its turn at most
+constexpr size_t kFindingsPrinted = 20;  // the others are in the report
+
+struct RunningCopy {
+  int robot = 0;
+  ProcessCopy process;
+  std::string said;  // what it has sent so far
+};
+
+// Reads what `copy` has sent, without waiting for more than there is.  Returns false at its end.
+bool ReadSome(RunningCopy* copy) {
+  char buffer[65536];
+  const ssize_t size = read(copy->process.answers, buffer, sizeof buffer);
+  if (size < 0 && errno == EINTR) return true;
+  if (size <= 0) return false;
+  copy->said.append(buffer, static_cast<size_t>(size));
+  return true;
+}
+
+// Returns the report of a robot whose process has ended without one.
+Json LostReport(const std::string& model, int status) {
+  const std::string why = WIFSIGNALED(status) ? fmt::format("signal {} ({})", WTERMSIG(status),
+                                                            strsignal(WTERMSIG(status)))
+                                              : fmt::format("status {}", WEXITSTATUS(status));
+  const Json finding = {{"severity", "error"},
+                        {"robot", 0},
+                        {"object", ""},
+                        {"message", 0},
+                        {"time_s", 0.0},
+                        {"count", 1},
+                        {"text", "the process of this robot ended with " + why}};
+  return {{"virtual_time_s", 0.0},
+          {"ended_by", EndName(EndKind::kLostProcess)},
+          {"ended_why", finding["text"]},
+          {"frames", 0},
+          {"messages", 0},
+          {"state_hash", ""},
+          {"trace_hash", ""},
+          {"robots", Json::array({{{"model", model}, {"standing", false}}})},
+          {"objects", Json::array()},
+          {"findings", Json::array({finding})}};
+}
+
+// Prints the first findings, each with its robot.
+void PrintFindings(const Json& findings) {
+  for (size_t i = 0; i < std::min(findings.size(), kFindingsPrinted); ++i) {
+    const Json& finding = findings[i];
+    const std::string object = finding["object"].get<std::string>();
+    fmt::print(stderr, "{}: robot {}: {}{}\n", finding["severity"].get<std::string>(),
+               finding["robot"].get<int>(), object.empty() ? "" : object + ": ",
+               finding["text"].get<std::string>());
+  }
+  if (findings.size() > kFindingsPrinted) {
+    fmt::print(stderr, "and {}, which are in the report\n",
+               Counted(findings.size() - kFindingsPrinted, "more finding"));
+  }
+}
+
+}  // namespace
+
+void RefuseFlagsBesideJobs(const RunFlags& flags) {
+  const auto refuse = [](bool is_given, const char* flag, const char* why) {
+    if (is_given) throw CLI::ValidationError(flag, fmt::format("does not go with --jobs: {}", why));
+  };
+  constexpr char kOneProcess[] =
+      "its robots have a process each, and no other processes; leave out one of the two";
+  constexpr char kNobody[] = "nobody can reach its robots while they run; leave out one of the two";
+  constexpr char kAllAlike[] =
+      "it is for one robot of several, and those of --jobs are all alike; leave out one of the two";
+  refuse(flags.rate != "max", "--rate", "it runs at full speed; give --rate max");
+  refuse(!flags.placement.places.empty(), "--place", kOneProcess);
+  refuse(!flags.placement.file.empty(), "--placement", kOneProcess);
+  refuse(!flags.placement.isolated.empty(), "--isolate", kOneProcess);
+  refuse(flags.placement.is_monitored, "--monitor", kNobody);
+  refuse(flags.ros2.is_on, "--ros2", kNobody);
+  refuse(flags.panel, "--panel", kNobody);
+  refuse(flags.simulation.rc_port >= 0, "--rc-port", kNobody);
+  refuse(!flags.simulation.addresses.empty(), "--ip", kNobody);
+  refuse(!flags.stdin_file.empty(), "--stdin", kNobody);
+  refuse(!flags.events_file.empty(), "--events", kAllAlike);
+  refuse(!flags.snapshots.empty(), "--snapshot", kAllAlike);
+  refuse(!flags.simulation.speaker.empty(), "--speaker", kAllAlike);
+  refuse(!flags.simulation.microphone.empty(), "--mic", kAllAlike);
+  refuse(!flags.simulation.images.empty(), "--images", kAllAlike);
+  refuse(!flags.record_file.empty(), "--record",
+         "a recording is of one process; record a run of one robot");
+  RefuseIdleFlags(flags.placement, false, false);
+}
+
+RobotJobs::RobotJobs(const RunFlags& flags)
+    : flags_(flags),
+      plan_(PlanOf(flags)),
+      stick_(flags.simulation.stick, false),
+      console_(flags.console_file),
+      interrupts_(plan_.for_us || plan_.until_idle ? HangUp::kIgnored : HangUp::kCounts),
+      simulation_(Options()),
+      reports_(static_cast<size_t>(flags.simulation.robots)) {
+  ASSERT(flags.jobs > 0);
+  CrashLog::BeginAfresh(stick_.crash_log());
+}
+
+SimulationOptions RobotJobs::Options() {
+  SimulationOptions options = flags_.simulation;
+  options.stick = stick_.folder();
+  options.robots = 1;
+  options.writable_stick = false;
+  options.host_network = false;
+  options.log_level = flags_.log == "error" ? 1 : flags_.log == "warning" ? 2 : 3;
+  options.console = [this](std::string_view text) { Print(text); };
+  return options;
+}
+
+// Prints whole lines, each with its robot in front, because the lines of several robots mix.
+void RobotJobs::Print(std::string_view text) {
+  if (robot_ < 0) return console_.Print(text);
+  line_ += text;
+  for (size_t end = line_.find('\n'); end != std::string::npos; end = line_.find('\n')) {
+    console_.Print(fmt::format("robot {}: {}", robot_, line_.substr(0, end + 1)));
+    line_.erase(0, end + 1);
+  }
+}
+
+// Runs robot `robot` to its end and sends its report through `answer`.
+void RobotJobs::RunInCopy(int robot, int answer) {
+  robot_ = robot;
+  // Ctrl-C on a terminal reaches only the process that the user has started, which passes it on.
+  setpgid(0, 0);
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  const EndingAnswer ending_answer(-1);
+  std::optional<std::string> place;  // see CrashLog: the finding names the file
+  if (stick_.is_default()) place = "";
+  const CrashLog crash_log({stick_.crash_log()}, true, place);
+  const Watchdog watchdog(flags_.handler_limit_us);
+  simulation_.robots()[0]->parts().TakeNoiseOf(robot);
+  Runner runner(&simulation_, plan_, &interrupts_);
+  const auto report = [&] {
+    simulation_.CloseFiles();
+    const RunFacts facts = {runner.wall_time_s(), flags_.simulation.seed, runner.standing()};
+    return MakeReport(&simulation_, facts);
+  };
+  const EndingAction action([&](Ending* ending) {
+    {
+      const CurrentScope scope(&simulation_.system(), ending->object);
+      simulation_.system().AddFinding(Severity::kError, std::string(ending->finding.text()));
+      simulation_.system().NoteRunEnd(EndOf(*ending));
+    }
+    WriteAll(answer, JsonText(report()));
+    ending->answered = true;
+  });
+  runner.Run();
+  if (!line_.empty()) Print("\n");
+  WriteAll(answer, JsonText(report()));
+}
+
+// Takes what the process of `robot` has sent and how it ended.
+void RobotJobs::Take(int robot, const std::string& said, int status) {
+  Json report = Json::parse(said, nullptr, false);
+  if (!report.is_object() || !report.contains("robots"))
+    report = LostReport(simulation_.model().name, status);
+  reports_[static_cast<size_t>(robot)] = std::move(report);
+}
+
+void RobotJobs::RunAll() {
+  ProgressLine progress(STDERR_FILENO, reports_.size(), "robots");
+  std::vector<RunningCopy> running;
+  int next = 0, passed_on = 0;
+  for (;;) {
+    for (; passed_on < interrupts_.count(); ++passed_on) {
+      for (const RunningCopy& copy : running) kill(copy.process.pid, SIGINT);
+    }
+    const bool goes_on = interrupts_.count() == 0 && next < flags_.simulation.robots;
+    if (goes_on && static_cast<int>(running.size()) < flags_.jobs) {
+      const int robot = next++;
+      running.push_back({robot, StartCopy([&](int answer) { RunInCopy(robot, answer); }), ""});
+      continue;
+    }
+    if (running.empty()) return;
+    std::vector<pollfd> wanted;
+    for (const RunningCopy& copy : running) wanted.push_back({copy.process.answers, POLLIN, 0});
+    if (poll(wanted.data(), wanted.size(), kInterruptMs) <= 0) continue;
+    for (size_t i = running.size(); i-- > 0;) {  // backwards, because elements are erased
+      if (wanted[i].revents == 0 || ReadSome(&running[i])) continue;
+      close(running[i].process.answers);
+      Take(running[i].robot, running[i].said, WaitForEnd(running[i].process.pid));
+      running.erase(running.begin() + static_cast<ptrdiff_t>(i));
+    }
+    progress.Show(static_cast<uint64_t>(next) - running.size());
+  }
+}
+
+// Returns the report of robots that do not boot, which is the same for all of them.
+Json RobotJobs::ReportOfNoBoot() {
+  simulation_.system().NoteRunEnd(
+      {EndKind::kNoBoot, simulation_.loaded()
+                             ? "--strict refuses what the findings name; no object was started"
+                             : "the robots do not boot; the findings say why"});
+  RunFacts facts;
+  facts.seed = flags_.simulation.seed;
+  facts.standing.assign(1, StandingMonitor(simulation_.model()));
+  return MakeReport(&simulation_, facts);
+}
+
+// Makes one report of those of the robots.
+Json RobotJobs::Merge(double wall_time_s) {
+  Json merged = {{"virtual_time_s", 0.0}};
+  Json robots = Json::array(), objects = Json::array(), findings = Json::array();
+  Hasher state, trace;
+  uint64_t messages = 0;
+  const Json* last = nullptr;  // the robot that ended last
+  for (size_t i = 0; i < reports_.size(); ++i) {
+    if (reports_[i].is_null()) continue;  // Ctrl-C came before its turn
+    const Json& report = reports_[i];
+    if (last == nullptr || report["virtual_time_s"] >= (*last)["virtual_time_s"]) last = &report;
+    Json robot = report["robots"][0];
+    robot["number"] = i;
+    robot["ended_by"] = report["ended_by"];
+    for (const char* const key : {"messages", "state_hash", "trace_hash"}) robot[key] = report[key];
+    state.AddText(report["state_hash"].get<std::string>());
+    trace.AddText(report["trace_hash"].get<std::string>());
+    messages += report["messages"].get<uint64_t>();
+    robots.push_back(std::move(robot));
+    for (Json object : report["objects"]) {
+      object["robot"] = i;
+      objects.push_back(std::move(object));
+    }
+    for (Json finding : report["findings"]) {
+      finding["robot"] = i;
+      findings.push_back(std::move(finding));
+    }
+  }
+  const double virtual_time_s = last == nullptr ? 0.0 : (*last)["virtual_time_s"].get<double>();
+  merged["virtual_time_s"] = virtual_time_s;
+  merged["wall_time_s"] = wall_time_s;
+  merged["x_real_time"] = wall_time_s > 0 ? virtual_time_s / wall_time_s : 0.0;
+  merged["ended_by"] = last == nullptr ? Json(EndName(EndKind::kSignal)) : (*last)["ended_by"];
+  merged["ended_why"] = last == nullptr ? Json("Ctrl-C or SIGTERM came") : (*last)["ended_why"];
+  merged["frames"] = last == nullptr ? Json(0) : (*last)["frames"];
+  merged["messages"] = messages;
+  merged["seed"] = flags_.simulation.seed;
+  merged["state_hash"] = fmt::format("{:016x}", state.Digest());
+  merged["trace_hash"] = fmt::format("{:016x}", trace.Digest());
+  merged["rc_port"] = 0;
+  merged["jobs"] = flags_.jobs;
+  merged["robots"] = std::move(robots);
+  merged["objects"] = std::move(objects);
+  merged["findings"] = std::move(findings);
+  return merged;
+}
+
+Json RobotJobs::Run() {
+  console_.Print(DescribeObjects(&simulation_));
+  const bool is_refused = flags_.simulation.strict && simulation_.system().findings().HasError();
+  const int64_t begin_ns = WallClockNs();
+  if (!simulation_.loaded() || is_refused) {
+    Json report = ReportOfNoBoot();
+    fmt::print(stderr, "openr: the robots do not boot\n{}{}\n", DescribeFindings(&simulation_),
+               DescribeEnd(*simulation_.system().end()));
+    return report;
+  }
+  RunAll();
+  const double wall_time_s = static_cast<double>(WallClockNs() - begin_ns) / 1e9;
+  Json report = Merge(wall_time_s);
+  EndConsoleLine();
+  PrintFindings(report["findings"]);
+  const size_t count = report["robots"].size();
+  const auto standing = std::count_if(report["robots"].begin(), report["robots"].end(),
+                                      [](const Json& robot) { return robot["standing"] == true; });
+  if (count < reports_.size()) {
+    fmt::print(stderr, "openr: {} not started, because Ctrl-C or SIGTERM came\n",
+               Counted(reports_.size() - count, "robot"));
+  }
+  fmt::print(stderr, "{}, {} standing, in {:.3f} s: {:.3f} s of virtual time each; state {}\n",
+             Counted(count, "robot"), standing, wall_time_s, report["virtual_time_s"].get<double>(),
+             report["state_hash"].get<std::string>());
+  fmt::print(stderr, "ended by {}: {}\n", report["ended_by"].get<std::string>(),
+             report["ended_why"].get<std::string>());
+  return report;
+}
+
+}  // namespace openr_host

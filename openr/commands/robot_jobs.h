@@ -1,0 +1,53 @@
+// openr run --robots N --jobs K: N robots that have nothing to do with each other, K at a time.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+#include "cli/console.h"
+#include "openr/commands/run_flags.h"
+#include "openr/run/interrupt.h"
+#include "openr/simulation/run_stick.h"
+#include "openr/simulation/simulation.h"
+
+namespace openr_host {
+
+// Throws CLI::ValidationError if a flag of the user does not go with --jobs, with the reason.
+void RefuseFlagsBesideJobs(const RunFlags& flags);
+
+// Runs each robot in a copy of this process (fork), which has one robot in a System of its own.
+// The images are loaded once, before the copies are made.  So the hashes of a robot depend on its
+// number, but neither on how many robots nor on how many jobs there are, and the memory that is
+// used does not grow with the number of robots.
+class RobotJobs {
+ public:
+  // REQUIRES: flags.jobs > 0; RefuseFlagsBesideJobs() has accepted the flags.
+  explicit RobotJobs(const RunFlags& flags);
+
+  // Runs the robots, prints a summary on standard error, and returns the report.  After Ctrl-C the
+  // robots that run are paused, and no others are started.
+  nlohmann::ordered_json Run();
+
+ private:
+  SimulationOptions Options();
+  void RunInCopy(int robot, int answer);
+  void Print(std::string_view text);
+  void Take(int robot, const std::string& said, int status);
+  void RunAll();
+  nlohmann::ordered_json ReportOfNoBoot();
+  nlohmann::ordered_json Merge(double wall_time_s);
+
+  const RunFlags flags_;
+  const RunPlan plan_;
+  const RunStick stick_;
+  Console console_;
+  InterruptCounter interrupts_;
+  int robot_ = -1;    // the robot that this copy of the process runs; -1: this is no copy
+  std::string line_;  // what the objects of that robot have printed since their last whole line
+  Simulation simulation_;
+  std::vector<nlohmann::ordered_json> reports_;  // by robot; null: the robot has not run
+};
+
+}  // namespace openr_host

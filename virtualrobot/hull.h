@@ -1,0 +1,65 @@
+// The balls and boxes of a robot that can touch the floor.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <limits>
+#include <vector>
+
+#include "virtualrobot/model/robot_model.h"
+
+namespace openr_host {
+
+// Returns X * p.  Leaves out the fourth row of X, because it is always 0, 0, 0, 1.
+inline Eigen::Vector3d Moved(const Eigen::Isometry3d& X, const Eigen::Vector3d& p) {
+  return X.linear() * p + X.translation();
+}
+
+// The convex hull of a robot: the paws, which are balls, and the boxes of the parts.  All
+// coordinates are in the base frame B.
+class Hull {
+ public:
+  // Makes the hull of `model` with all parts at the origin.  Call Move() for each part.
+  explicit Hull(const RobotModel& model);
+
+  // Moves the ball and the box of part `part` (index of RobotModel::bodies) to the pose `X_BL`.
+  void Move(int part, const Eigen::Isometry3d& X_BL);
+
+  // Returns the point that lies furthest against the direction `n_B`.  A ball is taken as one
+  // point: the lowest point for the direction `up_B`, which is a unit vector near n_B.
+  Eigen::Vector3d LowestAlong(const Eigen::Vector3d& n_B, const Eigen::Vector3d& up_B) const;
+
+  // Returns the middle of paw `paw` (index of RobotModel::paws).
+  const Eigen::Vector3d& PawCentre(size_t paw) const { return balls_[paw].centre; }
+
+ private:
+  // Two numbers, which every x86-64 processor computes with at once.
+  using Pair = double __attribute__((vector_size(16)));
+
+  struct Ball {
+    Eigen::Vector3d centre;
+    double radius;
+    int part;
+  };
+  struct Box {
+    Eigen::Vector3d centre;
+    Eigen::Matrix3d half_edges;  // its columns are half the edges of the box
+    int part;
+  };
+  // Balls around two boxes, elements 2i and 2i + 1 of boxes_.  A ball is larger than its box.
+  struct BallPair {
+    Pair x{}, y{}, z{};  // of the centres
+    // The bottom of a ball with this radius is at infinity, so a half without a box never counts.
+    Pair radius = {-std::numeric_limits<double>::infinity(),
+                   -std::numeric_limits<double>::infinity()};
+  };
+
+  static void TakeIfLower(const Box& box, const Eigen::Vector3d& n_B, double* best,
+                          Eigen::Vector3d* lowest);
+
+  const RobotModel* model_;
+  std::vector<Ball> balls_;  // in the order of RobotModel::paws
+  std::vector<Box> boxes_;   // in the order of RobotModel::bodies
+  std::vector<BallPair> around_;
+};
+
+}  // namespace openr_host

@@ -1,0 +1,55 @@
+// A robot whose joints do not give way: the poses of its parts, and how it rests on a flat floor.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "virtualrobot/hull.h"
+#include "virtualrobot/kinematics.h"
+#include "virtualrobot/model/robot_model.h"
+
+namespace openr_host {
+
+// Keeps everything that follows from the joint angles, and computes only the parts again that a
+// joint has moved since.  All results have the same bits as those of a StiffRobot that is made anew
+// with the same angles.
+class StiffRobot {
+ public:
+  // Makes a robot with all joints at 0.  `model` must outlive the robot.
+  explicit StiffRobot(const RobotModel& model);
+  StiffRobot(const RobotModel& model, const std::vector<double>& angles_rad);
+
+  // Turns joint `joint` to `angle_rad`.  The poses change with the next Move().
+  void SetAngle(size_t joint, double angle_rad) { angles_rad_[joint] = angle_rad; }
+
+  // Computes the poses for the angles that were set.
+  void Move();
+
+  // Returns the poses X_BL as LinkPoses() does, as of the last Move().
+  const std::vector<Eigen::Isometry3d>& X_BL() const { return X_BL_; }
+
+  // Returns the centre of mass of all parts, in B and in metres.
+  Eigen::Vector3d CentreOfMass() const;
+
+  // Computes how the robot rests on the floor, see PlaceOnFloor() of kinematics.h.  `pose` is
+  // changed in place, so that its memory is used again.
+  void PlaceOnFloor(RestingPose* pose) const;
+
+  // Returns the height over z = 0 of the lowest point of all boxes and paws, at `X_WB`.
+  double LowestPoint(const Eigen::Isometry3d& X_WB) const;
+
+ private:
+  void PlacePart(size_t i);
+  Eigen::Vector3d SupportedPoint() const;
+
+  const RobotModel& model_;
+  std::vector<double> angles_rad_;  // as set
+  std::vector<double> placed_rad_;  // those of X_BL_ and hull_
+  std::vector<Eigen::Isometry3d> X_BL_;
+  std::vector<Eigen::Vector3d> moments_;  // [part]: mass times centre of mass, in kg m and in B
+  std::vector<bool> has_moved_;  // [part]: used by Move() only; a member to save allocations
+  double mass_kg_ = 0;
+  Hull hull_;
+};
+
+}  // namespace openr_host
