@@ -87,16 +87,35 @@ struct SubjectState {
   SubjectState(System* the_system, Object* the_object) : system(the_system), object(the_object) {}
 
   // Returns this subject's record of the observer `id`, or null if that observer is not connected.
-  ObserverLink* Find(const ObserverID& id);
+  ObserverLink* Find(const ObserverID& id) {
+    for (const auto& link : links) {
+      if (link->observer == id) return link.get();
+    }
+    return nullptr;
+  }
 
   // Takes a reference to `region` and adds the region to the data of the next notification.
-  OStatus SetData(ObserverLink* link, RCRegion* region);
+  // Because a message holds at most MAX_NUM_DATA data, the oldest data are dropped, as on the
+  // robot.
+  OStatus SetData(ObserverLink* link, RCRegion* region) {
+    region->AddReference();
+    link->fresh.push_back(region);
+    return link->fresh.size() <= MAX_NUM_DATA ? oSUCCESS : DropOldestData(link);
+  }
+  OStatus DropOldestData(ObserverLink* link);
   // Makes one notification (a pending unit) of the data that were set since the last notification,
   // and sends it if the observer is ready.
   OStatus Notify(ObserverLink* link);
+  // Posts a message with the `data_count` regions at `data`, which are the data of `unit_count`
+  // notifications.  Returns false if the message is refused.
+  bool Send(ObserverLink* link, RCRegion* const* data, size_t data_count, size_t unit_count);
   // Sends pending notifications if the observer is ready and at least ObserverLink::min
   // notifications are pending.  The observer sets this number with SetBufCtrlParam().
-  void Flush(ObserverLink* link);
+  void Flush(ObserverLink* link) {
+    if (link->ready > 0 && !link->units.empty() && link->units.size() >= link->min)
+      SendPending(link);
+  }
+  void SendPending(ObserverLink* link);
   // Drops all data that were set or notified but not sent to the observer, and gives up the
   // references to their regions.  Called when the program clears the buffer and when the connection
   // ends.
@@ -123,10 +142,8 @@ struct ObserverState {
   // Sends `command`, ready or not ready, to `subject`.  The message also gives back the regions of
   // `subject` that this object no longer uses.
   OStatus SendReady(const SubjectID& subject, ObjcommCommand command);
-  // Counts in `asserted` how often this observer tells a subject that it is ready.  Adds a finding
-  // if the observer repeats this again and again without a notification in between.
-  void CountReady(const SubjectID& subject, ObjcommCommand command);
-
+  // Prints, as the robot does, that a ready could not be posted.
+  OStatus ReportRefusedReady(sError error);
   System* const system;
   Object* const object;
   ObserverID id;
@@ -135,21 +152,29 @@ struct ObserverState {
   size_t min = 1;
   size_t max = 1;
   std::list<OSubjectInfo> subjects;
-  // The regions that this observer has received from one subject and has not given back yet, oldest
-  // first.
+  // The observer's record of one subject.
   struct Held {
     SubjectID subject;
+    // The regions that this observer has received from the subject and has not given back yet,
+    // oldest first.
     std::vector<RCRegion*> regions;
+    // How often the observer has asserted ready to the subject since the last notification from any
+    // subject.  A notification from any subject resets the count, because many programs call
+    // AssertReady() without argument after each notification, which asserts ready to all subjects.
+    int asserted = 0;
   };
   std::vector<Held> held;
-  // How often the observer has asserted ready to one subject since the last notification from any
-  // subject.  A notification from any subject resets the count, because many programs call
-  // AssertReady() without argument after each notification, which asserts ready to all subjects.
-  struct Asserted {
-    SubjectID subject;
-    int times;
-  };
-  std::vector<Asserted> asserted;
+
+  // Returns this observer's record of `subject`, which is made if there is none yet.
+  Held& HeldOf(const SubjectID& subject) {
+    for (Held& entry : held) {
+      if (entry.subject == subject) [[likely]]
+        return entry;
+    }
+    return held.emplace_back(Held{subject, {}});
+  }
+  // Adds a finding: this observer repeats its ready to a subject without a notification in between.
+  void ReportRepeatedReady(const Held& held);
 };
 
 }  // namespace openr_host
