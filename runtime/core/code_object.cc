@@ -42,7 +42,13 @@ Selector CodeObject::AddEntry(const std::string& name, std::unique_ptr<Entry> en
 
 CodeHost::~CodeHost() {
   const CurrentScope scope(system, this);
+  entry_count = 0;
   code.reset();
+}
+
+void CodeHost::SetCode(std::unique_ptr<CodeObject> made) {
+  code = std::move(made);
+  entry_count = oentryBASE + static_cast<uint32_t>(code->entries_.size());
 }
 
 bool CodeHost::HasEntry(uint32_t selector) const {

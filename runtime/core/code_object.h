@@ -158,6 +158,8 @@ class CodeHost final : public Object {
   bool Dispatch(uint32_t selector, void* payload) override;
   void HashState(Hasher* hasher) const override;
 
+  void SetCode(std::unique_ptr<CodeObject> made);  // called when the constructor has run
+
   std::unique_ptr<CodeObject> code;
 
  private:

@@ -15,11 +15,11 @@
 #include <vector>
 
 #include "runtime/core/message.h"
+#include "runtime/core/object.h"
 
 namespace openr_host {
 
 class Hasher;
-class Object;
 class System;
 
 // Operations on RCRegions (references to shared memory) that the runtime may do and objects may
@@ -34,11 +34,21 @@ struct RegionAccess {
   static RCRegion* SourceOf(const RCRegion* received) { return received->source_; }
 };
 
+// Adds the error finding of IsRunningMessage().
+void ReportForeignBytes(const Object& object);
+
 // Returns whether the message that `object` handles is of this `kind` (a notification or a ready),
 // and so was sent by an OSubject or OObserver.  If an object has sent other bytes to the entry of a
 // subject or observer, adds an error finding and returns false.  Such bytes must not be read as a
 // notification or a ready.
-bool IsRunningMessage(const Object& object, PayloadKind kind);
+inline bool IsRunningMessage(const Object& object, PayloadKind kind) {
+  // Without a running message there is nothing to check.  This occurs only if a test calls the
+  // function of the entry directly.
+  if (object.handler.running == nullptr || object.handler.running->kind == kind) [[likely]]
+    return true;
+  ReportForeignBytes(object);
+  return false;
+}
 
 // Message type of a deassert (the message that an observer is not ready) that the runtime sends in
 // the name of an observer.  The observer cannot receive, because its process has ended or its
@@ -57,30 +67,30 @@ void RefuseNotification(Object* object, const Message& message);
 // A subject's record of one observer.
 struct ObserverLink {
   ObserverID observer;
-  std::string name;  // the name of the observer's object, for messages to the user
-  size_t skip = 0;
-  size_t min = 1;
-  size_t max = 1;
 
   // The readiness of the observer for data: 1 if it is ready; 0 if it has not asserted ready yet,
   // or not since data were last sent to it; -1 if it has deasserted ready.  Two asserts in a row
   // count as one, as on the robot.
   int ready = 0;
-  size_t skipped = 0;  // notifications skipped since the last kept notification
+  bool is_lost = false;          // the last deassert came from the runtime (kDeassertOfLost)
+  bool told_deasserted = false;  // a finding about a notify after a deassert has been added
 
   // The regions set since the last call of Notify(), at most MAX_NUM_DATA.
   std::vector<RCRegion*> fresh;
   struct Unit {
     int data;  // number of regions in `pending` that belong to this notification
   };
-  std::vector<RCRegion*> pending;  // regions that were notified but not sent yet, oldest first
-  std::vector<Unit> units;         // notifications whose regions are in `pending`, oldest first
+  std::vector<Unit> units;  // notifications whose regions are in `pending`, oldest first
+  size_t skip = 0;
+  size_t min = 1;
+  size_t max = 1;
+  size_t skipped = 0;              // notifications skipped since the last kept notification
   int64_t waiting_since_us = -1;   // virtual time since which a notification waits; -1: none waits
   uint64_t sent = 0;               // messages sent
   int64_t sent_us = 0;             // virtual time of the last message
+  std::vector<RCRegion*> pending;  // regions that were notified but not sent yet, oldest first
   uint64_t replaced = 0;           // notifications dropped because newer ones replaced them
-  bool is_lost = false;            // the last deassert came from the runtime (kDeassertOfLost)
-  bool told_deasserted = false;    // a finding about a notify after a deassert has been added
+  std::string name;                // the name of the observer's object, for messages to the user
 };
 
 struct SubjectState {
@@ -129,10 +139,10 @@ struct SubjectState {
   System* const system;
   Object* const object;
   SubjectID id;
+  std::vector<std::unique_ptr<ObserverLink>> links;
   std::string service;  // full name, for messages to the user
   size_t buffer_size = MAX_NUM_DATA + 1;
   size_t unit_size = 1;
-  std::vector<std::unique_ptr<ObserverLink>> links;
   std::list<OObserverInfo> infos;  // the observers of `links`, as the SDK shows them
 };
 
@@ -147,11 +157,6 @@ struct ObserverState {
   System* const system;
   Object* const object;
   ObserverID id;
-  std::string service;
-  size_t skip = 0;
-  size_t min = 1;
-  size_t max = 1;
-  std::list<OSubjectInfo> subjects;
   // The observer's record of one subject.
   struct Held {
     SubjectID subject;
@@ -164,6 +169,11 @@ struct ObserverState {
     int asserted = 0;
   };
   std::vector<Held> held;
+  std::list<OSubjectInfo> subjects;
+  std::string service;
+  size_t skip = 0;
+  size_t min = 1;
+  size_t max = 1;
 
   // Returns this observer's record of `subject`, which is made if there is none yet.
   Held& HeldOf(const SubjectID& subject) {

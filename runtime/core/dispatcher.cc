@@ -91,7 +91,8 @@ void Dispatcher::Recycle() {
   if (!object->processor.is_busy && !object->handler.held.empty()) object->ReturnHeld();
 }
 
-// Calls the entry of `object` for its running message.  Whatever goes wrong there becomes a finding.
+// Calls the entry of `object` for its running message.  Whatever goes wrong there becomes a
+// finding.
 [[gnu::always_inline]] inline void Dispatcher::CallEntry(Object* object) {
   Message* const message = object->handler.running.get();
   try {
@@ -134,8 +135,28 @@ void Dispatcher::Recycle() {
   FinishHandler(object);
 }
 
+// Loads into the processor's cache what the next deliveries need: the receiver of the message that
+// comes second after `message` in its list, and the message that comes third.  With thousands of
+// objects, most of the time of a message would be waiting for memory.
+[[gnu::always_inline]] inline void Dispatcher::PrefetchAfter(const Message& message) {
+  constexpr int kCacheLine = 64;
+  const auto prefetch = [](const void* address, int lines) {
+    for (int i = 0; i < lines; ++i)
+      __builtin_prefetch(static_cast<const char*>(address) + kCacheLine * i);
+  };
+  const Message* const next = message.next;
+  if (next == nullptr || next->next == nullptr) return;
+  const Message* const second = next->next;
+  if (second->next != nullptr) prefetch(second->next, 3);
+  const Object* const object = system_->object(second->target);
+  if (object == nullptr) return;
+  prefetch(object, 1);
+  prefetch(&object->entry_count, 3);
+}
+
 // Delivers `message` to its receiver, or holds it.
 [[gnu::always_inline]] inline void Dispatcher::Deliver(OwnedMessage message) {
+  PrefetchAfter(*message);
   Object* const object = system_->object(message->target);
   if (object == nullptr) return;
   if (object->is_off) {
@@ -190,11 +211,10 @@ void Dispatcher::ReportException(const Object& object, const std::string& what) 
 
 // Adds a finding that from now on each message at this instant takes 1 us (creep_us()).
 void Dispatcher::ReportCreep(const Object* object) {
-  system_->AddFindingAbout(
-      object, Severity::kWarning,
-      fmt::format("{} messages without the clock moving: objects answer each "
-                  "other without waiting; from here each message takes 1 us",
-                  free_deliveries_));
+  system_->AddFindingAbout(object, Severity::kWarning,
+                           fmt::format("{} messages without the clock moving: objects answer each "
+                                       "other without waiting; from here each message takes 1 us",
+                                       free_deliveries_));
 }
 
 void Dispatcher::Loop() {

@@ -53,6 +53,7 @@ class Dispatcher {
   bool MayContinue() const;
   void ToCaller();
   void AdvanceTo(int64_t time_us);
+  void PrefetchAfter(const Message& message);
   void Deliver(OwnedMessage message);
   void ReportCreep(const Object* object);
   void ReportSelector(uint32_t selector);

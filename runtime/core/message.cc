@@ -58,7 +58,7 @@ void MessageQueue::PushFront(OwnedMessage message, int priority) {
 }
 
 const Message* MessageQueue::First() const {
-  return due_count_ == 0 ? nullptr : levels_[FirstLevel()].head;
+  return due_count_ == 0 ? nullptr : levels_[first_level_].head;
 }
 
 // Lets `schedule` choose among the receivers of the messages in `list`.  REQUIRES: `list` is not

@@ -38,7 +38,7 @@ enum class PayloadKind : uint8_t {
   kHashed,  // bytes that hold addresses; the sender has set Message::payload_hash instead
 };
 
-struct Message {
+struct alignas(64) Message {
   int64_t due_us = 0;
   uint64_t number = 0;  // number of the message, from 1, in order of posting
   uint64_t cause = 0;   // number of the message whose handler posted this message; 0 at boot
@@ -63,8 +63,8 @@ struct Message {
   alignas(16) unsigned char payload[kPayloadMax];
 };
 // A message that takes more cache lines makes every delivery slower.  So a new field must fit into
-// the padding before the payload.
-static_assert(sizeof(void*) != 8 || sizeof(Message) == 80 + Message::kPayloadMax);
+// the padding before the payload, and a message begins with a cache line.
+static_assert(sizeof(void*) != 8 || offsetof(Message, payload) == 80);
 
 // Gives a message back to its pool.
 struct ReturnToPool {
@@ -159,16 +159,20 @@ class MessageQueue {
   void Append(Message* message, uint32_t level);
   void MarkOccupied(uint32_t level) {
     occupied_[level / 64] |= uint64_t{1} << (level % 64);
-    occupied_words_ |= 1u << (level / 64);
+    if (level < first_level_) first_level_ = level;
   }
   void MarkEmpty(uint32_t level) {
     occupied_[level / 64] &= ~(uint64_t{1} << (level % 64));
-    if (occupied_[level / 64] == 0) occupied_words_ &= ~(1u << (level / 64));
+    if (level == first_level_) first_level_ = FirstLevelFrom(level / 64);
   }
-  // Returns the first level (a class and a priority) with a message.  REQUIRES: HasDue().
-  uint32_t FirstLevel() const {
-    const auto word = static_cast<uint32_t>(__builtin_ctz(occupied_words_));
-    return word * 64 + static_cast<uint32_t>(__builtin_ctzll(occupied_[word]));
+  // Returns the first level with a message of those whose bits are in the words from `word` on;
+  // kLevels if there is none.
+  uint32_t FirstLevelFrom(uint32_t word) const {
+    for (; word < kLevels / 64; ++word) {
+      if (occupied_[word] != 0)
+        return word * 64 + static_cast<uint32_t>(__builtin_ctzll(occupied_[word]));
+    }
+    return kLevels;
   }
   Message* TakeFirst(uint32_t level, ObjectId target);
   ObjectId ChooseTarget(const List& list, Schedule* schedule);
@@ -177,9 +181,9 @@ class MessageQueue {
   size_t due_count_ = 0;
   std::vector<List> levels_;              // messages that are due now, by level (LevelOf())
   uint64_t occupied_[kLevels / 64] = {};  // bit i is 1 if the list of level i is not empty
-  uint32_t occupied_words_ = 0;           // bit i is 1 if word i of occupied_ is not zero
-  std::vector<Later> later_;              // messages that are not due yet; a heap
-  Message* free_ = nullptr;               // the first free message; Message::next has the others
+  uint32_t first_level_ = kLevels;  // the first level with a message; kLevels: no message is due
+  std::vector<Later> later_;        // messages that are not due yet; a heap
+  Message* free_ = nullptr;         // the first free message; Message::next has the others
   // The arrays that hold the messages of the pool.
   std::vector<std::unique_ptr<Message[]>> chunks_;
   // The receivers among which ChooseTarget() lets a schedule choose.  The vector is a member so
@@ -225,8 +229,8 @@ inline void MessageQueue::Append(Message* message, uint32_t level) {
 }
 
 inline Message* MessageQueue::TakeDue(Schedule* schedule) {
-  if (due_count_ == 0) return nullptr;
-  const uint32_t level = FirstLevel();
+  const uint32_t level = first_level_;
+  if (level == kLevels) return nullptr;
   List& list = levels_[level];
   if (schedule != nullptr && list.head != list.tail) [[unlikely]]
     return TakeFirst(level, ChooseTarget(list, schedule));

@@ -115,7 +115,8 @@ class RegionTable {
   void HashState(Hasher* hasher) const;
 
  private:
-  struct Slot {
+  // One cache line.
+  struct alignas(64) Slot {
     char* base = nullptr;
     size_t size = 0;
     ObjectId owner = kNoObject;

@@ -15,15 +15,11 @@
 
 namespace openr_host {
 
-bool IsRunningMessage(const Object& object, PayloadKind kind) {
-  // Without a running message there is nothing to check.  This occurs only if a test calls the
-  // function of the entry directly.
-  if (object.handler.running == nullptr || object.handler.running->kind == kind) return true;
+void ReportForeignBytes(const Object& object) {
   object.system->AddFinding(
       Severity::kError,
       "bytes that an object sent to the entry of a subject or observer are "
       "no notification and no ready; use NotifyObservers() and AssertReady()");
-  return false;
 }
 
 OStatus SubjectState::DropOldestData(ObserverLink* link) {
@@ -83,8 +79,8 @@ void ReportDeasserted(const SubjectState& subject, ObserverLink* link) {
 }  // namespace
 
 // Inline, because every notification is sent by it.
-[[gnu::always_inline]] inline bool SubjectState::Send(ObserverLink* link, RCRegion* const* data, size_t data_count,
-                        size_t unit_count) {
+[[gnu::always_inline]] inline bool SubjectState::Send(ObserverLink* link, RCRegion* const* data,
+                                                      size_t data_count, size_t unit_count) {
   OwnedMessage message =
       system->NewMessage(ObjectIdOf(link->observer.GetOID()), link->observer.GetSelector());
   auto& notify = *new (message->payload) ONotifyMessage;

@@ -100,7 +100,7 @@ Object* System::NewCodeHost(int robot, const std::string& name) {
 
 CodeObject* System::FinishCodeObject(Object* host, std::unique_ptr<CodeObject> code) {
   auto* const code_host = static_cast<CodeHost*>(host);
-  code_host->code = std::move(code);
+  code_host->SetCode(std::move(code));
   return code_host->code.get();
 }
 
@@ -261,7 +261,8 @@ int32_t System::Enqueue(OwnedMessage&& message, int64_t delay_us) {
     return sSUCCESS;
   }
   if (!message->is_reply) {
-    if (!target->HasEntry(message->selector)) return RefuseSelector(*message, *target);
+    if (message->selector >= target->entry_count && !target->HasEntry(message->selector))
+      return RefuseSelector(*message, *target);
     // A part of the system posts messages to itself so that it is called again later.  A schedule
     // must not refuse these messages.
     const auto is_clock = [&] {
