@@ -1,7 +1,7 @@
 // Benchmarks: every figure stands beside a floor or a peer of the same run.
 //
-// A row times two or more variants in turn, several rounds each, and takes the best
-// round of each: these machines are shared, and noise only ever adds.
+// A row times two or more variants in turn, several rounds each.  It reports the median of the
+// rounds and the best round of each variant, because these machines are shared and noise only adds.
 #pragma once
 
 #include <functional>
@@ -22,11 +22,12 @@ struct Row {
   int64_t count = 0;              // operations per round
   std::vector<Variant> variants;  // the first is the floor
   double target = 0;              // ratio of the second to the floor that goals name; 0: none
-  int rounds = 7;                 // the best of which counts
+  int rounds = 7;                 // at least 5
 };
 
 // Runs the rows whose name contains `filter`; prints a table to standard output and
-// writes JSON to `json_path` unless it is empty.
+// writes JSON to `json_path` unless it is empty.  The JSON also names the machine, the compiler,
+// the C library, and the commit that the environment variable OPENR_COMMIT gives.
 void RunRows(const std::vector<Row>& rows, const std::string& filter, const std::string& json_path);
 
 // Seconds of wall time.

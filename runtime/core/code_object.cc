@@ -13,41 +13,28 @@ CodeObject::CodeObject() : host_(t_current.object) {
 
 CodeObject::~CodeObject() = default;
 
-OSubject* CodeObject::AddSubject(const std::string& service, Ready ready) {
-  const int index = static_cast<int>(own_subjects_.size());
-  OSubject* const subject = own_subjects_.emplace_back(std::make_unique<OSubject>()).get();
+void CodeObject::AddSubjectEntries(const std::string& service, OSubject* subject,
+                                   std::unique_ptr<Entry> entry) {
   const Selector control = AddExtra(service + " (Control)", [subject](void* message) {
     subject->ControlHandler(*static_cast<OControlMessage*>(message));
   });
-  const Selector entry = AddExtra(service + " (Ready)", [subject, index, ready](void* message) {
-    const auto& msg = *static_cast<OReadyMessage*>(message);
-    subject->ReadyHandler(msg);
-    if (ready) ready(OReadyEvent(index, msg.observerID, msg.command));
-  });
-  subject->SetReadyEntry(OServiceEntry(myOID_, entry));
+  const Selector ready = AddEntry(service + " (Ready)", std::move(entry));
+  subject->SetReadyEntry(OServiceEntry(myOID_, ready));
   RegisterServiceEntry(OServiceEntry(myOID_, control), service.c_str());
-  return subject;
 }
 
-OObserver* CodeObject::AddObserver(const std::string& service, Notify notify) {
-  const int index = static_cast<int>(own_observers_.size());
-  OObserver* const observer = own_observers_.emplace_back(std::make_unique<OObserver>()).get();
+void CodeObject::AddObserverEntries(const std::string& service, OObserver* observer,
+                                    std::unique_ptr<Entry> entry) {
   const Selector connect = AddExtra(service + " (Connect)", [observer](void* message) {
     observer->ConnectHandler(*static_cast<OConnectMessage*>(message));
   });
-  const Selector entry = AddExtra(service + " (Notify)", [observer, index, notify](void* message) {
-    ONotifyEvent event;
-    event.SetIndex(index);
-    observer->NotifyHandler(*static_cast<ONotifyMessage*>(message), &event);
-    if (notify) notify(event);
-  });
-  observer->SetNotifyEntry(OServiceEntry(myOID_, entry));
+  const Selector notify = AddEntry(service + " (Notify)", std::move(entry));
+  observer->SetNotifyEntry(OServiceEntry(myOID_, notify));
   RegisterServiceEntry(OServiceEntry(myOID_, connect), service.c_str());
-  return observer;
 }
 
-Selector CodeObject::AddExtra(const std::string& name, Extra extra) {
-  entries_.push_back(std::move(extra));
+Selector CodeObject::AddEntry(const std::string& name, std::unique_ptr<Entry> entry) {
+  entries_.push_back(std::move(entry));
   const Selector selector = oentryBASE + static_cast<Selector>(entries_.size()) - 1;
   host_->entry_names[selector] = name;
   return selector;
@@ -55,7 +42,13 @@ Selector CodeObject::AddExtra(const std::string& name, Extra extra) {
 
 CodeHost::~CodeHost() {
   const CurrentScope scope(system, this);
+  entry_count = 0;
   code.reset();
+}
+
+void CodeHost::SetCode(std::unique_ptr<CodeObject> made) {
+  code = std::move(made);
+  entry_count = oentryBASE + static_cast<uint32_t>(code->entries_.size());
 }
 
 bool CodeHost::HasEntry(uint32_t selector) const {
@@ -65,9 +58,15 @@ bool CodeHost::HasEntry(uint32_t selector) const {
 bool CodeHost::Dispatch(uint32_t selector, void* payload) {
   if (!HasEntry(selector)) return false;
   if (selector >= oentryBASE) {
-    code->entries_[selector - oentryBASE](payload);
-    return true;
+    code->entries_[selector - oentryBASE]->Handle(payload);
+  } else {
+    CallSystemEntry(selector, payload);
   }
+  return true;
+}
+
+// Calls DoInit, DoStart, DoStop or DoDestroy.
+void CodeHost::CallSystemEntry(uint32_t selector, void* payload) {
   auto& message = *static_cast<OReasonMessage*>(payload);
   const OSystemEvent event(message.reason, message.param, message.paramSize);
   switch (selector) {
@@ -84,7 +83,6 @@ bool CodeHost::Dispatch(uint32_t selector, void* payload) {
       code->Destroy(event);
       break;
   }
-  return true;
 }
 
 void CodeHost::HashState(Hasher* hasher) const { code->HashState(hasher); }

@@ -19,9 +19,9 @@
 #include <OPENR/OObserver.h>
 #include <OPENR/OSubject.h>
 
-#include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "runtime/core/object.h"
@@ -41,33 +41,115 @@ class CodeObject : public OObject {
   System& system() const { return *host_->system; }
 
  protected:
-  using Ready = std::function<void(const OReadyEvent&)>;
-  using Notify = std::function<void(const ONotifyEvent&)>;
-  using Extra = std::function<void(void* message)>;
+  // The function of an entry that does nothing with its messages.
+  struct Nothing {
+    template <typename T>
+    void operator()(const T&) const {}
+  };
 
   // Add a subject (sending end of connections) or an observer (receiving end) and register it as
-  // `service`, a full name such as "Blinker.Blink.OCommandVectorData.S".  `ready` or `notify` is
-  // called for each ready or notification and may be empty.  This CodeObject owns the returned
-  // subject or observer.  REQUIRES: called in the constructor.
+  // `service`, a full name such as "Blinker.Blink.OCommandVectorData.S".  `ready(const
+  // OReadyEvent&)` or `notify(const ONotifyEvent&)` is called for each ready or notification.  This
+  // CodeObject owns the returned subject or observer.  REQUIRES: called in the constructor.
+  template <typename Ready = Nothing>
   OSubject* AddSubject(const std::string& service, Ready ready = {});
+  template <typename Notify = Nothing>
   OObserver* AddObserver(const std::string& service, Notify notify = {});
 
-  // Adds an entry that calls `extra` with the bytes of each message that it receives.  Returns the
-  // entry's selector, the number that senders must give.
-  Selector AddExtra(const std::string& name, Extra extra);
+  // Adds an entry that calls extra(void* message) with the bytes of each message that it receives.
+  // Returns the entry's selector, the number that senders must give.
+  template <typename Extra = Nothing>
+  Selector AddExtra(const std::string& name, Extra extra) {
+    return AddEntry(name, std::make_unique<ExtraEntry<Extra>>(std::move(extra)));
+  }
 
  private:
   friend class CodeHost;
-  using EntryFunction = std::function<void(void*)>;
+
+  // An entry of the object, which handles the messages to one selector.  Each kind of entry holds
+  // the function that its object has given, so one virtual call leads to this function.
+  class Entry {
+   public:
+    virtual ~Entry() = default;
+    virtual void Handle(void* message) = 0;
+  };
+
+  template <typename Extra>
+  class ExtraEntry final : public Entry {
+   public:
+    explicit ExtraEntry(Extra extra) : extra_(std::move(extra)) {}
+    void Handle(void* message) override { extra_(message); }
+
+   private:
+    Extra extra_;
+  };
+
+  // The entry for the readies of a subject, which lies in it.
+  template <typename Ready>
+  class ReadyEntry final : public Entry {
+   public:
+    ReadyEntry(int index, Ready ready) : index_(index), ready_(std::move(ready)) {}
+    void Handle(void* message) override {
+      const auto& ready = *static_cast<OReadyMessage*>(message);
+      subject.ReadyHandler(ready);
+      ready_(OReadyEvent(index_, ready.observerID, ready.command));
+    }
+    OSubject subject;
+
+   private:
+    const int index_;
+    Ready ready_;
+  };
+
+  // The entry for the notifications to an observer, which lies in it.
+  template <typename Notify>
+  class NotifyEntry final : public Entry {
+   public:
+    NotifyEntry(int index, Notify notify) : index_(index), notify_(std::move(notify)) {}
+    void Handle(void* message) override {
+      ONotifyEvent event;
+      event.SetIndex(index_);
+      observer.NotifyHandler(*static_cast<ONotifyMessage*>(message), &event);
+      notify_(event);
+    }
+    OObserver observer;
+
+   private:
+    const int index_;
+    Notify notify_;
+  };
+
+  Selector AddEntry(const std::string& name, std::unique_ptr<Entry> entry);
+  // Add the entries of a subject or an observer, of which the last is `entry`.
+  void AddSubjectEntries(const std::string& service, OSubject* subject,
+                         std::unique_ptr<Entry> entry);
+  void AddObserverEntries(const std::string& service, OObserver* observer,
+                          std::unique_ptr<Entry> entry);
 
   Object* const host_;
-  std::vector<EntryFunction> entries_;  // entry functions; the index is selector - oentryBASE
-  std::vector<std::unique_ptr<OSubject>> own_subjects_;
-  std::vector<std::unique_ptr<OObserver>> own_observers_;
+  std::vector<std::unique_ptr<Entry>> entries_;  // the index is selector - oentryBASE
+  int subject_count_ = 0;
+  int observer_count_ = 0;
 };
 
+template <typename Ready>
+OSubject* CodeObject::AddSubject(const std::string& service, Ready ready) {
+  auto entry = std::make_unique<ReadyEntry<Ready>>(subject_count_++, std::move(ready));
+  OSubject* const subject = &entry->subject;
+  AddSubjectEntries(service, subject, std::move(entry));
+  return subject;
+}
+
+template <typename Notify>
+OObserver* CodeObject::AddObserver(const std::string& service, Notify notify) {
+  auto entry = std::make_unique<NotifyEntry<Notify>>(observer_count_++, std::move(notify));
+  OObserver* const observer = &entry->observer;
+  AddObserverEntries(service, observer, std::move(entry));
+  return observer;
+}
+
 // The Object that runs a CodeObject: calls its functions when messages arrive.
-class CodeHost : public Object {
+class CodeHost final : public Object {
  public:
   using Object::Object;
   ~CodeHost() override;
@@ -76,7 +158,12 @@ class CodeHost : public Object {
   bool Dispatch(uint32_t selector, void* payload) override;
   void HashState(Hasher* hasher) const override;
 
+  void SetCode(std::unique_ptr<CodeObject> made);  // called when the constructor has run
+
   std::unique_ptr<CodeObject> code;
+
+ private:
+  void CallSystemEntry(uint32_t selector, void* payload);
 };
 
 }  // namespace openr_host

@@ -15,11 +15,11 @@
 #include <vector>
 
 #include "runtime/core/message.h"
+#include "runtime/core/object.h"
 
 namespace openr_host {
 
 class Hasher;
-class Object;
 class System;
 
 // Operations on RCRegions (references to shared memory) that the runtime may do and objects may
@@ -34,11 +34,21 @@ struct RegionAccess {
   static RCRegion* SourceOf(const RCRegion* received) { return received->source_; }
 };
 
+// Adds the error finding of IsRunningMessage().
+void ReportForeignBytes(const Object& object);
+
 // Returns whether the message that `object` handles is of this `kind` (a notification or a ready),
 // and so was sent by an OSubject or OObserver.  If an object has sent other bytes to the entry of a
 // subject or observer, adds an error finding and returns false.  Such bytes must not be read as a
 // notification or a ready.
-bool IsRunningMessage(const Object& object, PayloadKind kind);
+inline bool IsRunningMessage(const Object& object, PayloadKind kind) {
+  // Without a running message there is nothing to check.  This occurs only if a test calls the
+  // function of the entry directly.
+  if (object.handler.running == nullptr || object.handler.running->kind == kind) [[likely]]
+    return true;
+  ReportForeignBytes(object);
+  return false;
+}
 
 // Message type of a deassert (the message that an observer is not ready) that the runtime sends in
 // the name of an observer.  The observer cannot receive, because its process has ended or its
@@ -57,46 +67,65 @@ void RefuseNotification(Object* object, const Message& message);
 // A subject's record of one observer.
 struct ObserverLink {
   ObserverID observer;
-  std::string name;  // the name of the observer's object, for messages to the user
-  size_t skip = 0;
-  size_t min = 1;
-  size_t max = 1;
 
   // The readiness of the observer for data: 1 if it is ready; 0 if it has not asserted ready yet,
   // or not since data were last sent to it; -1 if it has deasserted ready.  Two asserts in a row
   // count as one, as on the robot.
   int ready = 0;
-  size_t skipped = 0;  // notifications skipped since the last kept notification
+  bool is_lost = false;          // the last deassert came from the runtime (kDeassertOfLost)
+  bool told_deasserted = false;  // a finding about a notify after a deassert has been added
 
   // The regions set since the last call of Notify(), at most MAX_NUM_DATA.
   std::vector<RCRegion*> fresh;
   struct Unit {
     int data;  // number of regions in `pending` that belong to this notification
   };
-  std::vector<RCRegion*> pending;  // regions that were notified but not sent yet, oldest first
-  std::vector<Unit> units;         // notifications whose regions are in `pending`, oldest first
+  std::vector<Unit> units;  // notifications whose regions are in `pending`, oldest first
+  size_t skip = 0;
+  size_t min = 1;
+  size_t max = 1;
+  size_t skipped = 0;              // notifications skipped since the last kept notification
   int64_t waiting_since_us = -1;   // virtual time since which a notification waits; -1: none waits
   uint64_t sent = 0;               // messages sent
   int64_t sent_us = 0;             // virtual time of the last message
+  std::vector<RCRegion*> pending;  // regions that were notified but not sent yet, oldest first
   uint64_t replaced = 0;           // notifications dropped because newer ones replaced them
-  bool is_lost = false;            // the last deassert came from the runtime (kDeassertOfLost)
-  bool told_deasserted = false;    // a finding about a notify after a deassert has been added
+  std::string name;                // the name of the observer's object, for messages to the user
 };
 
 struct SubjectState {
   SubjectState(System* the_system, Object* the_object) : system(the_system), object(the_object) {}
 
   // Returns this subject's record of the observer `id`, or null if that observer is not connected.
-  ObserverLink* Find(const ObserverID& id);
+  ObserverLink* Find(const ObserverID& id) {
+    for (const auto& link : links) {
+      if (link->observer == id) return link.get();
+    }
+    return nullptr;
+  }
 
   // Takes a reference to `region` and adds the region to the data of the next notification.
-  OStatus SetData(ObserverLink* link, RCRegion* region);
+  // Because a message holds at most MAX_NUM_DATA data, the oldest data are dropped, as on the
+  // robot.
+  OStatus SetData(ObserverLink* link, RCRegion* region) {
+    region->AddReference();
+    link->fresh.push_back(region);
+    return link->fresh.size() <= MAX_NUM_DATA ? oSUCCESS : DropOldestData(link);
+  }
+  OStatus DropOldestData(ObserverLink* link);
   // Makes one notification (a pending unit) of the data that were set since the last notification,
   // and sends it if the observer is ready.
   OStatus Notify(ObserverLink* link);
+  // Posts a message with the `data_count` regions at `data`, which are the data of `unit_count`
+  // notifications.  Returns false if the message is refused.
+  bool Send(ObserverLink* link, RCRegion* const* data, size_t data_count, size_t unit_count);
   // Sends pending notifications if the observer is ready and at least ObserverLink::min
   // notifications are pending.  The observer sets this number with SetBufCtrlParam().
-  void Flush(ObserverLink* link);
+  void Flush(ObserverLink* link) {
+    if (link->ready > 0 && !link->units.empty() && link->units.size() >= link->min)
+      SendPending(link);
+  }
+  void SendPending(ObserverLink* link);
   // Drops all data that were set or notified but not sent to the observer, and gives up the
   // references to their regions.  Called when the program clears the buffer and when the connection
   // ends.
@@ -110,10 +139,10 @@ struct SubjectState {
   System* const system;
   Object* const object;
   SubjectID id;
+  std::vector<std::unique_ptr<ObserverLink>> links;
   std::string service;  // full name, for messages to the user
   size_t buffer_size = MAX_NUM_DATA + 1;
   size_t unit_size = 1;
-  std::vector<std::unique_ptr<ObserverLink>> links;
   std::list<OObserverInfo> infos;  // the observers of `links`, as the SDK shows them
 };
 
@@ -123,33 +152,39 @@ struct ObserverState {
   // Sends `command`, ready or not ready, to `subject`.  The message also gives back the regions of
   // `subject` that this object no longer uses.
   OStatus SendReady(const SubjectID& subject, ObjcommCommand command);
-  // Counts in `asserted` how often this observer tells a subject that it is ready.  Adds a finding
-  // if the observer repeats this again and again without a notification in between.
-  void CountReady(const SubjectID& subject, ObjcommCommand command);
-
+  // Prints, as the robot does, that a ready could not be posted.
+  OStatus ReportRefusedReady(sError error);
   System* const system;
   Object* const object;
   ObserverID id;
+  // The observer's record of one subject.
+  struct Held {
+    SubjectID subject;
+    // The regions that this observer has received from the subject and has not given back yet,
+    // oldest first.
+    std::vector<RCRegion*> regions;
+    // How often the observer has asserted ready to the subject since the last notification from any
+    // subject.  A notification from any subject resets the count, because many programs call
+    // AssertReady() without argument after each notification, which asserts ready to all subjects.
+    int asserted = 0;
+  };
+  std::vector<Held> held;
+  std::list<OSubjectInfo> subjects;
   std::string service;
   size_t skip = 0;
   size_t min = 1;
   size_t max = 1;
-  std::list<OSubjectInfo> subjects;
-  // The regions that this observer has received from one subject and has not given back yet, oldest
-  // first.
-  struct Held {
-    SubjectID subject;
-    std::vector<RCRegion*> regions;
-  };
-  std::vector<Held> held;
-  // How often the observer has asserted ready to one subject since the last notification from any
-  // subject.  A notification from any subject resets the count, because many programs call
-  // AssertReady() without argument after each notification, which asserts ready to all subjects.
-  struct Asserted {
-    SubjectID subject;
-    int times;
-  };
-  std::vector<Asserted> asserted;
+
+  // Returns this observer's record of `subject`, which is made if there is none yet.
+  Held& HeldOf(const SubjectID& subject) {
+    for (Held& entry : held) {
+      if (entry.subject == subject) [[likely]]
+        return entry;
+    }
+    return held.emplace_back(Held{subject, {}});
+  }
+  // Adds a finding: this observer repeats its ready to a subject without a notification in between.
+  void ReportRepeatedReady(const Held& held);
 };
 
 }  // namespace openr_host

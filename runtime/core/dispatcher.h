@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "runtime/core/fiber.h"
@@ -52,10 +53,15 @@ class Dispatcher {
   bool MayContinue() const;
   void ToCaller();
   void AdvanceTo(int64_t time_us);
-  void Deliver(OwnedMessage&& message);
+  void PrefetchAfter(const Message& message);
+  void Deliver(OwnedMessage message);
+  void ReportCreep(const Object* object);
+  void ReportSelector(uint32_t selector);
+  void ReportException(const Object& object, const std::string& what);
   bool MayRun(Object* object, const Message& message);
-  void DeliverReply(Object* object, OwnedMessage&& message);
-  void RunHandler(Object* object, OwnedMessage&& owned);
+  void DeliverReply(Object* object, OwnedMessage message);
+  void RunHandler(Object* object, OwnedMessage message);
+  void CallEntry(Object* object);
   void FinishHandler(Object* object);
   Fiber* TakeFiber();
   void SwitchTo(Fiber* fiber);

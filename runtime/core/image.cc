@@ -175,6 +175,7 @@ std::string ImageObject::ReadTables() {
     if (entry->selector >= entries_.size()) entries_.resize(entry->selector + 1, nullptr);
     entries_[entry->selector] = entry->entry;
   }
+  while (ImageObject::HasEntry(entry_count)) ++entry_count;
   const OcfResult ocf = ParseOcf(path + " (.ocf)", info->ocf);
   if (!ocf.ocf) return "has a bad .ocf text: " + Render(ocf.diagnostics);
   name = ocf.ocf->name;

@@ -1,7 +1,6 @@
 #include "runtime/core/message.h"
 
 #include <algorithm>
-#include <bit>
 #include <new>
 #include <tuple>
 #include <utility>
@@ -29,70 +28,37 @@ MessageQueue::~MessageQueue() {
   ASSERT(here == count, "{} of {} messages outlive their pool", count - here, count);
 }
 
-OwnedMessage MessageQueue::Allocate() {
-  if (free_ == nullptr) {
-    chunks_.emplace_back(new Message[kChunk]);
-    for (size_t i = kChunk; i > 0; --i) Release(&chunks_.back()[i - 1]);
+void MessageQueue::AddChunk() {
+  chunks_.emplace_back(new Message[kChunk]);
+  for (size_t i = kChunk; i > 0; --i) {
+    Message& message = chunks_.back()[i - 1];
+    message.pool = this;
+    Release(&message);
   }
-  OwnedMessage message(free_);
-  free_ = free_->next;
-  message->pool = this;
-  message->number = 0;
-  message->cause = 0;
-  message->reply_box = 0;
-  message->payload_hash = 0;
-  message->size = 0;
-  message->next = nullptr;
-  message->message_class = MessageClass::kObject;
-  message->kind = PayloadKind::kBytes;
-  message->is_reply = false;
-  return message;
 }
 
-void MessageQueue::Push(OwnedMessage&& message, int priority) {
-  ASSERT(message->due_us >= now_us_, "message {} is due at {} us, now is {} us", message->number,
+// Adds `message`, which is not due yet, to the heap.
+void MessageQueue::InsertLater(Message* message, uint32_t level) {
+  ASSERT(message->due_us > now_us_, "message {} is due at {} us, now is {} us", message->number,
          message->due_us, now_us_);
-  const int level = LevelOf(*message, priority);
-  if (message->due_us == now_us_) {
-    Append(message.release(), level);
-    return;
-  }
-  later_.push_back({message->due_us, level, message->number, message.release()});
+  later_.push_back({message->due_us, level, message->number, message});
   std::push_heap(later_.begin(), later_.end());
-}
-
-// Appends `message`, which is due now, to the list of `level`.
-void MessageQueue::Append(Message* message, int level) {
-  List& list = levels_[level];
-  message->next = nullptr;
-  (list.tail == nullptr ? list.head : list.tail->next) = message;
-  list.tail = message;
-  occupied_[level / 64] |= uint64_t{1} << (level % 64);
-  ++due_count_;
 }
 
 void MessageQueue::PushFront(OwnedMessage message, int priority) {
   ASSERT(message->due_us == now_us_, "message {} is due at {} us, now is {} us", message->number,
          message->due_us, now_us_);
-  const int level = LevelOf(*message, priority);
+  const uint32_t level = LevelOf(*message, priority);
   List& list = levels_[level];
   message->next = list.head;
   list.head = message.release();
   if (list.tail == nullptr) list.tail = list.head;
-  occupied_[level / 64] |= uint64_t{1} << (level % 64);
+  MarkOccupied(level);
   ++due_count_;
 }
 
-// Returns the first level (a class and a priority) with a message, or -1 if no message is due.
-int MessageQueue::FirstLevel() const {
-  for (int word = 0; word < kLevels / 64; ++word) {
-    if (occupied_[word] != 0) return word * 64 + std::countr_zero(occupied_[word]);
-  }
-  return -1;
-}
-
 const Message* MessageQueue::First() const {
-  return due_count_ == 0 ? nullptr : levels_[static_cast<size_t>(FirstLevel())].head;
+  return due_count_ == 0 ? nullptr : levels_[first_level_].head;
 }
 
 // Lets `schedule` choose among the receivers of the messages in `list`.  REQUIRES: `list` is not
@@ -112,30 +78,14 @@ ObjectId MessageQueue::ChooseTarget(const List& list, Schedule* schedule) {
 
 // Takes the first message for `target` from the list of `level`.  REQUIRES: the list has such a
 // message.
-Message* MessageQueue::TakeFirst(int level, ObjectId target) {
+Message* MessageQueue::TakeFirst(uint32_t level, ObjectId target) {
   List& list = levels_[level];
   Message* before = nullptr;
   Message* message = list.head;
   for (; message->target != target; message = message->next) before = message;
   (before == nullptr ? list.head : before->next) = message->next;
   if (list.tail == message) list.tail = before;
-  if (list.head == nullptr) occupied_[level / 64] &= ~(uint64_t{1} << (level % 64));
-  --due_count_;
-  return message;
-}
-
-OwnedMessage MessageQueue::Pop(Schedule* schedule) {
-  if (due_count_ == 0) return nullptr;
-  const int level = FirstLevel();
-  List& list = levels_[level];
-  if (schedule != nullptr && list.head != list.tail)
-    return OwnedMessage(TakeFirst(level, ChooseTarget(list, schedule)));
-  OwnedMessage message(list.head);
-  list.head = message->next;
-  if (list.head == nullptr) {
-    list.tail = nullptr;
-    occupied_[level / 64] &= ~(uint64_t{1} << (level % 64));
-  }
+  if (list.head == nullptr) MarkEmpty(level);
   --due_count_;
   return message;
 }
@@ -155,12 +105,12 @@ void MessageQueue::Advance(int64_t time_us) {
 
 std::vector<OwnedMessage> MessageQueue::TakeIf(const std::function<bool(const Message&)>& matches) {
   std::vector<OwnedMessage> taken;
-  for (int level = 0; level < kLevels; ++level) {
+  for (uint32_t level = 0; level < kLevels; ++level) {
     List old = levels_[level];
     if (old.head == nullptr) continue;
     // Empties the list, then appends the messages that stay, which keeps their order.
     levels_[level] = {};
-    occupied_[level / 64] &= ~(uint64_t{1} << (level % 64));
+    MarkEmpty(level);
     for (Message* message = old.head; message != nullptr;) {
       Message* const next = message->next;
       --due_count_;

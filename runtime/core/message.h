@@ -38,7 +38,7 @@ enum class PayloadKind : uint8_t {
   kHashed,  // bytes that hold addresses; the sender has set Message::payload_hash instead
 };
 
-struct Message {
+struct alignas(64) Message {
   int64_t due_us = 0;
   uint64_t number = 0;  // number of the message, from 1, in order of posting
   uint64_t cause = 0;   // number of the message whose handler posted this message; 0 at boot
@@ -63,8 +63,8 @@ struct Message {
   alignas(16) unsigned char payload[kPayloadMax];
 };
 // A message that takes more cache lines makes every delivery slower.  So a new field must fit into
-// the padding before the payload.
-static_assert(sizeof(void*) != 8 || sizeof(Message) == 80 + Message::kPayloadMax);
+// the padding before the payload, and a message begins with a cache line.
+static_assert(sizeof(void*) != 8 || offsetof(Message, payload) == 80);
 
 // Gives a message back to its pool.
 struct ReturnToPool {
@@ -86,11 +86,11 @@ class MessageQueue {
 
   // Returns a message from the pool.  The caller must set payload, sender, target, selector and due
   // time; all other fields have their default values.
-  OwnedMessage Allocate();
+  OwnedMessage Allocate() { return OwnedMessage(TakeFree()); }
 
   // Queues `message`, whose due time, class and number are set.  `priority` is the priority of the
   // receiver, 0 to 255.  REQUIRES: message->due_us is not before the queue's clock (Advance()).
-  void Push(OwnedMessage&& message, int priority);
+  void Push(OwnedMessage&& message, int priority) { Insert(message.release(), priority); }
 
   // Queues `message`, which is due now, in front of the other messages of its class and priority.
   // To put back several messages in their order, begin with the last of them.
@@ -99,7 +99,7 @@ class MessageQueue {
   // Takes the first message that is due now, or returns null if none is due.  If there are several
   // due messages of this class and priority, a `schedule` (schedule.h) chooses which receiver gets
   // its first message.
-  OwnedMessage Pop(Schedule* schedule = nullptr);
+  OwnedMessage Pop(Schedule* schedule = nullptr) { return OwnedMessage(TakeDue(schedule)); }
   bool HasDue() const { return due_count_ > 0; }
   // Returns the message that Pop() without a schedule would take; null if none is due.
   const Message* First() const;
@@ -123,8 +123,8 @@ class MessageQueue {
  private:
   friend struct ReturnToPool;
 
-  static constexpr int kPriorities = 256;
-  static constexpr int kLevels = kMessageClasses * kPriorities;
+  static constexpr uint32_t kPriorities = 256;
+  static constexpr uint32_t kLevels = kMessageClasses * kPriorities;
 
   struct List {
     Message* head = nullptr;
@@ -132,7 +132,7 @@ class MessageQueue {
   };
   struct Later {
     int64_t due_us;
-    int level;
+    uint32_t level;
     uint64_t number;
     Message* message;
     // Returns true if `other` is due before this message.  The order is reversed, because
@@ -141,8 +141,9 @@ class MessageQueue {
   };
 
   // A level is a class and a priority; level 0 is delivered first.
-  static int LevelOf(const Message& message, int priority) {
-    return static_cast<int>(message.message_class) * kPriorities + (kPriorities - 1 - priority);
+  static uint32_t LevelOf(const Message& message, int priority) {
+    return static_cast<uint32_t>(message.message_class) * kPriorities + (kPriorities - 1) -
+           static_cast<uint32_t>(priority);
   }
   // Gives `message`, which is in no list, back to the pool.  The function is small, so that the
   // compiler can inline the many destructors of OwnedMessage.
@@ -150,23 +151,98 @@ class MessageQueue {
     message->next = free_;
     free_ = message;
   }
-  void Append(Message* message, int level);
-  int FirstLevel() const;
-  Message* TakeFirst(int level, ObjectId target);
+  Message* TakeFree();
+  void AddChunk();
+  void Insert(Message* message, int priority);
+  void InsertLater(Message* message, uint32_t level);
+  Message* TakeDue(Schedule* schedule);
+  void Append(Message* message, uint32_t level);
+  void MarkOccupied(uint32_t level) {
+    occupied_[level / 64] |= uint64_t{1} << (level % 64);
+    if (level < first_level_) first_level_ = level;
+  }
+  void MarkEmpty(uint32_t level) {
+    occupied_[level / 64] &= ~(uint64_t{1} << (level % 64));
+    if (level == first_level_) first_level_ = FirstLevelFrom(level / 64);
+  }
+  // Returns the first level with a message of those whose bits are in the words from `word` on;
+  // kLevels if there is none.
+  uint32_t FirstLevelFrom(uint32_t word) const {
+    for (; word < kLevels / 64; ++word) {
+      if (occupied_[word] != 0)
+        return word * 64 + static_cast<uint32_t>(__builtin_ctzll(occupied_[word]));
+    }
+    return kLevels;
+  }
+  Message* TakeFirst(uint32_t level, ObjectId target);
   ObjectId ChooseTarget(const List& list, Schedule* schedule);
 
   int64_t now_us_ = 0;
   size_t due_count_ = 0;
   std::vector<List> levels_;              // messages that are due now, by level (LevelOf())
   uint64_t occupied_[kLevels / 64] = {};  // bit i is 1 if the list of level i is not empty
-  std::vector<Later> later_;              // messages that are not due yet; a heap
-  Message* free_ = nullptr;               // the first free message; Message::next has the others
+  uint32_t first_level_ = kLevels;  // the first level with a message; kLevels: no message is due
+  std::vector<Later> later_;        // messages that are not due yet; a heap
+  Message* free_ = nullptr;         // the first free message; Message::next has the others
   // The arrays that hold the messages of the pool.
   std::vector<std::unique_ptr<Message[]>> chunks_;
   // The receivers among which ChooseTarget() lets a schedule choose.  The vector is a member so
   // that its memory is used again.
   std::vector<ObjectId> candidates_;
 };
+
+// ---- Functions that every message of a run calls; they are inline because of that.
+
+// Takes a message from the pool and gives its fields their default values.
+inline Message* MessageQueue::TakeFree() {
+  if (free_ == nullptr) [[unlikely]]
+    AddChunk();
+  Message* const message = free_;
+  free_ = message->next;
+  message->number = 0;
+  message->cause = 0;
+  message->size = 0;
+  message->reply_box = 0;
+  message->payload_hash = 0;
+  message->message_class = MessageClass::kObject;
+  message->kind = PayloadKind::kBytes;
+  message->is_reply = false;
+  return message;
+}
+
+inline void MessageQueue::Insert(Message* message, int priority) {
+  const uint32_t level = LevelOf(*message, priority);
+  if (message->due_us == now_us_) [[likely]]
+    Append(message, level);
+  else
+    InsertLater(message, level);
+}
+
+// Appends `message`, which is due now, to the list of `level`.
+inline void MessageQueue::Append(Message* message, uint32_t level) {
+  List& list = levels_[level];
+  message->next = nullptr;
+  (list.tail == nullptr ? list.head : list.tail->next) = message;
+  list.tail = message;
+  MarkOccupied(level);
+  ++due_count_;
+}
+
+inline Message* MessageQueue::TakeDue(Schedule* schedule) {
+  const uint32_t level = first_level_;
+  if (level == kLevels) return nullptr;
+  List& list = levels_[level];
+  if (schedule != nullptr && list.head != list.tail) [[unlikely]]
+    return TakeFirst(level, ChooseTarget(list, schedule));
+  Message* const message = list.head;
+  list.head = message->next;
+  if (list.head == nullptr) {
+    list.tail = nullptr;
+    MarkEmpty(level);
+  }
+  --due_count_;
+  return message;
+}
 
 inline void ReturnToPool::operator()(Message* message) const { message->pool->Release(message); }
 

@@ -3,7 +3,6 @@
 
 #include <compare>
 #include <cstdio>
-#include <deque>
 #include <map>
 #include <memory>
 #include <set>
@@ -50,14 +49,14 @@ struct HandlerState {
   // The number of calls of GetSystemTime() in this handler.  Each call adds 1 us to the time, so
   // that a loop that waits for a certain time ends.
   uint64_t time_calls = 0;
+  // Messages that the object cannot handle yet, oldest first, because its handler waits or has the
+  // processor, or because it is in its boot (ObjectManager::IsTooEarly()).
+  std::vector<OwnedMessage> held;
   Fiber* blocked = nullptr;      // the stack of the handler while it waits; null: it does not wait
   uint64_t blocked_box = 0;      // the reply box for which the handler waits
   int64_t blocked_since_us = 0;  // virtual time when the wait began
   // The text that tells users what the handler waits for: "the answer of IPStack (Send)".
   std::string blocked_why;
-  // Messages that the object cannot handle yet, oldest first, because its handler waits or has the
-  // processor, or because it is in its boot (ObjectManager::IsTooEarly()).
-  std::deque<OwnedMessage> held;
   // The place for a reply when an object calls an entry of its own.  This happens when a subject
   // and an observer of the same object are connected with each other.
   struct SelfReply {
@@ -163,30 +162,20 @@ class Object {
   System* const system;
   const ObjectId id;
   const int robot;
-  std::string name;         // OBJECT_NAME of the .ocf file, unique per robot
-  std::string path;         // /MS/... of an image; empty for objects built in code
-  bool is_image = false;    // loaded from a file; its code sees only the Memory Stick
   bool is_system = false;   // part of the robot, not of the application
-  bool is_off = false;      // the object's robot is off: messages to the object are dropped
   bool is_leaving = false;  // another object is about to replace this one
   // Nothing is loaded here: the robot was switched off.  When the robot boots, the object with this
   // path, or without a path with this name, gets this id again.
   bool is_absent = false;
-  ObjectLimits limits;
-  // The class of the messages that the object posts.
-  MessageClass post_class = MessageClass::kObject;
+  std::string name;  // OBJECT_NAME of the .ocf file, unique per robot
+  std::string path;  // /MS/... of an image; empty for objects built in code
 
   // Number of the objects that have had this id before.  The entries of each have other names.
   int predecessors = 0;
 
   // Statistics for the report of the run.
   std::string state;           // text after "state: " of its last OSYSLOG1 INFO line
-  uint64_t message_count = 0;  // messages delivered
   uint64_t dropped_count = 0;  // data replaced before they were read, and messages refused
-  // The number of messages to the object that are not delivered yet, without replies.
-  int waiting = 0;
-  int queue_max = 32;   // limit of `waiting` (field-notes.md, 2.3), set with SetResourceValue()
-  int waiting_max = 0;  // the highest value of `waiting` so far
   int64_t handler_ns_max = 0;  // longest handler, wall time; 0 without SystemOptions::wall_clock_ns
   size_t stack_max = 0;  // most stack bytes that a handler used; see SystemOptions::measure_stacks
 
@@ -204,9 +193,7 @@ class Object {
   bool has_reported_cast = false;
 
   OpenFiles files;
-  HandlerState handler;
   ReplyBoxes boxes;
-  ProcessorState processor;
 
   // The part of the address plan that belongs to the object, and its heap there.  Null for objects
   // that are no images, and where addresses are not planned (address_plan.h).
@@ -219,6 +206,25 @@ class Object {
   // The full name of the service that was registered for an entry.  The key is the entry's
   // selector.
   std::map<uint32_t, std::string> services;
+
+  // ---- What every message reads, on two cache lines, and last, so that the members of the derived
+  // classes follow.  With thousands of objects, waiting for memory is most of the time of a
+  // message.
+
+  // The object has the entries 0 to entry_count - 1.  HasEntry() is asked about the others.
+  alignas(64) uint32_t entry_count = 0;
+  // The number of messages to the object that are not delivered yet, without replies.
+  int waiting = 0;
+  int queue_max = 32;   // limit of `waiting` (field-notes.md, 2.3), set with SetResourceValue()
+  int waiting_max = 0;  // the highest value of `waiting` so far
+  ObjectLimits limits;
+  // The class of the messages that the object posts.
+  MessageClass post_class = MessageClass::kObject;
+  bool is_image = false;       // loaded from a file; its code sees only the Memory Stick
+  bool is_off = false;         // the object's robot is off: messages to the object are dropped
+  uint64_t message_count = 0;  // messages delivered
+  ProcessorState processor;
+  HandlerState handler;
 };
 
 }  // namespace openr_host

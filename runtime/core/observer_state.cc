@@ -10,25 +10,13 @@
 
 namespace openr_host {
 
-// Counts repeated readies of an observer to one subject, because on the robot they would fail:
-// readies wait in the message queue of the subject's object, and the robot refuses the 33rd message
-// in a queue.
-void ObserverState::CountReady(const SubjectID& subject, ObjcommCommand command) {
-  constexpr int kTimesMax = 8;  // our choice: no program asserts ready more often on purpose
-  auto entry = std::find_if(asserted.begin(), asserted.end(),
-                            [&](const Asserted& each) { return each.subject == subject; });
-  if (entry == asserted.end()) entry = asserted.insert(asserted.end(), {subject, 0});
-  if (command != objcommCMD_ASSERT_READY) {
-    entry->times = 0;
-    return;
-  }
-  if (++entry->times != kTimesMax + 1 || object->is_system) return;
-  const Object* const peer = system->object(ObjectIdOf(subject.GetOID()));
+void ObserverState::ReportRepeatedReady(const Held& held) {
+  const Object* const peer = system->object(ObjectIdOf(held.subject.GetOID()));
   system->AddFindingAbout(
       object, Severity::kWarning,
       fmt::format("{}: asserts ready to {} again and again ({} times) without a notification "
                   "between; ready is a flag, once per notification is enough",
-                  service, peer == nullptr ? "an unknown object" : peer->name, entry->times));
+                  service, peer == nullptr ? "an unknown object" : peer->name, held.asserted));
 }
 
 OStatus ObserverState::SendReady(const SubjectID& subject, ObjcommCommand command) {
@@ -42,32 +30,42 @@ OStatus ObserverState::SendReady(const SubjectID& subject, ObjcommCommand comman
   // reference of its own.  A ready can give back MAX_NUM_DATA regions; the others are given back by
   // the next ready.
   RCRegion* returned[MAX_NUM_DATA];
-  std::vector<RCRegion*>* regions = nullptr;
-  for (Held& entry : held) {
-    if (entry.subject == subject) regions = &entry.regions;
-  }
-  if (regions != nullptr) {
-    for (RCRegion* region : *regions) {
-      if (region->NumberOfReference() > 1 || ready.numOfData == MAX_NUM_DATA) continue;
-      returned[ready.numOfData] = region;
-      ready.rcRegion[ready.numOfData++] = RegionAccess::SourceOf(region);
-    }
+  Held& entry = HeldOf(subject);
+  for (RCRegion* region : entry.regions) {
+    if (region->NumberOfReference() > 1 || ready.numOfData == MAX_NUM_DATA) continue;
+    returned[ready.numOfData] = region;
+    ready.rcRegion[ready.numOfData++] = RegionAccess::SourceOf(region);
   }
   const int count = ready.numOfData;
   // The message is posted before this object gives up the regions, because the object keeps them if
   // the message is refused.
   const sError error = system->Post(std::move(message));
-  if (error != sSUCCESS) {
-    system->Print(fmt::format("OObserver({})::SendReady() Sending Ready failed. sError = {}\n",
-                              service, error));
-    return oSEND_FAIL;
+  if (error != sSUCCESS) return ReportRefusedReady(error);
+  // Repeated readies to one subject are counted, because on the robot they would fail: readies wait
+  // in the message queue of the subject's object, and the robot refuses the 33rd message in a
+  // queue.
+  constexpr int kTimesMax = 8;  // our choice: no program asserts ready more often on purpose
+  entry.asserted = command == objcommCMD_ASSERT_READY ? entry.asserted + 1 : 0;
+  if (entry.asserted == kTimesMax + 1 && !object->is_system) ReportRepeatedReady(entry);
+  // Removes the returned regions, which stand in `regions` in the same order.
+  auto kept = entry.regions.begin();
+  int next = 0;
+  for (RCRegion* const region : entry.regions) {
+    if (next < count && region == returned[next]) {
+      RegionAccess::GiveBack(region);
+      ++next;
+    } else {
+      *kept++ = region;
+    }
   }
-  CountReady(subject, command);
-  for (int i = 0; i < count; ++i) {
-    std::erase(*regions, returned[i]);
-    RegionAccess::GiveBack(returned[i]);
-  }
+  entry.regions.erase(kept, entry.regions.end());
   return oSUCCESS;
+}
+
+OStatus ObserverState::ReportRefusedReady(sError error) {
+  system->Print(fmt::format("OObserver({})::SendReady() Sending Ready failed. sError = {}\n",
+                            service, error));
+  return oSEND_FAIL;
 }
 
 void SendDeassert(Object* object, uint32_t selector, const SubjectID& subject,

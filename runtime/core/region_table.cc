@@ -105,17 +105,6 @@ char* RegionTable::AdoptCopy(uint32_t id, size_t size) {
   return slot->base;
 }
 
-void RegionTable::KeepCopy(uint32_t id) {
-  if (Slot* const slot = Find(id)) ++slot->pins;
-}
-
-void RegionTable::DropCopy(uint32_t id) {
-  Slot* const slot = Find(id);
-  if (slot == nullptr || slot->pins == 0) return;
-  --slot->pins;
-  FreeIfUnused(slot);
-}
-
 void RegionTable::Lose(uint32_t id) {
   Slot* const slot = Find(id);
   if (slot == nullptr || !slot->live) return;
@@ -135,18 +124,6 @@ bool RegionTable::Locate(const void* address, uint32_t* id, size_t* offset) cons
     return true;
   }
   return false;
-}
-
-RegionTable::Slot* RegionTable::FindMemory(uint32_t id) {
-  const uint32_t index = (id & 0xffff) - 1;
-  if (index >= slots_.size()) return nullptr;
-  Slot& slot = slots_[index];
-  return slot.generation == id >> 16 && slot.base != nullptr ? &slot : nullptr;
-}
-
-RegionTable::Slot* RegionTable::Find(uint32_t id) {
-  Slot* const slot = FindMemory(id);
-  return slot == nullptr || slot->is_idle ? nullptr : slot;
 }
 
 void RegionTable::FreeIfUnused(Slot* slot) {
@@ -251,19 +228,6 @@ bool RegionTable::WrittenBeyond(uint32_t id) const {
   if (slot == nullptr) return false;
   const char* const guard = slot->base + slot->size;
   return !std::all_of(guard, guard + kGuardBytes, [](char byte) { return byte == kGuard; });
-}
-
-bool RegionTable::Pin(uint32_t id) {
-  if (Find(id) == nullptr) return false;
-  KeepCopy(id);
-  return true;
-}
-
-bool RegionTable::Unpin(uint32_t id) {
-  const Slot* const slot = Find(id);
-  if (slot == nullptr || slot->pins == 0) return false;
-  DropCopy(id);
-  return true;
 }
 
 int RegionTable::CountOf(ObjectId owner) const {

@@ -37,8 +37,8 @@ class RegionTable {
   // return null if there is no memory.
   char* AdoptOwn(uint32_t id, size_t size, ObjectId owner);
   char* AdoptCopy(uint32_t id, size_t size);
-  void KeepCopy(uint32_t id);
-  void DropCopy(uint32_t id);
+  void KeepCopy(uint32_t id) { Pin(id); }
+  void DropCopy(uint32_t id) { Unpin(id); }
   // Removes block `id`, which AdoptOwn() made.  Called when the master process has deleted the
   // block.  The memory stays while the block is pinned.
   void Lose(uint32_t id);
@@ -88,8 +88,18 @@ class RegionTable {
   // Pin() keeps the memory of a block that is still being read, until Unpin().  Both functions
   // return false for an unknown id.  An unknown id is no error, because a region may refer to
   // memory that is not in this table.
-  bool Pin(uint32_t id);
-  bool Unpin(uint32_t id);
+  bool Pin(uint32_t id) {
+    Slot* const slot = Find(id);
+    if (slot == nullptr) return false;
+    ++slot->pins;
+    return true;
+  }
+  bool Unpin(uint32_t id) {
+    Slot* const slot = Find(id);
+    if (slot == nullptr || slot->pins == 0) return false;
+    if (--slot->pins == 0 && !slot->live) FreeIfUnused(slot);
+    return true;
+  }
 
   // Returns the number of live blocks that `owner` owns.
   int CountOf(ObjectId owner) const;
@@ -105,7 +115,8 @@ class RegionTable {
   void HashState(Hasher* hasher) const;
 
  private:
-  struct Slot {
+  // One cache line.
+  struct alignas(64) Slot {
     char* base = nullptr;
     size_t size = 0;
     ObjectId owner = kNoObject;
@@ -120,8 +131,18 @@ class RegionTable {
     bool is_idle = false;      // a copy that is not pinned, whose memory is kept for the next copy
   };
 
-  Slot* FindMemory(uint32_t id);  // finds idle copies too
-  Slot* Find(uint32_t id);        // does not find idle copies
+  // Finds idle copies too.
+  Slot* FindMemory(uint32_t id) {
+    const uint32_t index = (id & 0xffff) - 1;
+    if (index >= slots_.size()) return nullptr;
+    Slot& slot = slots_[index];
+    return slot.generation == id >> 16 && slot.base != nullptr ? &slot : nullptr;
+  }
+  // Does not find idle copies.
+  Slot* Find(uint32_t id) {
+    Slot* const slot = FindMemory(id);
+    return slot == nullptr || slot->is_idle ? nullptr : slot;
+  }
   const Slot* Find(uint32_t id) const { return const_cast<RegionTable*>(this)->Find(id); }
   void FreeIfUnused(Slot* slot);
   char* Fill(Slot* slot, uint32_t index, size_t size);

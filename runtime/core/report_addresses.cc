@@ -30,6 +30,7 @@ std::string SenderOf(const Message& message, const Object& sender) {
 }  // namespace
 
 void System::ReportHostAddresses(const Message& message) {
+  if (object(message.target) == nullptr) return;
   const ApiScope scope;
   int64_t offset = -1;
   int datum = 0;

@@ -15,30 +15,14 @@
 
 namespace openr_host {
 
-bool IsRunningMessage(const Object& object, PayloadKind kind) {
-  // Without a running message there is nothing to check.  This occurs only if a test calls the
-  // function of the entry directly.
-  if (object.handler.running == nullptr || object.handler.running->kind == kind) return true;
+void ReportForeignBytes(const Object& object) {
   object.system->AddFinding(
       Severity::kError,
       "bytes that an object sent to the entry of a subject or observer are "
       "no notification and no ready; use NotifyObservers() and AssertReady()");
-  return false;
 }
 
-ObserverLink* SubjectState::Find(const ObserverID& observer) {
-  for (const auto& link : links) {
-    if (link->observer == observer) return link.get();
-  }
-  return nullptr;
-}
-
-OStatus SubjectState::SetData(ObserverLink* link, RCRegion* region) {
-  region->AddReference();
-  link->fresh.push_back(region);
-  // Because a message holds at most MAX_NUM_DATA data, the oldest data are dropped, as on the
-  // robot.
-  if (link->fresh.size() <= MAX_NUM_DATA) return oSUCCESS;
+OStatus SubjectState::DropOldestData(ObserverLink* link) {
   link->fresh.front()->RemoveReference();
   link->fresh.erase(link->fresh.begin());
   ++object->dropped_count;
@@ -94,6 +78,29 @@ void ReportDeasserted(const SubjectState& subject, ObserverLink* link) {
 
 }  // namespace
 
+// Inline, because every notification is sent by it.
+[[gnu::always_inline]] inline bool SubjectState::Send(ObserverLink* link, RCRegion* const* data,
+                                                      size_t data_count, size_t unit_count) {
+  OwnedMessage message =
+      system->NewMessage(ObjectIdOf(link->observer.GetOID()), link->observer.GetSelector());
+  auto& notify = *new (message->payload) ONotifyMessage;
+  notify.subjectID = id;
+  notify.numOfNotify = static_cast<short>(unit_count);
+  for (size_t i = 0; i < data_count; ++i) notify.Write(data[i]);
+  message->size = sizeof notify;
+  message->kind = PayloadKind::kNotify;
+  if (system->options().guard_regions) {
+    uint32_t bytes = 0;
+    message->payload_hash = PayloadHash(*message, &bytes);
+  }
+  if (system->Post(std::move(message)) != sSUCCESS) return false;
+  link->waiting_since_us = -1;
+  link->ready = 0;
+  link->sent_us = system->now_us();
+  ++link->sent;
+  return true;
+}
+
 OStatus SubjectState::Notify(ObserverLink* link) {
   if (link->fresh.empty()) return oSUCCESS;
   if (link->skipped < link->skip) {
@@ -104,10 +111,16 @@ OStatus SubjectState::Notify(ObserverLink* link) {
   }
   link->skipped = 0;
   if (link->ready < 0) ReportDeasserted(*this, link);
+  // Data for which the observer waits are sent at once and never become pending.
+  const bool is_awaited = link->ready > 0 && link->units.empty() && link->min <= 1;
+  if (is_awaited && Send(link, link->fresh.data(), link->fresh.size(), 1)) {
+    link->fresh.clear();
+    return oSUCCESS;
+  }
   link->units.push_back({static_cast<int>(link->fresh.size())});
   link->pending.insert(link->pending.end(), link->fresh.begin(), link->fresh.end());
   link->fresh.clear();
-  Flush(link);
+  if (!is_awaited) Flush(link);
   // Old notifications are dropped only after Flush(), so that data which the observer can take now
   // are sent and not lost.
   while (link->units.size() > link->max) {
@@ -119,8 +132,7 @@ OStatus SubjectState::Notify(ObserverLink* link) {
   return oSUCCESS;
 }
 
-void SubjectState::Flush(ObserverLink* link) {
-  if (link->ready <= 0 || link->units.empty() || link->units.size() < link->min) return;
+void SubjectState::SendPending(ObserverLink* link) {
   // Counts the notifications (units) that the message carries: as many as fit, oldest first,
   // because the regions of one notification are not divided.
   size_t unit_count = 0;
@@ -129,26 +141,12 @@ void SubjectState::Flush(ObserverLink* link) {
          data_count + link->units[unit_count].data <= MAX_NUM_DATA) {
     data_count += link->units[unit_count++].data;
   }
-  OwnedMessage message =
-      system->NewMessage(ObjectIdOf(link->observer.GetOID()), link->observer.GetSelector());
-  auto& notify = *new (message->payload) ONotifyMessage;
-  notify.subjectID = id;
-  notify.numOfNotify = static_cast<short>(unit_count);
-  for (int i = 0; i < data_count; ++i) notify.Write(link->pending[static_cast<size_t>(i)]);
-  message->size = sizeof notify;
-  message->kind = PayloadKind::kNotify;
-  if (system->options().guard_regions) {
-    uint32_t bytes = 0;
-    message->payload_hash = PayloadHash(*message, &bytes);
-  }
   // If the message is refused, the data stay pending, and the next notify or ready tries again.
-  if (system->Post(std::move(message)) != sSUCCESS) return;
+  const auto sent_count = static_cast<size_t>(data_count);
+  if (!Send(link, link->pending.data(), sent_count, unit_count)) return;
   link->pending.erase(link->pending.begin(), link->pending.begin() + data_count);
   link->units.erase(link->units.begin(), link->units.begin() + static_cast<long>(unit_count));
-  link->waiting_since_us = link->units.empty() ? -1 : system->now_us();
-  link->ready = 0;
-  link->sent_us = system->now_us();
-  ++link->sent;
+  if (!link->units.empty()) link->waiting_since_us = system->now_us();
 }
 
 void SubjectState::Clear(ObserverLink* link) {

@@ -100,7 +100,7 @@ Object* System::NewCodeHost(int robot, const std::string& name) {
 
 CodeObject* System::FinishCodeObject(Object* host, std::unique_ptr<CodeObject> code) {
   auto* const code_host = static_cast<CodeHost*>(host);
-  code_host->code = std::move(code);
+  code_host->SetCode(std::move(code));
   return code_host->code.get();
 }
 
@@ -215,19 +215,6 @@ bool System::RunUntil(const std::function<bool()>& predicate, int64_t budget_us)
   return predicate();
 }
 
-OwnedMessage System::NewMessage(ObjectId target, uint32_t selector) {
-  OwnedMessage message = queue_.Allocate();
-  message->target = target;
-  message->selector = selector;
-  const Object* const sender = t_current.object;
-  message->sender = sender == nullptr ? kNoObject : sender->id;
-  if (sender != nullptr) {
-    message->message_class = sender->post_class;
-    message->cause = sender->handler.running == nullptr ? 0 : sender->handler.running->number;
-  }
-  return message;
-}
-
 // Refuses a message to an entry that the target does not have.  Such messages come from objects
 // whose stub (the generated code with their entries) was made from another stub.cfg than their
 // sources.
@@ -240,11 +227,27 @@ int32_t System::RefuseSelector(const Message& message, const Object& target) {
   return sEXCEEDEDSIZEOFENTRYTABLE;
 }
 
-int32_t System::Post(OwnedMessage message, int64_t delay_us) {
-  const Object* const sender = t_current.object;
-  if (sender != nullptr && sender->is_image && object(message->target) != nullptr)
-    ReportHostAddresses(*message);
-  return calls_->Post(std::move(message), delay_us);
+// Refuses a message because the schedule lets the post fail.
+int32_t System::RefuseAsFull(const Message& message, Object* target) {
+  AddFindingAbout(target, Severity::kWarning,
+                  fmt::format("sel={} ({}): the schedule refuses a message, as a full queue "
+                              "does, sError = 13",
+                              message.selector, target->EntryName(message.selector)));
+  ++target->dropped_count;
+  return sFULLMSGQENTRY;
+}
+
+// Reports that the queue of `target` is full.  Returns sSUCCESS if the message is accepted all the
+// same.
+int32_t System::ReportFullQueue(const Message& message, Object* target) {
+  AddFindingAbout(
+      target, options_.strict ? Severity::kError : Severity::kWarning,
+      fmt::format("MCOOPMailer::intraDeliver Exceed max size of queue: queueSize={}, "
+                  "sel={} ({}); the robot refuses the message, sError = 13",
+                  target->queue_max, message.selector, target->EntryName(message.selector)));
+  if (!options_.strict) return sSUCCESS;
+  ++target->dropped_count;
+  return sFULLMSGQENTRY;
 }
 
 int32_t System::Enqueue(OwnedMessage&& message, int64_t delay_us) {
@@ -258,29 +261,18 @@ int32_t System::Enqueue(OwnedMessage&& message, int64_t delay_us) {
     return sSUCCESS;
   }
   if (!message->is_reply) {
-    if (!target->HasEntry(message->selector)) return RefuseSelector(*message, *target);
+    if (message->selector >= target->entry_count && !target->HasEntry(message->selector))
+      return RefuseSelector(*message, *target);
     // A part of the system posts messages to itself so that it is called again later.  A schedule
     // must not refuse these messages.
-    const bool is_clock =
-        target->is_system && (message->sender == target->id || message->sender == kNoObject);
-    if (schedule_ != nullptr && !is_clock && schedule_->Refuses(*message)) {
-      AddFindingAbout(target, Severity::kWarning,
-                      fmt::format("sel={} ({}): the schedule refuses a message, as a full queue "
-                                  "does, sError = 13",
-                                  message->selector, target->EntryName(message->selector)));
-      ++target->dropped_count;
-      return sFULLMSGQENTRY;
-    }
+    const auto is_clock = [&] {
+      return target->is_system && (message->sender == target->id || message->sender == kNoObject);
+    };
+    if (schedule_ != nullptr && !is_clock() && schedule_->Refuses(*message))
+      return RefuseAsFull(*message, target);
     if (target->waiting >= target->queue_max) {
-      AddFindingAbout(
-          target, options_.strict ? Severity::kError : Severity::kWarning,
-          fmt::format("MCOOPMailer::intraDeliver Exceed max size of queue: queueSize={}, "
-                      "sel={} ({}); the robot refuses the message, sError = 13",
-                      target->queue_max, message->selector, target->EntryName(message->selector)));
-      if (options_.strict) {
-        ++target->dropped_count;
-        return sFULLMSGQENTRY;
-      }
+      const int32_t error = ReportFullQueue(*message, target);
+      if (error != sSUCCESS) return error;
     }
     target->waiting_max = std::max(target->waiting_max, ++target->waiting);
   }

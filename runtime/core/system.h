@@ -212,12 +212,27 @@ class System {
 
   // Returns a message from the current object (or the system) with an empty payload, to be filled
   // and posted.
-  OwnedMessage NewMessage(ObjectId target, uint32_t selector);
+  OwnedMessage NewMessage(ObjectId target, uint32_t selector) {
+    OwnedMessage message = queue_.Allocate();
+    message->target = target;
+    message->selector = selector;
+    const Object* const sender = t_current.object;
+    message->sender = sender == nullptr ? kNoObject : sender->id;
+    if (sender != nullptr) {
+      message->message_class = sender->post_class;
+      message->cause = sender->handler.running == nullptr ? 0 : sender->handler.running->number;
+    }
+    return message;
+  }
 
   // Queues a message of NewMessage(), due `delay_us` from now.  Returns an sError: sSUCCESS,
   // sINVALIDOID, or sFULLMSGQENTRY if the receiver's queue is full (only with
   // SystemOptions::strict) or if the schedule lets the post fail.
-  int32_t Post(OwnedMessage message, int64_t delay_us = 0);
+  int32_t Post(OwnedMessage message, int64_t delay_us = 0) {
+    const Object* const sender = t_current.object;
+    if (sender != nullptr && sender->is_image) ReportHostAddresses(*message);
+    return calls_->Post(std::move(message), delay_us);
+  }
 
   // Queues a message in the queue of this process; LocalCalls::Post() calls it.  Returns an sError
   // as Post() does.  REQUIRES: delay_us >= 0.
@@ -310,6 +325,8 @@ class System {
   int64_t NextInstant() const;
   void DoWhatIsDue();
   int32_t RefuseSelector(const Message& message, const Object& target);
+  int32_t RefuseAsFull(const Message& message, Object* target);
+  int32_t ReportFullQueue(const Message& message, Object* target);
   void ReportHostAddresses(const Message& message);
 
   SystemOptions options_;

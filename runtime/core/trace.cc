@@ -61,16 +61,21 @@ std::string PayloadBytes(const Message& message) {
 
 int Trace::AddSink(Sink sink) {
   sinks_.emplace_back(++last_sink_, std::move(sink));
+  is_recording_ = true;
   return last_sink_;
 }
 
 void Trace::RemoveSink(int number) {
   std::erase_if(sinks_, [number](const auto& sink) { return sink.first == number; });
+  is_recording_ = hashing_ || !sinks_.empty();
 }
 
-void Trace::Deliver(const Message& message, int64_t now_us) {
-  ++count_;
-  if (!hashing_ && sinks_.empty()) return;
+void Trace::set_hashing(bool on) {
+  hashing_ = on;
+  is_recording_ = hashing_ || !sinks_.empty();
+}
+
+void Trace::Record(const Message& message, int64_t now_us) {
   TraceRecord& record = buffer_[buffered_];
   record.number = message.number;
   record.cause = message.cause;

@@ -34,7 +34,10 @@ class Trace {
 
   // Adds to the hash the record of `message`, which is delivered at `now_us`, and passes the record
   // to the sinks.
-  void Deliver(const Message& message, int64_t now_us);
+  void Deliver(const Message& message, int64_t now_us) {
+    ++count_;
+    if (is_recording_) Record(message, now_us);
+  }
 
   // Adds a `sink`, a function that is called for every delivered message, after the sinks that were
   // added before.  Returns the number to give to RemoveSink().  REQUIRES: not called in a sink.
@@ -43,17 +46,20 @@ class Trace {
 
   // Switches the computation of the hash on or off, to measure its cost in benchmarks.  If it is
   // off and there are no sinks, messages are only counted.
-  void set_hashing(bool on) { hashing_ = on; }
+  void set_hashing(bool on);
   uint64_t hash() const;
   uint64_t count() const { return count_; }
 
  private:
   static constexpr int kBuffered = 64;
 
+  void Record(const Message& message, int64_t now_us);
+
   std::vector<std::pair<int, Sink>> sinks_;
   int last_sink_ = 0;
   uint64_t count_ = 0;
   bool hashing_ = true;
+  bool is_recording_ = true;  // the hash is on or there are sinks
   mutable Hasher hasher_;
   mutable int buffered_ = 0;
   mutable TraceRecord buffer_[kBuffered];

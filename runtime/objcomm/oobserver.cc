@@ -182,18 +182,14 @@ OStatus OObserver::NotifyHandler(const ONotifyMessage& msg, ONotifyEvent* event)
   // getting a notification, because too many such readies are probably a mistake.  A notification
   // of any subject resets the count for all subjects, because AssertReady() without argument
   // asserts to all of them.
-  state_->asserted.clear();
+  for (ObserverState::Held& each : state_->held) each.asserted = 0;
   // Records from which subject the regions came, because the next ready to that subject gives them
   // back.
-  auto entry = std::find_if(state_->held.begin(), state_->held.end(),
-                            [&](const auto& each) { return each.subject == msg.subjectID; });
-  if (entry == state_->held.end()) {
-    entry = state_->held.insert(state_->held.end(), {msg.subjectID, {}});
-  }
+  ObserverState::Held& held = state_->HeldOf(msg.subjectID);
   for (int i = 0; i < msg.numOfData; ++i) {
     RCRegion* const region = RegionAccess::Receive(msg.data[i].srcRCR, msg.data[i].memID,
                                                    msg.data[i].offset, msg.data[i].size);
-    entry->regions.push_back(region);
+    held.regions.push_back(region);
     event->SetData(i, region);
   }
   event->SetSubjectInfo(OSubjectInfo(msg.subjectID, objcommVERSION22));
