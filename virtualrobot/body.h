@@ -1,7 +1,7 @@
 // The interface to physics: one robot body in its world, advanced frame by frame.
 //
 // A Body belongs to one virtual robot and is touched from one thread.  Its behaviour depends only
-// on its model, its world, its seed and the commands that it was given.  Angles are in radians and
+// on its model, its world and the commands that it was given.  Angles are in radians and
 // lengths in metres.  A frame is 8 ms of virtual time.  A joint is limp when its servo is off.
 // World W and base B are right-handed, with x forward, y left and z up.  B's origin is the midpoint
 // of the axes of the four joints J1, one per leg (docs/body.md).

@@ -29,7 +29,7 @@ class BodyMover {
   std::vector<double> Posture(const std::string& name) const;
 
   // Enables all joints and stands up through the postures broadbase, sleep, crouch and stand.  A
-  // posture that the model does not have is left out (the ERS-7 has no "crouch").
+  // posture that the model does not have is left out.
   void StandUp();
 
   // Returns the largest distance of a joint from its set point, in degrees.

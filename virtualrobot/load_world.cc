@@ -1,4 +1,6 @@
 // Reads world files (docs/worlds.md).
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "runtime/base/read_file.h"
@@ -13,14 +15,34 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Most steps of stairs.
+// Most steps of stairs, and most things of a world.
 constexpr int kStepsMax = 100;
-// Thickness of a ramp, which is a board.
-constexpr double kRampThickness_m = 0.01;
+constexpr size_t kThingsMax = 1000;
+// Largest size of a thing, and largest distance of its centre from the origin along an axis.
+constexpr double kPlaceMax_m = 1000;
+constexpr double kAngleMax_deg = 360;
+// Thickness of a ramp, which is a board: more than a falling part moves in a frame.
+constexpr double kRampThickness_m = 0.1;
 
-Matrix3d YawRotation(double yaw_deg) { return RotationFromRpy({0, 0, Radians(yaw_deg)}); }
+// Reads the rotation `yaw_deg` about the vertical; none if it was left out.
+Matrix3d YawOf(const JsonReader& row) {
+  if (!row.Has("yaw_deg")) return Matrix3d::Identity();
+  const double yaw_deg = row.At("yaw_deg").Number();
+  if (std::fabs(yaw_deg) > kAngleMax_deg)
+    row.At("yaw_deg").Fail("is {}, must be -{} to {}", yaw_deg, kAngleMax_deg, kAngleMax_deg);
+  return RotationFromRpy({0, 0, Radians(yaw_deg)});
+}
 
-double YawOf(const JsonReader& row) { return row.Has("yaw_deg") ? row.At("yaw_deg").Number() : 0; }
+// Reads the rotation `rpy_deg`; none if it was left out.
+Matrix3d RpyRotationOf(const JsonReader& row) {
+  if (!row.Has("rpy_deg")) return Matrix3d::Identity();
+  const Vector3d rpy_deg = row.At("rpy_deg").Vector();
+  if (rpy_deg.cwiseAbs().maxCoeff() > kAngleMax_deg) {
+    row.At("rpy_deg").Fail("is [{}, {}, {}], angles must be -{} to {}", rpy_deg.x(), rpy_deg.y(),
+                           rpy_deg.z(), kAngleMax_deg, kAngleMax_deg);
+  }
+  return RotationFromRpy(rpy_deg * Radians(1.0));
+}
 
 Vector3d ColourOf(const JsonReader& value) {
   const Vector3d colour = value.Vector();
@@ -47,9 +69,9 @@ void ReadBox(const JsonReader& row, WorldThing thing, std::vector<WorldThing>* t
   thing.centre_m = row.At("centre_m").Vector();
   if (row.Has("rpy_deg")) {
     if (row.Has("yaw_deg")) row.At("yaw_deg").Fail("stands beside 'rpy_deg'; leave one out");
-    thing.R_WT = RotationFromRpy(row.At("rpy_deg").Vector() * Radians(1.0));
+    thing.R_WT = RpyRotationOf(row);
   } else {
-    thing.R_WT = YawRotation(YawOf(row));
+    thing.R_WT = YawOf(row);
   }
   things->push_back(thing);
 }
@@ -68,7 +90,7 @@ void ReadCylinder(const JsonReader& row, WorldThing thing, std::vector<WorldThin
   const double diameter_m = 2 * row.At("radius_m").NumberAbove(0);
   thing.size_m = Vector3d(diameter_m, diameter_m, row.At("height_m").NumberAbove(0));
   thing.centre_m = row.At("centre_m").Vector();
-  if (row.Has("rpy_deg")) thing.R_WT = RotationFromRpy(row.At("rpy_deg").Vector() * Radians(1.0));
+  thing.R_WT = RpyRotationOf(row);
   things->push_back(thing);
 }
 
@@ -78,31 +100,43 @@ void ReadRamp(const JsonReader& row, WorldThing thing, std::vector<WorldThing>* 
   const Vector3d size_m = EdgesOf(row, thing, "ramp");
   const double length_m = std::sqrt(size_m.x() * size_m.x() + size_m.z() * size_m.z());
   thing.size_m = Vector3d(length_m, size_m.y(), kRampThickness_m);
-  thing.R_WT = YawRotation(YawOf(row)) * RotationFromRpy({0, -DetAtan2(size_m.z(), size_m.x()), 0});
+  thing.R_WT = YawOf(row) * RotationFromRpy({0, -DetAtan2(size_m.z(), size_m.x()), 0});
   thing.centre_m =
       row.At("start_m").Vector() + thing.R_WT * Vector3d(length_m / 2, 0, -kRampThickness_m / 2);
   things->push_back(thing);
 }
 
-// Adds a box for each step.  The stairs rise from `start_m` along their own x.
+// Adds a box for each step, from the height of the start to its tread.  The stairs rise from
+// `start_m` along their own x.
 void ReadStairs(const JsonReader& row, WorldThing thing, std::vector<WorldThing>* things) {
   row.AllowOnly({"shape", "name", "colour", "size_m", "steps", "start_m", "yaw_deg"});
   const Vector3d size_m = EdgesOf(row, thing, "stairs");
   const auto steps = static_cast<int>(row.At("steps").Whole(1, kStepsMax));
   const Vector3d start_m = row.At("start_m").Vector();
-  thing.R_WT = YawRotation(YawOf(row));
+  thing.R_WT = YawOf(row);
   const double tread_m = size_m.x() / steps, rise_m = size_m.z() / steps;
   const std::string name = thing.name;
   for (int i = 0; i < steps; ++i) {
     thing.name = fmt::format("{} {}", name, i + 1);
-    thing.size_m = Vector3d(size_m.x() - i * tread_m, size_m.y(), rise_m);
-    thing.centre_m =
-        start_m + thing.R_WT * Vector3d((size_m.x() + i * tread_m) / 2, 0, (i + 0.5) * rise_m);
+    const double height_m = (i + 1) * rise_m;
+    thing.size_m = Vector3d(tread_m, size_m.y(), height_m);
+    thing.centre_m = start_m + thing.R_WT * Vector3d((i + 0.5) * tread_m, 0, height_m / 2);
     things->push_back(thing);
   }
 }
 
-void ReadThing(const JsonReader& row, std::vector<WorldThing>* things) {
+// Fails unless the things from `first` on are so small and so near that sums of doubles are exact
+// enough.
+void CheckPlaces(const JsonReader& row, const std::vector<WorldThing>& things, size_t first) {
+  for (size_t i = first; i < things.size(); ++i) {
+    const WorldThing& thing = things[i];
+    if (!(thing.size_m.maxCoeff() <= kPlaceMax_m &&
+          thing.centre_m.cwiseAbs().maxCoeff() <= kPlaceMax_m))
+      row.Fail("'{}' is larger, or further away, than {} m", thing.name, kPlaceMax_m);
+  }
+}
+
+void ReadShape(const JsonReader& row, std::vector<WorldThing>* things) {
   WorldThing thing;
   thing.name = row.At("name").Text();
   if (row.Has("colour")) thing.colour = ColourOf(row.At("colour"));
@@ -115,6 +149,12 @@ void ReadThing(const JsonReader& row, std::vector<WorldThing>* things) {
   row.At("shape").Fail("is '{}'; known are box, sphere, cylinder, ramp, stairs", shape);
 }
 
+void ReadThing(const JsonReader& row, std::vector<WorldThing>* things) {
+  const size_t first = things->size();
+  ReadShape(row, things);
+  CheckPlaces(row, *things, first);
+}
+
 // Reads the boxes of a file of version 1.
 void ReadBoxes(const JsonReader& root, std::vector<WorldThing>* things) {
   for (const JsonReader& row : root.At("boxes").Elements()) {
@@ -122,6 +162,7 @@ void ReadBoxes(const JsonReader& root, std::vector<WorldThing>* things) {
     WorldThing thing;
     thing.name = row.At("name").Text();
     ReadBox(row, thing, things);
+    CheckPlaces(row, *things, things->size() - 1);
   }
 }
 
@@ -139,6 +180,10 @@ World ParseWorld(const std::string& text, const std::string& name) {
     root.AllowOnly({"schema", "name", "friction", "things"});
     if (root.Has("things")) {
       for (const JsonReader& row : root.At("things").Elements()) ReadThing(row, &world.things);
+      if (world.things.size() > kThingsMax) {
+        root.At("things").Fail("are {} things, with each step of stairs as one; at most {}",
+                               world.things.size(), kThingsMax);
+      }
     }
   } else {
     root.At("schema").Fail(

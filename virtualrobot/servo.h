@@ -2,9 +2,9 @@
 //
 // Like the control law of the robot, this one works on counts of the A/D converter and demands a
 // drive in PWM counts.  The motor turns the drive into torque along a straight torque-speed line.
-// Step() returns this line, and the physics (ode/) solve it together with the motion of the body.
-// The torque is not computed before the step, because with so much damping such a torque would make
-// the light links unstable.
+// Step() returns this line, and the physics (dynamics/) solve it together with the motion of the
+// body. The torque is not computed before the step, because with so much damping such a torque
+// would make the light links unstable.
 //
 // A joint is limp when its servo is off.  docs/body.md gives the source or the reason of every
 // number here.

@@ -1,5 +1,6 @@
 #include "virtualrobot/world.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>

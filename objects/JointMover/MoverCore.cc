@@ -5,7 +5,7 @@
 #include "Angle.h"
 
 // The postures of the start-up, in order, and the state in which the robot moves to each of them.
-// A posture that the model of the robot does not have is left out (the ERS-7 has no "crouch").
+// A posture that the model of the robot does not have is left out.
 struct StartPosture {
     MoverState state;
     const char* name;

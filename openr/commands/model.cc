@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "cli/output_file.h"
 #include "cli/standard_streams.h"
 #include "openr/commands/commands.h"
+#include "openr/commands/common_flags.h"
 #include "openr/model/check_model.h"
 #include "openr/model/urdf.h"
 
@@ -48,9 +50,9 @@ void Print(const RobotModel& model, const ModelCheck& check) {
   std::printf("%s",
               fmt::format("{}\n"
                           "  total mass           {:8.1f} g\n"
-                          "  pitch                {:8.2f} degrees; stiff {:.2f}\n"
+                          "  pitch                {:8.2f} degrees; kinematics {:.2f}\n"
                           "  roll                 {:8.2f} degrees\n"
-                          "  height               {:8.2f} mm; stiff {:.2f}\n"
+                          "  height               {:8.2f} mm; kinematics {:.2f}\n"
                           "  paws on the floor    {:8}\n"
                           "  largest joint error  {:8.2f} degrees\n"
                           "  drift in 60 s        {:8.2f} mm, {:.3f} degrees\n",
@@ -58,8 +60,7 @@ void Print(const RobotModel& model, const ModelCheck& check) {
                           check.roll_deg, check.height_mm, check.stiff_height_mm, check.paws,
                           check.static_error_deg_max, check.drift_60s_mm, check.drift_60s_deg)
                   .c_str());
-  for (const std::string& problem : check.problems)
-    std::printf("  not good: %s\n", problem.c_str());
+  for (const std::string& problem : check.problems) std::printf("  problem: %s\n", problem.c_str());
 }
 
 int CheckAll(const ModelFlags& flags) {
@@ -103,7 +104,8 @@ void AddModelCommand(CLI::App* app, int* exit_code) {
   check->callback([flags, exit_code] { *exit_code = CheckAll(*flags); });
   CLI::App* const urdf = command->add_subcommand("urdf", "Exports a model as URDF");
   urdf->add_option("MODEL", flags->model, "Name of a model")->required();
-  urdf->add_option("-o,--output", flags->file, "File to write (default: standard output)");
+  urdf->add_option("-o,--output", flags->file, "File to write (default: standard output)")
+      ->check(IsWritable());
   urdf->callback([flags, exit_code] { *exit_code = WriteUrdf(*flags); });
 }
 

@@ -40,8 +40,8 @@ constexpr Command kCommands[] = {
 };
 
 // Adds the command `wanted`, the first word of the command line, to `app`.  Adds all commands if
-// there is no such command, or if it tells of the others.  To describe the flags of all commands
-// takes a fifth of the start of the program.
+// `wanted` is "" or no command, or if it tells of the others.  To describe the flags of all
+// commands takes a fifth of the start of the program.
 void AddCommands(CLI::App* app, int* exit_code, std::string_view wanted) {
   app->name("openr");
   app->require_subcommand(1);
@@ -82,9 +82,11 @@ int PrintAskedFor(const CLI::App& app, const CLI::ParseError& error) {
 int RunProgram(int argc, char** argv) {
   CLI::App app{"Runs OPEN-R objects of Sony's AIBO on a PC, with a simulated body."};
   int exit_code = kExitGood;
-  AddCommands(&app, &exit_code, argc > 1 ? argv[1] : "");
-  const bool as_json = std::any_of(argv, argv + argc,
-                                   [](const char* word) { return word == std::string("--json"); });
+  const auto has_word = [&](std::string_view wanted) {
+    return std::any_of(argv, argv + argc, [&](const char* word) { return word == wanted; });
+  };
+  AddCommands(&app, &exit_code, argc > 1 && !has_word("--help-all") ? argv[1] : "");
+  const bool as_json = has_word("--json");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

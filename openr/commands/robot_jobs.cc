@@ -10,11 +10,14 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <exception>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "cli/counted.h"
+#include "cli/exit_code.h"
 #include "cli/json_text.h"
 #include "cli/output_file.h"
 #include "cli/process_copy.h"
@@ -76,18 +79,41 @@ Json LostReport(const std::string& model, int status) {
           {"findings", Json::array({finding})}};
 }
 
-// Prints the first findings, each with its robot.
+// A finding that one robot or several have.
+struct SharedFinding {
+  std::string severity, text;  // the text with its object
+  std::vector<int> robots;
+};
+
+// Prints the first findings, errors first.  Equal findings of several robots are one line, so that
+// what all robots have does not hide what one has.
 void PrintFindings(const Json& findings) {
-  for (size_t i = 0; i < std::min(findings.size(), kFindingsPrinted); ++i) {
-    const Json& finding = findings[i];
+  std::vector<SharedFinding> shared;
+  std::map<std::pair<std::string, std::string>, size_t> places;  // severity and text -> in shared
+  for (const Json& finding : findings) {
+    const std::string severity = finding["severity"].get<std::string>();
     const std::string object = finding["object"].get<std::string>();
-    fmt::print(stderr, "{}: robot {}: {}{}\n", finding["severity"].get<std::string>(),
-               finding["robot"].get<int>(), object.empty() ? "" : object + ": ",
-               finding["text"].get<std::string>());
+    const std::string text =
+        (object.empty() ? "" : object + ": ") + finding["text"].get<std::string>();
+    const auto [place, is_new] = places.try_emplace({severity, text}, shared.size());
+    if (is_new) shared.push_back({severity, text, {}});
+    shared[place->second].robots.push_back(finding["robot"].get<int>());
   }
-  if (findings.size() > kFindingsPrinted) {
+  std::stable_partition(shared.begin(), shared.end(), [](const SharedFinding& finding) {
+    return finding.severity == SeverityName(Severity::kError);
+  });
+  for (size_t i = 0; i < std::min(shared.size(), kFindingsPrinted); ++i) {
+    const SharedFinding& finding = shared[i];
+    const std::string others =
+        finding.robots.size() == 1
+            ? ""
+            : fmt::format(" and {}", Counted(finding.robots.size() - 1, "other robot"));
+    fmt::print(stderr, "{}: robot {}{}: {}\n", finding.severity, finding.robots.front(), others,
+               finding.text);
+  }
+  if (shared.size() > kFindingsPrinted) {
     fmt::print(stderr, "and {}, which are in the report\n",
-               Counted(findings.size() - kFindingsPrinted, "more finding"));
+               Counted(shared.size() - kFindingsPrinted, "more finding"));
   }
 }
 
@@ -102,7 +128,7 @@ void RefuseFlagsBesideJobs(const RunFlags& flags) {
   constexpr char kNobody[] = "nobody can reach its robots while they run; leave out one of the two";
   constexpr char kAllAlike[] =
       "it is for one robot of several, and those of --jobs are all alike; leave out one of the two";
-  refuse(flags.rate != "max", "--rate", "it runs at full speed; give --rate max");
+  refuse(flags.rate != "max", "--rate", "it runs at full speed; leave out --rate");
   refuse(!flags.placement.places.empty(), "--place", kOneProcess);
   refuse(!flags.placement.file.empty(), "--placement", kOneProcess);
   refuse(!flags.placement.isolated.empty(), "--isolate", kOneProcess);
@@ -158,8 +184,6 @@ void RobotJobs::Print(std::string_view text) {
 // Runs robot `robot` to its end and sends its report through `answer`.
 void RobotJobs::RunInCopy(int robot, int answer) {
   robot_ = robot;
-  // Ctrl-C on a terminal reaches only the process that the user has started, which passes it on.
-  setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   const EndingAnswer ending_answer(-1);
   std::optional<std::string> place;  // see CrashLog: the finding names the file
@@ -179,6 +203,7 @@ void RobotJobs::RunInCopy(int robot, int answer) {
       simulation_.system().AddFinding(Severity::kError, std::string(ending->finding.text()));
       simulation_.system().NoteRunEnd(EndOf(*ending));
     }
+    if (!line_.empty()) Print("\n");
     WriteAll(answer, JsonText(report()));
     ending->answered = true;
   });
@@ -195,8 +220,34 @@ void RobotJobs::Take(int robot, const std::string& said, int status) {
   reports_[static_cast<size_t>(robot)] = std::move(report);
 }
 
+// Starts the process of `robot`.  While the process begins, Ctrl-C waits: it must be counted once,
+// in this process, which passes it on.
+ProcessCopy RobotJobs::Start(int robot) {
+  sigset_t signals, before;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGINT);
+  sigaddset(&signals, SIGTERM);
+  sigprocmask(SIG_BLOCK, &signals, &before);
+  const ProcessCopy copy = StartCopy([&](int answer) {
+    // Ctrl-C on a terminal reaches only the process that the user has started.
+    setpgid(0, 0);
+    interrupts_.StartAgain();
+    sigprocmask(SIG_SETMASK, &before, nullptr);
+    try {
+      RunInCopy(robot, answer);
+    } catch (const std::exception& error) {
+      fmt::print(stderr, "openr: robot {}: {}\n", robot, error.what());
+      _exit(kExitWrong);
+    }
+  });
+  sigprocmask(SIG_SETMASK, &before, nullptr);
+  return copy;
+}
+
 void RobotJobs::RunAll() {
-  ProgressLine progress(STDERR_FILENO, reports_.size(), "robots");
+  // The robots' own lines would be written into the progress line.
+  const int progress_stream = flags_.console_file.empty() ? -1 : STDERR_FILENO;
+  ProgressLine progress(progress_stream, reports_.size(), "robots");
   std::vector<RunningCopy> running;
   int next = 0, passed_on = 0;
   for (;;) {
@@ -206,7 +257,7 @@ void RobotJobs::RunAll() {
     const bool goes_on = interrupts_.count() == 0 && next < flags_.simulation.robots;
     if (goes_on && static_cast<int>(running.size()) < flags_.jobs) {
       const int robot = next++;
-      running.push_back({robot, StartCopy([&](int answer) { RunInCopy(robot, answer); }), ""});
+      running.push_back({robot, Start(robot), ""});
       continue;
     }
     if (running.empty()) return;

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "cli/console.h"
+#include "cli/process_copy.h"
 #include "openr/commands/run_flags.h"
 #include "openr/run/interrupt.h"
 #include "openr/simulation/run_stick.h"
@@ -32,6 +33,7 @@ class RobotJobs {
 
  private:
   SimulationOptions Options();
+  ProcessCopy Start(int robot);
   void RunInCopy(int robot, int answer);
   void Print(std::string_view text);
   void Take(int robot, const std::string& said, int status);

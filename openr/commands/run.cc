@@ -374,7 +374,9 @@ void AddRunCommand(CLI::App* app, int* exit_code) {
       app->add_subcommand("run", "Runs the objects of a stick; Ctrl-C is the pause button");
   auto flags = std::make_shared<RunFlags>();
   DescribeRunFlags(command, flags.get());
-  command->callback([flags, exit_code] {
+  command->callback([command, flags, exit_code] {
+    // Robots with processes of their own run at full speed, since nobody can look at them.
+    if (flags->jobs > 0 && command->count("--rate") == 0) flags->rate = "max";
     *exit_code = flags->jobs > 0 ? RunJobs(*flags) : CommandedRun(*flags).Run();
   });
 }

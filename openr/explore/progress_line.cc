@@ -26,7 +26,7 @@ std::string TimeLeft(double left_s) {
 }  // namespace
 
 std::string ProgressText(uint64_t done, uint64_t total, const std::string& what, double elapsed_s) {
-  std::string text = fmt::format("openr explore: {} of {} {}", done, total, what);
+  std::string text = fmt::format("openr: {} of {} {}", done, total, what);
   if (done == 0 || done > total) return text;
   const double left_s = elapsed_s / static_cast<double>(done) * static_cast<double>(total - done);
   return text + fmt::format(", about {} left", TimeLeft(left_s));

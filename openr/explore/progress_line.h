@@ -6,7 +6,7 @@
 
 namespace openr_host {
 
-// Returns the text of the line: "openr explore: 40 of 100 seeds, about 90 s left".  `what` is the
+// Returns the text of the line: "openr: 40 of 100 seeds, about 90 s left".  `what` is the
 // plural of what is counted, such as "seeds".  The time is left out at the beginning, when it is
 // not known.
 std::string ProgressText(uint64_t done, uint64_t total, const std::string& what, double elapsed_s);

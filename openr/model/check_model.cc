@@ -25,10 +25,11 @@ void Limit(const char* what, double value, double max, const char* unit, ModelCh
 }
 
 void Judge(const RobotModel& model, ModelCheck* check) {
-  Limit("the pitch's distance from the stiff robot's",
+  Limit("the difference of the pitch from kinematics",
         std::fabs(check->pitch_deg - check->stiff_pitch_deg), kPitchToleranceDeg, "degrees", check);
-  Limit("the height's distance from the stiff robot's",
+  Limit("the difference of the height from kinematics",
         std::fabs(check->height_mm - check->stiff_height_mm), kHeightToleranceMm, "mm", check);
+  Limit("the roll", std::fabs(check->roll_deg), kPitchToleranceDeg, "degrees", check);
   Limit("the largest error of a joint", check->static_error_deg_max, kStaticErrorMaxDeg, "degrees",
         check);
   Limit("the drift in 60 s", check->drift_60s_mm, kDriftMaxMm, "mm", check);
@@ -48,7 +49,8 @@ ModelCheck CheckModel(const RobotModel& model) {
   ModelCheck check;
   check.total_mass_g = model.TotalMassKg() * 1000;
   check.static_error_deg_max = mover.JointErrorDegrees();
-  const Vector3d rpy_deg = RpyDegrees(body->state().X_WB);
+  const Eigen::Isometry3d start = body->state().X_WB;
+  const Vector3d rpy_deg = RpyDegrees(start);
   const Vector3d place_m = body->state().X_WB.translation();
   check.roll_deg = rpy_deg.x();
   check.pitch_deg = rpy_deg.y();
@@ -62,7 +64,8 @@ ModelCheck CheckModel(const RobotModel& model) {
 
   mover.Hold(60);
   check.drift_60s_mm = (body->state().X_WB.translation() - place_m).norm() * 1000;
-  check.drift_60s_deg = (RpyDegrees(body->state().X_WB) - rpy_deg).cwiseAbs().maxCoeff();
+  const Eigen::Isometry3d turn = start.inverse() * body->state().X_WB;
+  check.drift_60s_deg = RpyDegrees(turn).cwiseAbs().maxCoeff();
   Judge(model, &check);
   return check;
 }

@@ -62,7 +62,7 @@ Mesh RoundedBox(const Eigen::Vector3f& size, float radius, int steps) {
   return mesh;
 }
 
-// Adds two triangles for each side, and one for each end.
+// Adds two triangles for each side face, and one at each end for each side.
 Mesh Cylinder(const Eigen::Vector3f& size, int sides) {
   Mesh mesh;
   const Eigen::Vector3f half = 0.5f * size;

@@ -15,7 +15,7 @@ namespace openr_host {
 
 class System;
 
-// Returns the body that `kind` names: "ode" (simulated by the physics engine ODE) or "ideal"
+// Returns the body that `kind` names: "ode" (a body with physics) or "ideal"
 // (joints follow their commands exactly); null for any other name.
 std::unique_ptr<Body> MakeBody(const std::string& kind, const RobotModel& model,
                                const World& world);

@@ -20,26 +20,34 @@ using openr_host::t_current;
 namespace {
 
 // A pool of memory for RCRegions, which is taken from the host's heap in chunks of 64.  RCRegions
-// are small, many and short-lived, so single allocations would take long.  The pool is never
-// deleted, because a static object of the program may still delete regions when the program ends.
-constexpr size_t kChunk = 64;
-
-struct FreeBlock {
-  FreeBlock* next;
-};
-static_assert(sizeof(FreeBlock) <= sizeof(RCRegion));
-thread_local constinit FreeBlock* t_free = nullptr;  // the first free block; `next` has the others
-
-void GiveToPool(void* memory) { t_free = new (memory) FreeBlock{t_free}; }
-
-void AddChunk() {
-  const ApiScope scope;
+// are small, many and short-lived, so single allocations would take long.
+struct Pool {
+  std::vector<void*> free;
   // The addresses of all chunks.  With this list, a leak checker finds that the chunks are
   // reachable.  Otherwise it would report a chunk when an object has not deleted its regions.
-  static thread_local auto* const chunks = new std::vector<void*>;
-  char* const chunk = static_cast<char*>(::operator new(sizeof(RCRegion) * kChunk));
-  chunks->push_back(chunk);
-  for (size_t i = kChunk; i > 0; --i) GiveToPool(chunk + (i - 1) * sizeof(RCRegion));
+  std::vector<void*> chunks;
+  static constexpr size_t kChunk = 64;
+
+  ~Pool() {
+    for (void* chunk : chunks) ::operator delete(chunk);
+  }
+  void* Take() {
+    if (free.empty()) {
+      char* const chunk = static_cast<char*>(::operator new(sizeof(RCRegion) * kChunk));
+      chunks.push_back(chunk);
+      for (size_t i = kChunk; i > 0; --i) free.push_back(chunk + (i - 1) * sizeof(RCRegion));
+    }
+    void* const memory = free.back();
+    free.pop_back();
+    return memory;
+  }
+};
+
+Pool& ThePool() {
+  // Never deletes the pool, because a static object of the program may still delete regions when
+  // the program ends.
+  static thread_local Pool* const pool = new Pool;
+  return *pool;
 }
 
 // Returns a text about the place in the program that made the most regions: ", 65000 of them made
@@ -57,15 +65,14 @@ RegionTable* Table() {
 }  // namespace
 
 void* RCRegion::operator new(size_t size) {
+  const ApiScope scope;
   ASSERT(size == sizeof(RCRegion), "RCRegion is not a base class");
-  if (t_free == nullptr) AddChunk();
-  FreeBlock* const block = t_free;
-  t_free = block->next;
-  return block;
+  return ThePool().Take();
 }
 
 void RCRegion::operator delete(void* memory) {
-  if (memory != nullptr) GiveToPool(memory);
+  const ApiScope scope;
+  if (memory != nullptr) ThePool().free.push_back(memory);
 }
 
 RCRegion::RCRegion()
@@ -114,7 +121,6 @@ RCRegion::RCRegion(MemoryRegionID id, offset_t offset, void* base, size_t size)
       offset_(offset),
       type_(REFERENCE_V20),
       source_(nullptr) {
-  if (base_ != nullptr && size_ != 0) return;
   RegionTable* const table = Table();
   if (table == nullptr) return;
   if (base_ == nullptr && table->BaseOf(id) != nullptr) base_ = table->BaseOf(id) + offset;

@@ -45,7 +45,7 @@ TEST(GraphDeterminismTest, TwentySeedsOnTheIdealBodyRepeatThemselves) {
   }
 }
 
-// Two dogs in one process do not see each other: ODE's generator is process-wide.
+// Two dogs in one process do not see each other.
 TEST(GraphDeterminismTest, AnotherWorldInTheProcessDoesNotShow) {
   const GraphOptions ode;
   const Hashes alone = HashesAfter(2'000'000, 2'000'000, ode);

@@ -13,10 +13,10 @@ using ::testing::EndsWith;
 using ::testing::StartsWith;
 
 TEST(ProgressLineTest, TellsHowManyAreDoneAndHowLongTheOthersTake) {
-  EXPECT_EQ(ProgressText(0, 100, "seeds", 4), "openr explore: 0 of 100 seeds");
-  EXPECT_EQ(ProgressText(40, 100, "seeds", 60), "openr explore: 40 of 100 seeds, about 90 s left");
-  EXPECT_EQ(ProgressText(1, 100, "seeds", 10), "openr explore: 1 of 100 seeds, about 17 min left");
-  EXPECT_EQ(ProgressText(100, 100, "seeds", 60), "openr explore: 100 of 100 seeds, about 0 s left");
+  EXPECT_EQ(ProgressText(0, 100, "seeds", 4), "openr: 0 of 100 seeds");
+  EXPECT_EQ(ProgressText(40, 100, "seeds", 60), "openr: 40 of 100 seeds, about 90 s left");
+  EXPECT_EQ(ProgressText(1, 100, "seeds", 10), "openr: 1 of 100 seeds, about 17 min left");
+  EXPECT_EQ(ProgressText(100, 100, "seeds", 60), "openr: 100 of 100 seeds, about 0 s left");
 }
 
 // What ProgressLine writes while it lives, to a terminal or to a pipe.
@@ -46,7 +46,7 @@ std::string Written(bool is_terminal) {
 
 TEST(ProgressLineTest, IsDrawnInOnePlaceOfATerminalAndWipedAtTheEnd) {
   const std::string text = Written(true);
-  EXPECT_THAT(text, StartsWith("\r\x1b[Kopenr explore: 0 of 100 seeds"));
+  EXPECT_THAT(text, StartsWith("\r\x1b[Kopenr: 0 of 100 seeds"));
   EXPECT_THAT(text, EndsWith("\r\x1b[K"));
   EXPECT_EQ(text.find('\n'), std::string::npos);
 }

@@ -153,7 +153,8 @@ TEST(WorldThingTest, StairsAreBoxesThatRise) {
   for (int i = 0; i < 3; ++i) {
     const WorldThing& step = world.things[i];
     EXPECT_NEAR(step.centre_m.x() - step.size_m.x() / 2, 1 + 0.2 * i, 1e-12);
-    EXPECT_NEAR(step.centre_m.x() + step.size_m.x() / 2, 1.6, 1e-12);
+    EXPECT_NEAR(step.centre_m.x() + step.size_m.x() / 2, 1.2 + 0.2 * i, 1e-12);
+    EXPECT_NEAR(step.centre_m.z() - step.size_m.z() / 2, 0, 1e-12);
     EXPECT_NEAR(step.centre_m.z() + step.size_m.z() / 2, 0.1 * (i + 1), 1e-12);
   }
 }
@@ -171,6 +172,12 @@ TEST(WorldThingTest, MistakesAreNamedWithTheirPlace) {
   EXPECT_EQ(ErrorOfThing(R"({"shape":"box","name":"q","size_m":[1,1,1],"centre_m":[0,0,0],
                              "yaw_deg":1,"rpy_deg":[0,0,0]})"),
             "w.json: things[0].yaw_deg: stands beside 'rpy_deg'; leave one out");
+  EXPECT_EQ(ErrorOfThing(R"({"shape":"box","name":"q","size_m":[1,1,1],"centre_m":[0,0,0],
+                             "yaw_deg":1000})"),
+            "w.json: things[0].yaw_deg: is 1000, must be -360 to 360");
+  EXPECT_EQ(ErrorOfThing(R"({"shape":"cylinder","name":"c","radius_m":1,"height_m":1e200,
+                             "centre_m":[0,0,0]})"),
+            "w.json: things[0]: 'c' is larger, or further away, than 1000 m");
 }
 
 TEST(RayDistanceTest, SeesSpheresAndCylinders) {

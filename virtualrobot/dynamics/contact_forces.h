@@ -3,14 +3,13 @@
 // Each contact has three rows: along its normal, away from the ground, and along two directions of
 // the ground.  An impulse p along the rows changes the velocity along them by K p, where K is the
 // mobility of the robot plus the softness of the contacts.  With d for the change of velocity that
-// would let each contact stick and leave the ground as fast as it wants, the law for each contact
-// is
+// would let each contact stick and leave the ground as fast as it wants, a contact obeys one of
+// three laws:
 //
-//   it sticks:  its rows of K p are those of d, and its impulse lies in the cone of friction,
-//   it slides:  the row along the normal is; the impulse lies on the border of the cone, against
-//   the
-//               velocity that is missing,
-//   it opens:   its impulse is 0, and the contact leaves the ground faster than it wants.
+//   It sticks: its rows of K p are those of d, and its impulse lies in the cone of friction.
+//   It slides: its row along the normal is that of d.  Its impulse lies on the border of the cone,
+//     in the direction of the velocity that is missing along the ground.
+//   It opens: its impulse is 0, and it leaves the ground faster than it wants.
 //
 // Most contacts of a robot stick.  So the equations are first solved as if all of them did, without
 // those that would pull at the ground.  When all others lie in the cone, this is the answer.

@@ -1,5 +1,6 @@
 #include "virtualrobot/dynamics/joint_tree.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "runtime/base/assert.h"
@@ -36,6 +37,12 @@ Quaterniond Turned(const Quaterniond& q, const Vector3d& w_W, double step_s) {
   const Vector3d v = q.vec() + q.w() * half + half.cross(q.vec());
   const double length = std::sqrt(w * w + v.squaredNorm());
   return {w / length, v.x() / length, v.y() / length, v.z() / length};
+}
+
+// Returns `vector`, shortened to the length `max` if it is longer.
+Vector3d CutBack(const Vector3d& vector, double max) {
+  const double length = vector.norm();
+  return length > max ? Vector3d(vector * (max / length)) : vector;
 }
 
 }  // namespace
@@ -307,10 +314,13 @@ void JointTree::Move() {
     w_W_[k] += along_[k];
     v_W_[k] += along_[3 + k];
   }
+  w_W_ = CutBack(w_W_, kTurnMax_rad_s);
+  v_W_ = CutBack(v_W_, kSpeedMax_m_s);
   centre_W_ += step_s_ * v_W_;
   q_WB_ = Turned(q_WB_, w_W_, step_s_);
   for (int i = 1; i < parts(); ++i) {
-    speed_rad_s_[i] += along_[UnknownOf(i)];
+    speed_rad_s_[i] =
+        std::clamp(speed_rad_s_[i] + along_[UnknownOf(i)], -kTurnMax_rad_s, kTurnMax_rad_s);
     angle_rad_[i] += step_s_ * speed_rad_s_[i];
   }
   PlaceParts();

@@ -46,6 +46,12 @@ class JointTree {
     Eigen::Vector3d linear{0, 0, 0};
   };
 
+  // Limits of the speeds of trunk and hinges.  At the end of a step, what is faster is slowed down
+  // to them, because a step finds the forces of turning parts from the speeds at its beginning and
+  // would tear apart a robot that turns by half a turn in a step.  No robot comes near them.
+  static constexpr double kTurnMax_rad_s = 100;
+  static constexpr double kSpeedMax_m_s = 50;
+
   // Makes a tree at rest whose frame B coincides with W and whose angles are 0.  REQUIRES: part 0
   // is the trunk, and a parent comes before its children.
   explicit JointTree(const std::vector<TreePart>& parts);

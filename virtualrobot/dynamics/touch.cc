@@ -11,9 +11,12 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// A box touches the side of a cylinder with a face if the face's direction is at least as level as
-// this: the sine of its angle to the cylinder's end.
-constexpr double kLevel = 0.5;
+// A face of a box touches the side of a cylinder if the z of its direction, in the cylinder's axes,
+// is at most this.
+constexpr double kUprightMax = 0.5;
+
+// Number of points of the rim of a cylinder's end that can touch a box.
+constexpr int kRimPoints = 8;
 
 SurfaceDistance DistanceToBox(const Vector3d& half, const Vector3d& p) {
   const Vector3d nearest = p.cwiseMax(-half).cwiseMin(half);
@@ -77,18 +80,46 @@ void TouchByEdges(const Vector3d& centre, const Matrix3d& R, const Vector3d& hal
   }
 }
 
+// Returns by how much the box and the cylinder overlap along the axis of the cylinder.
+double OverlapAlongAxis(const Vector3d& centre, const Matrix3d& R, const Vector3d& half,
+                        const WorldThing& thing) {
+  const double reach =
+      std::fabs(R(2, 0)) * half.x() + std::fabs(R(2, 1)) * half.y() + std::fabs(R(2, 2)) * half.z();
+  return thing.size_m.z() / 2 + reach - std::fabs(centre.z());
+}
+
 // Adds the points at which a face of the box has come into the side of the cylinder: at its middle
-// and its two ends.
+// and its two ends.  If the box has come less deep into an end of the cylinder, it touches that end
+// and not the side.
 void TouchByFaces(const Vector3d& centre, const Matrix3d& R, const Vector3d& half,
                   const WorldThing& thing, std::vector<TouchPoint>* points) {
   const double radius_m = thing.size_m.x() / 2;
+  const double depth_max_m = OverlapAlongAxis(centre, R, half, thing);
   for (const double share : {-0.5, 0.0, 0.5}) {
     const Vector3d axis_point(0, 0, share * thing.size_m.z());
     const SurfaceDistance found =
         DistanceTo(ThingShape::kBox, 2 * half, R.transpose() * (axis_point - centre));
     const Vector3d out = R * found.out;  // out of the box
-    if (found.distance_m >= radius_m || std::fabs(out.z()) > kLevel) continue;
-    points->push_back({axis_point - radius_m * out, -out, radius_m - found.distance_m});
+    const double depth_m = radius_m - found.distance_m;
+    if (depth_m <= 0 || depth_m > depth_max_m || std::fabs(out.z()) > kUprightMax) continue;
+    points->push_back({axis_point - radius_m * out, -out, depth_m});
+  }
+}
+
+// Adds the points of the rims of the cylinder's ends that are in the box.
+void TouchByRims(const Vector3d& centre, const Matrix3d& R, const Vector3d& half,
+                 const WorldThing& thing, std::vector<TouchPoint>* points) {
+  constexpr double kHalfRoot = 0.70710678118654752440;  // sine and cosine of 45 degrees
+  constexpr double kX[kRimPoints] = {1, kHalfRoot, 0, -kHalfRoot, -1, -kHalfRoot, 0, kHalfRoot};
+  const double radius_m = thing.size_m.x() / 2;
+  for (const double end : {-0.5, 0.5}) {
+    for (int i = 0; i < kRimPoints; ++i) {
+      const Vector3d p(radius_m * kX[i], radius_m * kX[(i + kRimPoints - 2) % kRimPoints],
+                       end * thing.size_m.z());
+      const SurfaceDistance found =
+          DistanceTo(ThingShape::kBox, 2 * half, R.transpose() * (p - centre));
+      if (found.distance_m < 0) points->push_back({p, -(R * found.out), -found.distance_m});
+    }
   }
 }
 
@@ -129,6 +160,7 @@ void TouchBox(const Vector3d& centre_W, const Matrix3d& R_WB, const Vector3d& si
   const Matrix3d R = thing.R_WT.transpose() * R_WB;
   TouchByFaces(centre, R, half, thing, &found);
   TouchByEdges(centre, R, half, thing, &found);
+  TouchByRims(centre, R, half, thing, &found);
   // The deepest points come first; equal ones keep their order.
   std::stable_sort(found.begin(), found.end(),
                    [](const TouchPoint& a, const TouchPoint& b) { return a.depth_m > b.depth_m; });

@@ -1,5 +1,6 @@
 #include "virtualrobot/ode/contact_finder.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "virtualrobot/ode/ode_bodies.h"
@@ -73,7 +74,18 @@ const std::vector<ContactPoint>& ContactFinder::Find() {
     FindPawOnFloor(static_cast<int>(k));
     if (!things_.empty()) FindOnThings(model_.paws[k].body, static_cast<int>(k));
   }
+  KeepDeepest();
   return points_;
+}
+
+// Leaves out all but the deepest points, because the work of the solver grows with their third
+// power.  Equal points keep their order.
+void ContactFinder::KeepDeepest() {
+  if (points_.size() <= kContactsMax) return;
+  std::stable_sort(
+      points_.begin(), points_.end(),
+      [](const ContactPoint& a, const ContactPoint& b) { return a.depth_m > b.depth_m; });
+  points_.resize(kContactsMax);
 }
 
 void ContactFinder::FindPawOnFloor(int paw) {

@@ -33,11 +33,13 @@ class ContactFinder {
   ContactFinder(const ContactFinder&) = delete;
   ContactFinder& operator=(const ContactFinder&) = delete;
 
-  // Returns all points that touch now, in the order of the model.  The result is valid until the
-  // next call.
+  // Returns the points that touch now, in the order of the model; if more than kContactsMax touch,
+  // the deepest ones, by depth.  The result is valid until the next call.
+  static constexpr size_t kContactsMax = 64;
   const std::vector<ContactPoint>& Find();
 
  private:
+  void KeepDeepest();
   void FindPawOnFloor(int paw);
   void FindBoxOnFloor(int body);
 

@@ -1,9 +1,9 @@
 // The robot with physics: parts joined by hinges, servos that turn the hinges, and contacts of paws
-// and boxes with the floor and with static boxes.
+// and boxes with the floor and the things of the world.
 //
-// ODE has the bodies, their masses and their geometry, and finds the contacts with static boxes.
-// JointTree moves the parts (dynamics/joint_tree.h), with the impulses that ContactForces finds
-// (dynamics/contact_forces.h); after each step the bodies of ODE are put in their new places.
+// ODE has the bodies, their masses and their geometry, and finds the contacts with boxes of the
+// world. JointTree moves the parts (dynamics/joint_tree.h), with the impulses that ContactForces
+// finds (dynamics/contact_forces.h); after each step the bodies of ODE are put in their new places.
 // docs/body.md gives the parameters, their sources and their measured effects.
 #pragma once
 

@@ -1,5 +1,5 @@
-// The same robot as ODE's own joints and its exact solver move it: the reference beside which tests
-// put the motion of OdeBody, and the bench its time.  No program runs on it.
+// The same robot, moved by ODE's own joints and its exact solver.  A test compares OdeBody's motion
+// with it, and the bench OdeBody's time.  No run of the program uses it.
 //
 // ODE knows 6 numbers for each part and holds the parts together by 5 equations for each hinge.
 // The torque line of a servo, t = t0 - b v, is the motor of its hinge: such a motor obeys

@@ -36,7 +36,7 @@ std::vector<TreePart> TwoArms() {
           part(0.05, {0.02, 0.02, 0.02}, {-0.1, -0.06, 0.07}, 3, {0, 1, 0}, {-0.09, -0.06, 0.06})};
 }
 
-// Hinges that turn freely.  The slope may not be 0, because it stands for a motor.
+// Hinges that turn freely.
 std::vector<TorqueLine> Free(size_t parts) { return std::vector<TorqueLine>(parts); }
 
 class JointTreeTest : public testing::Test {

@@ -91,6 +91,29 @@ TEST(TouchTest, CornersOfABoxOnAStool) {
   }
 }
 
+// The box is 2 mm deep in the end of a wide cylinder, far from its axis.
+TEST(TouchTest, ABoxAsideOnAStoolIsNotPushedAside) {
+  std::vector<TouchPoint> points;
+  TouchBox({0.1, 0, 0.448}, Matrix3d::Identity(), {0.1, 0.1, 0.1}, Pole(0.2, 0.4), &points);
+  ASSERT_GE(points.size(), 4u);
+  for (const TouchPoint& point : points) {
+    EXPECT_NEAR(point.depth_m, 0.002, 1e-12);
+    EXPECT_NEAR(point.normal_W.z(), 1, 1e-12);
+  }
+}
+
+// No edge of the box is near the pole on which it has come down.
+TEST(TouchTest, AFaceRestsOnTheRimOfAPole) {
+  std::vector<TouchPoint> points;
+  TouchBox({0.02, 0, 0.445}, Matrix3d::Identity(), {0.2, 0.2, 0.1}, Pole(0.03, 0.4), &points);
+  ASSERT_EQ(points.size(), 8u);
+  for (const TouchPoint& point : points) {
+    EXPECT_NEAR(point.depth_m, 0.005, 1e-12);
+    EXPECT_NEAR(point.normal_W.z(), 1, 1e-12);
+    EXPECT_NEAR(point.p_W.head<2>().norm(), 0.03, 1e-12);
+  }
+}
+
 TEST(TouchTest, WhatIsApartDoesNotTouch) {
   std::vector<TouchPoint> points;
   TouchBox({0.16, 0, 0.2}, Matrix3d::Identity(), {0.2, 0.3, 0.1}, Pole(0.05, 0.4), &points);

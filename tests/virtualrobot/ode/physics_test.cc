@@ -109,6 +109,24 @@ TEST(PhysicsTest, MirroredCommandsMoveItLikeInAMirror) {
   EXPECT_GT(sideways_mm + std::fabs(harness.Position_mm().x() - start_mm), 0.5);  // it has moved
 }
 
+TEST(PhysicsTest, AnAbsurdPushDoesNotTearItApart) {
+  for (const char* const file : {"ers210.json", "ers7.json"}) {
+    const RobotModel model = ModelNamed(file);
+    for (size_t part = 0; part < model.bodies.size(); ++part) {
+      OdeBody body(model, World{});
+      BodyHarness harness(model, &body);
+      for (int i = 0; i < 20; ++i) {
+        body.Push(static_cast<int>(part), {300, 1000, 200}, body.BodyPoses()[part].translation());
+        harness.Frame();
+      }
+      harness.Hold(2);
+      EXPECT_LT(body.state().v_WB.norm(), 100) << model.bodies[part].name;
+      for (const JointState& joint : body.state().joints)
+        EXPECT_LE(std::fabs(joint.speed_rad_s), JointTree::kTurnMax_rad_s);
+    }
+  }
+}
+
 TEST(PhysicsTest, HalfTheStepGivesHalfTheError) {
   // The angle of a leg that is moving, with the trunk high in the air.
   const auto angle_deg = [](int steps_per_frame) {
