@@ -1,6 +1,7 @@
 #include <OPENR/RCRegion.h>
 #include <fmt/format.h>
 
+#include <cstddef>
 #include <new>
 #include <string>
 #include <vector>
@@ -20,34 +21,34 @@ using openr_host::t_current;
 namespace {
 
 // A pool of memory for RCRegions, which is taken from the host's heap in chunks of 64.  RCRegions
-// are small, many and short-lived, so single allocations would take long.
-struct Pool {
-  std::vector<void*> free;
+// are small, many and short-lived, so single allocations would take long.  The pool is never
+// deleted, because a static object of the program may still delete regions when the program ends.
+constexpr size_t kChunk = 64;
+
+// A block of the pool.  The link to the next free block lies behind the RCRegion, because a program
+// may by mistake read a region that it has given back, and must find there what a robot would: the
+// old content.
+struct Block {
+  alignas(RCRegion) std::byte region[sizeof(RCRegion)];
+  Block* next;
+};
+static_assert(offsetof(Block, region) == 0);
+thread_local constinit Block* t_free = nullptr;  // the first free block
+
+void GiveToPool(void* memory) {
+  Block* const block = static_cast<Block*>(memory);
+  block->next = t_free;
+  t_free = block;
+}
+
+void AddChunk() {
+  const ApiScope scope;
   // The addresses of all chunks.  With this list, a leak checker finds that the chunks are
   // reachable.  Otherwise it would report a chunk when an object has not deleted its regions.
-  std::vector<void*> chunks;
-  static constexpr size_t kChunk = 64;
-
-  ~Pool() {
-    for (void* chunk : chunks) ::operator delete(chunk);
-  }
-  void* Take() {
-    if (free.empty()) {
-      char* const chunk = static_cast<char*>(::operator new(sizeof(RCRegion) * kChunk));
-      chunks.push_back(chunk);
-      for (size_t i = kChunk; i > 0; --i) free.push_back(chunk + (i - 1) * sizeof(RCRegion));
-    }
-    void* const memory = free.back();
-    free.pop_back();
-    return memory;
-  }
-};
-
-Pool& ThePool() {
-  // Never deletes the pool, because a static object of the program may still delete regions when
-  // the program ends.
-  static thread_local Pool* const pool = new Pool;
-  return *pool;
+  static thread_local auto* const chunks = new std::vector<void*>;
+  auto* const chunk = static_cast<Block*>(::operator new(sizeof(Block) * kChunk));
+  chunks->push_back(chunk);
+  for (size_t i = kChunk; i > 0; --i) GiveToPool(chunk + i - 1);
 }
 
 // Returns a text about the place in the program that made the most regions: ", 65000 of them made
@@ -65,14 +66,15 @@ RegionTable* Table() {
 }  // namespace
 
 void* RCRegion::operator new(size_t size) {
-  const ApiScope scope;
   ASSERT(size == sizeof(RCRegion), "RCRegion is not a base class");
-  return ThePool().Take();
+  if (t_free == nullptr) AddChunk();
+  Block* const block = t_free;
+  t_free = block->next;
+  return block;
 }
 
 void RCRegion::operator delete(void* memory) {
-  const ApiScope scope;
-  if (memory != nullptr) ThePool().free.push_back(memory);
+  if (memory != nullptr) GiveToPool(memory);
 }
 
 RCRegion::RCRegion()
@@ -121,6 +123,7 @@ RCRegion::RCRegion(MemoryRegionID id, offset_t offset, void* base, size_t size)
       offset_(offset),
       type_(REFERENCE_V20),
       source_(nullptr) {
+  if (base_ != nullptr && size_ != 0) return;
   RegionTable* const table = Table();
   if (table == nullptr) return;
   if (base_ == nullptr && table->BaseOf(id) != nullptr) base_ = table->BaseOf(id) + offset;
@@ -143,9 +146,9 @@ void RCRegion::AddReference() { ++count_; }
 void RCRegion::RemoveReference() {
   if (--count_ > 0) return;
   const ApiScope scope;
-  // Does not delete a received region (one with a source_) here.  Its last reference belongs to the
-  // runtime, which deletes the region when the observer's next ready gives it back.  An object that
-  // removes this reference has made one call too many.
+  // The last reference to a received region (one with a source_) belongs to the runtime, which
+  // deletes the region when the observer's next ready gives it back.  An object that removes this
+  // reference has made one call too many, so the region is not deleted here.
   const bool received = source_ != nullptr;
   if ((received || count_ < 0) && t_current.system != nullptr) {
     t_current.system->AddFinding(

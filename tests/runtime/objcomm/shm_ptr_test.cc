@@ -29,6 +29,17 @@ class ShmPtrTest : public testing::Test {
   ObserverProbe* receiver;
 };
 
+// A program that reads a region which it has given back finds the old content, in every run.
+TEST_F(ShmPtrTest, ARegionThatIsGivenBackKeepsItsContent) {
+  RunAs(sender, [&] {
+    RCRegion* const region = new RCRegion(8);
+    RCRegion* volatile gone = region;
+    const char* const base = region->Base();
+    region->RemoveReference();
+    EXPECT_EQ(gone->Base(), base);
+  });
+}
+
 TEST_F(ShmPtrTest, WritingToASharedOneCopiesFirst) {
   RunAs(sender, [&] {
     OShmPtr<int> one(size_t{3});
