@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "tests/openr/counting_proxy.h"
@@ -29,6 +30,16 @@ constexpr char kHead[] = R"(
 static void die(void) { robot_console_printf("died\n"); }
 static int count;
 )";
+
+// Waits until `holds` returns true.  Returns false after 20 s.
+template <typename Condition>
+bool WaitUntil(const Condition& holds) {
+  for (int i = 0; i < 2000; ++i) {
+    if (holds()) return true;
+    usleep(10'000);
+  }
+  return false;
+}
 
 // A robot that stands, and folders with controllers.
 class ControllerRunTest : public testing::Test {
@@ -119,6 +130,11 @@ int main(void) {
 }
 
 TEST_F(ControllerRunTest, ACommandOfAnotherClientIsNotOverwritten) {
+  remote::Connection other(RobotAddress());
+  // Another test may have left the head where this controller wants it, so that the controller
+  // would say "there" before its command is on its way.
+  other.Move(1, 0);
+  ASSERT_TRUE(WaitUntil([&] { return std::abs(other.GetSensors().joints[1]) < 100; }));
   const auto controller = Start(R"(
 static int run(int ms) {
   static int was_there;
@@ -134,7 +150,6 @@ static int run(int ms) {
 int main(void) { robot_run(run); return 0; }
 )");
   ASSERT_TRUE(controller->WaitForOutput("there\n")) << controller->Finish().err;
-  remote::Connection other(RobotAddress());
   other.Move(1, -20);
   const ProgramResult& result = controller->Finish();
   EXPECT_EQ(result.status, 0) << result.err;
@@ -337,8 +352,7 @@ TEST_F(ControllerRunTest, ExamplesRunUnchanged) {
     const auto acts = [&] {
       return proxy.Count(rcLED) + proxy.Count(rcMOVE) + proxy.Count(rcMTN_PLAY) > 0;
     };
-    for (int i = 0; i < 2000 && !acts(); ++i) usleep(10'000);
-    EXPECT_TRUE(acts());
+    EXPECT_TRUE(WaitUntil(acts));
     controller.Signal(SIGINT);
     EXPECT_EQ(controller.Finish().status, 0) << controller.Finish().err;
   }
