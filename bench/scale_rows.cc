@@ -102,7 +102,7 @@ class Dogs {
   Simulation simulation_;
 };
 
-// Returns a variant whose T is made when its row runs first, and given up after its last round.
+// Returns a variant whose T is made when its row runs first, and kept until the bench ends.
 template <typename T, typename Make>
 Variant Lazily(const std::string& name, Make make) {
   auto made = std::make_shared<std::unique_ptr<T>>();

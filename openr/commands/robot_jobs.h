@@ -20,8 +20,8 @@ void RefuseFlagsBesideJobs(const RunFlags& flags);
 
 // Runs each robot in a copy of this process (fork), which has one robot in a System of its own.
 // The images are loaded once, before the copies are made.  So the hashes of a robot depend on its
-// number, but neither on how many robots nor on how many jobs there are, and the memory that is
-// used does not grow with the number of robots.
+// number, but neither on how many robots nor on how many jobs there are.  The memory that is used
+// does not grow with the number of robots, but for their reports.
 class RobotJobs {
  public:
   // REQUIRES: flags.jobs > 0; RefuseFlagsBesideJobs() has accepted the flags.
