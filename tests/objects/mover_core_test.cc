@@ -54,7 +54,15 @@ TEST(MoverCoreTest, StartUpStaysInsideSoftwareLimitsAndSpeeds) {
 }
 
 TEST(MoverCoreTest, ARobotWithoutACrouchingPostureLeavesItOut) {
-  Dog dog("ERS-7");
+  RobotConstants robot = *FindRobot("ERS-210");
+  std::vector<PostureConstants> postures;
+  for (int i = 0; i < robot.numPostures; ++i) {
+    if (std::string(robot.postures[i].name) != "crouch") postures.push_back(robot.postures[i]);
+  }
+  ASSERT_EQ(static_cast<int>(postures.size()), robot.numPostures - 1);
+  robot.numPostures = static_cast<int>(postures.size());
+  robot.postures = postures.data();
+  Dog dog(&robot);
   dog.Play();
   EXPECT_EQ(dog.said, (std::vector<std::string>{"filling", "gains", "broadbase", "sleeping",
                                                 "standing", "accepting-commands"}));

@@ -16,7 +16,8 @@ namespace openr_host {
 // A robot that follows its commands exactly, with the object's two regions in front of it.
 class Dog : public MoverPort {
  public:
-  explicit Dog(const char* design = "ERS-210") : robot(FindRobot(design)), core(this) {
+  explicit Dog(const char* design = "ERS-210") : Dog(FindRobot(design)) {}
+  explicit Dog(const RobotConstants* constants) : robot(constants), core(this) {
     const PostureConstants* sleep = FindPosture(robot, "sleep");
     for (int j = 0; j < robot->numJoints; ++j) angle[j] = sleep->urad[j];
     core.Begin(robot);
