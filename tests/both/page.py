@@ -76,7 +76,7 @@ class Page:
         taken, self.received = self.received[:count], self.received[count:]
         return taken
 
-    def _message(self):
+    def message(self):
         head = self._take(2)
         size = head[1] & 127
         if size == 126:
@@ -102,7 +102,7 @@ class Page:
     def ask(self, request):
         number = self.send(request)
         while True:
-            message = self._message()
+            message = self.message()
             if message.get("id") == number and "event" not in message:
                 return message
 
@@ -110,7 +110,7 @@ class Page:
         """Waits for an event that is good, and returns it."""
         end = time.monotonic() + PATIENCE_S
         while time.monotonic() < end:
-            message = self._message()
+            message = self.message()
             if message.get("event") == event and is_good(message):
                 return message
         raise RuntimeError(f"{what}; the last event is {self.events.get(event)}")
