@@ -9,6 +9,20 @@
 #include "runtime/base/duration.h"
 
 namespace openr_host {
+namespace {
+
+// Returns a check of a file of the user, or of one that came with the program (DataFile()).
+CLI::Validator IsDataFile(const char* flag, const InputKind& kind) {
+  return CLI::Validator(
+      [flag, kind](const std::string& name) -> std::string {
+        const std::string file = DataFile(name);
+        RefuseInput(flag, file, WhyNotReadable(file, kind.kind, kind.extension));
+        return "";
+      },
+      "");
+}
+
+}  // namespace
 
 void AddCommonFlags(CLI::App* command, SimulationOptions* options) {
   command->add_option("--stick", options->stick,
@@ -16,26 +30,19 @@ void AddCommonFlags(CLI::App* command, SimulationOptions* options) {
   command->add_option("--robot", options->robot, "Model of the robot")
       ->check(CLI::IsMember({"ers210", "ers220", "ers7"}))
       ->capture_default_str();
-  const auto world_check = [](const std::string& name) -> std::string {
-    const std::string file = DataFile(name);
-    RefuseInput("--world", file, WhyNotReadable(file, kWorldFile.kind, kWorldFile.extension));
-    return "";
-  };
   command
       ->add_option("--world", options->world,
                    "World file, or corridor.json or ramp-and-stairs.json (default: a flat floor)")
-      ->check(CLI::Validator(world_check, ""));
+      ->check(IsDataFile("--world", kWorldFile));
   command->add_option("--seed", options->seed, "Of everything random")
       ->check(IsCount())
       ->capture_default_str();
 }
 
 void AddCostFlag(CLI::App* command, SimulationOptions* options) {
-  const auto check = [](const std::string& name) -> std::string {
-    if (name == "zero") return "";
-    const std::string file = DataFile(name);
-    RefuseInput("--cost", file, WhyNotReadable(file, kCostFile.kind, kCostFile.extension));
-    return "";
+  const auto check = [](const std::string& name) {
+    std::string checked = name;
+    return name == "zero" ? "" : IsDataFile("--cost", kCostFile)(checked);
   };
   command
       ->add_option("--cost", options->cost_file,
