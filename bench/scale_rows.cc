@@ -1,4 +1,4 @@
-// What a run costs beside its frames: recording, the camera, the start of the program, more dogs.
+// Rows of what a run costs beside its frames: recording, camera, start of the process, more dogs.
 #include <OPENR/OObserver.h>
 #include <fmt/format.h>
 #include <spawn.h>

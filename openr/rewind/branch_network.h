@@ -1,9 +1,10 @@
 // BranchNetwork, the network of a robot whose run can be copied at an earlier moment.
 //
-// In the run itself, passes all calls on to the real network and logs the events that come from
-// outside.  In a copy of the run, first returns the logged events again and sends nothing.  When
-// the copy goes on as a new run, the network opens the ports again at which the robot listens.  The
-// robot sees its connections as broken, because their peers are still connected to the first run.
+// In the run itself, BranchNetwork passes all calls on to the real network and logs the events that
+// come from outside.  In a copy of the run, first returns the logged events again and sends
+// nothing.  When the copy goes on as a new run, the network opens the ports again at which the
+// robot listens.  The robot sees its connections as broken, because their peers are still connected
+// to the first run.
 #pragma once
 
 #include <cstdint>

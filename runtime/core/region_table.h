@@ -115,7 +115,7 @@ class RegionTable {
   void HashState(Hasher* hasher) const;
 
  private:
-  // One cache line.
+  // A slot fills one cache line, so that finding a region reads memory once.
   struct alignas(64) Slot {
     char* base = nullptr;
     size_t size = 0;
