@@ -68,10 +68,17 @@ class Body {
   // limited force.  nullopt: the hand lets go.
   virtual void Hold(const std::optional<Eigen::Isometry3d>& /*X_WB*/) {}
 
-  // Returns the distance in metres from `p_W` along the unit vector `direction_W` to the first
-  // thing that is not the robot itself; `max_m` when nothing is nearer.
-  virtual double RayDistance(const Eigen::Vector3d& p_W, const Eigen::Vector3d& direction_W,
-                             double max_m) const = 0;
+  // Follows a ray from `p_W` along the unit vector `direction_W` to the floor or the first thing of
+  // Surroundings(); the distance is `max_m` when nothing is nearer.
+  virtual RayHit CastRay(const Eigen::Vector3d& p_W, const Eigen::Vector3d& direction_W,
+                         double max_m) const = 0;
+
+  // The world in which the robot is, with its things where they were at the beginning.
+  virtual const World& world() const = 0;
+
+  // Returns what surrounds the robot now: the things of its world in their present places, and the
+  // parts of other robots in the same world.
+  virtual std::vector<WorldThing> Surroundings() const { return world().things; }
 
   // Returns the present pose X_WL of each part, in the order of RobotModel::bodies.  X_WL maps a
   // point of the part, given as in the model file (in B at zero angles), to its place in W.

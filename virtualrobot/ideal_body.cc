@@ -69,9 +69,8 @@ const BodyState& IdealBody::state() const {
   return state_;
 }
 
-double IdealBody::RayDistance(const Vector3d& p_W, const Vector3d& direction_W,
-                              double max_m) const {
-  return openr_host::RayDistance(world_, p_W, direction_W, max_m);
+RayHit IdealBody::CastRay(const Vector3d& p_W, const Vector3d& direction_W, double max_m) const {
+  return openr_host::CastRay(world_, world_.things, p_W, direction_W, max_m);
 }
 
 std::vector<Isometry3d> IdealBody::BodyPoses() const {

@@ -29,8 +29,9 @@ class IdealBody : public Body {
   // compute the pose of the base only when a joint has moved since the last call, and of the parts
   // only those that have moved.  So a frame whose state is not read costs next to nothing.
   const BodyState& state() const override;
-  double RayDistance(const Eigen::Vector3d& p_W, const Eigen::Vector3d& direction_W,
-                     double max_m) const override;
+  RayHit CastRay(const Eigen::Vector3d& p_W, const Eigen::Vector3d& direction_W,
+                 double max_m) const override;
+  const World& world() const override { return world_; }
   std::vector<Eigen::Isometry3d> BodyPoses() const override;
   Eigen::Isometry3d PoseOf(size_t part) const override;
   // The pose of the base follows the hand exactly, but no part of the robot goes below the floor.

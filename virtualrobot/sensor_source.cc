@@ -102,7 +102,7 @@ slongword SensorSource::DistanceOf(const Sensor& sensor, const Body& body) {
   if (sensor.body < 0 || sensor.lookup.size() < 2) return static_cast<slongword>(sensor.max);
   const Eigen::Isometry3d X_WP = body.PoseOf(static_cast<size_t>(sensor.body));
   const double distance =
-      body.RayDistance(X_WP * sensor.place_m, X_WP.linear() * sensor.direction, kRayMaxM);
+      body.CastRay(X_WP * sensor.place_m, X_WP.linear() * sensor.direction, kRayMaxM).distance_m;
   const auto& table = sensor.lookup;
   size_t i = 1;
   while (i + 1 < table.size() && distance > table[i].distance_m) ++i;

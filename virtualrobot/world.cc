@@ -74,14 +74,18 @@ double EnterThing(const WorldThing& thing, const Vector3d& p_W, const Vector3d& 
 
 }  // namespace
 
-double RayDistance(const World& world, const Vector3d& p_W, const Vector3d& direction_W,
-                   double max_m) {
-  double distance_m = max_m;
-  if (p_W.z() <= 0) return 0;
-  if (direction_W.z() < 0) distance_m = std::min(distance_m, -p_W.z() / direction_W.z());
-  for (const WorldThing& thing : world.things)
-    distance_m = std::min(distance_m, EnterThing(thing, p_W, direction_W));
-  return distance_m;
+RayHit CastRay(const World& world, const std::vector<WorldThing>& things, const Vector3d& p_W,
+               const Vector3d& direction_W, double max_m) {
+  if (p_W.z() <= 0) return {0, world.floor_reflectance};
+  RayHit hit{max_m, 1};
+  const auto meet = [&hit](double distance_m, double reflectance) {
+    if (distance_m < hit.distance_m) hit = {distance_m, reflectance};
+  };
+  if (direction_W.z() < 0) meet(-p_W.z() / direction_W.z(), world.floor_reflectance);
+  for (const WorldThing& thing : things) {
+    if (thing.is_solid) meet(EnterThing(thing, p_W, direction_W), thing.reflectance);
+  }
+  return hit;
 }
 
 void HashWorld(const World& world, Hasher* hasher) {

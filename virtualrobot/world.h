@@ -1,5 +1,5 @@
-// The surroundings of a robot: a floor and static things on it.  docs/worlds.md describes the
-// format of world files.
+// The surroundings of a robot: a floor and things on it.  docs/worlds.md describes the format of
+// world files.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,7 +12,7 @@ class Hasher;
 
 enum class ThingShape { kBox, kSphere, kCylinder };
 
-// A static thing in the world frame W, which has z up and the floor at z = 0.
+// A thing in the world frame W, which has z up and the floor at z = 0.
 struct WorldThing {
   std::string name;  // name of the thing in error messages and reports
   ThingShape shape = ThingShape::kBox;
@@ -22,11 +22,20 @@ struct WorldThing {
   Eigen::Vector3d centre_m{0, 0, 0};                   // in W
   Eigen::Matrix3d R_WT = Eigen::Matrix3d::Identity();  // rotation of the thing
   Eigen::Vector3d colour{0.72, 0.60, 0.46};            // red, green and blue, 0 to 1
+  double mass_kg = 0;      // > 0: robots and other things can move the thing; 0: it is fixed
+  bool is_solid = true;    // false: paint on the floor, which is seen and never touched
+  double reflectance = 1;  // share of the infrared light of a distance sensor that comes back
 };
 
 struct World {
   std::string name = "flat";
   double floor_friction = 0.6;  // Coulomb friction coefficient of floor and things, >= 0
+  Eigen::Vector3d floor_colour{0.62, 0.62, 0.60};  // red, green and blue, 0 to 1
+  double floor_reflectance = 1;
+  // Direction from the things to the light, a unit vector; share of the light that comes from all
+  // directions, 0 to 1.
+  Eigen::Vector3d to_light{0.48, 0.36, 0.8};
+  double ambient = 0.55;
   std::vector<WorldThing> things;
 };
 
@@ -39,9 +48,16 @@ World ParseWorld(const std::string& text, const std::string& name);
 
 void HashWorld(const World& world, Hasher* hasher);
 
-// Returns the distance in metres from `p_W` along the unit vector `direction_W` to the floor or the
-// first thing; `max_m` when nothing is nearer; 0 when `p_W` is inside a thing or below the floor.
-double RayDistance(const World& world, const Eigen::Vector3d& p_W,
-                   const Eigen::Vector3d& direction_W, double max_m);
+// The first surface that a ray meets.
+struct RayHit {
+  double distance_m = 0;
+  double reflectance = 1;
+};
+
+// Follows a ray from `p_W` along the unit vector `direction_W` to the floor or the first solid one
+// of `things`.  The distance is `max_m` when nothing is nearer, and 0 when `p_W` is inside a thing
+// or below the floor.
+RayHit CastRay(const World& world, const std::vector<WorldThing>& things,
+               const Eigen::Vector3d& p_W, const Eigen::Vector3d& direction_W, double max_m);
 
 }  // namespace openr_host

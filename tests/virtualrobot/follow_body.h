@@ -23,9 +23,10 @@ class FollowBody : public Body {
     }
   }
   const BodyState& state() const override { return state_; }
-  double RayDistance(const Eigen::Vector3d&, const Eigen::Vector3d&, double max_m) const override {
-    return distance_m < max_m ? distance_m : max_m;
+  RayHit CastRay(const Eigen::Vector3d&, const Eigen::Vector3d&, double max_m) const override {
+    return {.distance_m = distance_m < max_m ? distance_m : max_m};
   }
+  const World& world() const override { return world_; }
   std::vector<Eigen::Isometry3d> BodyPoses() const override { return poses_; }
   void HashState(Hasher* hasher) const override {
     for (const JointState& joint : state_.joints) hasher->Add(joint.angle_rad);
@@ -38,6 +39,7 @@ class FollowBody : public Body {
   std::vector<JointCommand> last_commands;
 
  private:
+  const World world_;
   BodyState state_;
   std::vector<Eigen::Isometry3d> poses_;
 };

@@ -9,6 +9,12 @@ namespace {
 
 using Eigen::Vector3d;
 
+// Returns the distance that a ray goes in `world`.
+double DistanceIn(const World& world, const Vector3d& p_W, const Vector3d& direction_W,
+                  double max_m) {
+  return CastRay(world, world.things, p_W, direction_W, max_m).distance_m;
+}
+
 constexpr const char* kWall = R"({
   "schema": "openr-host world 1", "name": "wall", "friction": 0.4,
   "boxes": [{"name": "wall", "size_m": [0.1, 2, 0.5], "centre_m": [1, 0, 0.25], "yaw_deg": 0}]
@@ -73,38 +79,38 @@ TEST(WorldTest, MissingFileIsNamed) {
             "no/world.json: No such file or directory");
 }
 
-TEST(RayDistanceTest, SeesTheWallItLooksAt) {
-  EXPECT_DOUBLE_EQ(RayDistance(ParseWorld(kWall, "w"), {0, 0, 0.2}, {1, 0, 0}, 2), 0.95);
+TEST(CastRayTest, SeesTheWallItLooksAt) {
+  EXPECT_DOUBLE_EQ(DistanceIn(ParseWorld(kWall, "w"), {0, 0, 0.2}, {1, 0, 0}, 2), 0.95);
 }
 
-TEST(RayDistanceTest, SeesNothingBehindItself) {
-  EXPECT_EQ(RayDistance(ParseWorld(kWall, "w"), {0, 0, 0.2}, {-1, 0, 0}, 2), 2);
+TEST(CastRayTest, SeesNothingBehindItself) {
+  EXPECT_EQ(DistanceIn(ParseWorld(kWall, "w"), {0, 0, 0.2}, {-1, 0, 0}, 2), 2);
 }
 
-TEST(RayDistanceTest, LooksOverALowWall) {
-  EXPECT_EQ(RayDistance(ParseWorld(kWall, "w"), {0, 0, 0.6}, {1, 0, 0}, 2), 2);
+TEST(CastRayTest, LooksOverALowWall) {
+  EXPECT_EQ(DistanceIn(ParseWorld(kWall, "w"), {0, 0, 0.6}, {1, 0, 0}, 2), 2);
 }
 
-TEST(RayDistanceTest, SeesTheFloorWhenItLooksDown) {
-  EXPECT_DOUBLE_EQ(RayDistance(World{}, {0, 0, 0.3}, {0.8, 0, -0.6}, 2), 0.5);
+TEST(CastRayTest, SeesTheFloorWhenItLooksDown) {
+  EXPECT_DOUBLE_EQ(DistanceIn(World{}, {0, 0, 0.3}, {0.8, 0, -0.6}, 2), 0.5);
 }
 
-TEST(RayDistanceTest, IsCappedAtTheLargestDistance) {
-  EXPECT_EQ(RayDistance(World{}, {0, 0, 0.3}, {0.8, 0, -0.6}, 0.4), 0.4);
+TEST(CastRayTest, IsCappedAtTheLargestDistance) {
+  EXPECT_EQ(DistanceIn(World{}, {0, 0, 0.3}, {0.8, 0, -0.6}, 0.4), 0.4);
 }
 
-TEST(RayDistanceTest, IsZeroInsideABox) {
-  EXPECT_EQ(RayDistance(ParseWorld(kWall, "w"), {1, 0, 0.2}, {1, 0, 0}, 2), 0);
+TEST(CastRayTest, IsZeroInsideABox) {
+  EXPECT_EQ(DistanceIn(ParseWorld(kWall, "w"), {1, 0, 0.2}, {1, 0, 0}, 2), 0);
 }
 
 // Turned by 45 degrees a cube of edge 0.2 shows its edge at half its diagonal.
-TEST(RayDistanceTest, KnowsThatABoxIsTurned) {
+TEST(CastRayTest, KnowsThatABoxIsTurned) {
   World world;
   world.things.push_back({.name = "cube",
                           .size_m = {0.2, 0.2, 0.2},
                           .centre_m = {1, 0, 0.1},
                           .R_WT = RotationFromRpy({0, 0, Radians(45)})});
-  EXPECT_NEAR(RayDistance(world, {0, 0, 0.1}, {1, 0, 0}, 2), 1 - 0.1 * std::sqrt(2), 1e-12);
+  EXPECT_NEAR(DistanceIn(world, {0, 0, 0.1}, {1, 0, 0}, 2), 1 - 0.1 * std::sqrt(2), 1e-12);
 }
 
 // A world of version 2 with the one thing `row`.
@@ -180,18 +186,18 @@ TEST(WorldThingTest, MistakesAreNamedWithTheirPlace) {
             "w.json: things[0]: 'c' is larger, or further away, than 1000 m");
 }
 
-TEST(RayDistanceTest, SeesSpheresAndCylinders) {
+TEST(CastRayTest, SeesSpheresAndCylinders) {
   const World ball = With(R"({"shape":"sphere","name":"b","radius_m":0.1,"centre_m":[1,0,0.2]})");
-  EXPECT_DOUBLE_EQ(RayDistance(ball, {0, 0, 0.2}, {1, 0, 0}, 2), 0.9);
-  EXPECT_NEAR(RayDistance(ball, {0, 0.06, 0.2}, {1, 0, 0}, 2), 1 - 0.08, 1e-12);
-  EXPECT_EQ(RayDistance(ball, {0, 0.11, 0.2}, {1, 0, 0}, 2), 2);
-  EXPECT_EQ(RayDistance(ball, {1, 0, 0.2}, {1, 0, 0}, 2), 0);  // inside
-  EXPECT_EQ(RayDistance(ball, {2, 0, 0.2}, {1, 0, 0}, 2), 2);  // behind
+  EXPECT_DOUBLE_EQ(DistanceIn(ball, {0, 0, 0.2}, {1, 0, 0}, 2), 0.9);
+  EXPECT_NEAR(DistanceIn(ball, {0, 0.06, 0.2}, {1, 0, 0}, 2), 1 - 0.08, 1e-12);
+  EXPECT_EQ(DistanceIn(ball, {0, 0.11, 0.2}, {1, 0, 0}, 2), 2);
+  EXPECT_EQ(DistanceIn(ball, {1, 0, 0.2}, {1, 0, 0}, 2), 0);  // inside
+  EXPECT_EQ(DistanceIn(ball, {2, 0, 0.2}, {1, 0, 0}, 2), 2);  // behind
   const World pole = With(R"({"shape":"cylinder","name":"p","radius_m":0.05,"height_m":0.4,
                               "centre_m":[1,0,0.2]})");
-  EXPECT_NEAR(RayDistance(pole, {0, 0.03, 0.2}, {1, 0, 0}, 2), 1 - 0.04, 1e-12);
-  EXPECT_EQ(RayDistance(pole, {0, 0, 0.5}, {1, 0, 0}, 2), 2);
-  EXPECT_DOUBLE_EQ(RayDistance(pole, {1, 0, 0.7}, {0, 0, -1}, 2), 0.7 - 0.4);
+  EXPECT_NEAR(DistanceIn(pole, {0, 0.03, 0.2}, {1, 0, 0}, 2), 1 - 0.04, 1e-12);
+  EXPECT_EQ(DistanceIn(pole, {0, 0, 0.5}, {1, 0, 0}, 2), 2);
+  EXPECT_DOUBLE_EQ(DistanceIn(pole, {1, 0, 0.7}, {0, 0, -1}, 2), 0.7 - 0.4);
 }
 
 TEST(WorldThingTest, TheShippedWorldsAreRead) {

@@ -187,8 +187,8 @@ std::vector<Isometry3d> OdeBody::BodyPoses() const {
   return X_WL;
 }
 
-double OdeBody::RayDistance(const Vector3d& p_W, const Vector3d& direction_W, double max_m) const {
-  return openr_host::RayDistance(surroundings_, p_W, direction_W, max_m);
+RayHit OdeBody::CastRay(const Vector3d& p_W, const Vector3d& direction_W, double max_m) const {
+  return openr_host::CastRay(surroundings_, surroundings_.things, p_W, direction_W, max_m);
 }
 
 void OdeBody::HashState(Hasher* hasher) const {

@@ -48,8 +48,9 @@ class OdeBody : public Body {
 
   void Advance(const std::vector<JointCommand>& commands) override;
   const BodyState& state() const override { return state_; }
-  double RayDistance(const Eigen::Vector3d& p_W, const Eigen::Vector3d& direction_W,
-                     double max_m) const override;
+  RayHit CastRay(const Eigen::Vector3d& p_W, const Eigen::Vector3d& direction_W,
+                 double max_m) const override;
+  const World& world() const override { return surroundings_; }
   std::vector<Eigen::Isometry3d> BodyPoses() const override;
   void HashState(Hasher* hasher) const override;
 

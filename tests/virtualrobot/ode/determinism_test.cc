@@ -42,10 +42,10 @@ TEST(OdeDeterminismTest, AnotherWorldInTheSameProcessDoesNotShow) {
       body_.Advance(commands);
     }
     const BodyState& state() const override { return body_.state(); }
-    double RayDistance(const Eigen::Vector3d&, const Eigen::Vector3d&,
-                       double max_m) const override {
-      return max_m;
+    RayHit CastRay(const Eigen::Vector3d&, const Eigen::Vector3d&, double max_m) const override {
+      return {.distance_m = max_m};
     }
+    const World& world() const override { return body_.world(); }
     std::vector<Eigen::Isometry3d> BodyPoses() const override { return body_.BodyPoses(); }
     void HashState(Hasher* hasher) const override { body_.HashState(hasher); }
 

@@ -132,7 +132,7 @@ TEST(OdeBodyTest, SeesAWallThroughItsRay) {
   World world;
   world.things.push_back({.name = "wall", .size_m = {0.1, 1, 1}, .centre_m = {0.55, 0, 0.5}});
   OdeBody body(Ers210(), world);
-  EXPECT_DOUBLE_EQ(body.RayDistance({0, 0, 0.1}, {1, 0, 0}, 0.9), 0.5);
+  EXPECT_DOUBLE_EQ(body.CastRay({0, 0, 0.1}, {1, 0, 0}, 0.9).distance_m, 0.5);
 }
 
 }  // namespace

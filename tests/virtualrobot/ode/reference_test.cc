@@ -66,9 +66,10 @@ TEST(OdeReferenceTest, StandsLikeTheBody) {
       reference_.Advance(commands);
     }
     const BodyState& state() const override { return body_.state(); }
-    double RayDistance(const Vector3d&, const Vector3d&, double max_m) const override {
-      return max_m;
+    RayHit CastRay(const Vector3d&, const Vector3d&, double max_m) const override {
+      return {.distance_m = max_m};
     }
+    const World& world() const override { return body_.world(); }
     std::vector<Isometry3d> BodyPoses() const override { return body_.BodyPoses(); }
     void HashState(Hasher* hasher) const override { body_.HashState(hasher); }
 
