@@ -21,6 +21,8 @@ constexpr size_t kThingsMax = 1000;
 // Largest size of a thing, and largest distance of its centre from the origin along an axis.
 constexpr double kPlaceMax_m = 1000;
 constexpr double kAngleMax_deg = 360;
+// Greatest height of paint over the floor, and of its middle.
+constexpr double kPaintMax_m = 0.01;
 // Thickness of a ramp, which is a board: more than a falling part moves in a frame.
 constexpr double kRampThickness_m = 0.1;
 
@@ -53,6 +55,23 @@ Vector3d ColourOf(const JsonReader& value) {
   return colour;
 }
 
+// Reads what a thing that can be moved or painted has: its mass, or that it is not solid.
+void ReadMatter(const JsonReader& row, WorldThing* thing) {
+  if (row.Has("mass_kg")) thing->mass_kg = row.At("mass_kg").NumberAbove(0);
+  if (!row.Has("solid")) return;
+  thing->is_solid = row.At("solid").Truth();
+  if (thing->is_solid) return;
+  for (const char* const field : {"mass_kg", "rpy_deg"}) {
+    if (row.Has(field))
+      row.At(field).Fail("'{}' is paint on the floor, which has none", thing->name);
+  }
+  if (thing->size_m.z() > kPaintMax_m || std::fabs(thing->centre_m.z()) > kPaintMax_m) {
+    row.At("solid").Fail(
+        "'{}' is {} m high and its middle at {} m; paint lies on the floor, with at most {} m each",
+        thing->name, thing->size_m.z(), thing->centre_m.z(), kPaintMax_m);
+  }
+}
+
 // Reads edges of a box, a ramp or stairs.
 Vector3d EdgesOf(const JsonReader& row, const WorldThing& thing, const char* shape) {
   const Vector3d size_m = row.At("size_m").Vector();
@@ -64,7 +83,8 @@ Vector3d EdgesOf(const JsonReader& row, const WorldThing& thing, const char* sha
 }
 
 void ReadBox(const JsonReader& row, WorldThing thing, std::vector<WorldThing>* things) {
-  row.AllowOnly({"shape", "name", "colour", "size_m", "centre_m", "yaw_deg", "rpy_deg"});
+  row.AllowOnly({"shape", "name", "colour", "reflectance", "mass_kg", "solid", "size_m", "centre_m",
+                 "yaw_deg", "rpy_deg"});
   thing.size_m = EdgesOf(row, thing, "box");
   thing.centre_m = row.At("centre_m").Vector();
   if (row.Has("rpy_deg")) {
@@ -73,30 +93,34 @@ void ReadBox(const JsonReader& row, WorldThing thing, std::vector<WorldThing>* t
   } else {
     thing.R_WT = YawOf(row);
   }
+  ReadMatter(row, &thing);
   things->push_back(thing);
 }
 
 void ReadSphere(const JsonReader& row, WorldThing thing, std::vector<WorldThing>* things) {
-  row.AllowOnly({"shape", "name", "colour", "radius_m", "centre_m"});
+  row.AllowOnly({"shape", "name", "colour", "reflectance", "mass_kg", "radius_m", "centre_m"});
   thing.shape = ThingShape::kSphere;
   thing.size_m.setConstant(2 * row.At("radius_m").NumberAbove(0));
   thing.centre_m = row.At("centre_m").Vector();
+  ReadMatter(row, &thing);
   things->push_back(thing);
 }
 
 void ReadCylinder(const JsonReader& row, WorldThing thing, std::vector<WorldThing>* things) {
-  row.AllowOnly({"shape", "name", "colour", "radius_m", "height_m", "centre_m", "rpy_deg"});
+  row.AllowOnly({"shape", "name", "colour", "reflectance", "mass_kg", "solid", "radius_m",
+                 "height_m", "centre_m", "rpy_deg"});
   thing.shape = ThingShape::kCylinder;
   const double diameter_m = 2 * row.At("radius_m").NumberAbove(0);
   thing.size_m = Vector3d(diameter_m, diameter_m, row.At("height_m").NumberAbove(0));
   thing.centre_m = row.At("centre_m").Vector();
   thing.R_WT = RpyRotationOf(row);
+  ReadMatter(row, &thing);
   things->push_back(thing);
 }
 
 // Adds a board whose upper face rises from `start_m` along its own x.
 void ReadRamp(const JsonReader& row, WorldThing thing, std::vector<WorldThing>* things) {
-  row.AllowOnly({"shape", "name", "colour", "size_m", "start_m", "yaw_deg"});
+  row.AllowOnly({"shape", "name", "colour", "reflectance", "size_m", "start_m", "yaw_deg"});
   const Vector3d size_m = EdgesOf(row, thing, "ramp");
   const double length_m = std::sqrt(size_m.x() * size_m.x() + size_m.z() * size_m.z());
   thing.size_m = Vector3d(length_m, size_m.y(), kRampThickness_m);
@@ -109,7 +133,8 @@ void ReadRamp(const JsonReader& row, WorldThing thing, std::vector<WorldThing>* 
 // Adds a box for each step, from the height of the start to its tread.  The stairs rise from
 // `start_m` along their own x.
 void ReadStairs(const JsonReader& row, WorldThing thing, std::vector<WorldThing>* things) {
-  row.AllowOnly({"shape", "name", "colour", "size_m", "steps", "start_m", "yaw_deg"});
+  row.AllowOnly(
+      {"shape", "name", "colour", "reflectance", "size_m", "steps", "start_m", "yaw_deg"});
   const Vector3d size_m = EdgesOf(row, thing, "stairs");
   const auto steps = static_cast<int>(row.At("steps").Whole(1, kStepsMax));
   const Vector3d start_m = row.At("start_m").Vector();
@@ -140,6 +165,7 @@ void ReadShape(const JsonReader& row, std::vector<WorldThing>* things) {
   WorldThing thing;
   thing.name = row.At("name").Text();
   if (row.Has("colour")) thing.colour = ColourOf(row.At("colour"));
+  if (row.Has("reflectance")) thing.reflectance = row.At("reflectance").NumberWithin(0, 1);
   const std::string shape = row.At("shape").Text();
   if (shape == "box") return ReadBox(row, thing, things);
   if (shape == "sphere") return ReadSphere(row, thing, things);
@@ -166,6 +192,39 @@ void ReadBoxes(const JsonReader& root, std::vector<WorldThing>* things) {
   }
 }
 
+// Reads the direction from which light comes, and its share that comes from everywhere.
+void ReadLight(const JsonReader& row, World* world) {
+  row.AllowOnly({"direction_deg", "ambient"});
+  if (row.Has("ambient")) world->ambient = row.At("ambient").NumberWithin(0, 1);
+  if (!row.Has("direction_deg")) return;
+  const JsonReader direction = row.At("direction_deg");
+  const std::vector<double> angles_deg = direction.Numbers(2);
+  const double azimuth_deg = angles_deg[0], elevation_deg = angles_deg[1];
+  if (std::fabs(azimuth_deg) > kAngleMax_deg || !(elevation_deg >= 0 && elevation_deg <= 90)) {
+    direction.Fail("is [{}, {}]; azimuth must be -{} to {}, elevation 0 to 90", azimuth_deg,
+                   elevation_deg, kAngleMax_deg, kAngleMax_deg);
+  }
+  const double azimuth = Radians(azimuth_deg), elevation = Radians(elevation_deg);
+  world->to_light = Vector3d(DetCos(elevation) * DetCos(azimuth),
+                             DetCos(elevation) * DetSin(azimuth), DetSin(elevation));
+}
+
+// Reads what a camera and a distance sensor notice of the floor and the light.
+void ReadLooks(const JsonReader& root, World* world) {
+  if (root.Has("floor_colour")) world->floor_colour = ColourOf(root.At("floor_colour"));
+  if (root.Has("floor_reflectance"))
+    world->floor_reflectance = root.At("floor_reflectance").NumberWithin(0, 1);
+  if (root.Has("light")) ReadLight(root.At("light"), world);
+}
+
+void ReadThings(const JsonReader& list, std::vector<WorldThing>* things) {
+  for (const JsonReader& row : list.Elements()) ReadThing(row, things);
+  if (things->size() > kThingsMax) {
+    list.Fail("are {} things, with each step of stairs as one; at most {}", things->size(),
+              kThingsMax);
+  }
+}
+
 }  // namespace
 
 World ParseWorld(const std::string& text, const std::string& name) {
@@ -177,14 +236,10 @@ World ParseWorld(const std::string& text, const std::string& name) {
     root.AllowOnly({"schema", "name", "friction", "boxes"});
     if (root.Has("boxes")) ReadBoxes(root, &world.things);
   } else if (schema == "openr-host world 2") {
-    root.AllowOnly({"schema", "name", "friction", "things"});
-    if (root.Has("things")) {
-      for (const JsonReader& row : root.At("things").Elements()) ReadThing(row, &world.things);
-      if (world.things.size() > kThingsMax) {
-        root.At("things").Fail("are {} things, with each step of stairs as one; at most {}",
-                               world.things.size(), kThingsMax);
-      }
-    }
+    root.AllowOnly(
+        {"schema", "name", "friction", "floor_colour", "floor_reflectance", "light", "things"});
+    ReadLooks(root, &world);
+    if (root.Has("things")) ReadThings(root.At("things"), &world.things);
   } else {
     root.At("schema").Fail(
         "is '{}', this program reads 'openr-host world 1' and 'openr-host world 2'", schema);

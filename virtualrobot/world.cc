@@ -90,11 +90,17 @@ RayHit CastRay(const World& world, const std::vector<WorldThing>& things, const 
 
 void HashWorld(const World& world, Hasher* hasher) {
   hasher->Add(world.floor_friction);
+  if (world.floor_reflectance != 1) hasher->Add(world.floor_reflectance);
   for (const WorldThing& thing : world.things) {
     hasher->Add(thing.shape);
     hasher->AddBytes(thing.size_m.data(), 3 * sizeof(double));
     hasher->AddBytes(thing.centre_m.data(), 3 * sizeof(double));
     hasher->AddBytes(thing.R_WT.data(), 9 * sizeof(double));
+    // Adds only what differs from the default, so that worlds without it keep their hash.  Colours
+    // and light change images only, whose bytes are hashed where an object gets them.
+    if (thing.mass_kg > 0) hasher->Add(thing.mass_kg);
+    if (!thing.is_solid) hasher->Add(thing.is_solid);
+    if (thing.reflectance != 1) hasher->Add(thing.reflectance);
   }
 }
 

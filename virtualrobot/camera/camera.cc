@@ -113,6 +113,7 @@ CameraShot CameraDevice::ShotBefore(int64_t frame, const Body& body) const {
   shot.frame = frame - 1;
   shot.fov_h_rad = model_.fov_h_rad;
   shot.fov_v_rad = model_.fov_v_rad;
+  shot.body = &body;
   // Computes the axes of the lens.  The lens looks along `direction` and is not rolled, so its y
   // axis is horizontal in the frame of the part that carries it.
   const Eigen::Vector3d& x = model_.direction;

@@ -10,6 +10,8 @@
 
 namespace openr_host {
 
+class Body;
+
 // A picture with 8 bits each for red, green and blue, row by row from the top left.
 struct Picture {
   int width = 0, height = 0;
@@ -27,6 +29,8 @@ struct CameraShot {
   // Pose of the lens in the world W, with x along the optical axis, y to the left and z up.
   Eigen::Isometry3d X_WC = Eigen::Isometry3d::Identity();
   double fov_h_rad = 0, fov_v_rad = 0;
+  // The body that carries the camera, for sources that draw its world; null in some tests.
+  const Body* body = nullptr;
 };
 
 class ImageSource {
