@@ -2,9 +2,10 @@
 
 #include "Maths.h"
 
-// Lengths in millimetres, after the drawings of Model Information ERS-210, 1.2.  At zero angles the
-// knee is KNEE_FORWARD before and KNEE_DOWN below the shoulder; the paw is behind and below the
-// knee.  A hind leg is a fore leg seen in a mirror, with another shin: its knee points backward.
+// Lengths in millimetres, after the drawings of Model Information ERS-210, 1.2.  At zero angles
+// the knee is KNEE_FORWARD before and KNEE_DOWN below the shoulder; the paw is behind and below
+// the knee.  A hind leg is a fore leg seen in a mirror, with another shin: its knee points
+// backward.
 static const double SHOULDER_X = 59.5;
 static const double SHOULDER_Y = 59.2;
 static const double KNEE_FORWARD = 12.8;
@@ -18,9 +19,9 @@ static const double HIND_SHIN_DOWN = 60.718;
 static const double LOWEST[JOINTS_PER_LEG] = {-117, -11, -27};
 static const double HIGHEST[JOINTS_PER_LEG] = {117, 89, 147};
 
-// Thigh and shin are two sides of a triangle, whose third side is the distance from the shoulder to
-// the paw: the law of cosines gives the knee.  Then the spread brings the paw to its distance from
-// the dog's middle, and the swing does the rest.
+// Thigh and shin are two sides of a triangle, whose third side is the distance from the shoulder
+// to the paw: the law of cosines gives the knee.  Then the spread brings the paw to its distance
+// from the dog's middle, and the swing does the rest.
 void
 FindLegAngles(int leg, const Place& paw, double angle[JOINTS_PER_LEG])
 {
