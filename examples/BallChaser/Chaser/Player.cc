@@ -16,7 +16,8 @@ static const double TURN_GAIN = 2;  // rad/s for each rad that the ball is besid
 static const double CIRCLE_RADIUS = 400;
 static const double BEHIND_MARGIN = 0.06;  // rad
 
-static const int CIRCLE_LONGEST = 15 * SECOND;  // then pushes the ball anywhere
+static const int CIRCLE_LONGEST = 25 * SECOND;  // then pushes the ball anywhere
+static const int PUSH_BLIND = 5 * SECOND;       // longest push without a look at the goal
 
 // Where the head looks: a little down, so that both ball and goal are in the picture; or at the
 // floor before the paws.
@@ -92,6 +93,12 @@ Player::Remember(const Sight& sight)
         goalRight_ = goal.right;
         goalAge_ = 0;
     }
+    // The own goal tells roughly where the other one is, so that the dog circles the shorter way.
+    const GoalSight& own = sight.goal[goal_ == YELLOW_GOAL ? SKY_BLUE_GOAL : YELLOW_GOAL];
+    if (own.isSeen && goalAge_ > 2 * SECOND) {
+        goalLeft_ = WrapAngle(own.left + PI);
+        goalRight_ = WrapAngle(own.right + PI);
+    }
 }
 
 // Returns whether a ball that is pushed straight ahead would go into the goal, with `margin` rad
@@ -130,6 +137,7 @@ Player::ChooseState()
         break;
     case PUSH:
         if (ballAge_ > 2 * SECOND) state_ = SEARCH;
+        if (goalAge_ > PUSH_BLIND && numPictures_ > PUSH_BLIND) state_ = CIRCLE;
         if (ballAge_ == 0 && ballDistance_ > 250 && goalAge_ < SECOND && !IsGoalBehindBall(-0.2)) {
             state_ = APPROACH;
         }
