@@ -27,6 +27,8 @@ RobotParts::RobotParts(System* system_in, int robot_index_in, const RobotModel& 
       robot_index(robot_index_in),
       model(model_in),
       body(std::move(body_in)),
+      shared_frame(options.shared_frame ? std::move(options.shared_frame)
+                                        : std::make_shared<SharedFrame>()),
       primitives(model),
       devices(model),
       power(&system, options.battery),
@@ -37,7 +39,9 @@ RobotParts::RobotParts(System* system_in, int robot_index_in, const RobotModel& 
                  model.microphone_frames),
       camera(SourceOf(std::move(options.camera), model), model.camera,
              primitives.IdOf(model.camera.locator)),
-      safe_posture(model) {}
+      safe_posture(model) {
+  shared_frame->Add(this);
+}
 
 void RobotParts::Warn(std::string text) { system.AddFinding(Severity::kWarning, std::move(text)); }
 
