@@ -1,10 +1,14 @@
 // Reads world files (docs/worlds.md).
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 #include "runtime/base/read_file.h"
 #include "virtualrobot/det_math.h"
+#include "virtualrobot/height_grid.h"
 #include "virtualrobot/json_reader.h"
 #include "virtualrobot/kinematics.h"
 #include "virtualrobot/world.h"
@@ -18,6 +22,8 @@ using Eigen::Vector3d;
 // Most steps of stairs, and most things of a world.
 constexpr int kStepsMax = 100;
 constexpr size_t kThingsMax = 1000;
+// Most points of a heightfield along x and along y.
+constexpr int kGridMax = 64;
 // Largest size of a thing, and largest distance of its centre from the origin along an axis.
 constexpr double kPlaceMax_m = 1000;
 constexpr double kAngleMax_deg = 360;
@@ -150,6 +156,43 @@ void ReadStairs(const JsonReader& row, WorldThing thing, std::vector<WorldThing>
   }
 }
 
+// Reads a heightfield: rows of heights over its base, which is a rectangle around `centre_m`.
+void ReadHeightField(const JsonReader& row, WorldThing thing, std::vector<WorldThing>* things) {
+  row.AllowOnly(
+      {"shape", "name", "colour", "reflectance", "size_m", "heights_m", "centre_m", "yaw_deg"});
+  thing.shape = ThingShape::kHeightField;
+  const std::vector<double> base_m = row.At("size_m").Numbers(2);
+  for (const double edge_m : base_m) {
+    if (!(edge_m > 0)) {
+      row.At("size_m").Fail("heightfield '{}' is {} x {} m, edges must be > 0", thing.name,
+                            base_m[0], base_m[1]);
+    }
+  }
+  auto grid = std::make_shared<HeightGrid>();
+  const JsonReader list = row.At("heights_m");
+  const std::vector<JsonReader> lines = list.Elements();
+  grid->rows = static_cast<int>(lines.size());
+  grid->columns = lines.empty() ? 0 : static_cast<int>(lines[0].Elements().size());
+  if (std::min(grid->rows, grid->columns) < 2 || std::max(grid->rows, grid->columns) > kGridMax) {
+    list.Fail("has {} rows of {} numbers, must have 2 to {} of each", grid->rows, grid->columns,
+              kGridMax);
+  }
+  double top_m = 0;
+  for (const JsonReader& line : lines) {
+    for (const double height_m : line.Numbers(static_cast<size_t>(grid->columns))) {
+      if (height_m < 0) line.Fail("has {}, heights over the base must be >= 0", height_m);
+      grid->heights_m.push_back(height_m);
+      top_m = std::max(top_m, height_m);
+    }
+  }
+  if (top_m == 0) list.Fail("are all 0; one must be > 0");
+  thing.size_m = Vector3d(base_m[0], base_m[1], top_m);
+  thing.centre_m = row.At("centre_m").Vector() + Vector3d(0, 0, top_m / 2);
+  thing.R_WT = YawOf(row);
+  thing.heights = std::move(grid);
+  things->push_back(thing);
+}
+
 // Fails unless the things from `first` on are so small and so near that sums of doubles are exact
 // enough.
 void CheckPlaces(const JsonReader& row, const std::vector<WorldThing>& things, size_t first) {
@@ -172,7 +215,9 @@ void ReadShape(const JsonReader& row, std::vector<WorldThing>* things) {
   if (shape == "cylinder") return ReadCylinder(row, thing, things);
   if (shape == "ramp") return ReadRamp(row, thing, things);
   if (shape == "stairs") return ReadStairs(row, thing, things);
-  row.At("shape").Fail("is '{}'; known are box, sphere, cylinder, ramp, stairs", shape);
+  if (shape == "heightfield") return ReadHeightField(row, thing, things);
+  row.At("shape").Fail("is '{}'; known are box, sphere, cylinder, ramp, stairs, heightfield",
+                       shape);
 }
 
 void ReadThing(const JsonReader& row, std::vector<WorldThing>* things) {

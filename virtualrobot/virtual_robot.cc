@@ -275,8 +275,7 @@ std::optional<int64_t> VirtualRobot::TimeOffUs() const {
 void VirtualRobot::SwitchOff() { parts_.SwitchOff(); }
 
 void VirtualRobot::RunFrameWhileOff() {
-  parts_.hands.DoFrame();
-  parts_.body->Advance(parts_.devices.Commands(parts_.power.motor_power()));
+  parts_.shared_frame->End(parts_.system.now_us());
 }
 
 void VirtualRobot::Reseed(uint64_t seed) { parts_.Reseed(seed); }

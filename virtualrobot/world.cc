@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "runtime/base/hasher.h"
+#include "virtualrobot/height_grid.h"
 
 namespace openr_host {
 namespace {
@@ -59,6 +60,7 @@ double EnterThing(const WorldThing& thing, const Vector3d& p_W, const Vector3d& 
   Inside inside;
   switch (thing.shape) {
     case ThingShape::kBox:
+    case ThingShape::kHeightField:
       for (int k = 0; k < 3; ++k) CutBySlab(p[k], d[k], half[k], &inside);
       break;
     case ThingShape::kSphere:
@@ -69,6 +71,8 @@ double EnterThing(const WorldThing& thing, const Vector3d& p_W, const Vector3d& 
       CutByBall(Eigen::Vector2d(p.head<2>()), Eigen::Vector2d(d.head<2>()), half.x(), &inside);
       break;
   }
+  if (thing.shape == ThingShape::kHeightField && inside.enter <= inside.leave)
+    return EnterHeights(thing, p, d, inside.enter, inside.leave);
   return inside.Distance();
 }
 
@@ -101,6 +105,9 @@ void HashWorld(const World& world, Hasher* hasher) {
     if (thing.mass_kg > 0) hasher->Add(thing.mass_kg);
     if (!thing.is_solid) hasher->Add(thing.is_solid);
     if (thing.reflectance != 1) hasher->Add(thing.reflectance);
+    if (thing.heights == nullptr) continue;
+    hasher->Add(thing.heights->columns);
+    for (const double height_m : thing.heights->heights_m) hasher->Add(height_m);
   }
 }
 

@@ -83,6 +83,7 @@ void DescribeWhat(CLI::App* command, ExploreFlags* flags) {
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   AddBatteryFlag(command, &simulation);
+  AddImagesFlag(command, &simulation);
   command->add_flag("--strict", simulation.strict, "Enforce the limits of the robot");
   AddCostFlag(command, &simulation);
   command

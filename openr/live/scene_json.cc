@@ -45,6 +45,9 @@ Json JsonOf(const render::Shape& shape) {
                {"colour", ColourText(shape.colour)},
                {"gloss", shape.gloss}};
   if (shape.is_cylinder) json["cylinder"] = true;
+  for (const Eigen::Vector3f& corner : shape.triangles) {
+    for (const float part : corner) json["triangles"].push_back(Rounded(static_cast<double>(part)));
+  }
   return json;
 }
 
@@ -195,12 +198,14 @@ Json SceneJson(const Simulation& simulation) {
     robots.push_back(RobotJson(simulation.model()));
   for (const render::Shape& shape : ShapesOfWorld(simulation.world()))
     shapes.push_back(JsonOf(shape));
+  Json world = {{"shapes", shapes}};
+  if (const auto floor = FloorColour(simulation.world())) world["floor"] = ColourText(*floor);
   const bool is_physical =
       !simulation.robots().empty() && simulation.robots().front()->body().IsPhysical();
   return {{"model", simulation.model().name},
           {"body", is_physical ? "ode" : "ideal"},
           {"grid_m", render::Scene().floor_grid_m},
-          {"world", {{"shapes", shapes}}},
+          {"world", world},
           {"robots", robots}};
 }
 

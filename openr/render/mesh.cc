@@ -91,4 +91,17 @@ Mesh Cylinder(const Eigen::Vector3f& size, int sides) {
   return mesh;
 }
 
+Mesh Surface(const std::vector<Eigen::Vector3f>& corners) {
+  Mesh mesh;
+  for (size_t i = 0; i + 2 < corners.size(); i += 3) {
+    const Eigen::Vector3f normal =
+        (corners[i + 1] - corners[i]).cross(corners[i + 2] - corners[i]).normalized();
+    for (size_t corner = i; corner < i + 3; ++corner) {
+      mesh.triangles.push_back(static_cast<uint32_t>(mesh.vertices.size()));
+      mesh.vertices.push_back({corners[corner], normal});
+    }
+  }
+  return mesh;
+}
+
 }  // namespace openr_host::render

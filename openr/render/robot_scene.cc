@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "openr/render/robot_shapes.h"
+#include "runtime/base/assert.h"
 #include "virtualrobot/virtual_robot.h"
 
 namespace openr_host {
@@ -29,6 +30,7 @@ const ViewPlace* Places(size_t* count) {
 render::Camera CameraFor(const RobotLook& look, View view) {
   size_t count = 0;
   const ViewPlace* place = Places(&count);
+  ASSERT(view != View::kCamera, "the robot's own camera draws its pictures itself");
   while (place->view != view) ++place;
   const Eigen::Vector3d forward = look.X_WB.linear().col(0);
   const double heading = std::atan2(forward.y(), forward.x());
@@ -45,6 +47,10 @@ render::Camera CameraFor(const RobotLook& look, View view) {
 }  // namespace
 
 bool ParseView(std::string_view name, View* view) {
+  if (name == "camera") {
+    *view = View::kCamera;
+    return true;
+  }
   size_t count = 0;
   const ViewPlace* const places = Places(&count);
   for (size_t i = 0; i < count; ++i) {
@@ -83,6 +89,7 @@ render::Scene MakeRobotScene(const RobotModel& model, const RobotLook& look, con
     scene.shapes.push_back(shape);
   }
   for (const render::Shape& shape : ShapesOfWorld(world)) scene.shapes.push_back(shape);
+  scene.floor = FloorColour(world).value_or(scene.floor);
   scene.camera = CameraFor(look, view);
   return scene;
 }

@@ -12,6 +12,7 @@ export interface ShapeData {
   colour: string;
   gloss?: number;
   cylinder?: boolean;
+  triangles?: number[]; // x, y, z of three corners for each triangle, which are drawn and not the box
   led?: number;
   glow?: string;
   ear?: number;
@@ -55,12 +56,17 @@ export interface RobotData {
   sensors: SensorData[];
 }
 
+export interface WorldData {
+  shapes: ShapeData[];
+  floor?: string; // colour of the floor, if the world file gives one
+}
+
 export interface Scene {
   time_s: number;
   model: string;
   body: string;
   grid_m: number;
-  world: { shapes: ShapeData[] };
+  world: WorldData;
   robots: RobotData[];
 }
 

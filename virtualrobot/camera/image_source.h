@@ -1,4 +1,5 @@
 // Sources of the pictures that the camera takes: a test pattern, files, or pictures in memory.
+// RenderedWorld (rendered_world.h) draws the robot's world.
 #pragma once
 
 #include <Eigen/Geometry>

@@ -7,6 +7,7 @@
 #include "runtime/base/assert.h"
 #include "virtualrobot/body.h"
 #include "virtualrobot/det_math.h"
+#include "virtualrobot/height_grid.h"
 #include "virtualrobot/robot_things.h"
 
 namespace openr_host {
@@ -54,6 +55,8 @@ class WorldPainter {
                                  world_.to_light, world_.ambient);
       case ThingShape::kCylinder:
         return DrawCylinder(thing);
+      case ThingShape::kHeightField:
+        return DrawHeights(thing);
     }
   }
 
@@ -125,6 +128,14 @@ class WorldPainter {
       side.Add(bottom.corner(next));
       side.Add(bottom.corner(i));
       DrawFace(thing, side, round.middles[static_cast<size_t>(i)]);
+    }
+  }
+
+  void DrawHeights(const WorldThing& thing) {
+    for (const Triangle& triangle : OutsideOf(thing)) {
+      Face face;
+      for (const Vector3d& corner : triangle) face.Add(thing.centre_m + thing.R_WT * corner);
+      DrawFace(thing, face, NormalOf(triangle));
     }
   }
 

@@ -1,7 +1,7 @@
 // DogScene: one robot and its world as a three.js scene.
 import * as THREE from 'three';
 import { RoundedBoxGeometry } from 'three/addons/geometries/RoundedBoxGeometry.js';
-import type { Pose, RobotData, RobotPose, ShapeData } from '../protocol';
+import type { Pose, RobotData, RobotPose, ShapeData, WorldData } from '../protocol';
 
 const FLOOR_REACH_M = 2.6;
 const SHADOW_REACH_M = 0.42;
@@ -20,6 +20,12 @@ function placeAt(object: THREE.Object3D, pose: Pose): void {
 const geometries = new Map<string, THREE.BufferGeometry>();
 
 function geometryOf(shape: ShapeData): THREE.BufferGeometry {
+  if (shape.triangles !== undefined) {
+    const surface = new THREE.BufferGeometry();
+    surface.setAttribute('position', new THREE.Float32BufferAttribute(shape.triangles, 3));
+    surface.computeVertexNormals();
+    return surface;
+  }
   const key = `${shape.size.join()}/${shape.cylinder ? 'cylinder' : shape.radius}`;
   let geometry = geometries.get(key);
   if (geometry === undefined) {
@@ -88,6 +94,17 @@ function makeFloor(grid: number): THREE.Mesh<THREE.PlaneGeometry, THREE.ShaderMa
   return mesh;
 }
 
+// Makes the ground below the lines, for a world whose floor has a colour of its own.
+function makeGround(colour: string): THREE.Mesh {
+  const mesh = new THREE.Mesh(
+    new THREE.PlaneGeometry(40, 40),
+    new THREE.MeshStandardMaterial({ color: colour, roughness: 1, metalness: 0 }),
+  );
+  mesh.position.z = -0.002; // below the lines and the shadows
+  mesh.renderOrder = -2;
+  return mesh;
+}
+
 interface Led {
   index: number;
   mesh: THREE.Mesh<THREE.BufferGeometry, THREE.MeshStandardMaterial>;
@@ -113,8 +130,9 @@ export class DogScene {
   private isDark = false;
   private trunk: Pose = [0, 0, 0.15, 1, 0, 0, 0];
 
-  constructor(robot: RobotData, world: ShapeData[], gridM: number) {
-    for (const shape of world) {
+  constructor(robot: RobotData, world: WorldData, gridM: number) {
+    if (world.floor !== undefined) this.scene.add(makeGround(world.floor));
+    for (const shape of world.shapes) {
       const mesh = makeMesh(shape);
       placeAt(mesh, shape.pose);
       this.scene.add(mesh);

@@ -75,7 +75,7 @@ export class Stage {
   setScene(scene: Scene): void {
     for (const dog of this.dogs) dog.dispose();
     this.dogs = (scene.robots ?? []).map(
-      (robot) => new DogScene(robot, scene.world?.shapes ?? [], scene.grid_m),
+      (robot) => new DogScene(robot, scene.world ?? { shapes: [] }, scene.grid_m),
     );
     this.applyQuality();
     this.setColours();

@@ -10,6 +10,7 @@
 #include "tests/determinism/picture_hash.h"
 #include "tests/virtualrobot/body_harness.h"
 #include "tests/virtualrobot/follow_body.h"
+#include "virtualrobot/camera/camera.h"
 
 namespace openr_host {
 namespace {
@@ -235,6 +236,76 @@ TEST_F(RenderedWorldTest, TheRobotSeesItsTrunkAndNotItsHead) {
   EXPECT_NE(At(column(0), row(0.03)), background);
   EXPECT_EQ(At(column(0.13), row(0.12)), background);   // head
   EXPECT_EQ(At(column(0.12), row(0.075)), background);  // mouth
+}
+
+// The colours of the field of 2004, found by tables as in docs/worlds.md through all layers.
+class FieldColoursTest : public testing::Test {
+ protected:
+  enum Channel { kOrange, kYellow, kSkyBlue };
+
+  FieldColoursTest()
+      : body(Ers210(), LoadWorld(OPENR_WORLD_DIR "/field-2004.json")),
+        camera(std::make_unique<RenderedWorld>(Ers210()), Ers210().camera, 1) {
+    SetTable(ocdtCHANNEL0, 255, 172, 110, 0);
+    SetTable(ocdtCHANNEL1, 171, 140, 80, 0);
+    SetTable(ocdtCHANNEL2, 105, 0, 255, 150);
+  }
+  void SetTable(OCdtChannel channel, byte cr_max, byte cr_min, byte cb_max, byte cb_min) {
+    OCdtInfo info;
+    info.Init(1, channel);
+    for (int segment = 0; segment < 32; ++segment)
+      info.Set(segment, cr_max, cr_min, cb_max, cb_min);
+    ASSERT_TRUE(camera.tables().Set(info));
+  }
+  // Looks from the place of a standing dog.
+  void LookFrom(double x_m, double y_m, double yaw_deg) {
+    Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
+    X_WB.linear() = RotationFromRpy({0, 0, Radians(yaw_deg)});
+    X_WB.translation() = Vector3d(x_m, y_m, 0.1);
+    body.Place(X_WB);
+    ASSERT_EQ(camera.TakeColours(5, body, &colours), "");
+  }
+  // Returns the mean column and the number of the pixels of a channel.
+  std::pair<double, int> Found(Channel channel) {
+    const auto& wanted = CameraDevice::ColourOfChannel(channel);
+    double sum = 0;
+    int count = 0;
+    for (int y = 0; y < colours.height; ++y) {
+      for (int x = 0; x < colours.width; ++x) {
+        if (!std::equal(wanted.begin(), wanted.end(), colours.At(x, y))) continue;
+        sum += x;
+        ++count;
+      }
+    }
+    return {sum / std::max(count, 1), count};
+  }
+
+  FollowBody body;
+  CameraDevice camera;
+  Picture colours;
+};
+
+TEST_F(FieldColoursTest, TheBallIsFoundBeforeTheSkyBlueGoal) {
+  LookFrom(0, 0, 0);
+  EXPECT_NEAR(Found(kOrange).first, 43.5, 1);
+  EXPECT_NEAR(Found(kOrange).second, 40, 20);
+  EXPECT_NEAR(Found(kSkyBlue).first, 43.5, 1);
+  EXPECT_GT(Found(kSkyBlue).second, 200);
+  EXPECT_LT(Found(kYellow).second, 15);  // at the edge of the ball, orange and green give yellow
+}
+
+TEST_F(FieldColoursTest, ABallAtTheLeftIsSeenAtTheLeft) {
+  LookFrom(0.3, 0, -20);
+  EXPECT_NEAR(Found(kOrange).first, 43.5 - 44 * 0.4 / 0.55, 6);
+  EXPECT_GT(Found(kOrange).second, 50);
+}
+
+TEST_F(FieldColoursTest, TheYellowGoalIsBehindTheDog) {
+  LookFrom(0, 0, 180);
+  EXPECT_EQ(Found(kOrange).second, 0);
+  EXPECT_EQ(Found(kSkyBlue).second, 0);
+  EXPECT_NEAR(Found(kYellow).first, 43.5, 1);
+  EXPECT_GT(Found(kYellow).second, 200);
 }
 
 // The golden pictures of tests/determinism, which check_hashes.sh compares on other compilers.
