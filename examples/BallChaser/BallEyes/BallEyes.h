@@ -18,9 +18,7 @@
 #include <OPENR/OObserver.h>
 #include <OPENR/ODataFormats.h>
 
-#include "Blob.h"
-#include "Look.h"
-#include "Sight.h"
+#include "Eyes.h"
 #include "def.h"
 
 class BallEyes : public OObject {
@@ -44,9 +42,6 @@ private:
 
     OStatus SetColourTables();
     void FindElements(OSensorFrameVectorData* vector);
-    bool IsOnBeacon(const Blob& blob, const byte* pixels) const;
-    void LookForBall(const byte* pixels, const Look& look);
-    void LookForGoal(Goal goal, const byte* pixels, const Look& look);
 
     OPrimitiveID camera_;
     OPrimitiveID tiltJoint_;
@@ -55,10 +50,7 @@ private:
     int panElement_;
     double tilt_[NUM_FRAMES];  // rad; the angle in frame n is element n % NUM_FRAMES
     double pan_[NUM_FRAMES];
-    int width_;  // size of layer C
-    int height_;
-    BlobFinder finder_;
-    Sight sight_;
+    Eyes eyes_;
 };
 
 #endif  // BallEyes_h_DEFINED
