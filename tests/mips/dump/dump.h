@@ -41,5 +41,6 @@ void DumpRequests();
 void DumpMover();
 void DumpController();
 void DumpSensors();
+void DumpBallChaser();
 
 #endif  // DUMP_DUMP_H_INCLUDED

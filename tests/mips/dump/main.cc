@@ -9,5 +9,6 @@ int main() {
   DumpMover();
   DumpController();
   DumpSensors();
+  DumpBallChaser();
   return 0;
 }
