@@ -1,5 +1,6 @@
 #include "virtualrobot/height_grid.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -43,7 +43,7 @@ class JsonReader {
   void AllowOnly(std::initializer_list<const char*> keys) const;
 
   std::string Text() const;
-  bool Truth() const;  // reads true or false
+  bool Truth() const;     // reads true or false
   double Number() const;  // fails for a number that is not finite
   double NumberAbove(double floor) const;
   double NumberWithin(double min, double max) const;

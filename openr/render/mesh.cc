@@ -1,5 +1,6 @@
 #include "openr/render/mesh.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 

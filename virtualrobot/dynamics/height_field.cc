@@ -1,5 +1,6 @@
 #include "virtualrobot/dynamics/height_field.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <optional>
