@@ -123,6 +123,14 @@ def samples_of(content):
     return struct.unpack(f"<{len(data) // 2}h", data)
 
 
+def check_BallChaser(example):
+    example.build()
+    outcome = example.run("--world", "field-2004.json", "--for", "20s")
+    example.expect_lines(outcome.lines, example.readme_block(1))
+    x, y, _ = outcome.report["robots"][0]["base_position_m"]
+    example.expect(x > 1.9 and abs(y) < 0.3, f"the dog is at {x}, {y} and not at the goal")
+
+
 def check_Tone(example):
     example.build()
     file = example.folder / "speaker.wav"
