@@ -193,7 +193,7 @@ void ReadHeightField(const JsonReader& row, WorldThing thing, std::vector<WorldT
   if (top_m == 0) list.Fail("are all 0; one must be > 0");
   thing.size_m = Vector3d(base_m[0], base_m[1], top_m);
   thing.centre_m = row.At("centre_m").Vector() + Vector3d(0, 0, top_m / 2);
-  thing.R_WT = YawOf(row);
+  thing.R_WT = YawRotationOf(row);
   thing.heights = std::move(grid);
   things->push_back(thing);
 }

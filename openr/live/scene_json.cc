@@ -208,12 +208,9 @@ Json SceneJson(const Simulation& simulation) {
   if (const auto floor = FloorColour(simulation.world())) world["floor"] = ColourText(*floor);
   const bool is_physical =
       !simulation.robots().empty() && simulation.robots().front()->body().IsPhysical();
-  return {{"model", simulation.model().name},
-          {"body", is_physical ? "ode" : "ideal"},
-          {"grid_m", render::Scene().floor_grid_m},
-          {"world", world},
-          {"together", simulation.is_together()},
-          {"robots", robots}};
+  return {{"model", simulation.model().name},       {"body", is_physical ? "ode" : "ideal"},
+          {"grid_m", render::Scene().floor_grid_m}, {"world", world},
+          {"together", simulation.is_together()},   {"robots", robots}};
 }
 
 std::string PoseText(Simulation* simulation) {

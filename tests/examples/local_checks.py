@@ -1,8 +1,13 @@
 """Examples that need nobody else: text, files, and the robot at the end."""
+import pathlib
 import re
 import struct
+import subprocess
+import sys
 
 from example import Running
+
+GAMES = pathlib.Path(__file__).resolve().parents[2] / "tools/ball_games.py"
 
 
 def check_Hello(example):
@@ -129,6 +134,12 @@ def check_BallChaser(example):
     example.expect_lines(outcome.lines, example.readme_block(1))
     x, y, _ = outcome.report["robots"][0]["base_position_m"]
     example.expect(x > 1.9 and abs(y) < 0.3, f"the dog is at {x}, {y} and not at the goal")
+    ball = outcome.report["robots"][0]["things"][0]["position_m"]
+    example.expect(ball[0] > 2.1 and abs(ball[1]) < 0.3, f"the ball is at {ball}, not in the goal")
+    build = pathlib.Path(example.openr).parents[1]
+    games = subprocess.run([sys.executable, str(GAMES), "--build", str(build), "--games",
+                            "reach,score", "--seeds", "3"], capture_output=True, text=True)
+    example.expect(games.returncode == 0, f"ball_games.py:\n{games.stdout}{games.stderr}")
 
 
 def check_Tone(example):
