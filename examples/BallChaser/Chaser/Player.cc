@@ -9,15 +9,16 @@ static const int NEVER = 1000000;
 // Lengths in mm, speeds in mm/s and rad/s.
 static const double SLIP = 0.85;  // the way that the dog walks, of the way that it is told
 static const double FORWARD = 220;
-static const double PUSH_FORWARD = 220;
 static const double SIDEWAYS = 110;
 static const double SEARCH_TURN = 0.9;
 static const double TURN_GAIN = 2;  // rad/s for each rad that the ball is beside the middle
 static const double CIRCLE_RADIUS = 400;
 static const double BEHIND_MARGIN = 0.06;  // rad
 
-static const int CIRCLE_LONGEST = 25 * SECOND;  // then pushes the ball anywhere
-static const int PUSH_BLIND = 5 * SECOND;       // longest push without a look at the goal
+// The longest time around the ball, which is a whole circle; then the dog pushes it anywhere.
+static const int CIRCLE_LONGEST = 25 * SECOND;
+// The longest push without a look at the goal.
+static const int PUSH_BLIND = 5 * SECOND;
 
 // Where the head looks: a little down, so that both ball and goal are in the picture; or at the
 // floor before the paws.
@@ -193,7 +194,7 @@ Player::Circle()
 void
 Player::Push()
 {
-    command_.forward = PUSH_FORWARD;
+    command_.forward = FORWARD;
     command_.left = Limit(1.5 * ballY_, -80, 80);
     command_.turn = goalAge_ < 5 * SECOND ? Limit(GoalDirection(), -0.4, 0.4) : 0;
     if (ballAge_ < SECOND) {
