@@ -39,6 +39,7 @@ std::vector<Row> DistributionRows();
 int RunPeer(const std::string& kind, const std::string& name);
 // `stick`: a folder that holds OPEN-R/.
 std::vector<Row> GraphRows(const std::string& stick);
+std::vector<Row> CameraRows(const std::string& stick);
 std::vector<Row> ScaleRows(const std::string& stick);
 // Prints the memory of 1, 10 and 100 dogs, if "memory a dog" contains `filter`.
 void PrintMemoryOfDogs(const std::string& stick, const std::string& filter);

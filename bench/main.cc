@@ -14,6 +14,7 @@ int main(int argc, char** argv) {
     if (argc == 4 && std::string(argv[1]) == "--peer") return openr_host::RunPeer(argv[2], argv[3]);
     std::vector<openr_host::Row> rows = openr_host::MessageRows();
     for (auto& row : openr_host::GraphRows(argv[1])) rows.push_back(std::move(row));
+    for (auto& row : openr_host::CameraRows(argv[1])) rows.push_back(std::move(row));
     for (auto& row : openr_host::ScaleRows(argv[1])) rows.push_back(std::move(row));
     for (auto& row : openr_host::DistributionRows()) rows.push_back(std::move(row));
     const std::string filter = argc > 2 ? argv[2] : "";

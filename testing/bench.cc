@@ -117,7 +117,10 @@ void Bench::AddDog() {
     throw std::runtime_error(
         fmt::format("no body '{}'; there are: none, ideal, ode", options_.body));
   }
-  if (parts.body != nullptr) parts.devices = openr_host::DevicesWithBattery(options_.battery);
+  if (parts.body != nullptr) {
+    parts.devices = openr_host::DevicesWithBattery(options_.battery);
+    parts.devices.camera = openr_host::OpenImages(options_.images);
+  }
   parts.make_network = [this](int) { return std::make_unique<openr_host::LoopbackNetwork>(hub_); };
   const openr_host::AssembledRobot robot =
       openr_host::AssembleRobot(system_.get(), *model_, std::move(parts));

@@ -49,6 +49,11 @@ std::string JsonReader::Text() const {
   return value_.get<std::string>();
 }
 
+bool JsonReader::Truth() const {
+  if (!value_.is_boolean()) Fail("must be true or false, is {}", value_.dump());
+  return value_.get<bool>();
+}
+
 double JsonReader::Number() const {
   if (!value_.is_number()) Fail("must be a number, is {}", value_.dump());
   const double number = value_.get<double>();
@@ -59,6 +64,12 @@ double JsonReader::Number() const {
 double JsonReader::NumberAbove(double floor) const {
   const double number = Number();
   if (!(number > floor)) Fail("is {}, must be > {}", number, floor);
+  return number;
+}
+
+double JsonReader::NumberWithin(double min, double max) const {
+  const double number = Number();
+  if (!(number >= min && number <= max)) Fail("is {}, must be {} to {}", number, min, max);
   return number;
 }
 

@@ -1,10 +1,14 @@
 // Reads world files (docs/worlds.md).
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 #include "runtime/base/read_file.h"
 #include "virtualrobot/det_math.h"
+#include "virtualrobot/height_grid.h"
 #include "virtualrobot/json_reader.h"
 #include "virtualrobot/kinematics.h"
 #include "virtualrobot/world.h"
@@ -18,9 +22,13 @@ using Eigen::Vector3d;
 // Most steps of stairs, and most things of a world.
 constexpr int kStepsMax = 100;
 constexpr size_t kThingsMax = 1000;
+// Most points of a heightfield along x and along y.
+constexpr int kGridMax = 64;
 // Largest size of a thing, and largest distance of its centre from the origin along an axis.
 constexpr double kPlaceMax_m = 1000;
 constexpr double kAngleMax_deg = 360;
+// Greatest height of paint over the floor, and of its middle.
+constexpr double kPaintMax_m = 0.01;
 // Thickness of a ramp, which is a board: more than a falling part moves in a frame.
 constexpr double kRampThickness_m = 0.1;
 
@@ -58,6 +66,23 @@ Vector3d ColourOf(const JsonReader& value) {
   return colour;
 }
 
+// Reads what a thing that can be moved or painted has: its mass, or that it is not solid.
+void ReadMatter(const JsonReader& row, WorldThing* thing) {
+  if (row.Has("mass_kg")) thing->mass_kg = row.At("mass_kg").NumberAbove(0);
+  if (!row.Has("solid")) return;
+  thing->is_solid = row.At("solid").Truth();
+  if (thing->is_solid) return;
+  for (const char* const field : {"mass_kg", "rpy_deg"}) {
+    if (row.Has(field))
+      row.At(field).Fail("'{}' is paint on the floor, which has none", thing->name);
+  }
+  if (thing->size_m.z() > kPaintMax_m || std::fabs(thing->centre_m.z()) > kPaintMax_m) {
+    row.At("solid").Fail(
+        "'{}' is {} m high and its middle at {} m; paint lies on the floor, with at most {} m each",
+        thing->name, thing->size_m.z(), thing->centre_m.z(), kPaintMax_m);
+  }
+}
+
 // Reads edges of a box, a ramp or stairs.
 Vector3d EdgesOf(const JsonReader& row, const WorldThing& thing, const char* shape) {
   const Vector3d size_m = row.At("size_m").Vector();
@@ -69,7 +94,8 @@ Vector3d EdgesOf(const JsonReader& row, const WorldThing& thing, const char* sha
 }
 
 void ReadBox(const JsonReader& row, WorldThing thing, std::vector<WorldThing>* things) {
-  row.AllowOnly({"shape", "name", "colour", "size_m", "centre_m", "yaw_deg", "rpy_deg"});
+  row.AllowOnly({"shape", "name", "colour", "reflectance", "mass_kg", "solid", "size_m", "centre_m",
+                 "yaw_deg", "rpy_deg"});
   thing.size_m = EdgesOf(row, thing, "box");
   thing.centre_m = row.At("centre_m").Vector();
   if (row.Has("rpy_deg")) {
@@ -78,30 +104,34 @@ void ReadBox(const JsonReader& row, WorldThing thing, std::vector<WorldThing>* t
   } else {
     thing.R_WT = YawRotationOf(row);
   }
+  ReadMatter(row, &thing);
   things->push_back(thing);
 }
 
 void ReadSphere(const JsonReader& row, WorldThing thing, std::vector<WorldThing>* things) {
-  row.AllowOnly({"shape", "name", "colour", "radius_m", "centre_m"});
+  row.AllowOnly({"shape", "name", "colour", "reflectance", "mass_kg", "radius_m", "centre_m"});
   thing.shape = ThingShape::kSphere;
   thing.size_m.setConstant(2 * row.At("radius_m").NumberAbove(0));
   thing.centre_m = row.At("centre_m").Vector();
+  ReadMatter(row, &thing);
   things->push_back(thing);
 }
 
 void ReadCylinder(const JsonReader& row, WorldThing thing, std::vector<WorldThing>* things) {
-  row.AllowOnly({"shape", "name", "colour", "radius_m", "height_m", "centre_m", "rpy_deg"});
+  row.AllowOnly({"shape", "name", "colour", "reflectance", "mass_kg", "solid", "radius_m",
+                 "height_m", "centre_m", "rpy_deg"});
   thing.shape = ThingShape::kCylinder;
   const double diameter_m = 2 * row.At("radius_m").NumberAbove(0);
   thing.size_m = Vector3d(diameter_m, diameter_m, row.At("height_m").NumberAbove(0));
   thing.centre_m = row.At("centre_m").Vector();
   thing.R_WT = RpyRotationOf(row);
+  ReadMatter(row, &thing);
   things->push_back(thing);
 }
 
 // Adds a board whose upper face rises from `start_m` along its own x.
 void ReadRamp(const JsonReader& row, WorldThing thing, std::vector<WorldThing>* things) {
-  row.AllowOnly({"shape", "name", "colour", "size_m", "start_m", "yaw_deg"});
+  row.AllowOnly({"shape", "name", "colour", "reflectance", "size_m", "start_m", "yaw_deg"});
   const Vector3d size_m = EdgesOf(row, thing, "ramp");
   const double length_m = std::sqrt(size_m.x() * size_m.x() + size_m.z() * size_m.z());
   thing.size_m = Vector3d(length_m, size_m.y(), kRampThickness_m);
@@ -114,7 +144,8 @@ void ReadRamp(const JsonReader& row, WorldThing thing, std::vector<WorldThing>* 
 // Adds a box for each step, from the height of the start to its tread.  The stairs rise from
 // `start_m` along their own x.
 void ReadStairs(const JsonReader& row, WorldThing thing, std::vector<WorldThing>* things) {
-  row.AllowOnly({"shape", "name", "colour", "size_m", "steps", "start_m", "yaw_deg"});
+  row.AllowOnly(
+      {"shape", "name", "colour", "reflectance", "size_m", "steps", "start_m", "yaw_deg"});
   const Vector3d size_m = EdgesOf(row, thing, "stairs");
   const auto steps = static_cast<int>(row.At("steps").Whole(1, kStepsMax));
   const Vector3d start_m = row.At("start_m").Vector();
@@ -128,6 +159,43 @@ void ReadStairs(const JsonReader& row, WorldThing thing, std::vector<WorldThing>
     thing.centre_m = start_m + thing.R_WT * Vector3d((i + 0.5) * tread_m, 0, height_m / 2);
     things->push_back(thing);
   }
+}
+
+// Reads a heightfield: rows of heights over its base, which is a rectangle around `centre_m`.
+void ReadHeightField(const JsonReader& row, WorldThing thing, std::vector<WorldThing>* things) {
+  row.AllowOnly(
+      {"shape", "name", "colour", "reflectance", "size_m", "heights_m", "centre_m", "yaw_deg"});
+  thing.shape = ThingShape::kHeightField;
+  const std::vector<double> base_m = row.At("size_m").Numbers(2);
+  for (const double edge_m : base_m) {
+    if (!(edge_m > 0)) {
+      row.At("size_m").Fail("heightfield '{}' is {} x {} m, edges must be > 0", thing.name,
+                            base_m[0], base_m[1]);
+    }
+  }
+  auto grid = std::make_shared<HeightGrid>();
+  const JsonReader list = row.At("heights_m");
+  const std::vector<JsonReader> lines = list.Elements();
+  grid->rows = static_cast<int>(lines.size());
+  grid->columns = lines.empty() ? 0 : static_cast<int>(lines[0].Elements().size());
+  if (std::min(grid->rows, grid->columns) < 2 || std::max(grid->rows, grid->columns) > kGridMax) {
+    list.Fail("has {} rows of {} numbers, must have 2 to {} of each", grid->rows, grid->columns,
+              kGridMax);
+  }
+  double top_m = 0;
+  for (const JsonReader& line : lines) {
+    for (const double height_m : line.Numbers(static_cast<size_t>(grid->columns))) {
+      if (height_m < 0) line.Fail("has {}, heights over the base must be >= 0", height_m);
+      grid->heights_m.push_back(height_m);
+      top_m = std::max(top_m, height_m);
+    }
+  }
+  if (top_m == 0) list.Fail("are all 0; one must be > 0");
+  thing.size_m = Vector3d(base_m[0], base_m[1], top_m);
+  thing.centre_m = row.At("centre_m").Vector() + Vector3d(0, 0, top_m / 2);
+  thing.R_WT = YawRotationOf(row);
+  thing.heights = std::move(grid);
+  things->push_back(thing);
 }
 
 // Fails unless the things from `first` on are so small and so near that sums of doubles are exact
@@ -145,13 +213,16 @@ void ReadShape(const JsonReader& row, std::vector<WorldThing>* things) {
   WorldThing thing;
   thing.name = row.At("name").Text();
   if (row.Has("colour")) thing.colour = ColourOf(row.At("colour"));
+  if (row.Has("reflectance")) thing.reflectance = row.At("reflectance").NumberWithin(0, 1);
   const std::string shape = row.At("shape").Text();
   if (shape == "box") return ReadBox(row, thing, things);
   if (shape == "sphere") return ReadSphere(row, thing, things);
   if (shape == "cylinder") return ReadCylinder(row, thing, things);
   if (shape == "ramp") return ReadRamp(row, thing, things);
   if (shape == "stairs") return ReadStairs(row, thing, things);
-  row.At("shape").Fail("is '{}'; known are box, sphere, cylinder, ramp, stairs", shape);
+  if (shape == "heightfield") return ReadHeightField(row, thing, things);
+  row.At("shape").Fail("is '{}'; known are box, sphere, cylinder, ramp, stairs, heightfield",
+                       shape);
 }
 
 void ReadThing(const JsonReader& row, std::vector<WorldThing>* things) {
@@ -186,6 +257,39 @@ void ReadBoxes(const JsonReader& root, std::vector<WorldThing>* things) {
   }
 }
 
+// Reads the direction from which light comes, and its share that comes from everywhere.
+void ReadLight(const JsonReader& row, World* world) {
+  row.AllowOnly({"direction_deg", "ambient"});
+  if (row.Has("ambient")) world->ambient = row.At("ambient").NumberWithin(0, 1);
+  if (!row.Has("direction_deg")) return;
+  const JsonReader direction = row.At("direction_deg");
+  const std::vector<double> angles_deg = direction.Numbers(2);
+  const double azimuth_deg = angles_deg[0], elevation_deg = angles_deg[1];
+  if (std::fabs(azimuth_deg) > kAngleMax_deg || !(elevation_deg >= 0 && elevation_deg <= 90)) {
+    direction.Fail("is [{}, {}]; azimuth must be -{} to {}, elevation 0 to 90", azimuth_deg,
+                   elevation_deg, kAngleMax_deg, kAngleMax_deg);
+  }
+  const double azimuth = Radians(azimuth_deg), elevation = Radians(elevation_deg);
+  world->to_light = Vector3d(DetCos(elevation) * DetCos(azimuth),
+                             DetCos(elevation) * DetSin(azimuth), DetSin(elevation));
+}
+
+// Reads what a camera and a distance sensor notice of the floor and the light.
+void ReadLooks(const JsonReader& root, World* world) {
+  if (root.Has("floor_colour")) world->floor_colour = ColourOf(root.At("floor_colour"));
+  if (root.Has("floor_reflectance"))
+    world->floor_reflectance = root.At("floor_reflectance").NumberWithin(0, 1);
+  if (root.Has("light")) ReadLight(root.At("light"), world);
+}
+
+void ReadThings(const JsonReader& list, std::vector<WorldThing>* things) {
+  for (const JsonReader& row : list.Elements()) ReadThing(row, things);
+  if (things->size() > kThingsMax) {
+    list.Fail("are {} things, with each step of stairs as one; at most {}", things->size(),
+              kThingsMax);
+  }
+}
+
 }  // namespace
 
 World ParseWorld(const std::string& text, const std::string& name) {
@@ -197,15 +301,11 @@ World ParseWorld(const std::string& text, const std::string& name) {
     root.AllowOnly({"schema", "name", "friction", "boxes"});
     if (root.Has("boxes")) ReadBoxes(root, &world.things);
   } else if (schema == "openr-host world 2") {
-    root.AllowOnly({"schema", "name", "friction", "things", "starts"});
+    root.AllowOnly({"schema", "name", "friction", "floor_colour", "floor_reflectance", "light",
+                    "things", "starts"});
+    ReadLooks(root, &world);
+    if (root.Has("things")) ReadThings(root.At("things"), &world.things);
     if (root.Has("starts")) ReadStarts(root.At("starts"), &world.starts);
-    if (root.Has("things")) {
-      for (const JsonReader& row : root.At("things").Elements()) ReadThing(row, &world.things);
-      if (world.things.size() > kThingsMax) {
-        root.At("things").Fail("are {} things, with each step of stairs as one; at most {}",
-                               world.things.size(), kThingsMax);
-      }
-    }
   } else {
     root.At("schema").Fail(
         "is '{}', this program reads 'openr-host world 1' and 'openr-host world 2'", schema);

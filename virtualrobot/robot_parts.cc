@@ -6,6 +6,7 @@
 
 #include "runtime/base/hasher.h"
 #include "runtime/core/system.h"
+#include "virtualrobot/camera/rendered_world.h"
 
 namespace openr_host {
 namespace {
@@ -13,6 +14,10 @@ namespace {
 // Returns the random generator of the sensor noise.  Because each robot has its own generator, a
 // further robot does not change the noise of the others.
 Rng NoiseOf(int robot, uint64_t seed) { return {seed, fmt::format("robot{}/sensors", robot)}; }
+
+std::unique_ptr<ImageSource> SourceOf(std::unique_ptr<ImageSource> given, const RobotModel& model) {
+  return given ? std::move(given) : std::make_unique<RenderedWorld>(model);
+}
 
 }  // namespace
 
@@ -32,7 +37,8 @@ RobotParts::RobotParts(System* system_in, int robot_index_in, const RobotModel& 
       speaker(std::move(options.speaker)),
       microphone(std::move(options.microphone), primitives.IdOf(model.microphone_locator),
                  model.microphone_frames),
-      camera(std::move(options.camera), model.camera, primitives.IdOf(model.camera.locator)),
+      camera(SourceOf(std::move(options.camera), model), model.camera,
+             primitives.IdOf(model.camera.locator)),
       safe_posture(model) {
   shared_frame->Add(this);
 }

@@ -33,7 +33,7 @@ namespace openr_host {
 struct VirtualRobotOptions {
   std::unique_ptr<SoundSink> speaker;                   // null: sounds are not stored
   std::unique_ptr<SoundSource> microphone;              // null: the microphone hears silence
-  std::unique_ptr<ImageSource> camera;                  // null: the camera sees the test pattern
+  std::unique_ptr<ImageSource> camera;                  // null: the camera sees the robot's world
   Battery battery;                                      // by default full at boot, and drains
   std::shared_ptr<SharedFrame> shared_frame = nullptr;  // null: the robot is alone in its world
 };

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "runtime/base/hasher.h"
+#include "virtualrobot/height_grid.h"
 
 namespace openr_host {
 namespace {
@@ -62,6 +63,7 @@ double EnterThing(const WorldThing& thing, const Vector3d& p_W, const Vector3d& 
   Inside inside;
   switch (thing.shape) {
     case ThingShape::kBox:
+    case ThingShape::kHeightField:
       for (int k = 0; k < 3; ++k) CutBySlab(p[k], d[k], half[k], &inside);
       break;
     case ThingShape::kSphere:
@@ -72,6 +74,8 @@ double EnterThing(const WorldThing& thing, const Vector3d& p_W, const Vector3d& 
       CutByBall(Eigen::Vector2d(p.head<2>()), Eigen::Vector2d(d.head<2>()), half.x(), &inside);
       break;
   }
+  if (thing.shape == ThingShape::kHeightField && inside.enter <= inside.leave)
+    return EnterHeights(thing, p, d, inside.enter, inside.leave);
   return inside.Distance();
 }
 
@@ -108,11 +112,20 @@ StartPlace StartOf(const World& world, int robot) {
 
 void HashWorld(const World& world, Hasher* hasher) {
   hasher->Add(world.floor_friction);
+  if (world.floor_reflectance != 1) hasher->Add(world.floor_reflectance);
   for (const WorldThing& thing : world.things) {
     hasher->Add(thing.shape);
     hasher->AddBytes(thing.size_m.data(), 3 * sizeof(double));
     hasher->AddBytes(thing.centre_m.data(), 3 * sizeof(double));
     hasher->AddBytes(thing.R_WT.data(), 9 * sizeof(double));
+    // Adds only what differs from the default, so that worlds without it keep their hash.  Colours
+    // and light change images only, whose bytes are hashed where an object gets them.
+    if (thing.mass_kg > 0) hasher->Add(thing.mass_kg);
+    if (!thing.is_solid) hasher->Add(thing.is_solid);
+    if (thing.reflectance != 1) hasher->Add(thing.reflectance);
+    if (thing.heights == nullptr) continue;
+    hasher->Add(thing.heights->columns);
+    for (const double height_m : thing.heights->heights_m) hasher->Add(height_m);
   }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -10,14 +11,16 @@ namespace openr_host {
 
 class Hasher;
 
-enum class ThingShape { kBox, kSphere, kCylinder };
+enum class ThingShape { kBox, kSphere, kCylinder, kHeightField };
+
+struct HeightGrid;  // height_grid.h
 
 // A thing in the world frame W, which has z up and the floor at z = 0.
 struct WorldThing {
   std::string name;  // name of the thing in error messages and reports
   ThingShape shape = ThingShape::kBox;
   // Box: lengths of the edges.  Sphere: three times the diameter.  Cylinder: the diameter twice,
-  // and the length along its own z.  Each > 0.
+  // and the length along its own z.  Heightfield: edges of the box that holds it.  Each > 0.
   Eigen::Vector3d size_m{0, 0, 0};
   Eigen::Vector3d centre_m{0, 0, 0};                   // in W
   Eigen::Matrix3d R_WT = Eigen::Matrix3d::Identity();  // rotation of the thing
@@ -25,6 +28,7 @@ struct WorldThing {
   double mass_kg = 0;      // > 0: robots and other things can move the thing; 0: it is fixed
   bool is_solid = true;    // false: paint on the floor, which is seen and never touched
   double reflectance = 1;  // share of the infrared light of a distance sensor that comes back
+  std::shared_ptr<const HeightGrid> heights = {};  // heightfield: its surface; otherwise null
 };
 
 // The place of a robot at its first boot: where the origin of its base B is above the floor, and

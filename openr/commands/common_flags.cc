@@ -41,7 +41,8 @@ void AddCommonFlags(CLI::App* command, SimulationOptions* options) {
       ->capture_default_str();
   command
       ->add_option("--world", options->world,
-                   "World file, or corridor.json or ramp-and-stairs.json (default: a flat floor)")
+                   "World file, or one of field-2004.json, empty-room.json, corridor.json, "
+                   "ramp-and-stairs.json (default: a flat floor)")
       ->check(IsDataFile("--world", kWorldFile));
   command->add_option("--seed", options->seed, "Of everything random")
       ->check(IsCount())
@@ -96,6 +97,20 @@ void AddBatteryFlag(CLI::App* command, SimulationOptions* options) {
       ->add_option("--battery", options->battery,
                    "100%: full, and stays so; drain: full at boot, empty after 90 minutes; N%: so "
                    "much at boot, and drains")
+      ->check(CLI::Validator(problem, ""))
+      ->capture_default_str();
+}
+
+void AddImagesFlag(CLI::App* command, SimulationOptions* options) {
+  const auto problem = [](const std::string& images) -> std::string {
+    if (IsImageFolder(images))
+      RefuseInput("--images", images, WhyNoReadableFolder(images, "folder of pictures"));
+    return "";
+  };
+  command
+      ->add_option("--images", options->images,
+                   "What cameras see: world; pattern: a test pattern; or a folder of pictures for "
+                   "the first robot, in order of their names")
       ->check(CLI::Validator(problem, ""))
       ->capture_default_str();
 }

@@ -25,6 +25,9 @@ void CheckRobots(const SimulationOptions& options);
 void AddBatteryFlag(CLI::App* command, SimulationOptions* options);
 void AddCostFlag(CLI::App* command, SimulationOptions* options);
 
+// Adds --images, which says what cameras see.
+void AddImagesFlag(CLI::App* command, SimulationOptions* options);
+
 // Adds a flag that takes a duration such as "20s".  If the user gives the flag, `take` is called
 // with the duration in microseconds.
 CLI::Option* AddDurationFlag(CLI::App* command, const std::string& name,

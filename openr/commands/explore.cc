@@ -81,6 +81,7 @@ void DescribeWhat(CLI::App* command, ExploreFlags* flags) {
       ->capture_default_str();
   AddRobotsFlags(command, &simulation);
   AddBatteryFlag(command, &simulation);
+  AddImagesFlag(command, &simulation);
   command->add_flag("--strict", simulation.strict, "Enforce the limits of the robot");
   AddCostFlag(command, &simulation);
   command

@@ -146,7 +146,7 @@ void RefuseFlagsBesideJobs(const RunFlags& flags) {
   refuse(!flags.snapshots.empty(), "--snapshot", kAllAlike);
   refuse(!flags.simulation.speaker.empty(), "--speaker", kAllAlike);
   refuse(!flags.simulation.microphone.empty(), "--mic", kAllAlike);
-  refuse(!flags.simulation.images.empty(), "--images", kAllAlike);
+  refuse(IsImageFolder(flags.simulation.images), "--images", kAllAlike);
   refuse(!flags.record_file.empty(), "--record",
          "a recording is of one process; record a run of one robot");
   RefuseIdleFlags(flags.placement, false, false);

@@ -54,15 +54,7 @@ void DescribeRun(CLI::App* command, RunFlags* flags) {
       ->add_option("--mic", flags->simulation.microphone,
                    "WAV file the first robot's microphone hears (default: silence)")
       ->check(IsReadable("--mic", "WAV file", ".wav"));
-  const auto has_pictures = [](const std::string& folder) -> std::string {
-    RefuseInput("--images", folder, WhyNoReadableFolder(folder, "folder of pictures"));
-    return "";
-  };
-  command
-      ->add_option("--images", flags->simulation.images,
-                   "Folder of pictures the first robot's camera sees, in order of their names "
-                   "(default: a test pattern)")
-      ->check(CLI::Validator(has_pictures, ""));
+  AddImagesFlag(command, &flags->simulation);
   AddDurationFlag(command, "--handler-limit", &flags->handler_limit_us,
                   "End the run when a handler uses more processor time; 0s: never");
   AddPlacementFlags(command, &flags->placement);
@@ -112,8 +104,10 @@ void DescribeOutput(CLI::App* command, RunFlags* flags) {
                    "300ms' (docs/inputs.md)")
       ->check(IsReadable("--events", "script of events (docs/inputs.md)", ".events"));
   command
-      ->add_option("--snapshot", flags->snapshots,
-                   "Take a picture: t=5s,view=side (front, top, iso, follow),size=1280x720")
+      ->add_option(
+          "--snapshot", flags->snapshots,
+          "Take a picture: t=5s,view=side (front, top, iso, follow, world; camera: what the robot "
+          "sees),size=1280x720")
       ->take_all();
   command->add_option("-o", flags->snapshot_files, "PNG file of the --snapshot before it")
       ->take_all()

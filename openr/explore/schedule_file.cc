@@ -61,6 +61,7 @@ Json ScheduleToJson(const ExploredStick& stick, const Json& failure) {
           {"guard", stick.simulation.guard_regions},
           {"cost", stick.simulation.cost_file},
           {"battery", stick.simulation.battery},
+          {"images", stick.simulation.images},
           {"for_us", stick.for_us},
           {"properties", stick.properties},
           {"seed", failure.at("seed")},
@@ -94,6 +95,8 @@ ScheduleFile ReadScheduleFile(const std::string& path, Json* deviations) try {
   // Takes "drain" if the field "battery" is missing, because older files do not have the field and
   // their runs had a battery that drains.
   simulation.battery = json.value("battery", "drain");
+  // The same for "images": the cameras of those runs saw the test pattern.
+  simulation.images = json.value("images", kImagesOfPattern);
   schedule.stick.for_us = json.at("for_us").get<int64_t>();
   schedule.stick.properties = json.at("properties").get<std::vector<std::string>>();
   schedule.seed = json.at("seed").get<uint64_t>();

@@ -15,6 +15,7 @@
 #include "cli/input_file.h"
 #include "cli/json_text.h"
 #include "cli/output_file.h"
+#include "openr/simulation/assemble_robot.h"
 #include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
 #include "runtime/base/read_file.h"
@@ -68,7 +69,9 @@ TraceHeader HeaderOf(std::string_view text) {
   json.at("robots").get_to(h.robots);
   json.at("seed").get_to(h.seed);
   json.at("microphone").get_to(h.microphone);
+  // "" stands for the test pattern in older recordings, whose cameras saw nothing else.
   json.at("images").get_to(h.images);
+  if (h.images.empty()) h.images = kImagesOfPattern;
   json.at("strict").get_to(h.strict);
   json.at("payloads").get_to(h.payloads);
   // Takes "drain" if the field "battery" is missing, because older recordings do not have the field

@@ -34,7 +34,8 @@ struct TraceHeader {
   std::string robot, body, world;
   std::string cost;                    // cost file; "": handlers take no time
   std::string battery;                 // value of --battery, see ParseBattery()
-  std::string microphone, images;      // sound file, folder of pictures; "": none
+  std::string microphone;              // sound file; "": none
+  std::string images;                  // value of --images, see OpenImages()
   std::vector<std::string> addresses;  // arguments of --ip, such as "10.0.1.2=127.0.0.1"
   int robots = 1;
   bool together = false;                 // all robots are in one world

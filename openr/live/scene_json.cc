@@ -45,6 +45,9 @@ Json JsonOf(const render::Shape& shape) {
                {"colour", ColourText(shape.colour)},
                {"gloss", shape.gloss}};
   if (shape.is_cylinder) json["cylinder"] = true;
+  for (const Eigen::Vector3f& corner : shape.triangles) {
+    for (const float part : corner) json["triangles"].push_back(Rounded(static_cast<double>(part)));
+  }
   return json;
 }
 
@@ -201,10 +204,12 @@ Json SceneJson(const Simulation& simulation) {
   for (size_t i = 0; i < things.size(); ++i) {
     if (things[i].mass_kg > 0) shapes[i]["thing"] = movable++;
   }
+  Json world = {{"shapes", shapes}};
+  if (const auto floor = FloorColour(simulation.world())) world["floor"] = ColourText(*floor);
   const bool is_physical =
       !simulation.robots().empty() && simulation.robots().front()->body().IsPhysical();
   return {{"model", simulation.model().name},       {"body", is_physical ? "ode" : "ideal"},
-          {"grid_m", render::Scene().floor_grid_m}, {"world", {{"shapes", shapes}}},
+          {"grid_m", render::Scene().floor_grid_m}, {"world", world},
           {"together", simulation.is_together()},   {"robots", robots}};
 }
 

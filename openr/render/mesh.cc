@@ -1,5 +1,6 @@
 #include "openr/render/mesh.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -87,6 +88,19 @@ Mesh Cylinder(const Eigen::Vector3f& size, int sides) {
     if (i == 0 || next == 0) continue;
     for (const uint32_t index : {top, top + i, top + next, bottom, bottom + next, bottom + i})
       mesh.triangles.push_back(index);
+  }
+  return mesh;
+}
+
+Mesh Surface(const std::vector<Eigen::Vector3f>& corners) {
+  Mesh mesh;
+  for (size_t i = 0; i + 2 < corners.size(); i += 3) {
+    const Eigen::Vector3f normal =
+        (corners[i + 1] - corners[i]).cross(corners[i + 2] - corners[i]).normalized();
+    for (size_t corner = i; corner < i + 3; ++corner) {
+      mesh.triangles.push_back(static_cast<uint32_t>(mesh.vertices.size()));
+      mesh.vertices.push_back({corners[corner], normal});
+    }
   }
   return mesh;
 }

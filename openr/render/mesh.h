@@ -1,4 +1,4 @@
-// Makes the triangles of boxes with rounded edges and of cylinders.
+// Makes the triangles of boxes with rounded edges, of cylinders and of surfaces.
 #pragma once
 
 #include <Eigen/Core>
@@ -24,5 +24,8 @@ Mesh RoundedBox(const Eigen::Vector3f& size, float radius, int steps);
 // Returns a cylinder along z that fills a box of the size `size` around the origin.  `sides` is the
 // number of its side faces, at least 3.
 Mesh Cylinder(const Eigen::Vector3f& size, int sides);
+
+// Returns the flat triangles with these corners, three for each.
+Mesh Surface(const std::vector<Eigen::Vector3f>& corners);
 
 }  // namespace openr_host::render

@@ -7,6 +7,7 @@
 
 #include "cli/install_paths.h"
 #include "cli/output_file.h"
+#include "openr/render/png_file.h"
 #include "runtime/base/duration.h"
 #include "virtualrobot/virtual_robot.h"
 
@@ -24,7 +25,10 @@ std::string ParsePart(std::string_view key, const std::string& value, PictureReq
   }
   if (key == "view") {
     if (ParseView(value, &plan->view)) return "";
-    return fmt::format("unknown view '{}'; there are side, front, top, iso, follow", value);
+    return fmt::format(
+        "unknown view '{}'; there are side, front, top, iso, follow, world, "
+        "camera",
+        value);
   }
   int length = 0;
   if (key == "size") {
@@ -51,6 +55,7 @@ std::string ParsePart(std::string_view key, const std::string& value, PictureReq
 }  // namespace
 
 std::string ParsePictureRequest(std::string_view text, PictureRequest* plan) {
+  bool has_size = false;
   while (!text.empty()) {
     const size_t comma = text.find(',');
     const std::string_view part = text.substr(0, comma);
@@ -62,11 +67,21 @@ std::string ParsePictureRequest(std::string_view text, PictureRequest* plan) {
     const std::string problem =
         ParsePart(part.substr(0, equals), std::string(part.substr(equals + 1)), plan);
     if (!problem.empty()) return problem;
+    has_size = has_size || part.starts_with("size=");
   }
+  if (has_size && plan->view == View::kCamera)
+    return "view=camera has the size of the robot's camera; leave out size";
   return "";
 }
 
-std::string TakePicture(const PictureRequest& plan, const VirtualRobot& robot, const World& world) {
+std::string TakePicture(const PictureRequest& plan, VirtualRobot* robot,
+                        const std::vector<VirtualRobot*>& company) {
+  if (plan.view == View::kCamera) {
+    Picture seen;
+    const std::string problem = robot->TakePicture(&seen);
+    if (!problem.empty()) return fmt::format("{}: {}", plan.file, problem);
+    return WriteFile(plan.file, render::EncodePng(seen.width, seen.height, seen.rgb));
+  }
   const std::string library = RenderLibrary();
   static void* const handle = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr) {
@@ -79,8 +94,16 @@ std::string TakePicture(const PictureRequest& plan, const VirtualRobot& robot, c
   render::Picture picture;
   picture.width_px = plan.width_px;
   picture.height_px = plan.height_px;
+  World world = robot->body().world();
+  const size_t things = world.things.size();
+  world.things = robot->body().Surroundings();
+  world.things.resize(things);  // without the boxes of other robots, which are drawn as they look
+  std::vector<RobotLook> looks = {LookOf(*robot)};
+  for (const VirtualRobot* const other : company) {
+    if (other != robot) looks.push_back(LookOf(*other));
+  }
   std::string png, problem;
-  render(MakeRobotScene(robot.model(), LookOf(robot), world, plan.view), picture, &png, &problem);
+  render(MakeRobotScene(robot->model(), looks, world, plan.view), picture, &png, &problem);
   return problem.empty() ? WriteFile(plan.file, png) : fmt::format("{}: {}", plan.file, problem);
 }
 

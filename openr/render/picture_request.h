@@ -1,9 +1,11 @@
-// PictureRequest, a picture to take during a run: --snapshot t=5s,view=side -o a.png.
+// PictureRequest, a picture to take during a run: --snapshot t=5s,view=side -o a.png.  A picture
+// with view=camera is what the robot's camera sees, in the size of its sensor.
 #pragma once
 
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "openr/render/robot_scene.h"
 
@@ -15,7 +17,7 @@ struct PictureRequest {
   int64_t time_us = -1;  // virtual time; -1: the end of the run
   View view = View::kIso;
   int robot = 0;
-  int width_px = 1280;
+  int width_px = 1280;  // both: not used by View::kCamera
   int height_px = 720;
   std::string file;
 };
@@ -24,8 +26,11 @@ struct PictureRequest {
 // the end of the run.  Returns "" or the error.
 std::string ParsePictureRequest(std::string_view text, PictureRequest* plan);
 
-// Writes a picture of the robot in its present state to the file of `plan`.  The first call loads
-// libopenr_render.so and the graphics library Mesa.  Returns "" or the error.
-std::string TakePicture(const PictureRequest& plan, const VirtualRobot& robot, const World& world);
+// Writes a picture of the robot in its present state to the file of `plan`.  `company` are the
+// robots in the same world; the robot itself may be among them.  The first picture of
+// another view than View::kCamera loads libopenr_render.so and the graphics library Mesa.  Returns
+// "" or the error.
+std::string TakePicture(const PictureRequest& plan, VirtualRobot* robot,
+                        const std::vector<VirtualRobot*>& company);
 
 }  // namespace openr_host

@@ -22,7 +22,6 @@ constexpr double kShadowHalfM = 0.40;  // distance from the camera's target up t
                                        // drawn
 constexpr double kFloorHalfM = 6;
 const Eigen::Vector3f kBackground(0.93f, 0.94f, 0.95f);
-const Colour kFloorColour{0.83f, 0.84f, 0.85f};
 const Eigen::Vector3d kToSun = Eigen::Vector3d(0.35, -0.55, 1.0).normalized();
 
 // An OpenGL context of Mesa that draws into memory.  While an OffScreen exists, OpenGL uses this
@@ -54,14 +53,17 @@ struct Item {
   const Shape* shape;
 };
 
+Mesh MeshOf(const Shape& shape) {
+  const Eigen::Vector3f size = shape.size_m.cast<float>();
+  if (!shape.triangles.empty()) return Surface(shape.triangles);
+  if (shape.is_cylinder) return Cylinder(size, kCylinderSides);
+  return RoundedBox(size, static_cast<float>(shape.radius_m), kEdgeSteps);
+}
+
 std::vector<Item> MakeItems(const Scene& scene) {
   std::vector<Item> items;
-  for (const Shape& shape : scene.shapes) {
-    items.push_back({shape.is_cylinder ? Cylinder(shape.size_m.cast<float>(), kCylinderSides)
-                                       : RoundedBox(shape.size_m.cast<float>(),
-                                                    static_cast<float>(shape.radius_m), kEdgeSteps),
-                     shape.X_WS.matrix().cast<float>(), &shape});
-  }
+  for (const Shape& shape : scene.shapes)
+    items.push_back({MeshOf(shape), shape.X_WS.matrix().cast<float>(), &shape});
   return items;
 }
 
@@ -101,7 +103,7 @@ void DrawFloor(const GlProgram& program, const Scene& scene) {
   place.block<2, 1>(0, 3) = scene.camera.target_W.head<2>().cast<float>();
   program.Set("world_from_shape", place);
   program.Set("grid", static_cast<float>(scene.floor_grid_m));
-  SetMaterial(program, kFloorColour, 0.0f, false);
+  SetMaterial(program, scene.floor, 0.0f, false);
   DrawMesh(floor);
   program.Set("grid", 0.0f);
 }

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "openr/render/robot_shapes.h"
+#include "runtime/base/assert.h"
 #include "virtualrobot/virtual_robot.h"
 
 namespace openr_host {
@@ -29,6 +30,7 @@ const ViewPlace* Places(size_t* count) {
 render::Camera CameraFor(const RobotLook& look, View view) {
   size_t count = 0;
   const ViewPlace* place = Places(&count);
+  ASSERT(view != View::kCamera, "the robot's own camera draws its pictures itself");
   while (place->view != view) ++place;
   const Eigen::Vector3d forward = look.X_WB.linear().col(0);
   const double heading = std::atan2(forward.y(), forward.x());
@@ -42,9 +44,37 @@ render::Camera CameraFor(const RobotLook& look, View view) {
   return camera;
 }
 
+// Returns a camera that sees all robots and things, from the side of the world's -y.
+render::Camera CameraOverWorld(const std::vector<RobotLook>& looks, const World& world) {
+  constexpr double kRobot_m = 0.25, kReachMax_m = 6;  // things further away than that are left out
+  Eigen::AlignedBox2d seen;
+  for (const RobotLook& look : looks) {
+    const Eigen::Vector2d place = look.X_WB.translation().head<2>();
+    seen.extend(Eigen::Vector2d(place.array() - kRobot_m));
+    seen.extend(Eigen::Vector2d(place.array() + kRobot_m));
+  }
+  const Eigen::Vector2d middle = seen.center();
+  for (const WorldThing& thing : world.things) {
+    const Eigen::Vector2d place = thing.centre_m.head<2>();
+    if ((place - middle).norm() < kReachMax_m) seen.extend(place);
+  }
+  render::Camera camera;
+  camera.fov_rad = 0.5;
+  camera.target_W = Eigen::Vector3d(seen.center().x(), seen.center().y(), 0);
+  // The picture is wider than high, so the way along y decides as much as that along x.
+  const double reach_m = std::max(seen.sizes().x() * 9 / 16, seen.sizes().y()) / 2;
+  camera.p_W =
+      camera.target_W + Eigen::Vector3d(0, -0.75, 0.8).normalized() * (1.25 * reach_m / 0.25 + 0.2);
+  return camera;
+}
+
 }  // namespace
 
 bool ParseView(std::string_view name, View* view) {
+  if (name == "camera" || name == "world") {
+    *view = name == "camera" ? View::kCamera : View::kWorld;
+    return true;
+  }
   size_t count = 0;
   const ViewPlace* const places = Places(&count);
   for (size_t i = 0; i < count; ++i) {
@@ -69,9 +99,9 @@ RobotLook LookOf(const VirtualRobot& robot) {
   return look;
 }
 
-render::Scene MakeRobotScene(const RobotModel& model, const RobotLook& look, const World& world,
-                             View view) {
-  render::Scene scene;
+namespace {
+
+void AddRobot(const RobotModel& model, const RobotLook& look, render::Scene* scene) {
   for (const RobotShape& part : ShapesOfRobot(model)) {
     render::Shape shape = part.shape;
     const auto ear = static_cast<size_t>(part.ear), led = static_cast<size_t>(part.led);
@@ -80,10 +110,20 @@ render::Scene MakeRobotScene(const RobotModel& model, const RobotLook& look, con
                  PlaceInPart(part, has_angle ? look.plungers_rad[ear] : 0);
     shape.glows = part.led >= 0 && led < look.leds_on.size() && look.leds_on[led];
     if (shape.glows) shape.colour = part.glow;
-    scene.shapes.push_back(shape);
+    scene->shapes.push_back(shape);
   }
+}
+
+}  // namespace
+
+render::Scene MakeRobotScene(const RobotModel& model, const std::vector<RobotLook>& looks,
+                             const World& world, View view) {
+  render::Scene scene;
+  for (const RobotLook& look : looks) AddRobot(model, look, &scene);
   for (const render::Shape& shape : ShapesOfWorld(world)) scene.shapes.push_back(shape);
-  scene.camera = CameraFor(look, view);
+  scene.floor = FloorColour(world).value_or(scene.floor);
+  scene.camera =
+      view == View::kWorld ? CameraOverWorld(looks, world) : CameraFor(looks.front(), view);
   return scene;
 }
 

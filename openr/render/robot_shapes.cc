@@ -4,6 +4,8 @@
 #include <iterator>
 #include <string_view>
 
+#include "virtualrobot/height_grid.h"
+
 namespace openr_host {
 namespace {
 
@@ -13,6 +15,10 @@ using render::Shape;
 constexpr Colour kSilver{0.80f, 0.81f, 0.83f};
 constexpr Colour kGrey{0.44f, 0.45f, 0.48f};
 constexpr Colour kBlack{0.13f, 0.13f, 0.15f};
+
+Colour ColourFrom(const Eigen::Vector3d& rgb) {
+  return {static_cast<float>(rgb.x()), static_cast<float>(rgb.y()), static_cast<float>(rgb.z())};
+}
 
 Eigen::Isometry3d At(const Eigen::Vector3d& place_m) {
   return Eigen::Isometry3d(Eigen::Translation3d(place_m));
@@ -230,7 +236,16 @@ Eigen::Isometry3d PlaceInPart(const RobotShape& shape, double angle_rad) {
          At(-shape.pivot) * shape.shape.X_WS;
 }
 
+std::optional<Colour> FloorColour(const World& world) {
+  if (world.floor_colour == World().floor_colour) return std::nullopt;
+  return ColourFrom(world.floor_colour);
+}
+
 std::vector<Shape> ShapesOfWorld(const World& world) {
+  constexpr double kPaintTop_m = 0.004;  // height of the uppermost paint, not to be seen as a step
+  const auto is_paint = [](const WorldThing& thing) { return !thing.is_solid; };
+  const auto paints = std::count_if(world.things.begin(), world.things.end(), is_paint);
+  double paint_height_m = 0;
   std::vector<Shape> shapes;
   for (const WorldThing& thing : world.things) {
     Shape shape;
@@ -242,9 +257,21 @@ std::vector<Shape> ShapesOfWorld(const World& world) {
     shape.radius_m =
         thing.shape == ThingShape::kSphere ? shortest_m / 2 : std::min(0.004, 0.2 * shortest_m);
     shape.is_cylinder = thing.shape == ThingShape::kCylinder;
-    const Eigen::Vector3f colour = thing.colour.cast<float>();
-    shape.colour = {colour.x(), colour.y(), colour.z()};
+    if (thing.shape == ThingShape::kHeightField) {
+      for (const Triangle& triangle : OutsideOf(thing)) {
+        for (const Eigen::Vector3d& corner : triangle)
+          shape.triangles.push_back(corner.cast<float>());
+      }
+    }
+    shape.colour = ColourFrom(thing.colour);
     shape.gloss = 0.1f;
+    if (is_paint(thing)) {
+      paint_height_m += std::min(0.0003, kPaintTop_m / static_cast<double>(paints));
+      shape.size_m.z() = paint_height_m;
+      shape.X_WS.translation().z() = paint_height_m / 2;
+      shape.radius_m = 0;
+      shape.gloss = 0;
+    }
     shapes.push_back(shape);
   }
   return shapes;

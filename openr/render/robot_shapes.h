@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,7 +34,11 @@ std::vector<RobotShape> ShapesOfRobot(const RobotModel& model);
 // turned by `angle_rad`.  Other shapes do not move in their part.
 Eigen::Isometry3d PlaceInPart(const RobotShape& shape, double angle_rad);
 
-// Returns the shapes of the things in `world`; their X_WS is the pose in the world.
+// Returns the shapes of the things in `world`; their X_WS is the pose in the world.  Paint is a
+// thin plate; later paint reaches higher, so that it covers earlier paint.
 std::vector<render::Shape> ShapesOfWorld(const World& world);
+
+// Returns the colour of the floor, if the world file gives one.
+std::optional<render::Colour> FloorColour(const World& world);
 
 }  // namespace openr_host

@@ -20,6 +20,9 @@ struct Shape {
   Eigen::Vector3d size_m{0, 0, 0};                         // lengths of the edges
   double radius_m = 0;       // radius of the edges; at most half of the shortest edge is used
   bool is_cylinder = false;  // a cylinder along z fills the box; its edges are sharp
+  // Three corners for each triangle of a surface, counterclockwise from outside, in the axes of the
+  // box.  If there are any, they are drawn and not the box.
+  std::vector<Eigen::Vector3f> triangles;
   Colour colour;
   float gloss = 0.3f;  // from 0, dull, to 1, polished
   bool glows = false;  // shines in its own colour, also in the shadow
@@ -37,6 +40,7 @@ struct Scene {
   std::vector<Shape> shapes;
   Camera camera;
   double floor_grid_m = 0.1;  // distance of the lines on the floor
+  Colour floor{0.83f, 0.84f, 0.85f};
 };
 
 struct Picture {

@@ -24,6 +24,16 @@ VirtualRobotOptions DevicesWithBattery(const std::string& battery) {
   return devices;
 }
 
+bool IsImageFolder(const std::string& images) {
+  return images != kImagesOfWorld && images != kImagesOfPattern;
+}
+
+std::unique_ptr<ImageSource> OpenImages(const std::string& images) {
+  if (images == kImagesOfWorld) return nullptr;
+  if (images == kImagesOfPattern) return std::make_unique<TestPattern>();
+  return OpenImageFolder(images);
+}
+
 // Keeps the order of these calls: objects get their numbers in this order, and the numbers decide
 // the order of messages.
 AssembledRobot AssembleRobot(System* system, const RobotModel& model, RobotEquipment parts) {

@@ -24,6 +24,15 @@ std::unique_ptr<Body> MakeBody(const std::string& kind, const RobotModel& model,
 // pictures.  Throws std::runtime_error if `battery` is wrong; see ParseBattery().
 VirtualRobotOptions DevicesWithBattery(const std::string& battery);
 
+// What the camera of a robot sees, as `--images` says: its world, or the test pattern; any other
+// text is a folder of pictures.
+inline constexpr char kImagesOfWorld[] = "world", kImagesOfPattern[] = "pattern";
+bool IsImageFolder(const std::string& images);
+
+// Returns the source of the camera's pictures that `images` names; null, the default of
+// VirtualRobotOptions::camera, for the world.  Throws std::runtime_error as OpenImageFolder() does.
+std::unique_ptr<ImageSource> OpenImages(const std::string& images);
+
 struct RobotEquipment {
   std::shared_ptr<MemoryStick> stick;  // null: the robot has no stick
   std::unique_ptr<Body> body;          // null: the robot has no body and no OVirtualRobotComm

@@ -71,11 +71,11 @@ std::shared_ptr<PhysicsWorld> SharedWorldOf(const SimulationOptions& options, co
 // pictures, because `options` names one file or folder of each kind.
 VirtualRobotOptions DevicesOf(const SimulationOptions& options, bool is_first) {
   VirtualRobotOptions devices = DevicesWithBattery(options.battery);
+  if (is_first || !IsImageFolder(options.images)) devices.camera = OpenImages(options.images);
   if (!is_first) return devices;
   if (!options.speaker.empty()) devices.speaker = OpenSpeakerFile(options.speaker);
   if (!options.microphone.empty())
     devices.microphone = OpenMicrophoneFile(options.microphone, AfterEnd::kSilence);
-  if (!options.images.empty()) devices.camera = OpenImageFolder(options.images);
   return devices;
 }
 

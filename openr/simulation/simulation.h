@@ -39,10 +39,11 @@ struct SimulationOptions {
   bool together = false;         // whether all robots are in one world; "ode" only
   uint64_t seed = 1;
   bool strict = false;
-  // Files for the first robot.  Without them its sound is discarded, it hears silence, and its
-  // camera sees a test pattern.
+  // Files for the first robot.  Without them its sound is discarded, and it hears silence.
   std::string speaker, microphone;  // WAV
-  std::string images;               // folder of pictures for the camera
+  // What the cameras see; see OpenImages().  A folder of pictures is for the first robot only, and
+  // the others see their world.
+  std::string images = kImagesOfWorld;
   std::string battery = "drain";    // battery of each robot; see ParseBattery()
   bool writable_stick = true;       // whether objects may write; several robots never may
   bool measures = true;             // measures handler times and stacks for the report

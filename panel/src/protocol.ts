@@ -12,12 +12,14 @@ export interface ShapeData {
   colour: string;
   gloss?: number;
   cylinder?: boolean;
+  triangles?: number[]; // x, y, z of three corners for each triangle, which are drawn and not the box
   led?: number;
   glow?: string;
   ear?: number;
   axis?: Vec3;
   pivot?: Vec3;
   touch?: string;
+  thing?: number; // index in RobotPose.things, if the shape is a thing that can move
 }
 
 export interface JointData {
@@ -55,12 +57,18 @@ export interface RobotData {
   sensors: SensorData[];
 }
 
+export interface WorldData {
+  shapes: ShapeData[];
+  floor?: string; // colour of the floor, if the world file gives one
+}
+
 export interface Scene {
   time_s: number;
   model: string;
   body: string;
   grid_m: number;
-  world: { shapes: ShapeData[] };
+  world: WorldData;
+  together?: boolean; // all robots are in one world
   robots: RobotData[];
 }
 
@@ -68,6 +76,7 @@ export interface RobotPose {
   links: Pose[];
   leds: number[];
   ears: number[];
+  things?: Pose[]; // of the things that can move
 }
 
 export interface PoseEvent {

@@ -94,7 +94,8 @@ def check_PowerMonitor(example):
 
 def check_Camera(example):
     example.build()
-    example.expect_lines(example.run("--for", "2s").lines, example.readme_block(1))
+    example.expect_lines(example.run("--for", "2s", "--images", "pattern").lines,
+                         example.readme_block(1))
     picture = (example.folder / "MS/OPEN-R/MW/DATA/P/PHOTO.PPM").read_bytes()
     header = b"P6 176 144 255\n"
     if not picture.startswith(header) or len(picture) != len(header) + 3 * 176 * 144:

@@ -21,7 +21,7 @@ struct BallPlace {
 };
 
 TEST(BallFinderGraphTest, ColourDetectionAndColourFrequencyFindTheBallOfTheTestPattern) {
-  Bench bench({.body = "ideal"});
+  Bench bench({.body = "ideal", .images = "pattern"});
   bench.AddImage(OPENR_IMAGES "/BALLFIND.BIN");
   bench.Wire("OVirtualRobotComm.FbkImageSensor.OFbkImageVectorData.S",
              "BallFinder.Image.OFbkImageVectorData.O");

@@ -33,7 +33,8 @@ TEST(ControllerCameraGraphTest, PicturesComeWhileEnabledAndHaveTheColoursOfWhatI
                .replace = {"JointMover",
                            StandIn("Controller",
                                    [](Bench& b) { b.AddImage(OPENR_IMAGES "/LOOKING.BIN"); })},
-               .body = "ideal"});
+               .body = "ideal",
+               .images = "pattern"});
   int images = 0;
   bench.OnMessage([&](const SeenMessage& message) {
     images += message.to().service.starts_with("Controller.Image.") &&

@@ -36,7 +36,8 @@ TEST(PictureRequestTest, EveryPartIsRead) {
 TEST(PictureRequestTest, TheEndOfTheRunHasAName) { EXPECT_EQ(Parsed("t=end").time_us, -1); }
 
 TEST(PictureRequestTest, AnUnknownViewListsTheOnesThereAre) {
-  EXPECT_EQ(Refusal("view=left"), "unknown view 'left'; there are side, front, top, iso, follow");
+  EXPECT_EQ(Refusal("view=left"),
+            "unknown view 'left'; there are side, front, top, iso, follow, camera");
 }
 
 TEST(PictureRequestTest, SizesThatMakeNoPictureAreRefused) {
@@ -44,6 +45,12 @@ TEST(PictureRequestTest, SizesThatMakeNoPictureAreRefused) {
        {"size=0x0", "size=1280", "size=1280x", "size=99999x10", "size=20x20x20"}) {
     EXPECT_NE(Refusal(text).find("is not like 1280x720"), std::string::npos) << text;
   }
+}
+
+TEST(PictureRequestTest, TheRobotsOwnViewHasTheSizeOfItsCamera) {
+  EXPECT_EQ(Parsed("view=camera").view, View::kCamera);
+  EXPECT_EQ(Refusal("size=640x480,view=camera"),
+            "view=camera has the size of the robot's camera; leave out size");
 }
 
 TEST(PictureRequestTest, UnknownPartsAndBareWordsAreRefused) {

@@ -23,6 +23,7 @@ class RebootTest : public testing::Test {
     options.stick = folder_.path();
     options.robots = robots;
     options.strict = strict;
+    options.images = images_;
     options.host_network = false;
     options.console = [this](std::string_view text) { console_ += text; };
     simulation_ = std::make_unique<Simulation>(options);
@@ -54,6 +55,7 @@ class RebootTest : public testing::Test {
   }
 
   ScratchFolder folder_;
+  std::string images_ = "world";
   std::string console_;
   std::unique_ptr<Simulation> simulation_;
 };
@@ -115,6 +117,7 @@ TEST_F(RebootTest, TheTimerOfAShutdownIsWaitedFor) {
 
 // The test pattern shows the number of the image.
 TEST_F(RebootTest, TheSourceOfPicturesGoesOn) {
+  images_ = "pattern";
   Start();
   Picture before, after;
   EXPECT_EQ(dog().TakePicture(&before), "");

@@ -248,6 +248,16 @@ TEST(OldRecordingTest, TypedTextAndThePauseButtonAreReadAsInputs) {
   EXPECT_EQ(reader.ended().first, "pause");
 }
 
+// Older programs left the field empty, and their cameras saw the test pattern.
+TEST(OldRecordingTest, CamerasSawTheTestPattern) {
+  EXPECT_EQ(TraceReader(OPENR_TEST_DATA "/version3.rec").header().images, "pattern");
+}
+
+TEST_F(ReplayTest, TheRecordingSaysWhatCamerasSee) {
+  Record();
+  EXPECT_EQ(TraceReader(file_).header().images, "world");
+}
+
 TEST_F(ReplayTest, TextCsvAndPerfettoTellTheSameMessages) {
   Record();
   const auto write = [&](auto* function) {

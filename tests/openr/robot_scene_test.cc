@@ -6,6 +6,7 @@
 
 #include "cli/install_paths.h"
 #include "openr/render/mesh.h"
+#include "openr/render/robot_shapes.h"
 #include "virtualrobot/kinematics.h"
 
 namespace openr_host {
@@ -22,7 +23,7 @@ class RobotSceneTest : public testing::Test {
   }
 
   int Glowing() const {
-    const render::Scene scene = MakeRobotScene(model_, look_, World(), View::kIso);
+    const render::Scene scene = MakeRobotScene(model_, {look_}, World(), View::kIso);
     return static_cast<int>(std::count_if(scene.shapes.begin(), scene.shapes.end(),
                                           [](const render::Shape& s) { return s.glows; }));
   }
@@ -38,7 +39,7 @@ TEST_F(RobotSceneTest, ALightThatIsOnGlows) {
 }
 
 TEST_F(RobotSceneTest, NothingReachesBelowTheFloor) {
-  for (const render::Shape& shape : MakeRobotScene(model_, look_, World(), View::kSide).shapes) {
+  for (const render::Shape& shape : MakeRobotScene(model_, {look_}, World(), View::kSide).shapes) {
     EXPECT_GT(shape.X_WS.translation().z(), 0);
   }
 }
@@ -46,8 +47,43 @@ TEST_F(RobotSceneTest, NothingReachesBelowTheFloor) {
 TEST_F(RobotSceneTest, BoxesOfTheWorldAreShown) {
   World world;
   world.things.push_back({.name = "box", .size_m = {0.1, 0.2, 0.3}, .centre_m = {1, 0, 0.15}});
-  EXPECT_EQ(MakeRobotScene(model_, look_, world, View::kTop).shapes.size(),
-            MakeRobotScene(model_, look_, World(), View::kTop).shapes.size() + 1);
+  EXPECT_EQ(MakeRobotScene(model_, {look_}, world, View::kTop).shapes.size(),
+            MakeRobotScene(model_, {look_}, World(), View::kTop).shapes.size() + 1);
+}
+
+// Returns the height over the floor that a shape reaches.
+double TopOf(const render::Shape& shape) {
+  return shape.X_WS.translation().z() + shape.size_m.z() / 2;
+}
+
+TEST(WorldShapesTest, LaterPaintLiesOnEarlierPaint) {
+  World world;
+  world.things.push_back({.name = "a", .size_m = {1, 1, 0.001}, .is_solid = false});
+  world.things.push_back({.name = "b", .size_m = {1, 1, 0.001}, .is_solid = false});
+  const std::vector<render::Shape> shapes = ShapesOfWorld(world);
+  ASSERT_EQ(shapes.size(), 2u);
+  EXPECT_GT(TopOf(shapes[0]), 0);
+  EXPECT_GT(TopOf(shapes[1]), TopOf(shapes[0]));
+  world.things.resize(500, world.things[0]);
+  EXPECT_LT(TopOf(ShapesOfWorld(world).back()), 0.005);
+}
+
+TEST(WorldShapesTest, AHeightfieldIsItsTriangles) {
+  const World world = ParseWorld(R"({"schema":"openr-host world 2","name":"w","things":[
+      {"shape":"heightfield","name":"h","size_m":[1,1],"centre_m":[0,0,0],
+       "heights_m":[[0.1,0.2],[0.1,0.1]]}]})",
+                                 "w.json");
+  // Two above, and two below each of four edges.
+  EXPECT_EQ(ShapesOfWorld(world).at(0).triangles.size(), 3u * (2 + 4 * 2));
+}
+
+TEST_F(RobotSceneTest, TheFloorHasTheColourOfTheWorldFile) {
+  World world;
+  EXPECT_GT(MakeRobotScene(model_, {look_}, world, View::kTop).floor.r, 0.8f);
+  world.floor_colour = Eigen::Vector3d(0.25, 0.5, 0);
+  const render::Colour floor = MakeRobotScene(model_, {look_}, world, View::kTop).floor;
+  EXPECT_EQ(floor.r, 0.25f);
+  EXPECT_EQ(floor.g, 0.5f);
 }
 
 TEST_F(RobotSceneTest, TheCameraLooksAtTheRobotWhereverItIs) {
@@ -56,8 +92,8 @@ TEST_F(RobotSceneTest, TheCameraLooksAtTheRobotWhereverItIs) {
     const Eigen::Isometry3d shift(Eigen::Translation3d(3, -2, 0));
     moved.X_WB = shift * moved.X_WB;
     for (Eigen::Isometry3d& X_WL : moved.X_WL) X_WL = shift * X_WL;
-    const render::Camera here = MakeRobotScene(model_, look_, World(), view).camera;
-    const render::Camera there = MakeRobotScene(model_, moved, World(), view).camera;
+    const render::Camera here = MakeRobotScene(model_, {look_}, World(), view).camera;
+    const render::Camera there = MakeRobotScene(model_, {moved}, World(), view).camera;
     EXPECT_LT((there.p_W - here.p_W - shift.translation()).norm(), 1e-9);
     EXPECT_LT((there.target_W - here.target_W - shift.translation()).norm(), 1e-9);
   }

@@ -1,6 +1,8 @@
 // A body without physics or geometry: joints are where their commands say.
 #pragma once
 
+#include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "runtime/base/hasher.h"
@@ -10,8 +12,8 @@ namespace openr_host {
 
 class FollowBody : public Body {
  public:
-  explicit FollowBody(const RobotModel& model)
-      : poses_(model.bodies.size(), Eigen::Isometry3d::Identity()) {
+  explicit FollowBody(const RobotModel& model, World world = {})
+      : world_(std::move(world)), poses_(model.bodies.size(), Eigen::Isometry3d::Identity()) {
     state_.joints.resize(model.joints.size());
     state_.paws.resize(model.paws.size());
   }
@@ -35,6 +37,8 @@ class FollowBody : public Body {
   }
 
   BodyState& mutable_state() { return state_; }
+  // Puts the stiff robot, with all joints at 0, to `X_WB`.
+  void Place(const Eigen::Isometry3d& X_WB) { std::fill(poses_.begin(), poses_.end(), X_WB); }
 
   int frames = 0;
   double distance_m = 10;

@@ -167,7 +167,8 @@ TEST(WorldThingTest, StairsAreBoxesThatRise) {
 
 TEST(WorldThingTest, MistakesAreNamedWithTheirPlace) {
   EXPECT_EQ(ErrorOfThing(R"({"shape":"cone","name":"c"})"),
-            "w.json: things[0].shape: is 'cone'; known are box, sphere, cylinder, ramp, stairs");
+            "w.json: things[0].shape: is 'cone'; known are box, sphere, cylinder, ramp, stairs, "
+            "heightfield");
   EXPECT_EQ(ErrorOfThing(R"({"shape":"sphere","name":"b","radius_m":0,"centre_m":[0,0,0]})"),
             "w.json: things[0].radius_m: is 0, must be > 0");
   EXPECT_EQ(ErrorOfThing(R"({"shape":"sphere","name":"b","radius_m":1,"centre_m":[0,0,0],

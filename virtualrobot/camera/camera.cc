@@ -4,6 +4,7 @@
 #include <bit>
 #include <vector>
 
+#include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
 #include "virtualrobot/frame_number.h"
 
@@ -46,10 +47,8 @@ size_t PictureBytes(const Camera& model) {
 
 CameraDevice::CameraDevice(std::unique_ptr<ImageSource> source, const Camera& model,
                            OPrimitiveID id)
-    : source_(source ? std::move(source) : std::make_unique<TestPattern>()),
-      model_(model),
-      id_(id),
-      layers_(model.width_px, model.height_px) {
+    : source_(std::move(source)), model_(model), id_(id), layers_(model.width_px, model.height_px) {
+  ASSERT(source_ != nullptr, "a camera without a source of pictures");
   picture_.width = model.width_px;
   picture_.height = model.height_px;
   ChooseExposure();
@@ -113,6 +112,7 @@ CameraShot CameraDevice::ShotBefore(int64_t frame, const Body& body) const {
   shot.frame = frame - 1;
   shot.fov_h_rad = model_.fov_h_rad;
   shot.fov_v_rad = model_.fov_v_rad;
+  shot.body = &body;
   // Computes the axes of the lens.  The lens looks along `direction` and is not rolled, so its y
   // axis is horizontal in the frame of the part that carries it.
   const Eigen::Vector3d& x = model_.direction;

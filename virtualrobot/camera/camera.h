@@ -23,8 +23,8 @@ class Hasher;
 
 class CameraDevice {
  public:
-  // Makes a camera that takes its pictures from `source`; null means the test pattern.  `model`
-  // must outlive the camera.  `id` identifies the camera in its image vectors.
+  // Makes a camera that takes its pictures from `source`.  `model` must outlive the camera.  `id`
+  // identifies the camera in its image vectors.  REQUIRES: `source` is not null.
   CameraDevice(std::unique_ptr<ImageSource> source, const Camera& model, OPrimitiveID id);
 
   // Change the settings for which OPrimitiveControl.h defines requests.  The functions that return

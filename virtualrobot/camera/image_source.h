@@ -1,4 +1,5 @@
 // Sources of the pictures that the camera takes: a test pattern, files, or pictures in memory.
+// RenderedWorld (rendered_world.h) draws the robot's world.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -9,6 +10,8 @@
 #include <vector>
 
 namespace openr_host {
+
+class Body;
 
 // A picture with 8 bits each for red, green and blue, row by row from the top left.
 struct Picture {
@@ -27,6 +30,8 @@ struct CameraShot {
   // Pose of the lens in the world W, with x along the optical axis, y to the left and z up.
   Eigen::Isometry3d X_WC = Eigen::Isometry3d::Identity();
   double fov_h_rad = 0, fov_v_rad = 0;
+  // The body that carries the camera, for sources that draw its world; null in some tests.
+  const Body* body = nullptr;
 };
 
 class ImageSource {

@@ -23,6 +23,7 @@ dBodyID MakeBodyOfThing(dWorldID world, const WorldThing& thing) {
   const Vector3d& size = thing.size_m;
   dMass mass;
   switch (thing.shape) {
+    case ThingShape::kHeightField:  // never moves: its file format has no mass
     case ThingShape::kBox:
       dMassSetBoxTotal(&mass, thing.mass_kg, size.x(), size.y(), size.z());
       break;

@@ -66,7 +66,6 @@ class OdeBody : public Body {
           const std::vector<double>& angles_rad);
 
   void MakeTree(const RestingPose& pose, const std::vector<double>& angles_rad);
-  WorldThing BoxOfPart(size_t part) const;
   void PullByHand(double step_s);
   void PlaceBodies();
   void ReadState();

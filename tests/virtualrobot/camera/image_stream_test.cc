@@ -336,9 +336,11 @@ TEST_F(ImageTest, AColourTableFillsLayerCAndTheFrequencies) {
   EXPECT_EQ(y.ColorFrequency(ocdtCHANNEL0), 0);
 }
 
-// The test pattern, which a robot without a source sees: its ball is found in layer C, in the way
-// of BallTrackingHead.
-class PatternTest : public VirtualRobotCommTest {};
+// The test pattern: its ball is found in layer C, in the way of BallTrackingHead.
+class PatternTest : public VirtualRobotCommTest {
+ protected:
+  PatternTest() : VirtualRobotCommTest({nullptr, nullptr, std::make_unique<TestPattern>(), {}}) {}
+};
 
 TEST_F(PatternTest, ThePinkBallOfTheTestPatternIsFoundByColour) {
   Viewer* const viewer = system.AddObject<Viewer>(dog, "viewer");

@@ -1,0 +1,105 @@
+// Canvas: a picture with a depth buffer, on which faces and balls are drawn as a lens sees them.
+//
+// Because the pictures are part of a run, they have the same bits on every machine: the code uses
+// doubles with + - * / and sqrt only, and det_math.h for the angle of view (docs/worlds.md,
+// Camera).
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "virtualrobot/camera/image_source.h"
+
+namespace openr_host {
+
+using RgbBytes = std::array<uint8_t, 3>;
+
+// Returns the bytes of `colour` (red, green and blue, 0 to 1) in light of `brightness` (0 to 1).
+RgbBytes RgbOf(const Eigen::Vector3d& colour, double brightness);
+
+// A convex polygon with corners in the world W.
+class Face {
+ public:
+  static constexpr int kCornersMax = 32;
+
+  void Clear() { count_ = 0; }
+  // REQUIRES: fewer than kCornersMax corners.
+  void Add(const Eigen::Vector3d& corner) { corners_[static_cast<size_t>(count_++)] = corner; }
+  int count() const { return count_; }
+  const Eigen::Vector3d& corner(int i) const { return corners_[static_cast<size_t>(i)]; }
+
+  // Removes the part in which normal . p + offset < 0.  Adds at most one corner.
+  void CutBy(const Eigen::Vector3d& normal, double offset);
+
+ private:
+  int count_ = 0;
+  // Has room for one more corner for each of the two planes by which the canvas cuts.
+  std::array<Eigen::Vector3d, kCornersMax + 2> corners_;
+};
+
+class Canvas {
+ public:
+  // Things nearer than this distance along the optical axis are not drawn.
+  static constexpr double kNear_m = 0.004;
+
+  // Begins a picture: draws the floor z = 0 up to the horizon, and the background above it.
+  // `picture` must outlive the drawing of its things.
+  void Begin(const CameraShot& shot, const RgbBytes& floor, const RgbBytes& background,
+             Picture* picture);
+
+  // Returns whether a ball around a thing could be in the picture, so that the thing is drawn.
+  bool MaySee(const Eigen::Vector3d& centre_W, double radius_m) const;
+
+  // Draws a face whose front side has the outward normal `normal_W`; its back side is not seen.
+  // Parts below the floor are cut away.
+  void DrawFace(Face face, const Eigen::Vector3d& normal_W, const RgbBytes& colour);
+
+  // Draws paint, a face on the floor.  REQUIRES: called before faces and balls are drawn.
+  void DrawPaint(Face face, const RgbBytes& colour);
+
+  // Draws a ball that is lit from the direction `to_light_W`; `ambient` is as in World.
+  void DrawBall(const Eigen::Vector3d& centre_W, double radius_m, const Eigen::Vector3d& colour,
+                const Eigen::Vector3d& to_light_W, double ambient);
+
+  // Returns the place of the lens in W.
+  const Eigen::Vector3d& p_WC() const { return p_WC_; }
+
+ private:
+  // A quantity that is linear in the coordinates of the picture: at + x * along_x + y * along_y.
+  struct Linear {
+    double at = 0, along_x = 0, along_y = 0;
+    double Of(double x, double y) const { return at + x * along_x + y * along_y; }
+  };
+  // The pixels begin to end - 1 of a row, or the rows begin to end - 1.
+  struct Span {
+    int begin = 0, end = 0;
+  };
+
+  // Returns the linear quantity v . d, in which d is the ray through a pixel in C, with d.x = 1.
+  Linear AlongRays(const Eigen::Vector3d& v) const;
+  // Computes the spans of pixels whose centres are in the face, whose corners are in C, and
+  // returns the rows that the face reaches.
+  Span FindSpans(const Face& face);
+  void AddEdge(const Eigen::Vector2d& from, const Eigen::Vector2d& to);
+  // Returns the pixels along an axis with `size` pixels whose slopes (y or z over x in C) a ball
+  // has.
+  Span SpanOfBall(double forward, double sideways, double radius_m, double pixels_per_slope,
+                  double size) const;
+  Face InLens(const Face& face) const;
+  uint8_t* Row(int y) { return picture_->At(0, y); }
+  float* DepthRow(int y) {
+    return &inverse_depth_[static_cast<size_t>(y) * static_cast<size_t>(width_)];
+  }
+
+  Picture* picture_ = nullptr;
+  int width_ = 0, height_ = 0;
+  Eigen::Matrix3d R_CW_ = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d p_WC_{0, 0, 0};
+  double slope_h_ = 1, slope_v_ = 1;      // slopes of the rays at the left and the upper edge
+  std::vector<float> inverse_depth_;      // per pixel: 1 / x in C; 0: only floor or background
+  std::vector<std::array<double, 2>> x_;  // per row: the least and the greatest x of a face
+};
+
+}  // namespace openr_host

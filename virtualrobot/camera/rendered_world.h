@@ -1,0 +1,34 @@
+// RenderedWorld: draws what a camera sees of its robot's world, in flat light.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "virtualrobot/camera/canvas.h"
+#include "virtualrobot/camera/image_source.h"
+#include "virtualrobot/model/robot_model.h"
+#include "virtualrobot/world.h"
+
+namespace openr_host {
+
+// Draws the floor, its paint, the things of Body::Surroundings(), and the robot's own parts but for
+// its head and mouth.
+class RenderedWorld : public ImageSource {
+ public:
+  // `model` is the robot that carries the camera, and must outlive the source.
+  explicit RenderedWorld(const RobotModel& model);
+
+  // REQUIRES: shot.body is not null.
+  std::string Capture(const CameraShot& shot, Picture* picture) override;
+
+ private:
+  const RobotModel& model_;
+  std::vector<bool> is_head_;  // per part: moves with the camera, in front of it or around it
+  Canvas canvas_;
+};
+
+// Draws `world` with `things` in their present places.
+void DrawWorld(const CameraShot& shot, const World& world, const std::vector<WorldThing>& things,
+               Canvas* canvas, Picture* picture);
+
+}  // namespace openr_host

@@ -1,0 +1,26 @@
+// Finds where balls and boxes touch a heightfield, for which ODE has a collider, but one that calls
+// libm.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "virtualrobot/dynamics/touch.h"
+#include "virtualrobot/world.h"
+
+namespace openr_host {
+
+// Adds the points, at most kHeightPointsMax, at which a ball touches the heightfield `thing`, the
+// deepest first.  A ball in a valley touches both of its sides.
+inline constexpr int kHeightPointsMax = 8;
+void TouchBallOnHeights(const Eigen::Vector3d& centre_W, double radius_m, const WorldThing& thing,
+                        std::vector<TouchPoint>* points);
+
+// Adds the points, at most kHeightPointsMax, at which a box touches the heightfield `thing`, the
+// deepest first: corners of the box below the surface, and points of the grid in the box.  Edges of
+// the box that cross edges of the surface in the air between these points are not found.
+void TouchBoxOnHeights(const Eigen::Vector3d& centre_W, const Eigen::Matrix3d& R_WB,
+                       const Eigen::Vector3d& size_m, const WorldThing& thing,
+                       std::vector<TouchPoint>* points);
+
+}  // namespace openr_host

@@ -1,0 +1,56 @@
+// The surface of a heightfield: a grid of points with heights, and two triangles between each four
+// of them.
+//
+// All places are in the axes T of the thing, whose origin is the centre of its box.  Heights are
+// over the lower face of this box.  The thing is solid from there up to the surface.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "virtualrobot/world.h"
+
+namespace openr_host {
+
+struct HeightGrid {
+  int columns = 0, rows = 0;      // points along x and along y, 2 or more each
+  std::vector<double> heights_m;  // row by row, beginning at the least y; in a row, at the least x
+
+  double At(int column, int row) const {
+    return heights_m[static_cast<size_t>(row) * static_cast<size_t>(columns) +
+                     static_cast<size_t>(column)];
+  }
+};
+
+using Triangle = std::array<Eigen::Vector3d, 3>;
+
+// Returns the point of the grid with this column and row.  REQUIRES: `thing` is a heightfield; so
+// do the functions below.
+Eigen::Vector3d PointOfGrid(const WorldThing& thing, int column, int row);
+
+// Returns the two triangles between the point with this column and row and the next ones,
+// counterclockwise from above.
+std::array<Triangle, 2> TrianglesOf(const WorldThing& thing, int column, int row);
+
+// Returns the triangles of the surface and of the sides below its edges, counterclockwise from
+// outside.
+std::vector<Triangle> OutsideOf(const WorldThing& thing);
+
+// Returns the unit vector that stands on the outer side of `triangle`; 0 if it has no area.
+Eigen::Vector3d NormalOf(const Triangle& triangle);
+
+struct SurfacePoint {
+  double height_m = 0;                // over the lower face of the box
+  Eigen::Vector3d normal_T{0, 0, 1};  // unit vector
+};
+
+// Returns the surface at (x, y), or at the nearest place of its edge.
+SurfacePoint SurfaceAt(const WorldThing& thing, double x, double y);
+
+// Follows the ray p + t d for t from `enter` to `leave`, between which it is in the box of the
+// thing.  Returns the least t at which the ray is in the solid; infinite if there is none.
+double EnterHeights(const WorldThing& thing, const Eigen::Vector3d& p, const Eigen::Vector3d& d,
+                    double enter, double leave);
+
+}  // namespace openr_host
