@@ -32,13 +32,18 @@ constexpr double kPaintMax_m = 0.01;
 // Thickness of a ramp, which is a board: more than a falling part moves in a frame.
 constexpr double kRampThickness_m = 0.1;
 
-// Reads the rotation `yaw_deg` about the vertical; none if it was left out.
-Matrix3d YawOf(const JsonReader& row) {
-  if (!row.Has("yaw_deg")) return Matrix3d::Identity();
+// Reads the angle `yaw_deg` about the vertical, in radians; 0 if it was left out.
+double YawOf(const JsonReader& row) {
+  if (!row.Has("yaw_deg")) return 0;
   const double yaw_deg = row.At("yaw_deg").Number();
   if (std::fabs(yaw_deg) > kAngleMax_deg)
     row.At("yaw_deg").Fail("is {}, must be -{} to {}", yaw_deg, kAngleMax_deg, kAngleMax_deg);
-  return RotationFromRpy({0, 0, Radians(yaw_deg)});
+  return Radians(yaw_deg);
+}
+
+// Reads the rotation `yaw_deg`; none if it was left out.
+Matrix3d YawRotationOf(const JsonReader& row) {
+  return row.Has("yaw_deg") ? RotationFromRpy({0, 0, YawOf(row)}) : Matrix3d::Identity();
 }
 
 // Reads the rotation `rpy_deg`; none if it was left out.
@@ -97,7 +102,7 @@ void ReadBox(const JsonReader& row, WorldThing thing, std::vector<WorldThing>* t
     if (row.Has("yaw_deg")) row.At("yaw_deg").Fail("stands beside 'rpy_deg'; leave one out");
     thing.R_WT = RpyRotationOf(row);
   } else {
-    thing.R_WT = YawOf(row);
+    thing.R_WT = YawRotationOf(row);
   }
   ReadMatter(row, &thing);
   things->push_back(thing);
@@ -130,7 +135,7 @@ void ReadRamp(const JsonReader& row, WorldThing thing, std::vector<WorldThing>* 
   const Vector3d size_m = EdgesOf(row, thing, "ramp");
   const double length_m = std::sqrt(size_m.x() * size_m.x() + size_m.z() * size_m.z());
   thing.size_m = Vector3d(length_m, size_m.y(), kRampThickness_m);
-  thing.R_WT = YawOf(row) * RotationFromRpy({0, -DetAtan2(size_m.z(), size_m.x()), 0});
+  thing.R_WT = YawRotationOf(row) * RotationFromRpy({0, -DetAtan2(size_m.z(), size_m.x()), 0});
   thing.centre_m =
       row.At("start_m").Vector() + thing.R_WT * Vector3d(length_m / 2, 0, -kRampThickness_m / 2);
   things->push_back(thing);
@@ -144,7 +149,7 @@ void ReadStairs(const JsonReader& row, WorldThing thing, std::vector<WorldThing>
   const Vector3d size_m = EdgesOf(row, thing, "stairs");
   const auto steps = static_cast<int>(row.At("steps").Whole(1, kStepsMax));
   const Vector3d start_m = row.At("start_m").Vector();
-  thing.R_WT = YawOf(row);
+  thing.R_WT = YawRotationOf(row);
   const double tread_m = size_m.x() / steps, rise_m = size_m.z() / steps;
   const std::string name = thing.name;
   for (int i = 0; i < steps; ++i) {
@@ -188,7 +193,7 @@ void ReadHeightField(const JsonReader& row, WorldThing thing, std::vector<WorldT
   if (top_m == 0) list.Fail("are all 0; one must be > 0");
   thing.size_m = Vector3d(base_m[0], base_m[1], top_m);
   thing.centre_m = row.At("centre_m").Vector() + Vector3d(0, 0, top_m / 2);
-  thing.R_WT = YawOf(row);
+  thing.R_WT = YawRotationOf(row);
   thing.heights = std::move(grid);
   things->push_back(thing);
 }
@@ -224,6 +229,21 @@ void ReadThing(const JsonReader& row, std::vector<WorldThing>* things) {
   const size_t first = things->size();
   ReadShape(row, things);
   CheckPlaces(row, *things, first);
+}
+
+// Reads the places at which robots begin.
+void ReadStarts(const JsonReader& rows, std::vector<StartPlace>* starts) {
+  for (const JsonReader& row : rows.Elements()) {
+    row.AllowOnly({"place_m", "yaw_deg"});
+    const std::vector<JsonReader> place = row.At("place_m").Elements();
+    if (place.size() != 2)
+      row.At("place_m").Fail("has {} numbers, must have x and y", place.size());
+    StartPlace start{.x_m = place[0].Number(), .y_m = place[1].Number()};
+    if (!(std::fabs(start.x_m) <= kPlaceMax_m && std::fabs(start.y_m) <= kPlaceMax_m))
+      row.At("place_m").Fail("is further away than {} m", kPlaceMax_m);
+    start.yaw_rad = YawOf(row);
+    starts->push_back(start);
+  }
 }
 
 // Reads the boxes of a file of version 1.
@@ -281,9 +301,10 @@ World ParseWorld(const std::string& text, const std::string& name) {
     root.AllowOnly({"schema", "name", "friction", "boxes"});
     if (root.Has("boxes")) ReadBoxes(root, &world.things);
   } else if (schema == "openr-host world 2") {
-    root.AllowOnly(
-        {"schema", "name", "friction", "floor_colour", "floor_reflectance", "light", "things"});
+    root.AllowOnly({"schema", "name", "friction", "floor_colour", "floor_reflectance", "light",
+                    "things", "starts"});
     ReadLooks(root, &world);
+    if (root.Has("starts")) ReadStarts(root.At("starts"), &world.starts);
     if (root.Has("things")) ReadThings(root.At("things"), &world.things);
   } else {
     root.At("schema").Fail(
