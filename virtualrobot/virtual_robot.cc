@@ -274,10 +274,7 @@ std::optional<int64_t> VirtualRobot::TimeOffUs() const {
 
 void VirtualRobot::SwitchOff() { parts_.SwitchOff(); }
 
-void VirtualRobot::RunFrameWhileOff() {
-  parts_.hands.DoFrame();
-  parts_.body->Advance(parts_.devices.Commands(parts_.power.motor_power()));
-}
+void VirtualRobot::RunFrameWhileOff() { parts_.MoveBody(); }
 
 void VirtualRobot::Reseed(uint64_t seed) { parts_.Reseed(seed); }
 
@@ -303,6 +300,7 @@ VirtualRobot* AddVirtualRobot(System* system, int robot, const RobotModel& model
   system->robot(robot).services = std::move(services);
   AddSystemObjects(result);
   result->parts().hands.AddVerbs();
+  result->parts().faults.AddVerbs();
   return result;
 }
 

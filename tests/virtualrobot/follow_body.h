@@ -24,7 +24,7 @@ class FollowBody : public Body {
   }
   const BodyState& state() const override { return state_; }
   RayHit CastRay(const Eigen::Vector3d&, const Eigen::Vector3d&, double max_m) const override {
-    return {.distance_m = distance_m < max_m ? distance_m : max_m};
+    return {.distance_m = distance_m < max_m ? distance_m : max_m, .reflectance = reflectance};
   }
   const World& world() const override { return world_; }
   std::vector<Eigen::Isometry3d> BodyPoses() const override { return poses_; }
@@ -35,7 +35,7 @@ class FollowBody : public Body {
   BodyState& mutable_state() { return state_; }
 
   int frames = 0;
-  double distance_m = 10;
+  double distance_m = 10, reflectance = 1;
   std::vector<JointCommand> last_commands;
 
  private:

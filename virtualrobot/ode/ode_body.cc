@@ -113,6 +113,7 @@ void OdeBody::Advance(const std::vector<JointCommand>& commands) {
     servos_[j].BeginFrame(commands[j], state_.joints[j].angle_rad);
   }
   state_.paws.assign(model_.paws.size(), false);
+  state_.paw_forces_n.assign(model_.paws.size(), 0);
   for (int i = 0; i < settings_.steps_per_frame; ++i) Step(kFrame_s / settings_.steps_per_frame);
   pushes_.clear();
   for (size_t j = 0; j < servos_.size(); ++j) {
@@ -136,8 +137,13 @@ void OdeBody::Step(double step_s) {
   tree_->BeginStep(lines_, kGravity_m_s2, step_s);
   for (const PushForce& push : pushes_) tree_->AddForce(push.part, push.force_W, push.p_W);
   if (held_at_) PullByHand(step_s);
-  SetUpContacts(finder_->Find(), step_s);
-  tree_->EndStep(forces_.Find(equations_));
+  const std::vector<ContactPoint>& points = finder_->Find();
+  SetUpContacts(points, step_s);
+  const std::vector<double>& impulses_n_s = forces_.Find(equations_);
+  for (size_t i = 0; i < points.size(); ++i) {
+    if (points[i].paw >= 0) state_.paw_forces_n[points[i].paw] += impulses_n_s[3 * i] / kFrame_s;
+  }
+  tree_->EndStep(impulses_n_s);
   PlaceBodies();
   ReadState();
 }
