@@ -18,6 +18,7 @@
 namespace openr_host {
 
 class Hasher;
+class PhysicsWorld;
 
 inline constexpr double kFrame_s = 0.008;
 inline constexpr double kGravity_m_s2 = 9.80665;
@@ -28,7 +29,7 @@ struct JointTrouble {
   std::optional<double> jammed_rad;  // the joint is stuck at this angle
   double strength = 1;               // share of the motor's torque that is left, 0 to 1
   std::optional<double> sensed_rad;  // the joint's sensor says this, wherever the joint is
-  double sensor_error_rad = 0;       // what the joint's sensor adds to the angle
+  double sensor_error_rad = 0;       // error of the joint's sensor, added to the angle
   bool is_sensor_dead = false;       // the signal of the joint's sensor means nothing
 
   bool Exists() const {
@@ -72,8 +73,17 @@ class Body {
  public:
   virtual ~Body() = default;
 
-  // Simulates one frame of 8 ms.  REQUIRES: commands.size() == model.joints.size().
-  virtual void Advance(const std::vector<JointCommand>& commands) = 0;
+  // A frame of 8 ms has two halves, because several robots can be in one world: first all of them
+  // get their commands, then Advance() is called for each.  The first of these calls simulates the
+  // frame for all robots of the world.  REQUIRES: commands.size() == model.joints.size().
+  virtual void SetCommands(const std::vector<JointCommand>& commands) = 0;
+  virtual void Advance() = 0;
+
+  // Simulates one frame of a robot that is alone in its world.
+  void Advance(const std::vector<JointCommand>& commands) {
+    SetCommands(commands);
+    Advance();
+  }
 
   virtual const BodyState& state() const = 0;
 
@@ -101,6 +111,10 @@ class Body {
   // parts of other robots in the same world.
   virtual std::vector<WorldThing> Surroundings() const { return world().things; }
 
+  // Puts the movable thing `thing`, an index of World::things, at rest at `centre_m`.  Returns
+  // false when this body, or the thing, cannot move it.
+  virtual bool PutThing(size_t /*thing*/, const Eigen::Vector3d& /*centre_m*/) { return false; }
+
   // Returns the present pose X_WL of each part, in the order of RobotModel::bodies.  X_WL maps a
   // point of the part, given as in the model file (in B at zero angles), to its place in W.
   virtual std::vector<Eigen::Isometry3d> BodyPoses() const = 0;
@@ -116,5 +130,10 @@ class Body {
 // must outlive the body.
 std::unique_ptr<Body> MakeIdealBody(const RobotModel& model, const World& world);
 std::unique_ptr<Body> MakeOdeBody(const RobotModel& model, const World& world);
+
+// Makes a world with physics, and a body that lies in it at `start`, together with other robots.
+std::shared_ptr<PhysicsWorld> MakePhysicsWorld(const World& world);
+std::unique_ptr<Body> MakeOdeBody(const RobotModel& model, std::shared_ptr<PhysicsWorld> world,
+                                  const StartPlace& start);
 
 }  // namespace openr_host

@@ -38,8 +38,8 @@ class Faults {
   void HashState(Hasher* hasher) const;
 
  private:
-  // The kinds of faults.  A joint can have one of the first three and, at its sensor, one of the
-  // next three.
+  // A joint can have one of the first three kinds of faults and, at its sensor, one of the next
+  // three.  The last two are of the body, the battery and its supply.
   enum class Kind { kJammed, kWeak, kUnpowered, kStuck, kNoisy, kDead, kHot, kDraw };
   enum class Part { kMotor, kSensor, kBody, kBattery, kSupply };
   // The part that has a fault.  `number` is that of the joint or the sensor.

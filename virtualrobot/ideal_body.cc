@@ -26,7 +26,7 @@ IdealBody::IdealBody(const RobotModel& model, const World& world)
   }
 }
 
-void IdealBody::Advance(const std::vector<JointCommand>& commands) {
+void IdealBody::SetCommands(const std::vector<JointCommand>& commands) {
   ASSERT(commands.size() == state_.joints.size(), "{} commands for {} joints", commands.size(),
          state_.joints.size());
   for (size_t j = 0; j < commands.size(); ++j) {

@@ -23,7 +23,9 @@ class IdealBody : public Body {
   // `model` must outlive the body.
   IdealBody(const RobotModel& model, const World& world);
 
-  void Advance(const std::vector<JointCommand>& commands) override;
+  using Body::Advance;
+  void SetCommands(const std::vector<JointCommand>& commands) override;
+  void Advance() override {}
 
   // Return the state and the poses at the end of the last frame.  state(), BodyPoses() and PoseOf()
   // compute the pose of the base only when a joint has moved since the last call, and of the parts

@@ -46,7 +46,7 @@ class Power {
   // Ends the messages to `entry`.  Returns false when `entry` does not observe.
   bool Unobserve(const OServiceEntry& entry);
 
-  // What changes in a frame of 8 ms.
+  // The load of the battery in a frame of 8 ms.
   struct Load {
     int current_ma = 1300;  // drawn from the battery, beside what the charging station gives
     int battery_c = 30;     // temperature of the battery

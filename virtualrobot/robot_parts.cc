@@ -14,7 +14,7 @@ namespace {
 // further robot does not change the noise of the others.
 Rng NoiseOf(int robot, uint64_t seed) { return {seed, fmt::format("robot{}/sensors", robot)}; }
 
-// Returns the random generator of the errors of its noisy sensors.
+// Returns the random generator of the errors of noisy sensors, which a person has broken.
 Rng FaultNoiseOf(int robot, uint64_t seed) { return {seed, fmt::format("robot{}/faults", robot)}; }
 
 }  // namespace
@@ -25,6 +25,8 @@ RobotParts::RobotParts(System* system_in, int robot_index_in, const RobotModel& 
       robot_index(robot_index_in),
       model(model_in),
       body(std::move(body_in)),
+      shared_frame(options.shared_frame ? std::move(options.shared_frame)
+                                        : std::make_shared<SharedFrame>()),
       primitives(model),
       devices(model),
       power(&system, options.battery),
@@ -37,7 +39,9 @@ RobotParts::RobotParts(System* system_in, int robot_index_in, const RobotModel& 
       microphone(std::move(options.microphone), primitives.IdOf(model.microphone_locator),
                  model.microphone_frames),
       camera(std::move(options.camera), model.camera, primitives.IdOf(model.camera.locator)),
-      safe_posture(model) {}
+      safe_posture(model) {
+  shared_frame->Add(this);
+}
 
 void RobotParts::Warn(std::string text) { system.AddFinding(Severity::kWarning, std::move(text)); }
 
@@ -61,10 +65,7 @@ void RobotParts::SwitchOff() {
   first_frame = frame = 0;
 }
 
-std::vector<Protection::Reason> RobotParts::MoveBody() {
-  hands.DoFrame();
-  faults.DoFrame();
-  body->Advance(devices.Commands(power.motor_power()));
+std::vector<Protection::Reason> RobotParts::NoteFrame() {
   energy.NoteFrame(*body, devices, power.charging());
   sensors.set_body_c(energy.Celsius(WarmThing::kBody));
   auto reasons = protection.NoteFrame(body->state(), energy, power.charging());

@@ -23,6 +23,7 @@
 #include "virtualrobot/protection.h"
 #include "virtualrobot/safe_posture.h"
 #include "virtualrobot/sensor_source.h"
+#include "virtualrobot/shared_frame.h"
 #include "virtualrobot/sound/microphone.h"
 #include "virtualrobot/sound/sound_sink.h"
 #include "virtualrobot/sound/sound_source.h"
@@ -31,13 +32,14 @@
 
 namespace openr_host {
 
-// The sink and the sources for a robot's speaker, microphone and camera, and its battery.  Every
-// member may be left out.
+// The sink and the sources for a robot's speaker, microphone and camera, its battery, and the
+// frames of its world.  Every member may be left out.
 struct VirtualRobotOptions {
-  std::unique_ptr<SoundSink> speaker;       // null: sounds are not stored
-  std::unique_ptr<SoundSource> microphone;  // null: the microphone hears silence
-  std::unique_ptr<ImageSource> camera;      // null: the camera sees the test pattern
-  Battery battery;                          // by default full at boot, and drains
+  std::unique_ptr<SoundSink> speaker;                   // null: sounds are not stored
+  std::unique_ptr<SoundSource> microphone;              // null: the microphone hears silence
+  std::unique_ptr<ImageSource> camera;                  // null: the camera sees the test pattern
+  Battery battery;                                      // by default full at boot, and drains
+  std::shared_ptr<SharedFrame> shared_frame = nullptr;  // null: the robot is alone in its world
 };
 
 // The names of the two system objects.
@@ -60,9 +62,9 @@ struct RobotParts {
   // where they are.
   void SwitchOff();
 
-  // Moves the body for a frame of 8 ms under the present set points, the hands of a person and the
-  // faults, and drains the battery.  Returns the reasons for which the robot now protects itself.
-  std::vector<Protection::Reason> MoveBody();
+  // Warms the robot up and drains its battery, after the body has moved for a frame of 8 ms.
+  // Returns the reasons for which the robot now protects itself.
+  std::vector<Protection::Reason> NoteFrame();
 
   // Makes the noise of the sensors start again from `seed`.
   void Reseed(uint64_t seed);
@@ -77,6 +79,7 @@ struct RobotParts {
   const int robot_index;
   const RobotModel& model;
   const std::unique_ptr<Body> body;
+  const std::shared_ptr<SharedFrame> shared_frame;
   PrimitiveTable primitives;
   Devices devices;
   Power power;

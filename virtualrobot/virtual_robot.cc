@@ -274,7 +274,10 @@ std::optional<int64_t> VirtualRobot::TimeOffUs() const {
 
 void VirtualRobot::SwitchOff() { parts_.SwitchOff(); }
 
-void VirtualRobot::RunFrameWhileOff() { parts_.MoveBody(); }
+void VirtualRobot::RunFrameWhileOff() {
+  parts_.shared_frame->End(parts_.system.now_us());
+  parts_.NoteFrame();
+}
 
 void VirtualRobot::Reseed(uint64_t seed) { parts_.Reseed(seed); }
 

@@ -27,6 +27,12 @@ struct WorldThing {
   double reflectance = 1;  // share of the infrared light of a distance sensor that comes back
 };
 
+// The place of a robot at its first boot: where the origin of its base B is above the floor, and
+// how far it is turned, counterclockwise from above.
+struct StartPlace {
+  double x_m = 0, y_m = 0, yaw_rad = 0;
+};
+
 struct World {
   std::string name = "flat";
   double floor_friction = 0.6;  // Coulomb friction coefficient of floor and things, >= 0

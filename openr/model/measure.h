@@ -23,7 +23,7 @@ struct StepResponse {
 // `step_deg` towards the middle of its range, one after the other.
 std::vector<StepResponse> MeasureSteps(const RobotModel& model, double step_deg);
 
-// What the distance sensor reads in front of a wall, over 200 samples.
+// Readings of the distance sensor in front of a wall, over 200 samples.
 struct DistanceReading {
   double distance_mm = 0;  // distance of the wall, along the ray of the sensor
   double reflectance = 1;

@@ -1,4 +1,4 @@
-// What `openr model measure` measures.
+// The measurements of `openr model measure`.
 #include "openr/model/measure.h"
 
 #include <gtest/gtest.h>

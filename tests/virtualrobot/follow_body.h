@@ -15,7 +15,9 @@ class FollowBody : public Body {
     state_.joints.resize(model.joints.size());
     state_.paws.resize(model.paws.size());
   }
-  void Advance(const std::vector<JointCommand>& commands) override {
+  using Body::Advance;
+  void Advance() override {}
+  void SetCommands(const std::vector<JointCommand>& commands) override {
     ++frames;
     last_commands = commands;
     for (size_t i = 0; i < commands.size(); ++i) {

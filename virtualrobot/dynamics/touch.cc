@@ -106,21 +106,56 @@ void TouchByFaces(const Vector3d& centre, const Matrix3d& R, const Vector3d& hal
   }
 }
 
+// Returns point `i` of the rim of an end of a cylinder, in its axes.  `end` is -0.5 or 0.5.
+Vector3d RimPoint(const Vector3d& size_m, double end, int i) {
+  constexpr double kHalfRoot = 0.70710678118654752440;  // sine and cosine of 45 degrees
+  constexpr double kX[kRimPoints] = {1, kHalfRoot, 0, -kHalfRoot, -1, -kHalfRoot, 0, kHalfRoot};
+  const double radius_m = size_m.x() / 2;
+  return {radius_m * kX[i], radius_m * kX[(i + kRimPoints - 2) % kRimPoints], end * size_m.z()};
+}
+
 // Adds the points of the rims of the cylinder's ends that are in the box.
 void TouchByRims(const Vector3d& centre, const Matrix3d& R, const Vector3d& half,
                  const WorldThing& thing, std::vector<TouchPoint>* points) {
-  constexpr double kHalfRoot = 0.70710678118654752440;  // sine and cosine of 45 degrees
-  constexpr double kX[kRimPoints] = {1, kHalfRoot, 0, -kHalfRoot, -1, -kHalfRoot, 0, kHalfRoot};
-  const double radius_m = thing.size_m.x() / 2;
   for (const double end : {-0.5, 0.5}) {
     for (int i = 0; i < kRimPoints; ++i) {
-      const Vector3d p(radius_m * kX[i], radius_m * kX[(i + kRimPoints - 2) % kRimPoints],
-                       end * thing.size_m.z());
+      const Vector3d p = RimPoint(thing.size_m, end, i);
       const SurfaceDistance found =
           DistanceTo(ThingShape::kBox, 2 * half, R.transpose() * (p - centre));
       if (found.distance_m < 0) points->push_back({p, -(R * found.out), -found.distance_m});
     }
   }
+}
+
+// Adds the points of `cylinder` that are in `thing`: of the rims of its ends, and of the line along
+// its side that faces `thing`.  The points of the side keep away from the ends, because the nearest
+// way out of an end leads along the axis.  `sign` is 1 if normals are to point out of `thing`,
+// otherwise -1.
+void TouchByRimsAndSide(const WorldThing& cylinder, const WorldThing& thing, double sign,
+                        std::vector<TouchPoint>* points) {
+  const auto test = [&](const Vector3d& p) {
+    const Vector3d p_W = cylinder.centre_m + cylinder.R_WT * p;
+    const SurfaceDistance found =
+        DistanceTo(thing.shape, thing.size_m, thing.R_WT.transpose() * (p_W - thing.centre_m));
+    if (found.distance_m < 0)
+      points->push_back({p_W, sign * (thing.R_WT * found.out), -found.distance_m});
+  };
+  for (const double end : {-0.5, 0.5}) {
+    for (int i = 0; i < kRimPoints; ++i) test(RimPoint(cylinder.size_m, end, i));
+  }
+  const Vector3d way = cylinder.R_WT.transpose() * (thing.centre_m - cylinder.centre_m);
+  const double length = std::sqrt(way.x() * way.x() + way.y() * way.y());
+  if (length == 0) return;
+  const double scale = cylinder.size_m.x() / 2 / length;
+  for (const double height : {-0.4, 0.0, 0.4})
+    test(Vector3d(way.x() * scale, way.y() * scale, height * cylinder.size_m.z()));
+}
+
+// Keeps the deepest kBoxPointsMax points, the deepest first.  Equal ones keep their order.
+void KeepDeepestPoints(std::vector<TouchPoint>* points) {
+  std::stable_sort(points->begin(), points->end(),
+                   [](const TouchPoint& a, const TouchPoint& b) { return a.depth_m > b.depth_m; });
+  if (points->size() > kBoxPointsMax) points->resize(kBoxPointsMax);
 }
 
 }  // namespace
@@ -161,15 +196,21 @@ void TouchBox(const Vector3d& centre_W, const Matrix3d& R_WB, const Vector3d& si
   TouchByFaces(centre, R, half, thing, &found);
   TouchByEdges(centre, R, half, thing, &found);
   TouchByRims(centre, R, half, thing, &found);
-  // The deepest points come first; equal ones keep their order.
-  std::stable_sort(found.begin(), found.end(),
-                   [](const TouchPoint& a, const TouchPoint& b) { return a.depth_m > b.depth_m; });
-  if (found.size() > kBoxPointsMax) found.resize(kBoxPointsMax);
+  KeepDeepestPoints(&found);
   for (TouchPoint& point : found) {
     point.p_W = thing.centre_m + thing.R_WT * point.p_W;
     point.normal_W = thing.R_WT * point.normal_W;
     points->push_back(point);
   }
+}
+
+void TouchCylinders(const WorldThing& cylinder, const WorldThing& thing,
+                    std::vector<TouchPoint>* points) {
+  std::vector<TouchPoint> found;
+  TouchByRimsAndSide(cylinder, thing, 1, &found);
+  TouchByRimsAndSide(thing, cylinder, -1, &found);
+  KeepDeepestPoints(&found);
+  points->insert(points->end(), found.begin(), found.end());
 }
 
 }  // namespace openr_host

@@ -1,4 +1,4 @@
-// Finds where balls and boxes of a robot touch static things that ODE's colliders do not serve.
+// Finds where balls, boxes and cylinders touch things that ODE's colliders do not serve.
 //
 // Pairs of boxes are left to ODE (ode/contact_finder.h).  ODE's colliders for cylinders call sine
 // and cosine of libm, whose bits depend on the processor.
@@ -12,7 +12,7 @@
 namespace openr_host {
 
 struct TouchPoint {
-  Eigen::Vector3d p_W{0, 0, 0};       // the deepest point of the robot or of the thing
+  Eigen::Vector3d p_W{0, 0, 0};       // the deepest point of one of the two
   Eigen::Vector3d normal_W{0, 0, 1};  // unit vector out of the thing
   double depth_m = 0;                 // > 0
 };
@@ -37,5 +37,10 @@ inline constexpr int kBoxPointsMax = 8;
 void TouchBox(const Eigen::Vector3d& centre_W, const Eigen::Matrix3d& R_WB,
               const Eigen::Vector3d& size_m, const WorldThing& thing,
               std::vector<TouchPoint>* points);
+
+// Adds the points, at most kBoxPointsMax, at which `cylinder` touches `thing`: points of the rims
+// of their ends.  REQUIRES: both are cylinders.
+void TouchCylinders(const WorldThing& cylinder, const WorldThing& thing,
+                    std::vector<TouchPoint>* points);
 
 }  // namespace openr_host

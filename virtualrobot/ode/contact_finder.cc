@@ -8,6 +8,7 @@
 namespace openr_host {
 namespace {
 
+using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 // Maximum number of contacts of one box with the floor.  A box that lies flat touches with four
@@ -28,87 +29,188 @@ dGeomID GeomOf(const WorldThing& thing) {
   return dCreateBox(nullptr, size.x(), size.y(), size.z());
 }
 
+void PlaceGeom(dGeomID geom, const WorldThing& thing) {
+  const Matrix3d& m = thing.R_WT;
+  const dMatrix3 R = {m(0, 0), m(0, 1), m(0, 2), 0,       m(1, 0), m(1, 1),
+                      m(1, 2), 0,       m(2, 0), m(2, 1), m(2, 2), 0};
+  dGeomSetPosition(geom, thing.centre_m.x(), thing.centre_m.y(), thing.centre_m.z());
+  dGeomSetRotation(geom, R);
+}
+
 }  // namespace
 
-ContactFinder::ContactFinder(const RobotModel& model, const World& world,
-                             const std::vector<dBodyID>& bodies)
-    : model_(model), bodies_(bodies), things_(world.things) {
-  // Because the floor is tested without ODE, parts need an ODE geometry only in a world with
-  // things.
-  if (things_.empty()) return;
-  for (const WorldThing& thing : things_) {
-    const dGeomID geom = GeomOf(thing);
-    const Eigen::Matrix3d& m = thing.R_WT;
-    const dMatrix3 R = {m(0, 0), m(0, 1), m(0, 2), 0,       m(1, 0), m(1, 1),
-                        m(1, 2), 0,       m(2, 0), m(2, 1), m(2, 2), 0};
-    dGeomSetPosition(geom, thing.centre_m.x(), thing.centre_m.y(), thing.centre_m.z());
-    dGeomSetRotation(geom, R);
-    thing_geoms_.push_back(geom);
-  }
-  for (size_t i = 0; i < bodies.size(); ++i) {
-    const Vector3d& size = model.bodies[i].size_m;
-    part_boxes_.push_back(dCreateBox(nullptr, size.x(), size.y(), size.z()));
-    dGeomSetBody(part_boxes_.back(), bodies[i]);
-  }
-  for (const Paw& paw : model.paws) {
-    const Vector3d offset = paw.centre_m - model.bodies[paw.body].centre_m;
-    paw_balls_.push_back(dCreateSphere(nullptr, paw.radius_m));
-    dGeomSetBody(paw_balls_.back(), bodies[paw.body]);
-    dGeomSetOffsetPosition(paw_balls_.back(), offset.x(), offset.y(), offset.z());
+bool ContactFinder::Room::IsApartFrom(const Room& other) const {
+  bool apart = false;
+  for (int i = 0; i < 6; i += 2)
+    apart = apart || edges[i] > other.edges[i + 1] || edges[i + 1] < other.edges[i];
+  return apart;
+}
+
+Vector3d ContactFinder::Shape::CentreW() const {
+  if (body == nullptr) return thing->centre_m;
+  const dReal* const p = dBodyGetPosition(body);
+  const dReal* const R = dBodyGetRotation(body);
+  const Vector3d& l = offset_m;
+  return {p[0] + R[0] * l.x() + R[1] * l.y() + R[2] * l.z(),
+          p[1] + R[4] * l.x() + R[5] * l.y() + R[6] * l.z(),
+          p[2] + R[8] * l.x() + R[9] * l.y() + R[10] * l.z()};
+}
+
+Matrix3d ContactFinder::Shape::R_W() const {
+  return body == nullptr ? thing->R_WT : RotationOf(body);
+}
+
+ContactFinder::ContactFinder(const std::vector<WorldThing>& things,
+                             const std::vector<dBodyID>& bodies) {
+  int trees = 0;
+  for (size_t i = 0; i < things.size(); ++i) {
+    Shape shape;
+    shape.side.tree = bodies[i] == nullptr ? -1 : trees++;
+    if (!things[i].is_solid) continue;
+    shape.shape = things[i].shape;
+    shape.size_m = things[i].size_m;
+    shape.thing = &things[i];
+    shape.geom = GeomOf(things[i]);
+    shape.body = bodies[i];
+    if (shape.body == nullptr) {
+      PlaceGeom(shape.geom, things[i]);
+      dGeomGetAABB(shape.geom, shape.room.edges);
+    } else {
+      dGeomSetBody(shape.geom, shape.body);
+    }
+    things_.push_back(shape);
   }
 }
 
 ContactFinder::~ContactFinder() {
-  for (const dGeomID geom : paw_balls_) dGeomDestroy(geom);
-  for (const dGeomID geom : part_boxes_) dGeomDestroy(geom);
-  for (const dGeomID geom : thing_geoms_) dGeomDestroy(geom);
+  for (const Robot& robot : robots_) {
+    for (const Shape& ball : robot.balls) dGeomDestroy(ball.geom);
+    for (const Shape& box : robot.boxes) dGeomDestroy(box.geom);
+  }
+  for (const Shape& thing : things_) dGeomDestroy(thing.geom);
+}
+
+void ContactFinder::AddRobot(int tree, const RobotModel& model,
+                             const std::vector<dBodyID>& bodies) {
+  Robot robot;
+  for (size_t i = 0; i < bodies.size(); ++i) {
+    Shape box;
+    box.size_m = model.bodies[i].size_m;
+    box.side = {tree, static_cast<int>(i)};
+    box.body = bodies[i];
+    box.geom = dCreateBox(nullptr, box.size_m.x(), box.size_m.y(), box.size_m.z());
+    dGeomSetBody(box.geom, box.body);
+    robot.boxes.push_back(box);
+  }
+  for (size_t k = 0; k < model.paws.size(); ++k) {
+    const Paw& paw = model.paws[k];
+    Shape ball;
+    ball.shape = ThingShape::kSphere;
+    ball.size_m.setConstant(2 * paw.radius_m);
+    ball.side = {tree, paw.body};
+    ball.paw = static_cast<int>(k);
+    ball.body = bodies[static_cast<size_t>(paw.body)];
+    ball.offset_m = paw.centre_m - model.bodies[static_cast<size_t>(paw.body)].centre_m;
+    ball.geom = dCreateSphere(nullptr, paw.radius_m);
+    dGeomSetBody(ball.geom, ball.body);
+    dGeomSetOffsetPosition(ball.geom, ball.offset_m.x(), ball.offset_m.y(), ball.offset_m.z());
+    robot.balls.push_back(ball);
+  }
+  robots_.push_back(std::move(robot));
 }
 
 const std::vector<ContactPoint>& ContactFinder::Find() {
   points_.clear();
-  for (size_t i = 0; i < bodies_.size(); ++i) {
-    FindBoxOnFloor(static_cast<int>(i));
-    if (!things_.empty()) FindOnThings(static_cast<int>(i), -1);
+  for (Shape& thing : things_) {
+    if (thing.body != nullptr) dGeomGetAABB(thing.geom, thing.room.edges);
   }
-  for (size_t k = 0; k < model_.paws.size(); ++k) {
-    FindPawOnFloor(static_cast<int>(k));
-    if (!things_.empty()) FindOnThings(model_.paws[k].body, static_cast<int>(k));
+  // The floor is tested without rooms, so a robot that is alone in an empty world needs none.
+  if (!things_.empty() || robots_.size() > 1) {
+    for (Robot& robot : robots_) FindRoom(&robot);
   }
-  KeepDeepest();
+  for (size_t t = 0; t < things_.size(); ++t) {
+    if (things_[t].body != nullptr) FindOfThing(t);
+  }
+  for (size_t r = 0; r < robots_.size(); ++r) FindOfRobot(r);
   return points_;
 }
 
-// Leaves out all but the deepest points, because the work of the solver grows with their third
-// power.  Equal points keep their order.
-void ContactFinder::KeepDeepest() {
-  if (points_.size() <= kContactsMax) return;
-  std::stable_sort(
-      points_.begin(), points_.end(),
-      [](const ContactPoint& a, const ContactPoint& b) { return a.depth_m > b.depth_m; });
-  points_.resize(kContactsMax);
+// Finds the rooms of the robot's shapes, and the room of all of them.
+void ContactFinder::FindRoom(Robot* robot) {
+  Room& all = robot->room;
+  for (int i = 0; i < 6; ++i) all.edges[i] = i % 2 == 0 ? dInfinity : -dInfinity;
+  for (std::vector<Shape>* const shapes : {&robot->boxes, &robot->balls}) {
+    for (Shape& shape : *shapes) {
+      dGeomGetAABB(shape.geom, shape.room.edges);
+      for (int i = 0; i < 6; i += 2) {
+        all.edges[i] = std::min(all.edges[i], shape.room.edges[i]);
+        all.edges[i + 1] = std::max(all.edges[i + 1], shape.room.edges[i + 1]);
+      }
+    }
+  }
 }
 
-void ContactFinder::FindPawOnFloor(int paw) {
-  const Paw& model_paw = model_.paws[paw];
-  const dReal* p = dBodyGetPosition(bodies_[model_paw.body]);
-  const dReal* R = dBodyGetRotation(bodies_[model_paw.body]);
-  const Vector3d l = model_paw.centre_m - model_.bodies[model_paw.body].centre_m;
-  const double z = p[2] + R[8] * l.x() + R[9] * l.y() + R[10] * l.z();
-  const double depth_m = model_paw.radius_m - z;
+// Finds the contacts of a movable thing with the floor, with fixed things and with movable things
+// that come after it.
+void ContactFinder::FindOfThing(size_t thing) {
+  FindOnFloor(things_[thing]);
+  for (size_t other = 0; other < things_.size(); ++other) {
+    const bool is_earlier = other <= thing && things_[other].body != nullptr;
+    if (!is_earlier && !things_[thing].room.IsApartFrom(things_[other].room))
+      FindOn(things_[thing], things_[other]);
+  }
+}
+
+void ContactFinder::FindOfRobot(size_t robot) {
+  near_.clear();
+  for (const Shape& thing : things_) {
+    if (!robots_[robot].room.IsApartFrom(thing.room)) near_.push_back(&thing);
+  }
+  for (const std::vector<Shape>* const shapes : {&robots_[robot].boxes, &robots_[robot].balls}) {
+    for (const Shape& shape : *shapes) {
+      FindOnFloor(shape);
+      FindOnOthers(shape, robot);
+    }
+  }
+}
+
+// Adds the points at which `shape`, which belongs to robot `robot`, touches things and other
+// robots.  A pair of boxes of two robots is tested for the first of them only.
+void ContactFinder::FindOnOthers(const Shape& shape, size_t robot) {
+  for (const Shape* const thing : near_) {
+    if (!shape.room.IsApartFrom(thing->room)) FindOn(shape, *thing);
+  }
+  for (size_t other = 0; other < robots_.size(); ++other) {
+    if (other == robot || (shape.paw < 0 && other < robot)) continue;
+    if (robots_[robot].room.IsApartFrom(robots_[other].room)) continue;
+    for (const Shape& box : robots_[other].boxes) {
+      if (!shape.room.IsApartFrom(box.room)) FindOn(shape, box);
+    }
+  }
+}
+
+void ContactFinder::FindOnFloor(const Shape& shape) {
+  if (shape.shape == ThingShape::kBox) return FindBoxOnFloor(shape);
+  if (shape.shape == ThingShape::kSphere) return FindBallOnFloor(shape);
+  FindCylinderOnFloor(shape);
+}
+
+void ContactFinder::FindBallOnFloor(const Shape& ball) {
+  const Vector3d centre_W = ball.CentreW();
+  const double depth_m = ball.size_m.x() / 2 - centre_W.z();
   if (depth_m <= 0) return;
   ContactPoint point;
-  point.body = model_paw.body;
-  point.paw = paw;
-  point.p_W = Vector3d(p[0] + R[0] * l.x() + R[1] * l.y() + R[2] * l.z(),
-                       p[1] + R[4] * l.x() + R[5] * l.y() + R[6] * l.z(), -depth_m);
+  point.side = ball.side;
+  point.paw = ball.paw;
+  point.p_W = Vector3d(centre_W.x(), centre_W.y(), -depth_m);
   point.depth_m = depth_m;
   points_.push_back(point);
 }
 
-void ContactFinder::FindBoxOnFloor(int body) {
-  const Vector3d half = model_.bodies[body].size_m / 2;
-  const dReal* p = dBodyGetPosition(bodies_[body]);
-  const dReal* R = dBodyGetRotation(bodies_[body]);
+void ContactFinder::FindBoxOnFloor(const Shape& box) {
+  const Vector3d half = box.size_m / 2;
+  const dReal* p = dBodyGetPosition(box.body);
+  const dReal* R = dBodyGetRotation(box.body);
   const double zx = R[8] * half.x(), zy = R[9] * half.y(), zz = R[10] * half.z();
   if (p[2] >= std::fabs(zx) + std::fabs(zy) + std::fabs(zz)) return;
   // From here on the lowest corner is below the floor, so the loop finds at least one corner.
@@ -120,7 +222,7 @@ void ContactFinder::FindBoxOnFloor(int body) {
     found += 1;
     const double x = sx * half.x(), y = sy * half.y(), w = sz * half.z();
     ContactPoint point;
-    point.body = body;
+    point.side = box.side;
     point.p_W =
         Vector3d(p[0] + R[0] * x + R[1] * y + R[2] * w, p[1] + R[4] * x + R[5] * y + R[6] * w, z);
     point.depth_m = -z;
@@ -128,34 +230,53 @@ void ContactFinder::FindBoxOnFloor(int body) {
   }
 }
 
-void ContactFinder::FindOnThings(int body, int paw) {
-  const dGeomID part = paw >= 0 ? paw_balls_[paw] : part_boxes_[body];
-  // Bounding boxes are compared first, because this is cheap and most parts are far from most
-  // things.
-  dReal reach[6];
-  dGeomGetAABB(part, reach);
-  for (size_t t = 0; t < things_.size(); ++t) {
-    dReal room[6];
-    dGeomGetAABB(thing_geoms_[t], room);
-    bool apart = false;
-    for (int i = 0; i < 6; i += 2)
-      apart = apart || reach[i] > room[i + 1] || reach[i + 1] < room[i];
-    if (apart) continue;
-    if (things_[t].shape == ThingShape::kBox) {
-      FindOnBox(part, thing_geoms_[t], body, paw);
-    } else {
-      FindOnRoundThing(things_[t], body, paw);
+// Tests four points of the rim of each end: the lowest one, and those a quarter, a half and three
+// quarters around from it.
+void ContactFinder::FindCylinderOnFloor(const Shape& cylinder) {
+  const Vector3d centre_W = cylinder.CentreW();
+  const Matrix3d R = cylinder.R_W();
+  const double radius_m = cylinder.size_m.x() / 2;
+  // The z of the cylinder's own x and y says which way along the end goes down.
+  Vector3d down(-R(2, 0), -R(2, 1), 0);
+  const double length = std::sqrt(down.x() * down.x() + down.y() * down.y());
+  if (length > 0) {
+    down /= length;
+  } else {
+    down = Vector3d::UnitX();
+  }
+  for (const double end : {-0.5, 0.5}) {
+    Vector3d way = down;
+    for (int quarter = 0; quarter < 4; ++quarter) {
+      const Vector3d p_W =
+          centre_W + R * (radius_m * way + Vector3d(0, 0, end * cylinder.size_m.z()));
+      way = Vector3d(-way.y(), way.x(), 0);
+      if (p_W.z() >= 0) continue;
+      ContactPoint point;
+      point.side = cylinder.side;
+      point.p_W = p_W;
+      point.depth_m = -p_W.z();
+      points_.push_back(point);
     }
   }
 }
 
-void ContactFinder::FindOnBox(dGeomID part, dGeomID box, int body, int paw) {
+// ODE serves boxes and balls on boxes.  Of all other pairs, our own code takes one as the round
+// thing, and the other as the box or ball that touches it.
+void ContactFinder::FindOn(const Shape& shape, const Shape& other) {
+  const bool shape_is_cylinder = shape.shape == ThingShape::kCylinder;
+  if (other.shape == ThingShape::kBox && !shape_is_cylinder) return FindByOde(shape, other);
+  const bool swapped = shape_is_cylinder && other.shape != ThingShape::kCylinder;
+  FindOnRound(swapped ? other : shape, swapped ? shape : other, swapped);
+}
+
+void ContactFinder::FindByOde(const Shape& shape, const Shape& other) {
   dContactGeom found[kPointsMax];
-  const int count = dCollide(part, box, kPointsMax, found, sizeof(dContactGeom));
+  const int count = dCollide(shape.geom, other.geom, kPointsMax, found, sizeof(dContactGeom));
   for (int i = 0; i < count; ++i) {
     ContactPoint point;
-    point.body = body;
-    point.paw = paw;
+    point.side = shape.side;
+    point.other = other.side;
+    point.paw = shape.paw;
     point.p_W = Vector3d(found[i].pos[0], found[i].pos[1], found[i].pos[2]);
     point.normal_W = Vector3d(found[i].normal[0], found[i].normal[1], found[i].normal[2]);
     point.depth_m = found[i].depth;
@@ -163,23 +284,24 @@ void ContactFinder::FindOnBox(dGeomID part, dGeomID box, int body, int paw) {
   }
 }
 
-void ContactFinder::FindOnRoundThing(const WorldThing& thing, int body, int paw) {
-  const Vector3d centre_W = ToEigen(dBodyGetPosition(bodies_[body]));
-  const Eigen::Matrix3d R_WL = RotationOf(bodies_[body]);
+// Adds the points at which `shape` touches the round thing `other`.  `swapped`: `other` is the one
+// that can move.
+void ContactFinder::FindOnRound(const Shape& shape, const Shape& other, bool swapped) {
   touches_.clear();
-  if (paw >= 0) {
-    const Paw& ball = model_.paws[paw];
-    const Vector3d offset = ball.centre_m - model_.bodies[body].centre_m;
-    TouchBall(centre_W + R_WL * offset, ball.radius_m, thing, &touches_);
+  if (shape.shape == ThingShape::kBox) {
+    TouchBox(shape.CentreW(), shape.R_W(), shape.size_m, *other.thing, &touches_);
+  } else if (shape.shape == ThingShape::kSphere) {
+    TouchBall(shape.CentreW(), shape.size_m.x() / 2, *other.thing, &touches_);
   } else {
-    TouchBox(centre_W, R_WL, model_.bodies[body].size_m, thing, &touches_);
+    TouchCylinders(*shape.thing, *other.thing, &touches_);
   }
   for (const TouchPoint& touch : touches_) {
     ContactPoint point;
-    point.body = body;
-    point.paw = paw;
+    point.side = swapped ? other.side : shape.side;
+    point.other = swapped ? shape.side : other.side;
+    point.paw = shape.paw;
     point.p_W = touch.p_W;
-    point.normal_W = touch.normal_W;
+    point.normal_W = swapped ? Vector3d(-touch.normal_W) : touch.normal_W;
     point.depth_m = touch.depth_m;
     points_.push_back(point);
   }

@@ -1,9 +1,9 @@
-// Finds the points at which the paws and boxes of a robot touch the floor and the static things of
-// its world.
+// Finds the points at which the robots and the movable things of a world touch the floor, fixed
+// things and one another.
 //
-// Our own code tests each part against the floor, spheres and cylinders.  Because parts are not
-// tested against each other (docs/body.md says why), ODE's collision spaces are not needed.  ODE's
-// colliders for boxes and spheres test the parts against static boxes.
+// Our own code tests shapes against the floor, spheres and cylinders; ODE's colliders for boxes and
+// spheres do the rest. The parts of one robot are not tested against each other (docs/body.md says
+// why), so ODE's collision spaces are not needed.
 #pragma once
 
 #include <ode/ode.h>
@@ -16,46 +16,85 @@
 
 namespace openr_host {
 
+// One of the two that touch.
+struct ContactSide {
+  int tree = -1;  // number of the JointTree that moves it; -1: the floor or a fixed thing
+  int part = 0;   // part of the tree
+};
+
 struct ContactPoint {
-  int body = -1;  // index of the part in RobotModel::bodies
-  int paw = -1;   // index in RobotModel::paws; -1 when the part's box touches
+  ContactSide side;   // what touches; it can move
+  ContactSide other;  // what it touches
+  int paw = -1;       // index in RobotModel::paws; -1 when no paw touches
   Eigen::Vector3d p_W{0, 0, 0};
-  Eigen::Vector3d normal_W{0, 0, 1};  // unit vector out of the floor or thing
+  Eigen::Vector3d normal_W{0, 0, 1};  // unit vector out of `other`
   double depth_m = 0;                 // penetration depth, >= 0
 };
 
 class ContactFinder {
  public:
-  // Makes a finder for a robot whose parts are the ODE bodies `bodies`, in the order of `model`.
-  // `model` and `bodies` must outlive the finder.
-  ContactFinder(const RobotModel& model, const World& world, const std::vector<dBodyID>& bodies);
+  // `things` are the things of the world in their present places.  `bodies` has for each thing the
+  // ODE body that moves it, or null for a fixed thing.  The movable things have the trees 0, 1 and
+  // so on, in their order.  Both must outlive the finder.
+  ContactFinder(const std::vector<WorldThing>& things, const std::vector<dBodyID>& bodies);
   ~ContactFinder();
   ContactFinder(const ContactFinder&) = delete;
   ContactFinder& operator=(const ContactFinder&) = delete;
 
-  // Returns the points that touch now, in the order of the model; if more than kContactsMax touch,
-  // the deepest ones, by depth.  The result is valid until the next call.
-  static constexpr size_t kContactsMax = 64;
+  // Adds a robot that tree `tree` moves, and whose parts are the ODE bodies `bodies`, in the order
+  // of `model`.  `model` and `bodies` must outlive the finder.
+  void AddRobot(int tree, const RobotModel& model, const std::vector<dBodyID>& bodies);
+
+  // Returns the points that touch now: those of the movable things, then those of each robot, in
+  // the order of its model.  The result is valid until the next call.
   const std::vector<ContactPoint>& Find();
 
  private:
-  void KeepDeepest();
-  void FindPawOnFloor(int paw);
-  void FindBoxOnFloor(int body);
+  // Two corners of an upright box that encloses something: x, x, y, y, z, z, as ODE has them.
+  struct Room {
+    dReal edges[6];
+    bool IsApartFrom(const Room& other) const;
+  };
 
-  // Add the points at which part `body` touches the static things.  If `paw` is not -1, they test
-  // the ball of that paw instead of the part's box.
-  void FindOnThings(int body, int paw);
-  void FindOnBox(dGeomID part, dGeomID box, int body, int paw);
-  void FindOnRoundThing(const WorldThing& thing, int body, int paw);
+  // A box or a ball of a robot, or a thing.
+  struct Shape {
+    ThingShape shape = ThingShape::kBox;
+    Eigen::Vector3d size_m{0, 0, 0};  // as WorldThing::size_m
+    ContactSide side;
+    int paw = -1;
+    dGeomID geom = nullptr;
+    dBodyID body = nullptr;             // null: fixed
+    Eigen::Vector3d offset_m{0, 0, 0};  // from the body's centre of mass, in its axes
+    const WorldThing* thing = nullptr;  // null: part of a robot
+    Room room = {};
 
-  const RobotModel& model_;
-  const std::vector<dBodyID>& bodies_;
+    Eigen::Vector3d CentreW() const;
+    Eigen::Matrix3d R_W() const;
+  };
+
+  struct Robot {
+    std::vector<Shape> boxes, balls;
+    Room room = {};
+  };
+
+  void FindOfThing(size_t thing);
+  void FindOfRobot(size_t robot);
+  void FindRoom(Robot* robot);
+  void FindOnOthers(const Shape& shape, size_t robot);
+
+  // Add the points at which a shape touches the floor or another shape.
+  void FindOnFloor(const Shape& shape);
+  void FindBallOnFloor(const Shape& ball);
+  void FindBoxOnFloor(const Shape& box);
+  void FindCylinderOnFloor(const Shape& cylinder);
+  void FindOn(const Shape& shape, const Shape& other);
+  void FindByOde(const Shape& shape, const Shape& other);
+  void FindOnRound(const Shape& shape, const Shape& other, bool swapped);
+
+  std::vector<Shape> things_;  // the solid ones
+  std::vector<Robot> robots_;
+  std::vector<const Shape*> near_;  // things that the present robot may touch
   std::vector<ContactPoint> points_;
-  const std::vector<WorldThing> things_;
-  std::vector<dGeomID> thing_geoms_;  // one for each thing; only boxes are tested with it
-  std::vector<dGeomID> part_boxes_;   // one for each body; empty in a world without things
-  std::vector<dGeomID> paw_balls_;    // one for each paw; empty in a world without things
   std::vector<TouchPoint> touches_;
 };
 

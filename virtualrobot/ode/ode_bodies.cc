@@ -18,6 +18,26 @@ dBodyID MakeBody(dWorldID world, const BodyPart& part) {
   return body;
 }
 
+dBodyID MakeBodyOfThing(dWorldID world, const WorldThing& thing) {
+  constexpr int kAlongZ = 3;
+  const Vector3d& size = thing.size_m;
+  dMass mass;
+  switch (thing.shape) {
+    case ThingShape::kBox:
+      dMassSetBoxTotal(&mass, thing.mass_kg, size.x(), size.y(), size.z());
+      break;
+    case ThingShape::kSphere:
+      dMassSetSphereTotal(&mass, thing.mass_kg, size.x() / 2);
+      break;
+    case ThingShape::kCylinder:
+      dMassSetCylinderTotal(&mass, thing.mass_kg, kAlongZ, size.x() / 2, size.z());
+      break;
+  }
+  const dBodyID body = dBodyCreate(world);
+  dBodySetMass(body, &mass);
+  return body;
+}
+
 // A row of an ODE matrix has four numbers, the last of which is not used.
 void PlaceBody(dBodyID body, const Vector3d& centre_W, const Matrix3d& R_WL) {
   const Matrix3d& R = R_WL;

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include "virtualrobot/model/robot_model.h"
+#include "virtualrobot/world.h"
 
 namespace openr_host {
 
@@ -16,6 +17,9 @@ void InitOde();
 // Makes the body of `part`.  Its mass is that of the part and has uniform density inside the box of
 // the part (Hohl 2004, section 3.1.3).  The body belongs to `world`.
 dBodyID MakeBody(dWorldID world, const BodyPart& part);
+
+// Makes the body of a thing that can move, with uniform density.  The body belongs to `world`.
+dBodyID MakeBodyOfThing(dWorldID world, const WorldThing& thing);
 
 // Puts `body` where its centre of mass is at `centre_W`, with the rotation `R_WL`.
 void PlaceBody(dBodyID body, const Eigen::Vector3d& centre_W, const Eigen::Matrix3d& R_WL);

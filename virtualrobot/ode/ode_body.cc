@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
-#include "runtime/base/upper_registers.h"
 #include "virtualrobot/kinematics.h"
-#include "virtualrobot/ode/contact_finder.h"
 #include "virtualrobot/ode/ode_bodies.h"
 
 namespace openr_host {
@@ -25,6 +24,19 @@ using Eigen::Vector3d;
 constexpr double kHandTime_s = 0.05;
 constexpr double kHandSpeed_m_s = 0.5, kHandTurn_rad_s = 2;
 constexpr double kHandForce_n = 60, kHandTorque_nm = 5;
+
+// Colour of a robot's parts for the cameras of other robots: that of the silver ERS-210.
+const Vector3d kCoverColour(0.74, 0.75, 0.78);
+
+// Returns how a robot lies asleep at the place `start`.
+RestingPose StartPose(const RobotModel& model, const StartPlace& start) {
+  RestingPose pose = PlaceOnFloor(model, model.PostureAngles("sleep"));
+  if (start.yaw_rad != 0)
+    pose.X_WB.linear() = RotationFromRpy({0, 0, start.yaw_rad}) * pose.X_WB.linear();
+  pose.X_WB.translation().x() += start.x_m;
+  pose.X_WB.translation().y() += start.y_m;
+  return pose;
+}
 
 // Returns `vector`, shortened to the length `max` if it is longer.
 Vector3d Limited(const Vector3d& vector, double max) {
@@ -60,29 +72,27 @@ OdeBody::OdeBody(const RobotModel& model, const World& world, const OdeSettings&
 
 OdeBody::OdeBody(const RobotModel& model, const World& world, const RestingPose& pose,
                  const std::vector<double>& angles_rad, const OdeSettings& settings)
-    : model_(model),
-      surroundings_(world),
-      settings_(settings),
-      forces_(surroundings_.floor_friction) {
+    : OdeBody(model, std::make_shared<PhysicsWorld>(world, settings), pose, angles_rad) {}
+
+OdeBody::OdeBody(const RobotModel& model, std::shared_ptr<PhysicsWorld> world,
+                 const StartPlace& start)
+    : OdeBody(model, std::move(world), StartPose(model, start), model.PostureAngles("sleep")) {}
+
+OdeBody::OdeBody(const RobotModel& model, std::shared_ptr<PhysicsWorld> world,
+                 const RestingPose& pose, const std::vector<double>& angles_rad)
+    : model_(model), world_(std::move(world)) {
   RefuseUnlessPhysical(model);
-  InitOde();
-  world_ = dWorldCreate();
-  for (const BodyPart& part : model.bodies) bodies_.push_back(MakeBody(world_, part));
+  for (const BodyPart& part : model.bodies) bodies_.push_back(MakeBody(world_->ode(), part));
   MakeTree(pose, angles_rad);
-  for (const JointModel& joint : model.joints) servos_.emplace_back(joint, settings.servo);
+  for (const JointModel& joint : model.joints)
+    servos_.emplace_back(joint, world_->settings().servo);
   lines_.resize(bodies_.size());
-  finder_ = std::make_unique<ContactFinder>(model, surroundings_, bodies_);
   PlaceBodies();
   state_.joints.resize(model.joints.size());
   ReadState();
   state_.paws = pose.paws;
   state_.gravity_B = state_.X_WB.linear().transpose() * Vector3d(0, 0, -kGravity_m_s2);
-}
-
-OdeBody::~OdeBody() {
-  // The finder is destroyed first, because it refers to bodies of the world.
-  finder_.reset();
-  dWorldDestroy(world_);  // also destroys its bodies
+  world_->AddRobot(this);
 }
 
 void OdeBody::MakeTree(const RestingPose& pose, const std::vector<double>& angles_rad) {
@@ -105,70 +115,45 @@ void OdeBody::MakeTree(const RestingPose& pose, const std::vector<double>& angle
   tree_->Place(pose.X_WB, part_angles_rad);
 }
 
-void OdeBody::Advance(const std::vector<JointCommand>& commands) {
+void OdeBody::SetCommands(const std::vector<JointCommand>& commands) {
   ASSERT(commands.size() == servos_.size(), "{} commands for {} joints", commands.size(),
          servos_.size());
-  const Vector3d v_before_W = state_.v_WB;
   for (size_t j = 0; j < servos_.size(); ++j) {
     servos_[j].BeginFrame(commands[j], state_.joints[j].angle_rad);
   }
+  world_->AwaitFrame();
+}
+
+void OdeBody::BeginFrame() {
+  v_before_W_ = state_.v_WB;
   state_.paws.assign(model_.paws.size(), false);
   state_.paw_forces_n.assign(model_.paws.size(), 0);
-  for (int i = 0; i < settings_.steps_per_frame; ++i) Step(kFrame_s / settings_.steps_per_frame);
+}
+
+void OdeBody::BeginStep(double step_s) {
+  for (size_t j = 0; j < servos_.size(); ++j) {
+    lines_[model_.joints[j].child] =
+        servos_[j].Step(state_.joints[j].angle_rad, state_.joints[j].speed_rad_s, step_s);
+  }
+  tree_->BeginStep(lines_, kGravity_m_s2, step_s);
+  for (const PushForce& push : pushes_) tree_->AddForce(push.part, push.force_W, push.p_W);
+  if (held_at_) PullByHand(step_s);
+}
+
+void OdeBody::EndStep() {
+  PlaceBodies();
+  ReadState();
+}
+
+void OdeBody::EndFrame() {
   pushes_.clear();
   for (size_t j = 0; j < servos_.size(); ++j) {
     JointState& joint = state_.joints[j];
     joint.drive = servos_[j].Drive(joint.angle_rad, joint.speed_rad_s);
   }
-  const Vector3d acceleration_W = (state_.v_WB - v_before_W) / kFrame_s;  // averaged over the frame
+  const Vector3d acceleration_W = (state_.v_WB - v_before_W_) / kFrame_s;  // mean of the frame
   state_.gravity_B =
       state_.X_WB.linear().transpose() * (Vector3d(0, 0, -kGravity_m_s2) - acceleration_W);
-}
-
-// Advances the robot by one step of `step_s` seconds.
-void OdeBody::Step(double step_s) {
-  for (size_t j = 0; j < servos_.size(); ++j) {
-    lines_[model_.joints[j].child] =
-        servos_[j].Step(state_.joints[j].angle_rad, state_.joints[j].speed_rad_s, step_s);
-  }
-  // Without this call, the code below, which is SSE code, may run at a third of its speed after AVX
-  // code.
-  ClearUpperRegisters();
-  tree_->BeginStep(lines_, kGravity_m_s2, step_s);
-  for (const PushForce& push : pushes_) tree_->AddForce(push.part, push.force_W, push.p_W);
-  if (held_at_) PullByHand(step_s);
-  const std::vector<ContactPoint>& points = finder_->Find();
-  SetUpContacts(points, step_s);
-  const std::vector<double>& impulses_n_s = forces_.Find(equations_);
-  for (size_t i = 0; i < points.size(); ++i) {
-    if (points[i].paw >= 0) state_.paw_forces_n[points[i].paw] += impulses_n_s[3 * i] / kFrame_s;
-  }
-  tree_->EndStep(impulses_n_s);
-  PlaceBodies();
-  ReadState();
-}
-
-// Adds three rows for each contact to the tree, and fills the equations of the contacts.
-void OdeBody::SetUpContacts(const std::vector<ContactPoint>& points, double step_s) {
-  equations_.Reset(static_cast<int>(points.size()));
-  for (const ContactPoint& point : points) {
-    const Vector3d& normal_W = point.normal_W;
-    const Vector3d side_W = std::fabs(normal_W.x()) > 0.5 ? Vector3d::UnitY() : Vector3d::UnitX();
-    const Vector3d ground_W = normal_W.cross(side_W.cross(normal_W)).normalized();
-    for (const Vector3d& direction_W : {normal_W, ground_W, Vector3d(normal_W.cross(ground_W))})
-      tree_->AddRow(point.body, point.p_W, direction_W);
-    if (point.paw >= 0) state_.paws[point.paw] = true;
-  }
-  for (int row = 0; row < equations_.rows(); ++row) {
-    equations_.wanted[row] = -tree_->FreeSpeed(row);
-    if (row % 3 == 0) {
-      const double out_m_s = settings_.contact_erp * points[row / 3].depth_m / step_s;
-      equations_.wanted[row] += std::min(out_m_s, settings_.depart_speed_m_s);
-    }
-    for (int column = 0; column <= row; ++column)
-      equations_.At(row, column) = equations_.At(column, row) = tree_->Mobility(row, column);
-    equations_.At(row, row) += settings_.contact_cfm / step_s;
-  }
 }
 
 // Puts ODE's bodies where the parts of the tree are.
@@ -194,11 +179,41 @@ std::vector<Isometry3d> OdeBody::BodyPoses() const {
 }
 
 RayHit OdeBody::CastRay(const Vector3d& p_W, const Vector3d& direction_W, double max_m) const {
-  return openr_host::CastRay(surroundings_, surroundings_.things, p_W, direction_W, max_m);
+  if (world_->robots().size() == 1)
+    return openr_host::CastRay(world(), world_->things(), p_W, direction_W, max_m);
+  return openr_host::CastRay(world(), Surroundings(), p_W, direction_W, max_m);
+}
+
+std::vector<WorldThing> OdeBody::Surroundings() const {
+  std::vector<WorldThing> things = world_->things();
+  for (const OdeBody* const robot : world_->robots()) {
+    if (robot == this) continue;
+    for (size_t part = 0; part < robot->bodies_.size(); ++part)
+      things.push_back(robot->BoxOfPart(part));
+  }
+  return things;
+}
+
+// Returns the box of a part in its present place, as other robots see it.
+WorldThing OdeBody::BoxOfPart(size_t part) const {
+  WorldThing box;
+  box.name = model_.bodies[part].name;
+  box.size_m = model_.bodies[part].size_m;
+  box.centre_m = tree_->centre_W(static_cast<int>(part));
+  box.R_WT = tree_->R_WL(static_cast<int>(part));
+  box.colour = kCoverColour;
+  return box;
+}
+
+bool OdeBody::PutThing(size_t thing, const Vector3d& centre_m) {
+  if (thing >= world().things.size() || world().things[thing].mass_kg == 0) return false;
+  world_->PutThing(thing, centre_m);
+  return true;
 }
 
 void OdeBody::HashState(Hasher* hasher) const {
-  HashWorld(surroundings_, hasher);
+  HashWorld(world(), hasher);
+  world_->HashThings(hasher);
   tree_->HashState(hasher);
   hasher->AddBytes(state_.gravity_B.data(), 3 * sizeof(double));
   for (const bool touches : state_.paws) hasher->Add(touches);
@@ -250,7 +265,16 @@ void OdeBody::PullByHand(double step_s) {
 }
 
 std::unique_ptr<Body> MakeOdeBody(const RobotModel& model, const World& world) {
-  return std::make_unique<OdeBody>(model, world);
+  return MakeOdeBody(model, MakePhysicsWorld(world), {});
+}
+
+std::shared_ptr<PhysicsWorld> MakePhysicsWorld(const World& world) {
+  return std::make_shared<PhysicsWorld>(world);
+}
+
+std::unique_ptr<Body> MakeOdeBody(const RobotModel& model, std::shared_ptr<PhysicsWorld> world,
+                                  const StartPlace& start) {
+  return std::make_unique<OdeBody>(model, std::move(world), start);
 }
 
 }  // namespace openr_host

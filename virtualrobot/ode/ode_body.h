@@ -1,9 +1,8 @@
-// The robot with physics: parts joined by hinges, servos that turn the hinges, and contacts of paws
-// and boxes with the floor and the things of the world.
+// The robot with physics: parts joined by hinges, and servos that turn the hinges.
 //
-// ODE has the bodies, their masses and their geometry, and finds the contacts with boxes of the
-// world. JointTree moves the parts (dynamics/joint_tree.h), with the impulses that ContactForces
-// finds (dynamics/contact_forces.h); after each step the bodies of ODE are put in their new places.
+// ODE has the bodies, their masses and their geometry. JointTree moves the parts
+// (dynamics/joint_tree.h); after each step the bodies of ODE are put in their new places. The world
+// in which the robot is (ode/physics_world.h) runs the steps and finds the forces of contacts.
 // docs/body.md gives the parameters, their sources and their measured effects.
 #pragma once
 
@@ -12,45 +11,33 @@
 #include <vector>
 
 #include "virtualrobot/body.h"
-#include "virtualrobot/dynamics/contact_forces.h"
 #include "virtualrobot/dynamics/joint_tree.h"
 #include "virtualrobot/kinematics.h"
+#include "virtualrobot/ode/physics_world.h"
 #include "virtualrobot/servo.h"
-
-// ODE's world and body.  They are declared here because only virtualrobot/ode includes ODE's
-// headers.
-struct dxWorld;
-struct dxBody;
 
 namespace openr_host {
 
-class ContactFinder;
-struct ContactPoint;
-
-// Parameters of the simulation.  Every run of the program has the defaults; tests may use others.
-struct OdeSettings {
-  int steps_per_frame = 1;
-  double contact_erp = 0.2;       // share of a contact's depth that is corrected in one step
-  double contact_cfm = 2e-3;      // softness of contacts, in m/s per N, in all directions
-  double depart_speed_m_s = 0.5;  // highest speed at which a contact's depth is corrected
-  ServoSettings servo;
-};
-
 class OdeBody : public Body {
  public:
-  // Makes a body in the model's sleeping posture.  `model` must outlive the body.  Throws
-  // std::runtime_error when `model` has a part without box or mass, or a joint without torque.
+  // Make a body in the model's sleeping posture, alone in a world of its own or in `world`.
+  // `model` must outlive the body.  Throw std::runtime_error when `model` has a part without box or
+  // mass, or a joint without torque.
   OdeBody(const RobotModel& model, const World& world, const OdeSettings& settings = {});
-  // Makes a body at rest at `pose` with the joint angles `angles_rad`.
+  OdeBody(const RobotModel& model, std::shared_ptr<PhysicsWorld> world, const StartPlace& start);
+  // Makes a body, alone in its world, at rest at `pose` with the joint angles `angles_rad`.
   OdeBody(const RobotModel& model, const World& world, const RestingPose& pose,
           const std::vector<double>& angles_rad, const OdeSettings& settings = {});
-  ~OdeBody() override;
 
-  void Advance(const std::vector<JointCommand>& commands) override;
+  using Body::Advance;
+  void SetCommands(const std::vector<JointCommand>& commands) override;
+  void Advance() override { world_->Advance(); }
   const BodyState& state() const override { return state_; }
   RayHit CastRay(const Eigen::Vector3d& p_W, const Eigen::Vector3d& direction_W,
                  double max_m) const override;
-  const World& world() const override { return surroundings_; }
+  const World& world() const override { return world_->world(); }
+  std::vector<WorldThing> Surroundings() const override;
+  bool PutThing(size_t thing, const Eigen::Vector3d& centre_m) override;
   std::vector<Eigen::Isometry3d> BodyPoses() const override;
   void HashState(Hasher* hasher) const override;
 
@@ -58,32 +45,45 @@ class OdeBody : public Body {
   void Push(int part, const Eigen::Vector3d& force_W, const Eigen::Vector3d& p_W) override;
   void Hold(const std::optional<Eigen::Isometry3d>& X_WB) override;
 
+  // ---- Functions for PhysicsWorld
+  const RobotModel& model() const { return model_; }
+  const std::vector<dxBody*>& ode_bodies() const { return bodies_; }
+  JointTree& tree() { return *tree_; }
+  void BeginFrame();
+  // Begins a step of `step_s` seconds: sets up the tree with the forces of servos, pushes and hand.
+  void BeginStep(double step_s);
+  void NotePawContact(int paw) { state_.paws[paw] = true; }
+  // Adds a force that presses paw `paw`, averaged over the frame.
+  void NotePawForce(int paw, double force_n) {
+    state_.paw_forces_n[static_cast<size_t>(paw)] += force_n;
+  }
+  void EndStep();
+  void EndFrame();
+
  private:
   struct PushForce {
     int part;
     Eigen::Vector3d force_W, p_W;
   };
 
+  OdeBody(const RobotModel& model, std::shared_ptr<PhysicsWorld> world, const RestingPose& pose,
+          const std::vector<double>& angles_rad);
+
   void MakeTree(const RestingPose& pose, const std::vector<double>& angles_rad);
-  void Step(double step_s);
-  void SetUpContacts(const std::vector<ContactPoint>& points, double step_s);
+  WorldThing BoxOfPart(size_t part) const;
   void PullByHand(double step_s);
   void PlaceBodies();
   void ReadState();
 
   const RobotModel& model_;
-  const World surroundings_;
-  const OdeSettings settings_;
+  const std::shared_ptr<PhysicsWorld> world_;
   BodyState state_;
-  dxWorld* world_;
-  std::vector<dxBody*> bodies_;  // in the order of RobotModel::bodies
+  Eigen::Vector3d v_before_W_{0, 0, 0};  // velocity of B's origin at the beginning of the frame
+  std::vector<dxBody*> bodies_;          // in the order of RobotModel::bodies
   std::unique_ptr<JointTree> tree_;
   std::vector<Servo> servos_;      // in the order of RobotModel::joints
   std::vector<TorqueLine> lines_;  // of the joint of each part; in the order of RobotModel::bodies
-  std::unique_ptr<ContactFinder> finder_;
-  ContactEquations equations_;
-  ContactForces forces_;
-  std::vector<PushForce> pushes_;             // forces that act during the next Advance()
+  std::vector<PushForce> pushes_;  // forces that act during the next Advance()
   std::optional<Eigen::Isometry3d> held_at_;  // the pose to which a hand pulls the base
 };
 

@@ -44,7 +44,9 @@ OdeReference::OdeReference(const RobotModel& model, const World& world, const Is
     hinges_.push_back(hinge);
     servos_.emplace_back(joint, settings.servo);
   }
-  finder_ = std::make_unique<ContactFinder>(model, surroundings_, bodies_);
+  finder_ = std::make_unique<ContactFinder>(surroundings_.things,
+                                            std::vector<dBodyID>(surroundings_.things.size()));
+  finder_->AddRobot(0, model, bodies_);
 }
 
 OdeReference::~OdeReference() {
@@ -80,7 +82,8 @@ void OdeReference::AddContacts() {
     std::copy_n(point.p_W.data(), 3, contact.geom.pos);
     std::copy_n(point.normal_W.data(), 3, contact.geom.normal);
     contact.geom.depth = point.depth_m;
-    dJointAttach(dJointCreateContact(world_, contacts_, &contact), bodies_[point.body], nullptr);
+    dJointAttach(dJointCreateContact(world_, contacts_, &contact), bodies_[point.side.part],
+                 nullptr);
   }
 }
 

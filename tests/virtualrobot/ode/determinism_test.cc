@@ -36,7 +36,9 @@ TEST(OdeDeterminismTest, AnotherWorldInTheSameProcessDoesNotShow) {
   class Interleaved : public Body {
    public:
     Interleaved(Body* body, BodyHarness* company) : body_(*body), company_(*company) {}
-    void Advance(const std::vector<JointCommand>& commands) override {
+    using Body::Advance;
+    void Advance() override {}
+    void SetCommands(const std::vector<JointCommand>& commands) override {
       company_.Command("neck_pan").target_rad += 0.01;
       company_.Frame();
       body_.Advance(commands);

@@ -61,7 +61,9 @@ TEST(OdeReferenceTest, StandsLikeTheBody) {
   class Both : public Body {
    public:
     Both(Body* body, OdeReference* reference) : body_(*body), reference_(*reference) {}
-    void Advance(const std::vector<JointCommand>& commands) override {
+    using Body::Advance;
+    void Advance() override {}
+    void SetCommands(const std::vector<JointCommand>& commands) override {
       body_.Advance(commands);
       reference_.Advance(commands);
     }

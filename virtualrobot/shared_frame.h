@@ -1,0 +1,29 @@
+// Ends a frame of 8 ms for all robots of a world together.
+//
+// Each robot has frames of its own, as its object OVirtualRobotComm runs them.  But robots in one
+// world push each other, so their bodies must move at the same time: with the first robot whose
+// frame ends, the bodies of all of them move.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace openr_host {
+
+struct RobotParts;
+
+class SharedFrame {
+ public:
+  // Adds a robot to the world.  `robot` must outlive the last call of End().
+  void Add(RobotParts* robot) { robots_.push_back(robot); }
+
+  // Ends the frame that ends at the virtual time `now_us`, unless another robot has ended it: the
+  // hands of people and the faults act, and the bodies move for 8 ms under the present set points.
+  void End(int64_t now_us);
+
+ private:
+  std::vector<RobotParts*> robots_;
+  int64_t ended_us_ = -1;  // virtual time of the last frame that End() has ended
+};
+
+}  // namespace openr_host
