@@ -293,9 +293,15 @@ void Faults::HashState(Hasher* hasher) const {
     hasher->Add(fault.kind);
     hasher->Add(fault.amount);
     hasher->Add(fault.frames.value_or(-1));
-    if (place.part != Part::kMotor) continue;
-    const JointTrouble* const trouble = robot_.devices.TroubleOf(place.number);
-    if (trouble != nullptr) hasher->Add(trouble->jammed_rad.value_or(0));
+    int joint = -1;
+    if (place.part == Part::kMotor) joint = place.number;
+    if (place.part == Part::kSensor)
+      joint = robot_.model.sensors[static_cast<size_t>(place.number)].joint;
+    const JointTrouble* const trouble = joint < 0 ? nullptr : robot_.devices.TroubleOf(joint);
+    if (trouble == nullptr) continue;
+    hasher->Add(trouble->jammed_rad.value_or(0));
+    hasher->Add(trouble->sensed_rad.value_or(0));
+    hasher->Add(trouble->sensor_error_rad);
   }
 }
 
