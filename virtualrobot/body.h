@@ -107,9 +107,12 @@ class Body {
   // The world in which the robot is, with its things where they were at the beginning.
   virtual const World& world() const = 0;
 
-  // Returns what surrounds the robot now: the things of its world in their present places, and the
-  // parts of other robots in the same world.
+  // Returns what surrounds the robot now: the things of its world in their present places and in
+  // the order of World::things, then the parts of other robots in the same world.
   virtual std::vector<WorldThing> Surroundings() const { return world().things; }
+
+  // Returns the things of the world that can move, in their present places.
+  std::vector<WorldThing> MovableThings() const;
 
   // Puts the movable thing `thing`, an index of World::things, at rest at `centre_m`.  Returns
   // false when this body, or the thing, cannot move it.
@@ -126,14 +129,17 @@ class Body {
   virtual void HashState(Hasher* hasher) const = 0;
 };
 
-// Makes a body that lies limp and at rest on the floor, in the model's sleeping posture.  `model`
-// must outlive the body.
-std::unique_ptr<Body> MakeIdealBody(const RobotModel& model, const World& world);
-std::unique_ptr<Body> MakeOdeBody(const RobotModel& model, const World& world);
-
-// Makes a world with physics, and a body that lies in it at `start`, together with other robots.
-std::shared_ptr<PhysicsWorld> MakePhysicsWorld(const World& world);
+// Make a body that lies limp and at rest on the floor at `start`, in the model's sleeping posture.
+// `model` must outlive the body.  The second body with physics is in `world` together with other
+// robots.
+std::unique_ptr<Body> MakeIdealBody(const RobotModel& model, const World& world,
+                                    const StartPlace& start = {});
+std::unique_ptr<Body> MakeOdeBody(const RobotModel& model, const World& world,
+                                  const StartPlace& start = {});
 std::unique_ptr<Body> MakeOdeBody(const RobotModel& model, std::shared_ptr<PhysicsWorld> world,
                                   const StartPlace& start);
+
+// Makes a world with physics for several robots.
+std::shared_ptr<PhysicsWorld> MakePhysicsWorld(const World& world);
 
 }  // namespace openr_host

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <utility>
@@ -29,6 +30,7 @@ constexpr double kLowerPerFrame_m = 0.1 * kFrame_s;  // and lowers with 0.1 m/s
 // kCarried_m_s.  The height alone is not enough, because a robot that is lowered follows about half
 // a centimetre behind the hand.
 constexpr double kCarried_m = 0.015, kCarried_m_s = 0.03;
+constexpr double kPutMax_m = 100;
 // The strength of a press without a number, in percent of the sensor's range.
 constexpr int kPressPercent = 50;
 // A hand turns a joint with 90 degrees/s.
@@ -58,6 +60,9 @@ void Hands::AddVerbs() {
       "Pushes the robot with a force in N: forward, to its left, up.", &Hands::ReadPush);
   add("lift", "lift [METRES]", "Takes the robot and lifts it, 0.2 m without a number.",
       &Hands::ReadLift);
+  add("put", "put THING X Y [Z]",
+      "Puts a movable thing of the world somewhere else: X, Y and the height of its middle, in m.",
+      &Hands::ReadPut);
   add("battery", "battery N%", "Sets the remaining capacity of the battery.", &Hands::ReadBattery);
   add("charger", "charger on|off", "Puts the robot on its charging station, or takes it away.",
       &Hands::ReadCharger);
@@ -247,6 +252,42 @@ std::string Hands::ReadLift(std::string_view rest, Inputs::Action* action) {
     TakeHold();
     grip_->goal_z_m = grip_->X_WB.translation().z() + height_m;
     grip_->sets_down = false;
+  };
+  return "";
+}
+
+// Reads the name of a thing, which may have several words, and two or three numbers.
+std::string Hands::ReadPut(std::string_view rest, Inputs::Action* action) {
+  const std::vector<std::string> words = SplitInput(rest);
+  std::vector<double> numbers;
+  size_t name_words = words.size();
+  for (double number = 0; name_words > 1 && numbers.size() < 3; --name_words) {
+    if (!ReadNumber(words[name_words - 1], &number).empty()) break;
+    numbers.insert(numbers.begin(), number);
+  }
+  if (numbers.size() < 2) return "needs the name of a thing, and x and y in m";
+  const std::string name =
+      fmt::format("{}", fmt::join(words.begin(), words.begin() + name_words, " "));
+  std::vector<std::string> known;
+  for (const WorldThing& thing : robot_.body->MovableThings()) known.push_back(thing.name);
+  if (known.empty()) return "the world has no things that can move";
+  const std::vector<WorldThing>& things = robot_.body->world().things;
+  const auto thing = std::find_if(things.begin(), things.end(), [&name](const WorldThing& each) {
+    return each.name == name && each.mass_kg > 0;
+  });
+  if (thing == things.end()) {
+    return fmt::format("the world has no movable thing '{}'{}; it has {}", name,
+                       DidYouMean(name, known), fmt::join(known, ", "));
+  }
+  if (!robot_.body->IsPhysical()) return "things stay where they are with --body ideal";
+  for (const double number : numbers) {
+    if (std::fabs(number) > kPutMax_m)
+      return fmt::format("{} m is too far away, at most {} m", number, kPutMax_m);
+  }
+  const double height_m = numbers.size() == 3 ? numbers[2] : thing->centre_m.z();
+  *action = [this, index = static_cast<size_t>(thing - things.begin()),
+             place = Vector3d(numbers[0], numbers[1], height_m)] {
+    robot_.body->PutThing(index, place);
   };
   return "";
 }

@@ -65,6 +65,7 @@ class Hands {
   std::string ReadTurn(std::string_view rest, Inputs::Action* action);
   std::string ReadPush(std::string_view rest, Inputs::Action* action);
   std::string ReadLift(std::string_view rest, Inputs::Action* action);
+  std::string ReadPut(std::string_view rest, Inputs::Action* action);
   std::string ReadBattery(std::string_view rest, Inputs::Action* action);
   std::string ReadCharger(std::string_view rest, Inputs::Action* action);
 

@@ -19,8 +19,8 @@ double AngleInTrouble(const JointTrouble& trouble, double angle_rad, double goal
 
 }  // namespace
 
-IdealBody::IdealBody(const RobotModel& model, const World& world)
-    : model_(model), world_(world), robot_(model) {
+IdealBody::IdealBody(const RobotModel& model, const World& world, const StartPlace& start)
+    : model_(model), world_(world), start_(start), robot_(model) {
   for (const double angle_rad : model.PostureAngles("sleep")) {
     state_.joints.push_back({.angle_rad = angle_rad, .speed_rad_s = 0, .drive = 0});
   }
@@ -52,6 +52,7 @@ void IdealBody::Place() const {
     PlaceInHand();
   } else {
     robot_.PlaceOnFloor(&pose_);
+    pose_.X_WB = MovedTo(start_, pose_.X_WB);
   }
   state_.X_WB = pose_.X_WB;
   state_.paws = pose_.paws;
@@ -102,8 +103,9 @@ void IdealBody::HashState(Hasher* hasher) const {
   if (held_at_) hasher->AddBytes(held_at_->data(), 16 * sizeof(double));
 }
 
-std::unique_ptr<Body> MakeIdealBody(const RobotModel& model, const World& world) {
-  return std::make_unique<IdealBody>(model, world);
+std::unique_ptr<Body> MakeIdealBody(const RobotModel& model, const World& world,
+                                    const StartPlace& start) {
+  return std::make_unique<IdealBody>(model, world, start);
 }
 
 }  // namespace openr_host

@@ -4,10 +4,10 @@
 // stops.  A disabled joint stays where it is.  The robot rests on the flat floor z = 0 as a stiff
 // statue would (PlaceOnFloor()).
 //
-// The body never walks, turns, slides or falls over: x, y and yaw stay 0.  It ignores gains,
-// torques and speed limits, and its drives are always 0.  It does not touch the boxes of its world,
-// but its distance sensor sees them.  The velocity of its base is 0, and its accelerometer measures
-// gravity only.  It cannot be pushed, but a hand can lift it.
+// The body never walks, turns, slides or falls over: x, y and yaw stay as they are at the start. It
+// ignores gains, torques and speed limits, and its drives are always 0.  It does not touch the
+// things of its world, but its distance sensor sees them.  The velocity of its base is 0, and its
+// accelerometer measures gravity only.  It cannot be pushed, but a hand can lift it.
 #pragma once
 
 #include <optional>
@@ -21,7 +21,7 @@ namespace openr_host {
 class IdealBody : public Body {
  public:
   // `model` must outlive the body.
-  IdealBody(const RobotModel& model, const World& world);
+  IdealBody(const RobotModel& model, const World& world, const StartPlace& start = {});
 
   using Body::Advance;
   void SetCommands(const std::vector<JointCommand>& commands) override;
@@ -46,6 +46,7 @@ class IdealBody : public Body {
 
   const RobotModel& model_;
   const World world_;
+  const StartPlace start_;
   std::optional<Eigen::Isometry3d> held_at_;  // the pose that a hand gives to the base
   mutable BodyState state_;
   mutable StiffRobot robot_;  // at the joint angles of the last Place()

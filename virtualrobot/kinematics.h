@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "virtualrobot/model/robot_model.h"
+#include "virtualrobot/world.h"
 
 namespace openr_host {
 
@@ -40,6 +41,10 @@ struct RestingPose {
 // convex hull that lies under its centre of mass.  The hull encloses all paws and boxes.  Because
 // the search begins with an upright robot, the robot never comes to rest on its back.
 RestingPose PlaceOnFloor(const RobotModel& model, const std::vector<double>& angles_rad);
+
+// Returns `X_WB`, turned about the vertical through the world's origin and moved to `start`.  The
+// start at the origin leaves all bits as they are.
+Eigen::Isometry3d MovedTo(const StartPlace& start, const Eigen::Isometry3d& X_WB);
 
 // Returns the height over z = 0 of the lowest point of all boxes and paws, for a robot at `X_WB`.
 double LowestPoint(const RobotModel& model, const std::vector<double>& angles_rad,

@@ -24,13 +24,18 @@ constexpr double kAngleMax_deg = 360;
 // Thickness of a ramp, which is a board: more than a falling part moves in a frame.
 constexpr double kRampThickness_m = 0.1;
 
-// Reads the rotation `yaw_deg` about the vertical; none if it was left out.
-Matrix3d YawOf(const JsonReader& row) {
-  if (!row.Has("yaw_deg")) return Matrix3d::Identity();
+// Reads the angle `yaw_deg` about the vertical, in radians; 0 if it was left out.
+double YawOf(const JsonReader& row) {
+  if (!row.Has("yaw_deg")) return 0;
   const double yaw_deg = row.At("yaw_deg").Number();
   if (std::fabs(yaw_deg) > kAngleMax_deg)
     row.At("yaw_deg").Fail("is {}, must be -{} to {}", yaw_deg, kAngleMax_deg, kAngleMax_deg);
-  return RotationFromRpy({0, 0, Radians(yaw_deg)});
+  return Radians(yaw_deg);
+}
+
+// Reads the rotation `yaw_deg`; none if it was left out.
+Matrix3d YawRotationOf(const JsonReader& row) {
+  return row.Has("yaw_deg") ? RotationFromRpy({0, 0, YawOf(row)}) : Matrix3d::Identity();
 }
 
 // Reads the rotation `rpy_deg`; none if it was left out.
@@ -71,7 +76,7 @@ void ReadBox(const JsonReader& row, WorldThing thing, std::vector<WorldThing>* t
     if (row.Has("yaw_deg")) row.At("yaw_deg").Fail("stands beside 'rpy_deg'; leave one out");
     thing.R_WT = RpyRotationOf(row);
   } else {
-    thing.R_WT = YawOf(row);
+    thing.R_WT = YawRotationOf(row);
   }
   things->push_back(thing);
 }
@@ -100,7 +105,7 @@ void ReadRamp(const JsonReader& row, WorldThing thing, std::vector<WorldThing>* 
   const Vector3d size_m = EdgesOf(row, thing, "ramp");
   const double length_m = std::sqrt(size_m.x() * size_m.x() + size_m.z() * size_m.z());
   thing.size_m = Vector3d(length_m, size_m.y(), kRampThickness_m);
-  thing.R_WT = YawOf(row) * RotationFromRpy({0, -DetAtan2(size_m.z(), size_m.x()), 0});
+  thing.R_WT = YawRotationOf(row) * RotationFromRpy({0, -DetAtan2(size_m.z(), size_m.x()), 0});
   thing.centre_m =
       row.At("start_m").Vector() + thing.R_WT * Vector3d(length_m / 2, 0, -kRampThickness_m / 2);
   things->push_back(thing);
@@ -113,7 +118,7 @@ void ReadStairs(const JsonReader& row, WorldThing thing, std::vector<WorldThing>
   const Vector3d size_m = EdgesOf(row, thing, "stairs");
   const auto steps = static_cast<int>(row.At("steps").Whole(1, kStepsMax));
   const Vector3d start_m = row.At("start_m").Vector();
-  thing.R_WT = YawOf(row);
+  thing.R_WT = YawRotationOf(row);
   const double tread_m = size_m.x() / steps, rise_m = size_m.z() / steps;
   const std::string name = thing.name;
   for (int i = 0; i < steps; ++i) {
@@ -155,6 +160,21 @@ void ReadThing(const JsonReader& row, std::vector<WorldThing>* things) {
   CheckPlaces(row, *things, first);
 }
 
+// Reads the places at which robots begin.
+void ReadStarts(const JsonReader& rows, std::vector<StartPlace>* starts) {
+  for (const JsonReader& row : rows.Elements()) {
+    row.AllowOnly({"place_m", "yaw_deg"});
+    const std::vector<JsonReader> place = row.At("place_m").Elements();
+    if (place.size() != 2)
+      row.At("place_m").Fail("has {} numbers, must have x and y", place.size());
+    StartPlace start{.x_m = place[0].Number(), .y_m = place[1].Number()};
+    if (!(std::fabs(start.x_m) <= kPlaceMax_m && std::fabs(start.y_m) <= kPlaceMax_m))
+      row.At("place_m").Fail("is further away than {} m", kPlaceMax_m);
+    start.yaw_rad = YawOf(row);
+    starts->push_back(start);
+  }
+}
+
 // Reads the boxes of a file of version 1.
 void ReadBoxes(const JsonReader& root, std::vector<WorldThing>* things) {
   for (const JsonReader& row : root.At("boxes").Elements()) {
@@ -177,7 +197,8 @@ World ParseWorld(const std::string& text, const std::string& name) {
     root.AllowOnly({"schema", "name", "friction", "boxes"});
     if (root.Has("boxes")) ReadBoxes(root, &world.things);
   } else if (schema == "openr-host world 2") {
-    root.AllowOnly({"schema", "name", "friction", "things"});
+    root.AllowOnly({"schema", "name", "friction", "things", "starts"});
+    if (root.Has("starts")) ReadStarts(root.At("starts"), &world.starts);
     if (root.Has("things")) {
       for (const JsonReader& row : root.At("things").Elements()) ReadThing(row, &world.things);
       if (world.things.size() > kThingsMax) {

@@ -1,8 +1,11 @@
 #include "virtualrobot/world.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 #include "runtime/base/hasher.h"
@@ -86,6 +89,21 @@ RayHit CastRay(const World& world, const std::vector<WorldThing>& things, const 
     if (thing.is_solid) meet(EnterThing(thing, p_W, direction_W), thing.reflectance);
   }
   return hit;
+}
+
+StartPlace StartOf(const World& world, int robot) {
+  constexpr double kApart_m = 0.5;
+  if (world.starts.empty()) {
+    const int steps = (robot + 1) / 2;  // to the left and to the right in turn
+    return {.y_m = (robot % 2 == 1 ? steps : -steps) * kApart_m};
+  }
+  if (static_cast<size_t>(robot) >= world.starts.size()) {
+    throw std::runtime_error(fmt::format(
+        "the world '{}' has places for {} (starts); robot {} has none", world.name,
+        world.starts.size() == 1 ? "1 robot" : fmt::format("{} robots", world.starts.size()),
+        robot));
+  }
+  return world.starts[static_cast<size_t>(robot)];
 }
 
 void HashWorld(const World& world, Hasher* hasher) {

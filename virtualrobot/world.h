@@ -43,7 +43,14 @@ struct World {
   Eigen::Vector3d to_light{0.48, 0.36, 0.8};
   double ambient = 0.55;
   std::vector<WorldThing> things;
+  std::vector<StartPlace> starts =
+      {};  // of the robots, in the order of their numbers; may be empty
 };
+
+// Returns where robot `robot` of several in one world begins: at its place in World::starts.  In a
+// world without such places, the robots begin beside each other, 0.5 m apart.  Throws
+// std::runtime_error when the world has places, but none for this robot.
+StartPlace StartOf(const World& world, int robot);
 
 // Reads a world file (JSON).  Throws std::runtime_error with file, field and value when the file
 // cannot be read or has a mistake.

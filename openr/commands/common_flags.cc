@@ -4,6 +4,7 @@
 
 #include <charconv>
 
+#include "cli/counted.h"
 #include "cli/install_paths.h"
 #include "cli/output_file.h"
 #include "runtime/base/duration.h"
@@ -25,8 +26,16 @@ CLI::Validator IsDataFile(const char* flag, const InputKind& kind) {
 }  // namespace
 
 void AddCommonFlags(CLI::App* command, SimulationOptions* options) {
-  command->add_option("--stick", options->stick,
-                      "A folder that holds OPEN-R/ (default: the stick that came along)");
+  command
+      ->add_option_function<std::vector<std::string>>(
+          "--stick",
+          [options](const std::vector<std::string>& sticks) {
+            options->stick = sticks.front();
+            options->more_sticks.assign(sticks.begin() + 1, sticks.end());
+          },
+          "A folder that holds OPEN-R/ (default: the stick that came along)")
+      ->expected(1)
+      ->type_name("FOLDER");
   command->add_option("--robot", options->robot, "Model of the robot")
       ->check(CLI::IsMember({"ers210", "ers220", "ers7"}))
       ->capture_default_str();
@@ -37,6 +46,34 @@ void AddCommonFlags(CLI::App* command, SimulationOptions* options) {
   command->add_option("--seed", options->seed, "Of everything random")
       ->check(IsCount())
       ->capture_default_str();
+}
+
+void AddRobotsFlags(CLI::App* command, SimulationOptions* options) {
+  command->get_option("--stick")
+      ->description(
+          "A folder that holds OPEN-R/ (default: the stick that came along); may be repeated: "
+          "robots take the sticks in turn")
+      ->allow_extra_args(false)
+      ->take_all();
+  command
+      ->add_option("--robots", options->robots,
+                   "Number of robots; several can only read their sticks")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command->add_flag("--together", options->together,
+                    "All robots are in one world, and not each in a world of its own; needs "
+                    "--body ode");
+}
+
+void CheckRobots(const SimulationOptions& options) {
+  const auto sticks = static_cast<int>(options.more_sticks.size()) + 1;
+  if (sticks > options.robots) {
+    throw CLI::ValidationError(
+        "--stick", fmt::format("{} sticks for {}; give --robots {}", sticks,
+                               Counted(static_cast<size_t>(options.robots), "robot"), sticks));
+  }
+  if (options.together && options.body != "ode")
+    throw CLI::ValidationError("--together", "needs --body ode");
 }
 
 void AddCostFlag(CLI::App* command, SimulationOptions* options) {

@@ -15,6 +15,12 @@ namespace openr_host {
 // --seed.
 void AddCommonFlags(CLI::App* command, SimulationOptions* options);
 
+// Adds the flags of commands that run several robots: --robots and --together, and makes --stick
+// one that may be repeated.  Called after AddCommonFlags().
+void AddRobotsFlags(CLI::App* command, SimulationOptions* options);
+// Throws CLI::ValidationError if flags about several robots do not fit together.
+void CheckRobots(const SimulationOptions& options);
+
 // Add --battery and --cost, the flags of commands that run robots.
 void AddBatteryFlag(CLI::App* command, SimulationOptions* options);
 void AddCostFlag(CLI::App* command, SimulationOptions* options);

@@ -80,9 +80,7 @@ void DescribeWhat(CLI::App* command, ExploreFlags* flags) {
   command->add_option("--body", simulation.body, "ode or ideal")
       ->check(CLI::IsMember({"ode", "ideal"}))
       ->capture_default_str();
-  command->add_option("--robots", simulation.robots, "Number of robots, each in its own world")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
+  AddRobotsFlags(command, &simulation);
   AddBatteryFlag(command, &simulation);
   command->add_flag("--strict", simulation.strict, "Enforce the limits of the robot");
   AddCostFlag(command, &simulation);
@@ -345,6 +343,7 @@ int Replay(ExploreFlags flags) {
 
 int Explore(ExploreFlags flags) {
   if (!flags.replay_file.empty()) return Replay(std::move(flags));
+  CheckRobots(flags.stick.simulation);
   const bool has_cost = LoadCostFile(flags.stick.simulation.cost_file).has_value();
   if (flags.exhaustive && has_cost) {
     throw CLI::ValidationError("--exhaustive", "does not go with --cost");

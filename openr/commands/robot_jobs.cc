@@ -129,6 +129,10 @@ void RefuseFlagsBesideJobs(const RunFlags& flags) {
   constexpr char kAllAlike[] =
       "it is for one robot of several, and those of --jobs are all alike; leave out one of the two";
   refuse(flags.rate != "max", "--rate", "it runs at full speed; leave out --rate");
+  refuse(flags.simulation.together, "--together",
+         "robots of one world are in one process; leave out one of the two");
+  refuse(!flags.simulation.more_sticks.empty(), "--stick",
+         "its robots have one stick; give --stick once");
   refuse(!flags.placement.places.empty(), "--place", kOneProcess);
   refuse(!flags.placement.file.empty(), "--placement", kOneProcess);
   refuse(!flags.placement.isolated.empty(), "--isolate", kOneProcess);

@@ -32,11 +32,7 @@ void DescribeRun(CLI::App* command, RunFlags* flags) {
                     "controller moves lights and tail, so give --for as well");
   command->add_option("--rate", flags->rate, "Virtual seconds per second, or max")
       ->capture_default_str();
-  command
-      ->add_option("--robots", flags->simulation.robots,
-                   "Number of robots, each in a world of its own, on one read-only stick")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
+  AddRobotsFlags(command, &flags->simulation);
   command
       ->add_option("--jobs", flags->jobs,
                    "Run each robot in a process of its own, so many at a time; without it all run "
@@ -231,6 +227,7 @@ bool WantsPanel(const RunFlags& flags) {
 }
 
 RunPlan PlanOf(const RunFlags& flags) {
+  CheckRobots(flags.simulation);
   CheckThatFilesDiffer(flags);
   CheckStandardOutput(flags);
   const int rc_port = flags.simulation.rc_port;

@@ -84,6 +84,25 @@ Quantity OfBase(size_t robot, double (*function)(const BodyState&)) {
   };
 }
 
+// Returns the quantity for the place of a thing that can move, in the world of a robot.  `name` has
+// the name of the thing and an axis, such as "ball.x_m".
+Quantity FindThing(const VirtualRobot& of_robot, size_t robot, const std::string& name) {
+  const std::vector<std::string> axes = {"x_m", "y_m", "z_m"};
+  const size_t dot = name.rfind('.');
+  if (dot == kNone) throw std::runtime_error(fmt::format("'{}': write thing.NAME.x_m", name));
+  const auto axis = std::find(axes.begin(), axes.end(), name.substr(dot + 1));
+  if (axis == axes.end()) Unknown("axis", name.substr(dot + 1), axes);
+  const std::vector<WorldThing> things = of_robot.body().MovableThings();
+  std::vector<std::string> known;
+  for (const WorldThing& thing : things) known.push_back(thing.name);
+  const auto thing = std::find(known.begin(), known.end(), name.substr(0, dot));
+  if (thing == known.end()) Unknown("movable thing", name.substr(0, dot), known);
+  return [robot, index = static_cast<size_t>(thing - known.begin()),
+          row = axis - axes.begin()](const RunView& view) -> Value {
+    return view.prepared->robots[robot]->body().MovableThings()[index].centre_m[row];
+  };
+}
+
 Quantity FindInRobot(const RunView& view, size_t robot, const std::string& name) {
   const RobotModel& model = view.prepared->robots[robot]->model();
   if (name.starts_with("objects.")) {
@@ -91,6 +110,8 @@ Quantity FindInRobot(const RunView& view, size_t robot, const std::string& name)
   }
   if (name.starts_with("joint.")) return FindJoint(model, robot, name.substr(6));
   if (name.starts_with("sensor.")) return FindSensor(model, robot, name.substr(7));
+  if (name.starts_with("thing."))
+    return FindThing(*view.prepared->robots[robot], robot, name.substr(6));
   if (name == "standing") {
     return [robot](const RunView& now) -> Value {
       return std::string((*now.standing)[robot].standing() ? "true" : "false");
@@ -98,6 +119,14 @@ Quantity FindInRobot(const RunView& view, size_t robot, const std::string& name)
   }
   if (name == "height_mm") {
     return OfBase(robot, [](const BodyState& state) { return state.X_WB.translation().z() * 1e3; });
+  }
+  if (name == "x_m")
+    return OfBase(robot, [](const BodyState& state) { return state.X_WB.translation().x(); });
+  if (name == "y_m")
+    return OfBase(robot, [](const BodyState& state) { return state.X_WB.translation().y(); });
+  if (name == "yaw_deg") {
+    return OfBase(robot,
+                  [](const BodyState& state) { return Degrees(RpyOf(state.X_WB.linear()).z()); });
   }
   if (name == "roll_deg") {
     return OfBase(robot,
@@ -108,8 +137,8 @@ Quantity FindInRobot(const RunView& view, size_t robot, const std::string& name)
                   [](const BodyState& state) { return Degrees(RpyOf(state.X_WB.linear()).y()); });
   }
   Unknown("quantity of a robot", name,
-          {"standing", "height_mm", "roll_deg", "pitch_deg", "joint.NAME", "sensor.LOCATOR",
-           "objects.NAME.state"});
+          {"standing", "x_m", "y_m", "height_mm", "roll_deg", "pitch_deg", "yaw_deg", "joint.NAME",
+           "sensor.LOCATOR", "thing.NAME.x_m", "objects.NAME.state"});
 }
 
 Quantity FindingCount(Severity severity) {

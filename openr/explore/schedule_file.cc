@@ -59,6 +59,8 @@ Json ScheduleToJson(const ExploredStick& stick, const Json& failure) {
           {"world", stick.simulation.world},
           {"body", stick.simulation.body},
           {"robots", stick.simulation.robots},
+          {"together", stick.simulation.together},
+          {"more_sticks", stick.simulation.more_sticks},
           {"strict", stick.simulation.strict},
           {"guard", stick.simulation.guard_regions},
           {"cost", stick.simulation.cost_file},
@@ -87,6 +89,9 @@ ScheduleFile ReadScheduleFile(const std::string& path, Json* deviations) try {
   simulation.world = json.at("world").get<std::string>();
   simulation.body = json.at("body").get<std::string>();
   simulation.robots = json.at("robots").get<int>();
+  // Older files lack these two fields: their robots had a world each and one stick.
+  simulation.together = json.value("together", false);
+  simulation.more_sticks = json.value("more_sticks", simulation.more_sticks);
   simulation.strict = json.at("strict").get<bool>();
   simulation.guard_regions = json.at("guard").get<bool>();
   simulation.cost_file = json.at("cost").get<std::string>();

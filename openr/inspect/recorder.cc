@@ -37,6 +37,11 @@ void Recorder::Begin(Simulation* simulation, const SimulationOptions& options,
   for (const AddressPair& pair : options.addresses)
     header.addresses.push_back(AddressText(pair.robot) + "=" + AddressText(pair.host));
   header.robots = options.robots;
+  header.together = options.together;
+  header.more_sticks = options.more_sticks;
+  for (size_t i = 1; i <= options.more_sticks.size() && i < static_cast<size_t>(options.robots);
+       ++i)
+    header.more_stick_hashes.push_back(system.robot(static_cast<int>(i)).stick_hash);
   header.seed = options.seed;
   header.strict = options.strict;
   header.is_free = is_free;

@@ -34,6 +34,8 @@ SimulationOptions Replayer::OptionsOf(const TraceHeader& header, const ReplayOpt
     if (ParseAddressPair(text, &pair).empty()) options.addresses.push_back(pair);
   }
   options.robots = header.robots;
+  options.together = header.together;
+  options.more_sticks = header.more_sticks;
   options.seed = header.seed;
   options.strict = header.strict;
   options.host_network = false;
@@ -97,6 +99,13 @@ Replayer::Replayer(const ReplayOptions& replay) : file_(replay.file), reader_(re
         fmt::format("{}: was recorded with other files on the stick than {} has now; give the "
                     "stick of then with --stick",
                     file_, stick));
+  }
+  const std::vector<uint64_t>& hashes = reader_.header().more_stick_hashes;
+  for (size_t i = 0; i < hashes.size(); ++i) {
+    if (system().robot(static_cast<int>(i) + 1).stick_hash == hashes[i]) continue;
+    throw std::runtime_error(
+        fmt::format("{}: was recorded with other files on the stick of robot {} than {} has now",
+                    file_, i + 1, options.more_sticks[i]));
   }
   system().trace().AddSink(
       [this](const TraceRecord& record, const Message& message) { Compare(record, message); });

@@ -47,6 +47,11 @@ std::string HeaderText(const TraceHeader& h) {
                {"payloads", h.payloads}};
   if (h.is_free) json["free_running"] = true;
   if (!h.addresses.empty()) json["ip"] = h.addresses;
+  if (h.together) json["together"] = true;
+  if (!h.more_sticks.empty()) {
+    json["more_sticks"] = h.more_sticks;
+    json["more_stick_hashes"] = h.more_stick_hashes;
+  }
   return JsonText(json);
 }
 
@@ -71,6 +76,9 @@ TraceHeader HeaderOf(std::string_view text) {
   h.battery = json.value("battery", "drain");
   h.is_free = json.value("free_running", false);
   h.addresses = json.value("ip", h.addresses);
+  h.together = json.value("together", false);
+  h.more_sticks = json.value("more_sticks", h.more_sticks);
+  h.more_stick_hashes = json.value("more_stick_hashes", h.more_stick_hashes);
   return h;
 }
 

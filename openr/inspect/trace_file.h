@@ -37,6 +37,9 @@ struct TraceHeader {
   std::string microphone, images;      // sound file, folder of pictures; "": none
   std::vector<std::string> addresses;  // arguments of --ip, such as "10.0.1.2=127.0.0.1"
   int robots = 1;
+  bool together = false;                 // all robots are in one world
+  std::vector<std::string> more_sticks;  // see SimulationOptions
+  std::vector<uint64_t> more_stick_hashes;
   uint64_t seed = 1;
   bool strict = false;
   bool is_free = false;  // the run was free-running and cannot be replayed

@@ -196,13 +196,17 @@ Json SceneJson(const Simulation& simulation) {
     robots.push_back(RobotJson(simulation.model()));
   for (const render::Shape& shape : ShapesOfWorld(simulation.world()))
     shapes.push_back(JsonOf(shape));
+  // The movable things are numbered as in the events `pose`.
+  int movable = 0;
+  const std::vector<WorldThing>& things = simulation.world().things;
+  for (size_t i = 0; i < things.size(); ++i) {
+    if (things[i].mass_kg > 0) shapes[i]["thing"] = movable++;
+  }
   const bool is_physical =
       !simulation.robots().empty() && simulation.robots().front()->body().IsPhysical();
-  return {{"model", simulation.model().name},
-          {"body", is_physical ? "ode" : "ideal"},
-          {"grid_m", render::Scene().floor_grid_m},
-          {"world", {{"shapes", shapes}}},
-          {"robots", robots}};
+  return {{"model", simulation.model().name},       {"body", is_physical ? "ode" : "ideal"},
+          {"grid_m", render::Scene().floor_grid_m}, {"world", {{"shapes", shapes}}},
+          {"together", simulation.is_together()},   {"robots", robots}};
 }
 
 std::string PoseText(Simulation* simulation) {
@@ -220,8 +224,16 @@ std::string PoseText(Simulation* simulation) {
     const auto as_number = [](bool is_on) { return is_on ? 1 : 0; };
     std::vector<int> leds;
     std::transform(look.leds_on.begin(), look.leds_on.end(), std::back_inserter(leds), as_number);
-    fmt::format_to(std::back_inserter(text), "],\"leds\":[{}],\"ears\":[{:.4f}]}}",
+    fmt::format_to(std::back_inserter(text), "],\"leds\":[{}],\"ears\":[{:.4f}],\"things\":[",
                    fmt::join(leds, ","), fmt::join(look.plungers_rad, ","));
+    between = "";
+    for (const WorldThing& thing : robot->body().MovableThings()) {
+      text += std::exchange(between, ",");
+      Eigen::Isometry3d X_WT(thing.R_WT);
+      X_WT.pretranslate(thing.centre_m);
+      AppendPose(X_WT, &text);
+    }
+    text += "]}";
   }
   return text + "]";
 }

@@ -47,6 +47,10 @@ Json RobotReport(const VirtualRobot& robot, bool standing, int rc_port) {
   report["joints_deg"] = std::move(joints);
   report["sensors"] = std::move(sensors);
   report["leds"] = std::move(leds);
+  Json things = Json::array();
+  for (const WorldThing& thing : robot.body().MovableThings())
+    things.push_back({{"name", thing.name}, {"position_m", Vector(thing.centre_m, 1e-6)}});
+  if (!things.empty()) report["things"] = std::move(things);
   report["rc_port"] = rc_port;
   return report;
 }

@@ -11,8 +11,9 @@ namespace openr_host {
 
 std::unique_ptr<Body> MakeBody(const std::string& kind, const RobotModel& model,
                                const World& world) {
-  if (kind == "ode") return MakeOdeBody(model, world);
-  if (kind == "ideal") return MakeIdealBody(model, world);
+  const StartPlace start = StartOf(world, 0);
+  if (kind == "ode") return MakeOdeBody(model, world, start);
+  if (kind == "ideal") return MakeIdealBody(model, world, start);
   return nullptr;
 }
 

@@ -15,8 +15,8 @@ namespace openr_host {
 
 class System;
 
-// Returns the body that `kind` names: "ode" (a body with physics) or "ideal"
-// (joints follow their commands exactly); null for any other name.
+// Returns the body that `kind` names, alone in `world`, at the first of the world's starts: "ode"
+// (a body with physics) or "ideal" (joints follow their commands exactly); null for any other name.
 std::unique_ptr<Body> MakeBody(const std::string& kind, const RobotModel& model,
                                const World& world);
 

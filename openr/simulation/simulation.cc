@@ -53,11 +53,18 @@ std::unique_ptr<System> MakeSystem(const SimulationOptions& options,
   return std::make_unique<System>(std::move(system_options));
 }
 
-std::unique_ptr<Body> BodyOf(const std::string& kind, const RobotModel& model, const World& world) {
-  std::unique_ptr<Body> body = MakeBody(kind, model, world);
-  if (body == nullptr)
-    throw std::runtime_error(fmt::format("no body '{}'; there are: ode, ideal", kind));
-  return body;
+std::vector<std::string> SticksOf(const SimulationOptions& options) {
+  std::vector<std::string> sticks = {StickFolder(options.stick)};
+  for (const std::string& stick : options.more_sticks) sticks.push_back(StickFolder(stick));
+  return sticks;
+}
+
+// Returns the world of robots that are together; null if they are not.
+std::shared_ptr<PhysicsWorld> SharedWorldOf(const SimulationOptions& options, const World& world) {
+  if (!options.together) return nullptr;
+  if (options.body != "ode")
+    throw std::runtime_error("robots in one world need the body with physics (ode)");
+  return MakePhysicsWorld(world);
 }
 
 // Returns the options of a robot's devices.  Only the first robot gets the files for sound and
@@ -94,7 +101,9 @@ std::string StickFolder(const std::string& wanted) {
 Simulation::Simulation(const SimulationOptions& options)
     : model_(LoadRobotModel(ModelFile(options.robot))),
       world_(WorldOf(options.world)),
-      stick_(StickFolder(options.stick)),
+      physics_(SharedWorldOf(options, world_)),
+      shared_frame_(options.together ? std::make_shared<SharedFrame>() : nullptr),
+      sticks_(SticksOf(options)),
       cost_(CostOf(options)),
       system_(MakeSystem(options, cost_)) {
   for (int i = 0; i < options.robots; ++i) AddRobot(options, i);
@@ -102,14 +111,23 @@ Simulation::Simulation(const SimulationOptions& options)
 
 Simulation::~Simulation() = default;
 
+std::unique_ptr<Body> Simulation::BodyOf(const std::string& kind, int robot) const {
+  if (physics_ != nullptr) return MakeOdeBody(model_, physics_, StartOf(world_, robot));
+  std::unique_ptr<Body> body = MakeBody(kind, model_, world_);
+  if (body == nullptr)
+    throw std::runtime_error(fmt::format("no body '{}'; there are: ode, ideal", kind));
+  return body;
+}
+
 void Simulation::AddRobot(const SimulationOptions& options, int index) {
-  auto stick = std::make_shared<FolderStick>(stick_);
+  auto stick = std::make_shared<FolderStick>(StickOf(index));
   stick->set_writable(options.writable_stick && options.robots == 1);
   RobotEquipment parts;
   parts.ip_stack.addresses = AddressesOf(options, stick.get(), index);
   parts.stick = std::move(stick);
-  parts.body = BodyOf(options.body, model_, world_);
+  parts.body = BodyOf(options.body, index);
   parts.devices = DevicesOf(options, index == 0);
+  parts.devices.shared_frame = shared_frame_;
   parts.make_network = [&options, index, addresses = parts.ip_stack.addresses](int robot) {
     auto network = options.host_network
                        ? MakeHostNetwork(index == 0 ? options.rc_port : -1, addresses)

@@ -21,17 +21,22 @@ namespace openr_host {
 
 class ConfiguredCost;
 class Network;
+class PhysicsWorld;
+class SharedFrame;
 
 struct SimulationOptions {
   // The folder of the Memory Stick, in which OPEN-R/ lies.  "" is the default stick, which came
   // with the program and must not change.  So if objects may write, set this field to
   // RunStick::folder(), which is a copy of the default stick or the user's own stick.
   std::string stick;
+  // Further sticks.  With them, the robots take `stick` and these in turn: robot 0 has `stick`,
+  // robot 1 the first of these, and after the last one comes `stick` again.
+  std::vector<std::string> more_sticks;
   std::string robot = "ers210";  // name of a model
   std::string world;             // a world file; "": a flat floor
   std::string body = "ode";      // "ode" or "ideal"
-  int robots = 1;                // number of robots, each in a world of its own; several can only
-                                 // read the stick
+  int robots = 1;                // number of robots; several can only read their sticks
+  bool together = false;         // whether all robots are in one world; "ode" only
   uint64_t seed = 1;
   bool strict = false;
   // Files for the first robot.  Without them its sound is discarded, it hears silence, and its
@@ -81,7 +86,13 @@ class Simulation {
   bool loaded() const { return loaded_; }
   const RobotModel& model() const { return model_; }
   const World& world() const { return world_; }
-  const std::string& stick() const { return stick_; }
+  // Returns whether all robots are in one world.
+  bool is_together() const { return physics_ != nullptr; }
+  const std::string& stick() const { return sticks_.front(); }
+  // Returns the folder of the stick of robot `robot`.
+  const std::string& StickOf(int robot) const {
+    return sticks_[static_cast<size_t>(robot) % sticks_.size()];
+  }
   const std::vector<VirtualRobot*>& robots() const { return robots_; }
 
   // Adds a warning that names the lines of the cost file that no handler of the run has matched.
@@ -98,6 +109,7 @@ class Simulation {
 
  private:
   void AddRobot(const SimulationOptions& options, int index);
+  std::unique_ptr<Body> BodyOf(const std::string& kind, int robot) const;
   bool Load(int robot, const StandIns& stand_ins);
   void NoteALowBattery(const std::string& text);
   std::vector<AddressPair> AddressesOf(const SimulationOptions& options, MemoryStick* stick,
@@ -105,7 +117,10 @@ class Simulation {
 
   const RobotModel model_;
   const World world_;
-  const std::string stick_;
+  // Of robots that are together; null: each has a world of its own.
+  const std::shared_ptr<PhysicsWorld> physics_;
+  const std::shared_ptr<SharedFrame> shared_frame_;
+  const std::vector<std::string> sticks_;
   const std::shared_ptr<ConfiguredCost> cost_;  // made from the cost file; null: no cost file
   std::unique_ptr<System> system_;
   std::vector<VirtualRobot*> robots_;

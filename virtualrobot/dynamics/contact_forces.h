@@ -17,6 +17,7 @@
 // demands while the impulses of all others stay, until no impulse changes any more.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 namespace openr_host {

@@ -31,10 +31,7 @@ const Vector3d kCoverColour(0.74, 0.75, 0.78);
 // Returns how a robot lies asleep at the place `start`.
 RestingPose StartPose(const RobotModel& model, const StartPlace& start) {
   RestingPose pose = PlaceOnFloor(model, model.PostureAngles("sleep"));
-  if (start.yaw_rad != 0)
-    pose.X_WB.linear() = RotationFromRpy({0, 0, start.yaw_rad}) * pose.X_WB.linear();
-  pose.X_WB.translation().x() += start.x_m;
-  pose.X_WB.translation().y() += start.y_m;
+  pose.X_WB = MovedTo(start, pose.X_WB);
   return pose;
 }
 
@@ -264,8 +261,9 @@ void OdeBody::PullByHand(double step_s) {
   tree_->AddTorque(0, torque_W);
 }
 
-std::unique_ptr<Body> MakeOdeBody(const RobotModel& model, const World& world) {
-  return MakeOdeBody(model, MakePhysicsWorld(world), {});
+std::unique_ptr<Body> MakeOdeBody(const RobotModel& model, const World& world,
+                                  const StartPlace& start) {
+  return MakeOdeBody(model, MakePhysicsWorld(world), start);
 }
 
 std::shared_ptr<PhysicsWorld> MakePhysicsWorld(const World& world) {

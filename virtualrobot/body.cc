@@ -1,0 +1,12 @@
+#include "virtualrobot/body.h"
+
+namespace openr_host {
+
+std::vector<WorldThing> Body::MovableThings() const {
+  std::vector<WorldThing> things = Surroundings();
+  things.resize(world().things.size());  // leaves out the parts of other robots
+  std::erase_if(things, [](const WorldThing& thing) { return thing.mass_kg == 0; });
+  return things;
+}
+
+}  // namespace openr_host
