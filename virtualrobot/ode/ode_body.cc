@@ -122,6 +122,7 @@ void OdeBody::SetCommands(const std::vector<JointCommand>& commands) {
 void OdeBody::BeginFrame() {
   v_before_W_ = state_.v_WB;
   state_.paws.assign(model_.paws.size(), false);
+  state_.paw_forces_n.assign(model_.paws.size(), 0);
 }
 
 void OdeBody::BeginStep(double step_s) {
