@@ -1,4 +1,5 @@
-// Pictures of the camera: the world, drawn, beside the test pattern.
+// Pictures of the camera as its sensor has them, without their layers: the world beside the test
+// pattern.
 #include <memory>
 #include <stdexcept>
 

@@ -96,7 +96,6 @@ class Dogs {
     if (taker != nullptr) taker->Begin();
   }
   void Run(int64_t frames) { simulation_.system().RunFor(frames * kFrameUs); }
-  VirtualRobot& robot() { return *simulation_.robots()[0]; }
 
  private:
   Simulation simulation_;
@@ -111,19 +110,6 @@ Variant Lazily(const std::string& name, Make make) {
             (*made)->Run(count);
           }};
 }
-
-// Takes `count` pictures as the camera's sensor has them, without their layers.
-class Pictures {
- public:
-  explicit Pictures(const std::string& stick) : dogs_(stick, "ideal", 1) {}
-  void Run(int64_t count) {
-    for (; count > 0; --count) dogs_.robot().TakePicture(&picture_);
-  }
-
- private:
-  Dogs dogs_;
-  Picture picture_;
-};
 
 // Runs the whole program `count` times, for one frame.
 void StartProgram(const std::string& stick, int64_t count) {
@@ -187,15 +173,11 @@ std::vector<Row> ScaleRows(const std::string& stick) {
   camera.variants[0].name = "no object takes images";
   camera.variants[1].name = "one takes 25 images a second";
 
-  Row pictures{"camera; a picture, without its layers", "ns a picture", 50, {}, 0};
-  pictures.variants = {
-      Lazily<Pictures>("test pattern", [stick] { return std::make_unique<Pictures>(stick); })};
-
   Row start{"process start to all objects started, and its end", "ns a start", 1, {}, 0};
   start.variants = {{"openr run --for 8ms", [stick](int64_t n) { StartProgram(stick, n); }}};
   start.rounds = 15;
 
-  std::vector<Row> rows = {recording, camera, pictures, start};
+  std::vector<Row> rows = {recording, camera, start};
   for (const char* const body : {"ideal", "ode"}) {
     Row row{fmt::format("dogs on the {} body; a frame of all", body), "ns a frame", 25, {}, 0};
     row.variants = {dogs(body, 1), dogs(body, 10), dogs(body, 100)};

@@ -23,11 +23,30 @@ class PhysicsWorld;
 inline constexpr double kFrame_s = 0.008;
 inline constexpr double kGravity_m_s2 = 9.80665;
 
+// Hands and faults that act on one joint and its servo.
+struct JointTrouble {
+  std::optional<double> hand_rad;    // a hand turns the joint towards this angle
+  std::optional<double> jammed_rad;  // the joint is stuck at this angle
+  double strength = 1;               // share of the motor's torque that is left, 0 to 1
+  std::optional<double> sensed_rad;  // the joint's sensor says this, wherever the joint is
+  double sensor_error_rad = 0;       // error of the joint's sensor, added to the angle
+  bool is_sensor_dead = false;       // the signal of the joint's sensor means nothing
+
+  bool Exists() const {
+    return hand_rad || jammed_rad || strength != 1 || sensed_rad || sensor_error_rad != 0;
+  }
+  // Returns what the sensor of the joint measures when the joint is at `angle_rad`.
+  double Measured(double angle_rad) const {
+    return sensed_rad.value_or(angle_rad) + sensor_error_rad;
+  }
+};
+
 // The command to the servo of one joint for one frame.
 struct JointCommand {
   double target_rad = 0;  // set point during the frame
   bool enabled = false;  // whether the servo has gains and motor power; otherwise the joint is limp
   PidGains gains;
+  const JointTrouble* trouble = nullptr;  // null: nothing acts on the joint but its servo
 };
 
 // The state of one joint at the end of a frame.
@@ -46,6 +65,8 @@ struct BodyState {
   Eigen::Vector3d gravity_B = Eigen::Vector3d::Zero();
   std::vector<JointState> joints;  // in the order of RobotModel::joints
   std::vector<bool> paws;          // whether each paw touches something; order of RobotModel::paws
+  // Force that presses each paw, averaged over the frame, in N; empty for a body without forces.
+  std::vector<double> paw_forces_n;
 };
 
 class Body {

@@ -46,6 +46,11 @@ class Devices {
   // motors have power.  The result is valid until the next call.
   const std::vector<JointCommand>& Commands(bool motor_power);
 
+  // Returns what hands and faults do to a joint, for a change.
+  JointTrouble& Trouble(int joint);
+  // Returns the same for reading; null: nothing.
+  const JointTrouble* TroubleOf(int joint) const;
+
   // Sets the object whose command vector is applied next.  SetTarget() stores this object as the
   // commander of the joint.
   void set_commander(ObjectId object) { commander_ = object; }
@@ -79,6 +84,7 @@ class Devices {
   ObjectId commander_ = kNoObject;
   std::vector<bool> on_face_;  // [light]: see OnFace()
   std::vector<JointCommand> commands_;
+  std::vector<JointTrouble> troubles_;  // [joint]; empty before the first call of Trouble()
 };
 
 }  // namespace openr_host

@@ -7,10 +7,11 @@
 #include <cmath>
 #include <utility>
 
-#include "runtime/base/duration.h"
 #include "runtime/base/hasher.h"
 #include "runtime/base/spelling.h"
 #include "runtime/core/system.h"
+#include "virtualrobot/det_math.h"
+#include "virtualrobot/input_words.h"
 #include "virtualrobot/robot_parts.h"
 
 namespace openr_host {
@@ -32,35 +33,8 @@ constexpr double kCarried_m = 0.015, kCarried_m_s = 0.03;
 constexpr double kPutMax_m = 100;
 // The strength of a press without a number, in percent of the sensor's range.
 constexpr int kPressPercent = 50;
-
-std::string ReadNumber(std::string_view text, double* number) {
-  const char* const end = text.data() + text.size();
-  const auto [at, error] = std::from_chars(text.data(), end, *number);
-  const bool is_good = error == std::errc() && at == end && std::isfinite(*number);
-  return is_good ? "" : fmt::format("'{}' is no number", text);
-}
-
-// Reads "30%" into `percent`.
-std::string ReadPercent(std::string_view text, int* percent) {
-  const char* const end = text.data() + text.size();
-  const auto [at, error] = std::from_chars(text.data(), end, *percent);
-  const bool is_good =
-      error == std::errc() && end - at == 1 && *at == '%' && *percent >= 0 && *percent <= 100;
-  return is_good ? "" : fmt::format("'{}' is no percentage from 0% to 100%", text);
-}
-
-// Removes "for DURATION" from the end of `words`, if it is there, and sets `frames` to the duration
-// in frames, at least one.  Returns "" or the error.
-std::string TakeFor(std::vector<std::string>* words, std::optional<int64_t>* frames) {
-  const size_t count = words->size();
-  if (count < 2 || (*words)[count - 2] != "for") return "";
-  int64_t duration_us = 0;
-  if (std::string problem = ParseDuration(words->back(), &duration_us); !problem.empty())
-    return problem;
-  *frames = std::max<int64_t>((duration_us + kFrameUs - 1) / kFrameUs, 1);
-  words->resize(count - 2);
-  return "";
-}
+// A hand turns a joint with 90 degrees/s.
+const double kTurnPerFrame_rad = Radians(90) * kFrame_s;
 
 }  // namespace
 
@@ -78,15 +52,16 @@ void Hands::AddVerbs() {
       &Hands::ReadPress);
   add("set", "set SENSOR VALUE [for DURATION]",
       "Makes a sensor read a value, in its OPEN-R unit, until it is released.", &Hands::ReadSet);
-  add("release", "release SENSOR", "Ends press and set.", &Hands::ReadRelease);
+  add("release", "release SENSOR|JOINT", "Ends press, set and turn.", &Hands::ReadRelease);
+  add("turn", "turn JOINT DEGREES [for DURATION]",
+      "Turns a joint by hand, against its servo, and holds it there until it is released.",
+      &Hands::ReadTurn);
   add("push", "push X Y Z [at PART] [for DURATION]",
       "Pushes the robot with a force in N: forward, to its left, up.", &Hands::ReadPush);
   add("lift", "lift [METRES]", "Takes the robot and lifts it, 0.2 m without a number.",
       &Hands::ReadLift);
   add("put", "put THING X Y [Z]",
-      "Puts a thing of the world, which can move, somewhere else: X and Y in m, and the height of "
-      "its "
-      "middle.",
+      "Puts a movable thing of the world somewhere else: X, Y and the height of its middle, in m.",
       &Hands::ReadPut);
   add("battery", "battery N%", "Sets the remaining capacity of the battery.", &Hands::ReadBattery);
   add("charger", "charger on|off", "Puts the robot on its charging station, or takes it away.",
@@ -193,11 +168,45 @@ std::string Hands::ReadSet(std::string_view rest, Inputs::Action* action) {
 
 std::string Hands::ReadRelease(std::string_view rest, Inputs::Action* action) {
   const std::vector<std::string> words = SplitInput(rest);
-  if (words.size() != 1) return "needs one sensor";
+  if (words.size() != 1) return "needs one sensor or joint";
+  if (const int joint = robot_.model.JointNamed(words[0]); joint >= 0) {
+    *action = [this, joint] { ReleaseJoint(joint); };
+    return "";
+  }
   std::vector<int> sensors;
   if (std::string problem = FindSensors(words[0], &sensors); !problem.empty()) return problem;
   *action = [this, sensors] {
     for (const int sensor : sensors) Release(sensor);
+  };
+  return "";
+}
+
+std::string Hands::ReadTurn(std::string_view rest, Inputs::Action* action) {
+  std::vector<std::string> words = SplitInput(rest);
+  Turn turn;
+  if (std::string problem = TakeFor(&words, &turn.frames); !problem.empty()) return problem;
+  if (words.size() != 2) return "needs one joint and one angle in degrees";
+  const int joint = robot_.model.JointNamed(words[0]);
+  if (joint < 0) {
+    std::vector<std::string> known;
+    for (const JointModel& each : robot_.model.joints) known.push_back(each.name);
+    return fmt::format("the {} has no joint '{}'{}; it has {}", robot_.model.name, words[0],
+                       DidYouMean(words[0], known), fmt::join(known, ", "));
+  }
+  double degrees = 0;
+  if (std::string problem = ReadNumber(words[1], &degrees); !problem.empty()) return problem;
+  turn.goal_rad = Radians(degrees);
+  const Range& stops_rad = robot_.model.joints[static_cast<size_t>(joint)].hard_rad;
+  if (turn.goal_rad < stops_rad.min || turn.goal_rad > stops_rad.max) {
+    return fmt::format("{} degrees is beyond the stops of {}, {:.1f} to {:.1f}", degrees, words[0],
+                       Degrees(stops_rad.min), Degrees(stops_rad.max));
+  }
+  *action = [this, joint, turn] {
+    const auto before = turns_.find(joint);
+    const double angle_rad =
+        before != turns_.end() ? before->second.angle_rad
+                               : robot_.body->state().joints[static_cast<size_t>(joint)].angle_rad;
+    turns_[joint] = {angle_rad, turn.goal_rad, turn.frames};
   };
   return "";
 }
@@ -307,6 +316,24 @@ void Hands::Release(int sensor) {
   touches_.erase(sensor);
 }
 
+void Hands::ReleaseJoint(int joint) {
+  if (turns_.erase(joint) > 0) robot_.devices.Trouble(joint).hand_rad.reset();
+}
+
+// Moves the hands that turn joints by one frame.
+void Hands::MoveJoints() {
+  for (auto at = turns_.begin(); at != turns_.end();) {
+    auto& [joint, turn] = *at++;  // because ReleaseJoint() erases the element
+    if (turn.frames && (*turn.frames)-- == 0) {
+      ReleaseJoint(joint);
+      continue;
+    }
+    const double way_rad = turn.goal_rad - turn.angle_rad;
+    turn.angle_rad += std::clamp(way_rad, -kTurnPerFrame_rad, kTurnPerFrame_rad);
+    robot_.devices.Trouble(joint).hand_rad = turn.angle_rad;
+  }
+}
+
 // Takes the robot in its present pose, unless a hand holds it already.
 void Hands::TakeHold() {
   if (!grip_) grip_ = Grip{robot_.body->state().X_WB, 0, false};
@@ -345,6 +372,7 @@ void Hands::DoFrame() {
     --push.frames_left;
   }
   std::erase_if(pushes_, [](const Push& push) { return push.frames_left == 0; });
+  MoveJoints();
   if (grip_) MoveGrip();
 }
 
@@ -357,6 +385,12 @@ void Hands::HashState(Hasher* hasher) const {
     hasher->Add(push.part);
     hasher->AddBytes(push.force_B.data(), 3 * sizeof(double));
     hasher->Add(push.frames_left);
+  }
+  for (const auto& [joint, turn] : turns_) {
+    hasher->Add(joint);
+    hasher->Add(turn.angle_rad);
+    hasher->Add(turn.goal_rad);
+    hasher->Add(turn.frames.value_or(-1));
   }
   if (!grip_) return;
   hasher->AddBytes(grip_->X_WB.data(), 16 * sizeof(double));

@@ -1,5 +1,5 @@
-// The hands of a person: they press the robot's sensors, push it, lift it and set it down, change
-// its battery and put it on its charging station.
+// The hands of a person: they press the robot's sensors, turn its joints, push it, lift it and set
+// it down, change its battery and put it on its charging station.
 //
 // Each action of a hand is an input (runtime/core/inputs.h), such as "press chin for 300ms" or
 // "push 5 0 0".  docs/inputs.md describes the inputs.
@@ -44,6 +44,13 @@ class Hands {
     int64_t frames_left;
   };
 
+  // A hand that turns a joint against its servo.
+  struct Turn {
+    double angle_rad = 0;           // the angle to which the hand moves the joint now
+    double goal_rad = 0;            // the angle at which the hand stops
+    std::optional<int64_t> frames;  // number of frames that are left; without: until a release
+  };
+
   // A hand that holds the trunk.
   struct Grip {
     Eigen::Isometry3d X_WB;  // the pose to which the hand moves the base
@@ -55,6 +62,7 @@ class Hands {
   std::string ReadPress(std::string_view rest, Inputs::Action* action);
   std::string ReadSet(std::string_view rest, Inputs::Action* action);
   std::string ReadRelease(std::string_view rest, Inputs::Action* action);
+  std::string ReadTurn(std::string_view rest, Inputs::Action* action);
   std::string ReadPush(std::string_view rest, Inputs::Action* action);
   std::string ReadLift(std::string_view rest, Inputs::Action* action);
   std::string ReadPut(std::string_view rest, Inputs::Action* action);
@@ -65,6 +73,8 @@ class Hands {
   std::string FindSensors(const std::string& name, std::vector<int>* sensors) const;
   void Touch(int sensor, int32_t value, std::optional<int64_t> frames);
   void Release(int sensor);
+  void ReleaseJoint(int joint);
+  void MoveJoints();
   void TakeHold();
   void LetGo();
   void MoveGrip();
@@ -74,6 +84,7 @@ class Hands {
   // the sensor is touched until a release.
   std::map<int, std::optional<int64_t>> touches_;
   std::vector<Push> pushes_;
+  std::map<int, Turn> turns_;  // key: the joint
   std::optional<Grip> grip_;
 };
 

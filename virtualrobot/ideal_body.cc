@@ -11,6 +11,12 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
+// Returns the angle of a joint that is at `angle_rad`, and that its servo would move to `goal_rad`.
+double AngleInTrouble(const JointTrouble& trouble, double angle_rad, double goal_rad) {
+  if (trouble.jammed_rad || (trouble.strength == 0 && !trouble.hand_rad)) return angle_rad;
+  return trouble.hand_rad.value_or(goal_rad);
+}
+
 }  // namespace
 
 IdealBody::IdealBody(const RobotModel& model, const World& world, const StartPlace& start)
@@ -30,6 +36,8 @@ void IdealBody::SetCommands(const std::vector<JointCommand>& commands) {
       const Range& stops_rad = model_.joints[j].hard_rad;
       angle_rad = std::clamp(commands[j].target_rad, stops_rad.min, stops_rad.max);
     }
+    if (commands[j].trouble != nullptr)
+      angle_rad = AngleInTrouble(*commands[j].trouble, joint.angle_rad, angle_rad);
     joint.speed_rad_s = (angle_rad - joint.angle_rad) / kFrame_s;
     if (angle_rad != joint.angle_rad) placed_ = false;
     joint.angle_rad = angle_rad;

@@ -304,8 +304,8 @@ World ParseWorld(const std::string& text, const std::string& name) {
     root.AllowOnly({"schema", "name", "friction", "floor_colour", "floor_reflectance", "light",
                     "things", "starts"});
     ReadLooks(root, &world);
-    if (root.Has("starts")) ReadStarts(root.At("starts"), &world.starts);
     if (root.Has("things")) ReadThings(root.At("things"), &world.things);
+    if (root.Has("starts")) ReadStarts(root.At("starts"), &world.starts);
   } else {
     root.At("schema").Fail(
         "is '{}', this program reads 'openr-host world 1' and 'openr-host world 2'", schema);

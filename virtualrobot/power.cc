@@ -11,17 +11,16 @@
 #include "runtime/base/hasher.h"
 #include "runtime/core/api.h"
 #include "runtime/core/system.h"
+#include "virtualrobot/energy.h"
 
 namespace openr_host {
 namespace {
 
-constexpr word kTemperature = 3031;      // 30 degrees Celsius, in 0.1 K; our choice
+constexpr int kZeroCelsius = 2731;       // in 0.1 K
 constexpr word kFullCapacityMah = 2000;  // our choice
 constexpr word kVoltageMv = 7400;        // two lithium cells; our choice
-// The battery current that is always reported.  It is negative, because the battery discharges.
-// The sign is inferred; the number is our choice.
-constexpr sword kCurrentMa = -1300;
-constexpr sword kChargingMa = 1000;  // on the charging station; our choice
+constexpr int kChargingMa = 1000;        // on the charging station; our choice
+constexpr int kCurrentMaxMa = 32767;     // largest current that OPowerStatus can tell
 
 // Returns whether `filter` asks to be notified of the change from `before` to `now`.
 bool Asks(const OPowerStatus& filter, const OPowerStatus& before, const OPowerStatus& now) {
@@ -49,7 +48,11 @@ Power::Power(System* system, Battery battery) : system_(system), battery_(batter
 
 word Power::RemainingCapacity() const {
   const int64_t time_us = system_->now_us() - capacity_since_us_;
-  if (!charging_) return static_cast<word>(battery_.PercentAt(time_us));
+  if (!charging_) {
+    // The time in which the usual current would have drained the battery as far.
+    const int64_t drained_us = time_us + extra_ma_us_ / Energy::kUsualMa;
+    return static_cast<word>(battery_.PercentAt(std::max<int64_t>(drained_us, 0)));
+  }
   return static_cast<word>(std::min<int64_t>(battery_.percent + time_us / kChargeUs, 100));
 }
 
@@ -69,8 +72,16 @@ OPowerStatus Power::Status() const {
   } else {
     battery |= obsbDISCHARGING;
   }
-  return OPowerStatus(robot, battery, remaining, kTemperature, kFullCapacityMah, kVoltageMv,
-                      charging_ ? kChargingMa : kCurrentMa, time_difference_, volume_);
+  if (load_.over_current) robot |= orsbBATTERY_OVER_CURRENT;
+  if (load_.over_temperature) {
+    robot |= charging_ ? orsbBATTERY_OVER_TEMP_CHARGING : orsbBATTERY_OVER_TEMP_DISCHARGING;
+    battery |= obsbOVER_TEMP_ALARM;
+  }
+  const auto temperature = static_cast<word>(kZeroCelsius + 10 * load_.battery_c);
+  // The current is negative while the battery discharges; the sign is inferred.
+  const int current_ma = charging_ ? kChargingMa : -std::min(load_.current_ma, kCurrentMaxMa);
+  return OPowerStatus(robot, battery, remaining, temperature, kFullCapacityMah, kVoltageMv,
+                      static_cast<sword>(current_ma), time_difference_, volume_);
 }
 
 void Power::SetMotorPower(bool on) {
@@ -89,6 +100,7 @@ void Power::SetCapacity(int percent) {
   ASSERT(percent >= 0 && percent <= 100, "{} %", percent);
   battery_.percent = percent;
   capacity_since_us_ = system_->now_us();
+  extra_ma_us_ = 0;
   NotifyChange();
 }
 
@@ -127,8 +139,16 @@ bool Power::Unobserve(const OServiceEntry& entry) {
          0;
 }
 
+void Power::SetLoad(const Load& load) {
+  load_ = load;
+  if (!charging_) extra_ma_us_ += int64_t{load.current_ma - Energy::kUsualMa} * kFrameUs;
+}
+
 void Power::Update() {
-  if (RemainingCapacity() != last_.remainingCapacity) NotifyChange();
+  const OPowerStatus now = Status();
+  if (now.remainingCapacity != last_.remainingCapacity || now.temperature != last_.temperature ||
+      now.robotStatus != last_.robotStatus || now.batteryStatus != last_.batteryStatus)
+    NotifyChange();
 }
 
 void Power::NotifyChange() {
@@ -170,6 +190,10 @@ void Power::HashState(Hasher* hasher) const {
   hasher->Add(volume_);
   hasher->Add(clock_offset_s_);
   hasher->Add(static_cast<uint64_t>(watchers_.size()));
+  // Adds only whole percents, because the battery of a run of some seconds is as good as full.
+  const int64_t extra_us = extra_ma_us_ / Energy::kUsualMa;
+  if (const int64_t percents = extra_us * 100 / Battery::kEmptyUs; percents != 0)
+    hasher->Add(percents);
   if (capacity_since_us_ == 0 && !charging_) return;
   hasher->Add(battery_.percent);
   hasher->Add(capacity_since_us_);

@@ -46,6 +46,16 @@ class Power {
   // Ends the messages to `entry`.  Returns false when `entry` does not observe.
   bool Unobserve(const OServiceEntry& entry);
 
+  // The load of the battery in a frame of 8 ms.
+  struct Load {
+    int current_ma = 1300;  // drawn from the battery, beside what the charging station gives
+    int battery_c = 30;     // temperature of the battery
+    bool over_current = false, over_temperature = false;
+    bool operator==(const Load&) const = default;
+  };
+  // Takes the load of a frame, and drains the battery by its current.  Called once a frame.
+  void SetLoad(const Load& load);
+
   // Sends messages about changes that come with time, such as the battery's capacity.  Called once
   // a frame (8 ms).
   void Update();
@@ -82,6 +92,8 @@ class Power {
 
   Battery battery_;  // state at the time capacity_since_us_
   int64_t capacity_since_us_ = 0;
+  int64_t extra_ma_us_ = 0;  // charge that was drawn since then, less that of the usual current
+  Load load_;
   bool charging_ = false;
   bool motor_power_ = false;
   bool pause_ = false;

@@ -19,6 +19,9 @@ std::unique_ptr<ImageSource> SourceOf(std::unique_ptr<ImageSource> given, const 
   return given ? std::move(given) : std::make_unique<RenderedWorld>(model);
 }
 
+// Returns the random generator of the errors of noisy sensors, which a person has broken.
+Rng FaultNoiseOf(int robot, uint64_t seed) { return {seed, fmt::format("robot{}/faults", robot)}; }
+
 }  // namespace
 
 RobotParts::RobotParts(System* system_in, int robot_index_in, const RobotModel& model_in,
@@ -32,7 +35,10 @@ RobotParts::RobotParts(System* system_in, int robot_index_in, const RobotModel& 
       primitives(model),
       devices(model),
       power(&system, options.battery),
-      sensors(model, primitives, NoiseOf(robot_index, system.options().seed)),
+      energy(model),
+      protection(model),
+      sensors(model, primitives, NoiseOf(robot_index, system.options().seed),
+              FaultNoiseOf(robot_index, system.options().seed)),
       watch(model, devices),
       speaker(std::move(options.speaker)),
       microphone(std::move(options.microphone), primitives.IdOf(model.microphone_locator),
@@ -52,6 +58,7 @@ void RobotParts::SwitchOff() {
   sync_keys = {};
   optional = {};
   watch.SwitchOff();
+  protection.SwitchOff();
   speaker.SwitchOff(frame);
   safe_posture.SwitchOff();
   {  // scope of the system objects, because they own the regions that these parts give up
@@ -64,10 +71,22 @@ void RobotParts::SwitchOff() {
   first_frame = frame = 0;
 }
 
-void RobotParts::Reseed(uint64_t seed) { sensors.set_noise(NoiseOf(robot_index, seed)); }
+std::vector<Protection::Reason> RobotParts::NoteFrame() {
+  energy.NoteFrame(*body, devices, power.charging());
+  sensors.set_body_c(energy.Celsius(WarmThing::kBody));
+  auto reasons = protection.NoteFrame(body->state(), energy, power.charging());
+  power.SetLoad({energy.current_ma(), energy.Celsius(WarmThing::kBattery),
+                 protection.over_current(), protection.over_temperature()});
+  return reasons;
+}
+
+void RobotParts::Reseed(uint64_t seed) {
+  sensors.set_noise(NoiseOf(robot_index, seed), FaultNoiseOf(robot_index, seed));
+}
 
 void RobotParts::TakeNoiseOf(int number) {
-  sensors.set_noise(NoiseOf(number, system.options().seed));
+  const uint64_t seed = system.options().seed;
+  sensors.set_noise(NoiseOf(number, seed), FaultNoiseOf(number, seed));
 }
 
 void RobotParts::HashState(Hasher* hasher) const {
@@ -86,6 +105,9 @@ void RobotParts::HashState(Hasher* hasher) const {
   camera.HashState(hasher);
   safe_posture.HashState(hasher);
   hands.HashState(hasher);
+  faults.HashState(hasher);
+  energy.HashState(hasher);
+  protection.HashState(hasher);
 }
 
 }  // namespace openr_host

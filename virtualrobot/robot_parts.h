@@ -7,16 +7,20 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "virtualrobot/body.h"
 #include "virtualrobot/camera/camera.h"
 #include "virtualrobot/camera/image_source.h"
 #include "virtualrobot/devices.h"
+#include "virtualrobot/energy.h"
+#include "virtualrobot/faults.h"
 #include "virtualrobot/hands.h"
 #include "virtualrobot/joint_watch.h"
 #include "virtualrobot/optional_bytes.h"
 #include "virtualrobot/power.h"
 #include "virtualrobot/primitive_table.h"
+#include "virtualrobot/protection.h"
 #include "virtualrobot/safe_posture.h"
 #include "virtualrobot/sensor_source.h"
 #include "virtualrobot/shared_frame.h"
@@ -53,10 +57,14 @@ struct RobotParts {
   // Adds a warning about the object whose handler runs now.
   void Warn(std::string text);
 
-  // Switches the devices off, and sets the state of all parts but the body, the battery, the clock
-  // and the hands as it is at a boot.  The files of speaker, microphone and camera go on where
-  // they are.
+  // Switches the devices off, and sets the state of all parts but the body, the battery, the clock,
+  // the hands and the faults as it is at a boot.  The files of speaker, microphone and camera go on
+  // where they are.
   void SwitchOff();
+
+  // Warms the robot up and drains its battery, after the body has moved for a frame of 8 ms.
+  // Returns the reasons for which the robot now protects itself.
+  std::vector<Protection::Reason> NoteFrame();
 
   // Makes the noise of the sensors start again from `seed`.
   void Reseed(uint64_t seed);
@@ -75,6 +83,8 @@ struct RobotParts {
   PrimitiveTable primitives;
   Devices devices;
   Power power;
+  Energy energy;
+  Protection protection;
   SensorSource sensors;
   SyncKeys sync_keys;
   OptionalBytes optional;
@@ -84,6 +94,7 @@ struct RobotParts {
   CameraDevice camera;
   SafePosture safe_posture;
   Hands hands{this};
+  Faults faults{this};
   int64_t first_frame = 0;  // 0 unless a test sets it
   // Number of the frame that runs now, counted from the last boot.  All earlier frames are
   // complete.

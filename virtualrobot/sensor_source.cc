@@ -14,10 +14,12 @@ namespace {
 
 constexpr double kMicro = 1e6;    // because sensor values are in millionths of their SI unit
 constexpr int kSignalMax = 1023;  // of the 10-bit A/D converter (Level 2 Reference Guide, 4.2.2)
-// The temperature that the robot always measures, because heat is not simulated.  The number is our
-// choice.
-constexpr slongword kTemperatureMicroC = 30'000'000;
+constexpr double kTemperatureRangeMicroC = 100e6;  // for the noise of a faulty sensor; our choice
 constexpr double kRayMaxM = 2.0;
+// Light that comes back to a distance sensor: the reflectance of the thing, divided by the square
+// of its distance.  With less than this, the sensor sees nothing.  The data sheets of such sensors
+// promise grey paper, with a reflectance of 0.18, up to 0.8 m; docs/calibration.md.
+constexpr double kLightMinPerM2 = 0.18 / (0.8 * 0.8);
 
 // Converts `value` to millionths and rounds it, halves away from zero, with the same result on
 // every machine.
@@ -60,10 +62,12 @@ slongword Clamped(const Sensor& sensor, slongword value) {
 
 }  // namespace
 
-SensorSource::SensorSource(const RobotModel& model, const PrimitiveTable& primitives, Rng noise)
+SensorSource::SensorSource(const RobotModel& model, const PrimitiveTable& primitives, Rng noise,
+                           Rng fault_noise)
     : model_(model),
       primitives_(primitives),
       noise_(noise),
+      fault_noise_(fault_noise),
       latest_(model.sensors.size()),
       readings_(model.joints.size()),
       held_(model.sensors.size()),
@@ -79,16 +83,18 @@ void SensorSource::SampleJoint(size_t index, int joint, const BodyState& state,
   const auto j = static_cast<size_t>(joint);
   const JointState& now = state.joints[j];
   const slongword target_urad = devices.joints[j].target_urad;
+  const JointTrouble* const trouble = devices.TroubleOf(joint);
+  const double angle_rad = trouble == nullptr ? now.angle_rad : trouble->Measured(now.angle_rad);
+  const bool is_dead = trouble != nullptr && trouble->is_sensor_dead;
   JointReading& before = readings_[j];
-  if (before.angle_rad == now.angle_rad && before.drive == now.drive &&
-      before.target_urad == target_urad)
-    return;
-  before = {now.angle_rad, now.drive, target_urad};
+  const JointReading reading = {angle_rad, now.drive, target_urad, is_dead};
+  if (before == reading) return;
+  before = reading;
   const Range& stops_rad = model_.joints[j].hard_rad;
   OJointValue value;
   std::memset(static_cast<void*>(&value), 0, sizeof value);
-  value.value = ToMicro(now.angle_rad);
-  value.signal = SignalOf(now.angle_rad, stops_rad);
+  value.value = ToMicro(angle_rad);
+  value.signal = is_dead ? osensorframeINVALID_SIGNAL : SignalOf(angle_rad, stops_rad);
   value.pwmDuty = static_cast<sword>(std::clamp(now.drive, -32768.0, 32767.0));
   value.refValue = target_urad;
   value.refSignal = SignalOf(target_urad / kMicro, stops_rad);
@@ -101,8 +107,12 @@ void SensorSource::SampleJoint(size_t index, int joint, const BodyState& state,
 slongword SensorSource::DistanceOf(const Sensor& sensor, const Body& body) {
   if (sensor.body < 0 || sensor.lookup.size() < 2) return static_cast<slongword>(sensor.max);
   const Eigen::Isometry3d X_WP = body.PoseOf(static_cast<size_t>(sensor.body));
-  const double distance =
-      body.CastRay(X_WP * sensor.place_m, X_WP.linear() * sensor.direction, kRayMaxM).distance_m;
+  const RayHit hit =
+      body.CastRay(X_WP * sensor.place_m, X_WP.linear() * sensor.direction, kRayMaxM);
+  // A sensor of this kind measures an angle and not the strength of the light, so a dark thing
+  // reads as far as a bright one as long as the sensor sees it at all.
+  const bool is_seen = hit.reflectance >= kLightMinPerM2 * hit.distance_m * hit.distance_m;
+  const double distance = is_seen ? hit.distance_m : kRayMaxM;
   const auto& table = sensor.lookup;
   size_t i = 1;
   while (i + 1 < table.size() && distance > table[i].distance_m) ++i;
@@ -115,17 +125,24 @@ slongword SensorSource::DistanceOf(const Sensor& sensor, const Body& body) {
   return ToMicro(value * (1.0 + noise * (2.0 * noise_.NextDouble() - 1.0)));
 }
 
+// Returns whether the floor or a thing presses the switch of paw `paw`.
+bool SensorSource::IsPressed(const BodyState& state, size_t paw) const {
+  if (!state.paws[paw]) return false;
+  return state.paw_forces_n.empty() || state.paw_forces_n[paw] >= model_.paw_force_n;
+}
+
 // Returns the value of a sensor that does not belong to a joint, and that nobody touches.
 slongword SensorSource::ValueOf(const Sensor& sensor, const Body& body) {
   switch (sensor.kind) {
     case SensorKind::kDistance:
       return Clamped(sensor, DistanceOf(sensor, body));
     case SensorKind::kSwitch:
-      return sensor.paw >= 0 && body.state().paws[static_cast<size_t>(sensor.paw)] ? oswitchON : 0;
+      return sensor.paw >= 0 && IsPressed(body.state(), static_cast<size_t>(sensor.paw)) ? oswitchON
+                                                                                         : 0;
     case SensorKind::kAcceleration:
       return Clamped(sensor, ToMicro(body.state().gravity_B.dot(sensor.direction)));
     case SensorKind::kTemperature:
-      return kTemperatureMicroC;
+      return body_c_ * static_cast<slongword>(kMicro);
     default:
       return 0;  // touch sensors are 0 unless a hand presses them
   }
@@ -142,8 +159,42 @@ void SensorSource::SampleNow(const Body& body, const Devices& devices) {
     // The value is computed even when a hand holds the sensor, so that the noise of the other
     // sensors stays the same.
     const slongword value = ValueOf(sensor, body);
+    const slongword before = latest_[i].value;
     latest_[i].value = held_[i].value_or(value);
+    const auto fault = faults_.find(static_cast<int>(i));
+    if (fault != faults_.end()) ApplyFault(fault->second, sensor, before, &latest_[i]);
   }
+}
+
+// Changes the sample `value` of a faulty sensor.  `before` is the value of its last sample.
+void SensorSource::ApplyFault(const SensorFault& fault, const Sensor& sensor, slongword before,
+                              OSensorValue* value) {
+  switch (fault.kind) {
+    case SensorFaultKind::kStuck:
+      value->value = before;
+      break;
+    case SensorFaultKind::kDead:
+      value->value = opsdINVALID_VALUE;
+      value->signal = osensorframeINVALID_SIGNAL;
+      break;
+    case SensorFaultKind::kNoisy: {
+      const double noise = FaultNoise();
+      const double share = fault.percent / 100.0;
+      if (sensor.kind == SensorKind::kSwitch) {  // because a switch has only two values
+        if (std::fabs(noise) < share) value->value = value->value == oswitchON ? 0 : oswitchON;
+        break;
+      }
+      const double range =
+          sensor.has_range ? static_cast<double>(sensor.max - sensor.min) : kTemperatureRangeMicroC;
+      value->value = Clamped(sensor, value->value + static_cast<slongword>(noise * share * range));
+      break;
+    }
+  }
+}
+
+void SensorSource::Repair(int sensor) {
+  faults_.erase(sensor);
+  latest_[static_cast<size_t>(sensor)].signal = 0;
 }
 
 bool SensorSource::Sample(int64_t frame, const Body& body, const Devices& devices) {
@@ -209,6 +260,13 @@ void SensorSource::HashState(Hasher* hasher) const {
     if (!held_[i]) continue;
     hasher->Add(static_cast<uint64_t>(i));
     hasher->Add(*held_[i]);
+  }
+  if (faults_.empty()) return;
+  fault_noise_.HashState(hasher);
+  for (const auto& [sensor, fault] : faults_) {
+    hasher->Add(sensor);
+    hasher->Add(fault.kind);
+    hasher->Add(fault.percent);
   }
 }
 

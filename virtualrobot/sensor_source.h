@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -22,15 +23,30 @@ namespace openr_host {
 
 class Hasher;
 
+// A fault of a sensor.
+enum class SensorFaultKind {
+  kStuck,  // the sensor keeps the value that it has
+  kNoisy,  // its values jump about
+  kDead,   // it reads nothing
+};
+struct SensorFault {
+  SensorFaultKind kind = SensorFaultKind::kDead;
+  int percent = 0;  // kNoisy: highest error, in percent of the sensor's range
+};
+
 class SensorSource {
  public:
   static constexpr int kFramesPerVector = 4;  // source: Level 2 Reference Guide, 3.1
 
-  // Makes the sensors of a robot.  `noise` is the random generator of their noise.  `model` and
-  // `primitives` must outlive this object.
-  SensorSource(const RobotModel& model, const PrimitiveTable& primitives, Rng noise);
+  // Makes the sensors of a robot.  `noise` is the random generator of their noise, `fault_noise`
+  // that of noisy sensors.  `model` and `primitives` must outlive this object.
+  SensorSource(const RobotModel& model, const PrimitiveTable& primitives, Rng noise,
+               Rng fault_noise);
 
-  void set_noise(Rng noise) { noise_ = noise; }
+  void set_noise(Rng noise, Rng fault_noise) {
+    noise_ = noise;
+    fault_noise_ = fault_noise;
+  }
 
   // Takes the samples of frame `frame`.  Returns whether these samples complete a vector.
   bool Sample(int64_t frame, const Body& body, const Devices& devices);
@@ -48,10 +64,22 @@ class SensorSource {
   // returned true; called in a handler of an object, because RCRegion counts references per object.
   RCRegion* MakeVector(const OptionalBytes& optional);
 
+  // Sets the temperature of the body, in degrees Celsius.
+  void set_body_c(int celsius) { body_c_ = celsius; }
+
   // Makes sensor `sensor` read `value`, in its OPEN-R unit, until Release().  REQUIRES: it is not
   // the sensor of a joint.
   void Hold(int sensor, slongword value) { held_[static_cast<size_t>(sensor)] = value; }
   void Release(int sensor) { held_[static_cast<size_t>(sensor)].reset(); }
+
+  // Makes sensor `sensor` faulty, or ends that.  The fault of a joint's sensor is in
+  // Devices::Trouble() instead, because the servo uses that sensor, too.  REQUIRES: it is not the
+  // sensor of a joint.
+  void Break(int sensor, const SensorFault& fault) { faults_[sensor] = fault; }
+  void Repair(int sensor);
+
+  // Returns a random number from -1 to 1, for the error of a noisy sensor.
+  double FaultNoise() { return 2.0 * fault_noise_.NextDouble() - 1.0; }
 
   // Gives up the samples that wait for their vector, and the regions of all vectors.  REQUIRES: the
   // object that sends the vectors is the current object.
@@ -65,21 +93,28 @@ class SensorSource {
     double angle_rad = std::numeric_limits<double>::infinity();  // at first: equal to no angle
     double drive = 0;
     slongword target_urad = 0;
+    bool is_dead = false;
+    bool operator==(const JointReading&) const = default;
   };
 
   void SampleJoint(size_t index, int joint, const BodyState& state, const Devices& devices);
+  bool IsPressed(const BodyState& state, size_t paw) const;
   slongword ValueOf(const Sensor& sensor, const Body& body);
   slongword DistanceOf(const Sensor& sensor, const Body& body);
+  void ApplyFault(const SensorFault& fault, const Sensor& sensor, slongword before,
+                  OSensorValue* value);
   RCRegion* FreeVector();
 
   const RobotModel& model_;
   const PrimitiveTable& primitives_;
-  Rng noise_;
+  Rng noise_, fault_noise_;
   std::vector<OSensorValue> latest_;
   std::vector<JointReading> readings_;          // [joint]
   std::vector<std::optional<slongword>> held_;  // [sensor]: see Hold()
+  std::map<int, SensorFault> faults_;           // key: the sensor
   std::vector<OSensorValue> frames_;  // [frame][sensor]: samples of kFramesPerVector frames
-  int64_t first_frame_ = 0;           // number of the first frame in frames_
+  int body_c_ = 30;
+  int64_t first_frame_ = 0;  // number of the first frame in frames_
   // Number of frames of the next vector whose samples are in frames_; below kFramesPerVector.
   int collected_ = 0;
   VectorPool pool_;

@@ -32,6 +32,7 @@ Servo::Servo(const JointModel& joint, const ServoSettings& settings)
 }
 
 void Servo::BeginFrame(const JointCommand& command, double angle_rad) {
+  trouble_ = command.trouble;
   if (!command.enabled) {
     enabled_ = false;
     integral_ = 0;
@@ -49,16 +50,20 @@ void Servo::BeginFrame(const JointCommand& command, double angle_rad) {
     i_ = Effective(gains_.i, gains_.i_shift) * counts_per_rad_;
     d_ = Effective(gains_.d, gains_.d_shift) * counts_per_rad_ * kFrame_s;
   }
-  integral_ = std::clamp(integral_ + i_ * (target_rad_ - angle_rad), -kDriveFull, kDriveFull);
+  integral_ =
+      std::clamp(integral_ + i_ * (target_rad_ - Measured(angle_rad)), -kDriveFull, kDriveFull);
 }
 
 double Servo::Drive(double angle_rad, double speed_rad_s) const {
   if (!enabled_) return 0;
-  return p_ * (target_rad_ - angle_rad) + integral_ + d_ * (target_speed_rad_s_ - speed_rad_s);
+  const double seen_rad_s = is_blind() ? 0 : speed_rad_s;
+  return p_ * (target_rad_ - Measured(angle_rad)) + integral_ +
+         d_ * (target_speed_rad_s_ - seen_rad_s);
 }
 
 TorqueLine Servo::Step(double angle_rad, double speed_rad_s, double step_s) const {
-  TorqueLine line = enabled_ ? MotorLine(angle_rad, speed_rad_s, step_s) : LimpLine(speed_rad_s);
+  const bool is_driven = enabled_ && strength() > 0;
+  TorqueLine line = is_driven ? MotorLine(angle_rad, speed_rad_s, step_s) : LimpLine(speed_rad_s);
   double beyond_rad = 0;
   if (angle_rad > hard_rad_.max) beyond_rad = angle_rad - hard_rad_.max;
   if (angle_rad < hard_rad_.min) beyond_rad = angle_rad - hard_rad_.min;
@@ -67,19 +72,39 @@ TorqueLine Servo::Step(double angle_rad, double speed_rad_s, double step_s) cons
     line.zero_speed_nm -= stiffness_nm * beyond_rad;
     line.slope_nm_s += stiffness_nm * step_s + settings_.stop_damping_s_per_rad * stall_nm_;
   }
+  if (trouble_ != nullptr) AddTrouble(angle_rad, step_s, &line);
   return line;
 }
 
 TorqueLine Servo::MotorLine(double angle_rad, double speed_rad_s, double step_s) const {
+  const double stall_nm = strength() * stall_nm_;
+  const double slope_nm_s = strength() * motor_slope_nm_s_;
   const double drive = Drive(angle_rad, speed_rad_s);
-  if (drive > kDriveFull) return {stall_nm_, motor_slope_nm_s_};
-  if (drive < -kDriveFull) return {-stall_nm_, motor_slope_nm_s_};
+  if (drive > kDriveFull) return {stall_nm, slope_nm_s};
+  if (drive < -kDriveFull) return {-stall_nm, slope_nm_s};
   // Computes the P and D parts for the joint's angle and speed at the end of the step, not at its
   // beginning.  So high gains on a light part stay stable with any length of the step.  The angle
   // at the end is angle_rad + step_s * v, where v is the speed at the end.
-  const double nm_per_count = stall_nm_ / kDriveFull;
+  const double nm_per_count = stall_nm / kDriveFull;
+  if (is_blind()) return {nm_per_count * drive, slope_nm_s};
   return {nm_per_count * (drive + d_ * speed_rad_s),
-          motor_slope_nm_s_ + nm_per_count * (d_ + p_ * step_s)};
+          slope_nm_s + nm_per_count * (d_ + p_ * step_s)};
+}
+
+// Adds the torques of a hand, and of what holds a jammed joint.  Both are springs, whose force at
+// the end of the step is computed.
+void Servo::AddTrouble(double angle_rad, double step_s, TorqueLine* line) const {
+  if (trouble_->hand_rad) {
+    const double stiffness_nm = settings_.hand_stiffness_nm_per_rad;
+    line->zero_speed_nm += std::clamp(stiffness_nm * (*trouble_->hand_rad - angle_rad),
+                                      -settings_.hand_torque_nm, settings_.hand_torque_nm);
+    line->slope_nm_s += stiffness_nm * step_s;
+  }
+  if (trouble_->jammed_rad) {
+    const double stiffness_nm = settings_.jam_stiffness_per_rad * stall_nm_;
+    line->zero_speed_nm += stiffness_nm * (*trouble_->jammed_rad - angle_rad);
+    line->slope_nm_s += stiffness_nm * step_s;
+  }
 }
 
 // Returns dry friction, which is viscous below the creep speed, because a force that jumps at speed

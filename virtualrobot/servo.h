@@ -23,6 +23,9 @@ struct ServoSettings {
   double limp_creep_rad_s = 0.02;    // below this speed, dry friction acts like viscous friction
   double stop_stiffness_per_rad = 100;  // stiffness of a stop, divided by the stall torque
   double stop_damping_s_per_rad = 0.5;  // damping of a stop, divided by the stall torque
+  double jam_stiffness_per_rad = 2000;  // stiffness of a jammed joint, divided by the stall torque
+  double hand_torque_nm = 2;            // highest torque of a hand that turns a joint
+  double hand_stiffness_nm_per_rad = 50;
 };
 
 // The torque on the joint as a function of its speed v at the end of the step: zero_speed_nm -
@@ -39,7 +42,8 @@ class Servo {
   Servo(const JointModel& joint, const ServoSettings& settings);
 
   // Sets the command for the next frame of 8 ms; `angle_rad` is the present angle of the joint.
-  // Called once per frame, before the steps of the frame.
+  // Called once per frame, before the steps of the frame.  `command.trouble` must exist until the
+  // last call of Step() and Drive() for this frame.
   void BeginFrame(const JointCommand& command, double angle_rad);
 
   // Returns the torque of motor, friction and stops on the joint during the next step of `step_s`
@@ -55,6 +59,13 @@ class Servo {
  private:
   TorqueLine MotorLine(double angle_rad, double speed_rad_s, double step_s) const;
   TorqueLine LimpLine(double speed_rad_s) const;
+  void AddTrouble(double angle_rad, double step_s, TorqueLine* line) const;
+  double strength() const { return trouble_ == nullptr ? 1 : trouble_->strength; }
+  // Returns whether the servo does not see how its joint moves.
+  bool is_blind() const { return trouble_ != nullptr && trouble_->sensed_rad.has_value(); }
+  double Measured(double angle_rad) const {
+    return trouble_ == nullptr ? angle_rad : trouble_->Measured(angle_rad);
+  }
 
   // Constants that are computed from the joint and the settings.
   double counts_per_rad_;
@@ -72,6 +83,7 @@ class Servo {
   double i_ = 0;         // in PWM counts per rad and frame; the servo integrates once a frame
   double d_ = 0;         // in PWM counts per rad/s
   double integral_ = 0;  // in PWM counts
+  const JointTrouble* trouble_ = nullptr;
 };
 
 }  // namespace openr_host

@@ -9,6 +9,7 @@ void SharedFrame::End(int64_t now_us) {
   ended_us_ = now_us;
   for (RobotParts* const robot : robots_) {
     robot->hands.DoFrame();
+    robot->faults.DoFrame();
     robot->body->SetCommands(robot->devices.Commands(robot->power.motor_power()));
   }
   for (RobotParts* const robot : robots_) robot->body->Advance();

@@ -18,7 +18,7 @@ class SharedFrame {
   void Add(RobotParts* robot) { robots_.push_back(robot); }
 
   // Ends the frame that ends at the virtual time `now_us`, unless another robot has ended it: the
-  // hands of people act, and the bodies move for 8 ms under the present set points.
+  // hands of people and the faults act, and the bodies move for 8 ms under the present set points.
   void End(int64_t now_us);
 
  private:

@@ -274,7 +274,10 @@ std::optional<int64_t> VirtualRobot::TimeOffUs() const {
 
 void VirtualRobot::SwitchOff() { parts_.SwitchOff(); }
 
-void VirtualRobot::RunFrameWhileOff() { parts_.shared_frame->End(parts_.system.now_us()); }
+void VirtualRobot::RunFrameWhileOff() {
+  parts_.shared_frame->End(parts_.system.now_us());
+  parts_.NoteFrame();
+}
 
 void VirtualRobot::Reseed(uint64_t seed) { parts_.Reseed(seed); }
 
@@ -300,6 +303,7 @@ VirtualRobot* AddVirtualRobot(System* system, int robot, const RobotModel& model
   system->robot(robot).services = std::move(services);
   AddSystemObjects(result);
   result->parts().hands.AddVerbs();
+  result->parts().faults.AddVerbs();
   return result;
 }
 

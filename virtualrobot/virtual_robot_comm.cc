@@ -58,10 +58,12 @@ void OVirtualRobotComm::Frame() {
   // 1. End the last frame: the body moves for 8 ms under the present set points and the hands of a
   // person, then its sensors are sampled.
   robot_.shared_frame->End(system().now_us());
+  std::vector<Protection::Reason> reasons = robot_.NoteFrame();
   const bool is_vector_complete = robot_.sensors.Sample(robot_.frame, *robot_.body, robot_.devices);
   const int64_t frame = ++robot_.frame;  // number of the frame that begins
   robot_.power.Update();
   ReportOverload();
+  for (Protection::Reason& reason : reasons) Protect(std::move(reason));
 
   // 2. Release the command vectors that are over, so that their subjects may send the next ones.
   for (CommandQueue& queue : queues_) {
@@ -103,19 +105,23 @@ void OVirtualRobotComm::Frame() {
   if (running_) PostNextFrame();
 }
 
-// Reports a motor that has pushed at its limit for 30 s.  The robot shuts down in this case.  Here
-// the robot shuts down only with --strict, so that a run without --strict can be examined further.
+// Reports a motor that has pushed at its limit for 30 s.
 void OVirtualRobotComm::ReportOverload() {
   const int joint = robot_.watch.NoteFrame(robot_.body->state());
   if (joint < 0) return;
-  system().AddFinding(
-      Severity::kError,
-      fmt::format("PPM::PWM Limit Over!! Motor:{} ({}); MECHA_LOAD_HIGH. SHUTDOWN.: asked for 78 % "
-                  "of its drive or more for 30 s, the robot shuts down",
-                  joint, robot_.model.joints[static_cast<size_t>(joint)].locator));
+  Protect(
+      {fmt::format("PPM::PWM Limit Over!! Motor:{} ({}); MECHA_LOAD_HIGH. SHUTDOWN.: asked for 78 "
+                   "% of its drive or more for 30 s, the robot shuts down",
+                   joint, robot_.model.joints[static_cast<size_t>(joint)].locator),
+       fmt::format("motor {} was at its limit for 30 s", joint)});
+}
+
+// Reports that the robot protects itself.  The robot shuts down in this case.  Here the robot shuts
+// down only with --strict, so that a run without --strict can be examined further.
+void OVirtualRobotComm::Protect(Protection::Reason reason) {
+  system().AddFinding(Severity::kError, std::move(reason.finding));
   if (!system().options().strict) return;
-  system().Shutdown(robot_.robot_index,
-                    {EndKind::kStrict, fmt::format("motor {} was at its limit for 30 s", joint)});
+  system().Shutdown(robot_.robot_index, {EndKind::kStrict, std::move(reason.end)});
 }
 
 void OVirtualRobotComm::NotifyEffector(const ONotifyEvent& event) {

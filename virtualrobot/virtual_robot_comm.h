@@ -8,6 +8,7 @@
 
 #include "runtime/core/code_object.h"
 #include "virtualrobot/command_queue.h"
+#include "virtualrobot/protection.h"
 #include "virtualrobot/region_reference.h"
 
 namespace openr_host {
@@ -33,6 +34,7 @@ class OVirtualRobotComm : public CodeObject {
   void Frame();
   void PostNextFrame();
   void ReportOverload();
+  void Protect(Protection::Reason reason);
   // Adds a warning about the object that has `subject` for each text in `problems`.
   void Report(const SubjectID& subject, std::vector<std::string> problems);
 

@@ -137,6 +137,26 @@ void Ros2Number::Publish(double value) {
   writer_.Write(&sample);
 }
 
+Ros2Text::Ros2Text(Bus* bus, const std::string& topic)
+    : writer_(bus, std_msgs_msg_dds__String__desc, topic, kSensorDepth) {}
+
+void Ros2Text::Publish(const std::string& text) {
+  const std_msgs_msg_dds__String_ sample = {Text(text)};
+  writer_.Write(&sample);
+}
+
+Ros2Texts::Ros2Texts(Bus* bus, const std::string& topic)
+    : reader_(bus, std_msgs_msg_dds__String__desc, topic, kWaitingMax) {}
+
+std::optional<std::string> Ros2Texts::Take() {
+  void* const sample = reader_.Take();
+  if (sample == nullptr) return std::nullopt;
+  const char* const data = static_cast<const std_msgs_msg_dds__String_*>(sample)->data_;
+  std::string text(data, strnlen(data, kTextMax));
+  reader_.Return(sample);
+  return text;
+}
+
 Ros2JointCommands::Ros2JointCommands(Bus* bus, const std::string& topic)
     : reader_(bus, sensor_msgs_msg_dds__JointState__desc, topic, kWaitingMax) {}
 

@@ -85,6 +85,31 @@ class Ros2Number {
   Ros2Writer writer_;
 };
 
+// Publishes std_msgs/String.
+class Ros2Text {
+ public:
+  Ros2Text(Bus* bus, const std::string& topic);
+  void Publish(const std::string& text);
+
+ private:
+  Ros2Writer writer_;
+};
+
+// Receives std_msgs/String.
+class Ros2Texts {
+ public:
+  static constexpr int kWaitingMax = 32;     // limit of texts not taken yet; the oldest are lost
+  static constexpr size_t kTextMax = 65536;  // characters of a text; the rest is cut off
+
+  Ros2Texts(Bus* bus, const std::string& topic);
+  bool HasMisfit() const { return reader_.HasMisfit(); }
+  // Returns the next text; nullopt when there is none.
+  std::optional<std::string> Take();
+
+ private:
+  Ros2Reader reader_;
+};
+
 // A received command for joints.  Names and values are as received and not checked.
 struct Ros2JointCommand {
   std::vector<std::string> joints;

@@ -46,6 +46,7 @@ struct ExploreFlags {
   ExploredStick stick;
   ExplorePlan plan;
   std::vector<std::string> vary;
+  int faults = 0;
   bool exhaustive = false;
   bool no_reduction = false;
   bool verify = false;
@@ -101,9 +102,14 @@ void DescribeHow(CLI::App* command, ExploreFlags* flags) {
                    "What seeds may change: starts,ties,delays,network,costs,frames (all)")
       ->delimiter(',')
       ->check(CLI::IsMember({"starts", "ties", "delays", "network", "costs", "frames"}));
+  CLI::Option* const faults =
+      command
+          ->add_option("--faults", flags->faults,
+                       "Number of faults of joints and sensors that each seed gives the robots")
+          ->check(CLI::Range(0, 1000));
   CLI::Option* const exhaustive = command->add_flag("--exhaustive", flags->exhaustive,
                                                     "All orders of starts and ties, depth first");
-  exhaustive->excludes(command->get_option("--vary"));
+  exhaustive->excludes(command->get_option("--vary"))->excludes(faults);
   command
       ->add_flag("--no-reduction", flags->no_reduction,
                  "With --exhaustive: also orders that nobody could tell from others")
@@ -124,7 +130,7 @@ void DescribeHow(CLI::App* command, ExploreFlags* flags) {
       command->add_option("--replay", flags->replay_file, "Run a failure again that -o wrote")
           ->check(IsReadable("--replay", "failing order that openr explore -o wrote", ".json"));
   for (const char* other : {"--runs", "--vary", "--exhaustive", "--verify", "--keep-going",
-                            "--guard", "--seed", "--for", "--property"}) {
+                            "--guard", "--seed", "--for", "--property", "--faults"}) {
     replay->excludes(command->get_option(other));
   }
   CLI::Option* const panel =
@@ -350,6 +356,7 @@ int Explore(ExploreFlags flags) {
   ExplorePlan& plan = flags.plan;
   plan.first_seed = flags.stick.simulation.seed;
   plan.run.vary = VaryOf(flags.vary);
+  plan.run.vary.faults = flags.faults;
   plan.stop_at_first = !flags.keep_going;
   plan.reduce = !flags.no_reduction;
   std::optional<ProgressLine> line(std::in_place, STDERR_FILENO, plan.runs,

@@ -14,9 +14,11 @@
 #include "cli/json_text.h"
 #include "cli/output_file.h"
 #include "cli/standard_streams.h"
+#include "openr/chart/chart.h"
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
 #include "openr/model/check_model.h"
+#include "openr/model/measure.h"
 #include "openr/model/urdf.h"
 
 namespace openr_host {
@@ -29,6 +31,7 @@ struct ModelFlags {
   bool json = false;
   std::string model;
   std::string file;
+  std::string servo_chart, distance_chart;
 };
 
 Json ToJson(const RobotModel& model, const ModelCheck& check) {
@@ -91,6 +94,97 @@ int WriteUrdf(const ModelFlags& flags) {
   return kExitGood;
 }
 
+Json ToJson(const std::vector<StepResponse>& steps) {
+  Json list = Json::array();
+  for (const StepResponse& step : steps) {
+    list.push_back({{"joint", step.joint},
+                    {"from_deg", step.from_deg},
+                    {"to_deg", step.to_deg},
+                    {"rise_ms", step.rise_ms},
+                    {"overshoot_deg", step.overshoot_deg},
+                    {"end_error_deg", step.end_error_deg},
+                    {"current_ma_max", step.current_ma_max}});
+  }
+  return list;
+}
+
+Json ToJson(const std::vector<DistanceReading>& readings) {
+  Json list = Json::array();
+  for (const DistanceReading& reading : readings) {
+    list.push_back({{"distance_mm", reading.distance_mm},
+                    {"reflectance", reading.reflectance},
+                    {"min_mm", reading.min_mm},
+                    {"mean_mm", reading.mean_mm},
+                    {"max_mm", reading.max_mm}});
+  }
+  return list;
+}
+
+chart::Chart ChartOf(const RobotModel& model, const std::vector<StepResponse>& steps) {
+  chart::Chart chart;
+  chart.title = model.name + ": steps of each joint";
+  chart.subtitle = "held in the air, standing; the other joints hold";
+  chart.x_label = "time, ms";
+  chart.y_label = "angle, degrees";
+  for (const StepResponse& step : steps) {
+    const std::string note = fmt::format("90 % after {:.0f} ms", step.rise_ms);
+    chart.panels.push_back(
+        {step.joint,
+         note,
+         {{chart::Look::kReference, "commanded", step.times_ms, step.commanded_deg},
+          {chart::Look::kFirst, "measured", step.times_ms, step.measured_deg}}});
+  }
+  return chart;
+}
+
+chart::Chart ChartOf(const RobotModel& model, const std::vector<DistanceReading>& readings) {
+  chart::Chart chart;
+  chart.title = model.name + ": distance sensor in front of a wall";
+  chart.subtitle = "200 samples at each distance";
+  chart.x_label = "distance, mm";
+  chart.y_label = "reading, mm";
+  chart.columns = 2;
+  for (const DistanceReading& reading : readings) {
+    const std::string title = fmt::format("reflectance {}", reading.reflectance);
+    if (chart.panels.empty() || chart.panels.back().title != title) {
+      chart.panels.push_back({title,
+                              "",
+                              {{chart::Look::kReference, "distance", {}, {}},
+                               {chart::Look::kFirst, "mean", {}, {}},
+                               {chart::Look::kSecond, "smallest and largest", {}, {}},
+                               {chart::Look::kSecond, "smallest and largest", {}, {}}}});
+    }
+    const double values[] = {reading.distance_mm, reading.mean_mm, reading.min_mm, reading.max_mm};
+    for (size_t i = 0; i < std::size(values); ++i) {
+      chart::Curve& curve = chart.panels.back().curves[i];
+      curve.x.push_back(reading.distance_mm);
+      curve.y.push_back(values[i]);
+    }
+  }
+  return chart;
+}
+
+// Writes the chart to `file`, unless that is "".  Throws std::runtime_error.
+void Draw(const chart::Chart& chart, const std::string& file) {
+  if (file.empty()) return;
+  const std::string problem = WriteChart(chart, file);
+  if (!problem.empty()) throw std::runtime_error(problem);
+}
+
+int Measure(const ModelFlags& flags) {
+  constexpr double kStepDeg = 20, kBright = 1, kDark = 0.05;
+  const RobotModel model = LoadRobotModel(ModelFile(flags.model));
+  const std::vector<StepResponse> steps = MeasureSteps(model, kStepDeg);
+  std::vector<DistanceReading> readings = MeasureDistances(model, kBright);
+  for (const DistanceReading& reading : MeasureDistances(model, kDark)) readings.push_back(reading);
+  Draw(ChartOf(model, steps), flags.servo_chart);
+  Draw(ChartOf(model, readings), flags.distance_chart);
+  const Json answer = {
+      {"model", model.name}, {"steps", ToJson(steps)}, {"distances", ToJson(readings)}};
+  PrintAnswer(JsonText(answer, 2) + "\n");
+  return kExitGood;
+}
+
 }  // namespace
 
 void AddModelCommand(CLI::App* app, int* exit_code) {
@@ -102,6 +196,16 @@ void AddModelCommand(CLI::App* app, int* exit_code) {
   check->add_option("MODEL", flags->models, "Names of models")->capture_default_str();
   check->add_flag("--json", flags->json, "One JSON array");
   check->callback([flags, exit_code] { *exit_code = CheckAll(*flags); });
+  CLI::App* const measure = command->add_subcommand(
+      "measure", "Measures steps of the joints and the distance sensor; prints JSON");
+  measure->add_option("MODEL", flags->model, "Name of a model")->required();
+  measure->add_option("--servo", flags->servo_chart, "File for a chart of the steps: .svg or .png")
+      ->check(IsWritable());
+  measure
+      ->add_option("--distance", flags->distance_chart,
+                   "File for a chart of the distance sensor: .svg or .png")
+      ->check(IsWritable());
+  measure->callback([flags, exit_code] { *exit_code = Measure(*flags); });
   CLI::App* const urdf = command->add_subcommand("urdf", "Exports a model as URDF");
   urdf->add_option("MODEL", flags->model, "Name of a model")->required();
   urdf->add_option("-o,--output", flags->file, "File to write (default: standard output)")

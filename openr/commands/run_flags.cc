@@ -106,7 +106,7 @@ void DescribeOutput(CLI::App* command, RunFlags* flags) {
   command
       ->add_option(
           "--snapshot", flags->snapshots,
-          "Take a picture: t=5s,view=side (front, top, iso, follow; camera: what the robot "
+          "Take a picture: t=5s,view=side (front, top, iso, follow, world; camera: what the robot "
           "sees),size=1280x720")
       ->take_all();
   command->add_option("-o", flags->snapshot_files, "PNG file of the --snapshot before it")

@@ -7,7 +7,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "openr/explore/fault_line.h"
 #include "runtime/core/system.h"
+#include "virtualrobot/virtual_robot.h"
 
 namespace openr_host {
 namespace {
@@ -15,7 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Kind = Deviation::Kind;
 
-constexpr const char* kKindNames[] = {"start", "tie", "delay", "cost", "frame"};
+constexpr const char* kKindNames[] = {"start", "tie", "delay", "cost", "frame", "fault"};
 
 // Sets `field` of `json` to the name of object `id`, and "robot" to the number of its robot.
 void PutObject(const System& system, ObjectId id, const char* field, Json* json) {
@@ -41,14 +43,39 @@ Kind KindOf(const std::string& name) {
   for (size_t i = 0; i < std::size(kKindNames); ++i) {
     if (name == kKindNames[i]) return static_cast<Kind>(i);
   }
-  throw std::runtime_error(
-      fmt::format("no kind of deviation '{}'; there are start, tie, delay, cost, frame", name));
+  throw std::runtime_error(fmt::format(
+      "no kind of deviation '{}'; there are start, tie, delay, cost, frame, fault", name));
+}
+
+Json FaultToJson(const Deviation& fault, const System& system) {
+  const auto* const robot = dynamic_cast<const VirtualRobot*>(
+      system.robot(static_cast<int>(fault.selector)).services.get());
+  return {{"kind", "fault"},
+          {"time_us", fault.time_us},
+          {"nth", fault.nth},
+          {"robot", fault.selector},
+          {"line", robot == nullptr ? "" : FaultLine(robot->model(), fault.us)},
+          {"us", fault.us}};
+}
+
+Deviation FaultFromJson(const Json& json, const System& system) {
+  Deviation fault;
+  fault.kind = Kind::kFault;
+  fault.time_us = json.at("time_us").get<int64_t>();
+  fault.nth = json.at("nth").get<uint64_t>();
+  fault.selector = json.at("robot").get<uint32_t>();
+  fault.us = json.at("us").get<int64_t>();
+  if (static_cast<int>(fault.selector) >= system.robot_count())
+    throw std::runtime_error(
+        fmt::format("no robot {}; the schedule is of another run", fault.selector));
+  return fault;
 }
 
 }  // namespace
 
 Json DeviationToJson(const Deviation& deviation, const System& system) {
   const Kind kind = deviation.kind;
+  if (kind == Kind::kFault) return FaultToJson(deviation, system);
   Json json = {{"kind", kKindNames[static_cast<size_t>(kind)]}};
   if (kind != Kind::kStart && kind != Kind::kFrame) json["time_us"] = deviation.time_us;
   json["nth"] = deviation.nth;
@@ -65,6 +92,7 @@ Json DeviationToJson(const Deviation& deviation, const System& system) {
 Deviation DeviationFromJson(const Json& json, const System& system) try {
   Deviation deviation;
   const Kind kind = KindOf(json.at("kind").get<std::string>());
+  if (kind == Kind::kFault) return FaultFromJson(json, system);
   deviation.kind = kind;
   deviation.nth = json.at("nth").get<uint64_t>();
   if (kind != Kind::kStart && kind != Kind::kFrame) {

@@ -24,6 +24,7 @@ struct Deviation {
     kDelay,  // nth message from `sender` to entry `selector` of `object` arrives `us` later
     kCost,   // nth call of entry `selector` of `object` takes `us` longer (shorter if negative)
     kFrame,  // the first frame of robot number nth has the number `us`
+    kFault,  // at time_us robot number `selector` gets the nth fault, FaultLine() of number `us`
   };
   Kind kind = Kind::kTie;
   int64_t time_us = 0;  // virtual time; identifies a kTie; in kDelay and kCost only for people
@@ -38,14 +39,16 @@ struct Deviation {
 
 // Converts a deviation to one line of a schedule file.  The fields are those of Deviation, except
 // that an object is given by its name and the number of its robot.  "entry" is the name of the
-// handler `selector`, for people.
+// handler `selector`, and "line" the input of a fault; both are for people.
 //   {"kind":"tie","time_us":8000,"nth":0,"robot":0,"object":"RCServer"}
+//   {"kind":"fault","time_us":8000,"nth":0,"robot":0,"line":"break chin dead for 300ms","us":57}
 //   {"kind":"delay","time_us":..,"nth":17,"robot":0,"object":"B","sender":"A","selector":7,
 //    "entry":"B.In.Number.O (Notify)","us":4000}
 nlohmann::ordered_json DeviationToJson(const Deviation& deviation, const System& system);
 
 // Converts one line of a schedule file to a deviation.  Throws std::runtime_error if a field is
-// missing or an object does not exist.  The field "entry" is for people and is not read.
+// missing or an object does not exist.  The fields "entry" and "line" are for people and are not
+// read.
 Deviation DeviationFromJson(const nlohmann::ordered_json& json, const System& system);
 
 }  // namespace openr_host

@@ -21,6 +21,9 @@ constexpr int64_t kDelayMaxUs[] = {2'000, 20'000, 150'000};
 // received data reached an object in steps of about 200 ms (field-notes.md, 11.6).
 constexpr int64_t kNetworkFramesMax = 25;
 
+// Number of different faults that a seed chooses from; our choice.
+constexpr uint64_t kFaultNumbers = 1'000'000;
+
 }  // namespace
 
 ExploreSchedule::ExploreSchedule(const System& system)
@@ -118,12 +121,19 @@ int64_t ExploreSchedule::FirstFrame(int robot, int64_t frames) {
   return frame;
 }
 
+std::vector<Deviation> ExploreSchedule::Faults(int robots, int64_t for_us) {
+  std::vector<Deviation> faults = PickFaults(robots, for_us);
+  for (const Deviation& fault : faults) Record(fault, fault.us);
+  return faults;
+}
+
 RandomSchedule::RandomSchedule(const System& system, uint64_t seed, const Vary& vary)
     : ExploreSchedule(system),
       order_(seed, "explore/order"),
       delay_(seed, "explore/delay"),
       cost_(seed, "explore/cost"),
-      frame_(seed, "explore/frame") {
+      frame_(seed, "explore/frame"),
+      fault_(seed, "explore/fault") {
   if (seed == SystemOptions().seed) return;
   Rng temper(seed, "explore/temper");
   const auto one_of = [&temper](auto... rates) {
@@ -144,6 +154,7 @@ RandomSchedule::RandomSchedule(const System& system, uint64_t seed, const Vary& 
   if (vary.network) network_rate_ = network;
   if (vary.costs) cost_rate_ = cost;
   if (vary.frames) frame_rate_ = frame;
+  fault_count_ = vary.faults;
 }
 
 size_t RandomSchedule::PickOf(const Deviation& spot, const std::vector<ObjectId>& candidates) {
@@ -172,6 +183,25 @@ int64_t RandomSchedule::PickFrame(const Deviation&, int64_t frames) {
   if (frames <= 1 || !Happens(&frame_, frame_rate_)) return 0;
   return int64_t{oframeMAX_NUMBER} -
          static_cast<int64_t>(frame_.NextBelow(static_cast<uint64_t>(frames)));
+}
+
+std::vector<Deviation> RandomSchedule::PickFaults(int robots, int64_t for_us) {
+  std::vector<Deviation> faults;
+  const int64_t frames = for_us / kFrameUs;
+  if (robots == 0 || frames == 0) return faults;
+  for (int i = 0; i < fault_count_; ++i) {
+    Deviation fault;
+    fault.kind = Deviation::Kind::kFault;
+    fault.time_us =
+        kFrameUs * (1 + static_cast<int64_t>(fault_.NextBelow(static_cast<uint64_t>(frames))));
+    fault.selector = static_cast<uint32_t>(fault_.NextBelow(static_cast<uint64_t>(robots)));
+    fault.us = static_cast<int64_t>(fault_.NextBelow(kFaultNumbers));
+    faults.push_back(fault);
+  }
+  std::stable_sort(faults.begin(), faults.end(),
+                   [](const Deviation& a, const Deviation& b) { return a.time_us < b.time_us; });
+  for (size_t i = 0; i < faults.size(); ++i) faults[i].nth = i;
+  return faults;
 }
 
 ScriptedSchedule::ScriptedSchedule(const System& system, const std::vector<Deviation>& script)
@@ -216,6 +246,16 @@ int64_t ScriptedSchedule::PickCostUs(const Deviation& spot, int64_t) {
 int64_t ScriptedSchedule::PickFrame(const Deviation& spot, int64_t) {
   const Deviation* const deviation = Find(spot);
   return deviation == nullptr ? 0 : std::max<int64_t>(deviation->us, 0);
+}
+
+std::vector<Deviation> ScriptedSchedule::PickFaults(int, int64_t) {
+  std::vector<Deviation> faults;
+  for (const auto& [spot, deviation] : script_) {
+    if (deviation.kind == Deviation::Kind::kFault) faults.push_back(deviation);
+  }
+  std::stable_sort(faults.begin(), faults.end(),
+                   [](const Deviation& a, const Deviation& b) { return a.time_us < b.time_us; });
+  return faults;
 }
 
 }  // namespace openr_host

@@ -37,6 +37,7 @@ struct Vary {
   bool network = true;  // delays of data from the network
   bool costs = true;    // the jitter, that is the random part, of the handlers' processor times
   bool frames = true;   // the number of the robot's first frame
+  int faults = 0;       // number of faults that the robots of a run get
 };
 
 // Base class of the schedules for exploration.  For each choice it finds the place in the run and
@@ -58,6 +59,9 @@ class ExploreSchedule : public Schedule {
   // at 0 during the run, which on a real robot happens only after 24.8 days.
   int64_t FirstFrame(int robot, int64_t frames);
 
+  // Returns the faults that `robots` robots get in a run of `for_us`, in order of time.
+  std::vector<Deviation> Faults(int robots, int64_t for_us);
+
   const std::vector<Deviation>& deviations() const { return deviations_; }
   // Sets a log that gets a copy of each deviation, so that another process can read the deviations
   // after a crash of this one; null means no log.
@@ -72,6 +76,7 @@ class ExploreSchedule : public Schedule {
   virtual int64_t PickDelayUs(const Deviation& spot, bool from_network) = 0;
   virtual int64_t PickCostUs(const Deviation& spot, int64_t range_us) = 0;
   virtual int64_t PickFrame(const Deviation& spot, int64_t frames) = 0;
+  virtual std::vector<Deviation> PickFaults(int /*robots*/, int64_t /*for_us*/) { return {}; }
   // Called for every message when it is posted, that is, sent.  Derived classes override this
   // function if their choices depend on sender and receiver.
   virtual void SawPost(const Message&) {}
@@ -118,16 +123,18 @@ class RandomSchedule : public ExploreSchedule {
   int64_t PickDelayUs(const Deviation& spot, bool from_network) override;
   int64_t PickCostUs(const Deviation& spot, int64_t range_us) override;
   int64_t PickFrame(const Deviation& spot, int64_t frames) override;
+  std::vector<Deviation> PickFaults(int robots, int64_t for_us) override;
 
  private:
   bool Happens(Rng* rng, double rate) { return rate > 0 && rng->NextDouble() < rate; }
 
   // Generators for each kind of choice, so that the choices of one kind do not depend on how many
   // choices of another kind were drawn before.
-  Rng order_, delay_, cost_, frame_;
+  Rng order_, delay_, cost_, frame_, fault_;
   double start_rate_ = 0, tie_rate_ = 0, delay_rate_ = 0, network_rate_ = 0, cost_rate_ = 0,
          frame_rate_ = 0;
   int64_t delay_max_us_ = 1;
+  int fault_count_ = 0;
   ObjectId slow_ = kNoObject;  // object whose messages are often delayed
 };
 
@@ -143,6 +150,7 @@ class ScriptedSchedule : public ExploreSchedule {
   int64_t PickDelayUs(const Deviation& spot, bool from_network) override;
   int64_t PickCostUs(const Deviation& spot, int64_t range_us) override;
   int64_t PickFrame(const Deviation& spot, int64_t frames) override;
+  std::vector<Deviation> PickFaults(int robots, int64_t for_us) override;
 
  private:
   using Spot = std::tuple<Deviation::Kind, int64_t, uint64_t, ObjectId, ObjectId, uint32_t>;

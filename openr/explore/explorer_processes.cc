@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -51,6 +52,19 @@ bool Send(int channel, const std::string& line) {
   return true;
 }
 
+// Takes all free blocks of the heap that begin before `end`, and never gives them back.  Large
+// blocks are taken first, because malloc() would cut small ones out of them.
+void UseUpFreeBlocks(const void* end) {
+  constexpr size_t kLargest = 1 << 20, kSmall = 1024, kStep = 16;
+  constexpr int kBlocksMax = 100'000;
+  for (size_t size = kLargest; size > 0; size = size > kSmall ? size / 2 : size - kStep) {
+    for (int i = 0; i < kBlocksMax; ++i) {
+      const void* volatile block = malloc(size);
+      if (block == nullptr || std::greater_equal<const void*>()(block, end)) break;
+    }
+  }
+}
+
 // Makes this process allocate memory at other addresses than processes that do not call this
 // function.  The explorer makes the same run in processes of both kinds.  If the run depends on
 // addresses, the hashes of the two runs differ, and the user learns about it.
@@ -60,10 +74,12 @@ void MoveMemory() {
   mmap(nullptr, kHoleBytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
   // Makes a hole at the end of the heap that malloc() does not know.  The next memory for malloc()
   // lies behind the hole, so later blocks have other addresses than in other processes.
-  if (sbrk(13 * 4096 + 16) == reinterpret_cast<void*>(-1))
+  const void* const heap_end = sbrk(13 * 4096 + 16);
+  if (heap_end == reinterpret_cast<void*>(-1))
     return;  // sbrk() has failed, so the heap stays where it is
   static void* volatile hole = malloc(4099);
   (void)hole;
+  UseUpFreeBlocks(heap_end);
 }
 
 bool AreEqual(const Json& one, const Json& other) {

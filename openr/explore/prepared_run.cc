@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include "openr/explore/explore_cost.h"
+#include "openr/explore/explore_schedule.h"
+#include "openr/explore/fault_line.h"
 #include "openr/simulation/cost_file.h"
+#include "runtime/base/assert.h"
 
 namespace openr_host {
 
@@ -14,6 +17,14 @@ void SetSchedule(PreparedRun* prepared, uint64_t seed, ExploreSchedule* schedule
   for (size_t i = 0; i < prepared->robots.size(); ++i) {
     const int64_t frames = for_us / kFrameUs;
     prepared->robots[i]->set_first_frame(schedule->FirstFrame(static_cast<int>(i), frames));
+  }
+  const int robots = static_cast<int>(prepared->robots.size());
+  for (const Deviation& fault : schedule->Faults(robots, for_us)) {
+    const int robot = static_cast<int>(fault.selector);
+    const RobotModel& model = prepared->robots.at(fault.selector)->model();
+    const std::string problem =
+        prepared->system->inputs().AddAt(fault.time_us, robot, FaultLine(model, fault.us));
+    ASSERT(problem.empty(), "{}", problem);
   }
 }
 

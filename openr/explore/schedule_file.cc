@@ -30,6 +30,10 @@ std::string DescribeDeviation(const Json& deviation) {
     return fmt::format("robot {} counts its frames from {} on", nth - 1,
                        deviation["us"].get<int64_t>());
   }
+  if (kind == "fault") {
+    return fmt::format("{}: robot {} gets the input '{}'", Time(deviation["time_us"]),
+                       deviation["robot"].get<int>(), deviation["line"].get<std::string>());
+  }
   const std::string object = deviation["object"].get<std::string>();
   if (kind == "start")
     return fmt::format("{} starts before those ahead of it (choice {})", object, nth);

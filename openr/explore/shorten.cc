@@ -31,7 +31,9 @@ class Shortener {
 
   void MakeSmaller() {
     for (size_t i = 0; i < script_.size(); ++i) {
-      if (!script_[i].contains("us") || script_[i]["kind"] == "frame") continue;
+      if (!script_[i].contains("us")) continue;
+      // Leaves these alone, because their "us" is a number and no time.
+      if (script_[i]["kind"] == "frame" || script_[i]["kind"] == "fault") continue;
       while (left_ > 0 && std::abs(script_[i]["us"].get<int64_t>()) > 1) {
         Json smaller = script_;
         smaller[i]["us"] = script_[i]["us"].get<int64_t>() / 2;

@@ -187,7 +187,8 @@ Json ValuesOf(System* system, int number, VirtualRobot* robot) {
             {"celsius", Rounded(status.temperature / 10.0 - 273.15)}}},
           {"motors", robot->power().motor_power()},
           {"pause_button", robot->power().pause()},
-          {"held", robot->parts().hands.is_holding()}};
+          {"held", robot->parts().hands.is_holding()},
+          {"faults", robot->parts().faults.Present()}};
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ std::string ParsePart(std::string_view key, const std::string& value, PictureReq
   if (key == "view") {
     if (ParseView(value, &plan->view)) return "";
     return fmt::format(
-        "unknown view '{}'; there are side, front, top, iso, follow, "
+        "unknown view '{}'; there are side, front, top, iso, follow, world, "
         "camera",
         value);
   }
@@ -74,7 +74,8 @@ std::string ParsePictureRequest(std::string_view text, PictureRequest* plan) {
   return "";
 }
 
-std::string TakePicture(const PictureRequest& plan, VirtualRobot* robot) {
+std::string TakePicture(const PictureRequest& plan, VirtualRobot* robot,
+                        const std::vector<VirtualRobot*>& company) {
   if (plan.view == View::kCamera) {
     Picture seen;
     const std::string problem = robot->TakePicture(&seen);
@@ -94,9 +95,15 @@ std::string TakePicture(const PictureRequest& plan, VirtualRobot* robot) {
   picture.width_px = plan.width_px;
   picture.height_px = plan.height_px;
   World world = robot->body().world();
+  const size_t things = world.things.size();
   world.things = robot->body().Surroundings();
+  world.things.resize(things);  // without the boxes of other robots, which are drawn as they look
+  std::vector<RobotLook> looks = {LookOf(*robot)};
+  for (const VirtualRobot* const other : company) {
+    if (other != robot) looks.push_back(LookOf(*other));
+  }
   std::string png, problem;
-  render(MakeRobotScene(robot->model(), LookOf(*robot), world, plan.view), picture, &png, &problem);
+  render(MakeRobotScene(robot->model(), looks, world, plan.view), picture, &png, &problem);
   return problem.empty() ? WriteFile(plan.file, png) : fmt::format("{}: {}", plan.file, problem);
 }
 

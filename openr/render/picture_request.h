@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "openr/render/robot_scene.h"
 
@@ -25,9 +26,11 @@ struct PictureRequest {
 // the end of the run.  Returns "" or the error.
 std::string ParsePictureRequest(std::string_view text, PictureRequest* plan);
 
-// Writes a picture of the robot in its present state to the file of `plan`.  The first picture of
+// Writes a picture of the robot in its present state to the file of `plan`.  `company` are the
+// robots in the same world; the robot itself may be among them.  The first picture of
 // another view than View::kCamera loads libopenr_render.so and the graphics library Mesa.  Returns
 // "" or the error.
-std::string TakePicture(const PictureRequest& plan, VirtualRobot* robot);
+std::string TakePicture(const PictureRequest& plan, VirtualRobot* robot,
+                        const std::vector<VirtualRobot*>& company);
 
 }  // namespace openr_host

@@ -44,11 +44,35 @@ render::Camera CameraFor(const RobotLook& look, View view) {
   return camera;
 }
 
+// Returns a camera that sees all robots and things, from the side of the world's -y.
+render::Camera CameraOverWorld(const std::vector<RobotLook>& looks, const World& world) {
+  constexpr double kRobot_m = 0.25, kReachMax_m = 6;  // things further away than that are left out
+  Eigen::AlignedBox2d seen;
+  for (const RobotLook& look : looks) {
+    const Eigen::Vector2d place = look.X_WB.translation().head<2>();
+    seen.extend(Eigen::Vector2d(place.array() - kRobot_m));
+    seen.extend(Eigen::Vector2d(place.array() + kRobot_m));
+  }
+  const Eigen::Vector2d middle = seen.center();
+  for (const WorldThing& thing : world.things) {
+    const Eigen::Vector2d place = thing.centre_m.head<2>();
+    if ((place - middle).norm() < kReachMax_m) seen.extend(place);
+  }
+  render::Camera camera;
+  camera.fov_rad = 0.5;
+  camera.target_W = Eigen::Vector3d(seen.center().x(), seen.center().y(), 0);
+  // The picture is wider than high, so the way along y decides as much as that along x.
+  const double reach_m = std::max(seen.sizes().x() * 9 / 16, seen.sizes().y()) / 2;
+  camera.p_W =
+      camera.target_W + Eigen::Vector3d(0, -0.75, 0.8).normalized() * (1.25 * reach_m / 0.25 + 0.2);
+  return camera;
+}
+
 }  // namespace
 
 bool ParseView(std::string_view name, View* view) {
-  if (name == "camera") {
-    *view = View::kCamera;
+  if (name == "camera" || name == "world") {
+    *view = name == "camera" ? View::kCamera : View::kWorld;
     return true;
   }
   size_t count = 0;
@@ -75,9 +99,9 @@ RobotLook LookOf(const VirtualRobot& robot) {
   return look;
 }
 
-render::Scene MakeRobotScene(const RobotModel& model, const RobotLook& look, const World& world,
-                             View view) {
-  render::Scene scene;
+namespace {
+
+void AddRobot(const RobotModel& model, const RobotLook& look, render::Scene* scene) {
   for (const RobotShape& part : ShapesOfRobot(model)) {
     render::Shape shape = part.shape;
     const auto ear = static_cast<size_t>(part.ear), led = static_cast<size_t>(part.led);
@@ -86,11 +110,20 @@ render::Scene MakeRobotScene(const RobotModel& model, const RobotLook& look, con
                  PlaceInPart(part, has_angle ? look.plungers_rad[ear] : 0);
     shape.glows = part.led >= 0 && led < look.leds_on.size() && look.leds_on[led];
     if (shape.glows) shape.colour = part.glow;
-    scene.shapes.push_back(shape);
+    scene->shapes.push_back(shape);
   }
+}
+
+}  // namespace
+
+render::Scene MakeRobotScene(const RobotModel& model, const std::vector<RobotLook>& looks,
+                             const World& world, View view) {
+  render::Scene scene;
+  for (const RobotLook& look : looks) AddRobot(model, look, &scene);
   for (const render::Shape& shape : ShapesOfWorld(world)) scene.shapes.push_back(shape);
   scene.floor = FloorColour(world).value_or(scene.floor);
-  scene.camera = CameraFor(look, view);
+  scene.camera =
+      view == View::kWorld ? CameraOverWorld(looks, world) : CameraFor(looks.front(), view);
   return scene;
 }
 

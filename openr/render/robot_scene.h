@@ -28,16 +28,17 @@ RobotLook LookOf(const VirtualRobot& robot);
 
 // The place of the camera relative to the robot: at its right side, in front of it, above it, in
 // front of it to the right and higher (iso), or behind it and higher (follow).  The camera moves
-// and turns with the robot.  kCamera is the view of the robot's own camera, for which
+// and turns with the robot.  kWorld shows all robots and things from above the right side of the
+// first robot's start.  kCamera is the view of the robot's own camera, for which
 // MakeRobotScene() makes no scene.
-enum class View { kSide, kFront, kTop, kIso, kFollow, kCamera };
+enum class View { kSide, kFront, kTop, kIso, kFollow, kWorld, kCamera };
 
-// Sets `view` to the view "side", "front", "top", "iso", "follow" or "camera".  Returns false for
-// other names.
+// Sets `view` to the view "side", "front", "top", "iso", "follow", "world" or "camera".  Returns
+// false for other names.
 bool ParseView(std::string_view name, View* view);
 
 // REQUIRES: `view` is not View::kCamera.
-render::Scene MakeRobotScene(const RobotModel& model, const RobotLook& look, const World& world,
-                             View view);
+render::Scene MakeRobotScene(const RobotModel& model, const std::vector<RobotLook>& looks,
+                             const World& world, View view);
 
 }  // namespace openr_host

@@ -5,6 +5,8 @@
 namespace openr_host {
 namespace {
 
+constexpr int64_t kFaultsFrames = 125;  // 1 s
+
 std::vector<std::string> JointNames(const RobotModel& model) {
   std::vector<std::string> names;
   for (const JointModel& joint : model.joints) names.push_back(joint.name);
@@ -31,7 +33,8 @@ RobotTopics::RobotTopics(Bus* bus, const std::string& space, VirtualRobot* robot
     : robot_(robot),
       joints_(bus, space + "/joint_states", JointNames(robot->model())),
       imu_(bus, space + "/imu", space + "/base_link"),
-      image_(bus, space + "/image_raw", space + "/camera_optical") {
+      image_(bus, space + "/image_raw", space + "/camera_optical"),
+      faults_(bus, space + "/faults") {
   const std::vector<Sensor>& sensors = robot->model().sensors;
   for (size_t i = 0; i < sensors.size(); ++i) {
     const auto sensor = static_cast<int>(i);
@@ -67,6 +70,7 @@ std::string RobotTopics::Publish(int64_t time_us) {
   PublishAcceleration(time_us);
   for (const auto& [sensor, topic] : switches_) topic->Publish(Value(sensor) != 0);
   for (const auto& [sensor, topic] : numbers_) topic->Publish(Value(sensor));
+  PublishFaults();
   return PublishImage(time_us);
 }
 
@@ -89,6 +93,15 @@ void RobotTopics::PublishAcceleration(int64_t time_us) {
       felt -= Value(static_cast<int>(i)) * sensors[i].direction;
   }
   imu_.Publish(time_us, {felt.x(), felt.y(), felt.z()});
+}
+
+// Publishes the faults of the robot, a line each, when they change and once a second.
+void RobotTopics::PublishFaults() {
+  std::string text;
+  for (const std::string& fault : robot_->parts().faults.Present()) text += fault + "\n";
+  if (text == last_faults_ && frame_ % kFaultsFrames != 0) return;
+  last_faults_ = text;
+  faults_.Publish(text);
 }
 
 std::string RobotTopics::PublishImage(int64_t time_us) {

@@ -29,6 +29,7 @@ class RobotTopics {
   double Value(int sensor) const;
   void PublishJoints(int64_t time_us);
   void PublishAcceleration(int64_t time_us);
+  void PublishFaults();
   std::string PublishImage(int64_t time_us);
 
   VirtualRobot* const robot_;
@@ -36,6 +37,8 @@ class RobotTopics {
   Ros2JointStates joints_;
   Ros2Imu imu_;
   Ros2Image image_;
+  Ros2Text faults_;
+  std::string last_faults_;                              // the text that was published last
   std::map<int, std::unique_ptr<Ros2Switch>> switches_;  // key: number of the sensor
   std::map<int, std::unique_ptr<Ros2Number>> numbers_;
   Picture picture_;

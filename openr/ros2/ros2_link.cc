@@ -15,6 +15,7 @@ constexpr int kPatienceFrames = 125;  // 1 s; after this time a target that the 
                                       // is dropped
 constexpr size_t kNamespaceMax = 64;  // characters
 constexpr const char* kCommandTopic = "/joint_command";
+constexpr const char* kInputTopic = "/input";
 
 }  // namespace
 
@@ -62,6 +63,7 @@ void Ros2Link::Begin(Simulation* simulation) {
     robot.robot = simulation->robots().at(i);
     robot.topics = std::make_unique<RobotTopics>(bus_, robot.space, robot.robot);
     robot.commands = std::make_unique<Ros2JointCommands>(bus_, robot.space + kCommandTopic);
+    robot.inputs = std::make_unique<Ros2Texts>(bus_, robot.space + kInputTopic);
   }
   const std::string last = robots_.size() == 1 ? "" : " to /" + robots_.back().space;
   say_(fmt::format("ROS 2: topics of /{}{} in DDS domain {}", robots_.front().space, last,
@@ -75,6 +77,7 @@ void Ros2Link::AfterFrame() {
     const std::string problem = robot.topics->Publish(now_us);
     if (!problem.empty()) robot.complaints->Add(robot.space + "/image_raw: " + problem);
     TakeCommands(&robot);
+    TakeInputs(&robot);
   }
 }
 
@@ -104,6 +107,23 @@ void Ros2Link::TakeCommands(Robot* robot) {
         "{}: the remote control of the robot has not taken a command for 1 s, it is given up; is "
         "RCServer on the stick and started, and has it less than eight clients?",
         topic));
+  }
+}
+
+// Adds the inputs (docs/inputs.md) that came, in their order, at the frame boundary that is now.
+void Ros2Link::TakeInputs(Robot* robot) {
+  const std::string topic = robot->space + kInputTopic;
+  if (robot->inputs->HasMisfit()) {
+    robot->complaints->Add(topic +
+                           ": a publisher does not match and is not heard; it has to be "
+                           "reliable, which is the default of ROS 2");
+  }
+  for (int i = 0; i < Ros2Texts::kWaitingMax; ++i) {
+    const std::optional<std::string> line = robot->inputs->Take();
+    if (!line) return;
+    const std::string problem =
+        simulation_->system().inputs().Add(robot->robot->parts().robot_index, *line);
+    if (!problem.empty()) robot->complaints->Add(fmt::format("{}: refused: {}", topic, problem));
   }
 }
 

@@ -60,7 +60,8 @@ class Ros2Link {
 
   // Begins to publish.  Called when the simulation has been made.
   void Begin(Simulation* simulation);
-  // Publishes clock and sensors, and passes to the robots the commands that ROS 2 has sent.  Called
+  // Publishes clock and sensors, and passes to the robots the commands and inputs that ROS 2 has
+  // sent.  Called
   // after each frame of 8 ms.
   void AfterFrame();
   // Prints, for each robot, how many messages Ros2Complaints left out.  Called when the run is
@@ -74,11 +75,13 @@ class Ros2Link {
     JointClient* client = nullptr;
     std::unique_ptr<RobotTopics> topics;
     std::unique_ptr<Ros2JointCommands> commands;
+    std::unique_ptr<Ros2Texts> inputs;
     std::unique_ptr<Ros2Complaints> complaints;
     int frames_waiting = 0;
   };
 
   void TakeCommands(Robot* robot);
+  void TakeInputs(Robot* robot);
 
   Bus* const bus_;
   const std::string space_;

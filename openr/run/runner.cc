@@ -110,7 +110,9 @@ void Runner::TakePictures(bool at_end) {
 void Runner::Take(const PictureRequest& snapshot) {
   const int64_t begin_ns = WallClockNs();
   VirtualRobot* const robot = simulation_->robots().at(static_cast<size_t>(snapshot.robot));
-  const std::string problem = TakePicture(snapshot, robot);
+  const std::string problem = TakePicture(
+      snapshot, robot,
+      simulation_->is_together() ? simulation_->robots() : std::vector<VirtualRobot*>{});
   good_ = good_ && problem.empty();
   wall_time_ns_ -= WallClockNs() - begin_ns;
   const double time_s = static_cast<double>(simulation_->system().now_us()) / 1e6;

@@ -19,6 +19,7 @@ export interface ShapeData {
   axis?: Vec3;
   pivot?: Vec3;
   touch?: string;
+  thing?: number; // index in RobotPose.things, if the shape is a thing that can move
 }
 
 export interface JointData {
@@ -67,6 +68,7 @@ export interface Scene {
   body: string;
   grid_m: number;
   world: WorldData;
+  together?: boolean; // all robots are in one world
   robots: RobotData[];
 }
 
@@ -74,6 +76,7 @@ export interface RobotPose {
   links: Pose[];
   leds: number[];
   ears: number[];
+  things?: Pose[]; // of the things that can move
 }
 
 export interface PoseEvent {

@@ -66,7 +66,27 @@ std::string Inputs::Add(int robot, std::string_view line) {
   for (const Listener& listener : listeners_) listener(robot, line);
   const int64_t frame_us = system_->frame_us();
   const int64_t due_us = (system_->now_us() + frame_us - 1) / frame_us * frame_us;
-  waiting_.push_back({due_us, robot, std::string(line), std::move(action)});
+  Insert({due_us, robot, std::string(line), std::move(action)});
+  return "";
+}
+
+// Puts an input behind those of the same time and before all later ones.
+void Inputs::Insert(Waiting input) {
+  const auto place =
+      std::upper_bound(waiting_.begin(), waiting_.end(), input.due_us,
+                       [](int64_t due_us, const Waiting& other) { return due_us < other.due_us; });
+  waiting_.insert(place, std::move(input));
+}
+
+std::string Inputs::AddAt(int64_t time_us, int robot, std::string_view line) {
+  ASSERT(time_us >= system_->now_us(), "an input for t={} us at t={} us", time_us,
+         system_->now_us());
+  Action action;
+  std::string problem = Read(robot, line, &action);
+  if (!problem.empty()) return problem;
+  const int64_t frame_us = system_->frame_us();
+  const int64_t due_us = (time_us + frame_us - 1) / frame_us * frame_us;
+  Insert({due_us, robot, std::string(line), std::move(action)});
   return "";
 }
 

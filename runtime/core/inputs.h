@@ -54,6 +54,10 @@ class Inputs {
   // nothing is added.  REQUIRES: not called in a handler.
   std::string Add(int robot, std::string_view line);
 
+  // Adds the input `line` for the frame boundary at `time_us`, or the first one after it.  No
+  // listener is called.  REQUIRES: as Add(), and `time_us` is not in the past.
+  std::string AddAt(int64_t time_us, int robot, std::string_view line);
+
   // Registers a `listener` that Add() calls with each line that it accepts.
   using Listener = std::function<void(int robot, std::string_view line)>;
   void OnAdd(Listener listener) { listeners_.push_back(std::move(listener)); }
@@ -75,6 +79,7 @@ class Inputs {
 
   const Verb* FindVerb(int robot, const std::string& name) const;
   std::string Read(int robot, std::string_view line, Action* action) const;
+  void Insert(Waiting input);
 
   System* const system_;
   std::map<std::pair<int, std::string>, Verb> verbs_;  // key: robot and name

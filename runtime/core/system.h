@@ -132,6 +132,7 @@ class System {
   // Adds a robot of the model `design` and returns its index.  `stick` is null if the robot has no
   // stick.
   int AddRobot(const std::string& design, std::shared_ptr<MemoryStick> stick);
+  const Robot& robot(int index) const { return *robots_.at(static_cast<size_t>(index)); }
   Robot& robot(int index) { return *robots_.at(static_cast<size_t>(index)); }
   int robot_count() const { return static_cast<int>(robots_.size()); }
 

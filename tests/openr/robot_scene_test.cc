@@ -23,7 +23,7 @@ class RobotSceneTest : public testing::Test {
   }
 
   int Glowing() const {
-    const render::Scene scene = MakeRobotScene(model_, look_, World(), View::kIso);
+    const render::Scene scene = MakeRobotScene(model_, {look_}, World(), View::kIso);
     return static_cast<int>(std::count_if(scene.shapes.begin(), scene.shapes.end(),
                                           [](const render::Shape& s) { return s.glows; }));
   }
@@ -39,7 +39,7 @@ TEST_F(RobotSceneTest, ALightThatIsOnGlows) {
 }
 
 TEST_F(RobotSceneTest, NothingReachesBelowTheFloor) {
-  for (const render::Shape& shape : MakeRobotScene(model_, look_, World(), View::kSide).shapes) {
+  for (const render::Shape& shape : MakeRobotScene(model_, {look_}, World(), View::kSide).shapes) {
     EXPECT_GT(shape.X_WS.translation().z(), 0);
   }
 }
@@ -47,8 +47,8 @@ TEST_F(RobotSceneTest, NothingReachesBelowTheFloor) {
 TEST_F(RobotSceneTest, BoxesOfTheWorldAreShown) {
   World world;
   world.things.push_back({.name = "box", .size_m = {0.1, 0.2, 0.3}, .centre_m = {1, 0, 0.15}});
-  EXPECT_EQ(MakeRobotScene(model_, look_, world, View::kTop).shapes.size(),
-            MakeRobotScene(model_, look_, World(), View::kTop).shapes.size() + 1);
+  EXPECT_EQ(MakeRobotScene(model_, {look_}, world, View::kTop).shapes.size(),
+            MakeRobotScene(model_, {look_}, World(), View::kTop).shapes.size() + 1);
 }
 
 // Returns the height over the floor that a shape reaches.
@@ -79,9 +79,9 @@ TEST(WorldShapesTest, AHeightfieldIsItsTriangles) {
 
 TEST_F(RobotSceneTest, TheFloorHasTheColourOfTheWorldFile) {
   World world;
-  EXPECT_GT(MakeRobotScene(model_, look_, world, View::kTop).floor.r, 0.8f);
+  EXPECT_GT(MakeRobotScene(model_, {look_}, world, View::kTop).floor.r, 0.8f);
   world.floor_colour = Eigen::Vector3d(0.25, 0.5, 0);
-  const render::Colour floor = MakeRobotScene(model_, look_, world, View::kTop).floor;
+  const render::Colour floor = MakeRobotScene(model_, {look_}, world, View::kTop).floor;
   EXPECT_EQ(floor.r, 0.25f);
   EXPECT_EQ(floor.g, 0.5f);
 }
@@ -92,8 +92,8 @@ TEST_F(RobotSceneTest, TheCameraLooksAtTheRobotWhereverItIs) {
     const Eigen::Isometry3d shift(Eigen::Translation3d(3, -2, 0));
     moved.X_WB = shift * moved.X_WB;
     for (Eigen::Isometry3d& X_WL : moved.X_WL) X_WL = shift * X_WL;
-    const render::Camera here = MakeRobotScene(model_, look_, World(), view).camera;
-    const render::Camera there = MakeRobotScene(model_, moved, World(), view).camera;
+    const render::Camera here = MakeRobotScene(model_, {look_}, World(), view).camera;
+    const render::Camera there = MakeRobotScene(model_, {moved}, World(), view).camera;
     EXPECT_LT((there.p_W - here.p_W - shift.translation()).norm(), 1e-9);
     EXPECT_LT((there.target_W - here.target_W - shift.translation()).norm(), 1e-9);
   }

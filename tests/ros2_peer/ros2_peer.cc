@@ -7,6 +7,7 @@
 //                                               to a reader of JointState, when one is there
 //   ros2_peer DOMAIN commands TOPIC MS JOINT=RAD[@RAD/S]...
 //                                               the same, a sample for each, MS apart
+//   ros2_peer DOMAIN say TOPIC TEXT...          texts to a reader of String, when one is there
 //   ros2_peer DOMAIN offer TOPIC                a best-effort writer of JointState, until killed
 #include <dds/dds.h>
 
@@ -124,6 +125,13 @@ std::string JsonOfFloat(const void* sample) {
   return Numbers(&value, 1);
 }
 
+std::string JsonOfString(const void* sample) {
+  std::string text;
+  for (const char* c = static_cast<const std_msgs_msg_dds__String_*>(sample)->data_; *c != 0; ++c)
+    text += *c == '\n' ? std::string("\\n") : std::string(1, *c);
+  return Text(text);
+}
+
 struct Type {
   const dds_topic_descriptor_t* descriptor;
   std::string (*json)(const void* sample);
@@ -135,6 +143,7 @@ Type TypeOf(const std::string& name) {
       {"sensor_msgs/Imu", {&sensor_msgs_msg_dds__Imu__desc, &JsonOfImu}},
       {"sensor_msgs/Image", {&sensor_msgs_msg_dds__Image__desc, &JsonOfImage}},
       {"rosgraph_msgs/Clock", {&rosgraph_msgs_msg_dds__Clock__desc, &JsonOfClock}},
+      {"std_msgs/String", {&std_msgs_msg_dds__String__desc, &JsonOfString}},
       {"std_msgs/Bool", {&std_msgs_msg_dds__Bool__desc, &JsonOfBool}},
       {"std_msgs/Float32", {&std_msgs_msg_dds__Float32__desc, &JsonOfFloat}}};
   const auto found = types.find(name);
@@ -181,9 +190,10 @@ int Read(dds_entity_t participant, int argc, char** argv) {
 // To a reader that is there.
 class Commander {
  public:
-  Commander(dds_entity_t participant, const char* topic) {
+  Commander(dds_entity_t participant, const char* topic,
+            const char* type_name = "sensor_msgs/JointState") {
     dds_qos_t* const qos = MakeQos(DDS_RELIABILITY_RELIABLE);
-    const Type type = TypeOf("sensor_msgs/JointState");
+    const Type type = TypeOf(type_name);
     writer_ = Check(dds_create_writer(participant, TopicOf(participant, type, topic), qos, nullptr),
                     "writer");
     const dds_time_t end = dds_time() + kPatience;
@@ -216,6 +226,11 @@ class Commander {
     Check(dds_write(writer_, &sample), "write");
   }
 
+  void Say(char* text) const {
+    const std_msgs_msg_dds__String_ sample = {text};
+    Check(dds_write(writer_, &sample), "write");
+  }
+
   void WaitUntilTaken() const { Check(dds_wait_for_acks(writer_, kPatience), "acknowledgement"); }
 
  private:
@@ -226,6 +241,14 @@ int Command(dds_entity_t participant, int argc, char** argv) {
   if (argc < 1) Fail("command TOPIC JOINT=RAD[@RAD/S]...");
   const Commander commander(participant, argv[0]);
   commander.Send({argv + 1, argv + argc});
+  commander.WaitUntilTaken();
+  return 0;
+}
+
+int Say(dds_entity_t participant, int argc, char** argv) {
+  if (argc < 2) Fail("say TOPIC TEXT...");
+  const Commander commander(participant, argv[0], "std_msgs/String");
+  for (int i = 1; i < argc; ++i) commander.Say(argv[i]);
   commander.WaitUntilTaken();
   return 0;
 }
@@ -320,6 +343,7 @@ int main(int argc, char** argv) {
   int status = 2;
   if (what == "topics") status = Topics(participant);
   if (what == "read") status = Read(participant, argc - 3, argv + 3);
+  if (what == "say") status = Say(participant, argc - 3, argv + 3);
   if (what == "offer") status = Offer(participant, argc - 3, argv + 3);
   if (what == "stream") status = Stream(participant, argc - 3, argv + 3);
   if (what == "commands") status = Commands(participant, argc - 3, argv + 3);

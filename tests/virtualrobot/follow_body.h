@@ -28,7 +28,7 @@ class FollowBody : public Body {
   }
   const BodyState& state() const override { return state_; }
   RayHit CastRay(const Eigen::Vector3d&, const Eigen::Vector3d&, double max_m) const override {
-    return {.distance_m = distance_m < max_m ? distance_m : max_m};
+    return {.distance_m = distance_m < max_m ? distance_m : max_m, .reflectance = reflectance};
   }
   const World& world() const override { return world_; }
   std::vector<Eigen::Isometry3d> BodyPoses() const override { return poses_; }
@@ -41,7 +41,7 @@ class FollowBody : public Body {
   void Place(const Eigen::Isometry3d& X_WB) { std::fill(poses_.begin(), poses_.end(), X_WB); }
 
   int frames = 0;
-  double distance_m = 10;
+  double distance_m = 10, reflectance = 1;
   std::vector<JointCommand> last_commands;
 
  private:

@@ -85,6 +85,32 @@ TEST_F(VirtualRobotCommTest, PawsAndGravityAreReported) {
   EXPECT_EQ(robot->sensor(30).value, -9810000);  // up
 }
 
+TEST_F(VirtualRobotCommTest, APawsSwitchNeedsAForce) {
+  Boot();
+  body->mutable_state().paws.assign(4, true);
+  body->mutable_state().paw_forces_n = {0.19, 0.21, 0, 4};
+  RunToFrame(2);
+  EXPECT_EQ(robot->sensor(11).value, oswitchOFF);
+  EXPECT_EQ(robot->sensor(15).value, oswitchON);
+  EXPECT_EQ(robot->sensor(19).value, oswitchOFF);
+  EXPECT_EQ(robot->sensor(23).value, oswitchON);
+}
+
+TEST_F(VirtualRobotCommTest, ADarkThingIsSeenAsFarAsABrightOneUntilItIsOutOfSight) {
+  Boot();
+  const int psd = model.FindSensorByLocator("PRM:/r1/c1/c2/c3/p1-Sensor:p1");
+  body->distance_m = 0.1;  // the table has no noise here
+  body->reflectance = 0.05;
+  RunToFrame(2);
+  EXPECT_EQ(robot->sensor(psd).value, 100000);
+  body->distance_m = 0.45;
+  RunToFrame(3);
+  EXPECT_EQ(robot->sensor(psd).value, 900000);
+  body->reflectance = 1;
+  RunToFrame(4);
+  EXPECT_NEAR(robot->sensor(psd).value, 450000, 45000);
+}
+
 // ---- OPENR functions
 
 TEST_F(VirtualRobotCommTest, ForeignLocatorsAreNotFound) {

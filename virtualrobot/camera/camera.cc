@@ -179,8 +179,10 @@ std::string CameraDevice::TakePicture(int64_t frame, const Body& body, Picture* 
   picture->rgb.resize(PictureBytes(model_));
   std::string problem = source_->Capture(ShotBefore(frame, body), picture);
   if (!problem.empty()) return problem;
-  for (size_t i = 0; i < picture->rgb.size(); ++i)
-    picture->rgb[i] = exposure_[i % exposure_.size()][picture->rgb[i]];
+  for (size_t i = 0; i < picture->rgb.size(); i += exposure_.size()) {
+    for (size_t colour = 0; colour < exposure_.size(); ++colour)
+      picture->rgb[i + colour] = exposure_[colour][picture->rgb[i + colour]];
+  }
   return "";
 }
 

@@ -190,6 +190,17 @@ void ReadPaws(const JsonReader& root, RobotModel* model) {
   }
 }
 
+void ReadProtection(const JsonReader& table, RobotModel* model) {
+  table.AllowOnly({"source", "hot", "hot_charging", "current", "jam"});
+  Limits& limits = model->protection;
+  if (table.Has("hot")) limits.hot_c = static_cast<int>(table.At("hot").Whole(1, 200));
+  if (table.Has("hot_charging"))
+    limits.hot_charging_c = static_cast<int>(table.At("hot_charging").Whole(1, 200));
+  if (table.Has("current"))
+    limits.current_ma = static_cast<int>(table.At("current").Whole(1, 100'000));
+  if (table.Has("jam")) limits.jam_frames = static_cast<int>(table.At("jam").Whole(8, 60'000)) / 8;
+}
+
 void ReadLights(const JsonReader& root, RobotModel* model) {
   for (const JsonReader& row : Rows(root, "leds")) {
     row.AllowOnly({"name", "locator", "type", "colour"});
@@ -292,6 +303,8 @@ RobotModel ParseRobotModel(const std::string& text, const std::string& name) {
   ReadJoints(root, &model);
   for (const JsonReader& row : Rows(root, "sensors")) ReadSensor(row, &model);
   ReadPaws(root, &model);
+  if (root.At("paws").Has("force")) model.paw_force_n = root.At("paws").At("force").NumberAbove(0);
+  if (root.Has("protection")) ReadProtection(root.At("protection"), &model);
   ReadLights(root, &model);
   ReadCamera(root.At("camera"), &model);
   const JsonReader acceleration = root.At("acceleration");

@@ -51,6 +51,11 @@ std::vector<int> RobotModel::SensorsNamed(std::string_view wanted) const {
   return group;
 }
 
+int RobotModel::JointNamed(std::string_view wanted) const {
+  const std::vector<int> found = SensorsNamed(wanted);
+  return found.size() == 1 ? sensors[static_cast<size_t>(found[0])].joint : -1;
+}
+
 const std::vector<double>& RobotModel::PostureAngles(std::string_view posture_name) const {
   std::string known;
   for (const Posture& posture : postures) {

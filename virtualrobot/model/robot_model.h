@@ -129,12 +129,21 @@ struct Posture {
   std::vector<double> angles_rad;  // in the order of RobotModel::joints
 };
 
+// Limits at which a robot protects itself and shuts down; 0: it has no such protection.
+struct Limits {
+  int hot_c = 0;           // battery temperature while it discharges, in degrees Celsius
+  int hot_charging_c = 0;  // and while it is charged
+  int current_ma = 0;      // mean current of the battery over about 100 ms
+  int jam_frames = 0;      // frames of 8 ms for which a joint may be jammed
+};
+
 struct RobotModel {
   std::string name;                     // "ERS-210"
   std::string design;                   // result of OPENR::GetRobotDesign()
   std::vector<std::string> mtn_labels;  // design labels of the motion files that fit this robot
   std::vector<BodyPart> bodies;
   std::vector<Paw> paws;
+  double paw_force_n = 0;  // force from which the switch of a paw is on
   std::vector<JointModel> joints;
   double accel_min_rad_s2 = 0, accel_default_rad_s2 = 0, accel_max_rad_s2 = 0;
   std::vector<Led> leds;
@@ -144,6 +153,7 @@ struct RobotModel {
   std::string speaker_locator;
   std::string microphone_locator;
   int microphone_frames = 0;  // number of frames of 8 ms in one sound vector
+  Limits protection;
   std::vector<Posture> postures;
   uint64_t content_hash = 0;  // hash of the text of the model file
 
@@ -159,6 +169,10 @@ struct RobotModel {
   // head_back).  The case of letters does not count.  Sensors of joints have the names of their
   // joints.
   std::vector<int> SensorsNamed(std::string_view name) const;
+
+  // Returns the joint with this name or locator, or with the name of its sensor, in capitals or
+  // small letters; -1 when the model has no such joint.
+  int JointNamed(std::string_view name) const;
 
   // Returns the angles of the posture with this name, in radians.  When the model has no such
   // posture, throws std::runtime_error with the names of all postures.

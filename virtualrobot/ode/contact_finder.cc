@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "virtualrobot/dynamics/height_field.h"
 #include "virtualrobot/ode/ode_bodies.h"
 
 namespace openr_host {
@@ -263,6 +264,7 @@ void ContactFinder::FindCylinderOnFloor(const Shape& cylinder) {
 // ODE serves boxes and balls on boxes.  Of all other pairs, our own code takes one as the round
 // thing, and the other as the box or ball that touches it.
 void ContactFinder::FindOn(const Shape& shape, const Shape& other) {
+  if (other.shape == ThingShape::kHeightField) return FindOnHeights(shape, other);
   const bool shape_is_cylinder = shape.shape == ThingShape::kCylinder;
   if (other.shape == ThingShape::kBox && !shape_is_cylinder) return FindByOde(shape, other);
   const bool swapped = shape_is_cylinder && other.shape != ThingShape::kCylinder;
@@ -284,6 +286,21 @@ void ContactFinder::FindByOde(const Shape& shape, const Shape& other) {
   }
 }
 
+// Adds the points at which `shape` touches the heightfield `other`.  A cylinder touches as the
+// largest box in it does.
+void ContactFinder::FindOnHeights(const Shape& shape, const Shape& other) {
+  constexpr double kEdgeOfSquareInCircle = 0.70710678118654752440;
+  touches_.clear();
+  if (shape.shape == ThingShape::kSphere) {
+    TouchBallOnHeights(shape.CentreW(), shape.size_m.x() / 2, *other.thing, &touches_);
+  } else {
+    Vector3d size_m = shape.size_m;
+    if (shape.shape == ThingShape::kCylinder) size_m.head<2>() *= kEdgeOfSquareInCircle;
+    TouchBoxOnHeights(shape.CentreW(), shape.R_W(), size_m, *other.thing, &touches_);
+  }
+  AddTouches(shape, other, false);
+}
+
 // Adds the points at which `shape` touches the round thing `other`.  `swapped`: `other` is the one
 // that can move.
 void ContactFinder::FindOnRound(const Shape& shape, const Shape& other, bool swapped) {
@@ -295,6 +312,11 @@ void ContactFinder::FindOnRound(const Shape& shape, const Shape& other, bool swa
   } else {
     TouchCylinders(*shape.thing, *other.thing, &touches_);
   }
+  AddTouches(shape, other, swapped);
+}
+
+// Adds touches_, whose normals point out of `other`, as contacts.
+void ContactFinder::AddTouches(const Shape& shape, const Shape& other, bool swapped) {
   for (const TouchPoint& touch : touches_) {
     ContactPoint point;
     point.side = swapped ? other.side : shape.side;

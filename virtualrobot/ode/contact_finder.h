@@ -89,7 +89,9 @@ class ContactFinder {
   void FindCylinderOnFloor(const Shape& cylinder);
   void FindOn(const Shape& shape, const Shape& other);
   void FindByOde(const Shape& shape, const Shape& other);
+  void FindOnHeights(const Shape& shape, const Shape& other);
   void FindOnRound(const Shape& shape, const Shape& other, bool swapped);
+  void AddTouches(const Shape& shape, const Shape& other, bool swapped);
 
   std::vector<Shape> things_;  // the solid ones
   std::vector<Robot> robots_;

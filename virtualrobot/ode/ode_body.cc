@@ -11,6 +11,7 @@
 #include "runtime/base/hasher.h"
 #include "virtualrobot/kinematics.h"
 #include "virtualrobot/ode/ode_bodies.h"
+#include "virtualrobot/robot_things.h"
 
 namespace openr_host {
 namespace {
@@ -24,9 +25,6 @@ using Eigen::Vector3d;
 constexpr double kHandTime_s = 0.05;
 constexpr double kHandSpeed_m_s = 0.5, kHandTurn_rad_s = 2;
 constexpr double kHandForce_n = 60, kHandTorque_nm = 5;
-
-// Colour of a robot's parts for the cameras of other robots: that of the silver ERS-210.
-const Vector3d kCoverColour(0.74, 0.75, 0.78);
 
 // Returns how a robot lies asleep at the place `start`.
 RestingPose StartPose(const RobotModel& model, const StartPlace& start) {
@@ -124,6 +122,7 @@ void OdeBody::SetCommands(const std::vector<JointCommand>& commands) {
 void OdeBody::BeginFrame() {
   v_before_W_ = state_.v_WB;
   state_.paws.assign(model_.paws.size(), false);
+  state_.paw_forces_n.assign(model_.paws.size(), 0);
 }
 
 void OdeBody::BeginStep(double step_s) {
@@ -184,21 +183,11 @@ std::vector<WorldThing> OdeBody::Surroundings() const {
   std::vector<WorldThing> things = world_->things();
   for (const OdeBody* const robot : world_->robots()) {
     if (robot == this) continue;
-    for (size_t part = 0; part < robot->bodies_.size(); ++part)
-      things.push_back(robot->BoxOfPart(part));
+    const std::vector<bool> none_left_out(robot->bodies_.size());
+    for (WorldThing& thing : ThingsOfRobot(robot->model_, robot->BodyPoses(), none_left_out))
+      things.push_back(std::move(thing));
   }
   return things;
-}
-
-// Returns the box of a part in its present place, as other robots see it.
-WorldThing OdeBody::BoxOfPart(size_t part) const {
-  WorldThing box;
-  box.name = model_.bodies[part].name;
-  box.size_m = model_.bodies[part].size_m;
-  box.centre_m = tree_->centre_W(static_cast<int>(part));
-  box.R_WT = tree_->R_WL(static_cast<int>(part));
-  box.colour = kCoverColour;
-  return box;
 }
 
 bool OdeBody::PutThing(size_t thing, const Vector3d& centre_m) {

@@ -53,6 +53,10 @@ class OdeBody : public Body {
   // Begins a step of `step_s` seconds: sets up the tree with the forces of servos, pushes and hand.
   void BeginStep(double step_s);
   void NotePawContact(int paw) { state_.paws[paw] = true; }
+  // Adds a force that presses paw `paw`, averaged over the frame.
+  void NotePawForce(int paw, double force_n) {
+    state_.paw_forces_n[static_cast<size_t>(paw)] += force_n;
+  }
   void EndStep();
   void EndFrame();
 
@@ -66,7 +70,6 @@ class OdeBody : public Body {
           const std::vector<double>& angles_rad);
 
   void MakeTree(const RestingPose& pose, const std::vector<double>& angles_rad);
-  WorldThing BoxOfPart(size_t part) const;
   void PullByHand(double step_s);
   void PlaceBodies();
   void ReadState();

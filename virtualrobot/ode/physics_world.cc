@@ -98,6 +98,12 @@ void PhysicsWorld::Step(double step_s) {
   for (int group = 0; group < static_cast<int>(trees_.size()); ++group) {
     if (GroupOf(group) == group) SolveGroup(points, group, step_s);
   }
+  for (size_t i = 0; i < points.size(); ++i) {
+    if (points[i].paw < 0) continue;
+    const RowSides& normal = rows_[3 * i];
+    robots_[static_cast<size_t>(normal.tree) - movers_.size()]->NotePawForce(
+        points[i].paw, impulses_[normal.tree][normal.row] / kFrame_s);
+  }
   for (size_t i = 0; i < trees_.size(); ++i) trees_[i]->EndStep(impulses_[i]);
   for (Mover& mover : movers_) PlaceMover(&mover);
   for (OdeBody* const robot : robots_) robot->EndStep();

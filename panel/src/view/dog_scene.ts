@@ -1,7 +1,8 @@
 // DogScene: one robot and its world as a three.js scene.
 import * as THREE from 'three';
-import { RoundedBoxGeometry } from 'three/addons/geometries/RoundedBoxGeometry.js';
-import type { Pose, RobotData, RobotPose, ShapeData, WorldData } from '../protocol';
+import type { Pose, RobotData, RobotPose, WorldData } from '../protocol';
+import { DogFigure } from './dog_figure';
+import { makeMesh, placeAt } from './shapes';
 
 const FLOOR_REACH_M = 2.6;
 const SHADOW_REACH_M = 0.42;
@@ -10,50 +11,6 @@ export interface Hit {
   link: string;
   touch: string | null;
   point: THREE.Vector3;
-}
-
-function placeAt(object: THREE.Object3D, pose: Pose): void {
-  object.position.set(pose[0], pose[1], pose[2]);
-  object.quaternion.set(pose[4], pose[5], pose[6], pose[3]);
-}
-
-const geometries = new Map<string, THREE.BufferGeometry>();
-
-function geometryOf(shape: ShapeData): THREE.BufferGeometry {
-  if (shape.triangles !== undefined) {
-    const surface = new THREE.BufferGeometry();
-    surface.setAttribute('position', new THREE.Float32BufferAttribute(shape.triangles, 3));
-    surface.computeVertexNormals();
-    return surface;
-  }
-  const key = `${shape.size.join()}/${shape.cylinder ? 'cylinder' : shape.radius}`;
-  let geometry = geometries.get(key);
-  if (geometry === undefined) {
-    const [x, y, z] = shape.size;
-    if (shape.cylinder) {
-      // A cylinder of three.js lies along y.
-      geometry = new THREE.CylinderGeometry(x / 2, x / 2, z, 48).rotateX(Math.PI / 2);
-    } else {
-      const radius = Math.min(shape.radius, Math.min(x, y, z) / 2);
-      geometry = new RoundedBoxGeometry(x, y, z, radius > 0.006 ? 5 : 2, Math.max(radius, 1e-5));
-    }
-    geometries.set(key, geometry);
-  }
-  return geometry;
-}
-
-function makeMesh(shape: ShapeData): THREE.Mesh<THREE.BufferGeometry, THREE.MeshStandardMaterial> {
-  const gloss = shape.gloss ?? 0.3;
-  const material = new THREE.MeshStandardMaterial({
-    color: shape.colour,
-    roughness: 0.78 - 0.55 * gloss,
-    metalness: 0.04,
-    envMapIntensity: 0.45 + 0.5 * gloss,
-  });
-  const mesh = new THREE.Mesh(geometryOf(shape), material);
-  mesh.castShadow = true;
-  mesh.receiveShadow = true;
-  return mesh;
 }
 
 // Makes the floor: a thin line every `grid` metres, and a stronger line every five of them. The
@@ -105,45 +62,33 @@ function makeGround(colour: string): THREE.Mesh {
   return mesh;
 }
 
-interface Led {
-  index: number;
-  mesh: THREE.Mesh<THREE.BufferGeometry, THREE.MeshStandardMaterial>;
-  glow: THREE.Color;
-}
-
-interface Ear {
-  index: number;
-  pivot: THREE.Group;
-  axis: THREE.Vector3;
-}
-
 export class DogScene {
   readonly scene = new THREE.Scene();
-  private readonly links: THREE.Group[] = [];
-  private readonly meshes: THREE.Object3D[] = [];
-  private readonly leds: Led[] = [];
-  private readonly ears: Ear[] = [];
+  private readonly dog: DogFigure;
+  private readonly things: THREE.Object3D[] = [];
   private readonly floor: THREE.Mesh<THREE.PlaneGeometry, THREE.ShaderMaterial>;
   private readonly shadows: THREE.Mesh;
   private readonly sky = new THREE.HemisphereLight(0xffffff, 0x8a8f98, 1);
   private readonly sun = new THREE.DirectionalLight(0xfff4e4, 2.2);
   private isDark = false;
-  private trunk: Pose = [0, 0, 0.15, 1, 0, 0, 0];
 
-  constructor(robot: RobotData, world: WorldData, gridM: number) {
+  // `company` are the other robots of the same world.
+  constructor(
+    robot: RobotData,
+    world: WorldData,
+    gridM: number,
+    private readonly company: DogFigure[] = [],
+  ) {
     if (world.floor !== undefined) this.scene.add(makeGround(world.floor));
     for (const shape of world.shapes) {
       const mesh = makeMesh(shape);
       placeAt(mesh, shape.pose);
+      if (shape.thing !== undefined) this.things[shape.thing] = mesh;
       this.scene.add(mesh);
     }
-    robot.links.forEach((link, i) => {
-      const group = new THREE.Group();
-      group.visible = false;
-      for (const shape of link.shapes ?? []) this.addShape(group, shape, link.name);
-      this.links[i] = group;
-      this.scene.add(group);
-    });
+    this.dog = new DogFigure(robot);
+    this.scene.add(this.dog.group);
+    for (const other of company) this.scene.add(other.group);
     this.floor = makeFloor(gridM > 0 ? gridM : 0.1);
     this.shadows = new THREE.Mesh(
       new THREE.PlaneGeometry(2.4, 2.4),
@@ -186,34 +131,31 @@ export class DogScene {
   }
 
   get trunkPose(): Pose {
-    return this.trunk;
+    return this.dog.trunkPose;
   }
 
   // Returns the direction in which the dog looks, as an angle about the vertical axis.
   get heading(): number {
-    const [, , , w, x, y, z] = this.trunk;
+    const [, , , w, x, y, z] = this.trunkPose;
     return Math.atan2(2 * (x * y + w * z), 1 - 2 * (y * y + z * z));
   }
 
-  apply(pose: RobotPose): void {
-    this.links.forEach((group, i) => {
-      const at = pose.links?.[i];
-      group.visible = at !== undefined;
-      if (at !== undefined) placeAt(group, at);
+  // `others` are the poses of the company, in its order.
+  apply(pose: RobotPose, others: (RobotPose | undefined)[] = []): void {
+    this.dog.apply(pose);
+    this.company.forEach((figure, i) => {
+      const at = others[i];
+      if (at !== undefined) figure.apply(at);
     });
-    if (pose.links?.[0] !== undefined) this.trunk = pose.links[0];
-    for (const led of this.leds) {
-      const isOn = (pose.leds?.[led.index] ?? 0) !== 0;
-      led.mesh.material.emissive.copy(led.glow);
-      led.mesh.material.emissiveIntensity = isOn ? 1.6 : 0;
-    }
-    for (const ear of this.ears)
-      ear.pivot.quaternion.setFromAxisAngle(ear.axis, pose.ears?.[ear.index] ?? 0);
+    this.things.forEach((mesh, i) => {
+      const at = pose.things?.[i];
+      if (at !== undefined) placeAt(mesh, at);
+    });
     this.moveLights();
   }
 
   pick(ray: THREE.Raycaster): Hit | null {
-    for (const hit of ray.intersectObjects(this.meshes, false)) {
+    for (const hit of ray.intersectObjects(this.dog.meshes, false)) {
       const { link, touch } = hit.object.userData as { link: string; touch: string | null };
       return { link, touch, point: hit.point };
     }
@@ -225,31 +167,6 @@ export class DogScene {
       if (object instanceof THREE.Mesh) (object.material as THREE.Material).dispose();
     });
     this.sun.shadow.map?.dispose();
-  }
-
-  private addShape(group: THREE.Group, shape: ShapeData, link: string): void {
-    const mesh = makeMesh(shape);
-    mesh.userData = { link, touch: shape.touch ?? null };
-    this.meshes.push(mesh);
-    placeAt(mesh, shape.pose);
-    if (shape.led !== undefined) {
-      this.leds.push({ index: shape.led, mesh, glow: new THREE.Color(shape.glow ?? '#ffffff') });
-    }
-    if (shape.ear === undefined) {
-      group.add(mesh);
-      return;
-    }
-    const [x, y, z] = shape.pivot ?? [0, 0, 0];
-    const pivot = new THREE.Group();
-    pivot.position.set(x, y, z);
-    mesh.position.sub(pivot.position);
-    pivot.add(mesh);
-    group.add(pivot);
-    this.ears.push({
-      index: shape.ear,
-      pivot,
-      axis: new THREE.Vector3(...(shape.axis ?? [0, -1, 0])).normalize(),
-    });
   }
 
   private prepareShadow(): void {
@@ -269,7 +186,7 @@ export class DogScene {
   // Moves the light that makes shadows with the dog, so that a small shadow map is enough for sharp
   // shadows.
   private moveLights(): void {
-    const [x, y] = this.trunk;
+    const [x, y] = this.trunkPose;
     this.sun.target.position.set(x, y, 0.08);
     this.sun.position.set(x + 0.22, y - 0.5, 1.4);
     this.shadows.position.x = x;

@@ -5,6 +5,7 @@ import { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js';
 import { el } from '../dom';
 import type { PoseEvent, Scene } from '../protocol';
 import { colourOf, isDark, onTheme } from '../theme';
+import { DogFigure } from './dog_figure';
 import { DogScene, type Hit } from './dog_scene';
 import { Orbit, tiles, type ViewName } from './orbit';
 
@@ -47,6 +48,7 @@ export class Stage {
   private readonly renderer: THREE.WebGLRenderer | null;
   private readonly camera = new THREE.PerspectiveCamera(FOV_DEG, 1, 0.02, 60);
   private dogs: DogScene[] = [];
+  private isTogether = false; // all robots are in one world
   private pose: PoseEvent | null = null;
   private isDirty = false;
   private isPoseNew = false;
@@ -74,9 +76,17 @@ export class Stage {
 
   setScene(scene: Scene): void {
     for (const dog of this.dogs) dog.dispose();
-    this.dogs = (scene.robots ?? []).map(
-      (robot) => new DogScene(robot, scene.world ?? { shapes: [] }, scene.grid_m),
-    );
+    const robots = scene.robots ?? [];
+    this.isTogether = scene.together === true;
+    this.dogs = robots.map((robot, i) => {
+      const others = this.isTogether ? robots.filter((_, other) => other !== i) : [];
+      return new DogScene(
+        robot,
+        scene.world ?? { shapes: [] },
+        scene.grid_m,
+        others.map((other) => new DogFigure(other)),
+      );
+    });
     this.applyQuality();
     this.setColours();
   }
@@ -212,7 +222,10 @@ export class Stage {
       const tile = all[i];
       const pose = this.pose?.robots?.[i];
       if (tile === undefined) return;
-      if (pose !== undefined && this.isPoseNew) dog.apply(pose);
+      if (pose !== undefined && this.isPoseNew) {
+        const others = this.isTogether ? this.pose?.robots?.filter((_, other) => other !== i) : [];
+        dog.apply(pose, others);
+      }
       this.aim(dog, tile.width / tile.height);
       const y = height - tile.y - tile.height; // WebGL counts y from below
       renderer.setViewport(tile.x, y, tile.width, tile.height);

@@ -1,0 +1,37 @@
+// Measures the servos and the distance sensor of a robot model, for docs/calibration.md.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "virtualrobot/model/robot_model.h"
+
+namespace openr_host {
+
+// The response of a joint to a step of its set point, sampled at the end of each frame of 8 ms.
+struct StepResponse {
+  std::string joint;
+  double from_deg = 0, to_deg = 0;
+  std::vector<double> times_ms, commanded_deg, measured_deg;
+  double rise_ms = 0;         // time until 90 % of the way is done; -1: never
+  double overshoot_deg = 0;   // how far the joint went beyond its end
+  double end_error_deg = 0;   // distance from the set point at the end
+  double current_ma_max = 0;  // highest current that the robot draws from its battery
+};
+
+// Makes the robot stand in the air, held by a hand, and lets each joint take a step of at most
+// `step_deg` towards the middle of its range, one after the other.
+std::vector<StepResponse> MeasureSteps(const RobotModel& model, double step_deg);
+
+// Readings of the distance sensor in front of a wall, over 200 samples.
+struct DistanceReading {
+  double distance_mm = 0;  // distance of the wall, along the ray of the sensor
+  double reflectance = 1;
+  double min_mm = 0, mean_mm = 0, max_mm = 0;
+};
+
+// Measures with a wall 100, 150 ... 1000 mm in front of the first distance sensor of a standing
+// robot.  Returns nothing for a model whose distance sensors have no place.
+std::vector<DistanceReading> MeasureDistances(const RobotModel& model, double reflectance);
+
+}  // namespace openr_host

@@ -1,0 +1,91 @@
+#include "virtualrobot/energy.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/base/hasher.h"
+#include "virtualrobot/servo.h"
+
+namespace openr_host {
+namespace {
+
+// Share of the power of a motor that its gears pass on.
+constexpr double kGearShare = 0.6;
+// Current of a robot whose motors do nothing, for its computer, camera and radio.
+constexpr double kElectronicsMa = 1000;
+constexpr double kMeanShare = 0.08;  // of a new frame in the mean: a time constant of 100 ms
+// Heat: how much warmer the thing gets in the end, and how fast.
+constexpr double kBodyPerW_k = 2.5, kBodyTime_s = 600;
+constexpr double kBatteryUsual_k = 5, kBatteryTime_s = 1200;
+constexpr double kChargingBattery_k = 6;
+
+}  // namespace
+
+Energy::Energy(const RobotModel& model) {
+  const ServoSettings settings;
+  for (const JointModel& joint : model.joints) {
+    Motor motor;
+    motor.no_load_rad_s = settings.no_load_speed_ratio * joint.speed_rad_s.max;
+    motor.stall_ma = 1000 * joint.stall_torque_nm * motor.no_load_rad_s / (kGearShare * kSupplyV);
+    motors_.push_back(motor);
+  }
+}
+
+void Energy::NoteMotors(const BodyState& state, const Devices& devices) {
+  current_ma_ = kElectronicsMa;
+  motor_heat_w_ = 0;
+  for (size_t j = 0; j < motors_.size(); ++j) {
+    const JointState& joint = state.joints[j];
+    if (joint.drive == 0) continue;
+    const JointTrouble* const trouble = devices.TroubleOf(static_cast<int>(j));
+    const double strength = trouble == nullptr ? 1 : trouble->strength;
+    const double duty = std::clamp(joint.drive / kDriveFull, -1.0, 1.0);
+    // Current in the motor, as a share of its stall current.
+    const double share = strength * (duty - joint.speed_rad_s / motors_[j].no_load_rad_s);
+    // A motor that is turned by its load gives nothing back to the battery.
+    current_ma_ += std::max(0.0, duty * share) * motors_[j].stall_ma;
+    motor_heat_w_ += share * share * motors_[j].stall_ma * kSupplyV / 1000;
+  }
+}
+
+void Energy::NoteFrame(const Body& body, const Devices& devices, bool charging) {
+  current_ma_ = kUsualMa;
+  if (body.IsPhysical()) NoteMotors(body.state(), devices);
+  current_ma_ += extra_ma_;
+  mean_ma_ += kMeanShare * (current_ma_ - mean_ma_);
+  // The heat of a battery grows with the square of its current.  A battery that gives kUsualMa or
+  // less stays at rest, so that a robot without load keeps its temperature exactly.
+  const double usual = mean_ma_ / kUsualMa;
+  double battery_k = std::max(0.0, kBatteryUsual_k * (usual * usual - 1));
+  if (charging) battery_k += kChargingBattery_k;
+  const auto warm = [](Warmth* warmth, double end_k, double time_s) {
+    if (warmth->kept_c) return;
+    warmth->above_rest_k += (end_k - warmth->above_rest_k) * (kFrame_s / time_s);
+  };
+  warm(&warmth_[static_cast<size_t>(WarmThing::kBody)], kBodyPerW_k * motor_heat_w_, kBodyTime_s);
+  warm(&warmth_[static_cast<size_t>(WarmThing::kBattery)], battery_k, kBatteryTime_s);
+}
+
+int Energy::Celsius(WarmThing thing) const {
+  return kRestC + static_cast<int>(std::lround(warmth_[static_cast<size_t>(thing)].above_rest_k));
+}
+
+void Energy::Keep(WarmThing thing, std::optional<int> celsius) {
+  Warmth& warmth = warmth_[static_cast<size_t>(thing)];
+  warmth.kept_c = celsius;
+  if (celsius) warmth.above_rest_k = *celsius - kRestC;
+}
+
+// Adds nothing for a robot at rest: the heat of the first seconds shows in no sensor.
+void Energy::HashState(Hasher* hasher) const {
+  for (const WarmThing thing : {WarmThing::kBody, WarmThing::kBattery}) {
+    const Warmth& warmth = warmth_[static_cast<size_t>(thing)];
+    if (Celsius(thing) == kRestC && !warmth.kept_c) continue;
+    hasher->Add(thing);
+    hasher->Add(warmth.above_rest_k);
+    hasher->Add(warmth.kept_c.has_value());
+  }
+  if (extra_ma_ != 0) hasher->Add(extra_ma_);
+}
+
+}  // namespace openr_host

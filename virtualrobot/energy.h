@@ -1,0 +1,70 @@
+// The current that a robot draws from its battery, and the heat of its motors and its battery.
+//
+// Each motor is a direct-current motor behind a switch that is on for the share drive / 255 of the
+// time.  A motor at rest draws its stall current times this share twice, because it draws current
+// only while the switch is on.  Body and battery warm up with the power that is lost in motors and
+// battery, and cool down to 30 degrees Celsius with a time constant each.  docs/calibration.md has
+// the reason of every number.  A body without physics has no drives: such a robot draws kUsualMa
+// and stays at 30 degrees.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "virtualrobot/body.h"
+#include "virtualrobot/devices.h"
+
+namespace openr_host {
+
+class Hasher;
+
+// Things that warm up.
+enum class WarmThing { kBody, kBattery };
+
+class Energy {
+ public:
+  static constexpr int kRestC = 30;      // temperature of a robot that was not in use
+  static constexpr int kUsualMa = 1300;  // current of a robot in use: empties the battery in 90 min
+  static constexpr double kSupplyV = 7.4;
+
+  explicit Energy(const RobotModel& model);
+
+  // Computes current and heat of a frame of 8 ms, after the body has moved.
+  void NoteFrame(const Body& body, const Devices& devices, bool charging);
+
+  // Returns the current of the newest frame, in mA.
+  int current_ma() const { return static_cast<int>(current_ma_); }
+  // Returns the mean of the current over about 100 ms.
+  double mean_ma() const { return mean_ma_; }
+  // Returns the power that the motors turned into heat in the newest frame, in W.
+  double motor_heat_w() const { return motor_heat_w_; }
+  // Returns a temperature as its sensor reads it: whole degrees Celsius.
+  int Celsius(WarmThing thing) const;
+
+  // Keeps a thing at a temperature, or lets it warm up and cool down again from there.
+  void Keep(WarmThing thing, std::optional<int> celsius);
+  // Makes something draw this current beside the robot.
+  void SetExtraMa(int ma) { extra_ma_ = ma; }
+
+  void HashState(Hasher* hasher) const;
+
+ private:
+  struct Motor {
+    double stall_ma = 0;       // current at full drive and speed 0
+    double no_load_rad_s = 0;  // speed at full drive without load
+  };
+  struct Warmth {
+    double above_rest_k = 0;
+    std::optional<int> kept_c;
+  };
+
+  void NoteMotors(const BodyState& state, const Devices& devices);
+
+  std::vector<Motor> motors_;  // [joint]
+  double current_ma_ = kUsualMa, mean_ma_ = kUsualMa, motor_heat_w_ = 0;
+  int extra_ma_ = 0;
+  std::array<Warmth, 2> warmth_;  // [WarmThing]
+};
+
+}  // namespace openr_host

@@ -1,0 +1,308 @@
+#include "virtualrobot/faults.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <utility>
+
+#include "runtime/base/hasher.h"
+#include "runtime/base/spelling.h"
+#include "runtime/core/system.h"
+#include "virtualrobot/input_words.h"
+#include "virtualrobot/robot_parts.h"
+
+namespace openr_host {
+namespace {
+
+constexpr const char* kKindNames[] = {"jammed", "weak", "unpowered", "stuck", "noisy", "dead"};
+constexpr int kHeatMinC = -20, kHeatMaxC = 120;
+constexpr int kDrawMaxMa = 30'000;
+
+// Reads a whole number from `min` to `max`.  Returns "" or the error.
+std::string ReadWhole(std::string_view text, int min, int max, int* number) {
+  const char* const end = text.data() + text.size();
+  const auto [at, error] = std::from_chars(text.data(), end, *number);
+  if (error != std::errc() || at != end || *number < min || *number > max)
+    return fmt::format("'{}' is no whole number from {} to {}", text, min, max);
+  return "";
+}
+
+}  // namespace
+
+void Faults::AddVerbs() {
+  const auto add = [this](const char* name, const char* usage, const char* help,
+                          std::string (Faults::*read)(std::string_view, Inputs::Action*)) {
+    robot_.system.inputs().AddVerb(
+        robot_.robot_index,
+        {name, usage, help, [this, read](int, std::string_view rest, Inputs::Action* action) {
+           return (this->*read)(rest, action);
+         }});
+  };
+  add("break", "break JOINT|SENSOR FAULT [for DURATION]",
+      "Makes a part faulty.  FAULT: jammed, weak N%, unpowered (joints); stuck, noisy N%, dead "
+      "(sensors, also those of joints).",
+      &Faults::ReadBreak);
+  add("repair", "repair JOINT|SENSOR|body|battery|all", "Ends break, heat and draw.",
+      &Faults::ReadRepair);
+  add("heat", "heat body|battery DEGREES [for DURATION]",
+      "Keeps a temperature in degrees Celsius, until it is repaired.", &Faults::ReadHeat);
+  add("draw", "draw MILLIAMPERES [for DURATION]",
+      "Draws a current from the battery, beside the robot's own, until the battery is repaired.",
+      &Faults::ReadDraw);
+}
+
+std::string Faults::FindParts(const std::string& name, std::vector<int>* sensors) const {
+  const RobotModel& model = robot_.model;
+  *sensors = model.SensorsNamed(name);
+  if (!sensors->empty()) return "";
+  std::vector<std::string> known;
+  for (const Sensor& sensor : model.sensors) {
+    known.push_back(sensor.joint < 0 ? sensor.short_name
+                                     : model.joints[static_cast<size_t>(sensor.joint)].name);
+  }
+  return fmt::format("the {} has no joint or sensor '{}'{}; it has {}", model.name, name,
+                     DidYouMean(name, known), fmt::join(known, ", "));
+}
+
+std::optional<Faults::Place> Faults::PlaceOf(Kind kind, int sensor) const {
+  if (kind >= Kind::kStuck) return Place{Part::kSensor, sensor};
+  const int joint = robot_.model.sensors[static_cast<size_t>(sensor)].joint;
+  if (joint < 0) return {};
+  return Place{Part::kMotor, joint};
+}
+
+std::string Faults::ReadBreak(std::string_view rest, Inputs::Action* action) {
+  std::vector<std::string> words = SplitInput(rest);
+  Fault fault{Kind::kJammed, 0, {}};
+  if (std::string problem = TakeFor(&words, &fault.frames); !problem.empty()) return problem;
+  if (words.size() < 2) return "needs a joint or sensor and a fault";
+  size_t kind = 0;
+  while (kind < std::size(kKindNames) && words[1] != kKindNames[kind]) ++kind;
+  if (kind == std::size(kKindNames)) {
+    const std::vector<std::string> known(std::begin(kKindNames), std::end(kKindNames));
+    return fmt::format("'{}' is no fault{}; known are {}", words[1], DidYouMean(words[1], known),
+                       fmt::join(known, ", "));
+  }
+  fault.kind = static_cast<Kind>(kind);
+  const bool has_percent = fault.kind == Kind::kWeak || fault.kind == Kind::kNoisy;
+  if (words.size() != (has_percent ? 3u : 2u))
+    return fmt::format("{} needs {}", words[1], has_percent ? "one percentage" : "nothing more");
+  if (has_percent) {
+    if (std::string problem = ReadPercent(words[2], &fault.amount); !problem.empty())
+      return problem;
+  }
+  std::vector<int> sensors;
+  if (std::string problem = FindParts(words[0], &sensors); !problem.empty()) return problem;
+  std::vector<Place> places;
+  for (const int sensor : sensors) {
+    const std::optional<Place> place = PlaceOf(fault.kind, sensor);
+    if (!place)
+      return fmt::format("'{}' is a sensor and no joint; it can be stuck, noisy N% or dead",
+                         words[0]);
+    places.push_back(*place);
+  }
+  *action = [this, places, fault] {
+    for (const Place& place : places) Begin(place, fault);
+  };
+  return "";
+}
+
+std::string Faults::ReadHeat(std::string_view rest, Inputs::Action* action) {
+  std::vector<std::string> words = SplitInput(rest);
+  Fault fault{Kind::kHot, 0, {}};
+  if (std::string problem = TakeFor(&words, &fault.frames); !problem.empty()) return problem;
+  if (words.size() != 2 || (words[0] != "body" && words[0] != "battery"))
+    return "needs body or battery and one temperature";
+  if (std::string problem = ReadWhole(words[1], kHeatMinC, kHeatMaxC, &fault.amount);
+      !problem.empty())
+    return problem;
+  const Place place{words[0] == "body" ? Part::kBody : Part::kBattery};
+  *action = [this, place, fault] { Begin(place, fault); };
+  return "";
+}
+
+std::string Faults::ReadDraw(std::string_view rest, Inputs::Action* action) {
+  std::vector<std::string> words = SplitInput(rest);
+  Fault fault{Kind::kDraw, 0, {}};
+  if (std::string problem = TakeFor(&words, &fault.frames); !problem.empty()) return problem;
+  if (words.size() != 1) return "needs one current in mA";
+  if (std::string problem = ReadWhole(words[0], 1, kDrawMaxMa, &fault.amount); !problem.empty())
+    return problem;
+  *action = [this, fault] { Begin({Part::kSupply}, fault); };
+  return "";
+}
+
+std::string Faults::ReadRepair(std::string_view rest, Inputs::Action* action) {
+  const std::vector<std::string> words = SplitInput(rest);
+  if (words.size() != 1) return "needs one joint or sensor, body, battery or all";
+  std::vector<Place> places;
+  if (words[0] == "body") {
+    places = {{Part::kBody}};
+  } else if (words[0] == "battery") {
+    places = {{Part::kBattery}, {Part::kSupply}};
+  } else if (words[0] != "all") {
+    std::vector<int> sensors;
+    if (std::string problem = FindParts(words[0], &sensors); !problem.empty()) return problem;
+    for (const int sensor : sensors) {
+      places.push_back({Part::kSensor, sensor});
+      const int joint = robot_.model.sensors[static_cast<size_t>(sensor)].joint;
+      if (joint >= 0) places.push_back({Part::kMotor, joint});
+    }
+  }
+  *action = [this, places] {
+    std::vector<Place> ending = places;
+    if (ending.empty()) {  // "all"
+      for (const auto& [place, fault] : faults_) ending.push_back(place);
+    }
+    for (const Place& place : ending) End(place);
+  };
+  return "";
+}
+
+void Faults::Begin(const Place& place, const Fault& fault) {
+  End(place);  // because a part has one fault of this sort at a time
+  faults_[place] = fault;
+  const double share = fault.amount / 100.0;
+  switch (place.part) {
+    case Part::kMotor: {
+      JointTrouble& trouble = robot_.devices.Trouble(place.number);
+      if (fault.kind == Kind::kWeak) trouble.strength = share;
+      if (fault.kind == Kind::kUnpowered) trouble.strength = 0;
+      if (fault.kind == Kind::kJammed)
+        trouble.jammed_rad =
+            robot_.body->state().joints[static_cast<size_t>(place.number)].angle_rad;
+      break;
+    }
+    case Part::kSensor: {
+      const int joint = robot_.model.sensors[static_cast<size_t>(place.number)].joint;
+      if (joint < 0) {
+        const auto kind = fault.kind == Kind::kStuck   ? SensorFaultKind::kStuck
+                          : fault.kind == Kind::kNoisy ? SensorFaultKind::kNoisy
+                                                       : SensorFaultKind::kDead;
+        robot_.sensors.Break(place.number, {kind, fault.amount});
+        break;
+      }
+      JointTrouble& trouble = robot_.devices.Trouble(joint);
+      if (fault.kind == Kind::kStuck)
+        trouble.sensed_rad = robot_.body->state().joints[static_cast<size_t>(joint)].angle_rad;
+      if (fault.kind == Kind::kDead) trouble.sensed_rad = 0;
+      trouble.is_sensor_dead = fault.kind == Kind::kDead;
+      break;
+    }
+    case Part::kBody:
+      robot_.energy.Keep(WarmThing::kBody, fault.amount);
+      break;
+    case Part::kBattery:
+      robot_.energy.Keep(WarmThing::kBattery, fault.amount);
+      break;
+    case Part::kSupply:
+      robot_.energy.SetExtraMa(fault.amount);
+      break;
+  }
+}
+
+void Faults::End(const Place& place) {
+  if (faults_.erase(place) == 0) return;
+  switch (place.part) {
+    case Part::kMotor: {
+      JointTrouble& trouble = robot_.devices.Trouble(place.number);
+      trouble.strength = 1;
+      trouble.jammed_rad.reset();
+      break;
+    }
+    case Part::kSensor: {
+      const int joint = robot_.model.sensors[static_cast<size_t>(place.number)].joint;
+      if (joint < 0) {
+        robot_.sensors.Repair(place.number);
+        break;
+      }
+      JointTrouble& trouble = robot_.devices.Trouble(joint);
+      trouble.sensed_rad.reset();
+      trouble.sensor_error_rad = 0;
+      trouble.is_sensor_dead = false;
+      break;
+    }
+    case Part::kBody:
+      robot_.energy.Keep(WarmThing::kBody, {});
+      break;
+    case Part::kBattery:
+      robot_.energy.Keep(WarmThing::kBattery, {});
+      break;
+    case Part::kSupply:
+      robot_.energy.SetExtraMa(0);
+      break;
+  }
+}
+
+void Faults::DoFrame() {
+  for (auto at = faults_.begin(); at != faults_.end();) {
+    const Place place = at->first;
+    Fault& fault = at->second;
+    ++at;  // because End() erases the element
+    if (fault.frames && (*fault.frames)-- == 0) {
+      End(place);
+      continue;
+    }
+    if (fault.kind != Kind::kNoisy) continue;
+    const int joint = robot_.model.sensors[static_cast<size_t>(place.number)].joint;
+    if (joint < 0) continue;
+    const Range& stops_rad = robot_.model.joints[static_cast<size_t>(joint)].hard_rad;
+    robot_.devices.Trouble(joint).sensor_error_rad =
+        robot_.sensors.FaultNoise() * fault.amount / 100 * (stops_rad.max - stops_rad.min);
+  }
+}
+
+std::string Faults::NameOf(const Place& place) const {
+  switch (place.part) {
+    case Part::kMotor:
+      return robot_.model.joints[static_cast<size_t>(place.number)].name;
+    case Part::kSensor: {
+      const Sensor& sensor = robot_.model.sensors[static_cast<size_t>(place.number)];
+      if (sensor.joint < 0) return sensor.short_name;
+      return robot_.model.joints[static_cast<size_t>(sensor.joint)].name;
+    }
+    case Part::kBody:
+      return "body";
+    default:
+      return "battery";
+  }
+}
+
+std::vector<std::string> Faults::Present() const {
+  std::vector<std::string> texts;
+  for (const auto& [place, fault] : faults_) {
+    const std::string name = NameOf(place);
+    if (fault.kind == Kind::kHot) {
+      texts.push_back(fmt::format("{} at {} degrees Celsius", name, fault.amount));
+    } else if (fault.kind == Kind::kDraw) {
+      texts.push_back(fmt::format("{} gives {} mA more", name, fault.amount));
+    } else {
+      const bool has_percent = fault.kind == Kind::kWeak || fault.kind == Kind::kNoisy;
+      texts.push_back(fmt::format("{} {}{}", name, kKindNames[static_cast<size_t>(fault.kind)],
+                                  has_percent ? fmt::format(" {}%", fault.amount) : ""));
+    }
+  }
+  return texts;
+}
+
+void Faults::HashState(Hasher* hasher) const {
+  for (const auto& [place, fault] : faults_) {
+    hasher->Add(place.part);
+    hasher->Add(place.number);
+    hasher->Add(fault.kind);
+    hasher->Add(fault.amount);
+    hasher->Add(fault.frames.value_or(-1));
+    int joint = -1;
+    if (place.part == Part::kMotor) joint = place.number;
+    if (place.part == Part::kSensor)
+      joint = robot_.model.sensors[static_cast<size_t>(place.number)].joint;
+    const JointTrouble* const trouble = joint < 0 ? nullptr : robot_.devices.TroubleOf(joint);
+    if (trouble == nullptr) continue;
+    hasher->Add(trouble->jammed_rad.value_or(0));
+    hasher->Add(trouble->sensed_rad.value_or(0));
+    hasher->Add(trouble->sensor_error_rad);
+  }
+}
+
+}  // namespace openr_host

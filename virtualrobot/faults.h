@@ -1,0 +1,76 @@
+// Faults of a robot: joints that are jammed, weak or without power, sensors that are stuck, noisy
+// or dead, heat, and a current that something else draws from the battery.
+//
+// Faults are inputs (runtime/core/inputs.h), such as "break LF_j1 weak 30% for 2s".  A fault lasts
+// for its duration, or until it is repaired.  docs/inputs.md describes the inputs.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "runtime/core/inputs.h"
+
+namespace openr_host {
+
+class Hasher;
+struct RobotParts;
+struct RobotModel;
+
+class Faults {
+ public:
+  // `robot` must outlive the faults.
+  explicit Faults(RobotParts* robot) : robot_(*robot) {}
+
+  // Adds the inputs of this robot to its system.
+  void AddVerbs();
+
+  // Ends the faults that are over, and sets the errors of noisy joints.  Called before the body
+  // moves and its sensors are sampled.
+  void DoFrame();
+
+  // Returns the faults that are present, a text for each, such as "LF_j1 weak 30%".
+  std::vector<std::string> Present() const;
+
+  void HashState(Hasher* hasher) const;
+
+ private:
+  // A joint can have one of the first three kinds of faults and, at its sensor, one of the next
+  // three.  The last two are of the body, the battery and its supply.
+  enum class Kind { kJammed, kWeak, kUnpowered, kStuck, kNoisy, kDead, kHot, kDraw };
+  enum class Part { kMotor, kSensor, kBody, kBattery, kSupply };
+  // The part that has a fault.  `number` is that of the joint or the sensor.
+  struct Place {
+    Part part;
+    int number = 0;
+    auto operator<=>(const Place&) const = default;
+  };
+  struct Fault {
+    Kind kind;
+    int amount = 0;                 // percent, degrees Celsius or mA
+    std::optional<int64_t> frames;  // number of frames that are left; without: until a repair
+  };
+
+  // Read the text after a verb, as Inputs::Verb::read does.
+  std::string ReadBreak(std::string_view rest, Inputs::Action* action);
+  std::string ReadHeat(std::string_view rest, Inputs::Action* action);
+  std::string ReadDraw(std::string_view rest, Inputs::Action* action);
+  std::string ReadRepair(std::string_view rest, Inputs::Action* action);
+
+  // Finds the sensors, also those of joints, that `name` names.  Returns "" or the error.
+  std::string FindParts(const std::string& name, std::vector<int>* sensors) const;
+  // Returns the place of a fault of this kind, at the part with this sensor.  nullopt: the part is
+  // no joint and cannot have the fault.
+  std::optional<Place> PlaceOf(Kind kind, int sensor) const;
+  void Begin(const Place& place, const Fault& fault);
+  void End(const Place& place);
+  std::string NameOf(const Place& place) const;
+
+  RobotParts& robot_;
+  std::map<Place, Fault> faults_;
+};
+
+}  // namespace openr_host

@@ -1,0 +1,20 @@
+// Reads the words of inputs (runtime/core/inputs.h): numbers, percentages and durations.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace openr_host {
+
+// Read a number, or a percentage such as "30%" from 0% to 100%.  Return "" or the error.
+std::string ReadNumber(std::string_view text, double* number);
+std::string ReadPercent(std::string_view text, int* percent);
+
+// Removes "for DURATION" from the end of `words`, if it is there, and sets `frames` to the duration
+// in frames, at least one.  Returns "" or the error.
+std::string TakeFor(std::vector<std::string>* words, std::optional<int64_t>* frames);
+
+}  // namespace openr_host
