@@ -81,17 +81,22 @@ double EnterThing(const WorldThing& thing, const Vector3d& p_W, const Vector3d& 
 
 }  // namespace
 
+void MeetThings(const std::vector<WorldThing>& things, const Vector3d& p_W,
+                const Vector3d& direction_W, RayHit* hit) {
+  for (const WorldThing& thing : things) {
+    if (!thing.is_solid) continue;
+    const double distance_m = EnterThing(thing, p_W, direction_W);
+    if (distance_m < hit->distance_m) *hit = {distance_m, thing.reflectance};
+  }
+}
+
 RayHit CastRay(const World& world, const std::vector<WorldThing>& things, const Vector3d& p_W,
                const Vector3d& direction_W, double max_m) {
   if (p_W.z() <= 0) return {0, world.floor_reflectance};
   RayHit hit{max_m, 1};
-  const auto meet = [&hit](double distance_m, double reflectance) {
-    if (distance_m < hit.distance_m) hit = {distance_m, reflectance};
-  };
-  if (direction_W.z() < 0) meet(-p_W.z() / direction_W.z(), world.floor_reflectance);
-  for (const WorldThing& thing : things) {
-    if (thing.is_solid) meet(EnterThing(thing, p_W, direction_W), thing.reflectance);
-  }
+  if (direction_W.z() < 0 && -p_W.z() / direction_W.z() < max_m)
+    hit = {-p_W.z() / direction_W.z(), world.floor_reflectance};
+  MeetThings(things, p_W, direction_W, &hit);
   return hit;
 }
 

@@ -71,6 +71,11 @@ struct RayHit {
   double reflectance = 1;
 };
 
+// Shortens the way of `hit`, which a ray from `p_W` along the unit vector `direction_W` has gone,
+// to the first solid one of `things`.
+void MeetThings(const std::vector<WorldThing>& things, const Eigen::Vector3d& p_W,
+                const Eigen::Vector3d& direction_W, RayHit* hit);
+
 // Follows a ray from `p_W` along the unit vector `direction_W` to the floor or the first solid one
 // of `things`.  The distance is `max_m` when nothing is nearer, and 0 when `p_W` is inside a thing
 // or below the floor.

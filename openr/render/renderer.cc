@@ -18,8 +18,6 @@ constexpr int kOversample = 3;  // drawn pixels per pixel of the picture, in eac
 constexpr int kEdgeSteps = 8;   // segments of a quarter circle at the edges of shapes
 constexpr int kCylinderSides = 48;
 constexpr int kShadowPixels = 2048;
-constexpr double kShadowHalfM = 0.40;  // distance from the camera's target up to which shadows are
-                                       // drawn
 constexpr double kFloorHalfM = 6;
 const Eigen::Vector3f kBackground(0.93f, 0.94f, 0.95f);
 const Eigen::Vector3d kToSun = Eigen::Vector3d(0.35, -0.55, 1.0).normalized();
@@ -149,8 +147,9 @@ std::vector<uint8_t> Draw(const Scene& scene, int width_px, int height_px) {
   const DepthTarget sun_depth(kShadowPixels), sky_depth(kShadowPixels);
   const Camera& camera = scene.camera;
   const std::vector<Item> items = MakeItems(scene);
-  const Eigen::Matrix4f sun = LightMatrix(camera.target_W, kToSun, kShadowHalfM);
-  const Eigen::Matrix4f sky = LightMatrix(camera.target_W, Eigen::Vector3d::UnitZ(), kShadowHalfM);
+  const Eigen::Matrix4f sun = LightMatrix(camera.target_W, kToSun, camera.shadow_reach_m);
+  const Eigen::Matrix4f sky =
+      LightMatrix(camera.target_W, Eigen::Vector3d::UnitZ(), camera.shadow_reach_m);
 
   glEnable(GL_DEPTH_TEST);
   glEnableClientState(GL_VERTEX_ARRAY);
@@ -179,6 +178,7 @@ std::vector<uint8_t> Draw(const Scene& scene, int width_px, int height_px) {
   program.Set("centre", Eigen::Vector3f(camera.target_W.cast<float>()));
   program.Set("to_sun", Eigen::Vector3f(kToSun.cast<float>()));
   program.Set("background", kBackground);
+  program.Set("softness", static_cast<float>(Camera().shadow_reach_m / camera.shadow_reach_m));
   program.Set("reach", static_cast<float>(3 * (camera.p_W - camera.target_W).norm()));
   DrawFloor(program, scene);
   for (const Item& item : items) {

@@ -63,6 +63,7 @@ render::Camera CameraOverWorld(const std::vector<RobotLook>& looks, const World&
   camera.target_W = Eigen::Vector3d(seen.center().x(), seen.center().y(), 0);
   // The picture is wider than high, so the way along y decides as much as that along x.
   const double reach_m = std::max(seen.sizes().x() * 9 / 16, seen.sizes().y()) / 2;
+  camera.shadow_reach_m = seen.sizes().maxCoeff() / 2 + kRobot_m;
   camera.p_W =
       camera.target_W + Eigen::Vector3d(0, -0.75, 0.8).normalized() * (1.25 * reach_m / 0.25 + 0.2);
   return camera;

@@ -34,6 +34,7 @@ struct Camera {
   Eigen::Vector3d up{0, 0, 1};  // direction that is up in the picture; must not be parallel to the
                                 // line of sight
   double fov_rad = 0.5;         // angle of view from the bottom to the top of the picture
+  double shadow_reach_m = 0.4;  // distance from `target_W` up to which there are shadows
 };
 
 struct Scene {

@@ -44,6 +44,7 @@ uniform vec3 colour;
 uniform vec3 background;
 uniform vec3 centre;
 uniform float gloss;
+uniform float softness;  // factor of the softness of shadows
 uniform float glow;
 uniform float grid;   // distance of the lines on the floor; 0: not the floor
 uniform float reach;  // distance at which the floor has faded away
@@ -53,14 +54,16 @@ varying vec3 in_sun;
 varying vec3 in_sky;
 
 // Returns the lit share of `samples` points in a disc.  Neighbouring pixels turn the disc by
-// different angles; averaging pixels smooths the result.
+// different angles; averaging pixels smooths the result.  All is lit outside the depth picture.
 float Lit(sampler2DShadow depth, vec3 at, float radius, float samples) {
   float turn = 6.2831853 * fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
   float lit = 0.0;
   for (float i = 0.5; i < samples; i += 1.0) {
     float angle = turn + 2.3999632 * i;
     float r = radius * sqrt(i / samples);
-    lit += shadow2D(depth, vec3(at.xy + r * vec2(cos(angle), sin(angle)), at.z)).r;
+    vec2 p = at.xy + r * vec2(cos(angle), sin(angle));
+    bool is_outside = any(lessThan(p, vec2(0.0))) || any(greaterThan(p, vec2(1.0)));
+    lit += is_outside ? 1.0 : shadow2D(depth, vec3(p, at.z)).r;
   }
   return lit / samples;
 }
@@ -84,8 +87,8 @@ void main() {
     fade = smoothstep(0.25 * reach, reach, length(place.xy - centre.xy));
   }
   float facing = max(dot(n, to_sun), 0.0);
-  float sun = facing > 0.0 ? facing * Lit(sun_depth, in_sun, 0.006, 24.0) : 0.0;
-  float open = Lit(sky_depth, in_sky, grid > 0.0 ? 0.030 : 0.012, 32.0);
+  float sun = facing > 0.0 ? facing * Lit(sun_depth, in_sun, 0.006 * softness, 24.0) : 0.0;
+  float open = Lit(sky_depth, in_sky, softness * (grid > 0.0 ? 0.030 : 0.012), 32.0);
   float sky = (0.55 + 0.45 * n.z) * mix(0.45, 1.0, open);
   vec3 light = sun * vec3(1.02, 0.98, 0.90) + sky * vec3(0.40, 0.43, 0.48) +
                0.10 * max(-n.z, 0.0) * vec3(1.0, 0.95, 0.9);

@@ -5,7 +5,9 @@
 namespace openr_host::render {
 namespace {
 
-constexpr double kNearM = 0.02;
+// Nearest distance that is drawn: a share of the distance of the target, so that the depths of a
+// wide view differ enough to tell paint from the floor.
+constexpr double kNearShare = 0.02;
 constexpr double kFarM = 30;
 
 // Returns the matrix that puts `eye` at the origin and `target` on the negative z axis.  x is to
@@ -26,12 +28,13 @@ Eigen::Matrix4d LookAt(const Eigen::Vector3d& eye, const Eigen::Vector3d& target
 }  // namespace
 
 Eigen::Matrix4f CameraMatrix(const Camera& camera, double aspect) {
+  const double near_m = kNearShare * (camera.p_W - camera.target_W).norm();
   const double f = 1 / std::tan(camera.fov_rad / 2);
   Eigen::Matrix4d lens = Eigen::Matrix4d::Zero();
   lens(0, 0) = f / aspect;
   lens(1, 1) = f;
-  lens(2, 2) = (kFarM + kNearM) / (kNearM - kFarM);
-  lens(2, 3) = 2 * kFarM * kNearM / (kNearM - kFarM);
+  lens(2, 2) = (kFarM + near_m) / (near_m - kFarM);
+  lens(2, 3) = 2 * kFarM * near_m / (near_m - kFarM);
   lens(3, 2) = -1;
   return (lens * LookAt(camera.p_W, camera.target_W, camera.up)).cast<float>();
 }

@@ -37,7 +37,7 @@ TEST(PictureRequestTest, TheEndOfTheRunHasAName) { EXPECT_EQ(Parsed("t=end").tim
 
 TEST(PictureRequestTest, AnUnknownViewListsTheOnesThereAre) {
   EXPECT_EQ(Refusal("view=left"),
-            "unknown view 'left'; there are side, front, top, iso, follow, camera");
+            "unknown view 'left'; there are side, front, top, iso, follow, world, camera");
 }
 
 TEST(PictureRequestTest, SizesThatMakeNoPictureAreRefused) {

@@ -26,6 +26,9 @@ constexpr double kHandTime_s = 0.05;
 constexpr double kHandSpeed_m_s = 0.5, kHandTurn_rad_s = 2;
 constexpr double kHandForce_n = 60, kHandTorque_nm = 5;
 
+// No part of a robot is further than this from the origin of its base.
+constexpr double kReach_m = 0.6;
+
 // Returns how a robot lies asleep at the place `start`.
 RestingPose StartPose(const RobotModel& model, const StartPlace& start) {
   RestingPose pose = PlaceOnFloor(model, model.PostureAngles("sleep"));
@@ -174,9 +177,18 @@ std::vector<Isometry3d> OdeBody::BodyPoses() const {
 }
 
 RayHit OdeBody::CastRay(const Vector3d& p_W, const Vector3d& direction_W, double max_m) const {
-  if (world_->robots().size() == 1)
-    return openr_host::CastRay(world(), world_->things(), p_W, direction_W, max_m);
-  return openr_host::CastRay(world(), Surroundings(), p_W, direction_W, max_m);
+  RayHit hit = openr_host::CastRay(world(), world_->things(), p_W, direction_W, max_m);
+  for (const OdeBody* const robot : world_->robots()) {
+    if (robot == this) continue;
+    // Because most robots are not in the way of the ray, a ball around each one is tested first.
+    const Vector3d to_robot = robot->state_.X_WB.translation() - p_W;
+    const double along_m = std::clamp(to_robot.dot(direction_W), 0.0, hit.distance_m);
+    if ((to_robot - along_m * direction_W).norm() > kReach_m) continue;
+    MeetThings(
+        ThingsOfRobot(robot->model_, robot->BodyPoses(), std::vector<bool>(robot->bodies_.size())),
+        p_W, direction_W, &hit);
+  }
+  return hit;
 }
 
 std::vector<WorldThing> OdeBody::Surroundings() const {

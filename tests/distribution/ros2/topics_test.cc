@@ -70,7 +70,7 @@ TEST(Ros2TopicsTest, TheTopicsShowAStandingDog) {
 }
 
 TEST(Ros2TopicsTest, TheCameraShowsItsPictureAtItsRate) {
-  const Ros2Run run({}, "1");
+  const Ros2Run run({"--images", "pattern"}, "1");
   const std::vector<json> images = run.peer().Read("sensor_msgs/Image", "rt/aibo/image_raw", 5);
   ASSERT_EQ(images.size(), 5u);
   int64_t before_us = 0;
