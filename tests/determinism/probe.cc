@@ -3,6 +3,9 @@
 // build.
 //
 //   hash_probe BODY SECONDS SEED STICK     prints state hash and trace hash
+//   hash_probe field SECONDS SEED STICK    the same for eight dogs together on the field of 2004,
+//   and
+//                                          the hash of what their cameras see at the end
 //   hash_probe picture WORLD PLACE STICK   prints the hash of what a camera sees of a world, a file
 //                                          of this repository (picture_hash.h)
 #include <fmt/format.h>
@@ -14,6 +17,22 @@
 
 #include "openr/simulation/simulation.h"
 #include "tests/determinism/picture_hash.h"
+
+namespace {
+
+// Returns the hash of what the cameras of all robots see.
+uint64_t HashOfCameras(const openr_host::Simulation& simulation) {
+  openr_host::Hasher hasher;
+  for (openr_host::VirtualRobot* const robot : simulation.robots()) {
+    openr_host::Picture picture;
+    const std::string problem = robot->TakePicture(&picture);
+    if (!problem.empty()) throw std::runtime_error(problem);
+    hasher.AddBytes(picture.rgb.data(), picture.rgb.size());
+  }
+  return hasher.Digest();
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   if (argc != 5) {
@@ -27,7 +46,14 @@ int main(int argc, char** argv) {
       return 0;
     }
     openr_host::SimulationOptions options;
-    options.body = argv[1];
+    const bool is_field = std::string_view(argv[1]) == "field";
+    if (is_field) {
+      options.world = OPENR_SOURCE_DIR "/virtualrobot/worlds/field-2004.json";
+      options.robots = 8;
+      options.together = true;
+    } else {
+      options.body = argv[1];
+    }
     options.seed = std::strtoull(argv[3], nullptr, 10);
     options.stick = argv[4];
     options.writable_stick = false;
@@ -37,7 +63,9 @@ int main(int argc, char** argv) {
     openr_host::System& system = simulation.system();
     system.Boot();
     system.RunFor(std::strtoll(argv[2], nullptr, 10) * 1'000'000);
-    fmt::print("{:016x} {:016x}\n", system.state_hash(), system.trace_hash());
+    fmt::print("{:016x} {:016x}", system.state_hash(), system.trace_hash());
+    if (is_field) fmt::print(" {:016x}", HashOfCameras(simulation));
+    fmt::print("\n");
     return 0;
   } catch (const std::exception& error) {
     fmt::print(stderr, "hash_probe: {}\n", error.what());
