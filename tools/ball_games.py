@@ -2,6 +2,7 @@
 """Lets examples/BallChaser play, and prints how often it reaches the ball and scores.
 
     ball_games.py --build DIR [--games reach,score,match] [--seeds N] [--matches N] [--jobs N]
+    ball_games.py --build DIR --pictures FOLDER
 
 reach: the ball lies 1 m from the dog, anywhere in front of it; 30 s.
 score: the ball lies 1 m from the goal; 90 s.
@@ -11,6 +12,9 @@ All happens on the field of 2004, with physics, the camera that draws the world,
 servo.  The seed decides where the ball lies, and in matches the dogs.  The exit status is 1 unless
 reach succeeds in 18 of 20 games, score in 12 of 20 and match in 5 of 10, or as large a share of
 fewer.  A game ends with its time, so a ball counts as scored if it is in the goal then.
+
+With --pictures, the program writes pictures of the first match to the folder: match.png, and
+robots-view.png, which is what a dog sees.
 """
 import argparse
 import concurrent.futures
@@ -74,18 +78,23 @@ def make_stick(openr, folder, goal):
     return folder / "MS"
 
 
-def play(openr, sticks, game, folder):
-    """Returns the line of the table for a game, and whether it succeeded."""
+def run_game(openr, sticks, game, folder, seconds, flags):
+    """Runs the dogs of a game, with these flags more, and returns the finished process."""
     world = folder / f"{game.kind}-{game.seed}.json"
     world.write_text(json.dumps(game.world()))
-    flags = ["--stick", str(sticks[0])]
+    flags = ["--stick", str(sticks[0]), *flags]
     if len(game.starts) > 1:
         flags += ["--stick", str(sticks[0]), "--stick", str(sticks[1]), "--stick", str(sticks[1]),
                   "--robots", str(len(game.starts)), "--together"]
-    run = subprocess.run(
+    return subprocess.run(
         [openr, "run", *flags, "--world", str(world), "--seed", str(game.seed), "--for",
-         f"{game.seconds}s", "--rate", "max", "--no-panel", "--rc-port", "0", "--json"],
+         f"{seconds}s", "--rate", "max", "--no-panel", "--rc-port", "0", "--json"],
         capture_output=True, text=True)
+
+
+def play(openr, sticks, game, folder):
+    """Returns the line of the table for a game, and whether it succeeded."""
+    run = run_game(openr, sticks, game, folder, game.seconds, [])
     if run.returncode not in (0, 1) or not run.stdout:
         raise RuntimeError(f"{game.kind} {game.seed}: {run.stderr}")
     report = json.loads(run.stdout)
@@ -100,6 +109,15 @@ def play(openr, sticks, game, folder):
     return line + "".join(f"\n    {error}" for error in errors), good
 
 
+def take_pictures(openr, sticks, folder, to):
+    seconds = 12  # all dogs are at the ball
+    flags = ["--snapshot", "view=iso,size=960x540", "-o", str(to / "match.png"),
+             "--snapshot", "view=camera", "-o", str(to / "robots-view.png")]
+    run = run_game(openr, sticks, Game("match", 1), folder, seconds, flags)
+    if run.returncode != 0:
+        raise RuntimeError(run.stderr)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -108,12 +126,16 @@ def main():
     parser.add_argument("--seeds", type=int, default=20)
     parser.add_argument("--matches", type=int, default=10)
     parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--pictures", type=pathlib.Path)
     arguments = parser.parse_args()
     openr = str((arguments.build / "bin/openr").resolve())
     failed = 0
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         sticks = [make_stick(openr, folder / goal, goal) for goal in ("SKY-BLUE", "YELLOW")]
+        if arguments.pictures:
+            take_pictures(openr, sticks, folder, arguments.pictures)
+            return 0
         for kind in arguments.games.split(","):
             count = arguments.matches if kind == "match" else arguments.seeds
             games = [Game(kind, seed) for seed in range(1, count + 1)]
