@@ -3,8 +3,7 @@
 namespace openr_host {
 
 std::vector<WorldThing> Body::MovableThings() const {
-  std::vector<WorldThing> things = Surroundings();
-  things.resize(world().things.size());  // leaves out the parts of other robots
+  std::vector<WorldThing> things = world().things;
   std::erase_if(things, [](const WorldThing& thing) { return thing.mass_kg == 0; });
   return things;
 }

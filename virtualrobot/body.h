@@ -112,7 +112,7 @@ class Body {
   virtual std::vector<WorldThing> Surroundings() const { return world().things; }
 
   // Returns the things of the world that can move, in their present places.
-  std::vector<WorldThing> MovableThings() const;
+  virtual std::vector<WorldThing> MovableThings() const;
 
   // Puts the movable thing `thing`, an index of World::things, at rest at `centre_m`.  Returns
   // false when this body, or the thing, cannot move it.

@@ -33,7 +33,6 @@ Energy::Energy(const RobotModel& model) {
 
 void Energy::NoteMotors(const BodyState& state, const Devices& devices) {
   current_ma_ = kElectronicsMa;
-  motor_heat_w_ = 0;
   for (size_t j = 0; j < motors_.size(); ++j) {
     const JointState& joint = state.joints[j];
     if (joint.drive == 0) continue;
@@ -48,9 +47,10 @@ void Energy::NoteMotors(const BodyState& state, const Devices& devices) {
   }
 }
 
-void Energy::NoteFrame(const Body& body, const Devices& devices, bool charging) {
-  current_ma_ = kUsualMa;
-  if (body.IsPhysical()) NoteMotors(body.state(), devices);
+void Energy::NoteFrame(const Body& body, const Devices& devices, bool charging, bool is_on) {
+  current_ma_ = is_on ? kUsualMa : 0;
+  motor_heat_w_ = 0;
+  if (is_on && body.IsPhysical()) NoteMotors(body.state(), devices);
   current_ma_ += extra_ma_;
   mean_ma_ += kMeanShare * (current_ma_ - mean_ma_);
   // The heat of a battery grows with the square of its current.  A battery that gives kUsualMa or
@@ -76,11 +76,13 @@ void Energy::Keep(WarmThing thing, std::optional<int> celsius) {
   if (celsius) warmth.above_rest_k = *celsius - kRestC;
 }
 
-// Adds nothing for a robot at rest: the heat of the first seconds shows in no sensor.
+// Adds only what differs from the beginning, so that a robot without physics, which draws the usual
+// current, adds nothing.
 void Energy::HashState(Hasher* hasher) const {
+  if (mean_ma_ != kUsualMa) hasher->Add(mean_ma_);
   for (const WarmThing thing : {WarmThing::kBody, WarmThing::kBattery}) {
     const Warmth& warmth = warmth_[static_cast<size_t>(thing)];
-    if (Celsius(thing) == kRestC && !warmth.kept_c) continue;
+    if (warmth.above_rest_k == 0 && !warmth.kept_c) continue;
     hasher->Add(thing);
     hasher->Add(warmth.above_rest_k);
     hasher->Add(warmth.kept_c.has_value());

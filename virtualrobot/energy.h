@@ -1,11 +1,11 @@
 // The current that a robot draws from its battery, and the heat of its motors and its battery.
 //
 // Each motor is a direct-current motor behind a switch that is on for the share drive / 255 of the
-// time.  A motor at rest draws its stall current times this share twice, because it draws current
-// only while the switch is on.  Body and battery warm up with the power that is lost in motors and
-// battery, and cool down to 30 degrees Celsius with a time constant each.  docs/calibration.md has
-// the reason of every number.  A body without physics has no drives: such a robot draws kUsualMa
-// and stays at 30 degrees.
+// time.  A motor at rest draws its stall current times the square of this share from the battery:
+// its own current is the stall current times the share, and flows only for this share of the time.
+// Body and battery warm up with the power that is lost in motors and battery, and cool down to 30
+// degrees Celsius with a time constant each.  docs/calibration.md has the reason of every number.
+// A body without physics has no drives: such a robot draws kUsualMa and stays at 30 degrees.
 #pragma once
 
 #include <array>
@@ -30,8 +30,9 @@ class Energy {
 
   explicit Energy(const RobotModel& model);
 
-  // Computes current and heat of a frame of 8 ms, after the body has moved.
-  void NoteFrame(const Body& body, const Devices& devices, bool charging);
+  // Computes current and heat of a frame of 8 ms, after the body has moved.  A robot that is off
+  // draws no current.
+  void NoteFrame(const Body& body, const Devices& devices, bool charging, bool is_on);
 
   // Returns the current of the newest frame, in mA.
   int current_ma() const { return static_cast<int>(current_ma_); }

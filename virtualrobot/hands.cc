@@ -256,40 +256,45 @@ std::string Hands::ReadLift(std::string_view rest, Inputs::Action* action) {
   return "";
 }
 
-// Reads the name of a thing, which may have several words, and two or three numbers.
+// Reads the name of a thing, which may have several words and end in a number, and two or three
+// numbers.
 std::string Hands::ReadPut(std::string_view rest, Inputs::Action* action) {
   const std::vector<std::string> words = SplitInput(rest);
-  std::vector<double> numbers;
-  size_t name_words = words.size();
-  for (double number = 0; name_words > 1 && numbers.size() < 3; --name_words) {
-    if (!ReadNumber(words[name_words - 1], &number).empty()) break;
-    numbers.insert(numbers.begin(), number);
-  }
-  if (numbers.size() < 2) return "needs the name of a thing, and x and y in m";
-  const std::string name =
-      fmt::format("{}", fmt::join(words.begin(), words.begin() + name_words, " "));
-  std::vector<std::string> known;
-  for (const WorldThing& thing : robot_.body->MovableThings()) known.push_back(thing.name);
-  if (known.empty()) return "the world has no things that can move";
+  if (words.size() < 3) return "needs the name of a thing, and x and y in m";
   const std::vector<WorldThing>& things = robot_.body->world().things;
-  const auto thing = std::find_if(things.begin(), things.end(), [&name](const WorldThing& each) {
-    return each.name == name && each.mass_kg > 0;
-  });
-  if (thing == things.end()) {
-    return fmt::format("the world has no movable thing '{}'{}; it has {}", name,
-                       DidYouMean(name, known), fmt::join(known, ", "));
-  }
+  const auto named = [&](size_t count) {
+    const std::string name =
+        fmt::format("{}", fmt::join(words.begin(), words.begin() + count, " "));
+    return std::find_if(things.begin(), things.end(), [&name](const WorldThing& each) {
+      return each.name == name && each.mass_kg > 0;
+    });
+  };
+  size_t name_words = words.size() - 2;
+  auto thing = named(name_words);
+  if (thing == things.end() && words.size() > 3) thing = named(--name_words);
+  if (thing == things.end()) return WhyNothingMoves(rest);
   if (!robot_.body->IsPhysical()) return "things stay where they are with --body ideal";
-  for (const double number : numbers) {
-    if (std::fabs(number) > kPutMax_m)
-      return fmt::format("{} m is too far away, at most {} m", number, kPutMax_m);
+  Vector3d place(0, 0, thing->centre_m.z());
+  for (size_t i = 0; i < words.size() - name_words; ++i) {
+    if (std::string problem = ReadNumber(words[name_words + i], &place[i]); !problem.empty())
+      return problem;
+    if (std::fabs(place[i]) > kPutMax_m)
+      return fmt::format("{} m is too far away, at most {} m", place[i], kPutMax_m);
   }
-  const double height_m = numbers.size() == 3 ? numbers[2] : thing->centre_m.z();
-  *action = [this, index = static_cast<size_t>(thing - things.begin()),
-             place = Vector3d(numbers[0], numbers[1], height_m)] {
+  *action = [this, index = static_cast<size_t>(thing - things.begin()), place] {
     robot_.body->PutThing(index, place);
   };
   return "";
+}
+
+// Returns why no thing can be put as `rest` says.
+std::string Hands::WhyNothingMoves(std::string_view rest) const {
+  std::vector<std::string> known;
+  for (const WorldThing& thing : robot_.body->MovableThings()) known.push_back(thing.name);
+  if (known.empty()) return "the world has no things that can move";
+  const std::string name(rest.substr(0, rest.find(' ')));
+  return fmt::format("the world has no movable thing '{}'{}; it has {}", name,
+                     DidYouMean(name, known), fmt::join(known, ", "));
 }
 
 std::string Hands::ReadBattery(std::string_view rest, Inputs::Action* action) {

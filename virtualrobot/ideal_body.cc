@@ -96,6 +96,9 @@ Isometry3d IdealBody::PoseOf(size_t part) const {
 
 void IdealBody::HashState(Hasher* hasher) const {
   HashWorld(world_, hasher);
+  for (const double place : {start_.x_m, start_.y_m, start_.yaw_rad}) {
+    if (place != 0) hasher->Add(place);
+  }
   for (const JointState& joint : state_.joints) {  // everything else follows from the angles
     hasher->Add(joint.angle_rad);
     hasher->Add(joint.speed_rad_s);

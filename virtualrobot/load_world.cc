@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <set>
 #include <utility>
 
 #include "runtime/base/read_file.h"
@@ -27,6 +28,8 @@ constexpr int kGridMax = 64;
 // Largest size of a thing, and largest distance of its centre from the origin along an axis.
 constexpr double kPlaceMax_m = 1000;
 constexpr double kAngleMax_deg = 360;
+// Limits of things that can move.
+constexpr double kMassMin_kg = 0.001, kMassMax_kg = 1000, kMovableMin_m = 0.005;
 // Greatest height of paint over the floor, and of its middle.
 constexpr double kPaintMax_m = 0.01;
 // Thickness of a ramp, which is a board: more than a falling part moves in a frame.
@@ -66,12 +69,26 @@ Vector3d ColourOf(const JsonReader& value) {
   return colour;
 }
 
+// Reads the mass of a thing that can be moved.  Refuses what is so light or so thin that its
+// inertia would be as good as nothing.
+void ReadMass(const JsonReader& row, WorldThing* thing) {
+  thing->mass_kg = row.At("mass_kg").Number();
+  if (!(thing->mass_kg >= kMassMin_kg && thing->mass_kg <= kMassMax_kg)) {
+    row.At("mass_kg").Fail("is {}, must be {} to {}", thing->mass_kg, kMassMin_kg, kMassMax_kg);
+  }
+  if (!(thing->size_m.minCoeff() >= kMovableMin_m)) {
+    row.At("mass_kg").Fail("belongs to '{}', which is {} m thin; what moves must have {} m",
+                           thing->name, thing->size_m.minCoeff(), kMovableMin_m);
+  }
+}
+
 // Reads what a thing that can be moved or painted has: its mass, or that it is not solid.
 void ReadMatter(const JsonReader& row, WorldThing* thing) {
-  if (row.Has("mass_kg")) thing->mass_kg = row.At("mass_kg").NumberAbove(0);
-  if (!row.Has("solid")) return;
-  thing->is_solid = row.At("solid").Truth();
-  if (thing->is_solid) return;
+  if (row.Has("solid")) thing->is_solid = row.At("solid").Truth();
+  if (thing->is_solid) {
+    if (row.Has("mass_kg")) ReadMass(row, thing);
+    return;
+  }
   for (const char* const field : {"mass_kg", "rpy_deg"}) {
     if (row.Has(field))
       row.At(field).Fail("'{}' is paint on the floor, which has none", thing->name);
@@ -287,6 +304,11 @@ void ReadThings(const JsonReader& list, std::vector<WorldThing>* things) {
   if (things->size() > kThingsMax) {
     list.Fail("are {} things, with each step of stairs as one; at most {}", things->size(),
               kThingsMax);
+  }
+  std::set<std::string> names;
+  for (const WorldThing& thing : *things) {
+    if (thing.mass_kg > 0 && !names.insert(thing.name).second)
+      list.Fail("has two things '{}' that can move; each needs a name of its own", thing.name);
   }
 }
 

@@ -141,7 +141,7 @@ bool Power::Unobserve(const OServiceEntry& entry) {
 
 void Power::SetLoad(const Load& load) {
   load_ = load;
-  if (!charging_) extra_ma_us_ += int64_t{load.current_ma - Energy::kUsualMa} * kFrameUs;
+  if (!charging_) extra_ma_us_ += int64_t{load.current_ma - Energy::kUsualMa} * system_->frame_us();
 }
 
 void Power::Update() {
@@ -190,10 +190,7 @@ void Power::HashState(Hasher* hasher) const {
   hasher->Add(volume_);
   hasher->Add(clock_offset_s_);
   hasher->Add(static_cast<uint64_t>(watchers_.size()));
-  // Adds only whole percents, because the battery of a run of some seconds is as good as full.
-  const int64_t extra_us = extra_ma_us_ / Energy::kUsualMa;
-  if (const int64_t percents = extra_us * 100 / Battery::kEmptyUs; percents != 0)
-    hasher->Add(percents);
+  if (extra_ma_us_ != 0) hasher->Add(extra_ma_us_);
   if (capacity_since_us_ == 0 && !charging_) return;
   hasher->Add(battery_.percent);
   hasher->Add(capacity_since_us_);

@@ -21,7 +21,8 @@ const double kJamSpeed_rad_s = Radians(5);
 Protection::Protection(const RobotModel& model) : model_(model) { SwitchOff(); }
 
 void Protection::SwitchOff() {
-  over_current_ = over_temperature_ = false;
+  over_current_ = false;
+  heat_ = Heat::kNone;
   jammed_frames_.assign(model_.protection.jam_frames > 0 ? model_.joints.size() : 0, 0);
 }
 
@@ -56,8 +57,10 @@ std::vector<Protection::Reason> Protection::NoteFrame(const BodyState& body, con
   }
   const int hot_c = charging ? limits.hot_charging_c : limits.hot_c;
   const int battery_c = energy.Celsius(WarmThing::kBattery);
-  const bool over_temperature = hot_c > 0 && battery_c >= hot_c;
-  if (std::exchange(over_temperature_, over_temperature) != over_temperature && over_temperature) {
+  const Heat heat = hot_c == 0 || battery_c < hot_c ? Heat::kNone
+                    : charging                      ? Heat::kCharging
+                                                    : Heat::kDischarging;
+  if (std::exchange(heat_, heat) != heat && heat != Heat::kNone) {
     reasons.push_back(
         {fmt::format("BATTERY_OVER_TEMP_{}: the battery has {} degrees Celsius, its limit is {}; "
                      "the robot shuts down",
@@ -69,7 +72,7 @@ std::vector<Protection::Reason> Protection::NoteFrame(const BodyState& body, con
 
 void Protection::HashState(Hasher* hasher) const {
   if (over_current_) hasher->Add(over_current_);
-  if (over_temperature_) hasher->Add(over_temperature_);
+  if (heat_ != Heat::kNone) hasher->Add(heat_);
   for (size_t j = 0; j < jammed_frames_.size(); ++j) {
     if (jammed_frames_[j] == 0) continue;
     hasher->Add(static_cast<uint64_t>(j));

@@ -30,7 +30,7 @@ class Protection {
 
   // Return whether the limit is passed now.
   bool over_current() const { return over_current_; }
-  bool over_temperature() const { return over_temperature_; }
+  bool over_temperature() const { return heat_ != Heat::kNone; }
 
   // Forgets all observations, because the robot is switched off.
   void SwitchOff();
@@ -41,7 +41,11 @@ class Protection {
   void FindJam(const BodyState& body, std::vector<Reason>* reasons);
 
   const RobotModel& model_;
-  bool over_current_ = false, over_temperature_ = false;
+  // Over which limit of temperature the battery is.
+  enum class Heat { kNone, kDischarging, kCharging };
+
+  bool over_current_ = false;
+  Heat heat_ = Heat::kNone;
   std::vector<int> jammed_frames_;  // [joint]; empty for a model without detection of jams
 };
 

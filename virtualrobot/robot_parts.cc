@@ -71,10 +71,11 @@ void RobotParts::SwitchOff() {
   first_frame = frame = 0;
 }
 
-std::vector<Protection::Reason> RobotParts::NoteFrame() {
-  energy.NoteFrame(*body, devices, power.charging());
+std::vector<Protection::Reason> RobotParts::NoteFrame(bool is_on) {
+  energy.NoteFrame(*body, devices, power.charging(), is_on);
   sensors.set_body_c(energy.Celsius(WarmThing::kBody));
-  auto reasons = protection.NoteFrame(body->state(), energy, power.charging());
+  std::vector<Protection::Reason> reasons;
+  if (is_on) reasons = protection.NoteFrame(body->state(), energy, power.charging());
   power.SetLoad({energy.current_ma(), energy.Celsius(WarmThing::kBattery),
                  protection.over_current(), protection.over_temperature()});
   return reasons;

@@ -63,8 +63,8 @@ struct RobotParts {
   void SwitchOff();
 
   // Warms the robot up and drains its battery, after the body has moved for a frame of 8 ms.
-  // Returns the reasons for which the robot now protects itself.
-  std::vector<Protection::Reason> NoteFrame();
+  // Returns the reasons for which the robot now protects itself; none while it is off.
+  std::vector<Protection::Reason> NoteFrame(bool is_on);
 
   // Makes the noise of the sensors start again from `seed`.
   void Reseed(uint64_t seed);

@@ -261,8 +261,7 @@ void SensorSource::HashState(Hasher* hasher) const {
     hasher->Add(static_cast<uint64_t>(i));
     hasher->Add(*held_[i]);
   }
-  if (faults_.empty()) return;
-  fault_noise_.HashState(hasher);
+  if (is_fault_noise_used_) fault_noise_.HashState(hasher);
   for (const auto& [sensor, fault] : faults_) {
     hasher->Add(sensor);
     hasher->Add(fault.kind);

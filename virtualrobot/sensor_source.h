@@ -79,7 +79,10 @@ class SensorSource {
   void Repair(int sensor);
 
   // Returns a random number from -1 to 1, for the error of a noisy sensor.
-  double FaultNoise() { return 2.0 * fault_noise_.NextDouble() - 1.0; }
+  double FaultNoise() {
+    is_fault_noise_used_ = true;
+    return 2.0 * fault_noise_.NextDouble() - 1.0;
+  }
 
   // Gives up the samples that wait for their vector, and the regions of all vectors.  REQUIRES: the
   // object that sends the vectors is the current object.
@@ -108,6 +111,7 @@ class SensorSource {
   const RobotModel& model_;
   const PrimitiveTable& primitives_;
   Rng noise_, fault_noise_;
+  bool is_fault_noise_used_ = false;  // fault_noise_ is no longer as it was made
   std::vector<OSensorValue> latest_;
   std::vector<JointReading> readings_;          // [joint]
   std::vector<std::optional<slongword>> held_;  // [sensor]: see Hold()

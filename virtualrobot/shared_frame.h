@@ -23,7 +23,7 @@ class SharedFrame {
 
  private:
   std::vector<RobotParts*> robots_;
-  int64_t ended_us_ = -1;  // virtual time of the last frame that End() has ended
+  int64_t ended_frame_ = -1;  // number of the last frame that End() has ended, from the run's begin
 };
 
 }  // namespace openr_host

@@ -276,7 +276,7 @@ void VirtualRobot::SwitchOff() { parts_.SwitchOff(); }
 
 void VirtualRobot::RunFrameWhileOff() {
   parts_.shared_frame->End(parts_.system.now_us());
-  parts_.NoteFrame();
+  parts_.NoteFrame(false);
 }
 
 void VirtualRobot::Reseed(uint64_t seed) { parts_.Reseed(seed); }

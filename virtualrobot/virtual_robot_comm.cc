@@ -58,7 +58,7 @@ void OVirtualRobotComm::Frame() {
   // 1. End the last frame: the body moves for 8 ms under the present set points and the hands of a
   // person, then its sensors are sampled.
   robot_.shared_frame->End(system().now_us());
-  std::vector<Protection::Reason> reasons = robot_.NoteFrame();
+  std::vector<Protection::Reason> reasons = robot_.NoteFrame(true);
   const bool is_vector_complete = robot_.sensors.Sample(robot_.frame, *robot_.body, robot_.devices);
   const int64_t frame = ++robot_.frame;  // number of the frame that begins
   robot_.power.Update();

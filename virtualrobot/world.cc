@@ -108,7 +108,9 @@ StartPlace StartOf(const World& world, int robot) {
   }
   if (static_cast<size_t>(robot) >= world.starts.size()) {
     throw std::runtime_error(fmt::format(
-        "the world '{}' has places for {} (starts); robot {} has none", world.name,
+        "the world '{}' has places for {} (starts); robot {} has none; add a place, or take fewer "
+        "robots",
+        world.name,
         world.starts.size() == 1 ? "1 robot" : fmt::format("{} robots", world.starts.size()),
         robot));
   }

@@ -19,8 +19,9 @@ struct HeightGrid;  // height_grid.h
 struct WorldThing {
   std::string name;  // name of the thing in error messages and reports
   ThingShape shape = ThingShape::kBox;
-  // Box: lengths of the edges.  Sphere: three times the diameter.  Cylinder: the diameter twice,
-  // and the length along its own z.  Heightfield: edges of the box that holds it.  Each > 0.
+  // Box: lengths of the edges.  Sphere: x, y and z are all the diameter.  Cylinder: x and y are the
+  // diameter, z is the length along its own z.  Heightfield: edges of the box that holds it.
+  // Each > 0.
   Eigen::Vector3d size_m{0, 0, 0};
   Eigen::Vector3d centre_m{0, 0, 0};                   // in W
   Eigen::Matrix3d R_WT = Eigen::Matrix3d::Identity();  // rotation of the thing
@@ -71,8 +72,8 @@ struct RayHit {
   double reflectance = 1;
 };
 
-// Shortens the way of `hit`, which a ray from `p_W` along the unit vector `direction_W` has gone,
-// to the first solid one of `things`.
+// Sets `hit` to the first solid one of `things` that the ray from `p_W` along the unit vector
+// `direction_W` meets before `hit->distance_m`; leaves `hit` as it is if there is none.
 void MeetThings(const std::vector<WorldThing>& things, const Eigen::Vector3d& p_W,
                 const Eigen::Vector3d& direction_W, RayHit* hit);
 

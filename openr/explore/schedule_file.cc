@@ -32,7 +32,8 @@ std::string DescribeDeviation(const Json& deviation) {
   }
   if (kind == "fault") {
     return fmt::format("{}: robot {} gets the input '{}'", Time(deviation["time_us"]),
-                       deviation["robot"].get<int>(), deviation["line"].get<std::string>());
+                       deviation["robot"].get<int>(),
+                       deviation.value("line", fmt::format("fault {}", nth)));
   }
   const std::string object = deviation["object"].get<std::string>();
   if (kind == "start")

@@ -103,9 +103,10 @@ Replayer::Replayer(const ReplayOptions& replay) : file_(replay.file), reader_(re
   const std::vector<uint64_t>& hashes = reader_.header().more_stick_hashes;
   for (size_t i = 0; i < hashes.size(); ++i) {
     if (system().robot(static_cast<int>(i) + 1).stick_hash == hashes[i]) continue;
-    throw std::runtime_error(
-        fmt::format("{}: was recorded with other files on the stick of robot {} than {} has now",
-                    file_, i + 1, options.more_sticks[i]));
+    throw std::runtime_error(fmt::format(
+        "{}: was recorded with other files on the stick of robot {} than {} has now; put the "
+        "files of then back there",
+        file_, i + 1, options.more_sticks[i]));
   }
   system().trace().AddSink(
       [this](const TraceRecord& record, const Message& message) { Compare(record, message); });

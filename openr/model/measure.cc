@@ -52,7 +52,7 @@ StepResponse MeasureStep(const RobotModel& model, size_t j, double step_deg) {
   robot.mover.commands[j].target_rad = to_rad;
   for (int frame = 1; frame <= FramesIn(kStep_s); ++frame) {
     robot.mover.Frame();
-    robot.energy.NoteFrame(*robot.body, robot.devices, false);
+    robot.energy.NoteFrame(*robot.body, robot.devices, false, true);
     const double angle_rad = robot.body->state().joints[j].angle_rad;
     response.times_ms.push_back(frame * kFrame_s * 1000);
     response.commanded_deg.push_back(response.to_deg);

@@ -63,7 +63,7 @@ std::vector<std::string> SticksOf(const SimulationOptions& options) {
 std::shared_ptr<PhysicsWorld> SharedWorldOf(const SimulationOptions& options, const World& world) {
   if (!options.together) return nullptr;
   if (options.body != "ode")
-    throw std::runtime_error("robots in one world need the body with physics (ode)");
+    throw std::runtime_error("robots in one world need the body with physics; use --body ode");
   return MakePhysicsWorld(world);
 }
 
@@ -178,7 +178,7 @@ std::vector<AddressPair> Simulation::AddressesOf(const SimulationOptions& option
   if (!text) return options.addresses;
   const AddressConfig config = ParseAddressConfig(kAddressFile, *text, model_.design);
   for (const Diagnostic& diagnostic : config.diagnostics) {
-    if (index == 0)  // only once, because all robots have the same stick
+    if (static_cast<size_t>(index) < sticks_.size())  // once for each stick
       system_->AddFindingAbout(nullptr, diagnostic.severity, RenderWithoutKind(diagnostic));
   }
   return MergeAddressPairs(options.addresses, config.pairs);

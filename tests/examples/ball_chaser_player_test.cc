@@ -6,11 +6,11 @@
 namespace openr_host {
 namespace {
 
-constexpr GoalSight kNoGoal = {0, 0, 0};
+constexpr GoalSight kNoGoal = {0, 0, 0, 0};
 
 Sight SightOf(double x, double y, const GoalSight& sky_blue = kNoGoal) {
   Sight sight{};
-  sight.ball = {1, x, y};
+  sight.ball = {1, 0, x, y};
   sight.goal[SKY_BLUE_GOAL] = sky_blue;
   return sight;
 }
@@ -53,7 +53,7 @@ TEST_F(BallChaserPlayerTest, SearchesOnTheSideWhereItHasLostTheBall) {
 }
 
 TEST_F(BallChaserPlayerTest, CirclesToTheSideThatBringsTheGoalBehindTheBall) {
-  const GoalSight left = {1, 0.45, 0.25}, right = {1, -0.25, -0.45};
+  const GoalSight left = {1, 0, 0.45, 0.25}, right = {1, 0, -0.25, -0.45};
   See(SightOf(400, 0, left), 3);
   EXPECT_EQ(player_.GetState(), Player::CIRCLE);
   EXPECT_LT(player_.Command().left, -40);
@@ -63,14 +63,14 @@ TEST_F(BallChaserPlayerTest, CirclesToTheSideThatBringsTheGoalBehindTheBall) {
 
 TEST_F(BallChaserPlayerTest, CirclesTheShortWayWhenItSeesItsOwnGoal) {
   Sight sight = SightOf(400, 0);
-  sight.goal[YELLOW_GOAL] = {1, 0.4, 0.2};
+  sight.goal[YELLOW_GOAL] = {1, 0, 0.4, 0.2};
   See(sight, 80);
   EXPECT_EQ(player_.GetState(), Player::CIRCLE);
   EXPECT_GT(player_.Command().left, 40);  // the other goal is at -2.8 rad
 }
 
 TEST_F(BallChaserPlayerTest, PushesTheBallWhenTheGoalIsBehindIt) {
-  const GoalSight ahead = {1, 0.2, -0.2};
+  const GoalSight ahead = {1, 0, 0.2, -0.2};
   See(SightOf(400, 0, ahead), 3);
   EXPECT_EQ(player_.GetState(), Player::PUSH);
   EXPECT_GT(player_.Command().forward, 150);
@@ -78,18 +78,18 @@ TEST_F(BallChaserPlayerTest, PushesTheBallWhenTheGoalIsBehindIt) {
 
 TEST_F(BallChaserPlayerTest, PlaysAtTheGoalThatItWasTold) {
   player_.SetGoal(YELLOW_GOAL);
-  See(SightOf(400, 0, {1, 0.2, -0.2}), 3);
+  See(SightOf(400, 0, {1, 0, 0.2, -0.2}), 3);
   EXPECT_EQ(player_.GetState(), Player::CIRCLE);
   Sight sight = SightOf(400, 0);
-  sight.goal[YELLOW_GOAL] = {1, 0.2, -0.2};
+  sight.goal[YELLOW_GOAL] = {1, 0, 0.2, -0.2};
   See(sight, 3);
   EXPECT_EQ(player_.GetState(), Player::PUSH);
 }
 
 TEST_F(BallChaserPlayerTest, LooksDownWhileItPushesABallThatItDoesNotSee) {
-  See(SightOf(400, 0, {1, 0.2, -0.2}), 3);
+  See(SightOf(400, 0, {1, 0, 0.2, -0.2}), 3);
   Sight goal_only{};
-  goal_only.goal[SKY_BLUE_GOAL] = {1, 0.2, -0.2};
+  goal_only.goal[SKY_BLUE_GOAL] = {1, 0, 0.2, -0.2};
   See(goal_only, 30);
   EXPECT_EQ(player_.GetState(), Player::PUSH);
   EXPECT_LT(player_.Command().headTilt, -0.9);
@@ -98,7 +98,7 @@ TEST_F(BallChaserPlayerTest, LooksDownWhileItPushesABallThatItDoesNotSee) {
 }
 
 TEST_F(BallChaserPlayerTest, DoesNotPushForLongWithoutALookAtTheGoal) {
-  See(SightOf(400, 0, {1, 0.2, -0.2}), 3);
+  See(SightOf(400, 0, {1, 0, 0.2, -0.2}), 3);
   See(SightOf(200, 0), 100);
   EXPECT_EQ(player_.GetState(), Player::PUSH);
   See(SightOf(200, 0), 40);

@@ -1,7 +1,12 @@
 // A dog of examples/BallChaser on the body with physics: its motion, without objects and messages.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
 
 #include "Motion.h"
 #include "tests/virtualrobot/body_harness.h"
@@ -71,6 +76,7 @@ class WalkingDog {
     const auto& joints = Ers210().joints;
     const auto found = std::find_if(joints.begin(), joints.end(),
                                     [&](const auto& joint) { return joint.locator == locator; });
+    EXPECT_NE(found, joints.end()) << locator;
     return &*found;
   }
 

@@ -81,19 +81,15 @@ TEST(TogetherTest, TwoRunsOfEightDogsAreEqualAndAReplayIs) {
   EXPECT_EQ(replayer.system().state_hash(), hashes[0]);
 }
 
-TEST(TogetherTest, AnotherRobotChangesARunOnlyWhenTheyMeet) {
-  const auto place_after = [](int robots, const std::string& input) {
+// The second robot is 1.7 m away, too far for the distance sensor.
+TEST(TogetherTest, ADistantRobotDoesNotMoveTheFirst) {
+  const auto place_after = [](int robots) {
     Simulation simulation(OnTheField(robots));
-    System& system = simulation.system();
-    system.Boot();
-    system.RunUntil(1'000'000);
-    if (!input.empty()) {
-      EXPECT_EQ(system.inputs().Add(0, input), "");
-    }
-    system.RunUntil(2'000'000);
+    simulation.system().Boot();
+    simulation.system().RunUntil(2'000'000);
     return simulation.robots()[0]->body().state().X_WB.matrix();
   };
-  EXPECT_EQ(place_after(1, ""), place_after(2, ""));
+  EXPECT_EQ(place_after(1), place_after(2));
 }
 
 TEST(TogetherTest, RobotsTakeTheSticksInTurn) {
@@ -138,7 +134,8 @@ TEST(TogetherTest, AReplayNeedsTheSticksOfThen) {
     FAIL() << "the changed stick was not seen";
   } catch (const std::runtime_error& error) {
     EXPECT_EQ(error.what(), file + ": was recorded with other files on the stick of robot 1 than " +
-                                options.more_sticks[0] + " has now");
+                                options.more_sticks[0] +
+                                " has now; put the files of then back there");
   }
 }
 
@@ -153,12 +150,47 @@ TEST(TogetherTest, PutMovesAThingAndRefusesWhatItCannotMove) {
   EXPECT_NEAR(ball.centre_m.y(), 0.25, 1e-3);
   const auto refusal = [&system](const std::string& line) { return system.inputs().Add(0, line); };
   EXPECT_NE(refusal("put bal 1 0").find("the world has no movable thing 'bal'"), std::string::npos);
-  EXPECT_NE(refusal("put halfway line 1 0").find("no movable thing 'halfway line'"),
-            std::string::npos);
+  EXPECT_NE(refusal("put halfway line 1 0").find("no movable thing 'halfway'"), std::string::npos);
   EXPECT_NE(refusal("put ball 1").find("needs the name of a thing, and x and y in m"),
             std::string::npos);
   EXPECT_NE(refusal("put ball 1000 0").find("1000 m is too far away, at most 100 m"),
             std::string::npos);
+}
+
+TEST(TogetherTest, ANameOfSeveralWordsAndANumberIsPut) {
+  const TempFolder folder;
+  const std::string file = folder.path() + "/two.json";
+  std::ofstream(file) << R"({"schema": "openr-host world 2", "name": "two", "things": [
+      {"shape": "sphere", "name": "ball", "radius_m": 0.04, "centre_m": [1, 0, 0.04], "mass_kg": 0.1},
+      {"shape": "sphere", "name": "ball 2", "radius_m": 0.04, "centre_m": [1, 1, 0.04], "mass_kg": 0.1}
+    ]})";
+  SimulationOptions options = OnTheField(1);
+  options.world = file;
+  Simulation simulation(options);
+  simulation.system().Boot();
+  EXPECT_EQ(simulation.system().inputs().Add(0, "put ball 2 -1 0.5 0.04"), "");
+  simulation.system().RunUntil(100'000);
+  const std::vector<WorldThing> things = simulation.robots()[0]->body().MovableThings();
+  EXPECT_NEAR(things[0].centre_m.x(), 1, 1e-3);
+  EXPECT_NEAR(things[1].centre_m.x(), -1, 1e-3);
+}
+
+// The frames of the robot that is on move the body of the other one, too.
+TEST(TogetherTest, ARobotThatIsOffGoesLimpWhileAnotherIsOn) {
+  Simulation simulation(OnTheField(2));
+  System& system = simulation.system();
+  system.Boot();
+  system.RunUntil(14'000'000);
+  const auto height_m = [&](int robot) {
+    const Body& body = simulation.robots()[static_cast<size_t>(robot)]->body();
+    return body.state().X_WB.translation().z();
+  };
+  EXPECT_GT(height_m(1), 0.12);
+  EXPECT_EQ(system.inputs().Add(1, "shutdown"), "");
+  system.RunUntil(18'000'000);
+  EXPECT_TRUE(system.robot(1).powered_off);
+  EXPECT_LT(height_m(1), 0.1);
+  EXPECT_GT(height_m(0), 0.12);
 }
 
 TEST(TogetherTest, TheReportSaysWhereThingsAre) {

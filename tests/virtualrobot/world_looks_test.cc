@@ -32,7 +32,39 @@ TEST(WorldLooksTest, AMovableThingHasAMass) {
   EXPECT_EQ(ParseThing(std::string(kBall) + R"(,"mass_kg":0.08})").things.at(0).mass_kg, 0.08);
   EXPECT_EQ(ParseThing(std::string(kBall) + "}").things.at(0).mass_kg, 0);
   EXPECT_EQ(ErrorOfRow(std::string(kBall) + R"(,"mass_kg":0})"),
-            "w.json: things[0].mass_kg: is 0, must be > 0");
+            "w.json: things[0].mass_kg: is 0, must be 0.001 to 1000");
+  EXPECT_EQ(ErrorOfRow(std::string(kBall) + R"(,"mass_kg":1e9})"),
+            "w.json: things[0].mass_kg: is 1000000000, must be 0.001 to 1000");
+  EXPECT_EQ(ErrorOfRow(R"({"shape":"box","name":"leaf","size_m":[1,1,0.001],"centre_m":[0,0,1],
+                           "mass_kg":1})"),
+            "w.json: things[0].mass_kg: belongs to 'leaf', which is 0.001 m thin; what moves must "
+            "have 0.005 m");
+}
+
+TEST(WorldLooksTest, ThingsThatMoveHaveNamesOfTheirOwn) {
+  const std::string ball = std::string(kBall) + R"(,"mass_kg":0.08})";
+  EXPECT_EQ(ErrorOfRow(ball + "," + ball),
+            "w.json: things: has two things 'b' that can move; each needs a name of its own");
+  EXPECT_EQ(ParseThing(ball + "," + kBall + "}").things.size(), 2u);
+}
+
+TEST(WorldLooksTest, RobotsHaveStarts) {
+  const World world =
+      ParseFields(R"(, "starts": [{"place_m":[1,2],"yaw_deg":90},{"place_m":[0,0]}])");
+  ASSERT_EQ(world.starts.size(), 2u);
+  EXPECT_EQ(world.starts[0].x_m, 1);
+  EXPECT_EQ(world.starts[0].y_m, 2);
+  EXPECT_DOUBLE_EQ(world.starts[0].yaw_rad, Radians(90));
+  EXPECT_EQ(StartOf(world, 1).yaw_rad, 0);
+  EXPECT_EQ(
+      ErrorOf([&] { StartOf(world, 2); }),
+      "the world 'w' has places for 2 robots (starts); robot 2 has none; add a place, or take "
+      "fewer robots");
+  EXPECT_EQ(StartOf(World{}, 0).y_m, 0);
+  EXPECT_EQ(StartOf(World{}, 1).y_m, 0.5);
+  EXPECT_EQ(StartOf(World{}, 2).y_m, -0.5);
+  EXPECT_EQ(ErrorOfFields(R"(, "starts": [{"place_m":[1]}])"),
+            "w.json: starts[0].place_m: has 1 numbers, must have x and y");
 }
 
 TEST(WorldLooksTest, ARampCannotBeMoved) {

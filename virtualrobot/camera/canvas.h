@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "runtime/base/assert.h"
 #include "virtualrobot/camera/image_source.h"
 
 namespace openr_host {
@@ -19,14 +20,18 @@ using RgbBytes = std::array<uint8_t, 3>;
 // Returns the bytes of `colour` (red, green and blue, 0 to 1) in light of `brightness` (0 to 1).
 RgbBytes RgbOf(const Eigen::Vector3d& colour, double brightness);
 
-// A convex polygon with corners in the world W.
+// A convex polygon.  Its corners are in the world W, and in the frame C of the lens once the canvas
+// has turned them.
 class Face {
  public:
   static constexpr int kCornersMax = 32;
 
   void Clear() { count_ = 0; }
-  // REQUIRES: fewer than kCornersMax corners.
-  void Add(const Eigen::Vector3d& corner) { corners_[static_cast<size_t>(count_++)] = corner; }
+  // REQUIRES: there is room for a corner.
+  void Add(const Eigen::Vector3d& corner) {
+    ASSERT(count_ < kCornersMax + 2, "a face has {} corners", count_);
+    corners_[static_cast<size_t>(count_++)] = corner;
+  }
   int count() const { return count_; }
   const Eigen::Vector3d& corner(int i) const { return corners_[static_cast<size_t>(i)]; }
 

@@ -261,8 +261,8 @@ void ContactFinder::FindCylinderOnFloor(const Shape& cylinder) {
   }
 }
 
-// ODE serves boxes and balls on boxes.  Of all other pairs, our own code takes one as the round
-// thing, and the other as the box or ball that touches it.
+// ODE finds the contacts of boxes and balls with boxes.  All other pairs have a ball, a cylinder or
+// a heightfield; FindOnRound() takes the ball or the cylinder as `other`.
 void ContactFinder::FindOn(const Shape& shape, const Shape& other) {
   if (other.shape == ThingShape::kHeightField) return FindOnHeights(shape, other);
   const bool shape_is_cylinder = shape.shape == ThingShape::kCylinder;

@@ -202,6 +202,14 @@ std::vector<WorldThing> OdeBody::Surroundings() const {
   return things;
 }
 
+std::vector<WorldThing> OdeBody::MovableThings() const {
+  std::vector<WorldThing> things;
+  for (const WorldThing& thing : world_->things()) {
+    if (thing.mass_kg > 0) things.push_back(thing);
+  }
+  return things;
+}
+
 bool OdeBody::PutThing(size_t thing, const Vector3d& centre_m) {
   if (thing >= world().things.size() || world().things[thing].mass_kg == 0) return false;
   world_->PutThing(thing, centre_m);

@@ -37,6 +37,7 @@ class OdeBody : public Body {
                  double max_m) const override;
   const World& world() const override { return world_->world(); }
   std::vector<WorldThing> Surroundings() const override;
+  std::vector<WorldThing> MovableThings() const override;
   bool PutThing(size_t thing, const Eigen::Vector3d& centre_m) override;
   std::vector<Eigen::Isometry3d> BodyPoses() const override;
   void HashState(Hasher* hasher) const override;

@@ -59,7 +59,7 @@ void PhysicsWorld::AddMover(size_t thing) {
   if (data.shape != ThingShape::kBox) {
     const double radius_m = data.size_m.x() / 2;
     mover.brake_nm = kRollingResistance * data.mass_kg * kGravity_m_s2 * radius_m;
-    mover.rolling_inertia_kg_m2 = part.inertia_kg_m2(0, 0) + data.mass_kg * radius_m * radius_m;
+    mover.least_inertia_kg_m2 = part.inertia_kg_m2.diagonal().minCoeff();
   }
   Isometry3d X_WT;
   X_WT.linear() = data.R_WT;
@@ -121,7 +121,7 @@ void PhysicsWorld::BrakeRolling(const std::vector<ContactPoint>& points, double 
     if (movers_[i].brake_nm == 0 || speed_rad_s == 0 || std::ranges::none_of(points, touches))
       continue;
     const double torque_nm =
-        std::min(movers_[i].brake_nm, movers_[i].rolling_inertia_kg_m2 * speed_rad_s / step_s);
+        std::min(movers_[i].brake_nm, movers_[i].least_inertia_kg_m2 * speed_rad_s / step_s);
     tree.AddTorque(0, tree.w_W() * (-torque_nm / speed_rad_s));
   }
 }

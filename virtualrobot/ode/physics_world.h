@@ -63,7 +63,8 @@ class PhysicsWorld {
   // AwaitFrame() does so, because each robot of the world calls this function in each frame.
   void Advance();
 
-  // Puts the movable thing `thing`, an index of World::things, at rest at `centre_m`, upright.
+  // Puts the movable thing `thing`, an index of World::things, at rest at `centre_m`, turned as in
+  // the world file.
   void PutThing(size_t thing, const Eigen::Vector3d& centre_m);
 
   // Adds the motion of the movable things to `hasher`.
@@ -75,11 +76,13 @@ class PhysicsWorld {
     size_t thing;  // index of World::things
     dxBody* body;
     JointTree tree;
-    // Largest torque with which its rolling is braked, and its inertia about a point on its rim.
-    double brake_nm = 0, rolling_inertia_kg_m2 = 0;
+    // Largest torque with which its rotation is braked, and its least inertia: a smaller torque
+    // than this inertia allows never turns it back, about whatever axis it turns.
+    double brake_nm = 0, least_inertia_kg_m2 = 0;
   };
 
-  // A row of the equations, as one or two trees know it.
+  // Where a row of the equations is stored: the number of each tree that the contact joins, and the
+  // number of the row in that tree.
   struct RowSides {
     int tree = -1, row = 0;
     int other_tree = -1, other_row = 0;  // other_tree is -1: the floor or a fixed thing

@@ -9,7 +9,8 @@ static const char* const CAMERA = "PRM:/r1/c1/c2/c3/i1-FbkImageSensor:F1";
 static const char* const NECK_TILT = "PRM:/r1/c1-Joint2:j1";
 static const char* const NECK_PAN = "PRM:/r1/c1/c2-Joint2:j2";
 
-// The colours of the field, for all luminances.  128 stands for a colour difference of 0.
+// The colours of the field, for all luminances.  Cr is high for red and Cb for blue; 128 stands for
+// a colour difference of 0.  The bounds are narrow, so that orange and pink do not overlap.
 struct ColourTable {
     OCdtChannel channel;
     byte crMax;
@@ -27,7 +28,10 @@ BallEyes::BallEyes()
     : camera_(oprimitiveID_UNDEF), tiltJoint_(oprimitiveID_UNDEF), panJoint_(oprimitiveID_UNDEF),
       tiltElement_(-1), panElement_(-1)
 {
-    for (int f = 0; f < NUM_FRAMES; f++) tilt_[f] = pan_[f] = 0;
+    for (int i = 0; i < NUM_FRAMES; i++) {
+        frame_[i] = NO_FRAME;
+        tilt_[i] = pan_[i] = 0;
+    }
 }
 
 static OStatus
@@ -102,10 +106,12 @@ void
 BallEyes::NotifySensor(const ONotifyEvent& event)
 {
     OSensorFrameVectorData* vector = (OSensorFrameVectorData*)event.Data(0);
-    if (tiltElement_ < 0) FindElements(vector);
+    if (tiltElement_ < 0 || panElement_ < 0) FindElements(vector);
+    if (tiltElement_ < 0 || panElement_ < 0) return;  // DoInit has said which joint is missing
     const OSensorFrameInfo* info = vector->GetInfo(tiltElement_);
     for (int f = 0; f < (int)info->numFrames; f++) {
         const int i = (info->frameNumber + f) % NUM_FRAMES;
+        frame_[i] = info->frameNumber + f;
         tilt_[i] = vector->GetData(tiltElement_)->frame[f].value / 1000000.0;
         pan_[i] = vector->GetData(panElement_)->frame[f].value / 1000000.0;
     }
@@ -129,10 +135,13 @@ BallEyes::NotifyImage(const ONotifyEvent& event)
     OFbkImageVectorData* vector = (OFbkImageVectorData*)event.Data(0);
     OFbkImageInfo* info = vector->GetInfo(ofbkimageLAYER_C);
     OFbkImage image(info, vector->GetData(ofbkimageLAYER_C), ofbkimageBAND_CDT);
-    const int frame = info->frameNumber % NUM_FRAMES;
-    const Sight sight =
-        eyes_.See(image.Pointer(), image.Width(), image.Height(), tilt_[frame], pan_[frame]);
-    subject[sbjSight]->SetData(&sight, sizeof(sight));
-    subject[sbjSight]->NotifyObservers();
+    const int i = info->frameNumber % NUM_FRAMES;
+    // Without the angles of this frame, nobody can tell where the things in the picture are.
+    if (image.IsValid() && frame_[i] == info->frameNumber) {
+        const Sight sight =
+            eyes_.See(image.Pointer(), image.Width(), image.Height(), tilt_[i], pan_[i]);
+        subject[sbjSight]->SetData(&sight, sizeof(sight));
+        subject[sbjSight]->NotifyObservers();
+    }
     observer[event.ObsIndex()]->AssertReady(event.SenderID());
 }

@@ -39,6 +39,7 @@ public:
 
 private:
     static const int NUM_FRAMES = 32;  // frames of which the neck is kept: 256 ms
+    static const longword NO_FRAME = 0xffffffff;
 
     OStatus SetColourTables();
     void FindElements(OSensorFrameVectorData* vector);
@@ -48,7 +49,9 @@ private:
     OPrimitiveID panJoint_;
     int tiltElement_;  // elements of the joints in sensor vectors; -1 before the first vector
     int panElement_;
-    double tilt_[NUM_FRAMES];  // rad; the angle in frame n is element n % NUM_FRAMES
+    // What is known of frame n is in element n % NUM_FRAMES: its number and the angles in rad.
+    longword frame_[NUM_FRAMES];
+    double tilt_[NUM_FRAMES];
     double pan_[NUM_FRAMES];
     Eyes eyes_;
 };

@@ -23,7 +23,7 @@ Eyes::See(const byte* pixels, int width, int height, double tilt, double pan)
 BallSight
 Eyes::FindBall(const Look& look)
 {
-    BallSight ball = {0, 0, 0};
+    BallSight ball = {0, 0, 0, 0};
     const Blob blob = finder_.FindLargest(pixels_, width_, height_, ORANGE);
     if (blob.numPixels < FEWEST_BALL_PIXELS) return ball;
     ball.isSeen = look.FindPlace(look.RayOf(blob.x, blob.y), BALL_RADIUS, &ball.x, &ball.y);
@@ -35,7 +35,7 @@ Eyes::FindBall(const Look& look)
 GoalSight
 Eyes::FindGoal(ColourBit colour, const Look& look)
 {
-    GoalSight goal = {0, 0, 0};
+    GoalSight goal = {0, 0, 0, 0};
     const Blob blob = finder_.FindLargest(pixels_, width_, height_, colour);
     if (blob.right - blob.left + 1 < FEWEST_GOAL_COLUMNS || IsOnBeacon(blob)) return goal;
     const Ray left = look.RayOf(blob.left, blob.y);

@@ -26,7 +26,8 @@ static const double TILT_AHEAD = -0.2;
 static const double TILT_NEAR = -0.7;
 static const double TILT_PAWS = -1.2;
 
-static const double NECK_X = 75;  // mm; the neck and its height above the middle of a ball
+// The axis about which the neck pans, in mm: before the dog's middle, and above a ball's middle.
+static const double NECK_X = 75;
 static const double NECK_ABOVE_BALL = 150;
 
 Player::Player()
@@ -94,7 +95,8 @@ Player::Remember(const Sight& sight)
         goalRight_ = goal.right;
         goalAge_ = 0;
     }
-    // The own goal tells roughly where the other one is, so that the dog circles the shorter way.
+    // When the goal was not seen for 2 s, takes it for opposite to our own, so that the dog circles
+    // the shorter way.  goalAge_ stays, because this is too rough to push by.
     const GoalSight& own = sight.goal[goal_ == YELLOW_GOAL ? SKY_BLUE_GOAL : YELLOW_GOAL];
     if (own.isSeen && goalAge_ > 2 * SECOND) {
         goalLeft_ = WrapAngle(own.left + PI);
@@ -127,27 +129,38 @@ Player::ChooseState()
         if (ballAge_ == 0) state_ = APPROACH;
         break;
     case APPROACH:
-        if (!isBallKnown) state_ = SEARCH;
-        if (isBallKnown && ballDistance_ < CIRCLE_RADIUS + 50) state_ = CIRCLE;
+        if (!isBallKnown) {
+            state_ = SEARCH;
+        } else if (ballDistance_ < CIRCLE_RADIUS + 50) {
+            state_ = CIRCLE;
+        }
         break;
     case CIRCLE:
-        if (!isBallKnown) state_ = SEARCH;
-        if (isBallKnown && ballDistance_ > CIRCLE_RADIUS + 200) state_ = APPROACH;
-        if (ballAge_ < 5 && IsGoalBehindBall(BEHIND_MARGIN)) state_ = PUSH;
-        if (numPictures_ > CIRCLE_LONGEST) state_ = PUSH;
+        if (!isBallKnown) {
+            state_ = SEARCH;
+        } else if (numPictures_ > CIRCLE_LONGEST ||
+                   (ballAge_ < 5 && IsGoalBehindBall(BEHIND_MARGIN))) {
+            state_ = PUSH;
+        } else if (ballDistance_ > CIRCLE_RADIUS + 200) {
+            state_ = APPROACH;
+        }
         break;
     case PUSH:
-        if (ballAge_ > 2 * SECOND) state_ = SEARCH;
-        if (goalAge_ > PUSH_BLIND && numPictures_ > PUSH_BLIND) state_ = CIRCLE;
-        if (ballAge_ == 0 && ballDistance_ > 250 && goalAge_ < SECOND && !IsGoalBehindBall(-0.2)) {
+        if (ballAge_ > 2 * SECOND) {
+            state_ = SEARCH;
+        } else if (ballAge_ == 0 && ballDistance_ > 250 && goalAge_ < SECOND &&
+                   !IsGoalBehindBall(-0.2)) {
             state_ = APPROACH;
+        } else if (goalAge_ > PUSH_BLIND && numPictures_ > PUSH_BLIND) {
+            state_ = CIRCLE;
         }
         break;
     }
 }
 
-// Turns towards the side where the ball was last.  The head looks down and ahead in turn; first
-// down, because a ball that was lost is mostly near.
+// First walks backward for 0.6 s and looks at the floor before the paws, because a ball that was
+// lost is mostly too near to be seen.  Then turns towards the side where the ball was last, with the
+// head down and ahead in turn.
 void
 Player::Search()
 {
@@ -167,8 +180,8 @@ Player::Search()
 void
 Player::Approach()
 {
-    const double far = Limit(ballDistance_ - CIRCLE_RADIUS, 60, FORWARD);
-    command_.forward = far * Limit(Cos(ballDirection_), 0, 1);
+    const double speed = Limit(ballDistance_ - CIRCLE_RADIUS, 60, FORWARD);
+    command_.forward = speed * Limit(Cos(ballDirection_), 0, 1);
     command_.left = 0;
     command_.turn = TURN_GAIN * ballDirection_;
     LookAt(ballX_, ballY_, TILT_PAWS);

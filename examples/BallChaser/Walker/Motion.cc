@@ -4,7 +4,7 @@
 
 static const int RISE_FRAMES = 190;    // 1.5 s
 static const double FALLEN_UP = -4.9;  // m/s^2; the dog leans by more than 60 degrees
-static const double FEEL_PART = 0.06;  // weight of a new acceleration: a fall counts after 0.5 s
+static const double FEEL_PART = 0.06;  // weight of a new acceleration
 
 // Speeds of the head, in rad a frame: 150 and 100 degrees/s.
 static const double PAN_STEP = 150 * 0.008 * PI / 180;

@@ -14,7 +14,10 @@ static const char* const AXES[] = {
 Walker::Walker() : state_(OFF)
 {
     for (int j = 0; j < NUM_JOINTS; j++) joint_[j] = oprimitiveID_UNDEF;
-    for (int a = 0; a < NUM_AXES; a++) axisElement_[a] = -1;
+    for (int a = 0; a < NUM_AXES; a++) {
+        axis_[a] = oprimitiveID_UNDEF;
+        axisElement_[a] = -1;
+    }
     for (int i = 0; i < NUM_REGIONS; i++) region_[i] = 0;
 }
 
@@ -164,7 +167,8 @@ Walker::EnableGains()
 }
 
 // Fills all free regions, two at first and then one each time, and sends them with one notify: a
-// second notify before the next ready would replace the first.
+// second notify before the next ready would replace the first.  Without data, NotifyObservers()
+// does nothing.
 void
 Walker::SendVectors()
 {
@@ -198,6 +202,7 @@ Walker::NotifySensor(const ONotifyEvent& event)
     if (axisElement_[0] < 0) FindAxes(vector);
     double acceleration[NUM_AXES];
     for (int a = 0; a < NUM_AXES; a++) {
+        if (axisElement_[a] < 0) return;  // DoInit has said which sensor is missing
         const int last = (int)vector->GetInfo(axisElement_[a])->numFrames - 1;
         acceleration[a] = vector->GetData(axisElement_[a])->frame[last].value / 1000000.0;
     }

@@ -21,12 +21,6 @@ Rad(double degrees)
 }
 
 inline double
-Deg(double radians)
-{
-    return radians * (180 / PI);
-}
-
-inline double
 Limit(double value, double low, double high)
 {
     return value < low ? low : value > high ? high : value;

@@ -13,13 +13,15 @@
 enum Goal { SKY_BLUE_GOAL, YELLOW_GOAL, NUM_GOALS };
 
 struct BallSight {
-    slongword isSeen;  // 0 or 1; without a ball the other fields mean nothing
+    slongword isSeen;   // 0 or 1; without a ball the other fields mean nothing
+    slongword padding;  // 0; without this field the compiler would leave 4 bytes of a message unset
     double x;
     double y;
 };
 
 struct GoalSight {
     slongword isSeen;
+    slongword padding;
     double left;   // direction of the left end of what is seen of the goal
     double right;  // direction of its right end
 };

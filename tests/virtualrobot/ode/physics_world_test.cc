@@ -137,6 +137,27 @@ TEST_F(ThingsTest, RollingEndsByItselfAndNeverTurnsBack) {
   EXPECT_NEAR(Centre(1).x(), end, 1e-4);
 }
 
+// A rod that rolls slowly must not be shaken by what brakes it.
+TEST_F(ThingsTest, ARodComesToRest) {
+  WorldThing rod = Can({0, 0, 0.1});
+  rod.size_m = Vector3d(0.04, 0.04, 1);
+  rod.R_WT = RotationFromRpy({Radians(90), 0, Radians(20)});
+  WorldOf({rod});
+  Run(8);
+  const Vector3d before = Centre(0);
+  Run(2);
+  EXPECT_LT((Centre(0) - before).norm(), 1e-6);
+}
+
+// A ball that falls beside the middle of another one is turned about all axes, also the vertical.
+TEST_F(ThingsTest, ABallThatWasSpunComesToRestForGood) {
+  WorldOf({Ball({0, 0, 0.04}), Ball({0.02, 0.03, 0.3}), Brick({0.1, 0.06, 0.02})});
+  Run(20);
+  const Vector3d before[] = {Centre(0), Centre(1)};
+  Run(4);
+  for (size_t i = 0; i < 2; ++i) EXPECT_LT((Centre(i) - before[i]).norm(), 1e-5) << i;
+}
+
 TEST_F(ThingsTest, CylindersPushEachOther) {
   WorldOf({Can({0, 0, 0.05}), Can({0.055, 0.01, 0.05})});  // they overlap by 4 mm
   Run(1);
