@@ -44,7 +44,7 @@ Eigen::Vector2d PixelOf(const Eigen::Vector3d& p_B, double tilt, double pan) {
   std::vector<double> angles(model.joints.size());
   angles[static_cast<size_t>(model.FindJoint("neck_tilt"))] = tilt;
   angles[static_cast<size_t>(model.FindJoint("neck_pan"))] = pan;
-  const auto& X_BH = LinkPoses(model, angles)[static_cast<size_t>(model.camera.body)];
+  const Eigen::Isometry3d X_BH = LinkPoses(model, angles)[static_cast<size_t>(model.camera.body)];
   const Eigen::Vector3d p_C = X_BH.inverse() * p_B - model.camera.place_m;
   const double left = p_C.y() / p_C.x() / std::tan(model.camera.fov_h_rad / 2);
   const double up = p_C.z() / p_C.x() / std::tan(model.camera.fov_v_rad / 2);
