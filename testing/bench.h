@@ -92,8 +92,8 @@ struct BenchOptions {
   // The charge of the battery.  "drain": full at boot, then it drains as on the robot (empty after
   // 90 minutes).  "100%": always full.  "N%": N percent at boot, then it drains.
   std::string battery = "drain";
-  // What the camera sees.  "world": the robot's world.  "pattern": a test pattern.  Any other text
-  // is a folder of pictures (.png, .ppm), which are shown in the order of their names.
+  // The pictures of the camera.  "world": the robot's world.  "pattern": a test pattern.  Any other
+  // text is a folder of pictures (.png, .ppm), which are shown in the order of their names.
   std::string images = "world";
   uint64_t seed = SeedOfEnvironment();
   bool strict = false;  // whether the limits of the robot (memory, stack) are enforced

@@ -24,8 +24,8 @@ std::unique_ptr<Body> MakeBody(const std::string& kind, const RobotModel& model,
 // pictures.  Throws std::runtime_error if `battery` is wrong; see ParseBattery().
 VirtualRobotOptions DevicesWithBattery(const std::string& battery);
 
-// What the camera of a robot sees, as `--images` says: its world, or the test pattern; any other
-// text is a folder of pictures.
+// Values of `--images`, which names the pictures of a robot's camera: its world, or the test
+// pattern.  Any other value is a folder of pictures.
 inline constexpr char kImagesOfWorld[] = "world", kImagesOfPattern[] = "pattern";
 bool IsImageFolder(const std::string& images);
 

@@ -118,7 +118,7 @@ class Simulation {
 
   const RobotModel model_;
   const World world_;
-  // Of robots that are together; null: each has a world of its own.
+  // The world that all robots share, and its frames; null if each robot has a world of its own.
   const std::shared_ptr<PhysicsWorld> physics_;
   const std::shared_ptr<SharedFrame> shared_frame_;
   const std::vector<std::string> sticks_;

@@ -16,7 +16,7 @@
 
 namespace openr_host {
 
-// One of the two that touch.
+// A part or a thing that touches another one.
 struct ContactSide {
   int tree = -1;  // number of the JointTree that moves it; -1: the floor or a fixed thing
   int part = 0;   // part of the tree

@@ -1,7 +1,7 @@
 //
 // Finds the largest blob of a colour in a picture of layer C.
 //
-// In this layer each pixel has one bit for each colour table.  A blob is a set of pixels of one
+// A pixel of this layer has one bit for each colour table.  A blob is a set of pixels of one
 // colour that touch each other.
 //
 
@@ -25,7 +25,8 @@ public:
     static const int MAX_PIXELS = 104 * 80;  // of layer C of the largest camera, that of the ERS-7
 
     // Returns the largest blob of the colour with the bit `colour`.  `pixels` has width * height
-    // bytes, row by row.  The last row is left out, because it begins with other data.
+    // bytes, row by row.  The last row is left out, because it begins with a tag of 16
+    // bytes (OPENR/OFbkImage.h).
     Blob FindLargest(const byte* pixels, int width, int height, byte colour);
 
 private:

@@ -1,4 +1,4 @@
-// What the dog of examples/BallChaser does: the angles of its joints, and its decisions.
+// The dump prints what the dog of examples/BallChaser does: angles of its joints, and decisions.
 #include "Eyes.h"
 #include "Motion.h"
 #include "Player.h"

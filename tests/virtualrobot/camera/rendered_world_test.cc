@@ -1,4 +1,5 @@
-// What the camera sees of a world: places, sizes, hiding, clipping; and golden pictures.
+// Tests of the pictures that a camera takes of a world: places, sizes, hiding, clipping; and golden
+// pictures.
 #include "virtualrobot/camera/rendered_world.h"
 
 #include <fmt/format.h>
