@@ -60,6 +60,7 @@ Json LinksJson(const RobotModel& model) {
     if (part.led >= 0) {
       shape["led"] = part.led;
       shape["glow"] = ColourText(part.glow);
+      shape["glow_b"] = ColourText(part.glow_b);
     }
     if (part.ear >= 0) {
       shape["ear"] = part.ear;
@@ -226,11 +227,9 @@ std::string PoseText(Simulation* simulation) {
       text += std::exchange(between, ",");
       AppendPose(X_WL, &text);
     }
-    const auto as_number = [](bool is_on) { return is_on ? 1 : 0; };
-    std::vector<int> leds;
-    std::transform(look.leds_on.begin(), look.leds_on.end(), std::back_inserter(leds), as_number);
-    fmt::format_to(std::back_inserter(text), "],\"leds\":[{}],\"ears\":[{:.4f}],\"things\":[",
-                   fmt::join(leds, ","), fmt::join(look.plungers_rad, ","));
+    fmt::format_to(std::back_inserter(text), "],\"leds\":[{:.3g}],{}\"ears\":[{:.4f}],\"things\":[",
+                   fmt::join(look.leds, ","), look.is_face_in_mode_b ? "\"mode_b\":true," : "",
+                   fmt::join(look.plungers_rad, ","));
     between = "";
     for (const WorldThing& thing : robot->body().MovableThings()) {
       text += std::exchange(between, ",");

@@ -91,7 +91,13 @@ RobotLook LookOf(const VirtualRobot& robot) {
   RobotLook look;
   look.X_WB = robot.body().state().X_WB;
   look.X_WL = robot.body().BodyPoses();
-  for (const LedDevice& led : robot.devices().leds) look.leds_on.push_back(led.intensity > 0);
+  for (size_t i = 0; i < robot.devices().leds.size(); ++i) {
+    const LedDevice& led = robot.devices().leds[i];
+    const double full = robot.model().leds[i].type == "LED3" ? 255 : 1;
+    look.leds.push_back(std::clamp(led.intensity / full, 0.0, 1.0));
+    if (robot.devices().OnFace(static_cast<int>(i)))
+      look.is_face_in_mode_b = led.mode == oled3_MODE_B;
+  }
   for (size_t i = 0; i < robot.devices().plungers.size(); ++i) {
     const Plunger& ear = robot.model().plungers[i];
     const bool on = robot.devices().plungers[i].state == ojoint3_STATE1;
@@ -102,6 +108,12 @@ RobotLook LookOf(const VirtualRobot& robot) {
 
 namespace {
 
+// Returns the colour `share` of the way from `dark` to `bright`.
+render::Colour Between(const render::Colour& dark, const render::Colour& bright, float share) {
+  const auto mix = [share](float a, float b) { return a + (b - a) * share; };
+  return {mix(dark.r, bright.r), mix(dark.g, bright.g), mix(dark.b, bright.b)};
+}
+
 void AddRobot(const RobotModel& model, const RobotLook& look, render::Scene* scene) {
   for (const RobotShape& part : ShapesOfRobot(model)) {
     render::Shape shape = part.shape;
@@ -109,8 +121,11 @@ void AddRobot(const RobotModel& model, const RobotLook& look, render::Scene* sce
     const bool has_angle = part.ear >= 0 && ear < look.plungers_rad.size();
     shape.X_WS = look.X_WL[static_cast<size_t>(part.body)] *
                  PlaceInPart(part, has_angle ? look.plungers_rad[ear] : 0);
-    shape.glows = part.led >= 0 && led < look.leds_on.size() && look.leds_on[led];
-    if (shape.glows) shape.colour = part.glow;
+    shape.glows = part.led >= 0 && led < look.leds.size() && look.leds[led] > 0;
+    if (shape.glows) {
+      const render::Colour& glow = look.is_face_in_mode_b ? part.glow_b : part.glow;
+      shape.colour = Between(shape.colour, glow, static_cast<float>(look.leds[led]));
+    }
     scene->shapes.push_back(shape);
   }
 }

@@ -60,8 +60,9 @@ Colour LightColour(const std::string& name) {
   return {1.0f, 1.0f, 0.85f};
 }
 
-// The place of a light of the ERS-210, when all joints are at 0 degrees.  No document gives these
-// places, so they are estimated from photographs.
+// The place of a light, when all joints are at 0 degrees.  The lights of the three models have
+// different names.  No document gives these places: those of the ERS-210 are estimated from
+// photographs, and those of the others are chosen by the names of the lights.
 struct LightPlace {
   const char* name;
   const char* body;
@@ -78,6 +79,54 @@ constexpr LightPlace kLights[] = {
     {"Mode indicator", "head", 146.0, 0, 121, 5, 3},
     {"Tail light (blue)", "tail_tilt", -141.5, 4.5, 56.3, 6, 6},
     {"Tail light (orange)", "tail_tilt", -141.5, -4.5, 56.3, 6, 6},
+    // ERS-7
+    {"Face light 1", "head", 144, 6, 100, 6, 4},
+    {"Face light 2", "head", 144, -6, 100, 6, 4},
+    {"Face light 3", "head", 144, 14, 103, 6, 4},
+    {"Face light 4", "head", 144, -14, 103, 6, 4},
+    {"Face light 5", "head", 144, 0, 107, 6, 4},
+    {"Face light 6", "head", 144, 22, 107, 6, 4},
+    {"Face light 7", "head", 144, -22, 107, 6, 4},
+    {"Face light 8", "head", 144, 8, 119, 6, 4},
+    {"Face light 9", "head", 144, -8, 119, 6, 4},
+    {"Face light 10", "head", 144, 22, 119, 6, 4},
+    {"Face light 11", "head", 144, -22, 119, 6, 4},
+    {"Face light 12", "head", 144, 0, 125, 8, 4},
+    {"Face light 13", "head", 144, 15, 113, 9, 5},
+    {"Face light 14", "head", 144, -15, 113, 9, 5},
+    {"Head light (color)", "head", 120, 4, 149, 6, 3},
+    {"Head light (white)", "head", 120, -4, 149, 6, 3},
+    {"Mode indicator (red)", "head", 62, 7, 149, 5, 3},
+    {"Mode indicator (green)", "head", 62, 0, 149, 5, 3},
+    {"Mode indicator (blue)", "head", 62, -7, 149, 5, 3},
+    {"Wireless light", "body", -70, 0, 46, 6, 3},
+    {"Back light (front, color)", "body", 26.5, 6, 48, 8, 3},
+    {"Back light (front, white)", "body", 26.5, -6, 48, 8, 3},
+    {"Back light (middle, color)", "body", -7.5, 6, 48, 8, 3},
+    {"Back light (middle, white)", "body", -7.5, -6, 48, 8, 3},
+    {"Back light (rear, color)", "body", -41.5, 6, 48, 8, 3},
+    {"Back light (rear, white)", "body", -41.5, -6, 48, 8, 3},
+    // ERS-220
+    {"Face side light (front left)", "head", 130, 34, 109, 3, 4},
+    {"Face side light (center left)", "head", 118, 34, 109, 3, 4},
+    {"Face side light (back left)", "head", 106, 34, 109, 3, 4},
+    {"Face side light (front right)", "head", 130, -34, 109, 3, 4},
+    {"Face side light (center right)", "head", 118, -34, 109, 3, 4},
+    {"Face side light (back right)", "head", 106, -34, 109, 3, 4},
+    {"Head indicator", "head", 75, 0, 139, 6, 3},
+    {"Face front light A", "head", 146.8, 13, 111, 8, 4},
+    {"Face front light B", "head", 146.8, 0, 111, 8, 4},
+    {"Face front light C", "head", 146.8, -13, 111, 8, 4},
+    {"Retractable head light", "head", 100, 0, 140, 10, 6},
+    {"Back multi-indicator (first from the left)", "body", -60, 20, 54, 5, 3},
+    {"Back multi-indicator (second from the left)", "body", -60, 12, 54, 5, 3},
+    {"Back multi-indicator (third from the left)", "body", -60, 4, 54, 5, 3},
+    {"Back multi-indicator (third from the right)", "body", -60, -4, 54, 5, 3},
+    {"Back multi-indicator (second from the right)", "body", -60, -12, 54, 5, 3},
+    {"Back multi-indicator (first from the right)", "body", -60, -20, 54, 5, 3},
+    {"Tail light (center)", "body", -127, 0, 38, 6, 6},
+    {"Tail light (right)", "body", -127, -9, 38, 6, 6},
+    {"Tail light (left)", "body", -127, 9, 38, 6, 6},
 };
 
 void AddLights(const RobotModel& model, std::vector<RobotShape>* shapes) {
@@ -91,6 +140,7 @@ void AddLights(const RobotModel& model, std::vector<RobotShape>* shapes) {
     if (added.body < 0) continue;
     added.led = static_cast<int>(i);
     added.glow = LightColour(led.colour);
+    added.glow_b = led.colour_b.empty() ? added.glow : LightColour(led.colour_b);
     Shape& shape = added.shape;
     shape.X_WS = At(Eigen::Vector3d(place->x, place->y, place->z) / 1000);
     shape.size_m = Eigen::Vector3d(6, place->width, place->height) / 1000;
@@ -101,7 +151,8 @@ void AddLights(const RobotModel& model, std::vector<RobotShape>* shapes) {
   }
 }
 
-// Adds the dark mask around the eyes, and the nose, which holds the camera.
+// Adds the dark mask around the eyes, and the nose, which holds the camera.  The mask of the ERS-7
+// is a plate over the whole face, with its face lights.
 void AddFace(const RobotModel& model, std::vector<RobotShape>* shapes) {
   const int head = model.FindBody("head");
   if (head < 0 || !model.bodies[static_cast<size_t>(head)].has_box) return;
@@ -110,7 +161,10 @@ void AddFace(const RobotModel& model, std::vector<RobotShape>* shapes) {
   RobotShape mask;
   mask.body = head;
   mask.shape.X_WS = At(front + Eigen::Vector3d(-0.022, 0, 0.003));
-  mask.shape.size_m = {0.046, 0.069, 0.036};
+  const bool is_plate = std::any_of(model.leds.begin(), model.leds.end(), [](const Led& led) {
+    return led.name.starts_with("Face light");
+  });
+  mask.shape.size_m = {0.046, 0.069, is_plate ? 0.054 : 0.036};
   mask.shape.radius_m = 0.017;
   mask.shape.colour = kBlack;
   mask.shape.gloss = 1.0f;
@@ -123,6 +177,21 @@ void AddFace(const RobotModel& model, std::vector<RobotShape>* shapes) {
   nose.shape.colour = kBlack;
   nose.shape.gloss = 0.9f;
   shapes->push_back(nose);
+}
+
+// Adds the end piece behind the trunk of a robot without tail joints, the ERS-220, whose overall
+// length is 276 mm.  It carries the tail lights.
+void AddEndPiece(const RobotModel& model, std::vector<RobotShape>* shapes) {
+  const int body = model.FindBody("body");
+  if (body < 0 || model.FindBody("tail_tilt") >= 0) return;
+  RobotShape added;
+  added.body = body;
+  added.shape.X_WS = At({-0.106, 0, 0.038});
+  added.shape.size_m = {0.045, 0.034, 0.020};
+  added.shape.radius_m = 0.008;
+  added.shape.colour = kGrey;
+  added.shape.gloss = 0.45f;
+  shapes->push_back(added);
 }
 
 // Angle by which an ear leans back when its plunger is at 0.
@@ -138,7 +207,9 @@ void AddEars(const RobotModel& model, std::vector<RobotShape>* shapes) {
     RobotShape added;
     added.body = head;
     added.ear = static_cast<int>(i);
-    added.pivot = {ear.place_m.x() + 0.004, side * 0.0385, ear.place_m.z() + 0.004};
+    const double half_width_m = model.bodies[static_cast<size_t>(head)].size_m.y() / 2;
+    added.pivot = {ear.place_m.x() + 0.004, side * (half_width_m + 0.0045),
+                   ear.place_m.z() + 0.004};
     Shape& shape = added.shape;
     shape.X_WS = At(added.pivot) * Eigen::AngleAxisd(kEarLean_rad, Eigen::Vector3d::UnitY()) *
                  Eigen::Translation3d(0, 0, 0.020);
@@ -224,6 +295,7 @@ std::vector<RobotShape> ShapesOfRobot(const RobotModel& model) {
   AddPaws(model, &shapes);
   AddHinges(model, &shapes);
   AddFace(model, &shapes);
+  AddEndPiece(model, &shapes);
   AddTouchPads(model, &shapes);
   AddLights(model, &shapes);
   AddEars(model, &shapes);

@@ -18,9 +18,10 @@ struct RobotShape {
   // `shape.X_WS` is the pose in the part, not in the world.  For an ear, this is the pose at angle
   // 0. For a light, the colour is that of the light when it is off.
   render::Shape shape;
-  int led = -1;         // for a light: index of RobotModel::leds, otherwise -1
-  render::Colour glow;  // for a light: its colour when it is on
-  int ear = -1;         // for an ear: index of RobotModel::plungers, otherwise -1
+  int led = -1;           // for a light: index of RobotModel::leds, otherwise -1
+  render::Colour glow;    // for a light: its colour when it is on
+  render::Colour glow_b;  // the same in mode B of the face lights of the ERS-7
+  int ear = -1;           // for an ear: index of RobotModel::plungers, otherwise -1
   // For an ear: a point of its axis, in the coordinates of the part.  The direction of the axis is
   // -y.
   Eigen::Vector3d pivot{0, 0, 0};

@@ -15,6 +15,7 @@ export interface ShapeData {
   triangles?: number[]; // x, y, z of three corners for each triangle, which are drawn and not the box
   led?: number;
   glow?: string;
+  glow_b?: string; // in mode B of the face lights of the ERS-7
   ear?: number;
   axis?: Vec3;
   pivot?: Vec3;
@@ -74,7 +75,8 @@ export interface Scene {
 
 export interface RobotPose {
   links: Pose[];
-  leds: number[];
+  leds: number[]; // brightness, 0 to 1
+  mode_b?: boolean; // the face lights of the ERS-7 are in mode B
   ears: number[];
   things?: Pose[]; // of the things that can move
 }

@@ -14,7 +14,8 @@ namespace {
 
 class RobotSceneTest : public testing::Test {
  protected:
-  RobotSceneTest() : model_(LoadRobotModel(ModelFile("ers210"))) {
+  explicit RobotSceneTest(const std::string& model = "ers210")
+      : model_(LoadRobotModel(ModelFile(model))) {
     const std::vector<double>& angles = model_.PostureAngles("stand");
     look_.X_WB = PlaceOnFloor(model_, angles).X_WB;
     for (const Eigen::Isometry3d& X_BL : LinkPoses(model_, angles)) {
@@ -34,8 +35,57 @@ class RobotSceneTest : public testing::Test {
 
 TEST_F(RobotSceneTest, ALightThatIsOnGlows) {
   EXPECT_EQ(Glowing(), 0);
-  look_.leds_on.assign(model_.leds.size(), true);
+  look_.leds.assign(model_.leds.size(), 1);
   EXPECT_EQ(Glowing(), static_cast<int>(model_.leds.size()));
+}
+
+class SceneOfModelTest : public RobotSceneTest, public testing::WithParamInterface<const char*> {
+ protected:
+  SceneOfModelTest() : RobotSceneTest(GetParam()) {}
+};
+
+TEST_P(SceneOfModelTest, EveryLightIsShown) {
+  look_.leds.assign(model_.leds.size(), 1);
+  EXPECT_EQ(Glowing(), static_cast<int>(model_.leds.size()));
+}
+
+TEST_P(SceneOfModelTest, EarsAreAtTheHead) {
+  const BodyPart& head = model_.bodies[static_cast<size_t>(model_.FindBody("head"))];
+  for (const RobotShape& shape : ShapesOfRobot(model_)) {
+    if (shape.ear >= 0) EXPECT_LT((shape.pivot - head.centre_m).norm(), 0.08);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, SceneOfModelTest, testing::Values("ers210", "ers220", "ers7"));
+
+class Ers7SceneTest : public RobotSceneTest {
+ protected:
+  Ers7SceneTest() : RobotSceneTest("ers7") {}
+
+  // Returns the colour of the light with this name.
+  render::Colour ColourOf(const std::string& name) const {
+    const auto named = [&](const RobotShape& shape) {
+      return shape.led >= 0 && model_.leds[static_cast<size_t>(shape.led)].name == name;
+    };
+    const std::vector<RobotShape> shapes = ShapesOfRobot(model_);
+    const auto light = std::find_if(shapes.begin(), shapes.end(), named);
+    const render::Scene scene = MakeRobotScene(model_, {look_}, World(), View::kIso);
+    return scene.shapes[static_cast<size_t>(light - shapes.begin())].colour;
+  }
+};
+
+TEST_F(Ers7SceneTest, FaceLightsHaveTheColourOfTheirMode) {
+  look_.leds.assign(model_.leds.size(), 1);
+  EXPECT_GT(ColourOf("Face light 13").r, ColourOf("Face light 13").b);
+  look_.is_face_in_mode_b = true;
+  EXPECT_LT(ColourOf("Face light 13").r, ColourOf("Face light 13").b);
+}
+
+TEST_F(Ers7SceneTest, ALightShinesAsBrightAsItIsTold) {
+  look_.leds.assign(model_.leds.size(), 0.25);
+  const float dim = ColourOf("Face light 6").r;
+  look_.leds.assign(model_.leds.size(), 1);
+  EXPECT_GT(ColourOf("Face light 6").r, dim + 0.3f);
 }
 
 TEST_F(RobotSceneTest, NothingReachesBelowTheFloor) {

@@ -203,9 +203,10 @@ void ReadProtection(const JsonReader& table, RobotModel* model) {
 
 void ReadLights(const JsonReader& root, RobotModel* model) {
   for (const JsonReader& row : Rows(root, "leds")) {
-    row.AllowOnly({"name", "locator", "type", "colour"});
+    row.AllowOnly({"name", "locator", "type", "colour", "colour_b"});
     model->leds.push_back({row.At("name").Text(), row.At("locator").Text(), row.At("type").Text(),
-                           row.Has("colour") ? row.At("colour").Text() : ""});
+                           row.Has("colour") ? row.At("colour").Text() : "",
+                           row.Has("colour_b") ? row.At("colour_b").Text() : ""});
   }
   if (!root.Has("plungers")) return;  // the ERS-220 has no plungers
   for (const JsonReader& row : Rows(root, "plungers")) {

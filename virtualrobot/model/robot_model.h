@@ -69,8 +69,9 @@ struct JointModel {
 struct Led {
   std::string name;
   std::string locator;
-  std::string type;    // "LED2", "LED3"
-  std::string colour;  // "": not known
+  std::string type;      // "LED2", "LED3"
+  std::string colour;    // "": not known
+  std::string colour_b;  // in mode B of the face lights of the ERS-7; "": as `colour`
 };
 
 // An ear.  The plunger that moves it has two positions, on and off, and no sensor.

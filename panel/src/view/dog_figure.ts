@@ -7,6 +7,7 @@ interface Led {
   index: number;
   mesh: THREE.Mesh<THREE.BufferGeometry, THREE.MeshStandardMaterial>;
   glow: THREE.Color;
+  glowB: THREE.Color;
 }
 
 interface Ear {
@@ -45,9 +46,8 @@ export class DogFigure {
     });
     if (pose.links?.[0] !== undefined) this.trunk = pose.links[0];
     for (const led of this.leds) {
-      const isOn = (pose.leds?.[led.index] ?? 0) !== 0;
-      led.mesh.material.emissive.copy(led.glow);
-      led.mesh.material.emissiveIntensity = isOn ? 1.6 : 0;
+      led.mesh.material.emissive.copy(pose.mode_b === true ? led.glowB : led.glow);
+      led.mesh.material.emissiveIntensity = 1.6 * (pose.leds?.[led.index] ?? 0);
     }
     for (const ear of this.ears)
       ear.pivot.quaternion.setFromAxisAngle(ear.axis, pose.ears?.[ear.index] ?? 0);
@@ -59,7 +59,9 @@ export class DogFigure {
     this.meshes.push(mesh);
     placeAt(mesh, shape.pose);
     if (shape.led !== undefined) {
-      this.leds.push({ index: shape.led, mesh, glow: new THREE.Color(shape.glow ?? '#ffffff') });
+      const glow = new THREE.Color(shape.glow ?? '#ffffff');
+      const glowB = shape.glow_b === undefined ? glow : new THREE.Color(shape.glow_b);
+      this.leds.push({ index: shape.led, mesh, glow, glowB });
     }
     if (shape.ear === undefined) {
       group.add(mesh);
