@@ -134,9 +134,10 @@ Bus::Bus(const BusOptions& options) : run_(options.run), number_(options.domain)
 void Bus::AnnounceLiveliness(int lease_s) {
   dds_qos_t* const qos = Dds().dds_create_qos();
   Dds().dds_qset_liveliness(qos, DDS_LIVELINESS_AUTOMATIC, DDS_MSECS(lease_s * 200));
-  const dds_entity_t topic =
-      Dds().dds_create_topic(participant_, &openr_wire_ToMaster_desc, "openr_alive", nullptr, nullptr);
-  const dds_entity_t writer = Dds().dds_create_writer(participant_, Check(topic, "topic"), qos, nullptr);
+  const dds_entity_t topic = Dds().dds_create_topic(participant_, &openr_wire_ToMaster_desc,
+                                                    "openr_alive", nullptr, nullptr);
+  const dds_entity_t writer =
+      Dds().dds_create_writer(participant_, Check(topic, "topic"), qos, nullptr);
   Dds().dds_delete_qos(qos);
   Check(writer, "writer");
 }
@@ -155,7 +156,8 @@ ChannelBase::ChannelBase(Bus* bus, const std::string& place, ChannelEnd end,
   const bool is_master = end == ChannelEnd::kMaster;
   const dds_entity_t participant = bus->participant();
   const auto topic = [&](const dds_topic_descriptor_t* type, const char* name) {
-    owned_.push_back(Check(Dds().dds_create_topic(participant, type, name, nullptr, nullptr), "topic"));
+    owned_.push_back(
+        Check(Dds().dds_create_topic(participant, type, name, nullptr, nullptr), "topic"));
     return owned_.back();
   };
   const dds_entity_t to_worker = topic(topics.to_worker, topics.to_worker_name);
@@ -164,7 +166,8 @@ ChannelBase::ChannelBase(Bus* bus, const std::string& place, ChannelEnd end,
   const dds_entity_t publisher = Dds().dds_create_publisher(participant, qos, nullptr);
   const dds_entity_t subscriber = Dds().dds_create_subscriber(participant, qos, nullptr);
   owned_.insert(owned_.end(), {publisher, subscriber});
-  Dds().dds_write_set_batch(true);  // holds for writers created from now on; WriteBatched() needs it
+  Dds().dds_write_set_batch(
+      true);  // holds for writers created from now on; WriteBatched() needs it
   writer_ = Dds().dds_create_writer(publisher, is_master ? to_worker : to_master, qos, nullptr);
   Dds().dds_write_set_batch(false);
   reader_ = Dds().dds_create_reader(subscriber, is_master ? to_master : to_worker, qos, nullptr);
@@ -197,7 +200,9 @@ bool ChannelBase::IsConnected() const {
          readers.current_count > 0 && writers.current_count > 0;
 }
 
-void ChannelBase::WaitForAcks(int timeout_ms) { Dds().dds_wait_for_acks(writer_, DDS_MSECS(timeout_ms)); }
+void ChannelBase::WaitForAcks(int timeout_ms) {
+  Dds().dds_wait_for_acks(writer_, DDS_MSECS(timeout_ms));
+}
 
 void ChannelBase::WriteBatched(const void* sample) {
   Check(Dds().dds_write(writer_, sample), "write");
@@ -242,7 +247,8 @@ void ChannelBase::ReceiveMore() {
   std::copy_n(free_samples_.rbegin(), kSamplesPerPacketMax, samples);
   // Receives the next sample alone after a large one (see kBulkBytes).
   const uint32_t wanted = last_bulk_bytes_ < kBulkBytes ? kSamplesPerPacketMax : 1;
-  const int count = Check(Dds().dds_take(reader_, samples, infos, kSamplesPerPacketMax, wanted), "take");
+  const int count =
+      Check(Dds().dds_take(reader_, samples, infos, kSamplesPerPacketMax, wanted), "take");
   free_samples_.resize(free_samples_.size() - static_cast<size_t>(count));
   for (int i = 0; i < count; ++i) {
     // Gives a sample without valid data back to DDS: it only says that a writer no longer exists.

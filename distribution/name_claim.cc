@@ -41,7 +41,8 @@ dds_qos_t* ClaimQos(const Bus& bus) {
 // Returns the claim that another run has put into the user data of its `writer`; "" if there is
 // none.
 std::string ClaimOf(dds_entity_t reader, dds_instance_handle_t writer) {
-  dds_builtintopic_endpoint_t* const endpoint = Dds().dds_get_matched_publication_data(reader, writer);
+  dds_builtintopic_endpoint_t* const endpoint =
+      Dds().dds_get_matched_publication_data(reader, writer);
   if (endpoint == nullptr) return "";
   void* data = nullptr;
   size_t size = 0;
@@ -56,8 +57,8 @@ std::string ClaimOf(dds_entity_t reader, dds_instance_handle_t writer) {
 }  // namespace
 
 NameClaim::NameClaim(Bus* bus) : bus_(bus), own_(NewClaim()) {
-  topic_ = Dds().dds_create_topic(bus->participant(), &openr_wire_JoinRequest_desc, kClaimTopic, nullptr,
-                            nullptr);
+  topic_ = Dds().dds_create_topic(bus->participant(), &openr_wire_JoinRequest_desc, kClaimTopic,
+                                  nullptr, nullptr);
   Check(topic_, kClaimTopic);
   dds_qos_t* const qos = ClaimQos(*bus);
   const dds_entity_t subscriber = Dds().dds_create_subscriber(bus->participant(), qos, nullptr);
@@ -89,7 +90,8 @@ void NameClaim::MakePermanent() {
 std::string NameClaim::EarlierRun() const {
   if (is_permanent_) return "";
   std::vector<dds_instance_handle_t> writers(kClaimsMax);
-  const dds_return_t count = Dds().dds_get_matched_publications(reader_, writers.data(), writers.size());
+  const dds_return_t count =
+      Dds().dds_get_matched_publications(reader_, writers.data(), writers.size());
   for (size_t i = 0; i < writers.size() && static_cast<dds_return_t>(i) < count; ++i) {
     const std::string claim = ClaimOf(reader_, writers[i]);
     if (claim.size() > kSinceDigits && claim < own_) return claim.substr(kSinceDigits + 1);

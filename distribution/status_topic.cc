@@ -30,7 +30,7 @@ using NewEnd = dds_entity_t (*)(dds_entity_t, dds_entity_t, const dds_qos_t*,
 // the partition of its subscriber or publisher, which `new_group` creates first.
 dds_entity_t Open(Bus* bus, NewGroup new_group, NewEnd new_end) {
   const dds_entity_t topic = Dds().dds_create_topic(bus->participant(), &openr_status_Status_desc,
-                                              kStatusTopic, nullptr, nullptr);
+                                                    kStatusTopic, nullptr, nullptr);
   Check(topic, "topic");
   dds_qos_t* const qos = StatusQos(bus->run());
   const dds_entity_t group = new_group(bus->participant(), qos, nullptr);

@@ -11,6 +11,7 @@ void ByteWriter::Fixed(uint64_t value, int count) {
 }
 
 void ByteWriter::Varint(uint64_t value) {
+  if (value < 0x80) return U8(static_cast<uint8_t>(value));  // nearly all numbers
   char bytes[10];
   size_t count = 0;
   for (; value >= 0x80; value >>= 7) bytes[count++] = static_cast<char>(value | 0x80);
