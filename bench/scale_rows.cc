@@ -51,6 +51,14 @@ SimulationOptions OfDogs(const std::string& stick, const std::string& body, int 
   return options;
 }
 
+// Eight dogs in one world: the field with its ball.
+SimulationOptions OnTheField(const std::string& stick) {
+  SimulationOptions options = OfDogs(stick, "ode", 8);
+  options.world = "field-2004.json";
+  options.together = true;
+  return options;
+}
+
 // Runs until the dogs have stood up.
 void StandUp(System* system) {
   system->Boot();
@@ -83,8 +91,7 @@ class Recorded {
 // Standing dogs; with `has_camera`, an object takes every image of the first one.
 class Dogs {
  public:
-  Dogs(const std::string& stick, const std::string& body, int robots, bool has_camera = false)
-      : simulation_(OfDogs(stick, body, robots)) {
+  explicit Dogs(const SimulationOptions& options, bool has_camera = false) : simulation_(options) {
     System& system = simulation_.system();
     ImageTaker* taker = nullptr;
     if (has_camera) {
@@ -159,8 +166,9 @@ long ResidentKb() {
 
 std::vector<Row> ScaleRows(const std::string& stick) {
   const auto dogs = [stick](const std::string& body, int robots, bool has_camera = false) {
-    return Lazily<Dogs>(fmt::format("{} dog{}", robots, robots == 1 ? "" : "s"),
-                        [=] { return std::make_unique<Dogs>(stick, body, robots, has_camera); });
+    return Lazily<Dogs>(fmt::format("{} dog{}", robots, robots == 1 ? "" : "s"), [=] {
+      return std::make_unique<Dogs>(OfDogs(stick, body, robots), has_camera);
+    });
   };
   Row recording{"recording; a frame of the full graph", "ns a frame", 250, {}, 1.08};
   recording.variants = {dogs("ode", 1), Lazily<Recorded>("recorded", [stick] {
@@ -184,6 +192,12 @@ std::vector<Row> ScaleRows(const std::string& stick) {
     row.rounds = 5;
     rows.push_back(std::move(row));
   }
+  Row field{"8 dogs; a frame of all", "ns a frame", 25, {}, 0};
+  field.variants = {dogs("ode", 8), Lazily<Dogs>("together on the field", [stick] {
+                      return std::make_unique<Dogs>(OnTheField(stick));
+                    })};
+  field.variants[0].name = "each in a world of its own";
+  rows.push_back(std::move(field));
   return rows;
 }
 
@@ -197,7 +211,7 @@ void PrintMemoryOfDogs(const std::string& stick, const std::string& filter) {
       if (pipe(ends) != 0) throw std::runtime_error("bench: no pipe");
       std::fflush(nullptr);
       if (fork() == 0) {  // so that each count begins with the same memory
-        Dogs dogs(stick, body, robots);
+        Dogs dogs(OfDogs(stick, body, robots));
         const long kb = ResidentKb();
         _exit(write(ends[1], &kb, sizeof kb) == sizeof kb ? 0 : 1);
       }

@@ -1,6 +1,5 @@
 #include "distribution/bus.h"
 
-#include <dds/dds.h>
 #include <dds/ddsrt/log.h>
 #include <fmt/format.h>
 #include <malloc.h>
@@ -100,11 +99,11 @@ std::string SettingsXml(const BusOptions& options) {
 // samples by newer ones, because a run must not lose a message.  A write that is blocked for 10 s
 // fails.
 dds_qos_t* ChannelQos(const std::string& partition) {
-  dds_qos_t* const qos = dds_create_qos();
-  dds_qset_reliability(qos, DDS_RELIABILITY_RELIABLE, DDS_SECS(10));
-  dds_qset_history(qos, DDS_HISTORY_KEEP_ALL, 0);
+  dds_qos_t* const qos = Dds().dds_create_qos();
+  Dds().dds_qset_reliability(qos, DDS_RELIABILITY_RELIABLE, DDS_SECS(10));
+  Dds().dds_qset_history(qos, DDS_HISTORY_KEEP_ALL, 0);
   const char* names[] = {partition.c_str()};
-  dds_qset_partition(qos, 1, names);
+  Dds().dds_qset_partition(qos, 1, names);
   return qos;
 }
 
@@ -113,14 +112,14 @@ dds_qos_t* ChannelQos(const std::string& partition) {
 Bus::Bus(const BusOptions& options) : run_(options.run), number_(options.domain) {
   const SignalsBlocked blocked;
   KeepFreedMemory();
-  dds_set_log_sink(&Log, nullptr);
+  Dds().dds_set_log_sink(&Log, nullptr);
   const auto domain = static_cast<dds_domainid_t>(options.domain);
-  domain_ = Check(dds_create_domain(domain, SettingsXml(options).c_str()), "domain");
-  participant_ = dds_create_participant(domain, nullptr, nullptr);
+  domain_ = Check(Dds().dds_create_domain(domain, SettingsXml(options).c_str()), "domain");
+  participant_ = Dds().dds_create_participant(domain, nullptr, nullptr);
   // Deletes the domain here, because the destructor does not run when the constructor throws.
-  if (participant_ < 0) dds_delete(domain_);
+  if (participant_ < 0) Dds().dds_delete(domain_);
   Check(participant_, "participant");
-  waitset_ = Check(dds_create_waitset(participant_), "wait set");
+  waitset_ = Check(Dds().dds_create_waitset(participant_), "wait set");
   AnnounceLiveliness(LeaseOf(options));
 }
 
@@ -133,21 +132,22 @@ Bus::Bus(const BusOptions& options) : run_(options.run), number_(options.domain)
 // liveliness lease is a fifth of `lease_s`, on a topic that nobody reads.  We choose no shorter
 // lease, because every participant receives each announcement.
 void Bus::AnnounceLiveliness(int lease_s) {
-  dds_qos_t* const qos = dds_create_qos();
-  dds_qset_liveliness(qos, DDS_LIVELINESS_AUTOMATIC, DDS_MSECS(lease_s * 200));
-  const dds_entity_t topic =
-      dds_create_topic(participant_, &openr_wire_ToMaster_desc, "openr_alive", nullptr, nullptr);
-  const dds_entity_t writer = dds_create_writer(participant_, Check(topic, "topic"), qos, nullptr);
-  dds_delete_qos(qos);
+  dds_qos_t* const qos = Dds().dds_create_qos();
+  Dds().dds_qset_liveliness(qos, DDS_LIVELINESS_AUTOMATIC, DDS_MSECS(lease_s * 200));
+  const dds_entity_t topic = Dds().dds_create_topic(participant_, &openr_wire_ToMaster_desc,
+                                                    "openr_alive", nullptr, nullptr);
+  const dds_entity_t writer =
+      Dds().dds_create_writer(participant_, Check(topic, "topic"), qos, nullptr);
+  Dds().dds_delete_qos(qos);
   Check(writer, "writer");
 }
 
 void Bus::Wait(int64_t timeout_us) {
-  dds_waitset_wait(waitset_, nullptr, 0, DDS_USECS(timeout_us));
+  Dds().dds_waitset_wait(waitset_, nullptr, 0, DDS_USECS(timeout_us));
 }
 
 // Deletes the domain, and with it the participant and all other DDS entities of this process.
-Bus::~Bus() { dds_delete(domain_); }
+Bus::~Bus() { Dds().dds_delete(domain_); }
 
 ChannelBase::ChannelBase(Bus* bus, const std::string& place, ChannelEnd end,
                          const ChannelTopics& topics)
@@ -156,36 +156,38 @@ ChannelBase::ChannelBase(Bus* bus, const std::string& place, ChannelEnd end,
   const bool is_master = end == ChannelEnd::kMaster;
   const dds_entity_t participant = bus->participant();
   const auto topic = [&](const dds_topic_descriptor_t* type, const char* name) {
-    owned_.push_back(Check(dds_create_topic(participant, type, name, nullptr, nullptr), "topic"));
+    owned_.push_back(
+        Check(Dds().dds_create_topic(participant, type, name, nullptr, nullptr), "topic"));
     return owned_.back();
   };
   const dds_entity_t to_worker = topic(topics.to_worker, topics.to_worker_name);
   const dds_entity_t to_master = topic(topics.to_master, topics.to_master_name);
   dds_qos_t* const qos = ChannelQos(bus->run() + "/" + place);
-  const dds_entity_t publisher = dds_create_publisher(participant, qos, nullptr);
-  const dds_entity_t subscriber = dds_create_subscriber(participant, qos, nullptr);
+  const dds_entity_t publisher = Dds().dds_create_publisher(participant, qos, nullptr);
+  const dds_entity_t subscriber = Dds().dds_create_subscriber(participant, qos, nullptr);
   owned_.insert(owned_.end(), {publisher, subscriber});
-  dds_write_set_batch(true);  // holds for writers created from now on; WriteBatched() needs it
-  writer_ = dds_create_writer(publisher, is_master ? to_worker : to_master, qos, nullptr);
-  dds_write_set_batch(false);
-  reader_ = dds_create_reader(subscriber, is_master ? to_master : to_worker, qos, nullptr);
-  dds_delete_qos(qos);
+  Dds().dds_write_set_batch(
+      true);  // holds for writers created from now on; WriteBatched() needs it
+  writer_ = Dds().dds_create_writer(publisher, is_master ? to_worker : to_master, qos, nullptr);
+  Dds().dds_write_set_batch(false);
+  reader_ = Dds().dds_create_reader(subscriber, is_master ? to_master : to_worker, qos, nullptr);
+  Dds().dds_delete_qos(qos);
   Check(writer_, "writer");
   Check(reader_, "reader");
-  waitset_ = Check(dds_create_waitset(participant), "wait set");
+  waitset_ = Check(Dds().dds_create_waitset(participant), "wait set");
   owned_.push_back(waitset_);
-  const dds_entity_t condition = dds_create_readcondition(reader_, DDS_ANY_STATE);
+  const dds_entity_t condition = Dds().dds_create_readcondition(reader_, DDS_ANY_STATE);
   Check(condition, "read condition");
-  Check(dds_waitset_attach(waitset_, condition, 0), "wait set");
-  Check(dds_waitset_attach(bus->waitset(), condition, 0), "wait set");
+  Check(Dds().dds_waitset_attach(waitset_, condition, 0), "wait set");
+  Check(Dds().dds_waitset_attach(bus->waitset(), condition, 0), "wait set");
 }
 
 ChannelBase::~ChannelBase() {
-  for (void* const sample : received_) dds_sample_free(sample, type_, DDS_FREE_ALL);
-  for (void* const sample : free_samples_) dds_sample_free(sample, type_, DDS_FREE_ALL);
+  for (void* const sample : received_) Dds().dds_sample_free(sample, type_, DDS_FREE_ALL);
+  for (void* const sample : free_samples_) Dds().dds_sample_free(sample, type_, DDS_FREE_ALL);
   // Deletes the entities in the reverse order of their creation, because later ones use earlier
   // ones.
-  for (auto entity = owned_.rbegin(); entity != owned_.rend(); ++entity) dds_delete(*entity);
+  for (auto entity = owned_.rbegin(); entity != owned_.rend(); ++entity) Dds().dds_delete(*entity);
 }
 
 bool ChannelBase::IsConnected() const {
@@ -193,15 +195,17 @@ bool ChannelBase::IsConnected() const {
   dds_subscription_matched_status_t writers;
   // Tests both directions, because DDS finds the reader and the writer of the other end separately.
   // A sample sent to an end without a reader is lost.
-  return dds_get_publication_matched_status(writer_, &readers) == DDS_RETCODE_OK &&
-         dds_get_subscription_matched_status(reader_, &writers) == DDS_RETCODE_OK &&
+  return Dds().dds_get_publication_matched_status(writer_, &readers) == DDS_RETCODE_OK &&
+         Dds().dds_get_subscription_matched_status(reader_, &writers) == DDS_RETCODE_OK &&
          readers.current_count > 0 && writers.current_count > 0;
 }
 
-void ChannelBase::WaitForAcks(int timeout_ms) { dds_wait_for_acks(writer_, DDS_MSECS(timeout_ms)); }
+void ChannelBase::WaitForAcks(int timeout_ms) {
+  Dds().dds_wait_for_acks(writer_, DDS_MSECS(timeout_ms));
+}
 
 void ChannelBase::WriteBatched(const void* sample) {
-  Check(dds_write(writer_, sample), "write");
+  Check(Dds().dds_write(writer_, sample), "write");
   if (++batched_count_ == kSamplesPerPacketMax) FlushBatch();
   ASSERT(batched_count_ >= 0 && batched_count_ < kSamplesPerPacketMax, "{}", batched_count_);
 }
@@ -214,7 +218,7 @@ void ChannelBase::Write(const void* sample) {
 void ChannelBase::FlushBatch() {
   if (batched_count_ == 0) return;
   batched_count_ = 0;
-  dds_write_flush(writer_);
+  Dds().dds_write_flush(writer_);
 }
 
 void* ChannelBase::ReceiveUntyped(int timeout_ms) {
@@ -229,13 +233,13 @@ void* ChannelBase::ReceiveUntyped(int timeout_ms) {
     // may be waiting for them.
     FlushBatch();
     if (timeout_ms == 0) return nullptr;
-    if (dds_waitset_wait(waitset_, nullptr, 0, DDS_MSECS(timeout_ms)) <= 0) return nullptr;
+    if (Dds().dds_waitset_wait(waitset_, nullptr, 0, DDS_MSECS(timeout_ms)) <= 0) return nullptr;
   }
 }
 
 void ChannelBase::ReceiveMore() {
   while (free_samples_.size() < kSamplesPerPacketMax) {
-    free_samples_.push_back(dds_alloc(type_->m_size));
+    free_samples_.push_back(Dds().dds_alloc(type_->m_size));
     std::memset(free_samples_.back(), 0, type_->m_size);
   }
   void* samples[kSamplesPerPacketMax];
@@ -243,7 +247,8 @@ void ChannelBase::ReceiveMore() {
   std::copy_n(free_samples_.rbegin(), kSamplesPerPacketMax, samples);
   // Receives the next sample alone after a large one (see kBulkBytes).
   const uint32_t wanted = last_bulk_bytes_ < kBulkBytes ? kSamplesPerPacketMax : 1;
-  const int count = Check(dds_take(reader_, samples, infos, kSamplesPerPacketMax, wanted), "take");
+  const int count =
+      Check(Dds().dds_take(reader_, samples, infos, kSamplesPerPacketMax, wanted), "take");
   free_samples_.resize(free_samples_.size() - static_cast<size_t>(count));
   for (int i = 0; i < count; ++i) {
     // Gives a sample without valid data back to DDS: it only says that a writer no longer exists.
@@ -257,7 +262,7 @@ void ChannelBase::ReceiveMore() {
 
 void ChannelBase::Return(void* sample) {
   ASSERT(sample != nullptr);
-  dds_sample_free(sample, type_, DDS_FREE_CONTENTS);
+  Dds().dds_sample_free(sample, type_, DDS_FREE_CONTENTS);
   std::memset(sample, 0, type_->m_size);
   free_samples_.push_back(sample);
 }

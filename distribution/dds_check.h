@@ -1,11 +1,12 @@
 // Error handling for calls of Cyclone DDS.
 #pragma once
 
-#include <dds/dds.h>
 #include <fmt/format.h>
 
 #include <stdexcept>
 #include <string_view>
+
+#include "distribution/dds.h"
 
 namespace openr_host {
 
@@ -13,7 +14,7 @@ namespace openr_host {
 // error otherwise.
 inline dds_entity_t Check(dds_entity_t result, std::string_view what) {
   if (result >= 0) return result;
-  throw std::runtime_error(fmt::format("Cyclone DDS: {}: {}", what, dds_strretcode(-result)));
+  throw std::runtime_error(fmt::format("Cyclone DDS: {}: {}", what, Dds().dds_strretcode(-result)));
 }
 
 }  // namespace openr_host

@@ -1,8 +1,5 @@
 #include "distribution/dds_settings.h"
 
-#include <dds/ddsrt/environ.h>
-#include <dds/ddsrt/heap.h>
-#include <dds/ddsrt/xmlparser.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <strings.h>
@@ -12,6 +9,8 @@
 #include <cstdlib>
 #include <memory>
 #include <vector>
+
+#include "distribution/dds.h"
 
 namespace openr_host {
 namespace {
@@ -40,9 +39,9 @@ class SettingsFile {
     const std::unique_ptr<FILE, int (*)(FILE*)> file(std::fopen(name.c_str(), "r"), &std::fclose);
     if (file == nullptr) return;
     const ddsrt_xmlp_callbacks callbacks = {&Open, &Attribute, &Data, &Close, &Error};
-    ddsrt_xmlp_state* const parser = ddsrt_xmlp_new_file(file.get(), this, &callbacks);
-    is_read_ = ddsrt_xmlp_parse(parser) >= 0;
-    ddsrt_xmlp_free(parser);
+    ddsrt_xmlp_state* const parser = Dds().ddsrt_xmlp_new_file(file.get(), this, &callbacks);
+    is_read_ = Dds().ddsrt_xmlp_parse(parser) >= 0;
+    Dds().ddsrt_xmlp_free(parser);
   }
 
   bool is_read() const { return is_read_; }
@@ -84,9 +83,9 @@ class SettingsFile {
   void SetId(const char* text) {
     // Expands environment variables in the id, such as "${DOMAIN}", because Cyclone DDS does the
     // same.
-    char* const id = ddsrt_expand_envvars(text, static_cast<uint32_t>(domain_));
+    char* const id = Dds().ddsrt_expand_envvars(text, static_cast<uint32_t>(domain_));
     if (id != nullptr) domains_.back().id = id;
-    ddsrt_free(id);
+    Dds().ddsrt_free(id);
   }
 
   const int domain_;

@@ -31,38 +31,39 @@ std::string NewClaim() {
 // Returns the quality of service for claims.  The partition has the run's name, so only runs of the
 // same name see the claim.  This process does not see its own claims.
 dds_qos_t* ClaimQos(const Bus& bus) {
-  dds_qos_t* const qos = dds_create_qos();
-  dds_qset_ignorelocal(qos, DDS_IGNORELOCAL_PARTICIPANT);
+  dds_qos_t* const qos = Dds().dds_create_qos();
+  Dds().dds_qset_ignorelocal(qos, DDS_IGNORELOCAL_PARTICIPANT);
   const char* names[] = {bus.run().c_str()};
-  dds_qset_partition(qos, 1, names);
+  Dds().dds_qset_partition(qos, 1, names);
   return qos;
 }
 
 // Returns the claim that another run has put into the user data of its `writer`; "" if there is
 // none.
 std::string ClaimOf(dds_entity_t reader, dds_instance_handle_t writer) {
-  dds_builtintopic_endpoint_t* const endpoint = dds_get_matched_publication_data(reader, writer);
+  dds_builtintopic_endpoint_t* const endpoint =
+      Dds().dds_get_matched_publication_data(reader, writer);
   if (endpoint == nullptr) return "";
   void* data = nullptr;
   size_t size = 0;
   std::string claim;
-  if (dds_qget_userdata(endpoint->qos, &data, &size) && data != nullptr)
+  if (Dds().dds_qget_userdata(endpoint->qos, &data, &size) && data != nullptr)
     claim.assign(static_cast<const char*>(data), size);
-  dds_free(data);
-  dds_builtintopic_free_endpoint(endpoint);
+  Dds().dds_free(data);
+  Dds().dds_builtintopic_free_endpoint(endpoint);
   return claim;
 }
 
 }  // namespace
 
 NameClaim::NameClaim(Bus* bus) : bus_(bus), own_(NewClaim()) {
-  topic_ = dds_create_topic(bus->participant(), &openr_wire_JoinRequest_desc, kClaimTopic, nullptr,
-                            nullptr);
+  topic_ = Dds().dds_create_topic(bus->participant(), &openr_wire_JoinRequest_desc, kClaimTopic,
+                                  nullptr, nullptr);
   Check(topic_, kClaimTopic);
   dds_qos_t* const qos = ClaimQos(*bus);
-  const dds_entity_t subscriber = dds_create_subscriber(bus->participant(), qos, nullptr);
-  reader_ = dds_create_reader(subscriber, topic_, qos, nullptr);
-  dds_delete_qos(qos);
+  const dds_entity_t subscriber = Dds().dds_create_subscriber(bus->participant(), qos, nullptr);
+  reader_ = Dds().dds_create_reader(subscriber, topic_, qos, nullptr);
+  Dds().dds_delete_qos(qos);
   Check(reader_, kClaimTopic);
   Announce(own_);
 }
@@ -72,10 +73,10 @@ NameClaim::NameClaim(Bus* bus) : bus_(bus), own_(NewClaim()) {
 // harm, because only the earliest claim of a run counts.
 void NameClaim::Announce(const std::string& claim) {
   dds_qos_t* const qos = ClaimQos(*bus_);
-  dds_qset_userdata(qos, claim.data(), claim.size());
-  const dds_entity_t publisher = dds_create_publisher(bus_->participant(), qos, nullptr);
-  const dds_entity_t writer = dds_create_writer(publisher, topic_, qos, nullptr);
-  dds_delete_qos(qos);
+  Dds().dds_qset_userdata(qos, claim.data(), claim.size());
+  const dds_entity_t publisher = Dds().dds_create_publisher(bus_->participant(), qos, nullptr);
+  const dds_entity_t writer = Dds().dds_create_writer(publisher, topic_, qos, nullptr);
+  Dds().dds_delete_qos(qos);
   Check(writer, kClaimTopic);
 }
 
@@ -89,7 +90,8 @@ void NameClaim::MakePermanent() {
 std::string NameClaim::EarlierRun() const {
   if (is_permanent_) return "";
   std::vector<dds_instance_handle_t> writers(kClaimsMax);
-  const dds_return_t count = dds_get_matched_publications(reader_, writers.data(), writers.size());
+  const dds_return_t count =
+      Dds().dds_get_matched_publications(reader_, writers.data(), writers.size());
   for (size_t i = 0; i < writers.size() && static_cast<dds_return_t>(i) < count; ++i) {
     const std::string claim = ClaimOf(reader_, writers[i]);
     if (claim.size() > kSinceDigits && claim < own_) return claim.substr(kSinceDigits + 1);

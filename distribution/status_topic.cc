@@ -13,12 +13,12 @@ constexpr char kStatusTopic[] = "openr_status";
 constexpr int kStatusRunsMax = 256;  // limit of runs whose newest status is kept
 
 dds_qos_t* StatusQos(const std::string& partition) {
-  dds_qos_t* const qos = dds_create_qos();
-  dds_qset_reliability(qos, DDS_RELIABILITY_BEST_EFFORT, 0);
-  dds_qset_history(qos, DDS_HISTORY_KEEP_LAST, 1);
-  dds_qset_resource_limits(qos, DDS_LENGTH_UNLIMITED, kStatusRunsMax, 1);
+  dds_qos_t* const qos = Dds().dds_create_qos();
+  Dds().dds_qset_reliability(qos, DDS_RELIABILITY_BEST_EFFORT, 0);
+  Dds().dds_qset_history(qos, DDS_HISTORY_KEEP_LAST, 1);
+  Dds().dds_qset_resource_limits(qos, DDS_LENGTH_UNLIMITED, kStatusRunsMax, 1);
   const char* names[] = {partition.c_str()};
-  dds_qset_partition(qos, 1, names);
+  Dds().dds_qset_partition(qos, 1, names);
   return qos;
 }
 
@@ -29,13 +29,13 @@ using NewEnd = dds_entity_t (*)(dds_entity_t, dds_entity_t, const dds_qos_t*,
 // Creates a reader or writer of the status topic with `new_end`.  In DDS, a reader or writer takes
 // the partition of its subscriber or publisher, which `new_group` creates first.
 dds_entity_t Open(Bus* bus, NewGroup new_group, NewEnd new_end) {
-  const dds_entity_t topic = dds_create_topic(bus->participant(), &openr_status_Status_desc,
-                                              kStatusTopic, nullptr, nullptr);
+  const dds_entity_t topic = Dds().dds_create_topic(bus->participant(), &openr_status_Status_desc,
+                                                    kStatusTopic, nullptr, nullptr);
   Check(topic, "topic");
   dds_qos_t* const qos = StatusQos(bus->run());
   const dds_entity_t group = new_group(bus->participant(), qos, nullptr);
   const dds_entity_t end = new_end(group, topic, qos, nullptr);
-  dds_delete_qos(qos);
+  Dds().dds_delete_qos(qos);
   return Check(end, kStatusTopic);
 }
 
@@ -148,7 +148,7 @@ void SetSequence(std::vector<T>* items, Seq* sequence) {
 }  // namespace
 
 StatusWriter::StatusWriter(Bus* bus)
-    : writer_(Open(bus, &dds_create_publisher, &dds_create_writer)) {}
+    : writer_(Open(bus, Dds().dds_create_publisher, Dds().dds_create_writer)) {}
 
 void StatusWriter::Write(const RunStatus& status) {
   std::vector<openr_status_ProcessStatus> processes;
@@ -160,16 +160,16 @@ void StatusWriter::Write(const RunStatus& status) {
   objects.resize(sent_count);
   SetSequence(&processes, &sample.processes);
   SetSequence(&objects, &sample.objects);
-  dds_write(writer_, &sample);
+  Dds().dds_write(writer_, &sample);
 }
 
 StatusReader::StatusReader(Bus* bus)
-    : reader_(Open(bus, &dds_create_subscriber, &dds_create_reader)) {
-  const dds_entity_t condition = dds_create_readcondition(reader_, DDS_ANY_STATE);
+    : reader_(Open(bus, Dds().dds_create_subscriber, Dds().dds_create_reader)) {
+  const dds_entity_t condition = Dds().dds_create_readcondition(reader_, DDS_ANY_STATE);
   Check(condition, "read condition");
   // Attaches the condition to the bus's wait set, so that Bus::Wait() also returns when a status
   // arrives.
-  Check(dds_waitset_attach(bus->waitset(), condition, 0), "wait set");
+  Check(Dds().dds_waitset_attach(bus->waitset(), condition, 0), "wait set");
 }
 
 std::vector<RunStatus> StatusReader::Take() {
@@ -177,7 +177,7 @@ std::vector<RunStatus> StatusReader::Take() {
   for (int i = 0; i < kStatusRunsMax; ++i) {
     void* sample = nullptr;
     dds_sample_info_t info;
-    if (dds_take(reader_, &sample, &info, 1, 1) != 1) break;
+    if (Dds().dds_take(reader_, &sample, &info, 1, 1) != 1) break;
     const auto& status = *static_cast<const openr_status_Status*>(sample);
     if (info.valid_data) {
       all.push_back(Decode(status));
@@ -189,7 +189,7 @@ std::vector<RunStatus> StatusReader::Take() {
       gone.has_ended = true;
       all.push_back(std::move(gone));
     }
-    dds_return_loan(reader_, &sample, 1);
+    Dds().dds_return_loan(reader_, &sample, 1);
   }
   return all;
 }

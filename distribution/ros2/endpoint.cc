@@ -9,14 +9,14 @@ namespace {
 // version 1).  No sample is kept for readers that come later.
 class Qos {
  public:
-  explicit Qos(int depth) : qos_(dds_create_qos()) {
+  explicit Qos(int depth) : qos_(Dds().dds_create_qos()) {
     constexpr dds_data_representation_id_t kPlain[] = {DDS_DATA_REPRESENTATION_XCDR1};
-    dds_qset_reliability(qos_, DDS_RELIABILITY_RELIABLE, 0);
-    dds_qset_history(qos_, DDS_HISTORY_KEEP_LAST, depth);
-    dds_qset_durability(qos_, DDS_DURABILITY_VOLATILE);
-    dds_qset_data_representation(qos_, 1, kPlain);
+    Dds().dds_qset_reliability(qos_, DDS_RELIABILITY_RELIABLE, 0);
+    Dds().dds_qset_history(qos_, DDS_HISTORY_KEEP_LAST, depth);
+    Dds().dds_qset_durability(qos_, DDS_DURABILITY_VOLATILE);
+    Dds().dds_qset_data_representation(qos_, 1, kPlain);
   }
-  ~Qos() { dds_delete_qos(qos_); }
+  ~Qos() { Dds().dds_delete_qos(qos_); }
   Qos(const Qos&) = delete;
   Qos& operator=(const Qos&) = delete;
   const dds_qos_t* get() const { return qos_; }
@@ -30,7 +30,7 @@ std::string OnDds(const std::string& name) { return "rt/" + name; }
 
 dds_entity_t TopicOf(Bus* bus, const dds_topic_descriptor_t& type, const std::string& name) {
   const std::string topic = OnDds(name);
-  return Check(dds_create_topic(bus->participant(), &type, topic.c_str(), nullptr, nullptr),
+  return Check(Dds().dds_create_topic(bus->participant(), &type, topic.c_str(), nullptr, nullptr),
                "topic " + topic);
 }
 
@@ -39,17 +39,17 @@ dds_entity_t TopicOf(Bus* bus, const dds_topic_descriptor_t& type, const std::st
 Ros2Writer::Ros2Writer(Bus* bus, const dds_topic_descriptor_t& type, const std::string& name,
                        int depth)
     : topic_(TopicOf(bus, type, name)),
-      writer_(Check(dds_create_writer(bus->participant(), topic_, Qos(depth).get(), nullptr),
+      writer_(Check(Dds().dds_create_writer(bus->participant(), topic_, Qos(depth).get(), nullptr),
                     "writer of " + name)) {}
 
 Ros2Writer::~Ros2Writer() {
-  dds_delete(writer_);
-  dds_delete(topic_);
+  Dds().dds_delete(writer_);
+  Dds().dds_delete(topic_);
 }
 
 bool Ros2Writer::HasReaders() const {
   dds_publication_matched_status_t readers;
-  return dds_get_publication_matched_status(writer_, &readers) == DDS_RETCODE_OK &&
+  return Dds().dds_get_publication_matched_status(writer_, &readers) == DDS_RETCODE_OK &&
          readers.current_count > 0;
 }
 
@@ -57,23 +57,23 @@ void Ros2Writer::Write(const void* sample) {
   if (!HasReaders()) return;
   // Ignores a failed write, because the run must not depend on readers.  Readers miss this sample,
   // for instance when they are so slow that Cyclone DDS has no room for it.
-  static_cast<void>(dds_write(writer_, sample));
+  static_cast<void>(Dds().dds_write(writer_, sample));
 }
 
 Ros2Reader::Ros2Reader(Bus* bus, const dds_topic_descriptor_t& type, const std::string& name,
                        int depth)
     : topic_(TopicOf(bus, type, name)),
-      reader_(Check(dds_create_reader(bus->participant(), topic_, Qos(depth).get(), nullptr),
+      reader_(Check(Dds().dds_create_reader(bus->participant(), topic_, Qos(depth).get(), nullptr),
                     "reader of " + name)) {}
 
 Ros2Reader::~Ros2Reader() {
-  dds_delete(reader_);
-  dds_delete(topic_);
+  Dds().dds_delete(reader_);
+  Dds().dds_delete(topic_);
 }
 
 bool Ros2Reader::HasMisfit() const {
   dds_requested_incompatible_qos_status_t status;
-  return dds_get_requested_incompatible_qos_status(reader_, &status) == DDS_RETCODE_OK &&
+  return Dds().dds_get_requested_incompatible_qos_status(reader_, &status) == DDS_RETCODE_OK &&
          status.total_count > 0;
 }
 
@@ -81,13 +81,13 @@ void* Ros2Reader::Take() {
   for (;;) {
     void* sample = nullptr;
     dds_sample_info_t info;
-    if (dds_take(reader_, &sample, &info, 1, 1) <= 0) return nullptr;
+    if (Dds().dds_take(reader_, &sample, &info, 1, 1) <= 0) return nullptr;
     // Skips a sample without valid data: it only says that a writer no longer exists.
     if (info.valid_data) return sample;
     Return(sample);
   }
 }
 
-void Ros2Reader::Return(void* sample) { dds_return_loan(reader_, &sample, 1); }
+void Ros2Reader::Return(void* sample) { Dds().dds_return_loan(reader_, &sample, 1); }
 
 }  // namespace openr_host

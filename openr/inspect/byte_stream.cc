@@ -2,13 +2,21 @@
 
 namespace openr_host {
 
+// The bytes of a number are collected and appended at once, because a string checks its room for
+// each append.
 void ByteWriter::Fixed(uint64_t value, int count) {
-  for (int i = 0; i < count; ++i) U8(static_cast<uint8_t>(value >> 8 * i));
+  char bytes[8];
+  for (int i = 0; i < count; ++i) bytes[i] = static_cast<char>(value >> 8 * i);
+  bytes_.append(bytes, static_cast<size_t>(count));
 }
 
 void ByteWriter::Varint(uint64_t value) {
-  for (; value >= 0x80; value >>= 7) U8(static_cast<uint8_t>(value | 0x80));
-  U8(static_cast<uint8_t>(value));
+  if (value < 0x80) return U8(static_cast<uint8_t>(value));  // nearly all numbers
+  char bytes[10];
+  size_t count = 0;
+  for (; value >= 0x80; value >>= 7) bytes[count++] = static_cast<char>(value | 0x80);
+  bytes[count++] = static_cast<char>(value);
+  bytes_.append(bytes, count);
 }
 
 void ByteWriter::Text(std::string_view text) {

@@ -1,6 +1,7 @@
 // What the program refuses, and how.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "tests/openr/program_run.h"
@@ -46,6 +47,18 @@ TEST(CommandLineTest, TheVersionCanBeAskedForAsAFlag) {
   const ProgramResult result = RunProgram({"--version"});
   EXPECT_EQ(result.status, 0);
   EXPECT_EQ(result.out, RunProgram({"version"}).out);
+}
+
+// A run of one process needs neither Cyclone DDS nor its OpenSSL and iceoryx, and loading them
+// takes a fifth of the start.  With this variable, the dynamic linker prints what it loads with the
+// program.
+TEST(CommandLineTest, TheLibrariesOfDistributionAreNotLoadedWithTheProgram) {
+  setenv("LD_TRACE_LOADED_OBJECTS", "1", 1);
+  const std::string libraries = RunProgram({}).out;
+  unsetenv("LD_TRACE_LOADED_OBJECTS");
+  EXPECT_NE(libraries.find("libopenr_runtime.so"), std::string::npos) << libraries;
+  for (const char* const name : {"libddsc", "libssl", "libiceoryx"})
+    EXPECT_EQ(libraries.find(name), std::string::npos) << libraries;
 }
 
 TEST(CommandLineTest, HelpTellsOfTheProgramAndOfItsCommands) {
