@@ -162,7 +162,7 @@ std::vector<Diagnostic> CheckWlanSense(const std::string& file, const WlanResult
   }
   if (!config.wep_enable && Sets(settings, "WEPKEY"))
     sense.Warn("WEPKEY has no effect with WEPENABLE=0");
-  if (config.wep_enable && !Sets(settings, "WEPKEY"))
+  if (config.wep_enable && Sets(settings, "WEPENABLE") && !Sets(settings, "WEPKEY"))
     sense.Warn("WEPENABLE is 1 and there is no WEPKEY; the robot takes that of Sony's file, AIBO2");
   if (config.ap_mode == 1 && Sets(settings, "CHANNEL"))
     sense.Warn("CHANNEL has no effect with APMODE=1: it is for ad hoc networks");
