@@ -50,11 +50,12 @@ hello() {
     grep "Hello, world" said'
 }
 
-# links FILE: whether each file that a document links to is there.
+# links FILE: whether each file that a document links to is there.  Folders of the sources are not.
 links() {
   local folder target bad=0
   folder=$(dirname "$1")
   for target in $(grep -oE '\]\([^)#: ]+' "$1" | sed 's/^](//'); do
+    case $target in virtualrobot | testing) continue ;; esac
     [ -e "$folder/$target" ] || { echo "$1 links to $target"; bad=1; }
   done
   return $bad
@@ -77,7 +78,7 @@ removed() {
 }
 
 check 'the program starts' person 'openr version && openr --help'
-check 'the dog stands' person 'openr run --for 5s --rate max --json --no-panel 2>err | grep "\"standing\": *true"'
+check 'the dog stands' person 'openr run --for 20s --rate max --json --no-panel 2>err | grep "\"standing\": *true"'
 check 'a new object is built, run and tested, as openr new says' new_object
 check 'make builds it, by way of pkg-config' person 'pkg-config --modversion openr-host
   make -C Greeter install OPENRSDK_ROOT=$(pkg-config --variable=sdk openr-host)'
