@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "cli/output_file.h"
+#include "cli/progress_line.h"
 #include "cli/standard_streams.h"
 
 namespace openr_host {
@@ -33,12 +34,14 @@ void LoseConsole(int error) {
 }
 
 void WriteConsole(std::string_view text) {
+  ClearProgressLine();
   const int error = WriteAll(STDOUT_FILENO, text);
   if (error != 0) LoseConsole(error);
 }
 
 // Writes out the buffer of the C library, in which the text of objects waits until its line ends.
 void FlushConsole() {
+  if (__fpending(stdout) > 0) ClearProgressLine();
   errno = 0;
   const bool is_flushed = std::fflush(stdout) == 0;
   const int error = errno != 0 ? errno : EIO;  // errno is read before ferror(), which may change it

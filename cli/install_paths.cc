@@ -16,6 +16,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// The folder in lib/ that holds the libraries of an installation; in the build tree they lie in
+// lib/ itself.
+constexpr char kInstalledLibraries[] = "openr-host";
+
 // Returns the folder that holds bin/openr, both in the build tree and after installing.
 fs::path Prefix() { return fs::path(ProgramFolder()).parent_path(); }
 
@@ -24,7 +28,9 @@ fs::path Prefix() { return fs::path(ProgramFolder()).parent_path(); }
 fs::path RuntimePrefix() {
   Dl_info info{};
   if (dladdr(dlsym(RTLD_DEFAULT, "openr_second_stack_new"), &info) == 0) return Prefix();
-  return fs::path(info.dli_fname).parent_path().parent_path();
+  const fs::path folder = fs::path(info.dli_fname).parent_path();
+  const bool is_installed = folder.filename() == kInstalledLibraries;
+  return (is_installed ? folder.parent_path() : folder).parent_path();
 }
 
 std::vector<fs::path> DataFolders() {
@@ -33,7 +39,7 @@ std::vector<fs::path> DataFolders() {
 }
 
 std::string LibraryBesideProgram(const char* name) {
-  for (const fs::path& folder : {Prefix() / "lib", Prefix() / "lib" / "openr-host"}) {
+  for (const fs::path& folder : {Prefix() / "lib", Prefix() / "lib" / kInstalledLibraries}) {
     std::error_code error;
     if (fs::is_regular_file(folder / name, error)) return folder / name;
   }
@@ -60,9 +66,13 @@ std::string ProgramCall() {
     std::error_code error;
     if (!fs::is_regular_file(found, error)) continue;
     const bool is_self = fs::equivalent(found, self, error);
-    return is_self && !error ? self.filename().string() : self.string();
+    if (is_self && !error) return self.filename();
+    break;  // another program has this name
   }
-  return self;
+  const fs::path relative = self.lexically_relative(fs::current_path());
+  const bool is_below = !relative.empty() && *relative.begin() != "..";
+  if (!is_below) return self;
+  return relative.has_parent_path() ? relative : "." / relative;
 }
 
 std::string DefaultStick() {

@@ -12,8 +12,8 @@ std::string ProgramFolder();
 // Returns the path of the file of the running program.
 std::string ProgramFile();
 
-// Returns the words with which a person calls the program: its name if PATH leads to it, else its
-// path.
+// Returns the word with which a person calls the program from where that person stands: its name if
+// PATH leads to it, else its path, which is short if it is below the working folder.
 std::string ProgramCall();
 
 // Returns the default stick, which runs use if the user names none: a folder that holds OPEN-R/.

@@ -146,7 +146,10 @@ ProcessResult RunProcess(const std::vector<std::string>& arguments, const Proces
   out.CloseWriter();
   if (options.input) WriteInput(in.writer(), *options.input);
   in.CloseWriter();
-  if (captures) result.output = ReadToEnd(out.reader(), options.echoes ? stderr : nullptr);
+  if (captures) {
+    result.output =
+        ReadToEnd(out.reader(), options.echoes ? stderr : nullptr, options.while_waiting);
+  }
   const int status = WaitForEnd(child);
   result.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   return result;

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -35,10 +36,16 @@ ProcessCopy StartCopy(const std::function<void(int answers)>& work) {
   return {child, ends[0]};
 }
 
-std::string ReadToEnd(int descriptor, std::FILE* echo) {
+std::string ReadToEnd(int descriptor, std::FILE* echo, const std::function<void()>& while_waiting) {
+  constexpr int kPauseMs = 200;  // between two calls of `while_waiting`
   std::string text;
   char buffer[8192];
   for (;;) {
+    if (while_waiting) {
+      while_waiting();
+      pollfd wanted = {descriptor, POLLIN, 0};
+      if (poll(&wanted, 1, kPauseMs) <= 0) continue;
+    }
     const ssize_t count = read(descriptor, buffer, sizeof buffer);
     if (count < 0 && errno == EINTR) continue;
     if (count <= 0) return text;

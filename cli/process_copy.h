@@ -22,8 +22,10 @@ struct ProcessCopy {
 ProcessCopy StartCopy(const std::function<void(int answers)>& work);
 
 // Returns the text that is read from `descriptor` until its end or an error.  If `echo` is not
-// null, also writes the text to it as soon as it comes.
-std::string ReadToEnd(int descriptor, std::FILE* echo = nullptr);
+// null, also writes the text to it as soon as it comes.  Calls `while_waiting`, if it is not null,
+// about every 200 ms.
+std::string ReadToEnd(int descriptor, std::FILE* echo = nullptr,
+                      const std::function<void()>& while_waiting = {});
 
 // Waits for the end of the child process `child` and returns its status as waitpid() gives it.
 // REQUIRES: nothing else has waited for the end of `child`.

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "cli/output_file.h"
+#include "cli/progress_line.h"
 
 namespace openr_host {
 namespace {
@@ -37,6 +38,7 @@ void OpenClosedDescriptors() {
 void KeepErrorStreamGood() {
   cookie_io_functions_t functions = {};
   functions.write = [](void*, const char* text, size_t size) {
+    ClearProgressLine();
     WriteAll(STDERR_FILENO, {text, size});
     return static_cast<ssize_t>(size);
   };

@@ -1,6 +1,6 @@
 # openr::testing of an installation or a build tree, for tests of objects (docs/testing.md).
 #
-# Included by openr-hostConfig.cmake, which sets OPENR_HOST_PREFIX and OPENR_HOST_SDK.  What is
+# Included by openr-hostConfig.cmake, which sets OPENR_HOST_PREFIX, _LIBRARIES and _SDK.  What is
 # missing is said when somebody links the library; objects can be built without it.
 include(CMakeFindDependencyMacro)
 
@@ -37,9 +37,9 @@ elseif(NOT TARGET openr::testing)
   target_compile_definitions(openr::testing INTERFACE EIGEN_DONT_VECTORIZE)
   target_compile_features(openr::testing INTERFACE cxx_std_20)
   set(openr_libraries testing program cli virtualrobot objects_common)
-  list(TRANSFORM openr_libraries REPLACE "(.+)" "${OPENR_HOST_PREFIX}/lib/libopenr_\\1.a")
+  list(TRANSFORM openr_libraries REPLACE "(.+)" "${OPENR_HOST_LIBRARIES}/libopenr_\\1.a")
   target_link_libraries(openr::testing INTERFACE
-    ${openr_libraries} ${OPENR_HOST_PREFIX}/lib/libopenr_runtime.so
+    ${openr_libraries} ${OPENR_HOST_LIBRARIES}/libopenr_runtime.so
     GTest::gtest GTest::gmock fmt::fmt Eigen3::Eigen PNG::PNG PkgConfig::OPENR_ODE
     PkgConfig::OPENR_SNDFILE PkgConfig::OPENR_LIBDW
     ${CMAKE_DL_LIBS})

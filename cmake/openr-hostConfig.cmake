@@ -4,6 +4,11 @@
 # Works from an installed prefix and from a build tree alike: both hold share/openr-host.
 get_filename_component(OPENR_HOST_PREFIX ${CMAKE_CURRENT_LIST_DIR}/../../.. ABSOLUTE)
 set(OPENR_HOST_SDK ${OPENR_HOST_PREFIX}/share/openr-host/sdk)
+# An installation has its libraries in a folder of their own.
+set(OPENR_HOST_LIBRARIES ${OPENR_HOST_PREFIX}/lib)
+if(EXISTS ${OPENR_HOST_PREFIX}/lib/openr-host)
+  set(OPENR_HOST_LIBRARIES ${OPENR_HOST_PREFIX}/lib/openr-host)
+endif()
 set(OPENR_HOST_PROGRAM ${OPENR_HOST_PREFIX}/bin/openr)
 
 set(OPENR_STUBGEN2 ${OPENR_HOST_PREFIX}/bin/stubgen2)
@@ -39,7 +44,7 @@ endforeach()
 
 include(${CMAKE_CURRENT_LIST_DIR}/OpenrObject.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/OpenrRemote.cmake)
-if(EXISTS ${OPENR_HOST_PREFIX}/lib/libopenr_testing.a)
+if(EXISTS ${OPENR_HOST_LIBRARIES}/libopenr_testing.a)
   include(${CMAKE_CURRENT_LIST_DIR}/OpenrTesting.cmake)
 elseif(EXISTS ${OPENR_HOST_PREFIX}/CMakeCache.txt)
   message(STATUS "openr-host: no openr::testing, since it is not built; build it with: "

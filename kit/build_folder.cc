@@ -18,7 +18,10 @@
 #include <thread>
 
 #include "cli/cache_folder.h"
+#include "cli/colour.h"
 #include "cli/exit_code.h"
+#include "cli/install_paths.h"
+#include "cli/progress_line.h"
 #include "kit/controller_sources.h"
 #include "kit/convention_build.h"
 #include "kit/foreign_code.h"
@@ -86,6 +89,8 @@ class FolderBuild {
   void PrepareWork();
   void CheckWorkIsOurs() const;
   void Build();
+  uint64_t CountSources() const;
+  void CallTheTools();
   void TryConvention(const std::vector<ObjectFolder>& objects, const MakePlan& plan);
   bool HasFailure(const ObjectFolder& object) const;
   std::vector<ObjectFolder> NotBuilt() const;
@@ -216,7 +221,27 @@ std::vector<ObjectFolder> FolderBuild::NotBuilt() const {
   return objects;
 }
 
+// Returns about how many sources the build compiles: those that were found, and a stub for each
+// stub.cfg.  Makefiles may name more or fewer.
+uint64_t FolderBuild::CountSources() const {
+  uint64_t count = project_.shared_sources.size();
+  for (const ObjectFolder& object : project_.objects)
+    count += object.sources.size() + (object.stub.empty() ? 0 : 1);
+  return count;
+}
+
 void FolderBuild::Build() {
+  ProgressLine progress(STDERR_FILENO, CountSources(), "sources compiled");
+  if (progress.is_shown()) {
+    make_.while_waiting = [&progress, this, before = CountCompiles(make_.log)] {
+      progress.Show(CountCompiles(make_.log) - before);
+    };
+  }
+  CallTheTools();
+  make_.while_waiting = {};
+}
+
+void FolderBuild::CallTheTools() {
   const MakePlan plan = PlanMake(project_, sdk_root_);
   if (plan.folders.empty()) {
     TryConvention(project_.objects, plan);
@@ -447,10 +472,15 @@ std::string FolderBuild::Described(const KitLog::Failure& failure) const {
 
 int FolderBuild::Conclude() const {
   std::fflush(stdout);
-  for (const std::string& note : notes_) fmt::print(stderr, "openr build: note: {}\n", note);
-  for (const std::string& problem : problems_) fmt::print(stderr, "openr build: {}\n", problem);
+  const bool has_colours = HasColours(STDERR_FILENO);
+  const std::string note_begin = Coloured(Colour::kNote, "openr build: note:", has_colours);
+  const std::string problem_begin = Coloured(Colour::kError, "openr build:", has_colours);
+  for (const std::string& note : notes_) fmt::print(stderr, "{} {}\n", note_begin, note);
+  for (const std::string& problem : problems_)
+    fmt::print(stderr, "{} {}\n", problem_begin, problem);
   if (!problems_.empty()) return kExitWrong;
-  for (const std::string& stick : sticks_) fmt::print("openr run --stick {}\n", ShellWord(stick));
+  for (const std::string& stick : sticks_)
+    fmt::print("{} run --stick {}\n", ShellWord(ProgramCall()), ShellWord(stick));
   return kExitGood;
 }
 

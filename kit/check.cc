@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "cli/colour.h"
 #include "kit/check_controller.h"
 #include "kit/check_data.h"
 #include "kit/check_objects.h"
@@ -39,6 +40,19 @@ const char* WordOf(Remark::Kind kind) {
     default:
       return "note";
   }
+}
+
+// Returns `rendered`, a remark, with the place and the word in its first line in the colour of its
+// kind.
+std::string WithColour(const std::string& rendered, Remark::Kind kind, bool has_colours) {
+  const std::string word = kind == Remark::Kind::kError ? ":" : std::string(WordOf(kind)) + ":";
+  const size_t at = rendered.find(word + " ");
+  if (at == std::string::npos) return rendered;
+  const Colour colour = kind == Remark::Kind::kError     ? Colour::kError
+                        : kind == Remark::Kind::kWarning ? Colour::kWarning
+                                                         : Colour::kNote;
+  const size_t end = at + word.size();
+  return Coloured(colour, rendered.substr(0, end), has_colours) + rendered.substr(end);
 }
 
 }  // namespace
@@ -90,7 +104,8 @@ int Remarks::CountOf(Remark::Kind kind) const {
       std::count_if(all_.begin(), all_.end(), [&](const Remark& r) { return r.kind == kind; }));
 }
 
-Remarks CheckFolder(const std::string& folder, const std::vector<std::string>& locators) {
+Remarks CheckFolder(const std::string& folder, const std::vector<std::string>& locators,
+                    CheckTarget target) {
   std::error_code error;
   if (!fs::is_directory(folder, error))
     throw std::runtime_error(folder + ": is no folder; name a stick or a folder with objects");
@@ -119,18 +134,19 @@ Remarks CheckFolder(const std::string& folder, const std::vector<std::string>& l
   const ObjectParts parts(project, places);
   CheckObjects(project, parts, &remarks);
   CheckSentData(project, &remarks);
-  for (const StickFolder& stick : project.sticks) CheckStick(stick, project, parts, &remarks);
+  for (const StickFolder& stick : project.sticks)
+    CheckStick(stick, project, parts, target, &remarks);
   return remarks;
 }
 
-std::string RenderRemarks(const Remarks& remarks) {
+std::string RenderRemarks(const Remarks& remarks, bool has_colours) {
   std::string text;
   for (const Remark& remark : remarks.all()) {
     Diagnostic diagnostic{Severity::kError, remark.file, remark.line,
                           remark.column,    remark.text, remark.source_line};
     if (remark.kind != Remark::Kind::kError)
       diagnostic.message = fmt::format("{}: {}", WordOf(remark.kind), remark.text);
-    text += Render(diagnostic) + "\n";
+    text += WithColour(Render(diagnostic), remark.kind, has_colours) + "\n";
     if (remark.count < 2) continue;
     const uint64_t rest = remark.count - 1 - remark.also_at.size();
     text += fmt::format("  also at {}{}\n", fmt::join(remark.also_at, ", "),

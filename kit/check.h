@@ -60,14 +60,19 @@ class Remarks {
   std::vector<Remark> all_;
 };
 
+// What is to run the program: a host takes images for its own processor, a robot for its own.
+enum class CheckTarget { kHost, kRobot };
+
 // Checks a folder with objects and sticks, or a stick alone.  `locators` are the names of all
 // devices of all robots; a device that a controller names must be one of them.  Throws
 // std::runtime_error when the folder holds nothing to check.
-Remarks CheckFolder(const std::string& folder, const std::vector<std::string>& locators);
+Remarks CheckFolder(const std::string& folder, const std::vector<std::string>& locators,
+                    CheckTarget target = CheckTarget::kHost);
 
 // Returns the remarks as text.  Each remark is "file:line: warning: text", then the line of the
-// file with a caret below it, then the other places with the same cause.
-std::string RenderRemarks(const Remarks& remarks);
+// file with a caret below it, then the other places with the same cause.  With `has_colours`, the
+// place is in the colour of its kind.
+std::string RenderRemarks(const Remarks& remarks, bool has_colours = false);
 
 // Returns the remarks as JSON:
 //   {"path", "errors", "warnings", "notes", "remarks": [{"severity", "file", "line", "column",

@@ -47,8 +47,8 @@ struct MissingImage {
 class ImageCheck {
  public:
   ImageCheck(const StickFolder& stick, const Project& project, const ObjectParts& parts,
-             Remarks* remarks)
-      : stick_(stick), parts_(parts), remarks_(remarks) {
+             CheckTarget target, Remarks* remarks)
+      : stick_(stick), parts_(parts), target_(target), remarks_(remarks) {
     for (const auto* objects : {&project.objects, &project.neighbours}) {
       for (const ObjectFolder& object : *objects) objects_.push_back(&object);
     }
@@ -97,6 +97,7 @@ class ImageCheck {
 
   const StickFolder& stick_;
   const ObjectParts& parts_;
+  const CheckTarget target_;
   Remarks* const remarks_;
   std::vector<const ObjectFolder*> objects_;  // first those of the project, then its neighbours
   bool has_sources_ = false;
@@ -130,7 +131,7 @@ void ImageCheck::CheckRecord(const ObjectRecord& record) {
   // replace it by an image for the host.
   if (image.is_for_robot && has_sources_) {
     missing_.push_back({record, image.problem});
-  } else if (!image.problem.empty()) {
+  } else if (!image.problem.empty() && !(image.is_for_robot && target_ == CheckTarget::kRobot)) {
     remarks_->Add(Remark::Kind::kError, record.place,
                   fmt::format("{} {}", record.path, image.problem));
   }
@@ -337,8 +338,8 @@ void ImageCheck::CheckPlacedNames() {
 }  // namespace
 
 StickImages CheckImages(const StickFolder& stick, const Project& project, const ObjectParts& parts,
-                        Remarks* remarks) {
-  return ImageCheck(stick, project, parts, remarks).Run();
+                        CheckTarget target, Remarks* remarks) {
+  return ImageCheck(stick, project, parts, target, remarks).Run();
 }
 
 }  // namespace openr_host

@@ -28,8 +28,9 @@ struct StickImages {
 };
 
 // Adds a remark for each faulty image: it is missing and no build will make it, or it cannot be
-// loaded, or its object has the same name as another object.  Returns the services of all images.
+// loaded by `target`, or its object has the same name as another object.  Returns the services of
+// all images.
 StickImages CheckImages(const StickFolder& stick, const Project& project, const ObjectParts& parts,
-                        Remarks* remarks);
+                        CheckTarget target, Remarks* remarks);
 
 }  // namespace openr_host

@@ -8,6 +8,7 @@
 #include "kit/check_images.h"
 #include "kit/check_objects.h"
 #include "kit/text_files.h"
+#include "kit/wlan_file.h"
 #include "runtime/base/spelling.h"
 #include "runtime/config/address_config.h"
 #include "runtime/config/connect_config.h"
@@ -34,11 +35,11 @@ constexpr int kMisspeltDistanceMax = 3;
 class StickCheck {
  public:
   StickCheck(const StickFolder& stick, const Project& project, const ObjectParts& parts,
-             Remarks* remarks)
+             CheckTarget target, Remarks* remarks)
       : stick_(stick),
         parts_(parts),
         remarks_(remarks),
-        images_(CheckImages(stick, project, parts, remarks)) {}
+        images_(CheckImages(stick, project, parts, target, remarks)) {}
 
   void Run() {
     CheckConnections();
@@ -242,8 +243,11 @@ void StickCheck::CheckDesigns() {
 void StickCheck::CheckWlan() {
   const fs::path folder = FindBelow(stick_.root, "OPEN-R/SYSTEM/CONF");
   const fs::path file = folder.empty() ? fs::path() : FindEntry(folder, kWlanFile);
-  if (!file.empty())
-    remarks_->AddAll(ParseWlanConfig(file, ReadText(file).value_or("")).diagnostics);
+  if (!file.empty()) {
+    const WlanResult settings = ParseWlanConfig(file, ReadText(file).value_or(""));
+    remarks_->AddAll(settings.diagnostics);
+    remarks_->AddAll(CheckWlanSense(file, settings));
+  }
   std::vector<fs::path> files = FilesBelow(FindEntry(stick_.root, "OPEN-R"));
   const fs::path at_root = FindEntry(stick_.root, kWlanFile);
   if (!at_root.empty()) files.push_back(at_root);
@@ -281,8 +285,8 @@ void StickCheck::CheckFileNames() {
 }  // namespace
 
 void CheckStick(const StickFolder& stick, const Project& project, const ObjectParts& parts,
-                Remarks* remarks) {
-  StickCheck(stick, project, parts, remarks).Run();
+                CheckTarget target, Remarks* remarks) {
+  StickCheck(stick, project, parts, target, remarks).Run();
 }
 
 }  // namespace openr_host

@@ -10,6 +10,6 @@ namespace openr_host {
 // Checks `stick`.  If an image is not built yet, its services are taken from the sources of its
 // object in `project`.  A project without objects is allowed.
 void CheckStick(const StickFolder& stick, const Project& project, const ObjectParts& parts,
-                Remarks* remarks);
+                CheckTarget target, Remarks* remarks);
 
 }  // namespace openr_host

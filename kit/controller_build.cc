@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cli/exit_code.h"
+#include "cli/install_paths.h"
 #include "cli/output_file.h"
 #include "cli/process.h"
 #include "kit/controller_objects.h"
@@ -52,7 +53,8 @@ class ControllerBuild {
     fmt::print("{}  {}\n", kImage,
                sources.files.empty() ? "empty: Makefile.sources names no source"
                                      : folder_.filename().string());
-    fmt::print("openr run --stick {}\n", ShellWord(stick_.lexically_normal()));
+    fmt::print("{} run --stick {}\n", ShellWord(ProgramCall()),
+               ShellWord(stick_.lexically_normal()));
     return kExitGood;
   }
 

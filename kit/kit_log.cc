@@ -120,6 +120,14 @@ KitLog ReadKitLog(const std::string& file) {
   return log;
 }
 
+uint64_t CountCompiles(const std::string& file) {
+  uint64_t count = 0;
+  std::ifstream stream(file);
+  for (std::string line; std::getline(stream, line);)
+    if (line.starts_with("compile\t")) ++count;
+  return count;
+}
+
 void AppendKitLog(const std::string& file, const KitLog& log) {
   std::ofstream stream(file, std::ios::app);
   for (const KitLog::Image& image : log.images) stream << Line(ImageWords(image));

@@ -3,6 +3,7 @@
 // build` gets no results from the tools directly.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,10 @@ void LogRepair(const KitLog::Repair& repair);
 
 // Returns the content of the log; an empty log when there is no such file.
 KitLog ReadKitLog(const std::string& file);
+
+// Returns how many compilations the log has, those of earlier builds included; each counts as often
+// as it was made.
+uint64_t CountCompiles(const std::string& file);
 
 void AppendKitLog(const std::string& file, const KitLog& log);
 

@@ -92,7 +92,8 @@ Arguments LinkArguments(const LinkCommand& command, const std::string& image_inf
   link.push_back("-Wl,--start-group");
   link.insert(link.end(), command.libraries.begin(), command.libraries.end());
   link.insert(link.end(), {"-Wl,--end-group", image_info, "-L" + (prefix / "lib").string(),
-                           "-lopenr_runtime", "-lm", "-Wl,-Bsymbolic", "-Wl,--no-undefined"});
+                           "-L" + (prefix / "lib/openr-host").string(), "-lopenr_runtime", "-lm",
+                           "-Wl,-Bsymbolic", "-Wl,--no-undefined"});
   if (!command.map.empty()) link.push_back("-Wl,-Map=" + command.map);
   return link;
 }

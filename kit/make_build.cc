@@ -57,7 +57,13 @@ ProcessResult Make(const fs::path& folder, const std::vector<std::string>& argum
   all.insert(all.end(), arguments.begin(), arguments.end());
   Environment environment = MakeEnvironment(options);
   environment.emplace_back("PWD", folder);  // rules use it as the folder of their Makefile
-  return RunProcess(all, {environment, folder, true, true, echoes, true});
+  return RunProcess(all, {.environment = environment,
+                          .folder = folder,
+                          .captures_error = true,
+                          .captures_out = true,
+                          .echoes = echoes,
+                          .has_no_input = true,
+                          .while_waiting = options.while_waiting});
 }
 
 // Returns the folders in which make must run: those with a Makefile.  Leaves out a folder below

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +17,7 @@ struct MakeOptions {
   std::string copies;  // list of private copies, for the tools (source_copies.h)
   int jobs = 1;
   bool is_verbose = false;
+  std::function<void()> while_waiting;  // called again and again while make runs; may be null
   // Says when the output of make is printed: always, only if make succeeds, or never.
   enum class Says { kAlways, kIfGood, kNever } says = Says::kAlways;
 };

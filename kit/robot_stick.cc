@@ -1,21 +1,20 @@
 #include "kit/robot_stick.h"
 
 #include <fmt/format.h>
-#include <stdlib.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cstring>
 #include <filesystem>
 #include <stdexcept>
 #include <vector>
 
 #include "cli/counted.h"
+#include "cli/install_paths.h"
 #include "kit/controller_main.h"
 #include "kit/controller_sources.h"
 #include "kit/robot_sdk.h"
 #include "kit/sdk_tools.h"
 #include "kit/shell_words.h"
+#include "kit/stick_draft.h"
 #include "kit/stick_merge.h"
 #include "kit/text_files.h"
 
@@ -23,44 +22,6 @@ namespace openr_host {
 namespace {
 
 namespace fs = std::filesystem;
-
-// A temporary folder beside the output, in which the stick is made.  Finish() renames the finished
-// stick to the output.  The destructor removes the temporary folder, so that a failure leaves
-// nothing.
-class Draft {
- public:
-  explicit Draft(const std::string& output)
-      : output_((fs::absolute(output) / "").lexically_normal().parent_path()) {
-    std::error_code error;
-    if (fs::exists(fs::symlink_status(output_, error))) {
-      throw std::runtime_error(
-          fmt::format("{} is there already; name a new folder, nothing is written over", output));
-    }
-    fs::create_directories(output_.parent_path());
-    std::string pattern = output_.parent_path() / ".openr-stick-XXXXXX";
-    if (mkdtemp(pattern.data()) == nullptr) {
-      throw std::runtime_error(fmt::format("{}: cannot make a folder there: {}",
-                                           output_.parent_path().string(), std::strerror(errno)));
-    }
-    folder_ = pattern;
-    fs::permissions(folder_, fs::perms(0755));
-    for (const fs::path& part : {stick(), work()}) fs::create_directory(part);
-  }
-  ~Draft() {
-    std::error_code error;
-    fs::remove_all(folder_, error);
-  }
-  Draft(const Draft&) = delete;
-  Draft& operator=(const Draft&) = delete;
-
-  fs::path stick() const { return folder_ / "stick"; }
-  fs::path work() const { return folder_ / "work"; }
-  void Finish() { fs::rename(stick(), output_); }
-
- private:
-  const fs::path output_;
-  fs::path folder_;
-};
 
 struct RobotObject {
   const char* name;   // name of its class, its folder and its files
@@ -80,13 +41,6 @@ std::vector<fs::path> SourcesIn(const fs::path& folder) {
     if (entry.is_regular_file() && IsSourceName(entry.path())) found.push_back(entry.path());
   std::sort(found.begin(), found.end());
   return found;
-}
-
-// Copies a tree of files and makes the copy writable, because files of the SDK may be read-only.
-void CopyTree(const fs::path& from, const fs::path& to) {
-  fs::copy(from, to, fs::copy_options::recursive);
-  for (const auto& entry : fs::recursive_directory_iterator(to))
-    fs::permissions(entry, fs::perms::owner_write, fs::perm_options::add);
 }
 
 void ThrowIf(const std::vector<Diagnostic>& diagnostics, const char* what) {
@@ -274,7 +228,7 @@ class RobotStick {
   const RobotStickOptions options_;
   const fs::path sources_;
   RobotSdk sdk_;
-  Draft draft_;
+  StickDraft draft_;
   fs::path base_, open_r_;
   std::vector<fs::path> common_, controller_;  // object files
   int num_compiled_ = 0;
@@ -294,7 +248,7 @@ void MakeRobotStick(const RobotStickOptions& options) {
 }
 
 void MakeHostStick(const std::string& stick, const std::string& output) {
-  Draft draft(output);
+  StickDraft draft(output);
   CopyTree(FindEntry(stick, "OPEN-R"), draft.stick() / "OPEN-R");
   std::vector<fs::path> debug_files;
   for (const auto& entry : fs::recursive_directory_iterator(draft.stick()))
@@ -302,7 +256,7 @@ void MakeHostStick(const std::string& stick, const std::string& output) {
   for (const fs::path& file : debug_files) fs::remove(file);
   fs::create_directories(SpeltBelow(draft.stick(), "OPEN-R/MW/DATA/P"));  // where programs write
   draft.Finish();
-  fmt::print("openr run --stick {}\n", ShellWord(output));
+  fmt::print("{} run --stick {}\n", ShellWord(ProgramCall()), ShellWord(output));
 }
 
 }  // namespace openr_host

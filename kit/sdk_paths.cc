@@ -16,7 +16,7 @@ std::string SdkRoot() {
   if (!error && fs::is_regular_file(root / "compile-flags.txt", error)) return root;
   throw std::runtime_error(root.string() +
                            " is missing; it belongs to the program (build the target 'sdk_tree', "
-                           "or install again)");
+                           "or install it whole: of the Debian packages openr-host-dev)");
 }
 
 std::vector<std::string> ParseCompileFlags(const std::string& text, Language language,

@@ -8,9 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "cli/colour.h"
 #include "cli/counted.h"
 #include "cli/exit_code.h"
 #include "cli/install_paths.h"
+#include "cli/standard_streams.h"
 #include "openr/commands/commands.h"
 #include "virtualrobot/model/robot_model.h"
 
@@ -42,7 +44,7 @@ int Check(const CheckFlags& flags) {
   if (flags.json) {
     fmt::print("{}", RemarksToJson(remarks, flags.folder));
   } else {
-    fmt::print("{}{}, {}, {}\n", RenderRemarks(remarks),
+    fmt::print("{}{}, {}, {}\n", RenderRemarks(remarks, HasColours(StandardOutput())),
                Counted(remarks.CountOf(Remark::Kind::kError), "error"),
                Counted(remarks.CountOf(Remark::Kind::kWarning), "warning"),
                Counted(remarks.CountOf(Remark::Kind::kNote), "note"));

@@ -5,10 +5,14 @@
 
 #include <algorithm>
 #include <memory>
+#include <sstream>
 #include <vector>
 
+#include "cli/colour.h"
 #include "cli/exit_code.h"
+#include "cli/install_paths.h"
 #include "cli/standard_streams.h"
+#include "kit/shell_words.h"
 #include "openr/commands/commands.h"
 #include "runtime/base/spelling.h"
 
@@ -91,14 +95,26 @@ void PrintHelp(const CLI::App& app, const std::vector<std::string>& words) {
   const std::string name = path.empty() ? app.get_name() : app.get_name() + " " + path;
   // Makes the text directly, because CLI11's help() would describe the command that was called,
   // which is `help`.
-  PrintAnswer(app.get_formatter()->make_help(about, name, CLI::AppFormatMode::Normal));
+  PrintAnswer(ForTerminal(app.get_formatter()->make_help(about, name, CLI::AppFormatMode::Normal)));
 }
 
 }  // namespace
 
+std::string ForTerminal(const std::string& help) {
+  if (!HasColours(StandardOutput())) return help;
+  std::string text;
+  std::istringstream lines(help);
+  for (std::string line; std::getline(lines, line);) {
+    const bool is_usage = line.starts_with("Usage:");
+    const bool is_heading = line.ends_with(':') && !line.starts_with(' ');
+    text += (is_usage || is_heading ? Coloured(Colour::kBold, line, true) : line) + "\n";
+  }
+  return text;
+}
+
 std::string HelpWords(const CLI::App& app) {
   const std::string path = PathOf(Chosen(app));
-  return app.get_name() + (path.empty() || path == "help" ? " help" : " help " + path);
+  return ShellWord(ProgramCall()) + (path.empty() || path == "help" ? " help" : " help " + path);
 }
 
 std::string ExplainCommandLine(const CLI::App& app, const CLI::ParseError& error) {

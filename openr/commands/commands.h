@@ -2,6 +2,8 @@
 // When the user calls it, the command stores its exit code (exit_code.h) in `*exit_code`.
 #pragma once
 
+#include <string_view>
+
 namespace CLI {
 class App;
 }
@@ -10,6 +12,10 @@ namespace openr_host {
 
 // Runs the program: reads the command line and runs the command in it.  Returns the exit code.
 int RunProgram(int argc, char** argv);
+
+// Adds the command `wanted`, the first word of the command line, to `app`, with its help.  Adds all
+// commands if `wanted` is "" or no command, or if it tells of the others.
+void DescribeProgram(CLI::App* app, int* exit_code, std::string_view wanted);
 
 void AddRunCommand(CLI::App* app, int* exit_code);
 void AddJoinCommand(CLI::App* app, int* exit_code);
@@ -31,6 +37,8 @@ void AddCheckCommand(CLI::App* app, int* exit_code);
 void AddModelCommand(CLI::App* app, int* exit_code);
 void AddStickCommand(CLI::App* app, int* exit_code);
 void AddStubgenCommand(CLI::App* app, int* exit_code);
+void AddCompletionCommand(CLI::App* app, int* exit_code);
+void AddManCommand(CLI::App* app, int* exit_code);
 void AddHelpCommand(CLI::App* app, int* exit_code);
 void AddVersionCommand(CLI::App* app, int* exit_code);
 

@@ -20,15 +20,16 @@
 
 #include "cli/counted.h"
 #include "cli/exit_code.h"
+#include "cli/install_paths.h"
 #include "cli/json_text.h"
 #include "cli/output_file.h"
+#include "cli/progress_line.h"
 #include "kit/shell_words.h"
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
 #include "openr/commands/show_run.h"
 #include "openr/explore/explorer.h"
 #include "openr/explore/failing_run.h"
-#include "openr/explore/progress_line.h"
 #include "openr/explore/schedule_file.h"
 #include "openr/simulation/cost_file.h"
 #include "openr/simulation/pacing.h"
@@ -277,8 +278,8 @@ bool WriteFailure(const Json& result, const ExploreFlags& flags) {
   const Json schedule = ScheduleToJson(flags.stick, result["failure"]);
   const std::string problem = WriteFile(flags.file, JsonText(schedule, 2) + "\n");
   fmt::print(stderr, "openr explore: {}\n",
-             problem.empty() ? fmt::format("wrote {}; again: openr explore --replay {}", flags.file,
-                                           ShellWord(flags.file))
+             problem.empty() ? fmt::format("wrote {}; again: {} explore --replay {}", flags.file,
+                                           ShellWord(ProgramCall()), ShellWord(flags.file))
                              : problem);
   return problem.empty();
 }
@@ -359,7 +360,7 @@ int Explore(ExploreFlags flags) {
   plan.run.vary.faults = flags.faults;
   plan.stop_at_first = !flags.keep_going;
   plan.reduce = !flags.no_reduction;
-  std::optional<ProgressLine> line(std::in_place, STDERR_FILENO, plan.runs,
+  std::optional<ProgressLine> line(std::in_place, flags.json ? -1 : STDERR_FILENO, plan.runs,
                                    flags.exhaustive ? "runs at most" : "seeds");
   plan.progress = [&line](uint64_t done) { line->Show(done); };
   const int64_t begin_ns = WallClockNs();

@@ -1,5 +1,6 @@
 // The command openr graph: shows objects, services and connections of a stick.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -7,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "cli/colour.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
 #include "cli/json_text.h"
@@ -64,10 +66,11 @@ int Graph(GraphFlags flags) {
     if (booted && flags.for_us > system.now_us()) system.RunUntil(flags.for_us);
   }
   if (!booted) {
-    fmt::print(stderr, "{}openr graph: the robot does not boot\n", DescribeFindings(&simulation));
+    fmt::print(stderr, "{}openr graph: the robot does not boot\n",
+               DescribeFindings(&simulation, HasColours(STDERR_FILENO)));
     return kExitWrong;
   }
-  fmt::print(stderr, "{}", DescribeFindings(&simulation));
+  fmt::print(stderr, "{}", DescribeFindings(&simulation, HasColours(STDERR_FILENO)));
   Write(Rendered(CollectGraph(&system), flags.format), flags.file);
   return system.findings().HasError() ? kExitWrong : kExitGood;
 }

@@ -1,5 +1,6 @@
 // The command openr model: checks how a robot model stands, and exports it.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -13,6 +14,7 @@
 #include "cli/install_paths.h"
 #include "cli/json_text.h"
 #include "cli/output_file.h"
+#include "cli/progress_line.h"
 #include "cli/standard_streams.h"
 #include "openr/chart/chart.h"
 #include "openr/commands/commands.h"
@@ -69,9 +71,13 @@ void Print(const RobotModel& model, const ModelCheck& check) {
 int CheckAll(const ModelFlags& flags) {
   Json answers = Json::array();
   bool all_good = true;
+  ProgressLine progress(flags.json ? -1 : STDERR_FILENO, flags.models.size(), "models");
+  uint64_t checked = 0;
   for (const std::string& name : flags.models) {
+    progress.Show(checked++);
     const RobotModel model = LoadRobotModel(ModelFile(name));
     const ModelCheck check = CheckModel(model);
+    ClearProgressLine();
     all_good = all_good && check.problems.empty();
     if (flags.json) {
       answers.push_back(ToJson(model, check));

@@ -1,4 +1,6 @@
 // Builds the command line of the program, and prints the error when a command fails.
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
@@ -11,9 +13,11 @@
 #include <string_view>
 #include <system_error>
 
+#include "cli/colour.h"
 #include "cli/exit_code.h"
 #include "cli/output_file.h"
 #include "cli/standard_streams.h"
+#include "openr/commands/command_examples.h"
 #include "openr/commands/command_line.h"
 #include "openr/commands/commands.h"
 
@@ -26,38 +30,37 @@ struct Command {
 };
 
 constexpr Command kCommands[] = {
-    {"run", &AddRunCommand},         {"join", &AddJoinCommand},
-    {"top", &AddTopCommand},         {"poke", &AddPokeCommand},
-    {"attach", &AddAttachCommand},   {"panel", &AddPanelCommand},
-    {"rc", &AddRcCommand},           {"graph", &AddGraphCommand},
-    {"mtn", &AddMtnCommand},         {"log", &AddLogCommand},
-    {"trace", &AddTraceCommand},     {"replay", &AddReplayCommand},
-    {"explore", &AddExploreCommand}, {"build", &AddBuildCommand},
-    {"new", &AddNewCommand},         {"controller", &AddControllerCommand},
-    {"check", &AddCheckCommand},     {"model", &AddModelCommand},
-    {"stick", &AddStickCommand},     {"stubgen", &AddStubgenCommand},
-    {"help", &AddHelpCommand},       {"version", &AddVersionCommand},
+    {"run", &AddRunCommand},
+    {"join", &AddJoinCommand},
+    {"top", &AddTopCommand},
+    {"poke", &AddPokeCommand},
+    {"attach", &AddAttachCommand},
+    {"panel", &AddPanelCommand},
+    {"rc", &AddRcCommand},
+    {"graph", &AddGraphCommand},
+    {"mtn", &AddMtnCommand},
+    {"log", &AddLogCommand},
+    {"trace", &AddTraceCommand},
+    {"replay", &AddReplayCommand},
+    {"explore", &AddExploreCommand},
+    {"build", &AddBuildCommand},
+    {"new", &AddNewCommand},
+    {"controller", &AddControllerCommand},
+    {"check", &AddCheckCommand},
+    {"model", &AddModelCommand},
+    {"stick", &AddStickCommand},
+    {"stubgen", &AddStubgenCommand},
+    {"help", &AddHelpCommand},
+    {"version", &AddVersionCommand},
+    {"completion", &AddCompletionCommand},
+    {"man", &AddManCommand},
 };
-
-// Adds the command `wanted`, the first word of the command line, to `app`.  Adds all commands if
-// `wanted` is "" or no command, or if it tells of the others.  To describe the flags of all
-// commands takes a fifth of the start of the program.
-void AddCommands(CLI::App* app, int* exit_code, std::string_view wanted) {
-  app->name("openr");
-  app->require_subcommand(1);
-  app->set_help_all_flag("--help-all", "Help of all commands");
-  const auto is_wanted = [wanted](const Command& command) { return command.name == wanted; };
-  const bool has_one =
-      wanted != "help" && std::any_of(std::begin(kCommands), std::end(kCommands), is_wanted);
-  for (const Command& command : kCommands) {
-    if (!has_one || is_wanted(command)) command.add(app, exit_code);
-  }
-}
 
 // Prints the error `why` on standard error.  With `as_json`, because the user gave --json, also
 // prints it as a JSON object on standard output.
 void TellFailure(const std::string& why, bool as_json) {
-  std::fprintf(stderr, "openr: %s\n", why.c_str());
+  const std::string name = Coloured(Colour::kError, "openr:", HasColours(STDERR_FILENO));
+  std::fprintf(stderr, "%s %s\n", name.c_str(), why.c_str());
   if (!as_json) return;
   // replaces bytes that are not UTF-8
   const auto replace = nlohmann::json::error_handler_t::replace;
@@ -69,7 +72,7 @@ int PrintAskedFor(const CLI::App& app, const CLI::ParseError& error) {
   std::ostringstream text;
   const int exit_code = app.exit(error, text, text);
   try {
-    PrintAnswer(text.str());
+    PrintAnswer(ForTerminal(text.str()));
     return exit_code;
   } catch (const std::exception& failure) {
     TellFailure(failure.what(), false);
@@ -79,13 +82,29 @@ int PrintAskedFor(const CLI::App& app, const CLI::ParseError& error) {
 
 }  // namespace
 
+// Does not describe all commands if one is enough, because that takes a fifth of the start of the
+// program.
+void DescribeProgram(CLI::App* app, int* exit_code, std::string_view wanted) {
+  app->name("openr");
+  app->require_subcommand(1);
+  app->set_help_all_flag("--help-all", "Help of all commands");
+  const bool tells_of_all = wanted == "help" || wanted == "completion" || wanted == "man";
+  const auto is_wanted = [wanted](const Command& command) { return command.name == wanted; };
+  const bool has_one =
+      !tells_of_all && std::any_of(std::begin(kCommands), std::end(kCommands), is_wanted);
+  for (const Command& command : kCommands) {
+    if (!has_one || is_wanted(command)) command.add(app, exit_code);
+  }
+  AddExamples(app);
+}
+
 int RunProgram(int argc, char** argv) {
   CLI::App app{"Runs OPEN-R objects of Sony's AIBO on a PC, with a simulated body."};
   int exit_code = kExitGood;
   const auto has_word = [&](std::string_view wanted) {
     return std::any_of(argv, argv + argc, [&](const char* word) { return word == wanted; });
   };
-  AddCommands(&app, &exit_code, argc > 1 && !has_word("--help-all") ? argv[1] : "");
+  DescribeProgram(&app, &exit_code, argc > 1 && !has_word("--help-all") ? argv[1] : "");
   const bool as_json = has_word("--json");
   try {
     app.parse(argc, argv);

@@ -9,6 +9,7 @@
 
 #include "cli/input_file.h"
 #include "cli/output_file.h"
+#include "cli/progress_line.h"
 #include "openr/commands/rc_actions.h"
 #include "openr/commands/rc_format.h"
 #include "openr/remote/connection.h"
@@ -19,30 +20,6 @@ namespace openr_host {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-// Shows the progress of a transfer on a terminal, in one line that is removed at the end.
-class ProgressLine {
- public:
-  explicit ProgressLine(std::string name)
-      : name_(std::move(name)),
-        is_shown_(isatty(STDOUT_FILENO) != 0 && isatty(STDERR_FILENO) != 0) {}
-  ~ProgressLine() {
-    if (is_shown_) fmt::print(stderr, "\r\x1b[K");
-  }
-  ProgressLine(const ProgressLine&) = delete;
-  ProgressLine& operator=(const ProgressLine&) = delete;
-
-  void Show(size_t done, size_t size) const {
-    if (!is_shown_) return;
-    const size_t percent = size == 0 ? 100 : 100 * done / size;
-    fmt::print(stderr, "\r\x1b[K{}: {} of {} KB, {} %", name_, done / 1024, (size + 1023) / 1024,
-               percent);
-  }
-
- private:
-  const std::string name_;
-  const bool is_shown_;
-};
 
 std::string ReadInput(const std::string& file, const char* kind, const char* extension) {
   const std::string problem = WhyNotReadable(file, kind, extension);
@@ -58,8 +35,12 @@ std::string UpperCaseName(const std::string& file) {
 
 void Upload(remote::Connection* robot, RcFileKind kind, const std::string& name,
             const std::string& bytes) {
-  const ProgressLine line(name);
-  robot->Upload(kind, name, bytes, [&line](size_t done, size_t size) { line.Show(done, size); });
+  const auto kilobytes = [](size_t size) { return (size + 1023) / 1024; };
+  // Shown only where a person reads the answers, too.
+  const int descriptor = isatty(STDOUT_FILENO) != 0 ? STDERR_FILENO : -1;
+  ProgressLine line(descriptor, kilobytes(bytes.size()), "KB of " + name, 0);
+  robot->Upload(kind, name, bytes,
+                [&](size_t done, size_t /*size*/) { line.Show(kilobytes(done)); });
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // The command openr replay: runs a recorded run again and compares the new run with the recording.
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -12,6 +14,7 @@
 #include "cli/counted.h"
 #include "cli/exit_code.h"
 #include "cli/json_text.h"
+#include "cli/progress_line.h"
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
 #include "openr/commands/show_run.h"
@@ -71,6 +74,20 @@ int Finish(Replayer* replayer, const ReplayFlags& flags) {
   return equal && problems.empty() ? kExitGood : kExitWrong;
 }
 
+// Replays up to --until, or to the end, and shows the progress on a terminal.
+void RunToTheEnd(Replayer* replayer, const ReplayFlags& flags) {
+  constexpr int64_t kSliceUs = 200'000, kSecondUs = 1'000'000;
+  const int64_t length_us = std::min(flags.until_us.value_or(INT64_MAX), replayer->length_us());
+  ProgressLine progress(flags.json ? -1 : STDERR_FILENO,
+                        static_cast<uint64_t>(length_us / kSecondUs), "s of virtual time");
+  for (int64_t time_us = kSliceUs; time_us < length_us && replayer->WhyOver().empty();
+       time_us += kSliceUs) {
+    replayer->RunUntil(time_us);
+    progress.Show(static_cast<uint64_t>(time_us / kSecondUs));
+  }
+  replayer->RunUntil(flags.until_us.value_or(INT64_MAX));
+}
+
 // Shows the recording on the panel.
 int Show(const ReplayFlags& flags) {
   ShowOptions show = flags.show;
@@ -103,7 +120,7 @@ int Replay(ReplayFlags flags) {
     fmt::print(stderr, "openr: {} {} equal up to here\n", Counted(replayer.count(), "message"),
                replayer.count() == 1 ? "was" : "were");
   });
-  replayer.RunUntil(flags.until_us.value_or(INT64_MAX));
+  RunToTheEnd(&replayer, flags);
   return Finish(&replayer, flags);
 }
 

@@ -16,15 +16,16 @@
 #include <utility>
 #include <vector>
 
+#include "cli/colour.h"
 #include "cli/counted.h"
 #include "cli/exit_code.h"
 #include "cli/json_text.h"
 #include "cli/output_file.h"
 #include "cli/process_copy.h"
+#include "cli/progress_line.h"
 #include "openr/ending/crash_log.h"
 #include "openr/ending/ending.h"
 #include "openr/ending/watchdog.h"
-#include "openr/explore/progress_line.h"
 #include "openr/run/report.h"
 #include "openr/run/runner.h"
 #include "runtime/base/assert.h"
@@ -250,7 +251,7 @@ ProcessCopy RobotJobs::Start(int robot) {
 
 void RobotJobs::RunAll() {
   // The robots' own lines would be written into the progress line.
-  const int progress_stream = flags_.console_file.empty() ? -1 : STDERR_FILENO;
+  const int progress_stream = flags_.console_file.empty() || flags_.json ? -1 : STDERR_FILENO;
   ProgressLine progress(progress_stream, reports_.size(), "robots");
   std::vector<RunningCopy> running;
   int next = 0, passed_on = 0;
@@ -343,7 +344,8 @@ Json RobotJobs::Run() {
   const int64_t begin_ns = WallClockNs();
   if (!simulation_.loaded() || is_refused) {
     Json report = ReportOfNoBoot();
-    fmt::print(stderr, "openr: the robots do not boot\n{}{}\n", DescribeFindings(&simulation_),
+    fmt::print(stderr, "openr: the robots do not boot\n{}{}\n",
+               DescribeFindings(&simulation_, HasColours(STDERR_FILENO)),
                DescribeEnd(*simulation_.system().end()));
     return report;
   }

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -11,11 +12,13 @@
 #include <utility>
 #include <vector>
 
+#include "cli/colour.h"
 #include "cli/console.h"
 #include "cli/counted.h"
 #include "cli/exit_code.h"
 #include "cli/json_text.h"
 #include "cli/output_file.h"
+#include "cli/progress_line.h"
 #include "cli/standard_streams.h"
 #include "openr/commands/commands.h"
 #include "openr/commands/distributed_run.h"
@@ -152,6 +155,12 @@ class CommandedRun {
   std::string LiveName() const;
   std::string WhyNotRewound() const;
   void BeginRewind(LiveServer* live, Runner* runner, Watchdog* watchdog);
+  // Returns the stream for the line that shows how far the run is; -1: none, because nobody knows
+  // when the run ends, or a program reads its output.
+  int ProgressStream() const { return plan_.for_us && !flags_.json ? STDERR_FILENO : -1; }
+  uint64_t VirtualSeconds() const {
+    return static_cast<uint64_t>(plan_.for_us.value_or(0) / 1'000'000);
+  }
   bool RunToTheEnd();
   bool Report();
 
@@ -321,6 +330,11 @@ bool CommandedRun::RunToTheEnd() {
     plan_.rewind = &rewind_;
   }
   const std::unique_ptr<PanelProcess> panel = StartPanel(flags_, live.get(), LiveName());
+  ProgressLine progress(ProgressStream(), VirtualSeconds(), "s of virtual time");
+  plan_.after_frame = [this, &progress, also = plan_.after_frame] {
+    if (also) also();
+    progress.Show(static_cast<uint64_t>(system().now_us() / 1'000'000));
+  };
   Runner runner(&simulation_, plan_, &interrupts_);
   BeginRewind(live.get(), &runner, &watchdog);
   const auto learn_facts = [this, &runner] {
@@ -349,7 +363,8 @@ bool CommandedRun::Report() {
   nlohmann::ordered_json report = MakeReport(&simulation_, facts_);
   distribution_.Describe(&report);
   distribution_.EndProcesses();
-  fmt::print(stderr, "{}{}", DescribeFindings(&simulation_), Summary(report, system().end()));
+  fmt::print(stderr, "{}{}", DescribeFindings(&simulation_, HasColours(STDERR_FILENO)),
+             Summary(report, system().end()));
   const bool is_written = WriteReport(report, flags_);
   return IsGood(console_.Problem()) && is_written;
 }

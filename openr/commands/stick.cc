@@ -1,4 +1,4 @@
-// The command openr stick: makes a Memory Stick tree, for the robot or for the host.
+// The command openr stick: makes and checks a Memory Stick tree, for the robot or for the host.
 #include <map>
 #include <memory>
 
@@ -7,6 +7,7 @@
 #include "kit/robot_stick.h"
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
+#include "openr/commands/stick_commands.h"
 
 namespace openr_host {
 namespace {
@@ -60,10 +61,14 @@ void AddRobot(CLI::App* stick, int* exit_code) {
 }  // namespace
 
 void AddStickCommand(CLI::App* app, int* exit_code) {
-  CLI::App* const stick = app->add_subcommand("stick", "Assembles the files of a Memory Stick");
+  CLI::App* const stick =
+      app->add_subcommand("stick", "Makes and checks the files of a Memory Stick");
   stick->require_subcommand(1);
   AddHost(stick, exit_code);
   AddRobot(stick, exit_code);
+  AddStickCheck(stick, exit_code);
+  AddStickNew(stick, exit_code);
+  AddStickWlan(stick, exit_code);
 }
 
 }  // namespace openr_host

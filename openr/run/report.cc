@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "cli/colour.h"
 #include "cli/counted.h"
 #include "openr/simulation/simulation.h"
 #include "runtime/core/api.h"
@@ -20,6 +21,11 @@ using Json = nlohmann::ordered_json;
 double Rounded(double value, double step) {
   const double rounded = std::round(value / step) * step;
   return rounded == 0 ? 0 : std::round(rounded * 1e9) / 1e9;
+}
+
+Colour ColourOf(Severity severity) {
+  if (severity == Severity::kError) return Colour::kError;
+  return severity == Severity::kWarning ? Colour::kWarning : Colour::kNote;
 }
 
 Json Vector(const Eigen::Vector3d& v, double step) {
@@ -131,7 +137,7 @@ std::string DescribeObjects(Simulation* simulation) {
   return text;
 }
 
-std::string DescribeFindings(Simulation* simulation) {
+std::string DescribeFindings(Simulation* simulation, bool has_colours) {
   std::string text;
   const Findings& findings = simulation->system().findings();
   for (const Finding& finding : findings.all()) {
@@ -140,8 +146,9 @@ std::string DescribeFindings(Simulation* simulation) {
       about = fmt::format("{} (message {}, t={:.3f} s): ", finding.object, finding.message,
                           static_cast<double>(finding.time_us) / 1e6);
     }
-    text += fmt::format("{}: {}{}{}\n", SeverityName(finding.severity), about, finding.text,
-                        HowOften(finding));
+    const std::string word = fmt::format("{}:", SeverityName(finding.severity));
+    text += fmt::format("{} {}{}{}\n", Coloured(ColourOf(finding.severity), word, has_colours),
+                        about, finding.text, HowOften(finding));
   }
   if (findings.not_kept() > 0) text += "and " + Counted(findings.not_kept(), "more finding") + "\n";
   return text;

@@ -28,6 +28,7 @@ nlohmann::ordered_json MakeReport(Simulation* simulation, const RunFacts& facts)
 std::string DescribeObjects(Simulation* simulation);
 
 // Returns one line for each finding: "error: JointMover (message 12, t=0.096 s): text".
-std::string DescribeFindings(Simulation* simulation);
+// With `has_colours`, the first word has the colour of its kind.
+std::string DescribeFindings(Simulation* simulation, bool has_colours = false);
 
 }  // namespace openr_host

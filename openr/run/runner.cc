@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "cli/install_paths.h"
 #include "openr/live/live_server.h"
 #include "openr/rewind/rewind.h"
 #include "openr/run/console_feed.h"
@@ -126,8 +127,9 @@ void Runner::AnnouncePorts() {
     if (port == 0 || announced_[i].port == port) continue;
     announced_[i].port = port;
     plan_.say(announced_.size() == 1
-                  ? fmt::format("remote control: openr rc 127.0.0.1:{} info", port)
-                  : fmt::format("remote control of robot {}: openr rc 127.0.0.1:{} info", i, port));
+                  ? fmt::format("remote control: {} rc 127.0.0.1:{} info", ProgramCall(), port)
+                  : fmt::format("remote control of robot {}: {} rc 127.0.0.1:{} info", i,
+                                ProgramCall(), port));
   }
 }
 

@@ -148,8 +148,36 @@ TEST_F(PackageTest, TheClientOfThePageOnTheRemoteControlBuilds) {
   EXPECT_THAT(run.output, HasSubstr("127.0.0.1:1: no program listens there; is 'openr run'"));
 }
 
-// Whoever builds single targets and then installs is told what is missing.
-TEST_F(PackageTest, WhatIsNotBuiltYetIsNamedWithTheTargetThatBuildsIt) {
+TEST_F(PackageTest, AnInstallationHasDocumentsLicenceManualPagesAndCompletion) {
+  for (const char* file : {"share/doc/openr-host/copyright", "share/doc/openr-host-dev/copyright",
+                           "share/man/man1/openr.1.gz", "share/man/man1/openr-run.1.gz",
+                           "share/bash-completion/completions/openr",
+                           "share/pkgconfig/openr-host.pc", "lib/openr-host/libopenr_runtime.so"})
+    EXPECT_TRUE(std::filesystem::is_regular_file(prefix_->File(file))) << file;
+  const std::string documents = prefix_->File("share/doc/openr-host/");
+  for (const char* file : {"README.md", "docs/cli.md", "examples/README.md"})
+    EXPECT_TRUE(std::filesystem::is_regular_file(documents + file)) << file;
+  // Nothing of the build stays in the examples.
+  EXPECT_FALSE(std::filesystem::exists(documents + "examples/Hello/MS/OPEN-R/MW/OBJS/HELLO.BIN"));
+}
+
+// A person who takes a part of it does not get the others.
+TEST_F(PackageTest, AComponentIsInstalledAlone) {
+  const ScratchFolder scratch;
+  const ProcessResult installed = RunProcess(
+      {"cmake", "--install", OPENR_BUILD, "--prefix", scratch.path(), "--component", "runtime"},
+      {{}, "", true, true});
+  ASSERT_TRUE(installed.good()) << installed.output;
+  EXPECT_TRUE(std::filesystem::exists(scratch.File("bin/openr")));
+  EXPECT_FALSE(std::filesystem::exists(scratch.File("bin/stubgen2")));
+  EXPECT_FALSE(std::filesystem::exists(scratch.File("share/openr-host/sdk")));
+  const ProcessResult build =
+      RunProcess({scratch.File("bin/openr"), "build", folder_.File("")}, {{}, "", true, true});
+  EXPECT_THAT(build.output, HasSubstr("openr-host-dev"));
+}
+
+// Whoever builds single targets and then installs is told what cannot be built.
+TEST_F(PackageTest, WhatCannotBeBuiltIsNamedWithTheTargetThatBuildsIt) {
   const ScratchFolder scratch;
   const std::string script = scratch.File("cmake_install.cmake");
   // The script of the build, as if its folder were an empty one.
@@ -173,7 +201,7 @@ TEST_F(PackageTest, WithoutTheLibraryOfTheTestsItSaysWhatBuildsIt) {
   namespace fs = std::filesystem;
   fs::copy(prefix_->path(), copy.File("opt"),
            fs::copy_options::recursive | fs::copy_options::copy_symlinks);
-  fs::remove(copy.File("opt/lib/libopenr_testing.a"));
+  fs::remove(copy.File("opt/lib/openr-host/libopenr_testing.a"));
   folder_.Write("CMakeLists.txt",
                 "cmake_minimum_required(VERSION 3.16)\nproject(chat LANGUAGES CXX)\n"
                 "find_package(openr-host REQUIRED)\n");

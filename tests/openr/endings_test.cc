@@ -262,7 +262,7 @@ TEST(EndingTest, AnExplorationCountsTheReasons) {
 
 TEST(EndingTest, AClientWhoseRunEndsIsToldWhereItSaysWhy) {
   ProgramRun run(RunWords({}));
-  const std::string said = "remote control: openr rc 127.0.0.1:";
+  const std::string said = " rc 127.0.0.1:";
   ASSERT_TRUE(run.WaitFor(said));
   ASSERT_TRUE(run.WaitFor("state: sleeping"));
   const std::string port =

@@ -1,4 +1,4 @@
-#include "openr/explore/progress_line.h"
+#include "cli/progress_line.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "cli/output_file.h"
-#include "openr/simulation/pacing.h"
 #include "runtime/base/wall_clock.h"
 
 namespace openr_host {
@@ -15,6 +14,8 @@ namespace {
 
 constexpr int64_t kPauseNs = 200'000'000;  // least time between two drawings
 constexpr char kToStart[] = "\r\x1b[K";    // moves to the start of the line and clears it
+
+int g_drawn_on = -1;  // descriptor of the terminal that shows a line; -1: none does
 
 std::string TimeLeft(double left_s) {
   constexpr double kInMinutes_s = 180;
@@ -32,27 +33,28 @@ std::string ProgressText(uint64_t done, uint64_t total, const std::string& what,
   return text + fmt::format(", about {} left", TimeLeft(left_s));
 }
 
-ProgressLine::ProgressLine(int descriptor, uint64_t total, std::string what)
-    : descriptor_(isatty(descriptor) != 0 ? descriptor : -1),
+ProgressLine::ProgressLine(int descriptor, uint64_t total, std::string what, int64_t quiet_ns)
+    : descriptor_(descriptor >= 0 && isatty(descriptor) != 0 ? descriptor : -1),
       total_(total),
       what_(std::move(what)),
-      begin_ns_(WallClockNs()) {
-  Draw(0);
-}
+      begin_ns_(WallClockNs()),
+      quiet_ns_(quiet_ns) {}
 
-ProgressLine::~ProgressLine() {
-  if (descriptor_ >= 0) WriteAll(descriptor_, kToStart);
-}
+ProgressLine::~ProgressLine() { ClearProgressLine(); }
 
 void ProgressLine::Show(uint64_t done) {
-  if (descriptor_ >= 0 && WallClockNs() - drawn_ns_ >= kPauseNs) Draw(done);
+  if (descriptor_ < 0) return;
+  const int64_t now_ns = WallClockNs();
+  if (now_ns - begin_ns_ < quiet_ns_ || now_ns - drawn_ns_ < kPauseNs) return;
+  drawn_ns_ = now_ns;
+  const double elapsed_s = static_cast<double>(now_ns - begin_ns_) / 1e9;
+  WriteAll(descriptor_, kToStart + ProgressText(done, total_, what_, elapsed_s));
+  g_drawn_on = descriptor_;
 }
 
-void ProgressLine::Draw(uint64_t done) {
-  if (descriptor_ < 0) return;
-  drawn_ns_ = WallClockNs();
-  const double elapsed_s = static_cast<double>(drawn_ns_ - begin_ns_) / 1e9;
-  WriteAll(descriptor_, kToStart + ProgressText(done, total_, what_, elapsed_s));
+void ClearProgressLine() {
+  const int descriptor = std::exchange(g_drawn_on, -1);
+  if (descriptor >= 0) WriteAll(descriptor, kToStart);
 }
 
 }  // namespace openr_host

@@ -1,9 +1,11 @@
-#include "openr/explore/progress_line.h"
+#include "cli/progress_line.h"
 
 #include <gmock/gmock.h>
 #include <pty.h>
 #include <unistd.h>
 
+#include <cstdint>
+#include <functional>
 #include <string>
 
 namespace openr_host {
@@ -19,8 +21,11 @@ TEST(ProgressLineTest, TellsHowManyAreDoneAndHowLongTheOthersTake) {
   EXPECT_EQ(ProgressText(100, 100, "seeds", 60), "openr: 100 of 100 seeds, about 0 s left");
 }
 
-// What ProgressLine writes while it lives, to a terminal or to a pipe.
-std::string Written(bool is_terminal) {
+// What ProgressLine writes while it lives, to a terminal or to a pipe.  `between` is called after a
+// drawing.
+std::string Written(
+    bool is_terminal, int64_t quiet_ns = 0,
+    const std::function<void(int writer)>& between = [](int) {}) {
   int reader = -1, writer = -1;
   int ends[2] = {-1, -1};
   if (is_terminal) {
@@ -31,8 +36,9 @@ std::string Written(bool is_terminal) {
     writer = ends[1];
   }
   {
-    ProgressLine line(writer, 100, "seeds");
-    line.Show(1);
+    ProgressLine line(writer, 100, "seeds", quiet_ns);
+    line.Show(0);
+    between(writer);
   }
   close(writer);
   // A terminal hands over what was written in pieces.
@@ -49,6 +55,19 @@ TEST(ProgressLineTest, IsDrawnInOnePlaceOfATerminalAndWipedAtTheEnd) {
   EXPECT_THAT(text, StartsWith("\r\x1b[Kopenr: 0 of 100 seeds"));
   EXPECT_THAT(text, EndsWith("\r\x1b[K"));
   EXPECT_EQ(text.find('\n'), std::string::npos);
+}
+
+TEST(ProgressLineTest, IsNotShownByACommandThatEndsSoon) {
+  EXPECT_EQ(Written(true, INT64_MAX), "");
+}
+
+TEST(ProgressLineTest, IsClearedBeforeOtherTextAndOnlyOnce) {
+  const std::string text = Written(true, 0, [](int writer) {
+    ClearProgressLine();
+    ClearProgressLine();
+    EXPECT_EQ(write(writer, "hello\r\n", 7), 7);
+  });
+  EXPECT_THAT(text, EndsWith("openr: 0 of 100 seeds\r\x1b[Khello\r\r\n"));
 }
 
 TEST(ProgressLineTest, SaysNothingWhereThereIsNoTerminal) { EXPECT_EQ(Written(false), ""); }

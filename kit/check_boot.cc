@@ -1,0 +1,193 @@
+#include "kit/check_boot.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <vector>
+
+#include "kit/text_files.h"
+#include "runtime/base/spelling.h"
+#include "runtime/config/line_file.h"
+#include "runtime/config/object_config.h"
+#include "runtime/core/image_file.h"
+
+namespace openr_host {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The base of a stick, which is Sony's and comes with the SDK (measured.md 4, "Base tree").
+constexpr const char* kBaseFiles[] = {"OPEN-R/APERIOS.GZ",
+                                      "OPEN-R/APERINIT.GZ",
+                                      "OPEN-R/BOOTPARA",
+                                      "OPEN-R/SYSTEM/VERSION",
+                                      "OPEN-R/SYSTEM/CONF/OBJECT.CFG",
+                                      "OPEN-R/SYSTEM/CONF/EXTOBJ.CFG",
+                                      "OPEN-R/SYSTEM/CONF/EMON.CFG",
+                                      "OPEN-R/MW/CONF/DESIGN.CFG"};
+constexpr const char* kSystemObjects[] = {"POWERMGR", "SRVCMGR", "VR",       "DR",
+                                          "SYSLOG",   "VRCOMM",  "VRAUCOMM", "EMGCYMON"};
+constexpr const char* kNetworkObjects[] = {"IPSTACK", "WLANDRV", "WLANENBL", "NETCONFS"};
+constexpr const char* kConsoleObjects[] = {"ANTTCPIO", "HOOK", "HOOKACT"};
+
+// A robot has 32 MiB of memory; an image that is larger cannot be loaded.
+constexpr uint64_t kRobotMemory = 32u << 20;
+
+class BootCheck {
+ public:
+  BootCheck(const std::string& root, std::string design, Remarks* remarks)
+      : root_(root), design_(std::move(design)), remarks_(remarks) {}
+
+  StickSummary Run() {
+    Measure();
+    CheckBase();
+    CheckDesign();
+    CheckImages();
+    CheckNetwork();
+    return summary_;
+  }
+
+ private:
+  fs::path On(const std::string& path) const { return FindBelow(root_, path); }
+  std::string Shown(const std::string& path) const {
+    const fs::path found = On(path);
+    return (found.empty() ? root_ / path : found).string();
+  }
+
+  // Returns the names of `objects` that are not in OPEN-R/SYSTEM/OBJS.
+  template <size_t N>
+  std::vector<std::string> Missing(const char* const (&objects)[N]) const {
+    std::vector<std::string> missing;
+    for (const std::string name : objects)
+      if (On("OPEN-R/SYSTEM/OBJS/" + name + ".BIN").empty()) missing.push_back(name + ".BIN");
+    return missing;
+  }
+
+  void Measure();
+  void CheckBase();
+  void CheckDesign();
+  void CheckImages();
+  void CheckImage(const ObjectRecord& record, const fs::path& file);
+  void CheckNetwork();
+
+  const fs::path root_;
+  const std::string design_;
+  Remarks* const remarks_;
+  StickSummary summary_;
+  bool needs_network_ = false;
+};
+
+void BootCheck::Measure() {
+  std::error_code error;
+  for (const fs::path& file : FilesBelow(FindEntry(root_, "OPEN-R"))) {
+    if (!fs::is_regular_file(file, error)) continue;
+    ++summary_.num_files;
+    summary_.num_bytes += fs::file_size(file, error);
+  }
+}
+
+void BootCheck::CheckBase() {
+  std::vector<std::string> missing;
+  for (const std::string file : kBaseFiles)
+    if (On(file).empty()) missing.push_back(file);
+  const std::vector<std::string> objects = Missing(kSystemObjects);
+  if (missing.size() == std::size(kBaseFiles) && objects.size() == std::size(kSystemObjects)) {
+    remarks_->Error(root_.string(),
+                    "has no base image, so a robot does not boot from it: copy OPEN-R of the SDK's "
+                    "OPEN_R/MS_ERS200 (ERS-7: MS_ERS7) here first, WCONSOLE/memprot for network "
+                    "and console; 'openr stick new --base DIR' and 'openr stick robot' do so");
+    return;
+  }
+  for (const std::string& file : missing)
+    remarks_->Error(Shown(file),
+                    "is missing; it belongs to the base image of the SDK, which must "
+                    "be copied whole");
+  if (!objects.empty()) {
+    remarks_->Error(Shown("OPEN-R/SYSTEM/OBJS"),
+                    fmt::format("lacks {} of the base image, which must be copied whole",
+                                fmt::join(objects, ", ")));
+  }
+  summary_.base = !Missing(kNetworkObjects).empty()   ? "BASIC"
+                  : !Missing(kConsoleObjects).empty() ? "WLAN"
+                                                      : "WCONSOLE";
+  if (summary_.base == "WCONSOLE") {
+    remarks_->Note(root_.string(),
+                   "has the base image with a console: the robot may seem dead until somebody "
+                   "connects to its port 59000 (field-notes.md 5)");
+  }
+}
+
+// A DESIGN.CFG that does not fit the robot ends its boot with "DR OPEN-R SDK version can run
+// odrexecMODE3 only" (field-notes.md 5).
+void BootCheck::CheckDesign() {
+  const fs::path file = On("OPEN-R/MW/CONF/DESIGN.CFG");
+  if (file.empty() || design_.empty()) return;
+  if (ReadText(file).value_or("").find(design_) == std::string::npos) {
+    remarks_->Error(file.string(),
+                    fmt::format("does not name {}: its boot would end with 'can run odrexecMODE3 "
+                                "only'; take the DESIGN.CFG of the base image for this robot",
+                                design_));
+  }
+}
+
+void BootCheck::CheckImages() {
+  const fs::path file = On("OPEN-R/MW/CONF/OBJECT.CFG");
+  if (file.empty()) return;
+  const ObjectConfig config = ParseObjectConfig(file, ReadText(file).value_or(""), kEveryDesign);
+  if (config.objects.empty())
+    remarks_->Warning(file.string(), "names no object; the robot boots and does nothing");
+  for (const ObjectRecord& record : config.objects) {
+    const fs::path image = record.path.size() < 4 ? fs::path() : On(record.path.substr(4));
+    if (!image.empty()) CheckImage(record, image);
+  }
+}
+
+void BootCheck::CheckImage(const ObjectRecord& record, const fs::path& file) {
+  const ImageFile image = ReadImageFile(file);
+  for (const std::string_view text : TextsIn(image.bytes))
+    needs_network_ = needs_network_ || text.find("antStack") != std::string_view::npos ||
+                     text.find("IPStack") != std::string_view::npos;
+  if (!image.is_for_robot) {
+    remarks_->Add(
+        Remark::Kind::kError, record.place,
+        fmt::format("{} is not for the robot's processor{}; 'openr stick robot', or make "
+                    "with the robot's SDK, builds it",
+                    record.path, image.problem.empty() ? ": it is an image of a host" : ""));
+  } else if (!image.is_compressed) {
+    remarks_->Add(Remark::Kind::kNote, record.place,
+                  fmt::format("{} is not compressed; all images of the SDK's samples are (gzip -6)",
+                              record.path));
+  }
+  if (image.bytes.size() > kRobotMemory) {
+    remarks_->Add(Remark::Kind::kError, record.place,
+                  fmt::format("{} has {} bytes unpacked, and a robot has 32 MiB of memory",
+                              record.path, image.bytes.size()));
+  }
+}
+
+void BootCheck::CheckNetwork() {
+  const bool has_settings = !On("OPEN-R/SYSTEM/CONF/WLANCONF.TXT").empty();
+  if (summary_.base.empty()) return;
+  if (summary_.base == "BASIC") {
+    if (needs_network_)
+      remarks_->Warning(root_.string(),
+                        "has the base image BASIC, which has no network, and an "
+                        "object that uses IPStack; take WLAN or WCONSOLE");
+    return;
+  }
+  if (!has_settings) {
+    remarks_->Warning(Shown("OPEN-R/SYSTEM/CONF/WLANCONF.TXT"),
+                      "is missing: the robot takes WLANDFLT.TXT of the base image (10.0.1.100 in "
+                      "the network AIBONET); 'openr stick wlan' writes one");
+  }
+}
+
+}  // namespace
+
+StickSummary CheckBoot(const std::string& root, const std::string& design, Remarks* remarks) {
+  return BootCheck(root, design, remarks).Run();
+}
+
+}  // namespace openr_host

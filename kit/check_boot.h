@@ -1,0 +1,22 @@
+// Checks what a Memory Stick needs so that a robot boots from it, beyond what a host needs.
+#pragma once
+
+#include <string>
+
+#include "kit/check.h"
+
+namespace openr_host {
+
+// What a stick in a folder holds, for a summary.
+struct StickSummary {
+  std::string base;  // "WCONSOLE": the base image, "": none
+  int num_files = 0;
+  uint64_t num_bytes = 0;
+};
+
+// Adds a remark for each part of the robot's system that is missing on the stick in the folder
+// `root`, which holds OPEN-R/: the base image and its system objects, DESIGN.CFG for `design`
+// ("ERS-210"; "": any), images for the robot's processor, network for objects that need it.
+StickSummary CheckBoot(const std::string& root, const std::string& design, Remarks* remarks);
+
+}  // namespace openr_host

@@ -1,0 +1,93 @@
+#include "kit/new_stick.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <set>
+#include <stdexcept>
+
+#include "kit/stick_draft.h"
+#include "kit/stick_merge.h"
+#include "kit/text_files.h"
+#include "runtime/base/read_file.h"
+
+namespace openr_host {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr char kNoConnections[] = "# subject observer\n";
+
+void Write(const fs::path& file, const std::string& text) {
+  std::error_code error;
+  fs::create_directories(file.parent_path(), error);
+  const std::string problem = WriteText(file, text);
+  if (!problem.empty()) throw std::runtime_error(problem);
+}
+
+// Returns the name of an image on the stick: that of `file` in upper case.  Throws if the stick
+// cannot hold it.
+std::string ImageName(const std::string& file) {
+  std::string name = fs::path(file).filename();
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  std::string problem = WhyNotShortName(name);
+  if (problem.empty() && !name.ends_with(".BIN")) problem = "an image is a file such as HELLO.BIN";
+  std::error_code error;
+  if (!fs::is_regular_file(file, error)) problem = "there is no such file";
+  if (!problem.empty()) throw std::runtime_error(fmt::format("{}: {}", file, problem));
+  return name;
+}
+
+// Returns OBJECT.CFG for the images, and copies them to `objects`.
+std::string PutImages(const std::vector<std::string>& images, const fs::path& objects) {
+  std::string list;
+  std::set<std::string> names;
+  for (const std::string& image : images) {
+    const std::string name = ImageName(image);
+    if (!names.insert(name).second)
+      throw std::runtime_error(fmt::format("{}: another image has the name {}", image, name));
+    fs::copy_file(image, SpeltBelow(objects, name), fs::copy_options::overwrite_existing);
+    list += fmt::format("/MS/OPEN-R/MW/OBJS/{}\n", name);
+  }
+  return list;
+}
+
+// Adds `ours` to a configuration file of the base, if it has one.
+void MergeInto(const fs::path& file, const std::string& ours) {
+  Write(file, MergeConfig(ReadText(file).value_or(""), ours));
+}
+
+}  // namespace
+
+void MakeNewStick(const NewStickOptions& options) {
+  StickDraft draft(options.output);
+  const fs::path root = draft.stick();
+  if (!options.base.empty()) {
+    const fs::path base = FindEntry(options.base, "OPEN-R");
+    if (base.empty())
+      throw std::runtime_error(fmt::format("--base {}: there is no OPEN-R/ in it", options.base));
+    CopyTree(base, root / "OPEN-R");
+  }
+  for (const char* folder : {"OPEN-R/MW/CONF", "OPEN-R/MW/OBJS", "OPEN-R/MW/DATA/P"})
+    fs::create_directories(SpeltBelow(root, folder));
+  const std::string list = PutImages(options.images, SpeltBelow(root, "OPEN-R/MW/OBJS"));
+  MergeInto(SpeltBelow(root, "OPEN-R/MW/CONF/OBJECT.CFG"), list);
+  const std::string connections =
+      options.connections.empty() ? kNoConnections : ReadFileOrThrow(options.connections);
+  MergeInto(SpeltBelow(root, "OPEN-R/MW/CONF/CONNECT.CFG"), connections);
+  if (!options.wlan.empty()) PutWlanFile(root, options.wlan);
+  draft.Finish();
+}
+
+std::string PutWlanFile(const std::string& stick, const std::string& text) {
+  if (FindEntry(stick, "OPEN-R").empty())
+    throw std::runtime_error(fmt::format("{}: is no stick, there is no OPEN-R/ in it", stick));
+  const fs::path file = SpeltBelow(stick, "OPEN-R/SYSTEM/CONF/WLANCONF.TXT");
+  Write(file, text);
+  return file;
+}
+
+}  // namespace openr_host

@@ -1,0 +1,24 @@
+// Makes a Memory Stick tree for images that are built already.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace openr_host {
+
+struct NewStickOptions {
+  std::string output;               // folder to make; OPEN-R/ will be in it
+  std::vector<std::string> images;  // .BIN files, in the order of OBJECT.CFG
+  std::string connections;          // CONNECT.CFG to copy; "": an empty one
+  std::string base;                 // folder whose OPEN-R/ is the base of the stick; "": none
+  std::string wlan;                 // text of WLANCONF.TXT; "": none is written
+};
+
+// Makes the stick, whole or not at all.  Throws std::runtime_error with the reason of a failure.
+void MakeNewStick(const NewStickOptions& options);
+
+// Writes `text` as the network settings of the stick in the folder `stick`, which holds OPEN-R/.
+// Returns the path of the file.  Throws std::runtime_error.
+std::string PutWlanFile(const std::string& stick, const std::string& text);
+
+}  // namespace openr_host

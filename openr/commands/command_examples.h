@@ -1,0 +1,20 @@
+// Examples for the help of each command.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace openr_host {
+
+// Returns the examples of a command, each a line for a shell; `path` is "rc mtn play", or "" for
+// the program.  Returns none if the command has none.
+std::vector<std::string> ExamplesOf(const std::string& path);
+
+// Adds the examples to the help of `app`, the whole program, and of all commands in it.
+void AddExamples(CLI::App* app);
+
+}  // namespace openr_host

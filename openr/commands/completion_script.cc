@@ -1,0 +1,115 @@
+#include "openr/commands/completion_script.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace openr_host {
+namespace {
+
+using Value = OptionInfo::Value;
+
+// The begin of the script: finds out which command stands before the word that is completed.  The
+// patterns of commands come in between.  `help run` completes as `run` does.
+constexpr char kBegin[] = R"(# Completion of openr for bash; made by: openr completion bash
+_openr() {
+  local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD-1]} path=openr i
+  COMPREPLY=()
+  # bash takes '=' for a word of its own: --robot=ers7.
+  [ "$cur" = = ] && cur=
+  [ "$prev" = = ] && prev=${COMP_WORDS[COMP_CWORD-2]}
+  for ((i = 1; i < COMP_CWORD; i++)); do
+    [ "$path ${COMP_WORDS[i]}" = "openr help" ] && continue
+    case "$path ${COMP_WORDS[i]}" in
+      )";
+
+constexpr char kAfterCommands[] = R"()
+        path+=" ${COMP_WORDS[i]}" ;;
+    esac
+  done
+  case "$path $prev" in
+)";
+
+constexpr char kBetween[] = R"(  esac
+  local words= kind=
+  case "$path" in
+)";
+
+constexpr char kEnd[] = R"(  esac
+  if [[ $cur == -* ]]; then
+    COMPREPLY=($(compgen -W "${words#*|}" -- "$cur"))
+    return
+  fi
+  COMPREPLY=($(compgen -W "${words%%|*}" -- "$cur"))
+  [ -n "$kind" ] && _openr_files "$kind"
+}
+
+# Adds files (-f) or folders (-d); their names may have blanks.
+_openr_files() {
+  local line
+  while IFS= read -r line; do COMPREPLY+=("$line"); done < <(compgen "$1" -- "$cur")
+  compopt -o filenames 2>/dev/null
+}
+
+complete -F _openr openr
+)";
+
+void AddPaths(const CommandInfo& command, std::vector<std::string>* patterns) {
+  for (const CommandInfo& below : command.commands) {
+    patterns->push_back(fmt::format("'{}'", below.path));
+    AddPaths(below, patterns);
+  }
+}
+
+const char* KindOf(Value value) {
+  return value == Value::kFile ? "-f" : value == Value::kFolder ? "-d" : "";
+}
+
+// Adds a case for each flag with a value: what the word behind the flag can be.
+void AddValues(const CommandInfo& command, std::string* script) {
+  for (const OptionInfo& option : command.options) {
+    if (option.value == Value::kNone) continue;
+    std::vector<std::string> patterns;
+    for (const std::string& name : option.names)
+      patterns.push_back(fmt::format("'{} {}'", command.path, name));
+    std::string action = "return";
+    if (option.value == Value::kChoice) {
+      action = fmt::format("COMPREPLY=($(compgen -W '{}' -- \"$cur\")); return",
+                           fmt::join(option.choices, " "));
+    } else if (*KindOf(option.value) != '\0') {
+      action = fmt::format("_openr_files {}; return", KindOf(option.value));
+    }
+    *script += fmt::format("    {}) {} ;;\n", fmt::join(patterns, "|"), action);
+  }
+  for (const CommandInfo& below : command.commands) AddValues(below, script);
+}
+
+// Adds a case for each command: the words that may come next, then '|' and the flags, and whether
+// files or folders may come.
+void AddWords(const CommandInfo& command, std::string* script) {
+  std::vector<std::string> words, flags;
+  for (const CommandInfo& below : command.commands) words.push_back(below.name);
+  std::string kind;
+  for (const OptionInfo& positional : command.positionals) {
+    words.insert(words.end(), positional.choices.begin(), positional.choices.end());
+    if (kind.empty()) kind = KindOf(positional.value);
+  }
+  for (const OptionInfo& option : command.options)
+    flags.insert(flags.end(), option.names.begin(), option.names.end());
+  *script += fmt::format("    '{}') words='{}|{}' kind={} ;;\n", command.path,
+                         fmt::join(words, " "), fmt::join(flags, " "), kind);
+  for (const CommandInfo& below : command.commands) AddWords(below, script);
+}
+
+}  // namespace
+
+std::string BashCompletion(const CommandInfo& program) {
+  std::vector<std::string> patterns;
+  AddPaths(program, &patterns);
+  std::string script = kBegin + fmt::format("{}", fmt::join(patterns, "|")) + kAfterCommands;
+  AddValues(program, &script);
+  script += kBetween;
+  AddWords(program, &script);
+  return script + kEnd;
+}
+
+}  // namespace openr_host

@@ -1,0 +1,162 @@
+#include "openr/commands/man_page.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <sstream>
+
+namespace openr_host {
+namespace {
+
+// Returns `text` so that it is shown as it is: no line of it is a request of man(7), and '-' can be
+// copied as the flag that it is.
+std::string Plain(const std::string& text) {
+  std::string plain;
+  bool begins_line = true;
+  for (const char c : text) {
+    if (begins_line && (c == '.' || c == '\'')) plain += "\\&";
+    if (c == '\\') {
+      plain += "\\e";
+    } else if (c == '-') {
+      plain += "\\-";
+    } else {
+      plain += c;
+    }
+    begins_line = c == '\n';
+  }
+  return plain;
+}
+
+std::string Bold(const std::string& text) { return "\\fB" + Plain(text) + "\\fR"; }
+
+std::string Italic(const std::string& text) { return "\\fI" + Plain(text) + "\\fR"; }
+
+bool IsHelp(const OptionInfo& option) {
+  return std::find(option.names.begin(), option.names.end(), "--help") != option.names.end() ||
+         std::find(option.names.begin(), option.names.end(), "--help-all") != option.names.end();
+}
+
+std::string Heading(const OptionInfo& option, bool is_positional) {
+  std::vector<std::string> names;
+  for (const std::string& name : option.names)
+    names.push_back(is_positional ? Italic(name) : Bold(name));
+  std::string text = fmt::format("{}", fmt::join(names, ", "));
+  if (option.value == OptionInfo::Value::kNone) return text;
+  if (!option.choices.empty()) {
+    text += " " + Plain(fmt::format("{}", fmt::join(option.choices, "|")));
+  } else if (!is_positional) {
+    text += " " + Italic(option.value_name);
+  }
+  return text;
+}
+
+std::string Entry(const OptionInfo& option, bool is_positional) {
+  std::string text = ".TP\n" + Heading(option, is_positional) + "\n" + Plain(option.description);
+  if (!option.default_value.empty()) text += Plain(" (default: " + option.default_value + ")");
+  if (option.is_repeatable && !is_positional) text += " (may be repeated)";
+  return text + "\n";
+}
+
+std::string Synopsis(const CommandInfo& command) {
+  std::string text = Bold(command.path);
+  if (!command.options.empty()) text += " [" + Italic("OPTIONS") + "]";
+  for (const OptionInfo& positional : command.positionals) {
+    const std::string name = Italic(positional.names[0]) + (positional.is_repeatable ? "..." : "");
+    text += positional.is_required ? " " + name : " [" + name + "]";
+  }
+  if (!command.commands.empty()) text += " " + Italic("COMMAND");
+  return text + "\n";
+}
+
+std::string Entries(const CommandInfo& command) {
+  std::string text;
+  for (const OptionInfo& positional : command.positionals) text += Entry(positional, true);
+  for (const OptionInfo& option : command.options)
+    if (!IsHelp(option)) text += Entry(option, false);
+  return text;
+}
+
+// Returns the footer of the help: lines without an indent are headings, the others are shown as
+// they are.
+std::string Footer(const std::string& footer) {
+  std::string text;
+  bool is_in_block = false;
+  std::istringstream lines(footer);
+  for (std::string line; std::getline(lines, line);) {
+    const bool is_heading = !line.empty() && line.front() != ' ';
+    if (is_heading) {
+      text += (is_in_block ? ".fi\n" : "") + (".PP\n" + Plain(line)) + "\n.nf\n";
+      is_in_block = true;
+    } else if (!line.empty()) {
+      text += Plain(line) + "\n";
+    }
+  }
+  return is_in_block ? text + ".fi\n" : text;
+}
+
+std::string UpperCase(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return text;
+}
+
+// Adds a section for each command below `command`.
+void AddBelow(const CommandInfo& command, std::string* page) {
+  for (const CommandInfo& below : command.commands) {
+    *page += ".SS " + Plain(below.path) + "\n" + Synopsis(below) + ".PP\n" +
+             Plain(below.description) + "\n" + Entries(below) + Footer(below.footer);
+    AddBelow(below, page);
+  }
+}
+
+constexpr char kFacts[] = R"(.SH EXIT STATUS
+0: good; 1: the input or the run is wrong, or output cannot be written; 2: the command line is wrong.
+.SH ENVIRONMENT
+.TP
+\fBNO_COLOR\fR
+If it is set and not empty, no text has colours.
+.TP
+\fBOPENR_HOST_CXX\fR, \fBOPENR_HOST_CC\fR
+The compilers of openr build (g++, gcc).
+.TP
+\fBOPENRSDK_ROOT\fR
+The SDK for the robot, for openr stick robot.
+)";
+
+}  // namespace
+
+std::string ManPageFile(const CommandInfo& command) {
+  std::string name = command.path + ".1";
+  std::replace(name.begin(), name.end(), ' ', '-');
+  return name;
+}
+
+std::string ManPage(const CommandInfo& program, const CommandInfo& command,
+                    const std::string& version) {
+  const bool is_program = &program == &command;
+  std::string file = ManPageFile(command);
+  const std::string title = file.substr(0, file.size() - 2);
+  std::string page =
+      fmt::format(".TH {} 1 \"\" \"openr\\-host {}\" \"openr\\-host\"\n.SH NAME\n{} \\- {}\n",
+                  UpperCase(Plain(title)), version, Plain(title), Plain(command.description));
+  page += ".SH SYNOPSIS\n" + Synopsis(command);
+  const std::string entries = Entries(command);
+  if (!entries.empty()) page += ".SH OPTIONS\n" + entries;
+  if (is_program) {
+    page += ".SH COMMANDS\n";
+    for (const CommandInfo& below : command.commands)
+      page += ".TP\n" + Bold(below.name) + "\n" + Plain(below.description) + "\n";
+  } else if (!command.commands.empty()) {
+    page += ".SH COMMANDS\n";
+    AddBelow(command, &page);
+  }
+  if (!command.footer.empty()) page += ".SH EXAMPLES\n" + Footer(command.footer);
+  page += kFacts;
+  std::string also = is_program ? "openr-run" : "openr";
+  return page + ".SH SEE ALSO\n.BR " + Plain(also) +
+         " (1),\ndocuments in /usr/share/doc/openr\\-host or in docs/ of the sources\n";
+}
+
+}  // namespace openr_host

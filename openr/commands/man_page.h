@@ -1,0 +1,19 @@
+// Manual pages of the commands, for `man openr-run`.
+#pragma once
+
+#include <string>
+
+#include "openr/commands/command_tree.h"
+
+namespace openr_host {
+
+// Returns the text of a page in the language of man(7).  The page of the program lists the
+// commands; the page of a command has the commands below it as well.  `version` is that of the
+// program.
+std::string ManPage(const CommandInfo& program, const CommandInfo& command,
+                    const std::string& version);
+
+// Returns the name of the file of a page: "openr-run.1".
+std::string ManPageFile(const CommandInfo& command);
+
+}  // namespace openr_host

@@ -1,0 +1,68 @@
+// The commands openr completion and openr man, which describe all commands to a shell and to man.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "cli/counted.h"
+#include "cli/exit_code.h"
+#include "cli/output_file.h"
+#include "cli/standard_streams.h"
+#include "openr/commands/command_tree.h"
+#include "openr/commands/commands.h"
+#include "openr/commands/common_flags.h"
+#include "openr/commands/completion_script.h"
+#include "openr/commands/man_page.h"
+
+namespace openr_host {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Writes one page to `folder`, or throws std::runtime_error.
+void WritePage(const CommandInfo& program, const CommandInfo& command, const fs::path& folder) {
+  const std::string problem =
+      WriteFile(folder / ManPageFile(command), ManPage(program, command, OPENR_VERSION));
+  if (!problem.empty()) throw std::runtime_error(problem);
+}
+
+void WritePages(const CommandInfo& program, const std::string& output) {
+  std::error_code error;
+  fs::create_directories(output, error);
+  if (error) throw std::runtime_error(fmt::format("{}: {}", output, error.message()));
+  WritePage(program, program, output);
+  for (const CommandInfo& command : program.commands) WritePage(program, command, output);
+  PrintAnswer(
+      fmt::format("wrote {} to {}\n", Counted(program.commands.size() + 1, "page"), output));
+}
+
+}  // namespace
+
+void AddCompletionCommand(CLI::App* app, int* exit_code) {
+  CLI::App* const command =
+      app->add_subcommand("completion", "Prints the script by which a shell completes commands");
+  auto shell = std::make_shared<std::string>();
+  command->add_option("SHELL", *shell, "Which shell")->required()->check(CLI::IsMember({"bash"}));
+  command->callback([app, exit_code] {
+    PrintAnswer(BashCompletion(DescribeCommands(*app)));
+    *exit_code = kExitGood;
+  });
+}
+
+void AddManCommand(CLI::App* app, int* exit_code) {
+  CLI::App* const command =
+      app->add_subcommand("man", "Writes the manual pages: of the program and of each command");
+  auto output = std::make_shared<std::string>();
+  command->add_option("-o,--output", *output, "Folder for the pages")
+      ->required()
+      ->check(IsFolder());
+  command->callback([app, output, exit_code] {
+    WritePages(DescribeCommands(*app), *output);
+    *exit_code = kExitGood;
+  });
+}
+
+}  // namespace openr_host

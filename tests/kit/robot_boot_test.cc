@@ -1,0 +1,168 @@
+// openr stick check, new and wlan: sticks for a real robot.
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "cli/process.h"
+#include "tests/kit/kit_folder.h"
+
+namespace openr_host {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+// An image for the robot, as far as its header tells.
+std::string RobotImage() {
+  return std::string(
+             "\x7f"
+             "ELF\1\1\1",
+             7) +
+         std::string(9, '\0') + std::string("\2\0\x8\0\1\0\0\0", 8) + std::string(200, '\0');
+}
+
+// A stick with what a base image has (measured.md 4); the files themselves are empty.
+class RobotStickCheckTest : public ::testing::Test {
+ protected:
+  void MakeBase(bool has_network = true) {
+    for (const char* file : {"APERIOS.GZ", "APERINIT.GZ", "BOOTPARA", "VERSION.txt",
+                             "SYSTEM/VERSION", "SYSTEM/CONF/OBJECT.CFG", "SYSTEM/CONF/EXTOBJ.CFG",
+                             "SYSTEM/CONF/EMON.CFG", "MW/CONF/CONNECT.CFG"})
+      folder_.Write(std::string("stick/OPEN-R/") + file, "");
+    folder_.Write("stick/OPEN-R/MW/CONF/DESIGN.CFG", "[ERS-210]\n0001.0001.*-6\n");
+    for (const char* name :
+         {"POWERMGR", "SRVCMGR", "VR", "DR", "SYSLOG", "VRCOMM", "VRAUCOMM", "EMGCYMON"})
+      folder_.Write(std::string("stick/OPEN-R/SYSTEM/OBJS/") + name + ".BIN", "");
+    if (has_network) {
+      for (const char* name : {"IPSTACK", "WLANDRV", "WLANENBL", "NETCONFS"})
+        folder_.Write(std::string("stick/OPEN-R/SYSTEM/OBJS/") + name + ".BIN", "");
+    }
+    folder_.Write("stick/OPEN-R/MW/CONF/OBJECT.CFG", "/MS/OPEN-R/MW/OBJS/POWERMON.BIN\n");
+    folder_.Write("stick/OPEN-R/MW/OBJS/POWERMON.BIN", RobotImage());
+  }
+
+  ProgramResult Check(std::vector<std::string> more = {}) const {
+    std::vector<std::string> words = {"stick", "check", folder_.File("stick")};
+    words.insert(words.end(), more.begin(), more.end());
+    return RunProgram(words);
+  }
+
+  const ScratchFolder folder_;
+};
+
+TEST_F(RobotStickCheckTest, AStickOfTheHostHasNoBaseAndNoImagesForTheRobot) {
+  ASSERT_EQ(RunProgram({"stick", "host", "-o", folder_.File("stick")}).status, 0);
+  const ProgramResult result = Check();
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.out, HasSubstr("has no base image"));
+  EXPECT_THAT(result.out, HasSubstr("POWERMON.BIN is not for the robot's processor"));
+  EXPECT_THAT(result.out, HasSubstr("keep an ERS-210 from booting"));
+}
+
+TEST_F(RobotStickCheckTest, AWholeStickHasNoErrors) {
+  MakeBase();
+  folder_.Write("stick/OPEN-R/SYSTEM/CONF/WLANCONF.TXT", "WEPKEY=abcde\n");
+  const ProgramResult result = Check();
+  EXPECT_EQ(result.status, 0) << result.out;
+  EXPECT_THAT(result.out, HasSubstr("base image: WLAN"));
+  EXPECT_THAT(result.out, HasSubstr("nothing is known that keeps an ERS-210 from booting"));
+}
+
+TEST_F(RobotStickCheckTest, EachMissingPartOfTheBaseIsNamed) {
+  MakeBase();
+  std::filesystem::remove(folder_.File("stick/OPEN-R/BOOTPARA"));
+  std::filesystem::remove(folder_.File("stick/OPEN-R/SYSTEM/OBJS/VRCOMM.BIN"));
+  const ProgramResult result = Check();
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.out, HasSubstr("BOOTPARA: is missing"));
+  EXPECT_THAT(result.out, HasSubstr("lacks VRCOMM.BIN"));
+}
+
+// field-notes.md 5: the wrong DESIGN.CFG ends the boot.
+TEST_F(RobotStickCheckTest, DesignCfgMustNameTheRobot) {
+  MakeBase();
+  EXPECT_THAT(Check({"--robot", "ers7"}).out, HasSubstr("DESIGN.CFG: does not name ERS-7"));
+  EXPECT_THAT(Check().out, Not(HasSubstr("DESIGN.CFG")));
+}
+
+TEST_F(RobotStickCheckTest, NamesThatAreTooLongAndMissingImagesAreErrorsAsEver) {
+  MakeBase();
+  folder_.Write("stick/OPEN-R/MW/CONF/OBJECT.CFG",
+                "/MS/OPEN-R/MW/OBJS/POWERMON.BIN\n/MS/OPEN-R/MW/OBJS/NAVIGATOR.BIN\n");
+  folder_.Write("stick/OPEN-R/MW/OBJS/NAVIGATOR.BIN", RobotImage());
+  EXPECT_THAT(Check().out, HasSubstr("'NAVIGATOR.BIN' is not an 8.3 name"));
+}
+
+TEST_F(RobotStickCheckTest, WithANetworkButWithoutSettingsItSaysWhatHolds) {
+  MakeBase();
+  EXPECT_THAT(Check().out, HasSubstr("the robot takes WLANDFLT.TXT"));
+}
+
+TEST_F(RobotStickCheckTest, JsonHasTheRemarksAndTheSizes) {
+  MakeBase(false);
+  const auto json = nlohmann::json::parse(Check({"--json"}).out);
+  EXPECT_EQ(json["base"], "BASIC");
+  EXPECT_EQ(json["robot"], "ERS-210");
+  EXPECT_EQ(json["errors"], 0);
+  EXPECT_GT(json["files"], 15);
+}
+
+TEST_F(RobotStickCheckTest, AFolderThatIsNoStickIsRefused) {
+  folder_.Write("stick/readme", "");
+  const ProgramResult result = Check();
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.err, HasSubstr("is no stick"));
+}
+
+TEST_F(RobotStickCheckTest, ANewStickHasTheImagesTheBaseAndTheNetwork) {
+  MakeBase();
+  folder_.Write("hello.bin", RobotImage());
+  const ProgramResult made =
+      RunProgram({"stick", "new", "-o", folder_.File("new"), folder_.File("hello.bin"), "--base",
+                  folder_.File("stick"), "--essid", "kitchen", "--no-wep", "--dhcp"});
+  ASSERT_EQ(made.status, 0) << made.err;
+  EXPECT_THAT(folder_.Read("new/OPEN-R/MW/CONF/OBJECT.CFG"),
+              HasSubstr("/MS/OPEN-R/MW/OBJS/POWERMON.BIN\n/MS/OPEN-R/MW/OBJS/HELLO.BIN\n"));
+  EXPECT_THAT(folder_.Read("new/OPEN-R/SYSTEM/CONF/WLANCONF.TXT"), HasSubstr("ESSID=kitchen\r\n"));
+  EXPECT_EQ(RunProgram({"stick", "check", folder_.File("new")}).status, 0);
+}
+
+TEST_F(RobotStickCheckTest, NothingIsLeftOfANewStickThatFails) {
+  const ProgramResult made =
+      RunProgram({"stick", "new", "-o", folder_.File("new"), folder_.File("averylongname.bin")});
+  EXPECT_EQ(made.status, 1);
+  EXPECT_FALSE(std::filesystem::exists(folder_.File("new")));
+}
+
+TEST_F(RobotStickCheckTest, SettingsOfTheNetworkGoWhereTheRobotReadsThem) {
+  MakeBase();
+  const ProgramResult wrote = RunProgram(
+      {"stick", "wlan", folder_.File("stick"), "--essid", "kitchen", "--ip", "10.1.1.5"});
+  EXPECT_EQ(wrote.status, 0) << wrote.err;
+  EXPECT_THAT(wrote.err, HasSubstr("IP_GATEWAY 10.0.1.1 is not in the robot's network"));
+  EXPECT_THAT(folder_.Read("stick/OPEN-R/SYSTEM/CONF/WLANCONF.TXT"), HasSubstr("ESSID=kitchen"));
+}
+
+TEST_F(RobotStickCheckTest, AKeyThatTheRobotDoesNotTakeIsAWrongCommandLine) {
+  const ProgramResult refused = RunProgram({"stick", "wlan", "--wep-key", "sixsix"});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.err, HasSubstr("5 or 13 characters"));
+}
+
+TEST_F(RobotStickCheckTest, AnswersComeFromAPipeAsWell) {
+  MakeBase();
+  const auto answered = [&](const std::string& answers) {
+    return RunProcess({OPENR_PROGRAM, "stick", "wlan", folder_.File("stick")},
+                      {.captures_error = true, .captures_out = true, .input = answers});
+  };
+  EXPECT_EQ(answered("rex\nkitchen\n0\n1\n1\n").status, 0);
+  EXPECT_THAT(folder_.Read("stick/OPEN-R/SYSTEM/CONF/WLANCONF.TXT"), HasSubstr("HOSTNAME=rex"));
+  const ProcessResult ended = answered("max\n");
+  EXPECT_EQ(ended.status, 1);
+  EXPECT_THAT(ended.output, HasSubstr("nothing was written"));
+  EXPECT_THAT(folder_.Read("stick/OPEN-R/SYSTEM/CONF/WLANCONF.TXT"), HasSubstr("HOSTNAME=rex"));
+}
+
+}  // namespace
+}  // namespace openr_host

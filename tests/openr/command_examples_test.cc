@@ -1,0 +1,113 @@
+// Every command has examples in its help, and what they say is a command line that is understood.
+#include "openr/commands/command_examples.h"
+
+#include <gmock/gmock.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <sstream>
+
+#include "openr/commands/command_tree.h"
+#include "openr/commands/commands.h"
+#include "tests/openr/program_run.h"
+
+namespace openr_host {
+namespace {
+
+using ::testing::HasSubstr;
+
+// Replaces the work of a command and of all below it by nothing.
+void Disarm(CLI::App* command) {
+  command->callback([] {});
+  for (CLI::App* const below : command->get_subcommands({})) Disarm(below);
+}
+
+// Returns the words of an example: without the comment, and without where its output goes.
+std::vector<std::string> WordsOf(const std::string& line) {
+  std::istringstream stream(line);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word && word[0] != '#' && word[0] != '>';) words.push_back(word);
+  return words;
+}
+
+// Reads the command line without doing the work.  Returns the error; "" if there is none.
+std::string WhyWrong(const std::string& line) {
+  std::vector<std::string> words = WordsOf(line);
+  if (words.empty() || words[0] != "openr") return "is no call of openr";
+  CLI::App app;
+  int exit_code = 0;
+  DescribeProgram(&app, &exit_code, "");
+  Disarm(&app);
+  // CLI11 takes the words from the back.
+  const std::vector<std::string> reversed(words.rbegin(), words.rend() - 1);
+  try {
+    app.parse(reversed);
+  } catch (const CLI::ParseError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+void AddPaths(const CommandInfo& command, std::vector<std::string>* paths) {
+  for (const CommandInfo& below : command.commands) {
+    paths->push_back(below.path.substr(below.path.find(' ') + 1));
+    AddPaths(below, paths);
+  }
+}
+
+std::vector<std::string> AllPaths() {
+  CLI::App app;
+  int exit_code = 0;
+  DescribeProgram(&app, &exit_code, "");
+  std::vector<std::string> paths = {""};
+  AddPaths(DescribeCommands(app), &paths);
+  return paths;
+}
+
+// A folder with the files that examples name, as the working folder.
+class CommandExamplesTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    for (const char* name : {"run.trace", "WALK.MTN", "MINE.MTN", "CONTROLL.BIN", "walk.log",
+                             "walk.csv", "MOTION.ODA", "stub.cfg"})
+      folder_.Write(name, "");
+    for (const char* name : {"mystick", "Greeter", "wag"})
+      std::filesystem::create_directory(folder_.File(name));
+    before_ = std::filesystem::current_path();
+    std::filesystem::current_path(folder_.path());
+  }
+  void TearDown() override { std::filesystem::current_path(before_); }
+
+  const ScratchFolder folder_;
+  std::filesystem::path before_;
+};
+
+TEST_F(CommandExamplesTest, EveryCommandHasExamplesThatAreUnderstood) {
+  const std::vector<std::string> paths = AllPaths();
+  EXPECT_GT(paths.size(), 60u);
+  for (const std::string& path : paths) {
+    const std::vector<std::string> lines = ExamplesOf(path);
+    EXPECT_FALSE(lines.empty()) << "openr " << path << " has no example (command_examples.cc)";
+    for (const std::string& line : lines) {
+      EXPECT_EQ(WhyWrong(line), "") << line;
+      EXPECT_EQ(line.find("openr " + path), 0u) << line << " is no example of " << path;
+    }
+  }
+}
+
+TEST_F(CommandExamplesTest, AWrongExampleWouldBeFound) {
+  EXPECT_NE(WhyWrong("openr run --fro 20s"), "");
+  EXPECT_NE(WhyWrong("openr mtn plya WALK.MTN"), "");
+  EXPECT_NE(WhyWrong("openr run --robot ers9"), "");
+  EXPECT_EQ(WhyWrong("openr run --for 20s   # comment --nonsense"), "");
+}
+
+TEST_F(CommandExamplesTest, TheHelpOfTheProgramAndOfCommandsShowsThem) {
+  EXPECT_THAT(RunProgram({"--help"}).out, HasSubstr("Examples:\n  openr run "));
+  EXPECT_THAT(RunProgram({"mtn", "plot", "--help"}).out,
+              HasSubstr("Examples:\n  openr mtn plot WALK.MTN -o walk.svg\n"));
+  EXPECT_THAT(RunProgram({"help", "explore"}).out, HasSubstr("Examples:\n  openr explore"));
+}
+
+}  // namespace
+}  // namespace openr_host

@@ -1,0 +1,126 @@
+// openr completion and openr man: what bash and man do with what they print.
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <sstream>
+
+#include "cli/process.h"
+#include "tests/openr/program_run.h"
+
+namespace openr_host {
+namespace {
+
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::UnorderedElementsAre;
+
+class CompletionTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!HasProgram("bash")) GTEST_SKIP() << "there is no bash";
+    folder_.Write("openr.bash", RunProgram({"completion", "bash"}).out);
+    folder_.Write("a file.MTN", "");
+    std::filesystem::create_directory(folder_.File("stick"));
+  }
+
+  // Returns what bash offers for the last of the words, in a folder with a file and a folder.
+  std::vector<std::string> Offered(const std::string& words) const {
+    const std::string script =
+        ". ./openr.bash; compopt() { :; }; COMP_WORDS=(" + words +
+        "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _openr; printf '%s\\n' \"${COMPREPLY[@]}\"";
+    const ProcessResult result =
+        RunProcess({"bash", "-c", script}, {{}, folder_.path(), true, true});
+    EXPECT_TRUE(result.good()) << result.output;
+    std::vector<std::string> offered;
+    std::istringstream lines(result.output);
+    for (std::string line; std::getline(lines, line);)
+      if (!line.empty()) offered.push_back(line);
+    return offered;
+  }
+
+  const ScratchFolder folder_;
+};
+
+TEST_F(CompletionTest, CommandsAreOfferedAtEachLevel) {
+  EXPECT_THAT(Offered("openr ru"), UnorderedElementsAre("run"));
+  EXPECT_THAT(Offered("openr mtn pl"), UnorderedElementsAre("plot"));
+  EXPECT_THAT(Offered("openr rc 127.0.0.1 mtn up"), UnorderedElementsAre("upload"));
+  EXPECT_THAT(Offered("openr help rc mtn pl"), UnorderedElementsAre("play"));
+  EXPECT_THAT(Offered("openr ''"), Contains("explore"));
+}
+
+TEST_F(CompletionTest, FlagsAreOfferedOfTheCommandAndNoOther) {
+  EXPECT_THAT(Offered("openr run --panel"), UnorderedElementsAre("--panel", "--panel-port"));
+  EXPECT_THAT(Offered("openr run --wi"), IsEmpty());
+  EXPECT_THAT(Offered("openr join --child"), IsEmpty());  // not for people
+}
+
+TEST_F(CompletionTest, ValuesAreThoseOfTheFlag) {
+  EXPECT_THAT(Offered("openr run --robot ''"), UnorderedElementsAre("ers210", "ers220", "ers7"));
+  EXPECT_THAT(Offered("openr run --robot = ers7"), UnorderedElementsAre("ers7"));
+  EXPECT_THAT(Offered("openr run --stick s"), UnorderedElementsAre("stick"));
+  EXPECT_THAT(Offered("openr run --for ''"), IsEmpty());
+  EXPECT_THAT(Offered("openr stick robot --flavour w"), UnorderedElementsAre("wlan", "wconsole"));
+}
+
+TEST_F(CompletionTest, FilesAreOfferedWhereACommandTakesOne) {
+  EXPECT_THAT(Offered("openr mtn info 'a'"), UnorderedElementsAre("a file.MTN"));
+  EXPECT_THAT(Offered("openr build ''"), UnorderedElementsAre("stick"));
+}
+
+TEST(CompletionCommandTest, AShellThatIsNotKnownIsRefused) {
+  const ProgramResult result = RunProgram({"completion", "fish"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_THAT(result.err, HasSubstr("fish"));
+}
+
+class ManPageTest : public ::testing::Test {
+ protected:
+  void SetUp() override { EXPECT_EQ(RunProgram({"man", "-o", folder_.File("man1")}).status, 0); }
+
+  // Returns a page as a person reads it.
+  std::string Shown(const std::string& page) const {
+    const ProcessResult result =
+        RunProcess({"groff", "-man", "-Tascii", "-P-cbou", "-ww", folder_.File("man1/" + page)},
+                   {{}, "", true, true});
+    EXPECT_TRUE(result.good()) << result.output;
+    return result.output;
+  }
+
+  const ScratchFolder folder_;
+};
+
+TEST_F(ManPageTest, ThereIsOneForTheProgramAndEachCommand) {
+  for (const char* page : {"openr.1", "openr-run.1", "openr-rc.1", "openr-stick.1"})
+    EXPECT_TRUE(std::filesystem::exists(folder_.File(std::string("man1/") + page))) << page;
+}
+
+TEST_F(ManPageTest, TheyAreFormattedWithoutComplaints) {
+  if (!HasProgram("groff")) GTEST_SKIP() << "there is no groff";
+  for (const auto& entry : std::filesystem::directory_iterator(folder_.File("man1"))) {
+    const std::string text = Shown(entry.path().filename());
+    EXPECT_THAT(text, Not(HasSubstr("warning:"))) << entry.path();
+    EXPECT_THAT(text, HasSubstr("EXAMPLES")) << entry.path();
+  }
+}
+
+TEST_F(ManPageTest, ThePageOfACommandHasItsFlagsAndTheCommandsBelow) {
+  if (!HasProgram("groff")) GTEST_SKIP() << "there is no groff";
+  EXPECT_THAT(Shown("openr-run.1"), HasSubstr("--until-idle"));
+  const std::string rc = Shown("openr-rc.1");
+  EXPECT_THAT(rc, HasSubstr("openr rc mtn play"));
+  EXPECT_THAT(rc, HasSubstr("--loops"));
+  EXPECT_THAT(Shown("openr.1"), HasSubstr("NO_COLOR"));
+}
+
+TEST_F(ManPageTest, AFolderThatCannotBeWrittenIsNamed) {
+  folder_.Write("file", "");
+  const ProgramResult result = RunProgram({"man", "-o", folder_.File("file/man1")});
+  EXPECT_NE(result.status, 0);
+  EXPECT_THAT(result.err, HasSubstr("file"));
+}
+
+}  // namespace
+}  // namespace openr_host

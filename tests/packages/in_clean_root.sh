@@ -1,0 +1,105 @@
+#!/usr/bin/env bash
+# What a person does who installs the packages, in a root that has nothing else (tools/packages.sh).
+# Everything but the installation is done by an ordinary user.  The last line is
+# "N passed, N failed".
+set -uo pipefail
+
+passed=0
+failed=0
+
+# check NAME COMMAND...: one pass or failure by the exit status; what a failure said is printed.
+check() {
+  local name=$1 log begin=$SECONDS
+  shift
+  log=$(mktemp)
+  if "$@" >"$log" 2>&1; then
+    passed=$((passed + 1))
+    echo "ok   $name, $((SECONDS - begin)) s"
+  else
+    failed=$((failed + 1))
+    echo "FAIL $name"
+    tail -n 40 "$log"
+  fi
+  rm -f "$log"
+}
+
+# person COMMANDS: does them as an ordinary user, in the home folder.
+person() { su - person -c "set -e; $1"; }
+
+export DEBIAN_FRONTEND=noninteractive
+check 'the lists of Debian are read' apt-get update -q
+check 'the packages are installed' apt-get install -y -q /packages/*.deb
+useradd --create-home --shell /bin/bash person
+
+every_package_has_a_licence() {
+  local package
+  for package in $(dpkg-query -W -f '${Package}\n' '*openr-host*'); do
+    grep -q 'MIT License' "/usr/share/doc/$package/copyright" || { echo "$package has none"; return 1; }
+  done
+}
+
+# The commands are run as they are printed.
+new_object() {
+  person 'openr new Greeter >printed; cat printed; sed -n "/^\(openr\|cmake\|ctest\)/p" printed >commands
+    [ $(wc -l <commands) -ge 6 ]; set -x; . ./commands'
+}
+
+hello() {
+  person 'cp -r /usr/share/doc/openr-host/examples .; openr build examples/Hello
+    openr run --stick examples/Hello/MS --for 1s --rate max --no-panel 2>&1 | tee said
+    grep "Hello, world" said'
+}
+
+# links FILE: whether each file that a document links to is there.  Folders of the sources are not.
+links() {
+  local folder target bad=0
+  folder=$(dirname "$1")
+  for target in $(grep -oE '\]\([^)#: ]+' "$1" | sed 's/^](//'); do
+    case $target in virtualrobot | testing) continue ;; esac
+    [ -e "$folder/$target" ] || { echo "$1 links to $target"; bad=1; }
+  done
+  return $bad
+}
+
+panel() {
+  person 'openr run --panel --for 2s >said 2>&1; cat said; grep -q "http://127.0.0.1" said'
+}
+
+python_module() {
+  if dpkg-query -W python3-openr-host >/dev/null 2>&1; then
+    person 'python3 -c "import openr_host; print(openr_host.__file__)"'
+  fi
+}
+
+removed() {
+  apt-get remove -y -q openr-host openr-host-dev openr-host-doc || return 1
+  ! find /usr -path '*openr*' ! -path '/usr/lib/python3*' -print | grep . &&
+    [ ! -e /usr/bin/stubgen2 ]
+}
+
+check 'the program starts' person 'openr version && openr --help'
+check 'the dog stands' person 'openr run --for 20s --rate max --json --no-panel 2>err | grep "\"standing\": *true"'
+check 'a new object is built, run and tested, as openr new says' new_object
+check 'make builds it, by way of pkg-config' person 'pkg-config --modversion openr-host
+  make -C Greeter install OPENRSDK_ROOT=$(pkg-config --variable=sdk openr-host)'
+check 'openr check finds nothing wrong with it' person 'openr check Greeter'
+check 'an example is built and runs' hello
+check 'a controller is built and runs' person 'openr controller new wag; openr controller build wag
+  openr run --stick wag --for 2s --rate max --no-panel'
+check 'a picture is drawn' person 'openr run --for 1s --rate max --no-panel --snapshot t=end,view=iso -o p.png
+  [ -s p.png ]'
+check 'a chart is drawn' person 'openr mtn plot /usr/share/openr-host/stick/OPEN-R/MW/DATA/P/WALK.MTN -o c.svg
+  [ -s c.svg ]'
+check 'objects run in processes of their own' person 'openr run --stick examples/Hello/MS --isolate hello \
+  --for 1s --rate max --no-panel 2>&1 | grep "Hello, world"'
+check 'the panel is served' panel
+check 'the Python module is found' python_module
+check 'there are manual pages' test -s /usr/share/man/man1/openr-run.1.gz
+check 'bash completes commands' bash -c '. /usr/share/bash-completion/completions/openr
+  COMP_WORDS=(openr ru) COMP_CWORD=1; _openr; [ "${COMPREPLY[*]}" = run ]'
+check 'every package has a licence' every_package_has_a_licence
+check 'links of the README lead on' links /usr/share/doc/openr-host/README.md
+check 'removed, nothing is left' removed
+
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]
