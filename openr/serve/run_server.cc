@@ -126,10 +126,15 @@ void RunServer::BeginGuards(int64_t handler_limit_us) {
   crash_log_.reset();
   ending_answer_.reset();
   ending_answer_ = std::make_unique<EndingAnswer>(-1);
-  const auto robots = run().simulation().robots().size();
-  crash_log_ = std::make_unique<CrashLog>(std::vector<std::string>(robots, run_->crash_log()));
+  WatchCrashes();
   watchdog_ = std::make_unique<Watchdog>(handler_limit_us);
   ending_action_ = std::make_unique<EndingAction>([this](Ending* ending) { TellEnding(ending); });
+}
+
+void RunServer::WatchCrashes() {
+  crash_log_.reset();  // first, because only one may exist
+  const auto robots = run().simulation().robots().size();
+  crash_log_ = std::make_unique<CrashLog>(std::vector<std::string>(robots, run_->crash_log()));
 }
 
 // Answers the request in which the process ends, in a signal handler (docs/endings.md).

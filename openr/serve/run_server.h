@@ -54,6 +54,7 @@ class RunServer {
   ServedRun& BootedRun();
   void CheckGoesOn();
   void BeginGuards(int64_t handler_limit_us);
+  void WatchCrashes();
   void TellEnding(Ending* ending);
   int64_t LimitOf(const Request& request);
   Answer BecomeCopy(int socket, const std::string& record,

@@ -142,6 +142,7 @@ RunServer::Answer RunServer::BecomeCopy(int socket, const std::string& record,
   try {
     run_->BecomeCopy(record);
     watchdog_->StartAgain();
+    WatchCrashes();  // the record of a crash belongs on the stick of the copy
   } catch (const std::exception& error) {
     tell(error.what());
     _exit(1);

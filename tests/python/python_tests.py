@@ -35,6 +35,7 @@ def main():
     arguments = parser.parse_args()
     build = arguments.build.resolve()
     os.environ["OPENR_HOST_PROGRAM"] = str(build / "bin/openr")
+    os.environ["OPENR_HOST_BUILD"] = str(build)
     os.environ["PYTHONPATH"] = str(ROOT / "python")  # for programs that tests start
     sys.path[:0] = [str(ROOT / "python"), str(ROOT / "examples/python"), str(HERE)]
     loader = unittest.TestLoader()

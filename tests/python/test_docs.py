@@ -65,6 +65,17 @@ class DocsTest(unittest.TestCase):
             self.assertGreater(len(names["rows"]), 30)
             self.assertEqual(list(folder.glob("*.png")) != [], names["pyplot"] is not None)
 
+    @unittest.skipIf(shutil.which("cmake") is None, "cmake is not installed")
+    def test_an_installed_module_is_complete(self):
+        with in_empty_folder() as folder:
+            subprocess.run(["cmake", "--install", os.environ["OPENR_HOST_BUILD"], "--component",
+                            "python", "--prefix", str(folder)], check=True, stdout=subprocess.DEVNULL)
+            module = folder / "lib/python3/dist-packages"
+            text = "import openr_host\nwith openr_host.Run(body='ideal') as run: run.run(0.1)"
+            subprocess.run([sys.executable, "-c", text], check=True,
+                           env={**os.environ, "PYTHONPATH": str(module)})
+            self.assertTrue((module / "openr_host/py.typed").exists())
+
     @unittest.skipIf(shutil.which("mypy") is None, "mypy is not installed")
     def test_types_are_right(self):
         with in_empty_folder() as folder:
