@@ -21,7 +21,7 @@ LAYERS = {
     "kit": "kit",
     "openr": "openr/ending openr/simulation openr/model openr/graph openr/chart openr/motion openr/remote "
              "openr/pair openr/controller openr/upload openr/render openr/explore openr/inspect "
-             "openr/rewind openr/live openr/panel openr/run openr/ros2 openr/commands openr",
+             "openr/rewind openr/live openr/panel openr/run openr/serve openr/ros2 openr/commands openr",
     "testing": "testing",
 }
 MAY_USE = {

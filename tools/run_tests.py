@@ -98,6 +98,9 @@ def jobs(build, pattern, quick):
     if pattern in examples.name:
         found.append((examples.name, [sys.executable, str(examples), "--build", str(build)],
                       {}))
+    python = ROOT / "tests/python/python_tests.py"
+    if pattern in python.name:
+        found.append((python.name, [sys.executable, str(python), "--build", str(build)], {}))
     both = ROOT / "tests/both/both_dogs_test.py"
     if pattern in both.name:
         found.append((both.name, [sys.executable, str(both), "--build", str(build)], {}))

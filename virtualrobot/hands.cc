@@ -52,7 +52,7 @@ void Hands::AddVerbs() {
       &Hands::ReadPress);
   add("set", "set SENSOR VALUE [for DURATION]",
       "Makes a sensor read a value, in its OPEN-R unit, until it is released.", &Hands::ReadSet);
-  add("release", "release SENSOR|JOINT", "Ends press, set and turn.", &Hands::ReadRelease);
+  add("release", "release SENSOR|JOINT", "Ends press, set, turn and target.", &Hands::ReadRelease);
   add("turn", "turn JOINT DEGREES [for DURATION]",
       "Turns a joint by hand, against its servo, and holds it there until it is released.",
       &Hands::ReadTurn);
@@ -170,7 +170,10 @@ std::string Hands::ReadRelease(std::string_view rest, Inputs::Action* action) {
   const std::vector<std::string> words = SplitInput(rest);
   if (words.size() != 1) return "needs one sensor or joint";
   if (const int joint = robot_.model.JointNamed(words[0]); joint >= 0) {
-    *action = [this, joint] { ReleaseJoint(joint); };
+    *action = [this, joint] {
+      ReleaseJoint(joint);
+      robot_.targets.Release(joint);
+    };
     return "";
   }
   std::vector<int> sensors;

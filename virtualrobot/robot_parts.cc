@@ -61,6 +61,7 @@ void RobotParts::SwitchOff() {
   protection.SwitchOff();
   speaker.SwitchOff(frame);
   safe_posture.SwitchOff();
+  targets.SwitchOff();
   {  // scope of the system objects, because they own the regions that these parts give up
     const CurrentScope scope(&system, system.FindObject(robot_index, kVirtualRobotComm));
     sensors.SwitchOff();
@@ -106,6 +107,7 @@ void RobotParts::HashState(Hasher* hasher) const {
   camera.HashState(hasher);
   safe_posture.HashState(hasher);
   hands.HashState(hasher);
+  targets.HashState(hasher);
   faults.HashState(hasher);
   energy.HashState(hasher);
   protection.HashState(hasher);

@@ -16,6 +16,7 @@
 #include "virtualrobot/energy.h"
 #include "virtualrobot/faults.h"
 #include "virtualrobot/hands.h"
+#include "virtualrobot/joint_targets.h"
 #include "virtualrobot/joint_watch.h"
 #include "virtualrobot/optional_bytes.h"
 #include "virtualrobot/power.h"
@@ -95,6 +96,7 @@ struct RobotParts {
   SafePosture safe_posture;
   Hands hands{this};
   Faults faults{this};
+  JointTargets targets{this};
   int64_t first_frame = 0;  // 0 unless a test sets it
   // Number of the frame that runs now, counted from the last boot.  All earlier frames are
   // complete.

@@ -303,6 +303,7 @@ VirtualRobot* AddVirtualRobot(System* system, int robot, const RobotModel& model
   system->robot(robot).services = std::move(services);
   AddSystemObjects(result);
   result->parts().hands.AddVerbs();
+  result->parts().targets.AddVerbs();
   result->parts().faults.AddVerbs();
   return result;
 }

@@ -80,6 +80,7 @@ void OVirtualRobotComm::Frame() {
     Report(queue.subject(), std::move(problems));
   }
   robot_.safe_posture.Apply(frame, &robot_.devices);
+  robot_.targets.DoFrame();
 
   // 4. Send the sensor vector, when it has the samples of four frames.
   if (is_vector_complete && HasListener(*sensor_)) {

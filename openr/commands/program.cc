@@ -50,6 +50,7 @@ constexpr Command kCommands[] = {
     {"model", &AddModelCommand},
     {"stick", &AddStickCommand},
     {"stubgen", &AddStubgenCommand},
+    {"serve", &AddServeCommand},
     {"help", &AddHelpCommand},
     {"version", &AddVersionCommand},
     {"completion", &AddCompletionCommand},

@@ -205,4 +205,23 @@ std::vector<std::string> ProcessFiles::KeepCopies() {
   return kept;
 }
 
+std::string ProcessFiles::MoveCopy(const std::string& path, const std::string& target) {
+  std::error_code error;
+  const std::string real = fs::weakly_canonical(path, error);
+  for (const File& file : files_) {
+    if (!file.is_copied || fs::weakly_canonical(file.path, error) != real) continue;
+    const std::string copy = fs::read_symlink(fmt::format("/proc/self/fd/{}", file.descriptor));
+    if (target.empty()) return copy;
+    if (std::string why = WhyNotWritable(target); !why.empty()) throw std::runtime_error(why);
+    struct stat status;
+    if (fstat(file.descriptor, &status) != 0) Throw(errno, copy);
+    const off_t offset = lseek(file.descriptor, 0, SEEK_CUR);
+    fs::remove(target);
+    CopyBytes(file.descriptor, status.st_size, target);
+    Replace(file.descriptor, target, FlagsAgain(file.flags), offset);
+    return fs::absolute(target);
+  }
+  throw std::runtime_error(fmt::format("{}: is not a file that this process writes", path));
+}
+
 }  // namespace openr_host

@@ -61,6 +61,12 @@ class ProcessFiles {
   // Throws std::system_error.
   std::vector<std::string> KeepCopies();
 
+  // Finds the copy that OpenAgain() has made of the written file `path`, moves it to `target`, and
+  // makes the fork go on with writing there; with `target` "" it goes on with the copy.  Returns
+  // the path of the file that is written from now on.  Throws std::runtime_error or
+  // std::system_error.
+  std::string MoveCopy(const std::string& path, const std::string& target);
+
  private:
   struct File {
     int descriptor;

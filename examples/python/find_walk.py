@@ -1,0 +1,231 @@
+#!/usr/bin/env python3
+"""Finds a fast walk for the simulated dog, and writes it as motion files.
+
+    PYTHONPATH=python python3 examples/python/find_walk.py -o FOLDER [--minutes 10] [--jobs 2]
+
+The search begins with the walk of the default stick.  Its joints are sums of waves, whose sizes are
+the numbers that evolve: each generation draws gaits around the best ones so far (an evolution
+strategy with one step size for each number).  Each gait becomes a motion file, is uploaded to the
+dog, played through its remote control on the body with physics, and measured.  A gait keeps the
+limits of angle and speed of all joints, or is no candidate.
+
+FOLDER gets GOSTA.MTN, which leads from standing to the walk, GO.MTN, a cycle of it, curve.svg, the
+learning curve, and walk.json, the result.  At the end the walk and that of the default stick are
+played with seeds that the search has not seen.
+"""
+import argparse
+import json
+import math
+import pathlib
+import random
+import sys
+import threading
+import time
+
+import openr_host
+from openr_host._channel import find_program
+
+from curve import write_curve
+from gait import Gait, csv_of, dump, is_within_speed, play_and_measure, way
+
+SEARCH_SEED = 1
+UNSEEN_SEEDS = (101, 102, 103)
+SEARCH_S, CHECK_S = 5.0, 15.0  # how long a candidate, and the winner, walk
+NECK = ("neck_tilt", "neck_pan", "neck_roll")
+
+
+class Ground:
+    """Standing dogs, one for each thread, from which candidates begin."""
+
+    def __init__(self, program):
+        self.program = program
+        self.local = threading.local()
+        self.all = []
+
+    def run(self):
+        """Returns a run in which the dog stands."""
+        if not hasattr(self.local, "run"):
+            run = self.local.run = openr_host.Run(seed=SEARCH_SEED, battery="100%", program=self.program)
+            run.until_standing()
+            run.run(0.5)
+            self.local.state = run.save()
+            self.all += [run, self.local.state]
+        self.local.run.go_back(self.local.state)
+        return self.local.run
+
+    def close(self):
+        for each in self.all:
+            each.close() if hasattr(each, "close") else each.drop()
+
+
+def files_of(gait, run):
+    """Returns the two motion files of a gait; None if its joints would be too fast."""
+    targets = run.targets()
+    cycle = gait.cycle(run.limits)
+    if cycle is None:
+        return None
+    stand = {name: targets[name] for name in cycle[0]}
+    neck = {name: targets[name] for name in NECK}
+    start = way(stand, cycle[0], run.limits)
+    return (run.motion(csv_of(start, run, neck), "stand#go"), run.motion(csv_of(cycle, run, neck), "go#go"))
+
+
+def score(walk):
+    """Returns how good a walk is: its speed in mm/s, less what makes it unfit."""
+    if walk is None:
+        return -200.0
+    over = max(0.0, walk.drift - 0.04) * 400 + max(0.0, walk.tilt_deg - 15) * 5
+    return walk.speed_mm_s - over - 100 * walk.errors
+
+
+def judge(ground, gait):
+    try:
+        run = ground.run()
+        files = files_of(gait, run)
+        return score(play_and_measure(run, *files, SEARCH_S)) if files else -200.0
+    except (openr_host.NotMet, openr_host.RunEnded, openr_host.RemoteError, ValueError):
+        return -200.0
+
+
+class Strategy:
+    """An evolution strategy with one step size for each number (separable CMA-ES)."""
+
+    def __init__(self, mean, steps, size, generator):
+        self.mean, self.steps, self.size, self.random = list(mean), list(steps), size, generator
+        count, self.parents = len(mean), size // 2
+        raw = [math.log(self.parents + 0.5) - math.log(i + 1) for i in range(self.parents)]
+        self.weights = [each / sum(raw) for each in raw]
+        self.mass = 1 / sum(each * each for each in self.weights)
+        self.c_sigma = (self.mass + 2) / (count + self.mass + 3)
+        self.damping = 1 + self.c_sigma
+        self.c_c = 4 / (count + 4)
+        self.c_cov = min(0.5, (count + 2) / 3 * (2 / ((count + 1.3) ** 2 + self.mass)) * 2)
+        self.sigma, self.variance = 1.0, [1.0] * count
+        self.path_sigma, self.path_c = [0.0] * count, [0.0] * count
+        self.norm = math.sqrt(count) * (1 - 1 / (4 * count) + 1 / (21 * count * count))
+
+    def draw(self):
+        """Returns the deviations of a generation, each a list of numbers."""
+        return [[self.random.gauss(0, 1) for _ in self.mean] for _ in range(self.size)]
+
+    def at(self, deviation):
+        return [mean + self.sigma * step * math.sqrt(variance) * z for mean, step, variance, z in
+                zip(self.mean, self.steps, self.variance, deviation)]
+
+    def learn(self, deviations, scores):
+        """Moves the mean towards the best, and adapts the steps."""
+        order = sorted(range(self.size), key=lambda i: -scores[i])[:self.parents]
+        z = [sum(weight * deviations[i][k] for weight, i in zip(self.weights, order))
+             for k in range(len(self.mean))]
+        self.mean = self.at(z)
+        rate = math.sqrt(self.c_sigma * (2 - self.c_sigma) * self.mass)
+        self.path_sigma = [(1 - self.c_sigma) * p + rate * each for p, each in zip(self.path_sigma, z)]
+        length = math.sqrt(sum(p * p for p in self.path_sigma))
+        rate = math.sqrt(self.c_c * (2 - self.c_c) * self.mass)
+        for k, each in enumerate(z):
+            y = math.sqrt(self.variance[k]) * each
+            self.path_c[k] = (1 - self.c_c) * self.path_c[k] + rate * y
+            spread = sum(weight * self.variance[k] * deviations[i][k] ** 2
+                         for weight, i in zip(self.weights, order))
+            self.variance[k] = ((1 - self.c_cov) * self.variance[k] + self.c_cov / self.mass
+                                * self.path_c[k] ** 2 + self.c_cov * (1 - 1 / self.mass) * spread)
+        self.sigma *= math.exp(self.c_sigma / self.damping * (length / self.norm - 1))
+
+
+def search(ground, shipped, arguments):
+    """Returns the best gait, its score, and the curve: seconds, best score, mean score."""
+    frames_at = len(shipped.numbers)  # the last number is the logarithm of the cycle's length
+    mean = [*shipped.numbers, math.log(shipped.frames)]
+    steps = [4.0] * frames_at + [0.15]
+    strategy = Strategy(mean, steps, arguments.population, random.Random(arguments.seed))
+
+    def gait_of(numbers):
+        frames = round(math.exp(min(4.2, max(2.7, numbers[-1]))))
+        return Gait(numbers[:-1], frames)
+
+    best, best_score, curve, begin = shipped, judge(ground, shipped), [], time.monotonic()
+    first = best_score
+    for generation in range(arguments.generations or 10**9):
+        if time.monotonic() - begin > 60 * arguments.minutes:
+            break
+        deviations = strategy.draw()
+        gaits = [gait_of(strategy.at(each)) for each in deviations]
+        scores = openr_host.parallel(lambda gait: judge(ground, gait), gaits, arguments.jobs)
+        strategy.learn(deviations, scores)
+        top = max(range(len(gaits)), key=lambda i: scores[i])
+        if scores[top] > best_score:
+            best, best_score = gaits[top], scores[top]
+        alive = [each for each in scores if each > -200]
+        curve.append((time.monotonic() - begin, best_score, sum(alive) / max(1, len(alive))))
+        if generation % 10 == 0:
+            print(f"{curve[-1][0]:6.0f} s, generation {generation}: best {best_score:.1f} mm/s, begun "
+                  f"with {first:.1f}, step {strategy.sigma:.2f}", file=sys.stderr, flush=True)
+    return best, best_score, curve
+
+
+def check(program, start, cycle, seeds):
+    """Plays two motion files with each of the seeds, and returns how the dog has walked."""
+    walks = []
+    for seed in seeds:
+        with openr_host.Run(seed=seed, battery="100%", program=program) as run:
+            run.until_standing()
+            run.run(0.5)
+            walks.append(play_and_measure(run, start, cycle, CHECK_S))
+    return walks
+
+
+def keeps_limits(program, files, run):
+    """Returns whether all key frames of motion files keep the limits of angle and speed."""
+    names = {locator: name for name, locator in run.locators.items()}
+    for file in files:
+        poses = [{names[locator]: value for locator, value in frame.items()}
+                 for frame in dump(program, file)]
+        inside = all(run.limits[name][0] <= value <= run.limits[name][1]
+                     for pose in poses for name, value in pose.items())
+        if not inside or not is_within_speed(poses, run.limits):
+            return False
+    return True
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser.add_argument("-o", "--output", type=pathlib.Path, required=True)
+    parser.add_argument("--minutes", type=float, default=10, help="how long to search (10)")
+    parser.add_argument("--generations", type=int, default=0, help="end after so many; 0: by time")
+    parser.add_argument("--population", type=int, default=16)
+    parser.add_argument("--jobs", type=int, default=2, help="candidates at a time (2)")
+    parser.add_argument("--seed", type=int, default=1, help="seed of the search (1)")
+    arguments = parser.parse_args()
+    arguments.output.mkdir(parents=True, exist_ok=True)
+    program = find_program()
+    shipped_files = [openr_host.default_motion(name) for name in ("WALKSTA.MTN", "WALK.MTN")]
+    ground = Ground(program)
+    run = ground.run()
+    shipped = Gait.of_cycle(dump(program, shipped_files[1]), run.locators)
+    best, best_score, curve = search(ground, shipped, arguments)
+
+    run = ground.run()
+    files = [arguments.output / name for name in ("GOSTA.MTN", "GO.MTN")]
+    for file, data in zip(files, files_of(best, run)):
+        file.write_bytes(data)
+    is_kept = keeps_limits(program, files, run)
+    ground.close()
+    old = check(program, *(file.read_bytes() for file in shipped_files), UNSEEN_SEEDS)
+    new = check(program, *(file.read_bytes() for file in files), UNSEEN_SEEDS)
+    shipped_mm_s = sum(walk.speed_mm_s for walk in old) / len(old)
+    write_curve(arguments.output / "curve.svg", curve, shipped_mm_s)
+    is_good = is_kept and all(walk is not None and walk.is_good() for walk in new)
+    slowest = min(walk.speed_mm_s if walk else 0 for walk in new)
+    result = {"shipped_mm_s": shipped_mm_s, "search_mm_s": best_score, "generations": len(curve),
+              "seeds": list(UNSEEN_SEEDS), "walks": [walk and walk._asdict() for walk in new],
+              "slowest_mm_s": slowest, "times_as_fast": slowest / shipped_mm_s,
+              "keeps_limits": is_kept, "good": is_good, "cycle_frames": best.frames,
+              "numbers": best.numbers}
+    (arguments.output / "walk.json").write_text(json.dumps(result, indent=1) + "\n")
+    print(f"{slowest:.1f} mm/s, {result['times_as_fast']:.2f} times the walk of the stick "
+          f"({shipped_mm_s:.1f} mm/s); upright, straight and within limits: {'yes' if is_good else 'no'}")
+    return 0 if is_good else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

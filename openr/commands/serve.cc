@@ -1,0 +1,49 @@
+// The command openr serve: a run that another program drives through a pipe, as the Python module
+// openr_host does.
+#include <fmt/format.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "cli/console.h"
+#include "cli/exit_code.h"
+#include "cli/json_text.h"
+#include "cli/standard_streams.h"
+#include "openr/commands/commands.h"
+#include "openr/serve/command_table.h"
+#include "openr/serve/request_pipe.h"
+#include "openr/serve/run_server.h"
+
+namespace openr_host {
+namespace {
+
+int RunServe() {
+  // The program that drives the run decides what Ctrl-C in its terminal means.
+  signal(SIGINT, SIG_IGN);
+  const Console console("");  // keeps what objects print away from the answers
+  RequestPipe pipe(STDIN_FILENO, StandardOutput());
+  return RunServer(&pipe).Serve();
+}
+
+}  // namespace
+
+void AddServeCommand(CLI::App* app, int* exit_code) {
+  CLI::App* const command = app->add_subcommand(
+      "serve",
+      "Makes a run and does what commands on standard input say, for the Python module openr_host "
+      "(docs/python.md)");
+  auto describes = std::make_shared<bool>(false);
+  command->add_flag("--describe", *describes, "Print the commands and their parameters as JSON");
+  command->callback([describes, exit_code] {
+    if (*describes) {
+      PrintAnswer(JsonText(DescribeRunCommands(), 2) + "\n");
+      return;
+    }
+    *exit_code = RunServe();
+  });
+}
+
+}  // namespace openr_host

@@ -1,0 +1,46 @@
+// Observation: values of a run that a program reads again and again, as numbers in one row.
+#pragma once
+
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "openr/explore/quantity.h"
+
+namespace openr_host {
+
+// A value of a run with its full name, "robots[0].joint.LF_j1".
+struct ReadValue {
+  std::string name;
+  Quantity read;
+};
+
+// Returns the values that `name` names.  A name is that of a quantity (docs/exploring.md), where
+// "robots[0]." may be left out; or one of these, of a robot:
+//   target.JOINT, measured.JOINT            set point, and what the sensor says, in degrees
+//   speed.JOINT, drive.JOINT                speed in degrees/s, drive of the motor
+//   sensor.NAME                             a sensor by its short name, "sensor.chin"
+//   paw.LEG                                 1 if the paw touches something, paw.LF
+//   vx_m_s, vy_m_s, vz_m_s                  velocity of the base in the world
+//   wx_deg_s, wy_deg_s, wz_deg_s            its angular velocity, in its own frame
+// or a group: joints, targets, measured, speeds, drives, sensors, paws; all of a robot, in the
+// model's order. Throws std::runtime_error if nothing has this name.
+std::vector<ReadValue> FindValues(const std::string& name, const RunView& view);
+
+class Observation {
+ public:
+  // Replaces the values.  Throws std::runtime_error, and keeps the old ones, if a name is not known
+  // or names a text.
+  void Choose(const std::vector<std::string>& names, const RunView& view);
+
+  const std::vector<ReadValue>& values() const { return values_; }
+
+  // Returns the values as numbers of type double, one behind the other.
+  std::string Bytes(const RunView& view) const;
+
+ private:
+  std::vector<ReadValue> values_;
+};
+
+}  // namespace openr_host

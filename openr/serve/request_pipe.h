@@ -1,0 +1,59 @@
+// RequestPipe: requests and answers between a served run and the program that drives it.
+//
+// Both directions have the same form: two little-endian numbers of 4 bytes, the length of a JSON
+// text and the number of further bytes; then the text, then the bytes.  The bytes hold values of
+// type double in the order of the computer, pictures or data of messages, which would be slow or
+// long as JSON.
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <string>
+#include <string_view>
+
+namespace openr_host {
+
+class RequestPipe {
+ public:
+  // The most bytes of a request; far above what a caller needs.
+  static constexpr size_t kRequestMax = size_t{64} << 20;
+
+  // Reads requests from `input` and writes answers to `output`.  Both may be the same socket.
+  // Does not close the descriptors.
+  RequestPipe(int input, int output);
+  ~RequestPipe();
+  RequestPipe(const RequestPipe&) = delete;
+  RequestPipe& operator=(const RequestPipe&) = delete;
+
+  // Waits for a request.  Returns false if the other end is closed.  Throws RequestTooLong if
+  // the request is longer than kRequestMax.
+  bool Receive(std::string* text, std::string* bytes);
+
+  // Sends an answer.  Returns false if the other end is closed.  May be called in a signal handler
+  // that ends the process.
+  bool Send(std::string_view text, std::string_view bytes);
+
+  // Returns a descriptor that came with the last request, or -1.  The caller owns the descriptor.
+  int TakeDescriptor();
+
+  // Returns whether descriptors can come with requests: the input is a Unix socket.
+  bool is_socket() const { return is_socket_; }
+
+  // Goes on with another socket; called in a fork of the process.  Forgets bytes that were received
+  // and not used.
+  void Move(int socket);
+
+ private:
+  bool Fill(size_t wanted);
+  long ReadSome(char* bytes, size_t size);
+
+  int input_;
+  int output_;
+  bool is_socket_;
+  std::string buffer_;
+  size_t used_ = 0;  // bytes of `buffer_` that requests have had
+  size_t end_ = 0;   // bytes of `buffer_` that were received
+  std::deque<int> descriptors_;
+};
+
+}  // namespace openr_host

@@ -1,0 +1,64 @@
+// RobotClients: TCP connections of a program to a robot whose network is inside the process.
+//
+// What a client sends is there at once, and the robot sees it at its next frame boundary.  So a run
+// with such clients is the same each time, unlike one with sockets of the host.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "runtime/ipstack/loopback_network.h"
+
+namespace openr_host {
+
+class System;
+
+class RobotClients {
+ public:
+  // Returns the network of a robot, for SimulationOptions::network_filter.
+  std::unique_ptr<Network> MakeNetwork(int robot) {
+    return std::make_unique<LoopbackNetwork>(HubOf(robot));
+  }
+
+  // Connects to `port` of a robot.  Returns the number of the connection.
+  int Connect(const System& system, int robot, uint16_t port);
+
+  struct State {
+    bool is_open = false;  // the robot has accepted the connection, and not ended it
+    std::string problem;   // why it failed; "": it did not
+    size_t waiting = 0;    // bytes that were received and not taken
+  };
+  // The functions below throw std::runtime_error if there is no such connection.
+  State StateOf(int connection);
+  void Send(int connection, std::string_view bytes);
+  // Takes at most `size_max` bytes that the robot has sent.
+  std::string Take(int connection, size_t size_max);
+  void Close(int connection);
+
+ private:
+  struct Client {
+    std::unique_ptr<LoopbackNetwork> network;
+    bool is_connected = false;
+    bool has_ended = false;
+    std::string problem;
+    std::string received;
+  };
+
+  // Each robot has a network of its own, because all of them may have the same address.
+  const std::shared_ptr<LoopbackHub>& HubOf(int robot) {
+    std::shared_ptr<LoopbackHub>& hub = hubs_[robot];
+    if (hub == nullptr) hub = std::make_shared<LoopbackHub>();
+    return hub;
+  }
+  Client& Find(int connection);
+  static void Poll(Client* client);
+
+  std::map<int, std::shared_ptr<LoopbackHub>> hubs_;  // key: number of the robot
+  std::map<int, Client> clients_;
+  int last_ = 0;
+};
+
+}  // namespace openr_host

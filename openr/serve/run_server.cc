@@ -1,0 +1,150 @@
+#include "openr/serve/run_server.h"
+
+#include <fmt/format.h>
+#include <sys/wait.h>
+
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "cli/exit_code.h"
+#include "cli/json_text.h"
+#include "openr/serve/command_table.h"
+#include "openr/serve/request_too_long.h"
+#include "runtime/core/system.h"
+
+namespace openr_host {
+
+RunServer::~RunServer() = default;
+
+RunServer::Work RunServer::WorkOf(const std::string& name) {
+  static const std::map<std::string, Work> works = {{"start", &RunServer::DoStart},
+                                                    {"boot", &RunServer::DoBoot},
+                                                    {"run", &RunServer::DoRun},
+                                                    {"step", &RunServer::DoStep},
+                                                    {"until", &RunServer::DoUntil},
+                                                    {"expect", &RunServer::DoExpect},
+                                                    {"watch", &RunServer::DoWatch},
+                                                    {"watched", &RunServer::DoWatched},
+                                                    {"observe", &RunServer::DoObserve},
+                                                    {"actuate", &RunServer::DoActuate},
+                                                    {"act", &RunServer::DoAct},
+                                                    {"connect", &RunServer::DoConnect},
+                                                    {"send", &RunServer::DoSend},
+                                                    {"receive", &RunServer::DoReceive},
+                                                    {"disconnect", &RunServer::DoDisconnect},
+                                                    {"fork", &RunServer::DoFork},
+                                                    {"read", &RunServer::DoRead},
+                                                    {"console", &RunServer::DoConsole},
+                                                    {"picture", &RunServer::DoPicture},
+                                                    {"motion", &RunServer::DoMotion},
+                                                    {"report", &RunServer::DoReport},
+                                                    {"finish", &RunServer::DoFinish}};
+  const auto found = works.find(name);
+  return found == works.end() ? &RunServer::DoLive : found->second;
+}
+
+int RunServer::Serve() {
+  while (ServeOne()) {
+  }
+  int exit_code = kExitGood;
+  if (run_ != nullptr) {
+    const std::string problem = run_->Finish();
+    if (!problem.empty()) std::fprintf(stderr, "openr serve: %s\n", problem.c_str());
+    if (!problem.empty()) exit_code = kExitWrong;
+  }
+  while (waitpid(-1, nullptr, 0) > 0 || errno == EINTR) {
+  }
+  return exit_code;
+}
+
+// Serves one request.  Returns false if the other end is closed.
+bool RunServer::ServeOne() {
+  std::string text, bytes;
+  Answer answer;
+  try {
+    if (!pipe_.Receive(&text, &bytes)) return false;
+    Json json = Json::parse(text);
+    const std::string problem = CompleteRequest(&json);
+    answer = problem.empty() ? Do({json, bytes}) : Refusal(problem);
+  } catch (const Json::exception&) {
+    answer = Refusal("the request is no JSON");
+  } catch (const RequestTooLong& error) {
+    pipe_.Send(JsonText(Refusal(error.what()).json), "");
+    return false;
+  }
+  return pipe_.Send(JsonText(answer.json), answer.bytes);
+}
+
+RunServer::Answer RunServer::Refusal(const std::string& text) const {
+  return {{{"error", text}, {"kind", "refused"}}, ""};
+}
+
+// Does the work of a command.  An answer tells of the end of the run, if it is over.
+RunServer::Answer RunServer::Do(const Request& request) {
+  Answer answer;
+  try {
+    answer = (this->*WorkOf(request.json.at("do")))(request);
+  } catch (const std::exception& error) {
+    answer = Refusal(error.what());
+  }
+  if (run_ != nullptr && run_->system().end()) {
+    const RunEnd& end = *run_->system().end();
+    answer.json["ended"] = {{"by", EndName(end.kind)}, {"why", end.why}};
+  }
+  return answer;
+}
+
+ServedRun& RunServer::run() {
+  if (run_ == nullptr) throw std::runtime_error("there is no run yet; start makes one");
+  return *run_;
+}
+
+ServedRun& RunServer::BootedRun() {
+  if (!run().has_booted()) throw std::runtime_error("the robot has not booted yet; boot does that");
+  return *run_;
+}
+
+// Throws if the run cannot go on.  A run whose robots are off is no error here: the answer says how
+// it ended.
+void RunServer::CheckGoesOn() {
+  if (BootedRun().is_finished())
+    throw std::runtime_error("the run is finished; it can be read but cannot go on");
+}
+
+RunServer::Answer RunServer::Time() {
+  return {{{"time_s", static_cast<double>(run().system().now_us()) / 1e6}}, ""};
+}
+
+// Prepares the process for objects that crash or do not return.
+void RunServer::BeginGuards(int64_t handler_limit_us) {
+  ending_action_.reset();
+  watchdog_.reset();
+  crash_log_.reset();
+  ending_answer_.reset();
+  ending_answer_ = std::make_unique<EndingAnswer>(-1);
+  WatchCrashes();
+  watchdog_ = std::make_unique<Watchdog>(handler_limit_us);
+  ending_action_ = std::make_unique<EndingAction>([this](Ending* ending) { TellEnding(ending); });
+}
+
+void RunServer::WatchCrashes() {
+  crash_log_.reset();  // first, because only one may exist
+  const auto robots = run().simulation().robots().size();
+  crash_log_ = std::make_unique<CrashLog>(std::vector<std::string>(robots, run_->crash_log()));
+}
+
+// Answers the request in which the process ends, in a signal handler (docs/endings.md).
+void RunServer::TellEnding(Ending* ending) {
+  const RunEnd end = EndOf(*ending);
+  const nlohmann::ordered_json answer = {{"error", std::string(ending->record.text())},
+                                         {"kind", "ended"},
+                                         {"ended", {{"by", EndName(end.kind)}, {"why", end.why}}}};
+  pipe_.Send(JsonText(answer), "");
+  ending->answered = true;
+}
+
+}  // namespace openr_host

@@ -1,0 +1,98 @@
+// RunServer: the other end of the Python module openr_host.  It makes one run and does what the
+// commands on a pipe say (command_table.h), until the pipe is closed.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "openr/ending/crash_log.h"
+#include "openr/ending/ending.h"
+#include "openr/ending/watchdog.h"
+#include "openr/serve/observation.h"
+#include "openr/serve/request_pipe.h"
+#include "openr/serve/served_run.h"
+
+namespace openr_host {
+
+class RunServer {
+ public:
+  explicit RunServer(RequestPipe* pipe) : pipe_(*pipe) {}
+  ~RunServer();
+
+  // Serves requests until the other end of the pipe is closed, then finishes the run.  Waits
+  // for the forks of this process, because they use its files.  Returns the exit code.
+  int Serve();
+
+ private:
+  using Json = nlohmann::json;
+
+  // What a command answers: members of a JSON object, and further bytes.
+  struct Answer {
+    nlohmann::ordered_json json;
+    std::string bytes;
+  };
+
+  // A request, with the values of parameters that were left out, and its further bytes.
+  struct Request {
+    const Json& json;
+    const std::string& bytes;
+  };
+
+  using Work = Answer (RunServer::*)(const Request& request);
+  static Work WorkOf(const std::string& name);
+
+  bool ServeOne();
+  Answer Do(const Request& request);
+  Answer Refusal(const std::string& text) const;
+  Answer Time();
+  ServedRun& run();
+  ServedRun& BootedRun();
+  void CheckGoesOn();
+  void BeginGuards(int64_t handler_limit_us);
+  void WatchCrashes();
+  void TellEnding(Ending* ending);
+  int64_t LimitOf(const Request& request);
+  Answer BecomeCopy(int socket, const std::string& record,
+                    const std::function<void(const std::string& problem)>& tell);
+
+  Answer DoStart(const Request& request);
+  Answer DoBoot(const Request& request);
+  Answer DoRun(const Request& request);
+  Answer DoStep(const Request& request);
+  Answer DoUntil(const Request& request);
+  Answer DoExpect(const Request& request);
+  Answer DoWatch(const Request& request);
+  Answer DoWatched(const Request& request);
+  Answer DoObserve(const Request& request);
+  Answer DoActuate(const Request& request);
+  Answer DoAct(const Request& request);
+  Answer DoConnect(const Request& request);
+  Answer DoSend(const Request& request);
+  Answer DoReceive(const Request& request);
+  Answer DoDisconnect(const Request& request);
+  Answer DoFork(const Request& request);
+  Answer DoRead(const Request& request);
+  Answer DoConsole(const Request& request);
+  Answer DoPicture(const Request& request);
+  Answer DoMotion(const Request& request);
+  Answer DoReport(const Request& request);
+  Answer DoFinish(const Request& request);
+  Answer DoLive(const Request& request);
+
+  RequestPipe& pipe_;
+  std::unique_ptr<ServedRun> run_;
+  // What ends the process when an object crashes or does not return.
+  std::unique_ptr<EndingAnswer> ending_answer_;
+  std::unique_ptr<CrashLog> crash_log_;
+  std::unique_ptr<Watchdog> watchdog_;
+  std::unique_ptr<EndingAction> ending_action_;
+  Observation observation_;
+  std::vector<std::string> actuators_;
+};
+
+}  // namespace openr_host

@@ -1,0 +1,116 @@
+// ServedRun: a run that goes on only as far as another program asks for.
+//
+// All that the program does to the run enters as an input or through the network of the robot, and
+// both are recorded.  So `openr replay` repeats the run.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "openr/explore/prepared_run.h"
+#include "openr/explore/property.h"
+#include "openr/inspect/recorder.h"
+#include "openr/live/console_log.h"
+#include "openr/live/live_context.h"
+#include "openr/live/message_history.h"
+#include "openr/live/run_clock.h"
+#include "openr/rewind/rewind.h"
+#include "openr/serve/message_filter.h"
+#include "openr/serve/robot_client.h"
+#include "openr/simulation/run_stick.h"
+#include "openr/simulation/simulation.h"
+#include "openr/simulation/standing.h"
+#include "runtime/base/temp_folder.h"
+
+namespace openr_host {
+
+struct ServedRunOptions {
+  SimulationOptions simulation;  // its console, network and stick folder are set by ServedRun
+  std::string record_file;       // "": no recording
+  bool payloads = true;          // whether the recording has the bytes of messages
+  bool echo = false;             // whether to print on standard error what objects print
+};
+
+class ServedRun {
+ public:
+  // Makes the simulation, ready for Boot().  Throws std::runtime_error if it cannot be made or the
+  // robot would not boot.
+  explicit ServedRun(const ServedRunOptions& options);
+
+  Simulation& simulation() { return *simulation_; }
+  System& system() { return simulation_->system(); }
+  const RunView& view() const { return view_; }
+  const LiveContext& live() const { return live_; }
+  const ConsoleLog& console() const { return console_; }
+  bool is_recorded() const { return !recording_.empty(); }
+  // Returns the file for the record of a crash.
+  const std::string& crash_log() const { return crash_log_; }
+  RobotClients& clients() { return clients_; }
+  // Returns the reason why the run cannot be copied; "" if it can.
+  std::string WhyNoFork() const;
+  bool has_booted() const { return has_booted_; }
+
+  void Boot();
+
+  // Go on, but not beyond the end of the run.
+  void RunUntil(int64_t time_us);
+  void MakeSteps(RunClock::Step step, int count);
+  // Goes on until `holds` returns true after a frame.  Returns false if it did not until `time_us`.
+  bool RunUntilHolds(const std::function<bool()>& holds, int64_t time_us);
+  // Goes on until a message that fits `filter` has been handled.  Returns nullopt if none came
+  // until `time_us`.
+  std::optional<DeliveredMessage> RunUntilMessage(const MessageFilter& filter, int64_t time_us);
+
+  // Keeps messages that fit `filter` from now on; the newest kKeptMax.
+  static constexpr size_t kKeptMax = 10'000;
+  void Watch(const MessageFilter& filter);
+  std::vector<DeliveredMessage> TakeWatched() { return std::exchange(watched_, {}); }
+  uint64_t lost_count() const { return lost_count_; }
+
+  // Ends the run, and completes the recording and the files of devices.  Returns "" or the error.
+  std::string Finish();
+  bool is_finished() const { return is_finished_; }
+  // Returns the report, as openr run writes it.
+  nlohmann::ordered_json Report();
+
+  // Gives this process, a fork, its own copies of the stick and of files that the run writes.  The
+  // recording goes on in `record_file`, or is dropped if that is "".  Throws std::exception if that
+  // is not possible.
+  void BecomeCopy(const std::string& record_file);
+
+ private:
+  SimulationOptions SimulationWith(const ServedRunOptions& options);
+  void Sample();
+
+  const ServedRunOptions options_;
+  const RunStick stick_;
+  std::string crash_log_;
+  ConsoleLog console_;
+  Recorder recorder_;
+  Rewind rewind_;  // never begins: the program goes back by forks
+  RunClock clock_{0};
+  RobotClients clients_;
+  const SimulationOptions simulation_options_;
+  std::unique_ptr<Simulation> simulation_;
+  MessageHistory history_;
+  LiveContext live_;
+  PreparedRun prepared_;
+  std::vector<StandingMonitor> standing_;
+  RunView view_;
+  int64_t sampled_us_ = -1;
+  std::vector<MessageFilter> filters_;
+  std::vector<DeliveredMessage> watched_;
+  uint64_t lost_count_ = 0;            // messages that were kept and replaced by newer ones
+  std::unique_ptr<TempFolder> files_;  // a fork's copies of the stick and of written files
+  std::string recording_;              // path of the file that the recording goes to now
+  bool has_booted_ = false;
+  bool is_finished_ = false;
+};
+
+}  // namespace openr_host

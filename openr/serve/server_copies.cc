@@ -1,0 +1,222 @@
+// RunServer: the commands that speak to the robot's network, copy the run and read it.
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <utility>
+
+#include "openr/live/live_answers.h"
+#include "openr/motion/mtn_csv.h"
+#include "openr/motion/mtn_writer.h"
+#include "openr/render/picture_request.h"
+#include "openr/serve/run_server.h"
+
+namespace openr_host {
+namespace {
+
+using OrderedJson = nlohmann::ordered_json;
+
+int IntegerOf(const nlohmann::json& request, const char* name) {
+  const auto value = request.at(name).get<int64_t>();
+  if (value < 0 || value > INT32_MAX)
+    throw std::runtime_error(fmt::format("{} is {}, out of range", name, value));
+  return static_cast<int>(value);
+}
+
+// A pipe by which a new copy tells its original that it is ready.
+class ReadyPipe {
+ public:
+  ReadyPipe() {
+    if (pipe2(ends_, O_CLOEXEC) != 0) throw std::runtime_error(std::strerror(errno));
+  }
+  ~ReadyPipe() {
+    close(ends_[0]);
+    close(ends_[1]);
+  }
+  ReadyPipe(const ReadyPipe&) = delete;
+  ReadyPipe& operator=(const ReadyPipe&) = delete;
+
+  // Tells the original `problem`; "": ready.
+  void Tell(const std::string& problem) const {
+    const std::string text = problem + '\n';
+    [[maybe_unused]] const ssize_t count = write(ends_[1], text.data(), text.size());
+  }
+  // Returns what the copy has told.
+  std::string Hear() {
+    close(std::exchange(ends_[1], -1));
+    std::string text;
+    for (char part[512];;) {
+      const ssize_t count = read(ends_[0], part, sizeof part);
+      if (count < 0 && errno == EINTR) continue;
+      if (count <= 0) return "the copy has ended";
+      text.append(part, static_cast<size_t>(count));
+      if (text.ends_with('\n')) return text.substr(0, text.size() - 1);
+    }
+  }
+
+ private:
+  int ends_[2] = {-1, -1};
+};
+
+}  // namespace
+
+RunServer::Answer RunServer::DoConnect(const Request& request) {
+  CheckGoesOn();
+  if (!run_->WhyNoFork().empty())
+    throw std::runtime_error("connect is for network='inside'; this run has sockets of the host");
+  const int port = IntegerOf(request.json, "port");
+  if (port < 1 || port > 65535) throw std::runtime_error(fmt::format("{} is no port", port));
+  const int connection = run_->clients().Connect(run_->system(), IntegerOf(request.json, "robot"),
+                                                 static_cast<uint16_t>(port));
+  return {{{"connection", connection}}, ""};
+}
+
+RunServer::Answer RunServer::DoSend(const Request& request) {
+  CheckGoesOn();
+  run_->clients().Send(IntegerOf(request.json, "connection"), request.bytes);
+  return Time();
+}
+
+RunServer::Answer RunServer::DoReceive(const Request& request) {
+  CheckGoesOn();
+  const int connection = IntegerOf(request.json, "connection");
+  const auto count = static_cast<size_t>(IntegerOf(request.json, "count"));
+  RobotClients& clients = run_->clients();
+  const auto is_there = [&] {
+    const RobotClients::State state = clients.StateOf(connection);
+    return state.waiting >= count || !state.problem.empty();
+  };
+  if (!is_there()) run_->RunUntilHolds(is_there, LimitOf(request));
+  Answer answer = Time();
+  if (clients.StateOf(connection).waiting >= count)
+    answer.bytes = clients.Take(connection, count == 0 ? SIZE_MAX : count);
+  answer.json["open"] = clients.StateOf(connection).is_open;
+  return answer;
+}
+
+RunServer::Answer RunServer::DoDisconnect(const Request& request) {
+  run().clients().Close(IntegerOf(request.json, "connection"));
+  return Time();
+}
+
+// Copies this process.  Returns in both: the original answers at its pipe, the copy goes on at
+// the new one, where nobody waits for an answer yet.
+RunServer::Answer RunServer::DoFork(const Request& request) {
+  const int socket = pipe_.TakeDescriptor();
+  if (socket < 0)
+    throw std::runtime_error(pipe_.is_socket()
+                                 ? "fork needs a socket for the copy beside the request"
+                                 : "fork needs a Unix socket as standard input, not a pipe");
+  const auto record = request.json.at("record").get<std::string>();
+  try {
+    if (const std::string why = run().WhyNoFork(); !why.empty())
+      throw std::runtime_error("this run cannot be copied: " + why);
+    if (!record.empty() && !run_->is_recorded())
+      throw std::runtime_error("the run has no recording that could go on in " + record);
+    ReadyPipe ready;
+    std::fflush(stdout);
+    std::fflush(stderr);
+    const pid_t copy = fork();
+    if (copy < 0) throw std::runtime_error(std::strerror(errno));
+    if (copy == 0) return BecomeCopy(socket, record, [&](const std::string& t) { ready.Tell(t); });
+    const std::string problem = ready.Hear();
+    if (!problem.empty()) throw std::runtime_error("this run cannot be copied: " + problem);
+    close(socket);
+    return {{{"process", copy}}, ""};
+  } catch (...) {
+    close(socket);
+    throw;
+  }
+}
+
+// Makes this process, a new copy, serve at `socket`.
+RunServer::Answer RunServer::BecomeCopy(int socket, const std::string& record,
+                                        const std::function<void(const std::string&)>& tell) {
+  try {
+    run_->BecomeCopy(record);
+    watchdog_->StartAgain();
+    WatchCrashes();  // the record of a crash belongs on the stick of the copy
+  } catch (const std::exception& error) {
+    tell(error.what());
+    _exit(1);
+  }
+  pipe_.Move(socket);
+  tell("");
+  return Time();
+}
+
+RunServer::Answer RunServer::DoRead(const Request& request) {
+  OrderedJson values = OrderedJson::object();
+  for (const auto& name : request.json.at("names")) {
+    for (const ReadValue& value : FindValues(name.get<std::string>(), run().view())) {
+      const Value now = value.read(run_->view());
+      std::visit([&](const auto& known) { values[value.name] = known; }, now);
+    }
+  }
+  Answer answer = Time();
+  answer.json["values"] = std::move(values);
+  return answer;
+}
+
+RunServer::Answer RunServer::DoConsole(const Request& request) {
+  const ConsoleLog& console = run().console();
+  const uint64_t oldest = console.count() - console.lines().size();
+  const uint64_t first = std::clamp<uint64_t>(
+      static_cast<uint64_t>(IntegerOf(request.json, "first")), oldest, console.count());
+  OrderedJson lines = OrderedJson::array();
+  for (uint64_t i = first; i < console.count(); ++i)
+    lines.push_back(console.lines()[static_cast<size_t>(i - oldest)].text);
+  return {{{"first", first}, {"next", console.count()}, {"lines", std::move(lines)}}, ""};
+}
+
+RunServer::Answer RunServer::DoPicture(const Request& request) {
+  PictureRequest picture;
+  const int robot = IntegerOf(request.json, "robot");
+  const auto text = [&](const char* name) { return request.json.at(name).get<std::string>(); };
+  const std::string view = text("view");
+  const std::string size = view == "camera" ? "" : ",size=" + text("size");
+  std::string problem =
+      ParsePictureRequest(fmt::format("view={},robot={}{}", view, robot, size), &picture);
+  if (!problem.empty()) throw std::runtime_error(problem);
+  const auto& robots = run().simulation().robots();
+  if (robot >= static_cast<int>(robots.size()))
+    throw std::runtime_error(fmt::format("there is no robot {}", robot));
+  picture.file = text("file");
+  const bool is_together = run_->simulation().is_together();
+  problem = TakePicture(picture, robots[static_cast<size_t>(robot)],
+                        is_together ? robots : std::vector<VirtualRobot*>{});
+  if (!problem.empty()) throw std::runtime_error(problem);
+  return Time();
+}
+
+RunServer::Answer RunServer::DoMotion(const Request& request) {
+  MotionFile motion = ParseMotionCsv(request.json.at("csv").get<std::string>());
+  motion.name = request.json.at("name").get<std::string>();
+  const std::vector<uint8_t> bytes = WriteMtn(motion);
+  return {{{"size", bytes.size()}}, std::string(bytes.begin(), bytes.end())};
+}
+
+RunServer::Answer RunServer::DoReport(const Request&) { return {run().Report(), ""}; }
+
+RunServer::Answer RunServer::DoFinish(const Request&) {
+  const std::string problem = BootedRun().Finish();
+  if (!problem.empty()) throw std::runtime_error(problem);
+  return {run_->Report(), ""};
+}
+
+// Answers the requests that a run gets through its socket, too (docs/inputs.md).
+RunServer::Answer RunServer::DoLive(const Request& request) {
+  if (request.json.at("do") == "input") CheckGoesOn();
+  OrderedJson answer = AnswerLive(run().live(), request.json);
+  if (answer.contains("error")) answer["kind"] = "refused";
+  return {std::move(answer), ""};
+}
+
+}  // namespace openr_host

@@ -1,0 +1,174 @@
+"""The pipe to the process of a run, and how the program is found and started."""
+from __future__ import annotations
+
+import json
+import os
+import pathlib
+import shutil
+import socket
+import struct
+import subprocess
+from typing import Any, Mapping, Optional, Sequence
+
+from .errors import Refused, RunEnded, ProcessError
+
+PROGRAM = "OPENR_HOST_PROGRAM"  # environment variable with the path of the program openr
+_SIZES = struct.Struct("<II")
+_RECEIVE = 1 << 16  # a larger buffer would be new memory of the system each time
+
+# Processes of runs that were closed while copies of them still ran.  They end with the copies.
+_leftover: list["subprocess.Popen[bytes]"] = []
+
+
+def find_program(program: Optional[str] = None) -> str:
+    """Returns the path of the program openr.
+
+    It is `program`, or what OPENR_HOST_PROGRAM says; else the one that was installed or built
+    beside this module; else the one in PATH.
+    """
+    named = program or os.environ.get(PROGRAM)
+    if named:
+        if not os.access(named, os.X_OK):
+            raise ProcessError(f"{named} is no program that can be run")
+        return str(pathlib.Path(named).absolute())
+    here = pathlib.Path(__file__).resolve()
+    candidates = [parent / "bin" / "openr" for parent in here.parents]
+    candidates.append(here.parents[2] / "build" / "release" / "bin" / "openr")
+    for candidate in candidates:
+        if candidate.is_file() and os.access(candidate, os.X_OK):
+            return str(candidate)
+    found = shutil.which("openr")
+    if found:
+        return found
+    raise ProcessError(f"the program openr was not found; name it in {PROGRAM}, or build it: ./dev build")
+
+
+class Channel:
+    """The process of a run, or a copy of one, and the socket to it."""
+
+    def __init__(self, program: Optional[str] = None) -> None:
+        ours, theirs = socket.socketpair()
+        command = [find_program(program), "serve"]
+        try:
+            popen = subprocess.Popen(command, stdin=theirs.fileno(), stdout=theirs.fileno())
+        except OSError as error:
+            ours.close()
+            raise ProcessError(f"{command[0]}: {error.strerror}") from error
+        finally:
+            theirs.close()
+        self._popen: Optional["subprocess.Popen[bytes]"] = popen
+        self.process = popen.pid
+        self._socket: Optional[socket.socket] = ours
+        self._copies: list["Channel"] = []
+
+    @classmethod
+    def _of_copy(cls, process: int, ours: socket.socket) -> "Channel":
+        channel = cls.__new__(cls)
+        channel._popen = None
+        channel.process = process
+        channel._socket = ours
+        channel._copies = []
+        return channel
+
+    def ask(self, request: bytes, data: bytes = b"",
+            descriptors: Sequence[int] = ()) -> tuple[dict[str, Any], bytes]:
+        """Sends a request, JSON text and further bytes.  Returns the answer and its bytes."""
+        if self._socket is None:
+            raise ProcessError("this run is closed")
+        message = _SIZES.pack(len(request), len(data)) + request + data
+        try:
+            if descriptors:
+                socket.send_fds(self._socket, [message], descriptors)
+            else:
+                self._socket.sendall(message)
+            return self.hear()
+        except OSError as error:
+            raise self._lost(str(error)) from error
+        except KeyboardInterrupt:
+            self.close()  # the answer to this request would be taken for one to the next
+            raise
+
+    def hear(self) -> tuple[dict[str, Any], bytes]:
+        """Waits for an answer."""
+        assert self._socket is not None
+        received = self._socket.recv(_RECEIVE)
+        needed = _SIZES.size
+        while True:
+            if len(received) >= _SIZES.size:
+                text_size, data_size = _SIZES.unpack_from(received)
+                needed = _SIZES.size + text_size + data_size
+                if len(received) >= needed:
+                    break
+            more = self._socket.recv(max(_RECEIVE, needed - len(received)))
+            if not more:
+                raise self._lost("it has ended")
+            received += more
+        end = _SIZES.size + text_size
+        answer = json.loads(received[_SIZES.size:end])
+        if "error" in answer:
+            self._raise(answer)
+        return answer, received[end:needed]
+
+    def _raise(self, answer: Mapping[str, Any]) -> None:
+        if answer.get("kind") == "ended":
+            ended = answer["ended"]
+            self.close()
+            raise RunEnded(ended["by"], ended["why"], answer["error"])
+        raise Refused(answer["error"])
+
+    def _lost(self, why: str) -> ProcessError:
+        status = None
+        if self._popen is not None:
+            try:
+                status = self._popen.wait(5)
+            except subprocess.TimeoutExpired:
+                self._popen.kill()
+                status = self._popen.wait()
+        self.close()
+        said = "" if status is None else f" (exit status {status}; standard error says more)"
+        return ProcessError(f"the process of the run cannot be reached: {why}{said}")
+
+    def fork(self, record: str) -> "Channel":
+        """Copies the process.  Returns the channel to the copy."""
+        ours, theirs = socket.socketpair()
+        request = json.dumps({"do": "fork", "record": record}).encode()
+        try:
+            answer, _ = self.ask(request, descriptors=[theirs.fileno()])
+        except BaseException:
+            ours.close()
+            raise
+        finally:
+            theirs.close()
+        copy = Channel._of_copy(answer["process"], ours)
+        copy.hear()  # the copy says that it is there
+        self._copies.append(copy)
+        return copy
+
+    def has_copies(self) -> bool:
+        self._copies = [copy for copy in self._copies if not copy.is_closed() or copy.has_copies()]
+        return bool(self._copies)
+
+    def is_closed(self) -> bool:
+        return self._socket is None
+
+    def close(self) -> None:
+        """Ends the process.  One that was copied ends with its last copy."""
+        if self._socket is not None:
+            self._socket.close()
+            self._socket = None
+        popen, self._popen = self._popen, None
+        _leftover[:] = [each for each in _leftover if each.poll() is None]
+        if popen is None:
+            return
+        if self.has_copies():
+            _leftover.append(popen)
+            return
+        try:
+            popen.wait(10)
+        except subprocess.TimeoutExpired:
+            popen.kill()
+            popen.wait()
+
+    def __del__(self) -> None:
+        if getattr(self, "_socket", None) is not None:
+            self.close()

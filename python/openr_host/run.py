@@ -1,0 +1,461 @@
+"""Run: a robot, its objects and its simulated body, which go on as far as you ask for.
+
+    import openr_host
+    with openr_host.Run() as run:
+        run.until_standing()
+        run.press("chin", for_s=0.3)
+        run.run(1)
+        print(run.joints()["neck_pan"], run.value("height_mm"))
+"""
+from __future__ import annotations
+
+import array
+import base64
+import json
+import os
+import pathlib
+import subprocess
+from typing import Any, Callable, Iterable, Mapping, NamedTuple, Optional, Sequence, Union
+
+from ._channel import Channel, find_program
+from ._commands import Commands
+from .errors import Error, NotMet, RunEnded
+
+Value = Union[float, str]
+READY = "objects.JointMover.state == accepting-commands"
+
+
+class Message(NamedTuple):
+    """A message that was delivered."""
+
+    number: int
+    cause: int
+    time_s: float
+    kind: str
+    sender: str
+    receiver: str
+    entry: str
+    data: bytes
+
+    def __repr__(self) -> str:
+        return (f"Message(#{self.number} t={self.time_s:.6f} {self.kind} {self.sender} -> "
+                f"{self.receiver}, {len(self.data)} bytes)")
+
+
+class Finding(NamedTuple):
+    """An error, a warning or a note about a program."""
+
+    severity: str
+    object: str
+    time_s: float
+    text: str
+
+
+class State:
+    """A state of a run that `Run.save` has kept.  It takes a process until it is dropped."""
+
+    def __init__(self, channel: Channel, time_s: float) -> None:
+        self._channel = channel
+        self.time_s = time_s
+
+    def drop(self) -> None:
+        self._channel.close()
+
+    def __enter__(self) -> "State":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.drop()
+
+
+def _message(fields: Mapping[str, Any], data: bytes) -> Message:
+    return Message(fields["number"], fields["cause"], fields["time_s"], fields["kind"], fields["from"],
+                   fields["to"], fields["entry"], data)
+
+
+def _seconds(time_s: float) -> str:
+    return f"{round(time_s * 1e6)}us"
+
+
+class Run:
+    """A run in a process of its own.  `boot=False` leaves the robot off until `boot()`.
+
+    The parameters are those of `openr run`: a stick, a model, a world, a body, a seed.  Without a
+    stick it is the default stick, which makes the dog stand up and listen.
+    """
+
+    def __init__(self, stick: Union[str, "os.PathLike[str]"] = "", *, robot: str = "ers210",
+                 body: str = "ode", world: Union[str, "os.PathLike[str]"] = "", seed: int = 1,
+                 robots: int = 1, together: bool = False, battery: str = "drain",
+                 images: str = "world", cost: str = "", strict: bool = False,
+                 network: str = "inside", rc_port: int = 0, writable: bool = True,
+                 record: Union[str, "os.PathLike[str]"] = "", payloads: bool = True,
+                 log: str = "info", echo: bool = False, handler_limit_s: float = 10.0,
+                 boot: bool = True, program: Optional[str] = None) -> None:
+        self._take(Channel(program))
+        self.record = os.fspath(record)
+        try:
+            about, _ = self._commands.start(
+                stick=os.fspath(stick), robot=robot, world=os.fspath(world), body=body, seed=seed,
+                robots=robots, together=together, battery=battery, images=images, cost=cost,
+                strict=strict, network=network, rc_port=rc_port, writable=writable,
+                record=self.record, payloads=payloads, log=log, echo=echo,
+                handler_limit_s=handler_limit_s)
+        except BaseException:
+            self.close()
+            raise
+        self._learn(about)
+        self.time_s = 0.0
+        if boot:
+            self.boot()
+
+    def _learn(self, about: Mapping[str, Any]) -> None:
+        self._about = about
+        self.model: str = about["model"]
+        self.joint_names: tuple[str, ...] = tuple(about["joints"])
+        self.sensor_names: tuple[str, ...] = tuple(about["sensors"])
+        self.locators: dict[str, str] = dict(zip(about["joints"], about["locators"]))
+        # name of a joint: smallest and largest set point, in degrees, and speed, in degrees/s
+        self.limits: dict[str, tuple[float, float, float]] = {
+            name: (low, high, speed) for name, (low, high, speed) in zip(about["joints"], about["limits"])}
+        self.actuators: tuple[str, ...] = self.joint_names
+        self.observed: tuple[str, ...] = ()
+
+    def _take(self, channel: Channel) -> None:
+        self._channel = channel
+        self._commands = Commands(channel)
+        self._act: dict[tuple[int, bool], bytes] = {}
+
+    # ---- The life of a run
+
+    def boot(self) -> None:
+        """Begins the boot.  The objects start while the run goes on."""
+        self._commands.boot()
+
+    def finish(self) -> dict[str, Any]:
+        """Ends the run, completes its recording, and returns the report."""
+        return self._commands.finish()[0]
+
+    def close(self) -> None:
+        """Ends the process of the run.  A recording is completed."""
+        self._channel.close()
+
+    @property
+    def closed(self) -> bool:
+        return self._channel.is_closed()
+
+    def __enter__(self) -> "Run":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def _goes_on(self, answer: tuple[dict[str, Any], bytes]) -> tuple[dict[str, Any], bytes]:
+        """Notes the time of an answer.  Raises RunEnded if the run is over."""
+        members = answer[0]
+        self.time_s = members["time_s"]
+        if "ended" in members:
+            raise RunEnded(members["ended"]["by"], members["ended"]["why"])
+        return answer
+
+    # ---- Going on
+
+    def run(self, for_s: float) -> None:
+        """Runs for so long, in virtual time."""
+        self._goes_on(self._commands.run(for_s=for_s))
+
+    def run_to(self, to_s: float) -> None:
+        """Runs to this virtual time."""
+        self._goes_on(self._commands.run(to_s=to_s))
+
+    def step(self, over: str = "frame", count: int = 1) -> None:
+        """Steps over the next frames of 8 ms, over messages ("message"), or over sensor vectors
+        ("vector")."""
+        self._goes_on(self._commands.step(over=over, count=count))
+
+    def until(self, condition: Union[str, Callable[["Run"], object]], within_s: float = 10.0) -> None:
+        """Runs until a condition holds at the end of a frame.
+
+        It is a text, "robots[0].pitch_deg > 10", or a function of this run.  Raises NotMet if it
+        does not hold within so long.
+        """
+        if isinstance(condition, str):
+            met = self._goes_on(self._commands.until(condition=condition, within_s=within_s))[0]["met"]
+        else:
+            end_s = self.time_s + within_s
+            while not (met := bool(condition(self))) and self.time_s < end_s:
+                self.step()
+        if not met:
+            raise NotMet(f"{condition} did not hold within {within_s} s, up to t={self.time_s} s")
+
+    def until_standing(self, within_s: float = 30.0) -> None:
+        """Runs until JointMover of the default stick has made the dog stand."""
+        self.until(READY, within_s)
+
+    # ---- Joints and values, again and again
+
+    def actuate(self, *names: str) -> tuple[str, ...]:
+        """Chooses the joints that `act` moves, and their order.  Without names: all."""
+        self.actuators = tuple(self._commands.actuate(names=names)[0]["names"])
+        return self.actuators
+
+    def observe(self, *names: str) -> tuple[str, ...]:
+        """Chooses the values that `act` and `observation` return: quantities such as "x_m",
+        "joint.LF_j1" or "sensor.chin", and groups such as "joints".  Returns their full names."""
+        self.observed = tuple(self._commands.observe(names=names)[0]["names"])
+        return self.observed
+
+    def observation(self) -> "array.array[float]":
+        """Returns the chosen values as they are now."""
+        values: "array.array[float]" = array.array("d")
+        values.frombytes(self._commands.observe()[1])
+        return values
+
+    def act(self, targets: Optional[Iterable[float]] = None, frames: int = 4,
+            ramp: bool = True) -> "array.array[float]":
+        """Gives the chosen joints set points in degrees, runs frames of 8 ms, and returns the chosen
+        values.  With `ramp` the set points move evenly in these frames, else they jump."""
+        request = self._act.get((frames, ramp))
+        if request is None:
+            request = json.dumps({"do": "act", "frames": frames, "ramp": ramp}).encode()
+            self._act[frames, ramp] = request
+        data = b"" if targets is None else array.array("d", targets).tobytes()
+        answer = self._goes_on(self._channel.ask(request, data))
+        values: "array.array[float]" = array.array("d")
+        values.frombytes(answer[1])
+        return values
+
+    # ---- What people do to the robot (docs/inputs.md)
+
+    def input(self, line: str, robot: int = 0) -> None:
+        """Gives the run any input: "press chin for 300ms"."""
+        self._commands.input(line=line, robot=robot)
+
+    def inputs(self, robot: int = 0) -> list[str]:
+        """Returns how each input is written."""
+        return [each["usage"] for each in self._commands.inputs(robot=robot)[0]["inputs"]]
+
+    def set_joints(self, degrees: Mapping[str, float], in_s: float = 0.0, robot: int = 0) -> None:
+        """Gives servos set points, in place of the objects', until `release_joints`."""
+        goals = " ".join(f"{name} {value:.5f}" for name, value in degrees.items())
+        self.input(f"target {goals}" + (f" in {_seconds(in_s)}" if in_s > 0 else ""), robot)
+
+    def release_joints(self, robot: int = 0) -> None:
+        """Gives all joints back to the objects of the robot."""
+        self.input("target off", robot)
+
+    def press(self, sensor: str, for_s: float = 0.0, robot: int = 0) -> None:
+        self.input(f"press {sensor}" + (f" for {_seconds(for_s)}" if for_s > 0 else ""), robot)
+
+    def release(self, sensor: str, robot: int = 0) -> None:
+        self.input(f"release {sensor}", robot)
+
+    def push(self, x_n: float, y_n: float, z_n: float = 0.0, for_s: float = 0.1, robot: int = 0) -> None:
+        """Pushes the body with a force in N, forward, to its left and up."""
+        self.input(f"push {x_n} {y_n} {z_n} for {_seconds(for_s)}", robot)
+
+    def inject(self, observer: str, data: bytes, subject: str = "", robot: int = 0) -> None:
+        """Sends an observer one datum, as if a connected subject had notified it."""
+        sender = f" from {subject}" if subject else ""
+        self.input(f"send {observer}{sender} hex:{data.hex()}", robot)
+
+    # ---- Messages
+
+    def expect(self, sender: str = "", receiver: str = "", *, kind: str = "", entry: str = "",
+               within_s: float = 1.0) -> Message:
+        """Runs until a message that fits has been handled, and returns it.
+
+        An end is an object, "RCServer", or the first parts of a service, "RCServer.Mover".  Raises
+        NotMet if none comes within so long.
+        """
+        members, data = self._goes_on(self._commands.expect(
+            kind=kind, sender=sender, receiver=receiver, entry=entry, within_s=within_s))
+        if not members["met"]:
+            raise NotMet(f"no {members['wanted']} within {within_s} s, up to t={self.time_s} s")
+        return _message(members["message"], data)
+
+    def watch(self, sender: str = "", receiver: str = "", *, kind: str = "", entry: str = "") -> None:
+        """Keeps messages that fit from now on, for `watched`."""
+        self._commands.watch(kind=kind, sender=sender, receiver=receiver, entry=entry)
+
+    def watched(self) -> list[Message]:
+        """Takes the messages that were kept, at most the last 10,000."""
+        members, data = self._commands.watched()
+        messages, at = [], 0
+        for fields in members["messages"]:
+            messages.append(_message(fields, data[at:at + fields["size"]]))
+            at += fields["size"]
+        return messages
+
+    def connect(self, port: int, robot: int = 0) -> "Connection":
+        """Connects to a TCP port of the robot, inside the process: a run with it repeats exactly."""
+        return Connection(self, self._commands.connect(port=port, robot=robot)[0]["connection"])
+
+    # ---- States
+
+    def fork(self, record: Union[str, "os.PathLike[str]"] = "") -> "Run":
+        """Copies the run.  Both go on from here, each in its own process.
+
+        `record` names the file in which the copy goes on with the recording of this run; without
+        it, the copy records nothing.
+        """
+        copy = Run.__new__(Run)
+        copy.record = os.fspath(record)
+        copy._take(self._channel.fork(copy.record))
+        copy._learn(self._about)
+        copy.actuators, copy.observed, copy.time_s = self.actuators, self.observed, self.time_s
+        return copy
+
+    def save(self) -> State:
+        """Keeps the present state, for `go_back`."""
+        return State(self._channel.fork(""), self.time_s)
+
+    def go_back(self, state: State, record: Union[str, "os.PathLike[str]"] = "") -> None:
+        """Goes back to a state, or forward to one of another run; what this run did since is over.
+
+        A recording ends here.  `record` names the file in which it goes on, from the begin of the
+        run to the state and from there.
+        """
+        channel = state._channel.fork(os.fspath(record))
+        self._channel.close()
+        self._take(channel)
+        self.record = os.fspath(record)
+        if self.actuators != self.joint_names:
+            self.actuate(*self.actuators)
+        if self.observed:
+            self.observe(*self.observed)
+        self.time_s = state.time_s
+
+    # ---- Looking
+
+    def read(self, *names: str) -> dict[str, Value]:
+        """Reads values by their names, as those of `observe`; texts are allowed.  The result has
+        their full names."""
+        values: dict[str, Value] = self._commands.read(names=names)[0]["values"]
+        return values
+
+    def value(self, name: str) -> Any:
+        """Reads one value: `run.value("height_mm")`, `run.value("objects.JointMover.state")`."""
+        values = list(self.read(name).values())
+        if len(values) != 1:
+            raise Error(f"'{name}' are {len(values)} values; use read()")
+        return values[0]
+
+    def joints(self, robot: int = 0) -> dict[str, float]:
+        """Returns the measured angles in degrees."""
+        return {each["name"]: each["deg"] for each in self._commands.joints(robot=robot)[0]["joints"]}
+
+    def targets(self, robot: int = 0) -> dict[str, float]:
+        """Returns the commanded angles in degrees."""
+        joints = self._commands.joints(robot=robot)[0]["joints"]
+        return {each["name"]: each["target_deg"] for each in joints}
+
+    def sensors(self, robot: int = 0) -> dict[str, int]:
+        """Returns the values of the sensors, in their OPEN-R units."""
+        sensors = self._commands.sensors(robot=robot)[0]["sensors"]
+        return {each["name"]: each["value"] for each in sensors}
+
+    def objects(self) -> list[dict[str, Any]]:
+        """Returns the objects with their states."""
+        objects: list[dict[str, Any]] = self._commands.objects()[0]["objects"]
+        return objects
+
+    def object(self, name: str, robot: int = 0) -> dict[str, Any]:
+        """Returns an object with its services, their connections, and findings about it."""
+        return self._commands.object(name=name, robot=robot)[0]
+
+    def status(self) -> dict[str, Any]:
+        return self._commands.status()[0]
+
+    def findings(self) -> list[Finding]:
+        found = self._commands.findings()[0]["findings"]
+        return [Finding(each["severity"], each["object"], each["time_s"], each["text"]) for each in found]
+
+    def console(self, first: int = 0) -> list[str]:
+        """Returns the lines that objects have printed, at most the last 1000."""
+        lines: list[str] = self._commands.console(first=first)[0]["lines"]
+        return lines
+
+    def hashes(self) -> tuple[str, str]:
+        """Returns the hash of all messages and that of the state."""
+        members = self._commands.hashes()[0]
+        return members["trace_hash"], members["state_hash"]
+
+    def report(self) -> dict[str, Any]:
+        """Returns the report, as `openr run --report` writes it."""
+        return self._commands.report()[0]
+
+    def camera(self, layer: str = "picture", robot: int = 0) -> bytes:
+        """Returns the picture of the robot's camera as PNG."""
+        return base64.b64decode(self._commands.camera(layer=layer, robot=robot)[0]["png"])
+
+    def picture(self, file: Union[str, "os.PathLike[str]"], view: str = "iso", size: str = "1280x720",
+                robot: int = 0) -> None:
+        """Writes a picture of the robot to a PNG file."""
+        self._commands.picture(file=os.fspath(file), view=view, size=size, robot=robot)
+
+    def motion(self, csv: str, name: str = "motion") -> bytes:
+        """Makes a motion file (MTN) of key frames, in the form of `openr mtn dump`."""
+        return self._commands.motion(csv=csv, name=name)[1]
+
+
+class Connection:
+    """A TCP connection to a robot."""
+
+    def __init__(self, run: Run, number: int) -> None:
+        self._run = run
+        self._number = number
+
+    def send(self, data: bytes) -> None:
+        """Sends bytes.  The robot sees them at its next frame boundary."""
+        self._run._commands.send(connection=self._number, data=data)
+
+    def receive(self, count: int = 0, within_s: float = 1.0) -> bytes:
+        """Runs until so many bytes are there, and takes them; with 0 takes those that are there.
+
+        Raises NotMet if they do not come within so long of virtual time.
+        """
+        answer = self._run._commands.receive(connection=self._number, count=count, within_s=within_s)
+        members, data = self._run._goes_on(answer)
+        if len(data) < count:
+            end = "" if members["open"] else "; the robot has ended the connection"
+            raise NotMet(f"the robot has not sent {count} bytes within {within_s} s{end}")
+        return data
+
+    def close(self) -> None:
+        self._run._commands.disconnect(connection=self._number)
+
+
+class Replay(NamedTuple):
+    """The result of `replay`."""
+
+    equal: bool
+    messages: int
+    time_s: float
+    difference: str
+
+
+def replay(recording: Union[str, "os.PathLike[str]"], stick: Union[str, "os.PathLike[str]"] = "",
+           program: Optional[str] = None) -> Replay:
+    """Runs a recording again and compares it message by message, as `openr replay`."""
+    command = [find_program(program), "replay", "--json", os.fspath(recording)]
+    if stick:
+        command += ["--stick", os.fspath(stick)]
+    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    try:
+        answer = json.loads(done.stdout)
+    except json.JSONDecodeError:
+        raise Error(f"{recording}: {done.stderr.strip()}") from None
+    if "equal" not in answer:
+        raise Error(f"{recording}: {answer.get('error', done.stderr.strip())}")
+    return Replay(answer["equal"], answer["messages"], answer["virtual_time_s"], answer["difference"])
+
+
+def default_motion(name: str, program: Optional[str] = None) -> pathlib.Path:
+    """Returns the path of a motion of the default stick: `default_motion("WALK.MTN")`."""
+    root = pathlib.Path(find_program(program)).resolve().parent.parent
+    for stick in (root / "stick", root / "share/openr-host/stick"):
+        file = stick / "OPEN-R/MW/DATA/P" / name
+        if file.is_file():
+            return file
+    raise Error(f"the default stick has no motion {name}")

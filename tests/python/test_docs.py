@@ -1,0 +1,103 @@
+"""What the documentation says about openr_host, and that it is up to date."""
+import contextlib
+import io
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+LISTING = re.compile(r"^```python\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+
+
+@contextlib.contextmanager
+def in_empty_folder():
+    before = os.getcwd()
+    with tempfile.TemporaryDirectory() as folder:
+        os.chdir(folder)
+        try:
+            yield pathlib.Path(folder)
+        finally:
+            os.chdir(before)
+
+
+class DocsTest(unittest.TestCase):
+    def test_the_listings_of_the_page_run(self):
+        text = (ROOT / "docs/python.md").read_text()
+        names = {}
+        with in_empty_folder(), contextlib.redirect_stdout(io.StringIO()):
+            for match in LISTING.finditer(text):
+                line = text[:match.start()].count("\n") + 1
+                exec(compile("\n" * line + match[1], "docs/python.md", "exec"), names)
+        self.assertGreaterEqual(len(LISTING.findall(text)), 8)
+
+    def test_commands_and_their_table_are_up_to_date(self):
+        done = subprocess.run(
+            [sys.executable, str(ROOT / "tools/python_commands.py"), "--check", "--program",
+             os.environ["OPENR_HOST_PROGRAM"]], stdout=subprocess.PIPE, text=True)
+        self.assertEqual(done.returncode, 0, done.stdout)
+
+    def test_every_command_is_used_by_the_module(self):
+        described = subprocess.run([os.environ["OPENR_HOST_PROGRAM"], "serve", "--describe"],
+                                   check=True, stdout=subprocess.PIPE).stdout
+        used = (ROOT / "python/openr_host/run.py").read_text()
+        used += (ROOT / "python/openr_host/_channel.py").read_text()
+        for command in json.loads(described)["commands"]:
+            name = command["name"]
+            self.assertTrue(f"_commands.{name}(" in used or f'"do": "{name}"' in used, name)
+
+    def test_the_notebook_runs(self):
+        notebook = json.loads((ROOT / "examples/python/commanded_measured.ipynb").read_text())
+        code = ["".join(cell["source"]) for cell in notebook["cells"] if cell["cell_type"] == "code"]
+        with in_empty_folder() as folder:
+            names = {"__name__": "__main__"}
+            os.environ["MPLBACKEND"] = "Agg"
+            out = io.StringIO()
+            with contextlib.redirect_stdout(out):
+                for number, cell in enumerate(code):
+                    exec(compile(cell, f"cell {number}", "exec"), names)
+            self.assertIn("LF_j1", out.getvalue())
+            self.assertGreater(len(names["rows"]), 30)
+            self.assertEqual(list(folder.glob("*.png")) != [], names["pyplot"] is not None)
+
+    @unittest.skipIf(shutil.which("cmake") is None, "cmake is not installed")
+    def test_an_installed_module_is_complete(self):
+        with in_empty_folder() as folder:
+            subprocess.run(["cmake", "--install", os.environ["OPENR_HOST_BUILD"], "--component",
+                            "python", "--prefix", str(folder)], check=True, stdout=subprocess.DEVNULL)
+            module = folder / "lib/python3/dist-packages"
+            text = "import openr_host\nwith openr_host.Run(body='ideal') as run: run.run(0.1)"
+            subprocess.run([sys.executable, "-c", text], check=True,
+                           env={**os.environ, "PYTHONPATH": str(module)})
+            self.assertTrue((module / "openr_host/py.typed").exists())
+
+    @unittest.skipIf(shutil.which("mypy") is None, "mypy is not installed")
+    def test_types_are_right(self):
+        with in_empty_folder() as folder:
+            done = subprocess.run(["mypy", "--config-file", str(ROOT / "python/mypy.ini"),
+                                   "--cache-dir", str(folder), str(ROOT / "python/openr_host")], stdout=subprocess.PIPE, text=True)
+        self.assertEqual(done.returncode, 0, done.stdout)
+
+
+class WalkTest(unittest.TestCase):
+    def test_a_short_search_improves_the_walk(self):
+        with in_empty_folder() as folder:
+            done = subprocess.run(
+                [sys.executable, str(ROOT / "examples/python/find_walk.py"), "-o", "walk",
+                 "--generations", "2", "--population", "6"],
+                stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=900)
+            self.assertIn("times the walk of the stick", done.stdout)
+            result = json.loads((folder / "walk/walk.json").read_text())
+            self.assertTrue(result["keeps_limits"])
+            self.assertGreater(result["search_mm_s"], 50)
+            self.assertEqual((folder / "walk/GO.MTN").read_bytes()[:4], b"OMTN")
+            self.assertIn("polyline", (folder / "walk/curve.svg").read_text())
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,72 @@
+"""Objects that crash, or do not return: the exception says which object, and the recording is good."""
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+import openr_host
+from openr_host._channel import find_program
+
+CALM = "if (vectors++ == 0) {"
+
+
+class EndingTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.root = pathlib.Path(cls.folder.name)
+        cls.sticks = {}
+        for name, does in (("Crasher", "if (vectors == 20) *(volatile int*)0 = 1;"),
+                           ("Sleeper", "if (vectors == 20) for (volatile int i = 0;;) i++;")):
+            openr = find_program()
+            subprocess.run([openr, "new", name, str(cls.root / name)], check=True,
+                           stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            source = cls.root / name / name / f"{name}.cc"
+            source.write_text(source.read_text().replace(CALM, f"{does}\n    {CALM}"))
+            subprocess.run([openr, "build", str(cls.root / name)], check=True,
+                           stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            cls.sticks[name] = cls.root / name / "MS"
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def test_a_crash_ends_the_run_with_its_record(self):
+        record = self.root / "crash.rec"
+        self.addCleanup((self.sticks["Crasher"] / "OPEN-R/EMON.LOG").unlink)
+        with openr_host.Run(self.sticks["Crasher"], body="ideal", record=record) as run:
+            with self.assertRaises(openr_host.RunEnded) as ended:
+                run.run(10)
+        self.assertEqual(ended.exception.by, "crash")
+        self.assertIn("Crasher", ended.exception.why)
+        self.assertTrue(run.closed)
+        with self.assertRaises(openr_host.ProcessError):
+            run.step()
+
+    def test_a_handler_that_does_not_return_ends_the_run(self):
+        with openr_host.Run(self.sticks["Sleeper"], body="ideal", handler_limit_s=0.3) as run:
+            with self.assertRaises(openr_host.RunEnded) as ended:
+                run.run(10)
+        self.assertEqual(ended.exception.by, "handler-limit")
+        self.assertIn("Sleeper", ended.exception.why)
+
+    def test_a_crash_in_a_copy_leaves_the_original_alone(self):
+        with openr_host.Run(self.sticks["Crasher"], body="ideal") as run:
+            run.run(0.2)
+            copy = run.fork()
+            with self.assertRaises(openr_host.RunEnded) as ended:
+                copy.run(10)
+            self.assertEqual(ended.exception.by, "crash")
+            self.assertFalse((self.sticks["Crasher"] / "OPEN-R/EMON.LOG").exists())
+            run.run(0.2)
+            self.assertAlmostEqual(run.time_s, 0.4)
+
+    def test_a_hanging_copy_is_ended_too(self):
+        with openr_host.Run(self.sticks["Sleeper"], body="ideal", handler_limit_s=0.3) as run:
+            with run.fork() as copy, self.assertRaises(openr_host.RunEnded) as ended:
+                copy.run(10)
+            self.assertEqual(ended.exception.by, "handler-limit")
+
+
+if __name__ == "__main__":
+    unittest.main()

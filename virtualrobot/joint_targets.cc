@@ -1,0 +1,139 @@
+#include "virtualrobot/joint_targets.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/base/characters.h"
+#include "runtime/base/duration.h"
+#include "runtime/base/hasher.h"
+#include "runtime/base/spelling.h"
+#include "runtime/core/system.h"
+#include "virtualrobot/det_math.h"
+#include "virtualrobot/input_words.h"
+#include "virtualrobot/robot_parts.h"
+
+namespace openr_host {
+namespace {
+
+std::vector<std::string_view> WordsOf(std::string_view text) {
+  std::vector<std::string_view> words;
+  for (size_t at = 0; at < text.size();) {
+    size_t end = at;
+    while (end < text.size() && !IsBlank(text[end])) ++end;
+    if (end > at) words.push_back(text.substr(at, end - at));
+    at = end + 1;
+  }
+  return words;
+}
+
+// Removes "in DURATION" from the end of `words`, if it is there, and sets `frames` to the duration
+// in frames, at least one.  Returns "" or the error.
+std::string TakeIn(std::vector<std::string_view>* words, int64_t* frames) {
+  const size_t count = words->size();
+  if (count < 2 || (*words)[count - 2] != "in") return "";
+  int64_t duration_us = 0;
+  if (std::string problem = ParseDuration(words->back(), &duration_us); !problem.empty())
+    return problem;
+  *frames = std::max<int64_t>((duration_us + kFrameUs - 1) / kFrameUs, 1);
+  words->resize(count - 2);
+  return "";
+}
+
+}  // namespace
+
+void JointTargets::AddVerbs() {
+  robot_.system.inputs().AddVerb(
+      robot_.robot_index,
+      {"target", "target JOINT DEGREES [JOINT DEGREES]... [in DURATION], or target off",
+       "Gives servos their set points, in place of the robot's objects, until the joints are "
+       "released.",
+       [this](int, std::string_view rest, Inputs::Action* action) { return Read(rest, action); }});
+}
+
+std::string JointTargets::Read(std::string_view rest, Inputs::Action* action) {
+  if (rest == "off") {
+    *action = [this] { SwitchOff(); };
+    return "";
+  }
+  std::vector<std::string_view> words = WordsOf(rest);
+  int64_t frames = 1;
+  if (std::string problem = TakeIn(&words, &frames); !problem.empty()) return problem;
+  std::vector<Goal> goals;
+  if (std::string problem = ReadGoals(words, &goals); !problem.empty()) return problem;
+  *action = [this, goals, frames] { Begin(goals, frames); };
+  return "";
+}
+
+std::string JointTargets::ReadGoals(const std::vector<std::string_view>& words,
+                                    std::vector<Goal>* goals) {
+  if (words.empty() || words.size() % 2 != 0) return "needs joints, each with an angle in degrees";
+  for (size_t i = 0; i < words.size(); i += 2) {
+    const int joint = JointNamed(words[i]);
+    if (joint < 0) {
+      std::vector<std::string> known;
+      for (const JointModel& each : robot_.model.joints) known.push_back(each.name);
+      return fmt::format("the {} has no joint '{}'{}; it has {}", robot_.model.name, words[i],
+                         DidYouMean(std::string(words[i]), known), fmt::join(known, ", "));
+    }
+    double degrees = 0;
+    if (std::string problem = ReadNumber(words[i + 1], &degrees); !problem.empty()) return problem;
+    const Range& stops_rad = robot_.model.joints[static_cast<size_t>(joint)].hard_rad;
+    const double angle_rad = Radians(degrees);
+    if (angle_rad < stops_rad.min || angle_rad > stops_rad.max) {
+      return fmt::format("{} degrees is beyond the stops of {}, {:.1f} to {:.1f}", degrees,
+                         words[i], Degrees(stops_rad.min), Degrees(stops_rad.max));
+    }
+    goals->push_back({joint, static_cast<int32_t>(std::lround(angle_rad * 1e6))});
+  }
+  return "";
+}
+
+int JointTargets::JointNamed(std::string_view name) {
+  const auto known = known_.find(name);
+  if (known != known_.end()) return known->second;
+  const int joint = robot_.model.JointNamed(name);
+  if (joint >= 0) known_.emplace(name, joint);
+  return joint;
+}
+
+// Lets the set points of `goals` begin their ways, each where the set point of the joint is now.  A
+// joint that nobody has commanded since the boot begins where it hangs.
+void JointTargets::Begin(const std::vector<Goal>& goals, int64_t frames) {
+  robot_.devices.set_commander(kNoObject);
+  for (const Goal& goal : goals) {
+    const auto j = static_cast<size_t>(goal.joint);
+    const JointDevice& device = robot_.devices.joints[j];
+    const double measured_urad = robot_.body->state().joints[j].angle_rad * 1e6;
+    const int32_t from_urad = device.commanded ? static_cast<int32_t>(device.target_urad)
+                                               : static_cast<int32_t>(std::lround(measured_urad));
+    // The set point makes its first step now: the commands of this frame were applied before.
+    ways_[goal.joint] = {from_urad, goal.urad, frames, 1};
+    const int64_t step_urad = (int64_t{goal.urad} - from_urad) / frames;
+    robot_.devices.SetTarget(goal.joint, static_cast<slongword>(from_urad + step_urad));
+  }
+}
+
+void JointTargets::DoFrame() {
+  if (ways_.empty()) return;
+  robot_.devices.set_commander(kNoObject);
+  for (auto& [joint, way] : ways_) {
+    way.done = std::min(way.done + 1, way.frames);
+    const int64_t whole_urad = int64_t{way.goal_urad} - way.from_urad;
+    const int64_t urad = way.from_urad + whole_urad * way.done / way.frames;
+    robot_.devices.SetTarget(joint, static_cast<slongword>(urad));
+  }
+}
+
+void JointTargets::HashState(Hasher* hasher) const {
+  for (const auto& [joint, way] : ways_) {
+    hasher->Add(joint);
+    hasher->Add(way.from_urad);
+    hasher->Add(way.goal_urad);
+    hasher->Add(way.frames);
+    hasher->Add(way.done);
+  }
+}
+
+}  // namespace openr_host
