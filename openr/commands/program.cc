@@ -36,7 +36,8 @@ constexpr Command kCommands[] = {
     {"new", &AddNewCommand},         {"controller", &AddControllerCommand},
     {"check", &AddCheckCommand},     {"model", &AddModelCommand},
     {"stick", &AddStickCommand},     {"stubgen", &AddStubgenCommand},
-    {"help", &AddHelpCommand},       {"version", &AddVersionCommand},
+    {"plot", &AddPlotCommand},       {"help", &AddHelpCommand},
+    {"version", &AddVersionCommand},
 };
 
 // Adds the command `wanted`, the first word of the command line, to `app`.  Adds all commands if
