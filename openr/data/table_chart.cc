@@ -189,7 +189,23 @@ class ChartMaker {
       panel.curves.back().look = group->look;
       panel.curves.back().label = group->label;
     }
+    // The order in which they are drawn is that of the legend.
+    std::stable_sort(panel.curves.begin(), panel.curves.end(),
+                     [](const Curve& a, const Curve& b) { return a.look < b.look; });
+    if (unit.text == kOpenR.text) ConvertToSi(&panel);
     chart_.panels.push_back(std::move(panel));
+  }
+
+  // Converts the values of a sensor that OPEN-R has in 10^-6 of an SI unit.  Switches have 0 and 1,
+  // and counts of a converter are small.
+  static void ConvertToSi(chart::Panel* panel) {
+    std::vector<double>& values = panel->curves.front().y;
+    const bool is_micro = std::any_of(values.begin(), values.end(),
+                                      [](double value) { return std::abs(value) > 10'000; });
+    if (!is_micro) return;
+    for (double& value : values) value *= 1e-6;
+    panel->note = "SI unit";
+    panel->y_span_min = 0.02;
   }
 
   const Table& table_;

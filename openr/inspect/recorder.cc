@@ -67,7 +67,7 @@ void Recorder::Begin(Simulation* simulation, const SimulationOptions& options,
 }
 
 void Recorder::AddStick(const std::vector<TraceEntry>& entries) {
-  for (const TraceEntry& entry : entries) writer_->AddStickEntry(entry);
+  for (const TraceEntry& entry : entries) writer_->AddEntry(entry);
 }
 
 }  // namespace openr_host

@@ -127,8 +127,8 @@ class TraceWriter {
   // `name` the path below the stick's folder.
   void AddStick(const std::string& name, const std::string& path);
 
-  // Adds an entry of another recording, about the content of the Memory Stick at its beginning.
-  void AddStickEntry(const TraceEntry& entry) { Add(entry); }
+  // Adds an entry of another recording.  Its names of objects and entries must be in this one, too.
+  void AddEntry(const TraceEntry& entry) { Add(entry); }
 
   // Writes the added entries to the file.  May be called in a signal handler that ends the process.
   void Flush();

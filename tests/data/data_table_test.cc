@@ -229,8 +229,18 @@ TEST_F(PlotCommandTest, WrongFilesAndNamesAreRefused) {
   EXPECT_EQ(run.status, 2);
   EXPECT_THAT(run.err, HasSubstr("ends in .csv or .mcap"));
   EXPECT_FALSE(fs::exists(At("run.txt")));
-  const ProgramResult full = Run({"--log-data", "/dev/full.csv"});
-  EXPECT_EQ(full.status, 2);
+  EXPECT_EQ(Run({"--log-data", At("none/run.csv")}).status, 2);
+}
+
+TEST_F(PlotCommandTest, FullDiskIsToldAndTheRunGoesOnToItsEnd) {
+  for (const char* const name : {"full.csv", "full.mcap", "full.json"}) {
+    fs::create_symlink("/dev/full", At(name));
+    const bool is_timeline = std::string(name).ends_with(".json");
+    const ProgramResult run = Run({is_timeline ? "--timeline" : "--log-data", At(name)});
+    EXPECT_EQ(run.status, 1) << name;
+    EXPECT_THAT(run.err, HasSubstr("cannot be written: No space left on device"));
+    EXPECT_THAT(run.err, HasSubstr("ended by time: --for 2s is over"));
+  }
 }
 
 }  // namespace
