@@ -51,8 +51,8 @@ std::unique_ptr<System> MakeSystem(const BenchOptions& options, std::string* con
   return std::make_unique<System>(std::move(system_options));
 }
 
-openr_host::World WorldOf(const std::string& file) {
-  return file.empty() ? openr_host::World() : openr_host::LoadWorld(file);
+openr_host::World WorldOf(const std::string& name) {
+  return name.empty() ? openr_host::World() : openr_host::LoadWorld(openr_host::DataFile(name));
 }
 
 std::string UpperCase(std::string text) {

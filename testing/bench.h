@@ -88,7 +88,9 @@ struct BenchOptions {
   std::vector<StandIn> replace = {};  // objects of the stick that are replaced
   std::string body = "none";          // "none"; "ideal": joints follow exactly; "ode": physics
   std::string robot = "ers210";       // name of a model
-  std::string world = "";             // a world file; "": a flat floor
+  // A world file, the user's own or one that came with the program ("corridor.json"); "": a flat
+  // floor.
+  std::string world = "";
   // The charge of the battery.  "drain": full at boot, then it drains as on the robot (empty after
   // 90 minutes).  "100%": always full.  "N%": N percent at boot, then it drains.
   std::string battery = "drain";

@@ -1,6 +1,7 @@
 #include "openr/simulation/standing.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "virtualrobot/kinematics.h"
@@ -12,32 +13,49 @@ constexpr char kPosture[] = "stand";
 
 }  // namespace
 
-StandingMonitor::StandingMonitor(const RobotModel& model) {
+StandingMonitor::StandingMonitor(const RobotModel& model) : model_(&model) {
   for (const Posture& posture : model.postures) {
-    if (posture.name != kPosture) continue;
-    const RestingPose rest = PlaceOnFloor(model, posture.angles_rad);
-    const Eigen::Vector3d rpy_rad = RpyOf(rest.X_WB.linear());
-    height_m_ = rest.X_WB.translation().z();
-    roll_rad_ = rpy_rad.x();
-    pitch_rad_ = rpy_rad.y();
-    has_posture_ = true;
+    if (posture.name == kPosture && model.paws.size() == 4) posture_ = StanceAt(posture.angles_rad);
   }
 }
 
-bool StandingMonitor::IsUpright(const BodyState& state) const {
-  if (!has_posture_) return false;
-  const Eigen::Vector3d rpy_rad = RpyOf(state.X_WB.linear());
-  return std::all_of(state.paws.begin(), state.paws.end(), [](bool touches) { return touches; }) &&
-         std::abs(state.X_WB.translation().z() - height_m_) <= kHeightToleranceM &&
-         std::abs(rpy_rad.x() - roll_rad_) <= kAttitudeToleranceRad &&
-         std::abs(rpy_rad.y() - pitch_rad_) <= kAttitudeToleranceRad;
+StandingMonitor::Stance StandingMonitor::StanceAt(const std::vector<double>& angles_rad) const {
+  const std::vector<Eigen::Isometry3d> X_BL = LinkPoses(*model_, angles_rad);
+  std::array<Eigen::Vector3d, 4> paws_B;  // left fore, left hind, right fore, right hind
+  for (size_t i = 0; i < paws_B.size(); ++i) {
+    const Paw& paw = model_->paws[i];
+    paws_B[i] = X_BL[static_cast<size_t>(paw.body)] * paw.centre_m;
+  }
+  Stance stance;
+  // Four paws need not lie in one plane.  The plane along both diagonals is as far from each.
+  stance.up_B = (paws_B[3] - paws_B[0]).cross(paws_B[2] - paws_B[1]).normalized();
+  const Eigen::Vector3d middle_B = (paws_B[0] + paws_B[1] + paws_B[2] + paws_B[3]) / 4;
+  stance.height_m = model_->paws[0].radius_m - middle_B.dot(stance.up_B);
+  const Eigen::Vector3d& up_B = stance.up_B;
+  stance.roll_rad = DetAtan2(up_B.y(), up_B.z());
+  stance.pitch_rad = DetAtan2(-up_B.x(), std::sqrt(up_B.y() * up_B.y() + up_B.z() * up_B.z()));
+  return stance;
+}
+
+bool StandingMonitor::standing() const {
+  if (!posture_ || !all_paws_touch_ || calm_us_ < kCalmUs) return false;
+  const Stance now = StanceAt(angles_rad_);
+  return (R_WB_ * now.up_B).z() >= DetCos(kSlopeMaxRad) &&
+         std::abs(now.height_m - posture_->height_m) <= kHeightToleranceM &&
+         std::abs(now.roll_rad - posture_->roll_rad) <= kAttitudeToleranceRad &&
+         std::abs(now.pitch_rad - posture_->pitch_rad) <= kAttitudeToleranceRad;
 }
 
 void StandingMonitor::Sample(const BodyState& state, int64_t now_us) {
   const int64_t passed_us = last_us_ < 0 ? 0 : now_us - last_us_;
   last_us_ = now_us;
-  upright_ = IsUpright(state);
   calm_us_ = state.v_WB.norm() < kSpeedMaxMs ? calm_us_ + passed_us : 0;
+  if (calm_us_ < kCalmUs) return;
+  all_paws_touch_ =
+      std::all_of(state.paws.begin(), state.paws.end(), [](bool touches) { return touches; });
+  R_WB_ = state.X_WB.linear();
+  angles_rad_.resize(state.joints.size());
+  for (size_t i = 0; i < state.joints.size(); ++i) angles_rad_[i] = state.joints[i].angle_rad;
 }
 
 }  // namespace openr_host

@@ -1,7 +1,10 @@
 // StandingMonitor, which decides whether a robot stands, by the rule of docs/cli.md.
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
+#include <optional>
+#include <vector>
 
 #include "virtualrobot/body.h"
 #include "virtualrobot/det_math.h"
@@ -13,29 +16,40 @@ class StandingMonitor {
  public:
   static constexpr double kHeightToleranceM = 0.010;
   static constexpr double kAttitudeToleranceRad = Radians(3);
+  static constexpr double kSlopeMaxRad = Radians(20);
   static constexpr double kSpeedMaxMs = 0.005;
   static constexpr int64_t kCalmUs = 500'000;
 
-  // The posture to compare with is "stand" of `model` on a flat floor.  For a model without this
-  // posture, standing() always returns false.
+  // The posture to compare with is "stand" of `model`, which must outlive the monitor.  For a model
+  // without this posture, standing() always returns false.
   explicit StandingMonitor(const RobotModel& model);
 
-  // Compares `state`, the body's state at virtual time `now_us`, with the posture.  Called once per
-  // frame of 8 ms.
+  // Takes `state`, the body's state at virtual time `now_us`.  Called once per frame of 8 ms.
   void Sample(const BodyState& state, int64_t now_us);
 
-  // Returns whether the robot stands: all paws touch the floor, height and attitude are near those
-  // of the posture, and the trunk has been slower than kSpeedMaxMs for kCalmUs.  Without this last
-  // condition, a robot that only passes through the posture while it moves would count as standing.
-  bool standing() const { return upright_ && calm_us_ >= kCalmUs; }
+  // Returns whether the robot stands: all paws touch something, height and attitude over the plane
+  // through the paws are near those of the posture, the plane is no steeper than kSlopeMaxRad, and
+  // the trunk has been slower than kSpeedMaxMs for kCalmUs.  Without this last condition, a robot
+  // that only passes through the posture while it moves would count as standing.
+  bool standing() const;
 
  private:
-  bool IsUpright(const BodyState& state) const;
+  // A robot over the plane that touches its four paws from below.
+  struct Stance {
+    double height_m = 0;  // of B's origin over the plane
+    double roll_rad = 0, pitch_rad = 0;
+    Eigen::Vector3d up_B{0, 0, 1};  // unit vector that stands on the plane
+  };
 
-  bool has_posture_ = false;
-  double height_m_ = 0;
-  double roll_rad_ = 0, pitch_rad_ = 0;
-  bool upright_ = false;
+  Stance StanceAt(const std::vector<double>& angles_rad) const;
+
+  const RobotModel* model_;
+  std::optional<Stance> posture_;
+  // The last sample of a calm robot.  standing() compares it only when somebody asks, because the
+  // poses of all parts cost more than a frame of the ideal body.
+  std::vector<double> angles_rad_;
+  Eigen::Matrix3d R_WB_ = Eigen::Matrix3d::Identity();
+  bool all_paws_touch_ = false;
   int64_t last_us_ = -1;
   int64_t calm_us_ = 0;
 };

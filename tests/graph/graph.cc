@@ -10,6 +10,7 @@ Graph::Graph(const GraphOptions& options)
     : Bench({.stick = options.stick,
              .body = options.body,
              .robot = options.robot,
+             .world = options.world,
              .seed = options.seed,
              .measure_stacks = options.measure_stacks}),
       pilot_(&Add<Pilot>("pilot")) {
@@ -48,7 +49,7 @@ void WhenStanding(const GraphOptions& options, const std::function<void(Graph&)>
     return graph;
   };
   const std::string key =
-      options.stick + options.robot + options.body + std::to_string(options.seed);
+      options.stick + options.robot + options.body + options.world + std::to_string(options.seed);
   standing.try_emplace(key, stand_up).first->second.Run(test, place);
 }
 

@@ -27,10 +27,15 @@ struct GraphOptions {
   std::string stick = OPENR_STICK;
   bool measure_stacks = false;
   std::string robot = "ers210";
+  std::string world = "";
 };
 
-inline const GraphOptions kIdeal{
-    .body = "ideal", .seed = 1, .stick = OPENR_STICK, .measure_stacks = false, .robot = "ers210"};
+inline const GraphOptions kIdeal{.body = "ideal",
+                                 .seed = 1,
+                                 .stick = OPENR_STICK,
+                                 .measure_stacks = false,
+                                 .robot = "ers210",
+                                 .world = ""};
 
 inline GraphOptions OnStick(const std::string& stick) {
   GraphOptions options;

@@ -139,6 +139,41 @@ TEST(TogetherTest, AReplayNeedsTheSticksOfThen) {
   }
 }
 
+TEST(TogetherTest, AFaultIsOfOneRobotAndAReplayHasIt) {
+  const TempFolder folder;
+  const std::string file = folder.path() + "/run.rec";
+  const auto height_m = [](const Simulation& simulation, int robot) {
+    const Body& body = simulation.robots()[static_cast<size_t>(robot)]->body();
+    return body.state().X_WB.translation().z();
+  };
+  uint64_t hash = 0;
+  {
+    const SimulationOptions plain = OnTheField(2);
+    SimulationOptions options = plain;
+    Recorder recorder(file, true);
+    recorder.Listen(&options);
+    Simulation simulation(options);
+    recorder.Begin(&simulation, plain, simulation.stick());
+    System& system = simulation.system();
+    system.Boot();
+    system.RunUntil(14'000'000);
+    EXPECT_GT(height_m(simulation, 1), 0.12);
+    for (const char* const joint : {"LF_j1", "RF_j1", "LF_j3", "RF_j3"}) {
+      const std::string line = std::string("break ") + joint + " unpowered for 1500ms";
+      EXPECT_EQ(system.inputs().Add(1, line), "");
+    }
+    system.RunUntil(15'000'000);
+    EXPECT_GT(height_m(simulation, 0), 0.12);
+    EXPECT_LT(height_m(simulation, 1), 0.11);
+    EXPECT_EQ(recorder.Finish(&system), "");
+    hash = system.state_hash();
+  }
+  Replayer replayer({.file = file, .stick = "", .console = [](std::string_view) {}});
+  replayer.RunUntil(INT64_MAX);
+  EXPECT_EQ(replayer.difference(), "");
+  EXPECT_EQ(replayer.system().state_hash(), hash);
+}
+
 TEST(TogetherTest, PutMovesAThingAndRefusesWhatItCannotMove) {
   Simulation simulation(OnTheField(1));
   System& system = simulation.system();

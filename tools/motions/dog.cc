@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <string_view>
 
 #include "virtualrobot/det_math.h"
 #include "virtualrobot/model/robot_model.h"
@@ -64,23 +65,19 @@ Dog::Dog(const std::string& model_path) {
   hind_ = LegOfModel(model, "LH", -1);
   axis_mm_ = kMmPerM * JointOf(model, "LF_j1").anchor_m.x();
   ball_mm_ = kMmPerM * PawOf(model, "LF").radius_m;
+  int next = 0;
+  for (int j = 0; j < robot_->numJoints; ++j)
+    places_.push_back(robot_->joints[j].mtnIndex >= 0 ? next++ : -1);
+  neck_tilt_ = model.FindJoint("neck_tilt") >= 0 ? "neck_tilt" : "neck_tilt1";
+  design_label_ = model.mtn_labels.at(0);
 }
 
 std::vector<std::string> Dog::Locators() const {
   std::vector<std::string> locators;
   for (int j = 0; j < robot_->numJoints; ++j) {
-    if (robot_->joints[j].mtnIndex >= 0) locators.push_back(robot_->joints[j].locator);
+    if (PlaceOf(j) >= 0) locators.push_back(robot_->joints[j].locator);
   }
   return locators;
-}
-
-// Returns the index of a joint in key frames.  The model lists the joints in the order of the
-// motion files.
-int Dog::IndexOf(const std::string& joint) const {
-  for (int j = 0; j < robot_->numJoints; ++j) {
-    if (robot_->joints[j].name == joint) return robot_->joints[j].mtnIndex;
-  }
-  throw std::runtime_error(fmt::format("the {} has no joint '{}'", robot_->design, joint));
 }
 
 KeyFrame Dog::FrameOf(const std::string& posture) const {
@@ -90,8 +87,7 @@ KeyFrame Dog::FrameOf(const std::string& posture) const {
   KeyFrame frame;
   frame.angles_urad.resize(Locators().size());
   for (int j = 0; j < robot_->numJoints; ++j) {
-    if (robot_->joints[j].mtnIndex >= 0)
-      frame.angles_urad[robot_->joints[j].mtnIndex] = found->urad[j];
+    if (PlaceOf(j) >= 0) frame.angles_urad[static_cast<size_t>(PlaceOf(j))] = found->urad[j];
   }
   SetPitch(StanceOf(posture).pitch_rad, &frame);
   return frame;
@@ -118,7 +114,7 @@ Stance Dog::StanceOf(const std::string& posture) const {
   stance.fore_mm = fore_x * c - fore.up * s;
   stance.hind_mm = hind_x * c - hind.up * s;
   stance.height_mm = ball_mm_ - (fore_x * s + fore.up * c);
-  stance.tilt_rad = angle("neck_tilt");
+  stance.tilt_rad = angle(neck_tilt_);
   return stance;
 }
 
@@ -142,16 +138,29 @@ void Dog::Set(KeyFrame* frame, const std::string& joint, double rad,
           fmt::format("{}: {} at {:.1f} degrees, its software limits are {:.1f} to {:.1f}", what,
                       joint, Degrees(rad), limits.minCdeg / 100.0, limits.maxCdeg / 100.0));
     }
+    frame->angles_urad.at(static_cast<size_t>(PlaceOf(j))) = urad;
+    return;
   }
-  frame->angles_urad[IndexOf(joint)] = urad;
+  throw std::runtime_error(fmt::format("the {} has no joint '{}'", robot_->design, joint));
+}
+
+KeyFrame Dog::Straight() const {
+  KeyFrame frame = FrameOf("stand");
+  for (int j = 0; j < robot_->numJoints; ++j) {
+    const JointConstants& joint = robot_->joints[j];
+    if (PlaceOf(j) >= 0 && joint.minUrad <= 0 && joint.maxUrad >= 0 &&
+        std::string_view(joint.name) != "neck_tilt2") {
+      frame.angles_urad[static_cast<size_t>(PlaceOf(j))] = 0;
+    }
+  }
+  return frame;
 }
 
 KeyFrame Dog::FrameOf(const Stance& stance, const PawOffsets& offsets,
                       const std::string& what) const {
-  KeyFrame frame;
-  frame.angles_urad.assign(Locators().size(), 0);
+  KeyFrame frame = Straight();
   SetPitch(stance.pitch_rad, &frame);
-  Set(&frame, "neck_tilt", stance.tilt_rad, what);
+  Set(&frame, neck_tilt_, stance.tilt_rad, what);
   const struct {
     const char* name;
     const Leg& leg;

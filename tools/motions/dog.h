@@ -1,4 +1,4 @@
-// Dog: the data of the ERS-210 that motions need.  These are two kinds of legs, each in its plane,
+// Dog: the data of a robot that motions need.  These are two kinds of legs, each in its plane,
 // limits, postures, and the pose of the body over paws on a flat floor.
 #pragma once
 
@@ -40,7 +40,13 @@ class Dog {
 
   const RobotConstants& robot() const { return *robot_; }
 
-  // Returns the locators of the joints in the vendor's motion files: neck and legs.
+  bool is_ers7() const { return neck_tilt_ == "neck_tilt1"; }
+
+  // Returns the design label of the vendor's motion files for this robot.
+  const std::string& design_label() const { return design_label_; }
+
+  // Returns the locators of the joints in the vendor's motion files for this robot: neck and legs,
+  // and more for the ERS-7.
   std::vector<std::string> Locators() const;
 
   // Returns the stance of a posture of the model in which all paws touch one plane.
@@ -73,12 +79,20 @@ class Dog {
   LegAngles LegOf(const Leg& leg, double side, const Stance& stance, double place_mm,
                   const PawOffset& offset, const std::string& what) const;
   void Set(KeyFrame* frame, const std::string& joint, double rad, const std::string& what) const;
-  int IndexOf(const std::string& joint) const;
+  // Returns the place of joint `joint` of the robot in key frames, or -1 when motions leave it
+  // alone.
+  int PlaceOf(int joint) const { return places_[static_cast<size_t>(joint)]; }
+  // Returns the key frame with all joints at 0, but for the upper tilt axis of the ERS-7 and for
+  // joints that cannot be at 0: these are as in standing.
+  KeyFrame Straight() const;
 
   const RobotConstants* robot_;
   double axis_mm_ = 0;  // distance of the J1 axes from the middle of the body
   double ball_mm_ = 0;  // radius of the ball of a paw
   Leg fore_{{}, {}}, hind_{{}, {}};
+  std::vector<int> places_;  // [joint], see PlaceOf()
+  std::string neck_tilt_;    // name of the joint that stances tilt
+  std::string design_label_;
 };
 
 }  // namespace openr_host::motions

@@ -52,6 +52,7 @@ void WriteAll(const std::filesystem::path& directory, const Dog& dog, const Gait
   for (const auto& motion : motions) {
     MotionFile file;
     file.name = motion.name;
+    file.design_label = dog.design_label();
     file.locators = dog.Locators();
     file.key_frames = motion.frames;
     WriteIfChanged(directory / motion.file, WriteMtn(file));

@@ -31,8 +31,15 @@ std::vector<KeyFrame> Sit(const Dog& dog) {
   return frames;
 }
 
+// The ERS-7 sits with its weight behind its hind paws and would fall over backwards if it rose from
+// there, so it lies down first.
 std::vector<KeyFrame> Stand(const Dog& dog) {
   std::vector<KeyFrame> frames{dog.FrameOf("sit")};
+  if (dog.is_ers7()) {
+    for (const char* const posture : {"sleep", "crouch", "stand"})
+      GoStraight(dog.FrameOf(posture), 99, &frames);
+    return frames;
+  }
   Go(dog, dog.PoseOf("sit"), dog.PoseOf("stand"), 12, 11, "stand", &frames);
   return frames;
 }
@@ -41,10 +48,10 @@ std::vector<KeyFrame> Stand(const Dog& dog) {
 // legs fold.
 std::vector<KeyFrame> Lie(const Dog& dog) {
   Stance low;
-  low.height_mm = 88;
+  low.height_mm = dog.is_ers7() ? 100 : 88;
   low.pitch_rad = Radians(3);
   low.fore_mm = 95;
-  low.hind_mm = -52;
+  low.hind_mm = dog.is_ers7() ? -92 : -52;  // nearer, the hind knees would bend too far
   low.tilt_rad = Radians(-20);
   std::vector<KeyFrame> frames{dog.FrameOf("stand")};
   Go(dog, dog.PoseOf("stand"), dog.PoseOf(low, "lie"), 8, 11, "lie", &frames);
