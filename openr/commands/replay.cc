@@ -55,7 +55,7 @@ void PrintAnswers(const Replayer& replayer, const ReplayFlags& flags) {
              flags.replay.only,
              replayer.answer_differences().empty()
                  ? "all as recorded"
-                 : Counted(replayer.answer_differences().size(), "other than recorded"));
+                 : fmt::format("{} other than recorded", replayer.answer_differences().size()));
 }
 
 nlohmann::ordered_json AnswersJson(const Replayer& replayer) {
