@@ -20,7 +20,7 @@ LAYERS = {
     "cli": "cli",
     "kit": "kit",
     "openr": "openr/ending openr/simulation openr/model openr/graph openr/chart openr/motion openr/remote "
-             "openr/pair openr/controller openr/upload openr/render openr/explore openr/inspect "
+             "openr/pair openr/controller openr/upload openr/render openr/explore openr/timeline openr/inspect openr/data "
              "openr/rewind openr/live openr/panel openr/run openr/serve openr/ros2 openr/commands openr",
     "testing": "testing",
 }

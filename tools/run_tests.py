@@ -112,6 +112,9 @@ def jobs(build, pattern, quick):
     page = ROOT / "tools/page_test.py"
     if pattern in page.name:
         found.append((page.name, [sys.executable, str(page), "--build", str(build)], {}))
+    for data in sorted(ROOT.glob("tests/data/*_test.py")):
+        if pattern in data.name:
+            found.append((data.name, [sys.executable, str(data), "--build", str(build)], {}))
     return waiting, found, alone
 
 

@@ -26,6 +26,7 @@ struct Panel {
   std::string title;
   std::string note;  // short text to the right of the title
   std::vector<Curve> curves;
+  double y_span_min = 0;  // smallest span of the vertical axis; 0: Chart::y_span_min
 };
 
 struct Chart {
@@ -34,7 +35,8 @@ struct Chart {
   std::string x_label, y_label;  // texts at the axes, with units
   int columns = 3;               // >= 1
   double y_span_min = 4;         // smallest span of an axis, so that small noise does not fill it
-  std::vector<Panel> panels;     // the panels of the first row, then those of the second row, ...
+  double plot_width = 320, plot_height = 128;  // size of a panel's plot, in points
+  std::vector<Panel> panels;  // the panels of the first row, then those of the second row, ...
 };
 
 enum class FileType { kSvg, kPng };

@@ -16,7 +16,6 @@ namespace {
 
 // Sizes in units of the picture; a unit is one point in an SVG file.
 constexpr double kMargin = 24;
-constexpr double kPlotWidth = 320, kPlotHeight = 128;
 constexpr double kTickRoom = 40;  // space left of a plot, for the numbers at its axis
 constexpr double kColumnGap = 22, kRowGap = 14;
 constexpr double kTitleRoom = 22;  // space above a plot
@@ -115,22 +114,23 @@ class Painter {
 
   static double WidthOf(const Chart& chart) {
     const int columns = std::min(chart.columns, static_cast<int>(chart.panels.size()));
-    return 2 * kMargin + kAxisLabelRoom + columns * (kTickRoom + kPlotWidth) +
+    return 2 * kMargin + kAxisLabelRoom + columns * (kTickRoom + chart.plot_width) +
            (columns - 1) * kColumnGap;
   }
   static double HeightOf(const Chart& chart) {
     const int count = static_cast<int>(chart.panels.size());
     const int rows = (count + chart.columns - 1) / chart.columns;
-    return kMargin + kHeadRoom + rows * (kTitleRoom + kPlotHeight) + (rows - 1) * kRowGap +
+    return kMargin + kHeadRoom + rows * (kTitleRoom + chart.plot_height) + (rows - 1) * kRowGap +
            kFootRoom;
   }
 
  private:
   Rect PlotOf(int index) const {
     const int column = index % chart_.columns, row = index / chart_.columns;
-    return {kMargin + kAxisLabelRoom + kTickRoom + column * (kTickRoom + kPlotWidth + kColumnGap),
-            kMargin + kHeadRoom + kTitleRoom + row * (kTitleRoom + kPlotHeight + kRowGap),
-            kPlotWidth, kPlotHeight};
+    return {kMargin + kAxisLabelRoom + kTickRoom +
+                column * (kTickRoom + chart_.plot_width + kColumnGap),
+            kMargin + kHeadRoom + kTitleRoom + row * (kTitleRoom + chart_.plot_height + kRowGap),
+            chart_.plot_width, chart_.plot_height};
   }
 
   // Returns the range of a panel's vertical axis: the range of its values, and some space above and
@@ -138,9 +138,10 @@ class Painter {
   Span YSpanOf(const Panel& panel) const {
     Span span{1e300, -1e300};
     for (const Curve& curve : panel.curves) Widen(curve.y, &span);
-    if (span.low > span.high) return {-chart_.y_span_min / 2, chart_.y_span_min / 2};
+    const double span_min = panel.y_span_min > 0 ? panel.y_span_min : chart_.y_span_min;
+    if (span.low > span.high) return {-span_min / 2, span_min / 2};
     const double room =
-        std::max(0.06 * (span.high - span.low), (chart_.y_span_min - (span.high - span.low)) / 2);
+        std::max(0.06 * (span.high - span.low), (span_min - (span.high - span.low)) / 2);
     return {span.low - room, span.high + room};
   }
 

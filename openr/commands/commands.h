@@ -26,6 +26,7 @@ void AddPanelCommand(CLI::App* app, int* exit_code);
 void AddRcCommand(CLI::App* app, int* exit_code);
 void AddGraphCommand(CLI::App* app, int* exit_code);
 void AddMtnCommand(CLI::App* app, int* exit_code);
+void AddPlotCommand(CLI::App* app, int* exit_code);
 void AddLogCommand(CLI::App* app, int* exit_code);
 void AddTraceCommand(CLI::App* app, int* exit_code);
 void AddReplayCommand(CLI::App* app, int* exit_code);

@@ -28,9 +28,13 @@
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
 #include "openr/commands/show_run.h"
+#include "openr/ending/crash_log.h"
+#include "openr/ending/ending.h"
+#include "openr/ending/watchdog.h"
 #include "openr/explore/explorer.h"
 #include "openr/explore/failing_run.h"
 #include "openr/explore/schedule_file.h"
+#include "openr/inspect/recorder.h"
 #include "openr/simulation/cost_file.h"
 #include "openr/simulation/pacing.h"
 #include "runtime/base/duration.h"
@@ -60,6 +64,7 @@ struct ExploreFlags {
   bool json = false;
   bool panel = false;
   ShowOptions show;
+  std::string record_file;
 };
 
 // Checks `name`, a value of --property.  Throws CLI::ParseError if it is a file that cannot be
@@ -143,6 +148,11 @@ void DescribeHow(CLI::App* command, ExploreFlags* flags) {
   command->add_option("--console", flags->console_file, "File for what objects print")
       ->check(IsWritable());
   command->add_option("-o,--output", flags->file, "File for the failing order, if there is one")
+      ->check(IsWritable());
+  command
+      ->add_option("--record", flags->record_file,
+                   "File for the recording of the failing run, if there is one, for openr replay "
+                   "--step")
       ->check(IsWritable());
   command->add_flag("--json", flags->json, "Print the result, and nothing else, as JSON");
 }
@@ -303,6 +313,42 @@ int ShowFailure(const ExploreFlags& flags, const ExploredStick& stick, uint64_t 
   return ShowRun(make, show);
 }
 
+// Runs the failing run once more and writes its recording.  `answer` is the answer of
+// ReplayDeviations().  A run that an object ends by a crash ends this process, with a recording up
+// to there, so this comes last.  Returns false after printing an error.
+bool RecordFailure(const ExploreFlags& flags, const ExploredStick& stick, uint64_t seed,
+                   const Json& deviations, const Json& answer) {
+  const EndingAnswer ending_answer(-1);
+  const CrashLog crash_log({});
+  const Watchdog watchdog(flags.plan.limits.handler_us);
+  fmt::print(stderr, "openr explore: writing {}; openr replay {} --step goes through it\n",
+             flags.record_file, ShellWord(flags.record_file));
+  SimulationOptions simulation = stick.simulation;
+  simulation.console = [](std::string_view) {};
+  simulation.host_network = false;
+  Recorder recorder(flags.record_file, true);
+  recorder.Listen(&simulation);
+  const Json schedule = {{"seed", seed},
+                         {"for_us", stick.for_us},
+                         {"guard", simulation.guard_regions},
+                         {"deviations", deviations}};
+  const auto prepare = [&] {
+    PreparedRun prepared = PrepareSimulation(simulation);
+    if (prepared.problem.empty()) {
+      recorder.Begin(prepared.simulation, simulation, StickFolder(simulation.stick), false,
+                     JsonText(schedule));
+    }
+    return prepared;
+  };
+  FailingRun run(prepare, deviations, seed, stick.for_us, answer);
+  run.RunUntil(run.length_us());
+  System& system = run.simulation().system();
+  system.NoteRunEnd({EndKind::kTime, run.WhyOver()});
+  const std::string problem = recorder.Finish(&system);
+  if (!problem.empty()) fmt::print(stderr, "openr explore: {}\n", problem);
+  return problem.empty();
+}
+
 int Replay(ExploreFlags flags) {
   Json deviations;
   const ScheduleFile schedule = ReadScheduleFile(flags.replay_file, &deviations);
@@ -340,7 +386,10 @@ int Replay(ExploreFlags flags) {
   result["same"] = same;
   Tell(result, text, flags.json);
   if (flags.panel) return ShowFailure(flags, stick, schedule.seed, deviations, answer);
-  return WithConsole(broken ? kExitWrong : kExitGood, console);
+  bool good = !broken;
+  if (broken && !flags.record_file.empty())
+    good = RecordFailure(flags, stick, schedule.seed, deviations, answer) && good;
+  return WithConsole(good ? kExitGood : kExitWrong, console);
 }
 
 int Explore(ExploreFlags flags) {
@@ -377,6 +426,12 @@ int Explore(ExploreFlags flags) {
   Tell(result, Summary(result, flags), flags.json);
   const bool written = WriteFailure(result, flags);
   const bool good = result["broken"] == 0 && result.value("differences", 0) == 0;
+  if (result.contains("failure") && !flags.record_file.empty()) {
+    const Json& failure = result["failure"];
+    const uint64_t seed = failure["seed"];
+    const Json answer = ReplayDeviations(plan, failure["deviations"], seed);
+    RecordFailure(flags, flags.stick, seed, failure["deviations"], answer);
+  }
   return WithConsole(good && written ? kExitGood : kExitWrong, console);
 }
 

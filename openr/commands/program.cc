@@ -40,6 +40,7 @@ constexpr Command kCommands[] = {
     {"graph", &AddGraphCommand},
     {"mtn", &AddMtnCommand},
     {"log", &AddLogCommand},
+    {"plot", &AddPlotCommand},
     {"trace", &AddTraceCommand},
     {"replay", &AddReplayCommand},
     {"explore", &AddExploreCommand},

@@ -17,7 +17,10 @@
 #include "cli/progress_line.h"
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
+#include "openr/commands/continue_run.h"
+#include "openr/commands/run_flags.h"
 #include "openr/commands/show_run.h"
+#include "openr/data/replay_log.h"
 #include "openr/ending/crash_log.h"
 #include "openr/ending/ending.h"
 #include "openr/ending/watchdog.h"
@@ -35,11 +38,44 @@ struct ReplayFlags {
   bool console = false;
   bool panel = false;
   ShowOptions show;
+  std::optional<int64_t> continue_at_us;
+  ContinueOptions go_on;
+  DataLogOptions data_log;  // file "": no log of data
+  std::string timeline_file;
   int64_t handler_limit_us = 10'000'000;  // the same default as in openr run
 };
 
 nlohmann::ordered_json TextOrNull(const std::string& text) {
   return text.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(text);
+}
+
+// Prints the answers of the object of --only that differ from the recorded ones.
+void PrintAnswers(const Replayer& replayer, const ReplayFlags& flags) {
+  if (flags.replay.only.empty()) return;
+  for (const AnswerDifference& difference : replayer.answer_differences())
+    fmt::print(stderr, "{}", DescribeAnswer(difference));
+  fmt::print(stderr, "openr: {} of {}, {}\n", Counted(replayer.answer_count(), "message"),
+             flags.replay.only,
+             replayer.answer_differences().empty()
+                 ? "all as recorded"
+                 : fmt::format("{} other than recorded", replayer.answer_differences().size()));
+}
+
+nlohmann::ordered_json AnswersJson(const Replayer& replayer) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const AnswerDifference& each : replayer.answer_differences()) {
+    list.push_back({{"message", each.record.number},
+                    {"time_s", static_cast<double>(each.record.time_us) / 1e6},
+                    {"receiver", each.receiver},
+                    {"entry", each.entry},
+                    {"selector", each.record.selector},
+                    {"bytes", each.record.size},
+                    {"bytes_different", each.count},
+                    {"first_byte", each.first},
+                    {"now", each.now},
+                    {"recorded", each.then}});
+  }
+  return list;
 }
 
 int Finish(Replayer* replayer, const ReplayFlags& flags) {
@@ -48,9 +84,11 @@ int Finish(Replayer* replayer, const ReplayFlags& flags) {
   for (const std::string& problem : problems) fmt::print(stderr, "openr: {}\n", problem);
   const std::string& note = replayer->reader().note();
   if (!note.empty()) fmt::print(stderr, "openr: note: {}\n", note);
-  const bool equal = replayer->difference().empty();
+  PrintAnswers(*replayer, flags);
+  const bool equal = replayer->difference().empty() && replayer->answer_differences().empty();
   const double time_s = static_cast<double>(replayer->system().now_us()) / 1e6;
-  if (!equal) fmt::print(stderr, "openr: difference: {}\n", replayer->difference());
+  if (!replayer->difference().empty())
+    fmt::print(stderr, "openr: difference: {}\n", replayer->difference());
   const char* const how_far = !replayer->loss().empty() ? ", up to there"
                               : !problems.empty()       ? ", as far as the recording can be read"
                               : equal && replayer->at_end() ? ", to the end of the recording"
@@ -61,14 +99,19 @@ int Finish(Replayer* replayer, const ReplayFlags& flags) {
   if (!ended_by.empty() && replayer->at_end())
     fmt::print(stderr, "openr: the recorded run was ended by {}: {}\n", ended_by, why);
   if (flags.json) {
-    const nlohmann::ordered_json answer = {{"equal", equal && problems.empty()},
-                                           {"messages", replayer->count()},
-                                           {"virtual_time_s", time_s},
-                                           {"at_end", replayer->at_end()},
-                                           {"ended_by", TextOrNull(ended_by)},
-                                           {"ended_why", TextOrNull(why)},
-                                           {"difference", replayer->difference()},
-                                           {"problems", problems}};
+    nlohmann::ordered_json answer = {{"equal", equal && problems.empty()},
+                                     {"messages", replayer->count()},
+                                     {"virtual_time_s", time_s},
+                                     {"at_end", replayer->at_end()},
+                                     {"ended_by", TextOrNull(ended_by)},
+                                     {"ended_why", TextOrNull(why)},
+                                     {"difference", replayer->difference()},
+                                     {"problems", problems}};
+    if (!flags.replay.only.empty()) {
+      answer["only"] = flags.replay.only;
+      answer["answers"] = replayer->answer_count();
+      answer["answer_differences"] = AnswersJson(*replayer);
+    }
     fmt::print("{}\n", JsonText(answer));
   }
   return equal && problems.empty() ? kExitGood : kExitWrong;
@@ -112,16 +155,32 @@ int Replay(ReplayFlags flags) {
   }
   const EndingAnswer answer(flags.json ? STDOUT_FILENO : -1);
   const CrashLog crash_log({});
-  const Watchdog watchdog(flags.step || flags.panel ? 0 : flags.handler_limit_us);
+  const Watchdog watchdog(
+      flags.step || (flags.panel && !flags.continue_at_us) ? 0 : flags.handler_limit_us);
   if (flags.step) return StepThrough(flags.replay) ? kExitGood : kExitWrong;
+  if (flags.continue_at_us) {
+    flags.go_on.replay = flags.replay;
+    flags.go_on.at_us = *flags.continue_at_us;
+    flags.go_on.rate = flags.show.rate;
+    flags.go_on.panel = flags.panel;
+    flags.go_on.panel_port = flags.show.panel_port;
+    return ContinueRun(flags.go_on);
+  }
   if (flags.panel) return Show(flags);
   Replayer replayer(flags.replay);
   const EndingAction ending_action([&replayer](Ending*) {
     fmt::print(stderr, "openr: {} {} equal up to here\n", Counted(replayer.count(), "message"),
                replayer.count() == 1 ? "was" : "were");
   });
-  RunToTheEnd(&replayer, flags);
-  return Finish(&replayer, flags);
+  if (flags.data_log.file.empty() && flags.timeline_file.empty()) {
+    RunToTheEnd(&replayer, flags);
+    return Finish(&replayer, flags);
+  }
+  const std::string problem =
+      LogReplay(&replayer, flags.data_log, flags.timeline_file, flags.until_us.value_or(INT64_MAX));
+  if (!problem.empty()) fmt::print(stderr, "openr: {}\n", problem);
+  const int exit_code = Finish(&replayer, flags);
+  return problem.empty() ? exit_code : kExitWrong;
 }
 
 }  // namespace
@@ -147,10 +206,35 @@ void AddReplayCommand(CLI::App* app, int* exit_code) {
                      "Show the recording on the web panel, where it can be rewound, until Ctrl-C")
           ->excludes(step);
   AddShowFlags(command, panel, &flags->show);
+  AddDataLogFlags(command, &flags->data_log, &flags->timeline_file);
+  for (const char* const log : {"--log-data", "--timeline"})
+    command->get_option(log)->excludes(step)->excludes(panel);
+  command->add_flag("--json", flags->json, "Print the result, and nothing else, as JSON")
+      ->excludes(step);
+  CLI::Option* const only =
+      command
+          ->add_option("--only", flags->replay.only,
+                       "Compare only what this object sends, such as a new build of it on the "
+                       "stick; the others get what was recorded")
+          ->excludes(step)
+          ->excludes(panel);
+  CLI::Option* const go_on = AddDurationFlag(
+      command, "--continue-at", [flags](int64_t us) { flags->continue_at_us = us; },
+      "Replay up to this virtual time, and go on live from there");
+  for (const char* const other : {"--until", "--log-data", "--timeline", "--json"})
+    go_on->excludes(command->get_option(other));
+  go_on->excludes(step)->excludes(only);
+  command
+      ->add_option("--record", flags->go_on.record_file,
+                   "With --continue-at: write the whole run to this file, for openr replay")
+      ->check(IsWritable())
+      ->needs(go_on);
+  AddDurationFlag(
+      command, "--for", [flags](int64_t us) { flags->go_on.for_us = us; },
+      "With --continue-at: how long to go on, in virtual time")
+      ->needs(go_on);
   AddDurationFlag(command, "--handler-limit", &flags->handler_limit_us,
                   "End the replay when a handler uses more processor time; 0s: never")
-      ->excludes(step);
-  command->add_flag("--json", flags->json, "Print the result, and nothing else, as JSON")
       ->excludes(step);
   command->callback([flags, exit_code] { *exit_code = Replay(*flags); });
 }

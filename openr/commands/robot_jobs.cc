@@ -150,6 +150,10 @@ void RefuseFlagsBesideJobs(const RunFlags& flags) {
   refuse(IsImageFolder(flags.simulation.images), "--images", kAllAlike);
   refuse(!flags.record_file.empty(), "--record",
          "a recording is of one process; record a run of one robot");
+  refuse(!flags.data_log.file.empty(), "--log-data",
+         "a log of data is of one process; log a run of one robot");
+  refuse(!flags.timeline_file.empty(), "--timeline",
+         "a timeline is of one process; give it a run of one robot");
   RefuseIdleFlags(flags.placement, false, false);
 }
 

@@ -24,6 +24,7 @@
 #include "openr/commands/distributed_run.h"
 #include "openr/commands/robot_jobs.h"
 #include "openr/commands/run_flags.h"
+#include "openr/data/data_log.h"
 #include "openr/ending/crash_log.h"
 #include "openr/ending/ending.h"
 #include "openr/ending/watchdog.h"
@@ -45,6 +46,7 @@
 #include "openr/run/runner.h"
 #include "openr/simulation/run_stick.h"
 #include "openr/simulation/simulation.h"
+#include "openr/timeline/timeline.h"
 
 namespace openr_host {
 namespace {
@@ -161,6 +163,7 @@ class CommandedRun {
   uint64_t VirtualSeconds() const {
     return static_cast<uint64_t>(plan_.for_us.value_or(0) / 1'000'000);
   }
+  void BeginDataLog();
   bool RunToTheEnd();
   bool Report();
 
@@ -175,6 +178,8 @@ class CommandedRun {
   InterruptCounter interrupts_;
   EventScript events_;
   Recorder recorder_;
+  std::unique_ptr<DataLog> data_log_;   // null: no --log-data
+  std::unique_ptr<Timeline> timeline_;  // null: no --timeline
   DistributedRun distribution_;
   Rewind rewind_;
   const SimulationOptions options_;
@@ -292,7 +297,11 @@ void CommandedRun::BeginRewind(LiveServer* live, Runner* runner, Watchdog* watch
     is_silent_ = true;
     if (live != nullptr) live->Forget();
   };
-  parts.after_frame = [runner] { runner->SampleStanding(); };
+  parts.after_frame = [this, runner] {
+    runner->SampleStanding();
+    if (timeline_ != nullptr) timeline_->Rest();
+    if (data_log_ != nullptr) data_log_->Sample();
+  };
   parts.before_input = [this](int robot, const std::string& line) { events_.Skip(robot, line); };
   parts.become_branch = [this, live, watchdog](double rate) {
     live->OpenAgain();
@@ -304,6 +313,19 @@ void CommandedRun::BeginRewind(LiveServer* live, Runner* runner, Watchdog* watch
     return std::filesystem::path(LiveSocketPath(LiveName())).filename().string();
   };
   rewind_.Begin(std::move(parts));
+}
+
+// Creates the files of --log-data and --timeline.  The run then adds to them after each frame.
+void CommandedRun::BeginDataLog() {
+  if (!flags_.data_log.file.empty()) data_log_ = MakeDataLog(flags_.data_log, &simulation_);
+  if (!flags_.timeline_file.empty())
+    timeline_ = std::make_unique<Timeline>(flags_.timeline_file, &system());
+  if (data_log_ == nullptr && timeline_ == nullptr) return;
+  plan_.after_frame = [this, before = plan_.after_frame] {
+    if (timeline_ != nullptr) timeline_->Rest();
+    if (before) before();
+    if (data_log_ != nullptr) data_log_->Sample();
+  };
 }
 
 // Boots the robots and runs the simulation to its end.  Returns false after printing an error.
@@ -323,6 +345,7 @@ bool CommandedRun::RunToTheEnd() {
     plan_.recorder = &recorder_;
   }
   distribution_.Begin(&simulation_, &plan_);
+  BeginDataLog();
   const std::unique_ptr<LiveServer> live = MakeLiveServer(live_context_, LiveName(), &couplings_);
   plan_.live = live.get();
   if (live != nullptr) {
@@ -343,12 +366,16 @@ bool CommandedRun::RunToTheEnd() {
   };
   const EndingAction ending_action([&](Ending* ending) {
     learn_facts();
+    if (data_log_ != nullptr) data_log_->Finish();
+    if (timeline_ != nullptr) timeline_->Finish();
     ReportTheEnding(ending, &simulation_, &distribution_, facts_, flags_);
   });
   bool good = runner.Run();
   distribution_.RunIsOver();
   learn_facts();
   if (records()) good = IsGood(recorder_.Finish(&system())) && good;
+  if (data_log_ != nullptr) good = IsGood(data_log_->Finish()) && good;
+  if (timeline_ != nullptr) good = IsGood(timeline_->Finish()) && good;
   boots_ = system().booted() || !system().powered_off() || interrupts_.count() >= 2;
   return good;
 }

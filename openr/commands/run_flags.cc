@@ -16,6 +16,7 @@
 #include "openr/commands/common_flags.h"
 #include "openr/panel/panel_process.h"
 #include "openr/simulation/network_setup.h"
+#include "openr/timeline/timeline.h"
 #include "runtime/base/duration.h"
 
 namespace openr_host {
@@ -82,6 +83,7 @@ void DescribeOutput(CLI::App* command, RunFlags* flags) {
       ->add_flag("--no-payloads", flags->no_payloads,
                  "Record hashes of messages instead of their bytes")
       ->needs(command->get_option("--record"));
+  AddDataLogFlags(command, &flags->data_log, &flags->timeline_file);
   command->add_option("--log", flags->log, "Lines of objects to print")
       ->check(CLI::IsMember({"error", "warning", "info"}))
       ->capture_default_str();
@@ -176,6 +178,7 @@ std::vector<PictureRequest> PictureRequests(const RunFlags& flags) {
 void CheckThatFilesDiffer(const RunFlags& flags) {
   std::vector<std::pair<std::string, std::string>> named = {
       {"--report", flags.report_file},       {"--record", flags.record_file},
+      {"--log-data", flags.data_log.file},   {"--timeline", flags.timeline_file},
       {"--console", flags.console_file},     {"--speaker", flags.simulation.speaker},
       {"--stdin", flags.stdin_file},         {"--events", flags.events_file},
       {"--mic", flags.simulation.microphone}};
@@ -213,6 +216,24 @@ void CheckStandardOutput(const RunFlags& flags) {
 void DescribeRunFlags(CLI::App* command, RunFlags* flags) {
   DescribeRun(command, flags);
   DescribeOutput(command, flags);
+}
+
+void AddDataLogFlags(CLI::App* command, DataLogOptions* options, std::string* timeline) {
+  CLI::Option* const log =
+      command
+          ->add_option("--log-data", options->file,
+                       "Write joints, sensors and poses to this file, .csv or .mcap; .mcap has "
+                       "pictures, findings and inputs as well (docs/data.md)")
+          ->check(CLI::Validator(&WhyNoDataLogName, ""))
+          ->check(IsWritable());
+  AddDurationFlag(command, "--log-images", &options->image_distance_us,
+                  "Virtual time between two pictures in an .mcap file; 0s: no pictures")
+      ->needs(log);
+  command
+      ->add_option("--timeline", *timeline,
+                   "Write when handlers ran, and how long: FILE.json for ui.perfetto.dev, or "
+                   "FOLDER.ctf for babeltrace2")
+      ->check(CLI::Validator(&WhyNoTimelineName, ""));
 }
 
 bool WantsPanel(const RunFlags& flags) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "openr/commands/distribution_flags.h"
+#include "openr/data/data_log.h"
 #include "openr/run/runner.h"
 #include "openr/simulation/simulation.h"
 
@@ -23,6 +24,8 @@ struct RunFlags {
   std::string rate = "1";
   std::string report_file;
   std::string record_file;
+  DataLogOptions data_log;  // file "": no log of data
+  std::string timeline_file;
   bool no_payloads = false;
   bool json = false;
   bool panel = false;     // --panel
@@ -41,6 +44,9 @@ struct RunFlags {
 // Adds the flags of openr run to `command`.  Their values are stored in `flags` when the command
 // line is read.
 void DescribeRunFlags(CLI::App* command, RunFlags* flags);
+
+// Adds --log-data, --log-images and --timeline, which run and replay have.
+void AddDataLogFlags(CLI::App* command, DataLogOptions* options, std::string* timeline);
 
 // Returns whether the run has a panel.  --panel and --no-panel decide; without them, it has one if
 // the panel is built and standard error is a terminal, on which a person sees its address.

@@ -30,11 +30,9 @@ void AddShowFlags(CLI::App* command, CLI::Option* panel, ShowOptions* options) {
       ->add_option("--panel-port", options->panel_port,
                    "Port of the web panel, or the next free one; 0: any free one")
       ->needs(panel);
-  command
-      ->add_option_function<std::string>(
-          "--rate", [options](const std::string& text) { options->rate = RateOf(text); },
-          "With --panel: virtual seconds per second, or max")
-      ->needs(panel);
+  command->add_option_function<std::string>(
+      "--rate", [options](const std::string& text) { options->rate = RateOf(text); },
+      "With --panel or --continue-at: virtual seconds per second, or max");
 }
 
 int ShowRun(const MakeKnownRun& make, const ShowOptions& options) {

@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <iterator>
+#include <limits>
 #include <stdexcept>
 
 #include "runtime/base/spelling.h"
@@ -49,9 +53,9 @@ Quantity FindInObjects(const System& system, int robot, const std::string& name)
   Unknown(fmt::format("object of robot {}", robot), object_name, known);
 }
 
-// Returns the quantity for the angle of a joint, in degrees.  `name` is the joint's name in the
-// model, such as "LF_j1", or its locator, which is its name in OPEN-R.
-Quantity FindJoint(const RobotModel& model, size_t robot, const std::string& name) {
+// Returns the index of a joint.  `name` is the joint's name in the model, such as "LF_j1", or its
+// locator, which is its name in OPEN-R.
+size_t JointOf(const RobotModel& model, const std::string& name) {
   int joint = model.FindJoint(name);
   if (joint < 0) joint = model.FindJointByLocator(name);
   if (joint < 0) {
@@ -59,30 +63,84 @@ Quantity FindJoint(const RobotModel& model, size_t robot, const std::string& nam
     for (const JointModel& each : model.joints) known.push_back(each.name);
     Unknown("joint", name, known);
   }
-  return [robot, index = static_cast<size_t>(joint)](const RunView& view) -> Value {
+  return static_cast<size_t>(joint);
+}
+
+// Returns the quantity for the angle of a joint of the body, in degrees.
+Quantity FindJoint(const RobotModel& model, size_t robot, const std::string& name) {
+  return [robot, index = JointOf(model, name)](const RunView& view) -> Value {
     return Degrees(view.prepared->robots[robot]->body().state().joints[index].angle_rad);
   };
 }
 
-// Returns the quantity for the value of a sensor, in OPEN-R's unit.  `locator` is the name of the
-// sensor in OPEN-R.
-Quantity FindSensor(const RobotModel& model, size_t robot, const std::string& locator) {
-  const int sensor = model.FindSensorByLocator(locator);
-  if (sensor < 0) {
-    std::vector<std::string> known;
-    for (const Sensor& each : model.sensors) known.push_back(each.locator);
-    Unknown("sensor", locator, known);
-  }
+// Returns the quantity for the set point of a joint, in degrees; NaN before the first command.
+Quantity FindCommand(const RobotModel& model, size_t robot, const std::string& name) {
+  return [robot, index = JointOf(model, name)](const RunView& view) -> Value {
+    const JointDevice& joint = view.prepared->robots[robot]->devices().joints[index];
+    return joint.commanded ? Degrees(joint.target_urad * 1e-6)
+                           : std::numeric_limits<double>::quiet_NaN();
+  };
+}
+
+// Returns the quantity for the angle that the sensor of a joint measures, in degrees.
+Quantity FindMeasured(const RobotModel& model, size_t robot, const std::string& name) {
+  const int sensor = model.joints[JointOf(model, name)].sensor;
+  if (sensor < 0) throw std::runtime_error(fmt::format("joint '{}' has no sensor", name));
   return [robot, sensor](const RunView& view) -> Value {
+    return Degrees(view.prepared->robots[robot]->sensor(sensor).value * 1e-6);
+  };
+}
+
+// Returns the quantity for the value of a sensor, in OPEN-R's unit.  `name` is the sensor's short
+// name, such as "chin", or its locator, which is its name in OPEN-R.
+Quantity FindSensor(const RobotModel& model, size_t robot, const std::string& name) {
+  const std::vector<int> found = model.SensorsNamed(name);
+  if (found.size() != 1) {
+    std::vector<std::string> known;
+    for (const Sensor& each : model.sensors)
+      known.push_back(each.short_name.empty() ? each.locator : each.short_name);
+    Unknown("sensor", name, known);
+  }
+  return [robot, sensor = found.front()](const RunView& view) -> Value {
     return static_cast<double>(view.prepared->robots[robot]->sensor(sensor).value);
   };
 }
 
-Quantity OfBase(size_t robot, double (*function)(const BodyState&)) {
-  return [robot, function](const RunView& view) -> Value {
-    return function(view.prepared->robots[robot]->body().state());
-  };
+// Returns the horizontal direction in which a robot looks, as a unit vector.
+Eigen::Vector3d HeadingOf(const BodyState& state) {
+  const Eigen::Vector3d x = state.X_WB.linear().col(0);
+  const double length = std::sqrt(x.x() * x.x() + x.y() * x.y());
+  if (length < 1e-9) return {1, 0, 0};  // the robot looks straight up or down
+  return {x.x() / length, x.y() / length, 0};
 }
+
+double RpyDegrees(const BodyState& state, int index) {
+  return Degrees(RpyOf(state.X_WB.linear())[index]);
+}
+
+struct BaseQuantity {
+  const char* name;
+  double (*of)(const BodyState& state);
+};
+
+// The quantities of a robot's base: its place, its attitude, and its speeds as a walker feels them:
+// forward and left along the floor, up, and the rate at which it turns left.
+constexpr BaseQuantity kOfBase[] = {
+    {"x_m", [](const BodyState& s) -> double { return s.X_WB.translation().x(); }},
+    {"y_m", [](const BodyState& s) -> double { return s.X_WB.translation().y(); }},
+    {"height_mm", [](const BodyState& s) -> double { return s.X_WB.translation().z() * 1e3; }},
+    {"roll_deg", [](const BodyState& s) { return RpyDegrees(s, 0); }},
+    {"pitch_deg", [](const BodyState& s) { return RpyDegrees(s, 1); }},
+    {"yaw_deg", [](const BodyState& s) { return RpyDegrees(s, 2); }},
+    {"forward_m_s", [](const BodyState& s) -> double { return HeadingOf(s).dot(s.v_WB); }},
+    {"left_m_s",
+     [](const BodyState& s) -> double {
+       const Eigen::Vector3d ahead = HeadingOf(s);
+       return ahead.x() * s.v_WB.y() - ahead.y() * s.v_WB.x();
+     }},
+    {"up_m_s", [](const BodyState& s) -> double { return s.v_WB.z(); }},
+    {"turn_deg_s", [](const BodyState& s) { return Degrees(s.w_WB.z()); }},
+};
 
 // Returns the quantity for the place of a thing that can move, in the world of a robot.  `name` has
 // the name of the thing and an axis, such as "ball.x_m".
@@ -112,33 +170,39 @@ Quantity FindInRobot(const RunView& view, size_t robot, const std::string& name)
   if (name.starts_with("sensor.")) return FindSensor(model, robot, name.substr(7));
   if (name.starts_with("thing."))
     return FindThing(*view.prepared->robots[robot], robot, name.substr(6));
+  if (name.starts_with("command.")) return FindCommand(model, robot, name.substr(8));
+  if (name.starts_with("measured.")) return FindMeasured(model, robot, name.substr(9));
   if (name == "standing") {
     return [robot](const RunView& now) -> Value {
       return std::string((*now.standing)[robot].standing() ? "true" : "false");
     };
   }
-  if (name == "height_mm") {
-    return OfBase(robot, [](const BodyState& state) { return state.X_WB.translation().z() * 1e3; });
+  if (name == "battery_percent") {
+    return [robot](const RunView& now) -> Value {
+      return static_cast<double>(now.prepared->robots[robot]->power().remaining_percent());
+    };
   }
-  if (name == "x_m")
-    return OfBase(robot, [](const BodyState& state) { return state.X_WB.translation().x(); });
-  if (name == "y_m")
-    return OfBase(robot, [](const BodyState& state) { return state.X_WB.translation().y(); });
-  if (name == "yaw_deg") {
-    return OfBase(robot,
-                  [](const BodyState& state) { return Degrees(RpyOf(state.X_WB.linear()).z()); });
+  for (const BaseQuantity& base : kOfBase) {
+    if (name != base.name) continue;
+    return [robot, of = base.of](const RunView& now) -> Value {
+      return of(now.prepared->robots[robot]->body().state());
+    };
   }
-  if (name == "roll_deg") {
-    return OfBase(robot,
-                  [](const BodyState& state) { return Degrees(RpyOf(state.X_WB.linear()).x()); });
+  std::vector<std::string> known = {"standing",       "battery_percent",   "joint.NAME",
+                                    "command.NAME",   "measured.NAME",     "sensor.NAME",
+                                    "thing.NAME.x_m", "objects.NAME.state"};
+  for (const BaseQuantity& base : kOfBase) known.push_back(base.name);
+  Unknown("quantity of a robot", name, known);
+}
+
+// Returns whether `name` can be a quantity of a robot without "robots[0]." in front of it.
+bool IsOfFirstRobot(const std::string& name) {
+  for (const char* const begin : {"joint.", "command.", "measured.", "sensor.", "thing."}) {
+    if (name.starts_with(begin)) return true;
   }
-  if (name == "pitch_deg") {
-    return OfBase(robot,
-                  [](const BodyState& state) { return Degrees(RpyOf(state.X_WB.linear()).y()); });
-  }
-  Unknown("quantity of a robot", name,
-          {"standing", "x_m", "y_m", "height_mm", "roll_deg", "pitch_deg", "yaw_deg", "joint.NAME",
-           "sensor.LOCATOR", "thing.NAME.x_m", "objects.NAME.state"});
+  if (name == "standing" || name == "battery_percent") return true;
+  return std::any_of(std::begin(kOfBase), std::end(kOfBase),
+                     [&](const BaseQuantity& base) { return name == base.name; });
 }
 
 Quantity FindingCount(Severity severity) {
@@ -171,11 +235,54 @@ Quantity FindQuantity(const std::string& name, const RunView& view) {
       return static_cast<double>(now.prepared->system->message_count());
     };
   }
+  if (!view.prepared->robots.empty() && IsOfFirstRobot(name)) return FindInRobot(view, 0, name);
   if (name == "findings.errors") return FindingCount(Severity::kError);
   if (name == "findings.warnings") return FindingCount(Severity::kWarning);
   Unknown("quantity", name,
           {"objects.NAME.state", "robots[0].standing", "messages", "findings.errors",
            "findings.warnings"});
+}
+
+std::vector<std::string> NumbersOf(const RunView& view) {
+  std::vector<std::string> names;
+  for (size_t i = 0; i < view.prepared->robots.size(); ++i) {
+    const VirtualRobot& robot = *view.prepared->robots[i];
+    const std::string begin = i == 0 ? "" : fmt::format("robots[{}].", i);
+    for (const BaseQuantity& base : kOfBase) names.push_back(begin + base.name);
+    names.push_back(begin + "battery_percent");
+    for (const char* const group : {"command.", "measured.", "joint."}) {
+      for (const JointModel& joint : robot.model().joints) {
+        if (joint.sensor >= 0 || group != std::string("measured."))
+          names.push_back(begin + group + joint.name);
+      }
+    }
+    for (const Sensor& sensor : robot.model().sensors) {
+      if (sensor.kind != SensorKind::kJoint)
+        names.push_back(begin + "sensor." +
+                        (sensor.short_name.empty() ? sensor.locator : sensor.short_name));
+    }
+    for (const WorldThing& thing : robot.body().MovableThings()) {
+      for (const char* const axis : {"x_m", "y_m", "z_m"})
+        names.push_back(fmt::format("{}thing.{}.{}", begin, thing.name, axis));
+    }
+  }
+  return names;
+}
+
+SimulationView::SimulationView(Simulation* simulation) {
+  prepared_.system = &simulation->system();
+  prepared_.simulation = simulation;
+  prepared_.robots = simulation->robots();
+  for (const VirtualRobot* robot : prepared_.robots) standing_.emplace_back(robot->model());
+  run_ = {&prepared_, &standing_, 0};
+}
+
+void SimulationView::Sample() {
+  const int64_t now_us = prepared_.system->now_us();
+  if (now_us / kFrameUs == frame_) return;
+  frame_ = now_us / kFrameUs;
+  for (size_t i = 0; i < standing_.size(); ++i)
+    standing_[i].Sample(prepared_.robots[i]->body().state(), now_us);
 }
 
 }  // namespace openr_host

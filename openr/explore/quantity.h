@@ -2,9 +2,11 @@
 // property files can name.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "openr/explore/property.h"
 
@@ -14,8 +16,32 @@ using Value = std::variant<double, std::string>;
 using Quantity = std::function<Value(const RunView&)>;
 
 // Returns a function that reads the quantity `name` (docs/exploring.md), such as
-// "objects.JointMover.state" or "robots[0].joint.LF_j1".  The name is looked up in `view` now, and
-// not again when the function is called.  Throws std::runtime_error when the name is not known.
+// "objects.JointMover.state" or "robots[0].joint.LF_j1".  Without "robots[N]." it is of robot 0.
+// The name is looked up in `view` now, and not again when the function is called.  Throws
+// std::runtime_error when the name is not known.
 Quantity FindQuantity(const std::string& name, const RunView& view);
+
+// Returns the names of all quantities of robots that are numbers: base, battery, joints, sensors,
+// movable things.  Those of robot 0 have no "robots[0]." in front.
+std::vector<std::string> NumbersOf(const RunView& view);
+
+// The parts of a run of a Simulation that quantities can read.
+class SimulationView {
+ public:
+  explicit SimulationView(Simulation* simulation);
+  SimulationView(const SimulationView&) = delete;  // run() refers to members
+  SimulationView& operator=(const SimulationView&) = delete;
+
+  // Finds out whether each robot stands.  Does this only for the first call in a frame of 8 ms,
+  // since a StandingMonitor takes one sample per frame.
+  void Sample();
+  const RunView& run() const { return run_; }
+
+ private:
+  PreparedRun prepared_;
+  std::vector<StandingMonitor> standing_;
+  RunView run_;
+  int64_t frame_ = -1;
+};
 
 }  // namespace openr_host

@@ -33,21 +33,6 @@ PropertyRule ReadRule(const std::string& condition) {
 
 }  // namespace
 
-ReplayView::ReplayView(Replayer* replayer) : replayer_(replayer) {
-  prepared_.system = &replayer->system();
-  prepared_.robots = replayer->simulation().robots();
-  for (const VirtualRobot* robot : prepared_.robots) standing_.emplace_back(robot->model());
-  run_ = {&prepared_, &standing_, 0};
-}
-
-void ReplayView::Sample() {
-  const int64_t now_us = replayer_->system().now_us();
-  if (now_us / kFrameUs == frame_) return;
-  frame_ = now_us / kFrameUs;
-  for (size_t i = 0; i < standing_.size(); ++i)
-    standing_[i].Sample(prepared_.robots[i]->body().state(), now_us);
-}
-
 Breakpoints::Break Breakpoints::Read(const std::string& text) const {
   const Words words(text);
   Break one{text, {}, {}};

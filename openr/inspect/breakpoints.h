@@ -11,33 +11,13 @@
 
 namespace openr_host {
 
-// The parts of a replayed run that the condition of a breakpoint can read, such as joint angles
-// (openr/explore/quantity.h).
-class ReplayView {
- public:
-  explicit ReplayView(Replayer* replayer);
-
-  // Finds out whether each robot stands, because the condition of a breakpoint can read it.  Called
-  // after every message, but does this only for the first message in a frame of 8 ms, since a
-  // StandingMonitor takes one sample per frame.
-  void Sample();
-  const RunView& run() const { return run_; }
-
- private:
-  Replayer* const replayer_;
-  PreparedRun prepared_;
-  std::vector<StandingMonitor> standing_;
-  RunView run_;
-  int64_t frame_ = -1;
-};
-
 // The breakpoints of a session of openr replay --step.  Each is a text: "object JointMover",
 // "service Effector", "state JointMover accepting-commands", "when robots[0].pitch_deg > 10",
 // "finding".  As text the breakpoints can be passed to another process, in which the session
 // continues after going back (stepper.h).
 class Breakpoints {
  public:
-  Breakpoints(Replayer* replayer, const ReplayView* view) : replayer_(replayer), view_(view) {}
+  Breakpoints(Replayer* replayer, const SimulationView* view) : replayer_(replayer), view_(view) {}
 
   // Adds the breakpoint `text`.  Returns "", or the error in `text`.
   std::string Add(const std::string& text);
@@ -78,7 +58,7 @@ class Breakpoints {
   bool HoldsText(const std::string& text) const;
 
   Replayer* const replayer_;
-  const ReplayView* const view_;
+  const SimulationView* const view_;
   std::vector<Break> all_;
 };
 

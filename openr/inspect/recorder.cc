@@ -20,7 +20,7 @@ void Recorder::Listen(SimulationOptions* options) {
 }
 
 void Recorder::Begin(Simulation* simulation, const SimulationOptions& options,
-                     const std::string& stick, bool is_free) {
+                     const std::string& stick, bool is_free, const std::string& schedule) {
   System& system = simulation->system();
   ASSERT(!system.booted() && system.now_us() == 0);
   TraceHeader header;
@@ -45,6 +45,7 @@ void Recorder::Begin(Simulation* simulation, const SimulationOptions& options,
   header.seed = options.seed;
   header.strict = options.strict;
   header.is_free = is_free;
+  header.schedule = schedule;
   header.payloads = payloads_;
   writer_ = std::make_unique<TraceWriter>(file_, header);
   system.inputs().OnAdd([this, &system](int robot, std::string_view line) {
@@ -63,6 +64,10 @@ void Recorder::Begin(Simulation* simulation, const SimulationOptions& options,
   system.trace().AddSink([this, &system](const TraceRecord& record, const Message& message) {
     writer_->AddMessage(system, record, message);
   });
+}
+
+void Recorder::AddStick(const std::vector<TraceEntry>& entries) {
+  for (const TraceEntry& entry : entries) writer_->AddEntry(entry);
 }
 
 }  // namespace openr_host

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "openr/ending/ending.h"
 #include "openr/inspect/trace_file.h"
@@ -20,11 +21,16 @@ class Recorder {
   void Listen(SimulationOptions* options);
 
   // Begins the file.  `stick` is the folder in which a replay finds the files of the Memory Stick
-  // (RunStick::name()).  `is_free` says that the run is free-running and cannot be replayed.
-  // Throws std::runtime_error when the file cannot be created or another run is writing to it.
-  // REQUIRES: System::Boot() has not been called; `simulation` was made with `options`.
+  // (RunStick::name()).  `schedule` is TraceHeader::schedule.  `is_free` says that the run is
+  // free-running and cannot be replayed. Throws std::runtime_error when the file cannot be created
+  // or another run is writing to it. REQUIRES: System::Boot() has not been called; `simulation` was
+  // made with `options`.
   void Begin(Simulation* simulation, const SimulationOptions& options, const std::string& stick,
-             bool is_free = false);
+             bool is_free = false, const std::string& schedule = "");
+
+  // Adds the content that files of the Memory Stick had at the beginning, from the recording of
+  // which this run is a continuation.
+  void AddStick(const std::vector<TraceEntry>& entries);
 
   void NoteLoss(const std::string& process, int64_t time_us) { writer_->AddLoss(process, time_us); }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "openr/inspect/recorded_network.h"
 #include "openr/inspect/trace_text.h"
 #include "openr/simulation/run_stick.h"
+#include "runtime/base/spelling.h"
 
 namespace openr_host {
 namespace {
@@ -67,7 +69,28 @@ std::string Replayer::StickOfThen(const std::string& now, const std::vector<Trac
   return stick;
 }
 
-Replayer::Replayer(const ReplayOptions& replay) : file_(replay.file), reader_(replay.file) {
+// Makes the simulation.  The run of a schedule gets its order of messages.
+void Replayer::MakeRun(SimulationOptions options) {
+  const std::string& text = reader_.header().schedule;
+  if (text.empty()) {
+    own_simulation_ = std::make_unique<Simulation>(options);
+    simulation_ = own_simulation_.get();
+    return;
+  }
+  const auto json = nlohmann::ordered_json::parse(text);
+  options.guard_regions = json.at("guard");
+  prepared_ = PrepareSimulation(options);
+  if (!prepared_.problem.empty()) throw std::runtime_error(prepared_.problem);
+  simulation_ = prepared_.simulation;
+  std::vector<Deviation> deviations;
+  for (const auto& line : json.at("deviations"))
+    deviations.push_back(DeviationFromJson(line, *prepared_.system));
+  schedule_ = std::make_unique<ScriptedSchedule>(*prepared_.system, deviations);
+  SetSchedule(&prepared_, json.at("seed"), schedule_.get(), json.at("for_us"));
+}
+
+Replayer::Replayer(const ReplayOptions& replay)
+    : file_(replay.file), reader_(replay.file), only_(replay.only) {
   if (reader_.header().is_free) {
     throw std::runtime_error(fmt::format(
         "{}: a free run (--free-running) cannot be replayed: the wall clock decided when "
@@ -93,7 +116,8 @@ Replayer::Replayer(const ReplayOptions& replay) : file_(replay.file), reader_(re
   options.network_filter = [this](int robot, std::unique_ptr<Network>) {
     return std::make_unique<ReplayedNetwork>([this, robot] { return SayNetwork(robot); });
   };
-  simulation_ = std::make_unique<Simulation>(options);
+  if (replay.prepare) replay.prepare(&options);
+  MakeRun(options);
   if (system().robot(0).stick_hash != reader_.header().stick_hash) {
     throw std::runtime_error(
         fmt::format("{}: was recorded with other files on the stick than {} has now; give the "
@@ -108,6 +132,13 @@ Replayer::Replayer(const ReplayOptions& replay) : file_(replay.file), reader_(re
         "files of then back there",
         file_, i + 1, options.more_sticks[i]));
   }
+  if (!only_.empty() && system().FindObject(0, only_) == nullptr) {
+    std::vector<std::string> known;
+    for (const auto& object : system().objects()) known.push_back(object->name);
+    throw std::runtime_error(
+        fmt::format("{}: there is no object '{}'{}", file_, only_, DidYouMean(only_, known)));
+  }
+  if (replay.begin) replay.begin(simulation_, options, changes);
   system().trace().AddSink(
       [this](const TraceRecord& record, const Message& message) { Compare(record, message); });
   system().Boot();
@@ -158,9 +189,33 @@ void Replayer::CompareFields(const TraceEntry& recorded, const TraceRecord& now)
   } else if (now.cause != then.cause) {
     Differ(recorded,
            fmt::format("is caused by message {} now, by {} when recorded", now.cause, then.cause));
-  } else if (now.size != then.size) {
+  } else if (now.size != then.size) {  // also of an answer: it cannot get the recorded bytes
     Differ(recorded, fmt::format("has {} bytes now, {} when recorded", now.size, then.size));
   }
+}
+
+bool Replayer::IsAnswer(const TraceRecord& record) const {
+  if (only_.empty()) return false;
+  const Object* const sender = simulation_->system().object(record.sender);
+  return sender != nullptr && sender->name == only_;
+}
+
+// Compares a message of the object `only_`, and gives it the recorded bytes.
+void Replayer::CompareAnswerOf(const Message& message, const TraceRecord& record) {
+  ++answer_count_;
+  const std::string now = PayloadBytes(message);
+  const bool has_bytes = reader_.header().payloads && (message.kind == PayloadKind::kBytes ||
+                                                       message.kind == PayloadKind::kNotify);
+  if (record.payload_hash == last_.record.payload_hash) return;
+  if (!has_bytes || now.size() != last_.payload.size())
+    return Differ(last_, "its content differs now, and the others cannot get the recorded one");
+  const std::string entry = system().object(record.target)->EntryName(record.selector);
+  AnswerDifference difference = CompareAnswer(simulation_->model(), entry, now, last_.payload);
+  difference.record = record;
+  difference.receiver = system().object(record.target)->name;
+  difference.entry = entry;
+  answer_differences_.push_back(std::move(difference));
+  PutContent(message, last_.payload);
 }
 
 void Replayer::ComparePayload(const TraceEntry& recorded, const Message& message) {
@@ -198,6 +253,11 @@ void Replayer::Compare(const TraceRecord& record, const Message& message) {
   }
   last_ = reader_.Take();
   CompareFields(last_, record);
+  if (difference_.empty() && IsAnswer(record)) {
+    CompareAnswerOf(message, record);
+    if (difference_.empty()) ++count_;
+    return;
+  }
   if (difference_.empty()) ComparePayload(last_, message);
   if (difference_.empty() && record.payload_hash != last_.record.payload_hash)
     Differ(last_, "its bytes have another hash now");
@@ -218,7 +278,8 @@ void Replayer::EndAtLoss() {
 void Replayer::CompareEnd(const TraceEntry& end) {
   at_end_ = true;
   if (system().now_us() < end.time_us) system().RunUntil(end.time_us);
-  if (!difference_.empty()) return;
+  // The hashes of a run with other answers are those of other answers.
+  if (!difference_.empty() || !answer_differences_.empty()) return;
   if (system().trace_hash() != end.trace_hash) {
     difference_ = fmt::format("at the end: trace hash {:016x} now, {:016x} when recorded",
                               system().trace_hash(), end.trace_hash);

@@ -9,6 +9,9 @@
 #include <string_view>
 #include <vector>
 
+#include "openr/explore/explore_schedule.h"
+#include "openr/explore/prepared_run.h"
+#include "openr/inspect/answers.h"
 #include "openr/inspect/trace_file.h"
 #include "openr/simulation/known_run.h"
 #include "openr/simulation/simulation.h"
@@ -20,6 +23,14 @@ struct ReplayOptions {
   std::string file;
   std::string stick;  // folder of the Memory Stick; "": the folder that the recording names
   std::function<void(std::string_view)> console;
+  // The name of an object whose answers are compared, see answers.h; "": everything is compared,
+  // and the replay ends at the first difference.
+  std::string only = {};
+  // Changes the options of the simulation before it is made; null: they stay.
+  std::function<void(SimulationOptions*)> prepare = {};
+  // Called before the boot with the recorded changes of the Memory Stick; may be null.
+  std::function<void(Simulation*, const SimulationOptions&, const std::vector<TraceEntry>& changes)>
+      begin = {};
 };
 
 class Replayer : public KnownRun {
@@ -49,6 +60,13 @@ class Replayer : public KnownRun {
   const TraceEntry& last() const { return last_; }
   // Returns the time of the next message or input in the recording; INT64_MAX at its end.
   int64_t NextTimeUs();
+  // Ends the comparison with the recording.  The run may go on without it.
+  void Leave() { at_end_ = true; }
+
+  // Return how many messages of ReplayOptions::only were compared, and those that differ.
+  uint64_t answer_count() const { return answer_count_; }
+  const std::vector<AnswerDifference>& answer_differences() const { return answer_differences_; }
+
   uint64_t count() const { return count_; }  // number of messages that were equal to the recording
   // Returns how many messages the recording has up to and including the message with the number
   // `number`; nullopt if it has no such message.  The count is not the number, because messages are
@@ -74,6 +92,9 @@ class Replayer : public KnownRun {
   void Compare(const TraceRecord& record, const Message& message);
   void Differ(const TraceEntry& recorded, const std::string& what);
   void CompareFields(const TraceEntry& recorded, const TraceRecord& record);
+  bool IsAnswer(const TraceRecord& record) const;
+  void CompareAnswerOf(const Message& message, const TraceRecord& record);
+  void MakeRun(SimulationOptions options);
   void ComparePayload(const TraceEntry& recorded, const Message& message);
   bool ApplyInput();
   void EndAtLoss();
@@ -81,8 +102,14 @@ class Replayer : public KnownRun {
 
   const std::string file_;
   TraceReader reader_;
-  TempFolder folder_;  // holds the copy of the Memory Stick
-  std::unique_ptr<Simulation> simulation_;
+  TempFolder folder_;                           // holds the copy of the Memory Stick
+  PreparedRun prepared_;                        // owner of the run of a schedule; else empty
+  std::unique_ptr<ExploreSchedule> schedule_;   // null: the order that the seed chooses
+  std::unique_ptr<Simulation> own_simulation_;  // null for the run of a schedule
+  Simulation* simulation_ = nullptr;
+  std::string only_;
+  uint64_t answer_count_ = 0;
+  std::vector<AnswerDifference> answer_differences_;
   TraceEntry last_;
   int64_t length_us_ = 0;
   uint64_t count_ = 0;

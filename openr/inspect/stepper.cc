@@ -16,6 +16,7 @@
 
 #include "cli/counted.h"
 #include "openr/inspect/breakpoints.h"
+#include "openr/inspect/decode_message.h"
 #include "openr/inspect/trace_text.h"
 #include "runtime/base/duration.h"
 #include "runtime/base/spelling.h"
@@ -37,7 +38,7 @@ constexpr char kHelp[] =
     "break when QUANTITY OP VALUE\n"
     "                     where it begins to hold: break when robots[0].pitch_deg > 10\n"
     "breaks, delete N     shows breaks, removes one\n"
-    "print queue | waiting | objects | joints | findings | hash | QUANTITY (p)\n"
+    "print queue | waiting | objects | joints | findings | hash | message | QUANTITY (p)\n"
     "quit (q)\n";
 
 const std::vector<std::string> kVerbs = {"step",   "back",   "goto",  "run",  "break",
@@ -78,7 +79,10 @@ bool ReadLine(std::string* line) {
 class Stepper {
  public:
   Stepper(Replayer* replayer, Shared* shared)
-      : replayer_(replayer), view_(replayer), breaks_(replayer, &view_), shared_(shared) {
+      : replayer_(replayer),
+        view_(&replayer->simulation()),
+        breaks_(replayer, &view_),
+        shared_(shared) {
     breaks_.Load(shared_->breaks);
   }
 
@@ -242,6 +246,7 @@ class Stepper {
   }
 
   void Print(const std::string& what);
+  void PrintMessage();
   void PrintQueue();
   void PrintQuantity(const std::string& name);
 
@@ -295,13 +300,27 @@ class Stepper {
   }
 
   Replayer* const replayer_;
-  ReplayView view_;
+  SimulationView view_;
   Breakpoints breaks_;
   Shared* const shared_;
   bool is_copy_ = false;
   bool went_back_ = false;
   uint64_t last_snapshot_ = 0;
 };
+
+// Prints the values of the message that was delivered last.
+void Stepper::PrintMessage() {
+  const TraceEntry& last = replayer_->last();
+  if (replayer_->count() == 0) {
+    fmt::print("no message has come yet\n");
+  } else if (last.payload.empty()) {
+    fmt::print("the recording has no bytes of it\n");
+  } else {
+    const std::string entry =
+        replayer_->reader().EntryName(last.record.target, last.record.selector);
+    fmt::print("{}\n", DecodeContent(replayer_->simulation().model(), entry, last.payload));
+  }
+}
 
 void Stepper::PrintQueue() {
   System& system = replayer_->system();
@@ -339,6 +358,8 @@ void Stepper::Print(const std::string& what) {
     for (const Finding& finding : system.findings().all())
       fmt::print("{}: {}\n", finding.object, finding.text);
     if (system.findings().all().empty()) fmt::print("none so far\n");
+  } else if (what == "message") {
+    PrintMessage();
   } else if (what == "hash") {
     fmt::print("trace {:016x} state {:016x}\n", system.trace_hash(), system.state_hash());
   } else {
@@ -351,7 +372,7 @@ void Stepper::PrintQuantity(const std::string& name) {
     const Value value = FindQuantity(name, view_.run())(view_.run());
     std::visit([&](const auto& known) { fmt::print("{} is {}\n", name, known); }, value);
   } catch (const std::runtime_error& error) {
-    fmt::print("{}; print queue, waiting, objects, joints, findings, hash or a quantity\n",
+    fmt::print("{}; print queue, waiting, objects, joints, findings, hash, message or a quantity\n",
                error.what());
   }
 }

@@ -46,6 +46,7 @@ std::string HeaderText(const TraceHeader& h) {
                {"strict", h.strict},
                {"battery", h.battery},
                {"payloads", h.payloads}};
+  if (!h.schedule.empty()) json["schedule"] = Json::parse(h.schedule);
   if (h.is_free) json["free_running"] = true;
   if (!h.addresses.empty()) json["ip"] = h.addresses;
   if (h.together) json["together"] = true;
@@ -77,6 +78,7 @@ TraceHeader HeaderOf(std::string_view text) {
   // Takes "drain" if the field "battery" is missing, because older recordings do not have the field
   // and their runs had a battery that drains.
   h.battery = json.value("battery", "drain");
+  if (json.contains("schedule")) h.schedule = JsonText(json["schedule"]);
   h.is_free = json.value("free_running", false);
   h.addresses = json.value("ip", h.addresses);
   h.together = json.value("together", false);

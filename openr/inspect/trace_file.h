@@ -44,6 +44,9 @@ struct TraceHeader {
   uint64_t seed = 1;
   bool strict = false;
   bool is_free = false;  // the run was free-running and cannot be replayed
+  // The order of messages of a failing run of openr explore, as JSON: seed, for_us, guard and
+  // deviations.  "": the order that the seed chooses.
+  std::string schedule;
   bool payloads = true;  // the bytes of messages are recorded, not only their hashes
 };
 
@@ -123,6 +126,9 @@ class TraceWriter {
   // is about to change.  A replay needs it to undo the change.  `path` is the path on the host,
   // `name` the path below the stick's folder.
   void AddStick(const std::string& name, const std::string& path);
+
+  // Adds an entry of another recording.  Its names of objects and entries must be in this one, too.
+  void AddEntry(const TraceEntry& entry) { Add(entry); }
 
   // Writes the added entries to the file.  May be called in a signal handler that ends the process.
   void Flush();

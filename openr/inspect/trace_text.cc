@@ -3,12 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
-#include <nlohmann/json.hpp>
+#include <optional>
+#include <sstream>
 #include <utility>
 
 #include "cli/counted.h"
-#include "cli/json_text.h"
+#include "cli/csv_field.h"
+#include "cli/install_paths.h"
+#include "openr/inspect/decode_message.h"
+#include "openr/timeline/timeline_writer.h"
+#include "virtualrobot/model/robot_model.h"
 
 namespace openr_host {
 namespace {
@@ -62,105 +66,13 @@ std::string DescribeInput(const TraceEntry& entry) {
   }
 }
 
-// Returns `text` as a field of a CSV table: in quotes if it has a comma, a quote or a newline.
-std::string Field(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
+// Returns the lines of `text`, each behind eight blanks.
+std::string Indented(const std::string& text) {
+  std::string indented;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) indented += "        " + line + "\n";
+  return indented;
 }
-
-// Length of a slice, the bar that the Perfetto viewer draws for a handler.  The recording does not
-// say how long handlers took, but a slice of length 0 could not be seen, and no arrow could end at
-// it.  AddMessage() draws messages with the same time 1 us apart, so these slices do not overlap.
-constexpr double kSliceUs = 0.8;
-
-class PerfettoWriter {
- public:
-  PerfettoWriter(const TraceReader& reader, const TextSink& out) : reader_(reader), out_(out) {
-    out_("{\"displayTimeUnit\":\"ms\",\"traceEvents\":[\n");
-  }
-  ~PerfettoWriter() { out_("\n]}\n"); }
-
-  void NameObject(const TraceEntry& entry) {
-    Emit({{"ph", "M"},
-          {"name", "process_name"},
-          {"pid", entry.robot + 1},
-          {"tid", 0},
-          {"args", {{"name", fmt::format("robot {}", entry.robot)}}}});
-    Emit({{"ph", "M"},
-          {"name", "thread_name"},
-          {"pid", entry.robot + 1},
-          {"tid", entry.id + 1},
-          {"args", {{"name", entry.name}}}});
-  }
-
-  void AddMessage(const TraceRecord& record) {
-    // Messages with the same virtual time would cover each other in the drawing.  So each of them
-    // is drawn 1 us later than the one before, and no message is drawn before an earlier one.
-    at_ = record.time_us == instant_us_ ? at_ + 1 : static_cast<double>(record.time_us);
-    instant_us_ = record.time_us;
-    if (at_ < last_) at_ = last_;
-    last_ = at_;
-    const int pid = reader_.RobotOf(record.target) + 1;
-    const int tid = record.target + 1;
-    Emit({{"ph", "X"},
-          {"name", reader_.EntryName(record.target, record.selector)},
-          {"pid", pid},
-          {"tid", tid},
-          {"ts", at_},
-          {"dur", kSliceUs},
-          {"args",
-           {{"message", record.number},
-            {"cause", record.cause},
-            {"from", reader_.ObjectName(record.sender)},
-            {"bytes", record.size},
-            {"payload_hash", fmt::format("{:016x}", record.payload_hash)}}}});
-    AddArrow(record, pid, tid);
-    places_[record.number] = {pid, tid, at_};
-    if (places_.size() > kPlacesMax) places_.erase(places_.begin());
-  }
-
- private:
-  struct Place {
-    int pid, tid;
-    double at;
-  };
-  static constexpr size_t kPlacesMax = 100'000;
-
-  void AddArrow(const TraceRecord& record, int pid, int tid) {
-    const auto from = places_.find(record.cause);
-    if (from == places_.end()) return;
-    const Place& place = from->second;
-    Emit({{"ph", "s"},
-          {"id", record.number},
-          {"name", "message"},
-          {"cat", "message"},
-          {"pid", place.pid},
-          {"tid", place.tid},
-          {"ts", place.at + kSliceUs / 2}});
-    Emit({{"ph", "f"},
-          {"bp", "e"},
-          {"id", record.number},
-          {"name", "message"},
-          {"cat", "message"},
-          {"pid", pid},
-          {"tid", tid},
-          {"ts", at_ + kSliceUs / 4}});
-  }
-
-  void Emit(const nlohmann::ordered_json& event) {
-    out_((is_first_ ? "" : ",\n") + JsonText(event));
-    is_first_ = false;
-  }
-
-  const TraceReader& reader_;
-  const TextSink& out_;
-  bool is_first_ = true;
-  int64_t instant_us_ = -1;
-  double at_ = 0, last_ = 0;
-  std::map<uint64_t, Place> places_;
-};
 
 }  // namespace
 
@@ -175,10 +87,17 @@ std::string DescribeMessage(const TraceReader& reader, const TraceRecord& record
 }
 
 void WriteTraceText(TraceReader* reader, const TraceFilter& filter, const TextSink& out) {
+  std::optional<RobotModel> model;
+  if (filter.values) model = LoadRobotModel(ModelFile(reader->header().robot));
   while (reader->Peek() != nullptr) {
     const TraceEntry entry = reader->Take();
     if (entry.kind == Kind::kMessage) {
-      if (Shows(filter, *reader, entry.record)) out(DescribeMessage(*reader, entry.record) + "\n");
+      const TraceRecord& record = entry.record;
+      if (!Shows(filter, *reader, record)) continue;
+      out(DescribeMessage(*reader, record) + "\n");
+      if (!model || entry.payload.empty()) continue;
+      const std::string entry_name = reader->EntryName(record.target, record.selector);
+      out(Indented(DecodeContent(*model, entry_name, entry.payload)));
     } else if (const std::string text = DescribeInput(entry); !text.empty()) {
       out(text + "\n");
     }
@@ -192,21 +111,34 @@ void WriteTraceCsv(TraceReader* reader, const TraceFilter& filter, const TextSin
     const TraceRecord& r = entry.record;
     if (entry.kind != Kind::kMessage || !Shows(filter, *reader, r)) continue;
     out(fmt::format("{},{},{},{},{},{},{},{},{},{:016x}\n", r.number, r.cause, r.time_us,
-                    reader->RobotOf(r.target), Field(reader->ObjectName(r.sender)),
-                    Field(reader->ObjectName(r.target)),
-                    Field(reader->EntryName(r.target, r.selector)), r.selector, r.size,
+                    reader->RobotOf(r.target), CsvField(reader->ObjectName(r.sender)),
+                    CsvField(reader->ObjectName(r.target)),
+                    CsvField(reader->EntryName(r.target, r.selector)), r.selector, r.size,
                     r.payload_hash));
   }
 }
 
 void WriteTracePerfetto(TraceReader* reader, const TraceFilter& filter, const TextSink& out) {
-  PerfettoWriter writer(*reader, out);
+  PerfettoWriter writer(out);
+  double at_us = -1;  // of the last slice
   while (reader->Peek() != nullptr) {
     const TraceEntry entry = reader->Take();
-    if (entry.kind == Kind::kObject) writer.NameObject(entry);
-    if (entry.kind == Kind::kMessage && Shows(filter, *reader, entry.record))
-      writer.AddMessage(entry.record);
+    const TraceRecord& record = entry.record;
+    if (entry.kind == Kind::kObject) writer.AddObject(entry.robot, entry.id, entry.name);
+    if (entry.kind != Kind::kMessage || !Shows(filter, *reader, record)) continue;
+    // Messages with the same virtual time would cover each other in the drawing.  So each of them
+    // is drawn 1 us later than the one before.
+    at_us = std::max(at_us + 1, static_cast<double>(record.time_us));
+    HandlerSlice slice;
+    slice.record = record;
+    slice.robot = reader->RobotOf(record.target);
+    slice.object = reader->ObjectName(record.target);
+    slice.entry = reader->EntryName(record.target, record.selector);
+    slice.sender = reader->ObjectName(record.sender);
+    slice.at_us = at_us;
+    writer.AddSlice(slice);
   }
+  writer.Finish();
 }
 
 }  // namespace openr_host

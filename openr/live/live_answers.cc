@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "openr/live/decode_message.h"
+#include "openr/inspect/decode_message.h"
 #include "openr/live/live_context.h"
 #include "openr/live/live_events.h"
 #include "openr/live/message_history.h"
@@ -358,12 +358,14 @@ Json AnswerConnection(const Asked& asked) {
     Json messages = Json::array();
     for (const MessageHistory::Entry& entry :
          asked.context.history->LastOf(each.robot, each.subject, each.observer)) {
-      messages.push_back({{"number", entry.number},
-                          {"time_s", static_cast<double>(entry.time_us) / 1e6},
-                          {"ready", entry.is_ready},
-                          {"size", entry.size},
-                          {"text", DecodeMessage(asked.simulation()->model(), each.subject, entry)},
-                          {"hex", HexOf(entry.content)}});
+      messages.push_back(
+          {{"number", entry.number},
+           {"time_s", static_cast<double>(entry.time_us) / 1e6},
+           {"ready", entry.is_ready},
+           {"size", entry.size},
+           {"text", DecodeContent(asked.simulation()->model(),
+                                  entry.is_ready ? "(Ready)" : each.subject, entry.content)},
+           {"hex", HexOf(entry.content)}});
     }
     return {{"time_s", TimeOf(asked)}, {"messages", messages}};
   }

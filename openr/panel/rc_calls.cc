@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "openr/panel/base64.h"
+#include "cli/base64.h"
 #include "openr/remote/power_format.h"
 #include "openr/remote/sensor_format.h"
 #include "openr/upload/file_checks.h"

@@ -11,8 +11,14 @@ void BranchNetwork::Repeat(std::deque<LoggedInput> inputs) {
   inputs_ = std::move(inputs);
 }
 
+void BranchNetwork::RepeatFrom(std::function<std::vector<NetworkEvent>()> say) {
+  repeats_ = true;
+  say_ = std::move(say);
+}
+
 void BranchNetwork::GoOn() {
   repeats_ = false;
+  say_ = nullptr;
   inputs_.clear();
   for (const auto& [handle, socket] : sockets_) OpenAgain(handle, socket);
 }
@@ -141,7 +147,9 @@ void BranchNetwork::Follow(const NetworkEvent& event) {
 std::vector<NetworkEvent> BranchNetwork::Poll() {
   ++poll_;
   std::vector<NetworkEvent> events;
-  if (repeats_) {
+  if (repeats_ && say_) {
+    events = say_();
+  } else if (repeats_) {
     if (!inputs_.empty() && inputs_.front().poll == poll_) {
       events = std::move(inputs_.front().events);
       inputs_.pop_front();

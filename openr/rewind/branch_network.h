@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -30,8 +31,11 @@ class BranchNetwork : public PassingNetwork {
   // call of the same number returned in the original run.  Nothing is sent any more.  REQUIRES:
   // Forget() was called.
   void Repeat(std::deque<LoggedInput> inputs);
-  // Goes on with the real network after Repeat(), or after Forget() if nothing was repeated.  Drops
-  // the inputs that Poll() has not returned yet, and opens the ports of the robot again.
+  // Repeats the events that `say` returns for each call of Poll(), such as those of a recording.
+  void RepeatFrom(std::function<std::vector<NetworkEvent>()> say);
+  // Goes on with the real network after Repeat() or RepeatFrom(), or after Forget() if nothing was
+  // repeated.  Drops the inputs that Poll() has not returned yet, and opens the ports of the robot
+  // again.
   void GoOn();
 
   void At(NetHandle handle, uint32_t ip) override;
@@ -70,7 +74,8 @@ class BranchNetwork : public PassingNetwork {
 
   const int robot_;
   InputLog& log_;
-  uint64_t poll_ = 0;                 // number of calls of Poll()
+  uint64_t poll_ = 0;                               // number of calls of Poll()
+  std::function<std::vector<NetworkEvent>()> say_;  // of RepeatFrom(); null: inputs_ are repeated
   bool repeats_ = false;              // Poll() returns logged inputs, and nothing is sent
   std::deque<LoggedInput> inputs_;    // inputs that Poll() has still to return, in order of their
                                       // numbers

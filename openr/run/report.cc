@@ -4,9 +4,11 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <variant>
 
 #include "cli/colour.h"
 #include "cli/counted.h"
+#include "openr/explore/quantity.h"
 #include "openr/simulation/simulation.h"
 #include "runtime/core/api.h"
 #include "virtualrobot/det_math.h"
@@ -61,6 +63,17 @@ Json RobotReport(const VirtualRobot& robot, bool standing, int rc_port) {
   return report;
 }
 
+// Returns the values of quantities of robot `robot`, rounded to a multiple of `step`.
+Json NumbersOf(const SimulationView& view, int robot, const std::vector<std::string>& names,
+               double step) {
+  Json numbers = Json::array();
+  for (const std::string& name : names) {
+    const Quantity quantity = FindQuantity(fmt::format("robots[{}].{}", robot, name), view.run());
+    numbers.push_back(Rounded(std::get<double>(quantity(view.run())), step));
+  }
+  return numbers;
+}
+
 Json ObjectReport(const Object& object) {
   return {{"robot", object.robot},
           {"name", object.name},
@@ -108,13 +121,16 @@ Json MakeReport(Simulation* simulation, const RunFacts& facts) {
   report["trace_hash"] = fmt::format("{:016x}", system.trace_hash());
   report["rc_port"] = simulation->RcPort(0);
   report["robots"] = Json::array();
+  const SimulationView view(simulation);
   for (size_t i = 0; i < simulation->robots().size(); ++i) {
     const int robot = static_cast<int>(i);
     report["robots"].push_back(RobotReport(*simulation->robots()[i], facts.standing[i].standing(),
                                            simulation->RcPort(robot)));
+    Json& last = report["robots"].back();
+    last["base_velocity_m_s"] = NumbersOf(view, robot, {"forward_m_s", "left_m_s", "up_m_s"}, 1e-6);
+    last["turn_deg_s"] = NumbersOf(view, robot, {"turn_deg_s"}, 1e-4)[0];
     const Robot& dog = system.robot(robot);
-    report["robots"].back()["ended_by"] =
-        dog.powered_off && dog.end ? Json(EndName(dog.end->kind)) : Json();
+    last["ended_by"] = dog.powered_off && dog.end ? Json(EndName(dog.end->kind)) : Json();
   }
   report["objects"] = Json::array();
   for (const auto& object : system.objects()) report["objects"].push_back(ObjectReport(*object));

@@ -240,7 +240,7 @@ bool Runner::Run() {
   WatchActivity();
   begin_ns_ = WallClockNs();
   ConsoleFeed typed(plan_.stdin_file);
-  system.Boot();
+  if (!plan_.has_begun) system.Boot();
   std::optional<RunEnd> end = WhyOver();
   for (; !end && !system.powered_off(); end = WhyOver()) {
     typed.Feed(&system);

@@ -27,6 +27,7 @@ class Simulation;
 struct RunPlan {
   std::optional<int64_t> for_us;  // --for, in virtual time; nullopt: until the robots are off
   std::string for_text;           // for_us as the user wrote it
+  bool has_begun = false;         // the robots have booted already, as in a replay that goes on
   bool until_idle = false;        // --until-idle: ends also when objects are quiet for kIdleUs
   double rate = 1;                // virtual seconds per real second; 0: as fast as possible
   std::vector<PictureRequest> snapshots;

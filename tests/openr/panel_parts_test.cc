@@ -11,8 +11,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "cli/base64.h"
 #include "openr/panel/access.h"
-#include "openr/panel/base64.h"
 #include "openr/panel/page_queue.h"
 #include "openr/panel/rc_bridge.h"
 #include "openr/panel/static_files.h"

@@ -1,4 +1,4 @@
-#include "openr/panel/base64.h"
+#include "cli/base64.h"
 
 #include <array>
 #include <cstdint>

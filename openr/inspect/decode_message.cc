@@ -1,4 +1,4 @@
-#include "openr/live/decode_message.h"
+#include "openr/inspect/decode_message.h"
 
 #include <OPENR/ODataFormats.h>
 #include <OPENR/ObjcommTypes.h>
@@ -177,18 +177,18 @@ std::string TypeOf(const std::string& service) {
 
 }  // namespace
 
-std::string DecodeMessage(const RobotModel& model, const std::string& subject,
-                          const MessageHistory::Entry& entry) {
+std::string DecodeContent(const RobotModel& model, const std::string& entry,
+                          const std::string& content) {
   using Decode = std::string (*)(const RobotModel&, const std::string&);
   static const std::map<std::string, Decode> known = {
       {"OCommandVectorData", &DecodeCommands}, {"OSensorFrameVectorData", &DecodeSensors},
       {"MoverCommand", &DecodeMoverCommand},   {"SetValueMessage", &DecodeSetValue},
       {"LedEarState", &DecodeLedEar},          {"MainExecutionMessage", &DecodeMainExecution}};
-  if (entry.is_ready) return DecodeReady(entry.content);
-  const auto found = known.find(TypeOf(subject));
-  std::string text = found == known.end() ? "" : found->second(model, entry.content);
+  if (entry.ends_with("(Ready)")) return DecodeReady(content);
+  const auto found = known.find(TypeOf(entry));
+  std::string text = found == known.end() ? "" : found->second(model, content);
   while (text.ends_with('\n')) text.pop_back();
-  return text.empty() ? DecodeUnknown(entry.content) : text;
+  return text.empty() ? DecodeUnknown(content) : text;
 }
 
 }  // namespace openr_host

@@ -1,0 +1,176 @@
+#include "openr/commands/continue_run.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+#include "cli/exit_code.h"
+#include "openr/ending/crash_log.h"
+#include "openr/ending/ending.h"
+#include "openr/inspect/recorder.h"
+#include "openr/live/console_log.h"
+#include "openr/live/live_answers.h"
+#include "openr/live/live_context.h"
+#include "openr/live/live_events.h"
+#include "openr/live/live_folder.h"
+#include "openr/live/live_server.h"
+#include "openr/live/message_history.h"
+#include "openr/live/run_clock.h"
+#include "openr/panel/panel_process.h"
+#include "openr/rewind/branch_network.h"
+#include "openr/rewind/rewind.h"
+#include "openr/run/interrupt.h"
+#include "openr/run/report.h"
+#include "openr/run/runner.h"
+#include "runtime/base/duration.h"
+
+namespace openr_host {
+namespace {
+
+// The replay of a recording whose robots get a real network behind the recorded one.
+class ContinuedRun {
+ public:
+  explicit ContinuedRun(const ContinueOptions& options) : options_(options) {
+    ReplayOptions replay = options.replay;
+    if (!options.record_file.empty())
+      recorder_ = std::make_unique<Recorder>(options.record_file, true);
+    replay.console = [this, also = options.replay.console](std::string_view text) {
+      also(text);
+      console_.Add(replayer_ == nullptr ? 0 : replayer_->system().now_us(), text);
+    };
+    replay.prepare = [this](SimulationOptions* simulation) { Prepare(simulation); };
+    replay.begin = [this](Simulation* simulation, const SimulationOptions& simulation_options,
+                          const std::vector<TraceEntry>& changes) {
+      if (recorder_ == nullptr) return;
+      recorder_->Begin(simulation, simulation_options, StickName());
+      recorder_->AddStick(changes);
+    };
+    replayer_ = std::make_unique<Replayer>(replay);
+    ReplayUpToTheMoment();
+  }
+
+  Simulation& simulation() { return replayer_->simulation(); }
+  ConsoleLog* console() { return &console_; }
+
+  // Opens the ports of the robots.  From now on the run is live.
+  void GoLive() {
+    replayer_->Leave();
+    for (BranchNetwork* const network : networks_) network->GoOn();
+  }
+
+  // Forgets events of the network, which only a run that can be rewound needs.
+  void ForgetEvents() { log_.DropBefore(log_.end()); }
+
+  // Completes the recording.  Returns "" or the error in writing it.
+  std::string Finish() {
+    return recorder_ == nullptr ? "" : recorder_->Finish(&simulation().system());
+  }
+
+ private:
+  // Puts a real network behind the recorded events.
+  void Prepare(SimulationOptions* simulation) {
+    simulation->host_network = true;
+    simulation->network_filter = [this, recorded = simulation->network_filter](
+                                     int robot, std::unique_ptr<Network> inner) {
+      const std::shared_ptr<Network> says = recorded(robot, nullptr);
+      auto network = std::make_unique<BranchNetwork>(std::move(inner), robot, &log_);
+      network->RepeatFrom([says] { return says->Poll(); });
+      networks_.push_back(network.get());
+      return network;
+    };
+    if (recorder_ != nullptr) recorder_->Listen(simulation);
+  }
+
+  // Returns the folder of the stick of which the replay has made a copy.
+  std::string StickName() const {
+    if (!options_.replay.stick.empty()) return options_.replay.stick;
+    return TraceReader(options_.replay.file).header().stick;
+  }
+
+  void ReplayUpToTheMoment() {
+    const std::string& file = options_.replay.file;
+    if (!replayer_->reader().header().schedule.empty()) {
+      throw std::runtime_error(
+          fmt::format("{}: is a run of openr explore, whose order of messages was chosen up to its "
+                      "end; it cannot go on otherwise",
+                      file));
+    }
+    if (options_.at_us > replayer_->length_us()) {
+      throw std::runtime_error(fmt::format("{}: has nothing at t={}; it ends at t={}", file,
+                                           FormatDuration(options_.at_us),
+                                           FormatDuration(replayer_->length_us())));
+    }
+    replayer_->RunUntil(options_.at_us);
+    if (!replayer_->difference().empty() || !replayer_->loss().empty())
+      throw std::runtime_error(fmt::format("{}: {}", file, replayer_->WhyOver()));
+    if (simulation().system().powered_off()) {
+      throw std::runtime_error(
+          fmt::format("{}: the robots are off at t={}", file, FormatDuration(options_.at_us)));
+    }
+  }
+
+  const ContinueOptions& options_;
+  ConsoleLog console_;
+  InputLog log_;
+  std::vector<BranchNetwork*> networks_;  // index: number of the robot
+  std::unique_ptr<Recorder> recorder_;    // null: the run is not recorded
+  std::unique_ptr<Replayer> replayer_;
+};
+
+RunPlan PlanOf(const ContinueOptions& options) {
+  RunPlan plan;
+  plan.has_begun = true;
+  if (options.for_us) {
+    plan.for_us = options.at_us + *options.for_us;
+    plan.for_text = FormatDuration(*options.for_us);
+  }
+  plan.rate = options.rate;
+  plan.say = [](const std::string& line) { fmt::print(stderr, "openr: {}\n", line); };
+  return plan;
+}
+
+}  // namespace
+
+int ContinueRun(const ContinueOptions& options) {
+  InterruptCounter interrupts(options.for_us ? HangUp::kIgnored : HangUp::kCounts);
+  ContinuedRun run(options);
+  System& system = run.simulation().system();
+  RunPlan plan = PlanOf(options);
+  plan.say(fmt::format("{} goes on from t={:.3f} s", options.replay.file,
+                       static_cast<double>(system.now_us()) / 1e6));
+  run.GoLive();
+  RunClock clock(options.rate);
+  MessageHistory history(&system);
+  Rewind rewind;
+  LiveContext context{&run.simulation(), &clock, run.console(), &history, nullptr, &rewind};
+  LiveEvents events(context);
+  context.events = &events;
+  const std::string name = std::filesystem::path(options.replay.file).stem();
+  LiveServer live(
+      name, [&context](const nlohmann::json& request) { return AnswerLive(context, request); },
+      &events);
+  RewindParts parts;
+  parts.simulation = &run.simulation();
+  parts.why_not = "it goes on from a recording; openr replay goes back in that";
+  rewind.Begin(std::move(parts));
+  std::unique_ptr<PanelProcess> panel;
+  const std::string socket = std::filesystem::path(LiveSocketPath(name)).filename();
+  if (options.panel) panel = std::make_unique<PanelProcess>(socket, options.panel_port);
+  plan.live = &live;
+  plan.clock = &clock;
+  plan.after_frame = [&run] { run.ForgetEvents(); };
+  Runner runner(&run.simulation(), plan, &interrupts);
+  bool good = runner.Run();
+  const std::string problem = run.Finish();
+  fmt::print(stderr, "{}", DescribeFindings(&run.simulation()));
+  if (!problem.empty()) fmt::print(stderr, "openr: {}\n", problem);
+  if (system.end()) fmt::print(stderr, "{}\n", DescribeEnd(*system.end()));
+  good = good && problem.empty() && !system.findings().HasError();
+  return good ? kExitGood : kExitWrong;
+}
+
+}  // namespace openr_host

@@ -1,0 +1,170 @@
+// The command openr plot: draws quantities over time, from logs and recordings.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "cli/exit_code.h"
+#include "cli/input_file.h"
+#include "cli/standard_streams.h"
+#include "openr/commands/commands.h"
+#include "openr/commands/common_flags.h"
+#include "openr/commands/motion_input.h"
+#include "openr/data/mcap_writer.h"
+#include "openr/data/replay_log.h"
+#include "openr/data/table_chart.h"
+#include "openr/ending/crash_log.h"
+#include "openr/ending/ending.h"
+#include "openr/ending/watchdog.h"
+#include "openr/inspect/replayer.h"
+#include "openr/motion/log_compare.h"
+#include "openr/motion/log_times.h"
+#include "runtime/base/read_file.h"
+#include "runtime/base/temp_folder.h"
+
+namespace openr_host {
+namespace {
+
+constexpr int64_t kHandlerLimitUs = 10'000'000;  // the same as in openr replay
+
+struct PlotFlags {
+  std::string file, stick, motion, output;
+  std::vector<std::string> wanted;
+  int64_t from_us = 0, until_us = INT64_MAX;
+  bool lists = false;
+};
+
+std::string BytesOf(const std::string& file) {
+  RequireReadable(file, {"log or recording of a run", ".csv"});
+  const std::optional<std::string> bytes = ReadFile(file);
+  if (!bytes)
+    throw std::runtime_error(fmt::format("{}: cannot be read: {}", file, std::strerror(errno)));
+  return *bytes;
+}
+
+// Replays the recording and returns its values.
+Table TableOfRecording(const PlotFlags& flags) {
+  const EndingAnswer answer(-1);
+  const CrashLog crash_log({});
+  const Watchdog watchdog(kHandlerLimitUs);
+  const TempFolder folder;
+  DataLogOptions log;
+  log.file = folder.path() + "/run.csv";
+  Replayer replayer({.file = flags.file, .stick = flags.stick, .console = [](std::string_view) {}});
+  const std::string problem = LogReplay(&replayer, log, "", flags.until_us);
+  if (!problem.empty()) throw std::runtime_error(problem);
+  if (!replayer.difference().empty()) {
+    throw std::runtime_error(
+        fmt::format("{}: the replay differs: {}", flags.file, replayer.difference()));
+  }
+  Table table = ReadCsvTable(log.file, BytesOf(log.file));
+  table.note = replayer.reader().note();
+  return table;
+}
+
+// Returns the values of a log of a motion (AIBO_1.1).
+Table TableOfMotionLog(const PlotFlags& flags, const std::string& bytes) {
+  const LogFile log = ParseLog(bytes);
+  const std::vector<double> times_ms =
+      flags.motion.empty() ? TimesOf(log) : TimesOf(log, ReadMotion(flags.motion));
+  const std::pair<LogGroup, const char*> groups[] = {{LogGroup::kCommanded, "command."},
+                                                     {LogGroup::kMeasured, "measured."},
+                                                     {LogGroup::kSimulated, "joint."}};
+  Table table;
+  const std::vector<const JointConstants*> joints = LoggedJoints(*log.robot);
+  for (size_t j = 0; j < joints.size(); ++j) {
+    for (const auto& [group, begin] : groups) {
+      const JointTraces traces = TracesOf(log, times_ms, group);
+      if (traces.times_ms.empty()) continue;
+      Series series{std::string(begin) + joints[j]->name, {}, traces.deg[j]};
+      for (const double time_ms : traces.times_ms) series.time_s.push_back(time_ms / 1e3);
+      table.series.push_back(std::move(series));
+    }
+  }
+  return table;
+}
+
+// Reads the file.  Its first bytes say of which format it is.
+Table ReadTable(const PlotFlags& flags) {
+  const std::string bytes = BytesOf(flags.file);
+  if (bytes.starts_with(kMcapMagic)) return ReadMcapTable(flags.file, bytes);
+  if (bytes.starts_with("OPENRTRC")) return TableOfRecording(flags);
+  if (!bytes.starts_with("AIBO_")) return ReadCsvTable(flags.file, bytes);
+  try {
+    return TableOfMotionLog(flags, bytes);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(fmt::format("{}: {}", flags.file, error.what()));
+  }
+}
+
+// Splits names that are joined by commas.
+std::vector<std::string> NamesIn(const std::vector<std::string>& words) {
+  std::vector<std::string> names;
+  for (const std::string& word : words) {
+    for (const std::string& name : CLI::detail::split(word, ',')) {
+      if (!name.empty()) names.push_back(name);
+    }
+  }
+  return names;
+}
+
+int Plot(const PlotFlags& flags) {
+  if (flags.output.empty() && !flags.lists)
+    throw CLI::RequiredError("-o CHART, the .svg or .png file to write,");
+  const Table table = ReadTable(flags);
+  if (!table.note.empty()) fmt::print(stderr, "openr: note: {}\n", table.note);
+  if (flags.lists) {
+    for (const Series& series : table.series) PrintAnswer(series.name + "\n");
+  }
+  if (flags.output.empty()) return kExitGood;
+  PlotRequest request;
+  request.wanted = NamesIn(flags.wanted);
+  request.from_s = static_cast<double>(flags.from_us) / 1e6;
+  request.until_s = static_cast<double>(flags.until_us) / 1e6;
+  request.title = std::filesystem::path(flags.file).filename().string();
+  chart::Chart chart;
+  try {
+    chart = ChartOf(table, request);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(fmt::format("{}: {}", flags.file, error.what()));
+  }
+  const std::string problem = chart::WriteChart(chart, flags.output);
+  if (!problem.empty()) throw std::runtime_error(problem);
+  return kExitGood;
+}
+
+}  // namespace
+
+void AddPlotCommand(CLI::App* app, int* exit_code) {
+  CLI::App* const command = app->add_subcommand(
+      "plot", "Draws joints, sensors and poses over time, from a log or a recording");
+  auto flags = std::make_shared<PlotFlags>();
+  command
+      ->add_option("FILE", flags->file,
+                   "What openr run --log-data or --record wrote, or a log of a motion (AIBO_1.1)")
+      ->required();
+  command->add_option("QUANTITY", flags->wanted,
+                      "What to draw: names with commas between them, such as LF_j1,pitch_deg, or "
+                      "patterns, such as 'sensor.*' (default: all joints)");
+  AddChartOption(command, &flags->output);
+  command->add_flag("--list", flags->lists, "Print the names of all quantities of the file");
+  AddDurationFlag(command, "--from", &flags->from_us, "Draw from this virtual time on");
+  AddDurationFlag(
+      command, "--until", [flags](int64_t us) { flags->until_us = us; },
+      "Draw up to this virtual time");
+  command->add_option("--stick", flags->stick,
+                      "Of a recording: the stick as it was then (default: the recorded folder)");
+  command->add_option(
+      "--motion", flags->motion,
+      "Of a log of a motion: the motion, for times when it has interpolated frames");
+  command->callback([flags, exit_code] { *exit_code = Plot(*flags); });
+}
+
+}  // namespace openr_host

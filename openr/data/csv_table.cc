@@ -1,0 +1,161 @@
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+
+#include "openr/data/table.h"
+
+namespace openr_host {
+namespace {
+
+// A column of time, and the factor that makes it seconds.
+struct TimeColumn {
+  const char* name;
+  double factor;
+};
+constexpr TimeColumn kTimeColumns[] = {{"time_s", 1}, {"time_ms", 1e-3}, {"time_us", 1e-6}};
+
+// Splits a line into fields.  Fields in quotes may have commas; two quotes there mean one.
+std::vector<std::string> FieldsOf(std::string_view line) {
+  std::vector<std::string> fields(1);
+  bool is_quoted = false;
+  for (size_t i = 0; i < line.size(); ++i) {
+    const char c = line[i];
+    if (c == '"' && is_quoted && i + 1 < line.size() && line[i + 1] == '"') {
+      fields.back() += c;
+      ++i;
+    } else if (c == '"') {
+      is_quoted = !is_quoted;
+    } else if (c == ',' && !is_quoted) {
+      fields.emplace_back();
+    } else {
+      fields.back() += c;
+    }
+  }
+  return fields;
+}
+
+// Returns the number in `text`; NaN if it is empty; nullopt if it is no number.
+std::optional<double> NumberOfField(const std::string& text) {
+  if (text.empty()) return std::numeric_limits<double>::quiet_NaN();
+  double number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size()) return {};
+  return number;
+}
+
+class CsvReader {
+ public:
+  CsvReader(const std::string& file, std::string_view bytes) : file_(file), rest_(bytes) {}
+
+  Table Read() {
+    std::string line;
+    if (!NextLine(&line)) throw std::runtime_error(file_ + ": is empty");
+    names_ = FieldsOf(line);
+    FindTime();
+    columns_.resize(names_.size());
+    while (NextLine(&line)) AddLine(line);
+    return TableOfColumns();
+  }
+
+ private:
+  struct Values {
+    bool is_text = false;  // its first field is no number, so the column is none of numbers
+    bool has_number = false;
+    Series series;
+  };
+
+  // Sets `line` to the next line.  Returns false at the end of the file, and for a last line
+  // without its end, because the program that wrote it was killed.
+  bool NextLine(std::string* line) {
+    if (rest_.empty()) return false;
+    const size_t end = rest_.find('\n');
+    if (end == std::string::npos) {
+      note_ = fmt::format("{}: the last line has no end and is left out", file_);
+      return false;
+    }
+    *line = rest_.substr(0, end);
+    if (line->ends_with('\r')) line->pop_back();
+    rest_.remove_prefix(end + 1);
+    ++number_;
+    return true;
+  }
+
+  void FindTime() {
+    for (const TimeColumn& column : kTimeColumns) {
+      for (size_t i = 0; i < names_.size(); ++i) {
+        if (names_[i] != column.name) continue;
+        time_ = i;
+        factor_ = column.factor;
+        return;
+      }
+    }
+    throw std::runtime_error(
+        fmt::format("{}:1: no column time_s, time_ms or time_us, so there is nothing to draw the "
+                    "values over; the file of openr run --log-data has time_s",
+                    file_));
+  }
+
+  void AddLine(const std::string& line) {
+    if (line.empty()) return;
+    const std::vector<std::string> fields = FieldsOf(line);
+    if (fields.size() != names_.size()) {
+      throw std::runtime_error(fmt::format("{}:{}: {} fields, but the first line names {}", file_,
+                                           number_, fields.size(), names_.size()));
+    }
+    const std::optional<double> time = NumberOfField(fields[time_]);
+    if (!time || std::isnan(*time)) {
+      throw std::runtime_error(fmt::format("{}:{}: '{}' in column {} is no time", file_, number_,
+                                           fields[time_], names_[time_]));
+    }
+    for (size_t i = 0; i < fields.size(); ++i) {
+      if (i != time_) AddField(i, *time * factor_, fields[i]);
+    }
+  }
+
+  void AddField(size_t column, double time_s, const std::string& field) {
+    Values& values = columns_[column];
+    if (values.is_text) return;
+    const std::optional<double> number = NumberOfField(field);
+    if (!number && values.has_number) {
+      throw std::runtime_error(fmt::format("{}:{}: '{}' in column {} is no number", file_, number_,
+                                           field, names_[column]));
+    }
+    values.is_text = !number;
+    if (!number || std::isnan(*number)) return;
+    values.has_number = true;
+    values.series.time_s.push_back(time_s);
+    values.series.values.push_back(*number);
+  }
+
+  Table TableOfColumns() {
+    Table table;
+    table.note = note_;
+    for (size_t i = 0; i < columns_.size(); ++i) {
+      if (i == time_ || columns_[i].is_text) continue;
+      columns_[i].series.name = names_[i];
+      table.series.push_back(std::move(columns_[i].series));
+    }
+    return table;
+  }
+
+  const std::string& file_;
+  std::string_view rest_;
+  int number_ = 0;  // number of the last line that was read
+  std::vector<std::string> names_;
+  size_t time_ = 0;    // column of the time
+  double factor_ = 1;  // of the time
+  std::vector<Values> columns_;
+  std::string note_;
+};
+
+}  // namespace
+
+Table ReadCsvTable(const std::string& file, std::string_view bytes) {
+  return CsvReader(file, bytes).Read();
+}
+
+}  // namespace openr_host

@@ -1,0 +1,63 @@
+// McapLog: writes a run as MCAP, with topics for values, poses, pictures, findings and inputs.
+//
+// docs/data.md has the topics.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "cli/growing_file.h"
+#include "openr/data/columns.h"
+#include "openr/data/data_log.h"
+#include "openr/data/mcap_writer.h"
+#include "virtualrobot/camera/image_source.h"
+
+namespace openr_host {
+
+class McapLog : public DataLog {
+ public:
+  McapLog(const DataLogOptions& options, Simulation* simulation);
+  void Sample() override;
+  std::string Finish() override;
+
+ private:
+  // A topic of values: those of one robot and one group of quantities, such as "joint".
+  struct Values {
+    uint16_t channel = 0;
+    std::vector<std::string> keys;  // names of the members, as JSON
+    std::vector<size_t> columns;    // their columns
+  };
+  struct CameraTopic {
+    uint16_t channel = 0;
+    int64_t last_us = -1;  // time of the last picture; -1: none yet
+    bool is_broken = false;
+  };
+
+  void AddValueTopics();
+  void AddScene();
+  void AddValues(int64_t now_us);
+  void AddPoses(int64_t now_us);
+  void AddImages(int64_t now_us);
+  void AddFindings();
+  void AddText(uint16_t channel, int64_t time_us, int level, const std::string& name,
+               const std::string& text);
+  std::string Space(size_t robot) const;
+
+  const DataLogOptions options_;
+  Simulation* const simulation_;
+  SimulationView view_;
+  const std::vector<Column> columns_;
+  GrowingFile file_;
+  McapWriter writer_;
+  std::vector<Values> values_;
+  std::vector<CameraTopic> cameras_;  // index: number of the robot
+  uint16_t poses_ = 0, findings_ = 0, inputs_ = 0;
+  size_t finding_count_ = 0;  // number of findings in the file
+  int64_t last_us_ = -1;      // time of the last values
+  int64_t chunk_us_ = 0;      // time of the last chunk's end
+  Picture picture_;
+  bool is_finished_ = false;
+};
+
+}  // namespace openr_host

@@ -1,0 +1,173 @@
+#include <fmt/format.h>
+#include <zlib.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <utility>
+
+#include "openr/data/mcap_writer.h"
+#include "openr/data/table.h"
+
+namespace openr_host {
+namespace {
+
+// Thrown where a record ends behind the end of the file.
+struct FileIsCut {};
+
+// Reads the fields of a record.
+class RecordFields {
+ public:
+  explicit RecordFields(std::string_view bytes) : bytes_(bytes) {}
+  bool AtEnd() const { return at_ == bytes_.size(); }
+  size_t at() const { return at_; }
+  uint8_t U8() { return static_cast<uint8_t>(Number(1)); }
+  uint16_t U16() { return static_cast<uint16_t>(Number(2)); }
+  uint32_t U32() { return static_cast<uint32_t>(Number(4)); }
+  uint64_t U64() { return Number(8); }
+  std::string_view Text() { return Take(U32()); }
+  std::string_view Take(uint64_t size) {
+    if (bytes_.size() - at_ < size) throw FileIsCut();
+    at_ += size;
+    return bytes_.substr(at_ - size, size);
+  }
+  std::string_view Rest() { return Take(bytes_.size() - at_); }
+
+ private:
+  uint64_t Number(int size) {
+    const std::string_view bytes = Take(static_cast<uint64_t>(size));
+    uint64_t number = 0;
+    for (int i = size - 1; i >= 0; --i)
+      number = number << 8 | static_cast<uint8_t>(bytes[static_cast<size_t>(i)]);
+    return number;
+  }
+  std::string_view bytes_;
+  size_t at_ = 0;
+};
+
+// Returns the name of the quantities of a topic, up to the name of a member: "joint." for
+// "/aibo/joint", "robots[1].joint." for "/aibo1/joint", "" for "/aibo/base".  The topics of other
+// programs keep their names.
+std::string QuantityOfTopic(const std::string& topic) {
+  const size_t slash = topic.find('/', 1);
+  if (!topic.starts_with("/aibo") || slash == std::string::npos) return topic + ".";
+  const std::string number = topic.substr(5, slash - 5), group = topic.substr(slash + 1);
+  std::string name = number.empty() || number == "0" ? "" : "robots[" + number + "].";
+  return group == "base" ? name : name + group + ".";
+}
+
+class McapReader {
+ public:
+  explicit McapReader(const std::string& file) : file_(file) {}
+
+  Table Read(std::string_view bytes) {
+    if (!bytes.starts_with(kMcapMagic)) throw std::runtime_error(file_ + ": is no MCAP file");
+    RecordFields fields(bytes.substr(kMcapMagic.size()));
+    try {
+      while (!is_over_) ReadRecord(&fields);
+    } catch (const FileIsCut&) {
+      table_.note = fmt::format(
+          "{}: ends without a summary, because the program that wrote it was killed or still "
+          "writes it; read up to byte {}",
+          file_, good_ + kMcapMagic.size());
+    }
+    return std::move(table_);
+  }
+
+ private:
+  void ReadRecord(RecordFields* fields) {
+    good_ = depth_ == 0 ? fields->at() : good_;
+    const auto op = static_cast<McapOp>(fields->U8());
+    RecordFields record(fields->Take(fields->U64()));
+    switch (op) {
+      case McapOp::kSchema:
+        return ReadSchema(&record);
+      case McapOp::kChannel:
+        return ReadChannel(&record);
+      case McapOp::kMessage:
+        return ReadMessage(&record);
+      case McapOp::kChunk:
+        return ReadChunk(&record);
+      case McapOp::kDataEnd:
+      case McapOp::kFooter:
+        is_over_ = true;
+        return;
+      default:
+        return;
+    }
+  }
+
+  void ReadChunk(RecordFields* record) {
+    record->Take(8 + 8 + 8);  // times and size
+    const uint32_t crc = record->U32();
+    const std::string_view compression = record->Text();
+    if (!compression.empty()) {
+      throw std::runtime_error(fmt::format(
+          "{}: is compressed with {}; decompress it first: mcap compress --compression none", file_,
+          compression));
+    }
+    const std::string_view bytes = record->Take(record->U64());
+    const auto* const data = reinterpret_cast<const unsigned char*>(bytes.data());
+    if (crc != 0 && crc32_z(0, data, bytes.size()) != crc) {
+      throw std::runtime_error(
+          fmt::format("{}: the chunk at byte {} is damaged: its checksum is wrong", file_,
+                      good_ + kMcapMagic.size()));
+    }
+    RecordFields records(bytes);
+    ++depth_;
+    while (!records.AtEnd()) ReadRecord(&records);
+    --depth_;
+  }
+
+  void ReadSchema(RecordFields* record) {
+    const uint16_t number = record->U16();
+    schemas_[number] = record->Text();
+  }
+
+  void ReadChannel(RecordFields* record) {
+    const uint16_t number = record->U16();
+    const std::string schema = schemas_[record->U16()];
+    const std::string topic(record->Text());
+    // Texts, poses and pictures have no quantities.
+    const bool is_skipped = record->Text() != "json" || schema.starts_with("foxglove.");
+    topics_[number] = is_skipped ? "" : topic;
+  }
+
+  void ReadMessage(RecordFields* record) {
+    const std::string& topic = topics_[record->U16()];
+    record->Take(4);
+    const double time_s = static_cast<double>(record->U64()) / 1e9;
+    record->Take(8);
+    if (topic.empty()) return;
+    const auto json = nlohmann::json::parse(record->Rest(), nullptr, false);
+    if (json.is_object()) AddMembers(QuantityOfTopic(topic), time_s, json);
+  }
+
+  void AddMembers(const std::string& name, double time_s, const nlohmann::json& json) {
+    for (const auto& [key, value] : json.items()) {
+      if (key == "timestamp") continue;
+      if (value.is_object()) AddMembers(name + key + ".", time_s, value);
+      if (!value.is_number()) continue;
+      const auto [found, is_new] = places_.emplace(name + key, table_.series.size());
+      if (is_new) table_.series.push_back({name + key, {}, {}});
+      table_.series[found->second].time_s.push_back(time_s);
+      table_.series[found->second].values.push_back(value.get<double>());
+    }
+  }
+
+  const std::string& file_;
+  Table table_;
+  std::map<std::string, size_t> places_;  // key: name; value: index in table_.series
+  std::map<uint16_t, std::string> schemas_, topics_;
+  size_t good_ = 0;  // place of the record that is read
+  int depth_ = 0;    // 1 in a chunk
+  bool is_over_ = false;
+};
+
+}  // namespace
+
+Table ReadMcapTable(const std::string& file, std::string_view bytes) {
+  return McapReader(file).Read(bytes);
+}
+
+}  // namespace openr_host

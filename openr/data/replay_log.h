@@ -1,0 +1,18 @@
+// Replays a recording and writes files about it: the data of each frame, a timeline.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "openr/data/data_log.h"
+
+namespace openr_host {
+
+class Replayer;
+
+// Replays up to `until_us`, and writes a log of data if `options.file` is not "", and a timeline if
+// `timeline` is not "".  Returns "", or the error in writing a file.  Throws as MakeDataLog() does.
+std::string LogReplay(Replayer* replayer, const DataLogOptions& options,
+                      const std::string& timeline, int64_t until_us);
+
+}  // namespace openr_host

@@ -1,0 +1,25 @@
+// The messages of an MCAP file that show robots and things in three dimensions.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <string>
+
+#include "virtualrobot/model/robot_model.h"
+#include "virtualrobot/world.h"
+
+namespace openr_host {
+
+// Returns the member "timestamp" of a message: "timestamp":{"sec":1,"nsec":8000000}.
+std::string TimestampText(int64_t time_us);
+
+// Appends a transform of foxglove.FrameTransforms: the pose of the frame `child` in the world.
+void AppendTransform(int64_t time_us, const std::string& child, const Eigen::Isometry3d& pose,
+                     std::string* text);
+
+// Return the messages foxglove.SceneUpdate with the shapes of a robot, whose parts are the frames
+// "SPACE/NAME", and of a world, whose movable things are the frames "thing/NAME".
+std::string RobotSceneMessage(const RobotModel& model, const std::string& space);
+std::string WorldScene(const World& world);
+
+}  // namespace openr_host

@@ -1,0 +1,28 @@
+// Table: values over time that were read from a file, for charts.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace openr_host {
+
+// The values of one quantity, in order of time.
+struct Series {
+  std::string name;  // such as "joint.LF_j1"
+  std::vector<double> time_s, values;
+};
+
+struct Table {
+  std::vector<Series> series;
+  std::string note;  // a remark for the user, such as that the file was cut; "": none
+};
+
+// Read a file of `openr run --log-data`: comma-separated values, and MCAP without compression.
+// `bytes` is the content of `file`, whose name is for messages.  Other CSV files are read, too, if
+// they have a column time_s, time_ms or time_us.  Throw std::runtime_error "FILE:LINE: what is
+// wrong".
+Table ReadCsvTable(const std::string& file, std::string_view bytes);
+Table ReadMcapTable(const std::string& file, std::string_view bytes);
+
+}  // namespace openr_host

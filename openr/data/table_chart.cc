@@ -1,0 +1,223 @@
+#include "openr/data/table_chart.h"
+
+#include <fmt/format.h>
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "runtime/base/spelling.h"
+
+namespace openr_host {
+namespace {
+
+using chart::Chart;
+using chart::Curve;
+using chart::Look;
+
+constexpr size_t kNowhere = std::string::npos;
+constexpr size_t kPanelsMax = 60;
+
+// A group of quantities that share the panel of a joint.
+struct AngleGroup {
+  const char* begin;  // of the name
+  Look look;
+  const char* label;
+};
+constexpr AngleGroup kAngleGroups[] = {{"command.", Look::kReference, "commanded"},
+                                       {"measured.", Look::kFirst, "measured"},
+                                       {"joint.", Look::kSecond, "of the body"}};
+
+const AngleGroup* AngleGroupOf(const std::string& name) {
+  for (const AngleGroup& group : kAngleGroups) {
+    const size_t at = name.find(group.begin);
+    if (at == 0 || (at != kNowhere && name[at - 1] == '.')) return &group;
+  }
+  return nullptr;
+}
+
+// Returns the name of the panel for the quantity `name`: without its group.
+std::string PanelOf(const std::string& name) {
+  const AngleGroup* const group = AngleGroupOf(name);
+  if (group == nullptr) return name;
+  std::string panel = name;
+  return panel.erase(panel.find(group->begin), std::string(group->begin).size());
+}
+
+// A unit, and the smallest span of an axis with it, so that small noise does not fill a panel.
+struct QuantityUnit {
+  const char* ending;  // of the names of its quantities
+  const char* text;
+  double span_min;
+};
+constexpr QuantityUnit kUnits[] = {{"_deg_s", "deg/s", 4}, {"_m_s", "m/s", 0.02},
+                                   {"_deg", "deg", 4},     {"_mm", "mm", 4},
+                                   {"_m", "m", 0.02},      {"_percent", "%", 2}};
+constexpr QuantityUnit kAngle{"", "deg", 4}, kOpenR{"", "OPEN-R's unit", 1}, kNoUnit{"", "", 1e-6};
+
+QuantityUnit UnitOfQuantity(const std::string& name) {
+  if (AngleGroupOf(name) != nullptr) return kAngle;
+  if (name.find("sensor.") != kNowhere) return kOpenR;
+  for (const QuantityUnit& unit : kUnits) {
+    if (name.ends_with(unit.ending)) return unit;
+  }
+  return kNoUnit;
+}
+
+// Returns the part of `series` in the time that `request` asks for.  Of more than `points_max`
+// points, keeps the lowest and the highest of each stretch of time, so that no peak is lost.
+Curve CurveOf(const Series& series, const PlotRequest& request, size_t points_max) {
+  Curve curve;
+  for (size_t i = 0; i < series.values.size(); ++i) {
+    if (series.time_s[i] < request.from_s || series.time_s[i] > request.until_s) continue;
+    curve.x.push_back(series.time_s[i]);
+    curve.y.push_back(series.values[i]);
+  }
+  const size_t count = curve.x.size();
+  if (count <= points_max) return curve;
+  Curve thin;
+  const size_t stretch = 2 * count / points_max + 1;
+  for (size_t begin = 0; begin < count; begin += stretch) {
+    const auto first = curve.y.begin() + static_cast<ptrdiff_t>(begin);
+    const auto last = curve.y.begin() + static_cast<ptrdiff_t>(std::min(begin + stretch, count));
+    const auto [low, high] = std::minmax_element(first, last);
+    for (const auto point : {std::min(low, high), std::max(low, high)}) {
+      thin.x.push_back(curve.x[static_cast<size_t>(point - curve.y.begin())]);
+      thin.y.push_back(*point);
+    }
+  }
+  return thin;
+}
+
+class ChartMaker {
+ public:
+  ChartMaker(const Table& table, const PlotRequest& request) : table_(table), request_(request) {}
+
+  Chart Make() {
+    chart_.title = request_.title;
+    chart_.subtitle = request_.subtitle;
+    chart_.x_label = "virtual time [s]";
+    if (request_.wanted.empty()) ChooseJoints();
+    for (const std::string& name : request_.wanted) Choose(name);
+    if (panels_.size() > kPanelsMax) {
+      throw std::runtime_error(fmt::format("{} panels do not fit into one chart, {} do; name fewer",
+                                           panels_.size(), kPanelsMax));
+    }
+    LayOut();
+    for (const Chosen& chosen : panels_) AddPanel(chosen);
+    const bool is_empty =
+        std::all_of(chart_.panels.begin(), chart_.panels.end(), [](const chart::Panel& panel) {
+          return std::all_of(panel.curves.begin(), panel.curves.end(),
+                             [](const Curve& curve) { return curve.x.empty(); });
+        });
+    if (is_empty) throw std::runtime_error("there are no values in this time");
+    return chart_;
+  }
+
+ private:
+  // A panel and the quantities in it.
+  struct Chosen {
+    std::string title;
+    std::vector<const Series*> series;
+  };
+
+  void ChooseJoints() {
+    for (const Series& series : table_.series) {
+      if (AngleGroupOf(series.name) != nullptr) Add(PanelOf(series.name), &series);
+    }
+    if (panels_.empty())
+      throw std::runtime_error("there are no joints in it; name what to draw, --list shows it");
+  }
+
+  void Choose(const std::string& wanted) {
+    for (const Series& series : table_.series) {
+      if (series.name == wanted) return Add(wanted, &series);
+    }
+    const size_t before = panels_.size();
+    bool has_found = false;
+    for (const Series& series : table_.series) {
+      const bool is_like = wanted.find('*') != kNowhere
+                               ? fnmatch(wanted.c_str(), series.name.c_str(), 0) == 0
+                               : series.name.ends_with("." + wanted);
+      if (!is_like) continue;
+      has_found = true;
+      Add(PanelOf(series.name), &series, before);
+    }
+    if (!has_found) throw std::runtime_error(WhyNothing(wanted));
+  }
+
+  std::string WhyNothing(const std::string& wanted) const {
+    std::vector<std::string> known;
+    for (const Series& series : table_.series) {
+      known.push_back(series.name);
+      known.push_back(PanelOf(series.name));
+    }
+    return fmt::format("there is no '{}' in it{}; --list shows what there is", wanted,
+                       DidYouMean(wanted, known));
+  }
+
+  // Adds a quantity to the panel `title`, if there is one from number `first` on, else to a new
+  // one.
+  void Add(const std::string& title, const Series* series, size_t first = 0) {
+    const auto panel = std::find_if(panels_.begin() + static_cast<ptrdiff_t>(first), panels_.end(),
+                                    [&](const Chosen& chosen) { return chosen.title == title; });
+    if (panel == panels_.end()) {
+      panels_.push_back({title, {series}});
+    } else {
+      panel->series.push_back(series);
+    }
+  }
+
+  // Gives few panels more room than many.
+  void LayOut() {
+    if (panels_.size() > 4) return;
+    chart_.columns = 1;
+    chart_.plot_width = 760;
+    chart_.plot_height = panels_.size() == 1 ? 300 : 150;
+  }
+
+  void AddPanel(const Chosen& chosen) {
+    const QuantityUnit unit = UnitOfQuantity(chosen.series.front()->name);
+    chart::Panel panel{chosen.title, unit.text, {}, unit.span_min};
+    for (const Series* const series : chosen.series) {
+      panel.curves.push_back(
+          CurveOf(*series, request_, static_cast<size_t>(4 * chart_.plot_width)));
+      const AngleGroup* const group = AngleGroupOf(series->name);
+      // A quantity that has a panel of its own needs no entry in the legend.
+      if (group == nullptr || chosen.title == series->name) continue;
+      panel.curves.back().look = group->look;
+      panel.curves.back().label = group->label;
+    }
+    // The order in which they are drawn is that of the legend.
+    std::stable_sort(panel.curves.begin(), panel.curves.end(),
+                     [](const Curve& a, const Curve& b) { return a.look < b.look; });
+    if (unit.text == kOpenR.text) ConvertToSi(&panel);
+    chart_.panels.push_back(std::move(panel));
+  }
+
+  // Converts the values of a sensor that OPEN-R has in 10^-6 of an SI unit.  Switches have 0 and 1,
+  // and counts of a converter are small.
+  static void ConvertToSi(chart::Panel* panel) {
+    std::vector<double>& values = panel->curves.front().y;
+    const bool is_micro = std::any_of(values.begin(), values.end(),
+                                      [](double value) { return std::abs(value) > 10'000; });
+    if (!is_micro) return;
+    for (double& value : values) value *= 1e-6;
+    panel->note = "SI unit";
+    panel->y_span_min = 0.02;
+  }
+
+  const Table& table_;
+  const PlotRequest& request_;
+  std::vector<Chosen> panels_;
+  Chart chart_;
+};
+
+}  // namespace
+
+Chart ChartOf(const Table& table, const PlotRequest& request) {
+  return ChartMaker(table, request).Make();
+}
+
+}  // namespace openr_host

@@ -1,0 +1,45 @@
+// CtfWriter: writes a timeline in the Common Trace Format (CTF 1.8, diamon.org/ctf), which
+// babeltrace2 and Trace Compass read.
+#pragma once
+
+#include <memory>
+#include <queue>
+#include <string>
+#include <vector>
+
+#include "cli/growing_file.h"
+#include "openr/timeline/timeline_writer.h"
+
+namespace openr_host {
+
+// A trace is a folder with two files: `metadata`, which describes the events, and `handlers`, the
+// events: the begin and the end of each handler, in order of time.
+class CtfWriter : public TimelineWriter {
+ public:
+  // Makes the folder.  Throws std::runtime_error when it or its files cannot be written.
+  explicit CtfWriter(const std::string& folder);
+  void AddObject(int, int32_t, const std::string&) override {}
+  void AddSlice(const HandlerSlice& slice) override;
+  void Finish() override;
+  std::string Problem() const { return events_->Problem(); }
+
+ private:
+  struct End {
+    uint64_t time_ns;
+    uint64_t message;
+    std::string bytes;
+    bool operator<(const End& other) const {  // the earliest is taken first
+      return time_ns != other.time_ns ? time_ns > other.time_ns : message > other.message;
+    }
+  };
+
+  void WriteEndsUntil(uint64_t time_ns);
+  void Add(const std::string& event);
+  void Flush();
+
+  std::unique_ptr<GrowingFile> events_;
+  std::priority_queue<End> ends_;  // ends of handlers that have begun
+  std::string bytes_;              // events that are not in the file yet
+};
+
+}  // namespace openr_host

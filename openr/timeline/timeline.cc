@@ -1,0 +1,111 @@
+#include "openr/timeline/timeline.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "openr/timeline/ctf_writer.h"
+#include "runtime/base/wall_clock.h"
+#include "runtime/core/system.h"
+
+namespace openr_host {
+namespace {
+
+constexpr size_t kJsonFlushBytes = 64 << 10;
+
+}  // namespace
+
+std::string WhyNoTimelineName(const std::string& file) {
+  if (file.ends_with(".json") || file.ends_with(".ctf")) return "";
+  return fmt::format("{}: the name of a timeline ends in .json (for Perfetto) or .ctf (a folder)",
+                     file);
+}
+
+Timeline::Timeline(const std::string& file, System* system) : system_(system) {
+  if (file.ends_with(".ctf")) {
+    auto ctf = std::make_unique<CtfWriter>(file);
+    ctf_ = ctf.get();
+    writer_ = std::move(ctf);
+  } else {
+    json_ = std::make_unique<GrowingFile>(file);
+    writer_ = std::make_unique<PerfettoWriter>([this](std::string_view text) { Print(text); });
+  }
+  sink_ = system->trace().AddSink(
+      [this](const TraceRecord& record, const Message& message) { Deliver(record, message); });
+}
+
+Timeline::~Timeline() { system_->trace().RemoveSink(sink_); }
+
+void Timeline::Print(std::string_view text) {
+  text_ += text;
+  if (text_.size() < kJsonFlushBytes && !is_finished_) return;
+  json_->Append(text_);
+  text_.clear();
+}
+
+void Timeline::NameObject(const Object* object) {
+  if (object == nullptr || !known_.insert({object->id, object->predecessors}).second) return;
+  writer_->AddObject(object->robot, object->id, object->name);
+}
+
+// Returns the processor time that the cost file gives the handler of `message`; nullopt without a
+// cost file, and for parts of the robot and replies, which take none.
+std::optional<double> Timeline::CostOf(const Object& object, const Message& message) const {
+  if (system_->cpus().empty() || object.is_system || message.is_reply) return {};
+  if (!object.processor.is_busy) return 0;
+  const Cpu& cpu = *system_->cpus()[static_cast<size_t>(object.robot)];
+  return static_cast<double>(cpu.EndUs() - system_->now_us());
+}
+
+// Begins the slice of the handler that gets `message` now, after the slice of the one before.
+void Timeline::Deliver(const TraceRecord& record, const Message& message) {
+  EndSlice();
+  const Object* const object = system_->object(record.target);
+  if (object == nullptr || is_finished_) return;
+  NameObject(object);
+  HandlerSlice slice;
+  slice.record = record;
+  slice.robot = object->robot;
+  slice.object = object->name;
+  slice.entry = object->EntryName(record.selector);
+  const Object* const sender = system_->object(record.sender);
+  slice.sender = sender == nullptr ? "(system)" : sender->name;
+  slice.at_us = static_cast<double>(record.time_us);
+  if (const std::optional<double> cost_us = CostOf(*object, message)) {
+    slice.length = HandlerSlice::Length::kCost;
+    slice.length_us = *cost_us;
+  }
+  running_ = std::move(slice);
+  begin_ns_ = WallClockNs();  // last, so that the work above is in no slice
+}
+
+void Timeline::EndSlice() {
+  const int64_t now_ns = WallClockNs();
+  if (!running_) return;
+  HandlerSlice& slice = *running_;
+  if (slice.length == HandlerSlice::Length::kUnknown) {
+    slice.length = HandlerSlice::Length::kWall;
+    slice.length_us = static_cast<double>(now_ns - begin_ns_) / 1e3;
+  }
+  // Handlers of one instant are drawn one behind the other, because this computer ran them so.
+  // Those with a cost have a processor of their own, whose times are virtual ones.
+  if (system_->cpus().empty()) {
+    slice.at_us = std::max(slice.at_us, free_us_);
+    free_us_ = slice.at_us + slice.length_us;
+  }
+  writer_->AddSlice(slice);
+  running_.reset();
+}
+
+void Timeline::Rest() { EndSlice(); }
+
+std::string Timeline::Finish() {
+  if (!is_finished_) {
+    EndSlice();
+    is_finished_ = true;
+    writer_->Finish();
+  }
+  return ctf_ != nullptr ? ctf_->Problem() : json_->Problem();
+}
+
+}  // namespace openr_host

@@ -1,0 +1,62 @@
+// Timeline: writes when the handlers of a run have run, and how long (--timeline).
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "cli/growing_file.h"
+#include "openr/timeline/timeline_writer.h"
+
+namespace openr_host {
+
+class CtfWriter;
+class Object;
+class System;
+struct Message;
+
+// Returns the reason why `file` is no name of a timeline; "" if it is one: FILE.json, for Perfetto,
+// or FOLDER.ctf.
+std::string WhyNoTimelineName(const std::string& file);
+
+// The length of a slice is the processor time that the cost file gives the handler, if there is
+// one.  Else it is the time that the handler took on this computer.
+class Timeline {
+ public:
+  // Creates `file` and follows the run from now on.  Throws std::runtime_error when the file cannot
+  // be written.
+  Timeline(const std::string& file, System* system);
+  ~Timeline();
+  Timeline(const Timeline&) = delete;
+  Timeline& operator=(const Timeline&) = delete;
+
+  // Ends the slice of the last handler.  Called before the run waits, such as for the clock.
+  void Rest();
+
+  // Completes the file.  Returns "", or the error in writing it.
+  std::string Finish();
+
+ private:
+  void Deliver(const TraceRecord& record, const Message& message);
+  void EndSlice();
+  void NameObject(const Object* object);
+  std::optional<double> CostOf(const Object& object, const Message& message) const;
+  void Print(std::string_view text);
+
+  System* const system_;
+  std::unique_ptr<GrowingFile> json_;  // null: CTF
+  std::string text_;                   // JSON that is not in the file yet
+  std::unique_ptr<TimelineWriter> writer_;
+  CtfWriter* ctf_ = nullptr;  // null: JSON
+  int sink_ = 0;
+  std::optional<HandlerSlice> running_;      // slice of the handler that runs
+  int64_t begin_ns_ = 0;                     // when it began, by the clock of this computer
+  double free_us_ = 0;                       // end of the last slice whose length is wall time
+  std::set<std::pair<int32_t, int>> known_;  // objects with names: id and number of predecessors
+  bool is_finished_ = false;
+};
+
+}  // namespace openr_host

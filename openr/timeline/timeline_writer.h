@@ -1,0 +1,66 @@
+// TimelineWriter: writes handlers as slices of time, for programs that show timelines.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+
+#include "runtime/core/trace.h"
+
+namespace openr_host {
+
+// A handler that has run.
+struct HandlerSlice {
+  enum class Length {
+    kUnknown,  // a recording does not say how long a handler took
+    kCost,     // processor time of the robot, from the cost file
+    kWall,     // time of this computer
+  };
+  TraceRecord record{};
+  int robot = 0;  // of the object
+  std::string object, entry, sender;
+  double at_us = 0;      // when it began, on the timeline
+  double length_us = 0;  // 0 if it is unknown
+  Length length = Length::kUnknown;
+};
+
+class TimelineWriter {
+ public:
+  virtual ~TimelineWriter() = default;
+  // Names an object.  Called before its first slice.
+  virtual void AddObject(int robot, int32_t id, const std::string& name) = 0;
+  // Adds a slice.  Slices come in the order in which they begin.
+  virtual void AddSlice(const HandlerSlice& slice) = 0;
+  // Completes the output.
+  virtual void Finish() = 0;
+};
+
+// Writes JSON for ui.perfetto.dev: a process per robot, a track per object, a slice per handler,
+// and an arrow from the handler that posted a message to the handler that received it.
+class PerfettoWriter : public TimelineWriter {
+ public:
+  using Sink = std::function<void(std::string_view text)>;
+  explicit PerfettoWriter(Sink out);
+  void AddObject(int robot, int32_t id, const std::string& name) override;
+  void AddSlice(const HandlerSlice& slice) override;
+  void Finish() override;
+
+ private:
+  // The place of a slice, from which arrows begin.
+  struct Place {
+    int pid, tid;
+    double at;
+  };
+
+  void AddArrow(const HandlerSlice& slice, int pid, int tid);
+  void Emit(const nlohmann::ordered_json& event);
+
+  const Sink out_;
+  bool is_first_ = true;
+  std::map<uint64_t, Place> places_;  // key: number of the message
+};
+
+}  // namespace openr_host

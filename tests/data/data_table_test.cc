@@ -1,0 +1,247 @@
+// Tables for charts: read from CSV and MCAP, refused when they are wrong, made into charts.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "openr/data/mcap_writer.h"
+#include "openr/data/table.h"
+#include "openr/data/table_chart.h"
+#include "tests/openr/program_run.h"
+
+namespace openr_host {
+namespace {
+
+namespace fs = std::filesystem;
+using chart::Chart;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+std::string ErrorOfCsv(const std::string& text) {
+  try {
+    ReadCsvTable("run.csv", text);
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// A file with two messages of one topic in two chunks.
+std::string SmallMcap() {
+  std::string bytes;
+  McapWriter writer("test", [&bytes](std::string_view more) { bytes += more; });
+  const uint16_t schema = writer.AddSchema("openr.joint", "{\"type\":\"object\"}");
+  const uint16_t joint = writer.AddChannel("/aibo/joint", schema);
+  const uint16_t base = writer.AddChannel("/aibo1/base", schema);
+  writer.Add(joint, 8000, "{\"timestamp\":{\"sec\":0,\"nsec\":8000000},\"LF_j1\":1.5}");
+  writer.Add(base, 8000, "{\"x_m\":0.25}");
+  writer.EndChunk();
+  writer.Add(joint, 16000, "{\"LF_j1\":2.5}");
+  writer.Finish();
+  return bytes;
+}
+
+TEST(CsvTableTest, EmptyFieldsAreNoValuesAndTextIsNoQuantity) {
+  const Table table = ReadCsvTable("run.csv", "time_ms,a,\"b,c\",who\n0,,1,dog\n8,2,-1.5e2,dog\n");
+  ASSERT_EQ(table.series.size(), 2U);
+  EXPECT_EQ(table.series[0].name, "a");
+  EXPECT_THAT(table.series[0].time_s, ElementsAre(0.008));
+  EXPECT_EQ(table.series[1].name, "b,c");
+  EXPECT_THAT(table.series[1].values, ElementsAre(1, -150));
+  EXPECT_EQ(table.note, "");
+}
+
+TEST(CsvTableTest, MistakesAreNamedWithTheirLine) {
+  EXPECT_EQ(ErrorOfCsv(""), "run.csv: is empty");
+  EXPECT_THAT(ErrorOfCsv("a,b\n1,2\n"), HasSubstr("run.csv:1: no column time_s"));
+  EXPECT_EQ(ErrorOfCsv("time_s,a\n0,1\n1\n"), "run.csv:3: 1 fields, but the first line names 2");
+  EXPECT_EQ(ErrorOfCsv("time_s,a\n0,1\n1,x\n"), "run.csv:3: 'x' in column a is no number");
+  EXPECT_EQ(ErrorOfCsv("time_s,a\nsoon,1\n"), "run.csv:2: 'soon' in column time_s is no time");
+}
+
+TEST(CsvTableTest, LineThatAKilledRunLeftIsToldAndLeftOut) {
+  const Table table = ReadCsvTable("run.csv", "time_s,a\n0,1\n1,2");
+  EXPECT_EQ(table.series[0].values.size(), 1U);
+  EXPECT_EQ(table.note, "run.csv: the last line has no end and is left out");
+}
+
+TEST(McapTableTest, TopicsBecomeTheNamesOfTheirQuantities) {
+  const Table table = ReadMcapTable("run.mcap", SmallMcap());
+  ASSERT_EQ(table.series.size(), 2U);
+  EXPECT_EQ(table.series[0].name, "joint.LF_j1");
+  EXPECT_THAT(table.series[0].time_s, ElementsAre(0.008, 0.016));
+  EXPECT_THAT(table.series[0].values, ElementsAre(1.5, 2.5));
+  EXPECT_EQ(table.series[1].name, "robots[1].x_m");
+  EXPECT_EQ(table.note, "");
+}
+
+// Wherever the file ends, it is read up to its last whole record.
+TEST(McapTableTest, FileThatEndsAnywhereIsReadUpToThere) {
+  const std::string bytes = SmallMcap();
+  size_t most = 0;
+  for (size_t size = kMcapMagic.size(); size < bytes.size(); ++size) {
+    const Table table = ReadMcapTable("run.mcap", bytes.substr(0, size));
+    size_t values = 0;
+    for (const Series& series : table.series) values += series.values.size();
+    EXPECT_GE(values, most) << size;
+    most = values;
+  }
+  EXPECT_EQ(most, 3U);
+  EXPECT_THAT(ReadMcapTable("run.mcap", bytes.substr(0, 60)).note,
+              HasSubstr("ends without a summary"));
+}
+
+TEST(McapTableTest, DamagedChunkIsRefused) {
+  std::string bytes = SmallMcap();
+  bytes[bytes.find("1.5")] = '7';
+  try {
+    ReadMcapTable("run.mcap", bytes);
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("its checksum is wrong"));
+  }
+}
+
+Table SmallTable() {
+  return {{{"command.LF_j1", {0, 1}, {5, 6}},
+           {"joint.LF_j1", {0, 1}, {4, 5}},
+           {"pitch_deg", {0, 1}, {0, 1}},
+           {"sensor.chin", {0, 1}, {0, 1}},
+           {"sensor.back", {0, 1}, {0, 1}}},
+          ""};
+}
+
+std::vector<std::string> PanelsOf(const std::vector<std::string>& wanted) {
+  PlotRequest request;
+  request.wanted = wanted;
+  std::vector<std::string> titles;
+  for (const chart::Panel& panel : ChartOf(SmallTable(), request).panels)
+    titles.push_back(fmt::format("{} {}", panel.title, panel.curves.size()));
+  return titles;
+}
+
+TEST(TableChartTest, AnglesOfAJointShareAPanel) {
+  EXPECT_THAT(PanelsOf({}), ElementsAre("LF_j1 2"));
+  EXPECT_THAT(PanelsOf({"LF_j1", "pitch_deg"}), ElementsAre("LF_j1 2", "pitch_deg 1"));
+  EXPECT_THAT(PanelsOf({"joint.LF_j1"}), ElementsAre("joint.LF_j1 1"));
+  EXPECT_THAT(PanelsOf({"sensor.*"}), ElementsAre("sensor.chin 1", "sensor.back 1"));
+}
+
+TEST(TableChartTest, UnknownNamesAndEmptyTimesAreRefused) {
+  PlotRequest request;
+  request.wanted = {"LF_j9"};
+  try {
+    ChartOf(SmallTable(), request);
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(),
+                 "there is no 'LF_j9' in it; did you mean 'LF_j1'?; --list shows what there is");
+  }
+  request.wanted = {"pitch_deg"};
+  request.from_s = 5;
+  EXPECT_THROW(ChartOf(SmallTable(), request), std::runtime_error);
+}
+
+TEST(TableChartTest, ManyPointsAreThinnedAndKeepTheirPeaks) {
+  Table table{{{"pitch_deg", {}, {}}}, ""};
+  for (int i = 0; i < 100'000; ++i) {
+    table.series[0].time_s.push_back(i * 0.008);
+    table.series[0].values.push_back(i == 54'321 ? 99 : 0);
+  }
+  PlotRequest request;
+  request.wanted = {"pitch_deg"};
+  const Chart chart = ChartOf(table, request);
+  const chart::Curve& curve = chart.panels[0].curves[0];
+  EXPECT_LT(curve.x.size(), 4000U);
+  EXPECT_EQ(*std::max_element(curve.y.begin(), curve.y.end()), 99);
+  EXPECT_TRUE(std::is_sorted(curve.x.begin(), curve.x.end()));
+}
+
+class PlotCommandTest : public testing::Test {
+ protected:
+  PlotCommandTest() {
+    std::string name = (fs::temp_directory_path() / "openr-plot-test-XXXXXX").string();
+    EXPECT_NE(mkdtemp(name.data()), nullptr);
+    folder_ = name;
+  }
+  ~PlotCommandTest() override { fs::remove_all(folder_); }
+
+  std::string At(const std::string& name) const { return folder_ / name; }
+  static ProgramResult Openr(const std::vector<std::string>& arguments) {
+    return ProgramRun(arguments).Finish();
+  }
+  ProgramResult Run(const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"run",     "--rate",     "max",       "--for",
+                                          "2s",      "--no-panel", "--body",    "ideal",
+                                          "--stick", OPENR_STICK,  "--console", "/dev/null"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return Openr(arguments);
+  }
+  static std::string Content(const std::string& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(PlotCommandTest, LogsAndTheRecordingOfARunGiveOneChart) {
+  ASSERT_EQ(Run({"--log-data", At("run.csv"), "--record", At("run.rec")}).status, 0);
+  ASSERT_EQ(Run({"--log-data", At("run.mcap")}).status, 0);
+  for (const char* const name : {"run.csv", "run.mcap", "run.rec"}) {
+    const ProgramResult result =
+        Openr({"plot", At(name), "LF_j1,pitch_deg", "-o", At(std::string(name) + ".svg")});
+    ASSERT_EQ(result.status, 0) << result.err;
+  }
+  const auto body = [this](const std::string& name) {  // without the title, which has the name
+    std::string svg = Content(At(name));
+    return svg.size();
+  };
+  EXPECT_GT(body("run.csv.svg"), 10'000U);
+  const Table csv = ReadCsvTable("run.csv", Content(At("run.csv")));
+  const Table mcap = ReadMcapTable("run.mcap", Content(At("run.mcap")));
+  const auto find = [](const Table& table, const std::string& name) {
+    return *std::find_if(table.series.begin(), table.series.end(),
+                         [&](const Series& series) { return series.name == name; });
+  };
+  for (const char* const name : {"joint.LF_j1", "command.LF_j1", "sensor.chin", "x_m"}) {
+    EXPECT_EQ(find(csv, name).values, find(mcap, name).values) << name;
+    EXPECT_EQ(find(csv, name).time_s.size(), find(mcap, name).time_s.size()) << name;
+  }
+  EXPECT_EQ(csv.series.size(), mcap.series.size());
+}
+
+TEST_F(PlotCommandTest, ChartIsAPngWhenItsNameSaysSo) {
+  ASSERT_EQ(Run({"--log-data", At("run.csv")}).status, 0);
+  ASSERT_EQ(Openr({"plot", At("run.csv"), "sensor.*", "-o", At("a.png")}).status, 0);
+  EXPECT_TRUE(Content(At("a.png")).starts_with("\x89PNG"));
+}
+
+TEST_F(PlotCommandTest, WrongFilesAndNamesAreRefused) {
+  EXPECT_EQ(Openr({"plot", At("none.csv"), "-o", At("a.svg")}).status, 1);
+  EXPECT_EQ(Openr({"plot", At("none.csv")}).status, 2);
+  EXPECT_EQ(Openr({"plot", At("none.csv"), "-o", At("a.jpg")}).status, 2);
+  const ProgramResult run = Run({"--log-data", At("run.txt")});
+  EXPECT_EQ(run.status, 2);
+  EXPECT_THAT(run.err, HasSubstr("ends in .csv or .mcap"));
+  EXPECT_FALSE(fs::exists(At("run.txt")));
+  EXPECT_EQ(Run({"--log-data", At("none/run.csv")}).status, 2);
+}
+
+TEST_F(PlotCommandTest, FullDiskIsToldAndTheRunGoesOnToItsEnd) {
+  for (const char* const name : {"full.csv", "full.mcap", "full.json"}) {
+    fs::create_symlink("/dev/full", At(name));
+    const bool is_timeline = std::string(name).ends_with(".json");
+    const ProgramResult run = Run({is_timeline ? "--timeline" : "--log-data", At(name)});
+    EXPECT_EQ(run.status, 1) << name;
+    EXPECT_THAT(run.err, HasSubstr("cannot be written: No space left on device"));
+    EXPECT_THAT(run.err, HasSubstr("ended by time: --for 2s is over"));
+  }
+}
+
+}  // namespace
+}  // namespace openr_host
