@@ -74,7 +74,7 @@ constexpr Example kExamples[] = {
     {"log plot", "openr log plot walk.log -o walk.svg"},
     {"log compare", "openr log compare walk.log --motion WALK.MTN"},
     {"plot", "openr plot run.csv --list"},
-    {"plot", "openr plot run.mcap measured.neck_pan command.neck_pan -o neck.svg"},
+    {"plot", "openr plot run.mcap neck_pan,neck_tilt -o neck.svg"},
     {"trace", "openr trace run.trace --object JointMover --until 1s"},
     {"trace", "openr trace run.trace --format perfetto"},
     {"replay", "openr replay run.trace"},

@@ -39,7 +39,7 @@ std::string WhyWrong(const std::string& line) {
   DescribeProgram(&app, &exit_code, "");
   Disarm(&app);
   // CLI11 takes the words from the back.
-  const std::vector<std::string> reversed(words.rbegin(), words.rend() - 1);
+  std::vector<std::string> reversed(words.rbegin(), words.rend() - 1);
   try {
     app.parse(reversed);
   } catch (const CLI::ParseError& error) {
