@@ -71,8 +71,6 @@ set(OPENR_PACKAGE_python python3-openr-host)
 set(OPENR_COMPONENTS runtime dev doc)
 if(EXISTS ${PROJECT_SOURCE_DIR}/python/openr_host)
   list(APPEND OPENR_COMPONENTS python)
-  install(DIRECTORY python/openr_host DESTINATION lib/python3/dist-packages COMPONENT python
-    PATTERN "__pycache__" EXCLUDE PATTERN "*.pyc" EXCLUDE)
 endif()
 foreach(component ${OPENR_COMPONENTS})
   install(FILES LICENSE RENAME copyright DESTINATION share/doc/${OPENR_PACKAGE_${component}}

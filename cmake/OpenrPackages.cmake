@@ -24,6 +24,12 @@ set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS ON)
 
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME ${OPENR_PACKAGE_runtime})
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
+# The program loads Cyclone DDS when it is first needed, which dpkg-shlibdeps does not see.
+find_library(OPENR_DDS_FILE ddsc)
+file(REAL_PATH ${OPENR_DDS_FILE} dds_file)
+execute_process(COMMAND dpkg-query --search ${dds_file} OUTPUT_VARIABLE dds_owner ERROR_QUIET)
+string(REGEX REPLACE ":.*" "" dds_package "${dds_owner}")
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_DEPENDS "${dds_package}")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS openr-host-dev)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SUGGESTS "openr-host-doc, gdb, graphviz")
 set(CPACK_COMPONENT_RUNTIME_DESCRIPTION

@@ -14,7 +14,7 @@ DdsFunctions Load() {
   if (library == nullptr) {
     throw std::runtime_error(fmt::format(
         "Cyclone DDS, by which processes exchange data, cannot be loaded: {}; install it (Debian "
-        "package cyclonedds-dev)",
+        "package libddsc0debian)",
         dlerror()));
   }
   const auto find = [library]<typename T>(T* function, const char* name) {

@@ -24,7 +24,6 @@ constexpr Example kExamples[] = {
     {"join", "openr join --process vision --run-name kitchen"},
     {"top", "openr top"},
     {"top", "openr top --once --json"},
-    {"poke", "openr poke"},
     {"poke", "openr poke default press chin for 300ms"},
     {"attach", "openr attach default"},
     {"panel", "openr panel --port 8080"},

@@ -145,6 +145,7 @@ void DescribeHow(CLI::App* command, ExploreFlags* flags) {
                      "With --replay: show the failing run on the web panel, until Ctrl-C")
           ->needs(replay);
   AddShowFlags(command, panel, &flags->show);
+  command->get_option("--rate")->needs(panel);
   command->add_option("--console", flags->console_file, "File for what objects print")
       ->check(IsWritable());
   command->add_option("-o,--output", flags->file, "File for the failing order, if there is one")

@@ -164,6 +164,12 @@ int Replay(ReplayFlags flags) {
     flags.go_on.rate = flags.show.rate;
     flags.go_on.panel = flags.panel;
     flags.go_on.panel_port = flags.show.panel_port;
+    std::error_code error;
+    if (std::filesystem::equivalent(flags.go_on.record_file, flags.replay.file, error)) {
+      throw std::runtime_error(
+          fmt::format("{}: is the recording to go on from; write the new one to another file",
+                      flags.go_on.record_file));
+    }
     return ContinueRun(flags.go_on);
   }
   if (flags.panel) return Show(flags);
@@ -236,7 +242,11 @@ void AddReplayCommand(CLI::App* app, int* exit_code) {
   AddDurationFlag(command, "--handler-limit", &flags->handler_limit_us,
                   "End the replay when a handler uses more processor time; 0s: never")
       ->excludes(step);
-  command->callback([flags, exit_code] { *exit_code = Replay(*flags); });
+  command->callback([command, flags, exit_code] {
+    if (command->count("--rate") > 0 && !flags->panel && !flags->continue_at_us)
+      throw CLI::ValidationError("--rate", "needs --panel or --continue-at");
+    *exit_code = Replay(*flags);
+  });
 }
 
 }  // namespace openr_host

@@ -23,6 +23,8 @@ namespace {
 int RunServe() {
   // The program that drives the run decides what Ctrl-C in its terminal means.
   signal(SIGINT, SIG_IGN);
+  // Threads that draw would be missing in forked copies of the process.
+  setenv("LP_NUM_THREADS", "0", 0);
   const Console console("");  // keeps what objects print away from the answers
   RequestPipe pipe(STDIN_FILENO, StandardOutput());
   return RunServer(&pipe).Serve();

@@ -212,6 +212,10 @@ std::string ProcessFiles::MoveCopy(const std::string& path, const std::string& t
     if (!file.is_copied || fs::weakly_canonical(file.path, error) != real) continue;
     const std::string copy = fs::read_symlink(fmt::format("/proc/self/fd/{}", file.descriptor));
     if (target.empty()) return copy;
+    for (const File& other : files_) {
+      if (fs::equivalent(other.path, target, error))
+        throw std::runtime_error(fmt::format("{}: is a file that the run itself writes", target));
+    }
     if (std::string why = WhyNotWritable(target); !why.empty()) throw std::runtime_error(why);
     struct stat status;
     if (fstat(file.descriptor, &status) != 0) Throw(errno, copy);

@@ -15,7 +15,7 @@ constexpr NetHandle kHandle = 1;
 constexpr uint32_t kFirstIp = 0x0a000102;  // 10.0.1.2, in the network of the robot
 constexpr uint16_t kFirstPort = 40000;
 constexpr size_t kReceiveMax = size_t{1} << 20;
-constexpr size_t kClientsMax = 64;
+constexpr int kClientsMax = 64;
 
 const char* TextOf(NetError error) {
   switch (error) {
@@ -34,7 +34,8 @@ const char* TextOf(NetError error) {
 int RobotClients::Connect(const System& system, int robot, uint16_t port) {
   if (robot < 0 || robot >= system.robot_count())
     throw std::runtime_error(fmt::format("there is no robot {}", robot));
-  if (clients_.size() >= kClientsMax)
+  const auto is_open = [](const auto& client) { return !client.second.has_ended; };
+  if (std::ranges::count_if(clients_, is_open) >= kClientsMax)
     throw std::runtime_error(fmt::format("{} connections are open, close some", kClientsMax));
   const IpStack* const stack = IpStack::Of(const_cast<System*>(&system), robot);
   if (stack == nullptr) throw std::runtime_error("the robot has no network now");

@@ -63,6 +63,8 @@ int RunServer::Serve() {
 
 // Serves one request.  Returns false if the other end is closed.
 bool RunServer::ServeOne() {
+  while (waitpid(-1, nullptr, WNOHANG) > 0) {  // copies that have ended
+  }
   std::string text, bytes;
   Answer answer;
   try {

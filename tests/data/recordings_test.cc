@@ -80,7 +80,7 @@ TEST_F(RecordingsTest, RunGoesOnFromAMomentOfItsRecording) {
                                   "--rate", "max", "--record", At("new.rec")});
   ASSERT_EQ(on.status, 0) << on.err;
   EXPECT_THAT(on.err, HasSubstr("goes on from t=2.000 s"));
-  EXPECT_THAT(on.err, HasSubstr("remote control: openr rc 127.0.0.1:"));
+  EXPECT_THAT(on.err, HasSubstr("openr rc 127.0.0.1:"));
   const ProgramResult replayed = Openr({"replay", At("new.rec"), "--json"});
   EXPECT_EQ(replayed.status, 0) << replayed.err;
   const json answer = json::parse(replayed.out);

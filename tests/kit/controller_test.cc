@@ -11,7 +11,10 @@
 namespace openr_host {
 namespace {
 
+using ::testing::AllOf;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 constexpr char kMode[] = "PRM:/r1/c1/c2/c3/l7-LED2:l7";
 
@@ -60,7 +63,8 @@ TEST(ControllerBuildTest, ANewControllerBuildsRunsAndPassesTheCheck) {
   const ProgramResult built = folder.BuildController();
   ASSERT_EQ(built.status, 0) << built.err;
   EXPECT_EQ(built.err, "");
-  EXPECT_EQ(built.out, "CONTROLL.BIN  program\nopenr run --stick " + folder.File("") + "\n");
+  EXPECT_THAT(built.out, AllOf(StartsWith("CONTROLL.BIN  program\n"),
+                               EndsWith("openr run --stick " + folder.File("") + "\n")));
   EXPECT_EQ(folder.Checked(), "0 errors, 0 warnings, 0 notes\n");
   const nlohmann::json report = folder.Run();
   EXPECT_TRUE(report["findings"].empty()) << report["findings"];
