@@ -7,7 +7,7 @@
 
 namespace openr_host {
 
-// What a stick in a folder holds, for a summary.
+// The content of a stick in a folder, for a summary.
 struct StickSummary {
   std::string base;  // "WCONSOLE": the base image, "": none
   int num_files = 0;

@@ -31,7 +31,7 @@ class RunServer {
  private:
   using Json = nlohmann::json;
 
-  // What a command answers: members of a JSON object, and further bytes.
+  // The answer to a command: members of a JSON object, and further bytes.
   struct Answer {
     nlohmann::ordered_json json;
     std::string bytes;
@@ -86,7 +86,7 @@ class RunServer {
 
   RequestPipe& pipe_;
   std::unique_ptr<ServedRun> run_;
-  // What ends the process when an object crashes or does not return.
+  // These end the process when an object crashes or does not return.
   std::unique_ptr<EndingAnswer> ending_answer_;
   std::unique_ptr<CrashLog> crash_log_;
   std::unique_ptr<Watchdog> watchdog_;

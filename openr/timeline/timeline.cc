@@ -88,7 +88,7 @@ void Timeline::EndSlice() {
     slice.length_us = static_cast<double>(now_ns - begin_ns_) / 1e3;
   }
   // Handlers of one instant are drawn one behind the other, because this computer ran them so.
-  // Those with a cost have a processor of their own, whose times are virtual ones.
+  // Objects with a cost have a processor of their own, whose times are virtual ones.
   if (system_->cpus().empty()) {
     slice.at_us = std::max(slice.at_us, free_us_);
     free_us_ = slice.at_us + slice.length_us;

@@ -1,4 +1,4 @@
-// What can be made of recordings: failing runs of openr explore, runs that go on live, one object
+// Uses of recordings: failing runs of openr explore, runs that go on live, one object
 // alone, timelines.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
