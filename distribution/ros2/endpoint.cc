@@ -6,14 +6,16 @@ namespace openr_host {
 namespace {
 
 // The quality of service of our ROS 2 writers and readers.  ROS 2 messages are "plain CDR" (XCDR
-// version 1).  No sample is kept for readers that come later.
+// version 1).
 class Qos {
  public:
-  explicit Qos(int depth) : qos_(Dds().dds_create_qos()) {
+  explicit Qos(int depth, LateReaders late = LateReaders::kMissSamples)
+      : qos_(Dds().dds_create_qos()) {
     constexpr dds_data_representation_id_t kPlain[] = {DDS_DATA_REPRESENTATION_XCDR1};
     Dds().dds_qset_reliability(qos_, DDS_RELIABILITY_RELIABLE, 0);
     Dds().dds_qset_history(qos_, DDS_HISTORY_KEEP_LAST, depth);
-    Dds().dds_qset_durability(qos_, DDS_DURABILITY_VOLATILE);
+    Dds().dds_qset_durability(qos_, late == LateReaders::kGetNewest ? DDS_DURABILITY_TRANSIENT_LOCAL
+                                                                    : DDS_DURABILITY_VOLATILE);
     Dds().dds_qset_data_representation(qos_, 1, kPlain);
   }
   ~Qos() { Dds().dds_delete_qos(qos_); }
@@ -37,10 +39,12 @@ dds_entity_t TopicOf(Bus* bus, const dds_topic_descriptor_t& type, const std::st
 }  // namespace
 
 Ros2Writer::Ros2Writer(Bus* bus, const dds_topic_descriptor_t& type, const std::string& name,
-                       int depth)
-    : topic_(TopicOf(bus, type, name)),
-      writer_(Check(Dds().dds_create_writer(bus->participant(), topic_, Qos(depth).get(), nullptr),
-                    "writer of " + name)) {}
+                       int depth, LateReaders late)
+    : late_(late),
+      topic_(TopicOf(bus, type, name)),
+      writer_(Check(
+          Dds().dds_create_writer(bus->participant(), topic_, Qos(depth, late).get(), nullptr),
+          "writer of " + name)) {}
 
 Ros2Writer::~Ros2Writer() {
   Dds().dds_delete(writer_);
@@ -54,7 +58,7 @@ bool Ros2Writer::HasReaders() const {
 }
 
 void Ros2Writer::Write(const void* sample) {
-  if (!HasReaders()) return;
+  if (late_ == LateReaders::kMissSamples && !HasReaders()) return;
   // Ignores a failed write, because the run must not depend on readers.  Readers miss this sample,
   // for instance when they are so slow that Cyclone DDS has no room for it.
   static_cast<void>(Dds().dds_write(writer_, sample));

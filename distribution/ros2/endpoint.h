@@ -10,22 +10,28 @@
 
 namespace openr_host {
 
+// What a writer does for readers that come later: nothing, or it sends them the newest sample, as
+// the quality of service "transient local" of ROS 2 has it.
+enum class LateReaders { kMissSamples, kGetNewest };
+
 // A writer that keeps the newest `depth` samples.  It is reliable, so that reliable and best-effort
 // readers both match it.  Writing never waits: a slow reader loses samples.
 class Ros2Writer {
  public:
   // `name` is the ROS 2 name without the leading slash: "aibo/joint_states".  Throws
   // std::runtime_error.
-  Ros2Writer(Bus* bus, const dds_topic_descriptor_t& type, const std::string& name, int depth);
+  Ros2Writer(Bus* bus, const dds_topic_descriptor_t& type, const std::string& name, int depth,
+             LateReaders late = LateReaders::kMissSamples);
   ~Ros2Writer();
   Ros2Writer(const Ros2Writer&) = delete;
   Ros2Writer& operator=(const Ros2Writer&) = delete;
 
   bool HasReaders() const;
-  // Writes a sample if there are readers.
+  // Writes a sample if there are readers, or if readers that come later get it.
   void Write(const void* sample);
 
  private:
+  const LateReaders late_;
   dds_entity_t topic_ = 0;
   dds_entity_t writer_ = 0;
 };

@@ -3,13 +3,18 @@
 #include <string.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
+#include "audio_common_msgs.h"
+#include "diagnostic_msgs.h"
 #include "geometry_msgs.h"
+#include "nav_msgs.h"
 #include "rosgraph_msgs.h"
 #include "runtime/base/assert.h"
 #include "sensor_msgs.h"
 #include "std_msgs.h"
+#include "tf2_msgs.h"
 
 namespace openr_host {
 namespace {
@@ -19,6 +24,7 @@ namespace {
 constexpr int kSensorDepth = 5;
 constexpr int kImageDepth = 2;
 constexpr int kClockDepth = 1;
+constexpr int kSoundDepth = 50;  // 0.4 s of sound
 
 constexpr int64_t kUsPerSecond = 1'000'000;
 
@@ -137,12 +143,107 @@ void Ros2Number::Publish(double value) {
   writer_.Write(&sample);
 }
 
-Ros2Text::Ros2Text(Bus* bus, const std::string& topic)
-    : writer_(bus, std_msgs_msg_dds__String__desc, topic, kSensorDepth) {}
+Ros2Text::Ros2Text(Bus* bus, const std::string& topic, LateReaders late)
+    : writer_(bus, std_msgs_msg_dds__String__desc, topic,
+              late == LateReaders::kGetNewest ? 1 : kSensorDepth, late) {}
 
 void Ros2Text::Publish(const std::string& text) {
   const std_msgs_msg_dds__String_ sample = {Text(text)};
   writer_.Write(&sample);
+}
+
+Ros2Odometry::Ros2Odometry(Bus* bus, const std::string& topic, std::string fixed_frame,
+                           std::string base_frame)
+    : odometry_(bus, nav_msgs_msg_dds__Odometry__desc, topic, kSensorDepth),
+      transforms_(bus, tf2_msgs_msg_dds__TFMessage__desc, "tf", kSensorDepth),
+      fixed_frame_(std::move(fixed_frame)),
+      base_frame_(std::move(base_frame)) {}
+
+void Ros2Odometry::Publish(int64_t time_us, const Ros2Motion& motion) {
+  const auto& [x, y, z] = motion.position_m;
+  const geometry_msgs_msg_dds__Quaternion_ rotation = {motion.rotation[0], motion.rotation[1],
+                                                       motion.rotation[2], motion.rotation[3]};
+  nav_msgs_msg_dds__Odometry_ sample{};
+  sample.header_ = HeaderOf(time_us, fixed_frame_.c_str());
+  sample.child_frame_id_ = Text(base_frame_);
+  sample.pose_.pose_ = {{x, y, z}, rotation};
+  sample.twist_.twist_ = {
+      {motion.speed_m_s[0], motion.speed_m_s[1], motion.speed_m_s[2]},
+      {motion.turning_rad_s[0], motion.turning_rad_s[1], motion.turning_rad_s[2]}};
+  odometry_.Write(&sample);
+  const std::vector<geometry_msgs_msg_dds__TransformStamped_> transforms = {
+      {sample.header_, sample.child_frame_id_, {{x, y, z}, rotation}}};
+  const tf2_msgs_msg_dds__TFMessage_ all = {
+      Borrowed<dds_sequence_geometry_msgs_msg_dds__TransformStamped_>(transforms)};
+  transforms_.Write(&all);
+}
+
+Ros2Battery::Ros2Battery(Bus* bus, const std::string& topic)
+    : writer_(bus, sensor_msgs_msg_dds__BatteryState__desc, topic, kSensorDepth) {}
+
+void Ros2Battery::Publish(int64_t time_us, const Ros2BatteryValues& values) {
+  enum { kCharging = 1, kDischarging = 2 };  // POWER_SUPPLY_STATUS_ of sensor_msgs/BatteryState
+  constexpr uint8_t kHealthGood = 1, kLithiumIon = 2;
+  static const std::string nothing;
+  sensor_msgs_msg_dds__BatteryState_ sample{};
+  sample.header_ = HeaderOf(time_us, "");
+  sample.voltage_ = values.voltage_v;
+  sample.temperature_ = values.temperature_c;
+  sample.current_ = values.current_a;
+  sample.charge_ = values.capacity_ah * values.share;
+  sample.capacity_ = values.capacity_ah;
+  sample.design_capacity_ = std::numeric_limits<float>::quiet_NaN();
+  sample.percentage_ = values.share;
+  sample.power_supply_status_ = values.is_charging ? kCharging : kDischarging;
+  sample.power_supply_health_ = kHealthGood;
+  sample.power_supply_technology_ = kLithiumIon;
+  sample.present_ = true;
+  sample.location_ = Text(nothing);
+  sample.serial_number_ = Text(nothing);
+  writer_.Write(&sample);
+}
+
+Ros2Sound::Ros2Sound(Bus* bus, const std::string& topic, int rate_hz)
+    : sound_(bus, audio_common_msgs_msg_dds__AudioData__desc, topic, kSoundDepth),
+      info_(bus, audio_common_msgs_msg_dds__AudioInfo__desc, topic + "_info", 1,
+            LateReaders::kGetNewest) {
+  static const std::string format = "S16LE", coding = "wave";
+  const audio_common_msgs_msg_dds__AudioInfo_ info = {1, static_cast<uint32_t>(rate_hz),
+                                                      Text(format), 0, Text(coding)};
+  info_.Write(&info);
+}
+
+void Ros2Sound::Publish(const std::vector<int16_t>& samples) {
+  if (!sound_.HasReaders()) return;
+  std::vector<uint8_t> bytes;
+  for (const int16_t sample : samples) {
+    bytes.push_back(static_cast<uint8_t>(sample & 0xff));
+    bytes.push_back(static_cast<uint8_t>(sample >> 8 & 0xff));
+  }
+  const audio_common_msgs_msg_dds__AudioData_ data = {Borrowed<dds_sequence_octet>(bytes)};
+  sound_.Write(&data);
+}
+
+Ros2Diagnostics::Ros2Diagnostics(Bus* bus, const std::string& topic)
+    : writer_(bus, diagnostic_msgs_msg_dds__DiagnosticArray__desc, topic, kSensorDepth) {}
+
+void Ros2Diagnostics::Publish(int64_t time_us, const std::string& hardware,
+                              const std::vector<Ros2Status>& statuses) {
+  std::vector<std::vector<diagnostic_msgs_msg_dds__KeyValue_>> values;
+  for (const Ros2Status& status : statuses) {
+    std::vector<diagnostic_msgs_msg_dds__KeyValue_>& of_status = values.emplace_back();
+    for (const auto& [key, value] : status.values) of_status.push_back({Text(key), Text(value)});
+  }
+  std::vector<diagnostic_msgs_msg_dds__DiagnosticStatus_> samples;
+  for (size_t i = 0; i < statuses.size(); ++i) {
+    samples.push_back({statuses[i].level, Text(statuses[i].name), Text(statuses[i].message),
+                       Text(hardware),
+                       Borrowed<dds_sequence_diagnostic_msgs_msg_dds__KeyValue_>(values[i])});
+  }
+  const diagnostic_msgs_msg_dds__DiagnosticArray_ all = {
+      HeaderOf(time_us, ""),
+      Borrowed<dds_sequence_diagnostic_msgs_msg_dds__DiagnosticStatus_>(samples)};
+  writer_.Write(&all);
 }
 
 Ros2Texts::Ros2Texts(Bus* bus, const std::string& topic)

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "distribution/ros2/endpoint.h"
@@ -88,8 +89,81 @@ class Ros2Number {
 // Publishes std_msgs/String.
 class Ros2Text {
  public:
-  Ros2Text(Bus* bus, const std::string& topic);
+  Ros2Text(Bus* bus, const std::string& topic, LateReaders late = LateReaders::kMissSamples);
   void Publish(const std::string& text);
+
+ private:
+  Ros2Writer writer_;
+};
+
+// The pose and the speeds of a robot's base frame.
+struct Ros2Motion {
+  std::array<double, 3> position_m{};          // in the fixed frame
+  std::array<double, 4> rotation{0, 0, 0, 1};  // quaternion x, y, z, w
+  std::array<double, 3> speed_m_s{};           // in the base frame
+  std::array<double, 3> turning_rad_s{};       // in the base frame
+};
+
+// Publishes nav_msgs/Odometry, and the same pose as tf2_msgs/TFMessage on the topic "tf".
+// `fixed_frame` and `base_frame` are names of frames: "aibo/odom", "aibo/base_link".
+class Ros2Odometry {
+ public:
+  Ros2Odometry(Bus* bus, const std::string& topic, std::string fixed_frame, std::string base_frame);
+  void Publish(int64_t time_us, const Ros2Motion& motion);
+
+ private:
+  Ros2Writer odometry_;
+  Ros2Writer transforms_;
+  const std::string fixed_frame_;
+  const std::string base_frame_;
+};
+
+struct Ros2BatteryValues {
+  float voltage_v = 0, current_a = 0, temperature_c = 0;
+  float capacity_ah = 0;  // of the full battery
+  float share = 0;        // what remains of it, 0 to 1
+  bool is_charging = false;
+};
+
+// Publishes sensor_msgs/BatteryState.
+class Ros2Battery {
+ public:
+  Ros2Battery(Bus* bus, const std::string& topic);
+  void Publish(int64_t time_us, const Ros2BatteryValues& values);
+
+ private:
+  Ros2Writer writer_;
+};
+
+// Publishes sound as audio_common_msgs/AudioData, 16 bits a sample, mono, and what sound it is as
+// audio_common_msgs/AudioInfo on the topic `topic` + "_info".
+class Ros2Sound {
+ public:
+  Ros2Sound(Bus* bus, const std::string& topic, int rate_hz);
+  void Publish(const std::vector<int16_t>& samples);
+
+ private:
+  Ros2Writer sound_;
+  Ros2Writer info_;
+};
+
+// A part of diagnostics: what a thing does, with values.
+struct Ros2Status {
+  enum Level : uint8_t { kGood = 0, kWarning = 1, kError = 2 };
+  Level level = kGood;
+  std::string name;
+  std::string message;
+  std::vector<std::pair<std::string, std::string>> values;
+};
+
+// Publishes diagnostic_msgs/DiagnosticArray.
+class Ros2Diagnostics {
+ public:
+  Ros2Diagnostics(Bus* bus, const std::string& topic);
+  bool HasReaders() const { return writer_.HasReaders(); }
+  // `hardware` names the thing that all of `statuses` are about.
+  void Publish(int64_t time_us, const std::string& hardware,
+               const std::vector<Ros2Status>& statuses);
 
  private:
   Ros2Writer writer_;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <iterator>
 
 namespace openr_host {
@@ -69,15 +70,49 @@ void AddJoint(const RobotModel& model, const JointModel& joint, std::string* out
                  joint.speed_rad_s.max);
 }
 
+// Adds a frame without mass that is fixed to a part.
+void AddFrame(const std::string& parent, const std::string& name, const std::string& place,
+              std::string* out) {
+  fmt::format_to(std::back_inserter(*out),
+                 "  <link name=\"{1}\"/>\n"
+                 "  <joint name=\"{1}_joint\" type=\"fixed\">\n"
+                 "    <parent link=\"{0}\"/>\n"
+                 "    <child link=\"{1}\"/>\n"
+                 "    <origin {2}/>\n"
+                 "  </joint>\n",
+                 parent, name, place);
+}
+
+// Adds the frame of the camera's pictures: z along the view, x to the right, y down.
+void AddCameraFrame(const RobotModel& model, const Camera& camera, std::string* out) {
+  const Vector3d z = camera.direction.normalized();
+  const Vector3d x = z.cross(Vector3d::UnitZ()).normalized();
+  const Vector3d y = z.cross(x);
+  // The matrix with the columns x, y and z, as turns about the fixed axes x, y and z of the part.
+  const double roll = std::atan2(y.z(), z.z());
+  const double pitch = std::atan2(-x.z(), std::hypot(y.z(), z.z()));
+  const double yaw = std::atan2(x.y(), x.x());
+  AddFrame(model.bodies[camera.body].name, "camera_optical",
+           fmt::format("xyz=\"{}\" rpy=\"{} {} {}\"",
+                       Triple(camera.place_m - OriginOf(model, camera.body)), roll, pitch, yaw),
+           out);
+}
+
 }  // namespace
 
 std::string Urdf(const RobotModel& model) {
   std::string out = fmt::format(
       "<?xml version=\"1.0\"?>\n"
-      "<robot name=\"{}\">\n",
-      model.name);
+      "<robot name=\"{}\">\n"
+      "  <link name=\"base_link\"/>\n"
+      "  <joint name=\"base_link_joint\" type=\"fixed\">\n"
+      "    <parent link=\"base_link\"/>\n"
+      "    <child link=\"{}\"/>\n"
+      "  </joint>\n",
+      model.name, model.bodies[0].name);
   for (size_t i = 0; i < model.bodies.size(); ++i) AddLink(model, static_cast<int>(i), &out);
   for (const JointModel& joint : model.joints) AddJoint(model, joint, &out);
+  AddCameraFrame(model, model.camera, &out);
   return out + "</robot>\n";
 }
 

@@ -1,11 +1,68 @@
 #include "openr/ros2/robot_topics.h"
 
-#include <vector>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "openr/model/urdf.h"
+#include "runtime/core/system.h"
 
 namespace openr_host {
 namespace {
 
-constexpr int64_t kFaultsFrames = 125;  // 1 s
+constexpr int64_t kSecondFrames = 125;
+
+// Returns what the battery of `robot` says of itself, in the units of ROS 2.
+Ros2BatteryValues BatteryOf(VirtualRobot* robot) {
+  constexpr double kZeroCelsius = 273.15;  // K
+  const OPowerStatus status = robot->power().Status();
+  return {.voltage_v = static_cast<float>(status.voltage / 1000.0),
+          .current_a = static_cast<float>(status.current / 1000.0),
+          .temperature_c = static_cast<float>(status.temperature / 10.0 - kZeroCelsius),
+          .capacity_ah = static_cast<float>(status.fullyChargedCapacity / 1000.0),
+          .share = static_cast<float>(status.remainingCapacity / 100.0),
+          .is_charging = (status.robotStatus & orsbBATTERY_CHARGING) != 0};
+}
+
+Ros2Status BatteryStatus(VirtualRobot* robot) {
+  const Ros2BatteryValues battery = BatteryOf(robot);
+  const bool is_low = robot->power().is_battery_low();
+  return {.level = is_low ? Ros2Status::kWarning : Ros2Status::kGood,
+          .name = "battery",
+          .message = is_low ? "low" : "good",
+          .values = {{"percent", fmt::format("{:.0f}", 100 * battery.share)},
+                     {"temperature_c", fmt::format("{:.1f}", battery.temperature_c)}}};
+}
+
+Ros2Status FaultStatus(VirtualRobot* robot) {
+  Ros2Status status{
+      .level = Ros2Status::kGood, .name = "body", .message = "no faults", .values = {}};
+  for (const std::string& fault : robot->parts().faults.Present())
+    status.values.emplace_back("fault", fault);
+  if (!status.values.empty()) {
+    status.level = Ros2Status::kWarning;
+    status.message = fmt::format("{} faults", status.values.size());
+  }
+  return status;
+}
+
+// Returns what the checks of the run found in the objects of `robot`; the newest finding is the
+// message.
+Ros2Status ObjectStatus(const RobotParts& robot) {
+  Ros2Status status{
+      .level = Ros2Status::kGood, .name = "objects", .message = "no findings", .values = {}};
+  int warnings = 0, errors = 0;
+  for (const Finding& finding : robot.system.findings().all()) {
+    if (finding.robot != robot.robot_index) continue;
+    const bool is_error = finding.severity == Severity::kError;
+    ++(is_error ? errors : warnings);
+    status.level = std::max(status.level, is_error ? Ros2Status::kError : Ros2Status::kWarning);
+    status.message = finding.object.empty() ? finding.text : finding.object + ": " + finding.text;
+  }
+  status.values = {{"errors", std::to_string(errors)}, {"warnings", std::to_string(warnings)}};
+  return status;
+}
 
 std::vector<std::string> JointNames(const RobotModel& model) {
   std::vector<std::string> names;
@@ -31,10 +88,19 @@ std::string TopicPart(const std::string& sensor) {
 
 RobotTopics::RobotTopics(Bus* bus, const std::string& space, VirtualRobot* robot)
     : robot_(robot),
+      space_(space),
       joints_(bus, space + "/joint_states", JointNames(robot->model())),
       imu_(bus, space + "/imu", space + "/base_link"),
       image_(bus, space + "/image_raw", space + "/camera_optical"),
-      faults_(bus, space + "/faults") {
+      faults_(bus, space + "/faults"),
+      motion_(bus, space + "/odom", space + "/odom", space + "/base_link"),
+      battery_(bus, space + "/battery"),
+      sound_(bus, space + "/audio", kSoundRate),
+      diagnostics_(bus, "diagnostics"),
+      description_(bus, space + "/robot_description", LateReaders::kGetNewest) {
+  description_.Publish(Urdf(robot->model()));
+  for (const Led& led : robot->model().leds)
+    lights_.push_back(std::make_unique<Ros2Number>(bus, space + "/led/" + TopicPart(led.name)));
   const std::vector<Sensor>& sensors = robot->model().sensors;
   for (size_t i = 0; i < sensors.size(); ++i) {
     const auto sensor = static_cast<int>(i);
@@ -71,6 +137,13 @@ std::string RobotTopics::Publish(int64_t time_us) {
   for (const auto& [sensor, topic] : switches_) topic->Publish(Value(sensor) != 0);
   for (const auto& [sensor, topic] : numbers_) topic->Publish(Value(sensor));
   PublishFaults();
+  PublishMotion(time_us);
+  PublishLights();
+  PublishSound();
+  if (frame_ % kSecondFrames == 0) {
+    PublishBattery(time_us);
+    PublishDiagnostics(time_us);
+  }
   return PublishImage(time_us);
 }
 
@@ -99,9 +172,52 @@ void RobotTopics::PublishAcceleration(int64_t time_us) {
 void RobotTopics::PublishFaults() {
   std::string text;
   for (const std::string& fault : robot_->parts().faults.Present()) text += fault + "\n";
-  if (text == last_faults_ && frame_ % kFaultsFrames != 0) return;
+  if (text == last_faults_ && frame_ % kSecondFrames != 0) return;
   last_faults_ = text;
   faults_.Publish(text);
+}
+
+// Publishes where the body of the simulation is and how it moves.  The robot has no such sensor.
+void RobotTopics::PublishMotion(int64_t time_us) {
+  const BodyState& body = robot_->body().state();
+  const Eigen::Vector3d place = body.X_WB.translation();
+  const Eigen::Quaterniond turn(body.X_WB.linear());
+  const Eigen::Vector3d speed = body.X_WB.linear().transpose() * body.v_WB;
+  const Eigen::Vector3d turning = body.X_WB.linear().transpose() * body.w_WB;
+  motion_.Publish(time_us, {.position_m = {place.x(), place.y(), place.z()},
+                            .rotation = {turn.x(), turn.y(), turn.z(), turn.w()},
+                            .speed_m_s = {speed.x(), speed.y(), speed.z()},
+                            .turning_rad_s = {turning.x(), turning.y(), turning.z()}});
+}
+
+void RobotTopics::PublishBattery(int64_t time_us) { battery_.Publish(time_us, BatteryOf(robot_)); }
+
+// Publishes how bright the lights are, 0 to 1: all once a second, and each when it changes.
+void RobotTopics::PublishLights() {
+  last_lights_.resize(lights_.size(), -1);
+  for (size_t i = 0; i < lights_.size(); ++i) {
+    const double full = robot_->model().leds[i].type == "LED3" ? 255 : 1;
+    const double value = robot_->devices().leds[i].intensity / full;
+    if (value == last_lights_[i] && frame_ % kSecondFrames != 0) continue;
+    last_lights_[i] = value;
+    lights_[i]->Publish(value);
+  }
+}
+
+// Publishes what the speaker has played in this frame; nothing while it is silent.
+void RobotTopics::PublishSound() {
+  const Speaker::Sound& sound = robot_->speaker().newest();
+  if (sound.frame == last_sound_) return;
+  last_sound_ = sound.frame;
+  sound_.Publish({sound.samples.begin(), sound.samples.end()});
+}
+
+void RobotTopics::PublishDiagnostics(int64_t time_us) {
+  if (!diagnostics_.HasReaders()) return;
+  std::vector<Ros2Status> statuses = {BatteryStatus(robot_), FaultStatus(robot_),
+                                      ObjectStatus(robot_->parts())};
+  for (Ros2Status& status : statuses) status.name = space_ + ": " + status.name;
+  diagnostics_.Publish(time_us, space_, statuses);
 }
 
 std::string RobotTopics::PublishImage(int64_t time_us) {

@@ -1,10 +1,11 @@
-// RobotTopics publishes the sensors of one robot as topics of ROS 2 (docs/ros2.md).
+// RobotTopics publishes the state of one robot as topics of ROS 2 (docs/ros2.md).
 #pragma once
 
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "distribution/ros2/topics.h"
 #include "virtualrobot/virtual_robot.h"
@@ -21,8 +22,8 @@ class RobotTopics {
   // the kind and name of a sensor, such as "touch/paw_sensor_left_fore_leg".
   RobotTopics(Bus* bus, const std::string& space, VirtualRobot* robot);
 
-  // Publishes all sensors.  Called after each frame of 8 ms.  Returns "", or the reason why the
-  // camera has no image.
+  // Publishes everything that is due.  Called after each frame of 8 ms.  Returns "", or the reason
+  // why the camera has no image.
   std::string Publish(int64_t time_us);
 
  private:
@@ -30,17 +31,31 @@ class RobotTopics {
   void PublishJoints(int64_t time_us);
   void PublishAcceleration(int64_t time_us);
   void PublishFaults();
+  void PublishMotion(int64_t time_us);
+  void PublishBattery(int64_t time_us);
+  void PublishLights();
+  void PublishSound();
+  void PublishDiagnostics(int64_t time_us);
   std::string PublishImage(int64_t time_us);
 
   VirtualRobot* const robot_;
+  const std::string space_;
   int64_t frame_ = 0;  // frame of the values published last
   Ros2JointStates joints_;
   Ros2Imu imu_;
   Ros2Image image_;
   Ros2Text faults_;
+  Ros2Odometry motion_;
+  Ros2Battery battery_;
+  Ros2Sound sound_;
+  Ros2Diagnostics diagnostics_;
+  Ros2Text description_;
   std::string last_faults_;                              // the text that was published last
   std::map<int, std::unique_ptr<Ros2Switch>> switches_;  // key: number of the sensor
   std::map<int, std::unique_ptr<Ros2Number>> numbers_;
+  std::vector<std::unique_ptr<Ros2Number>> lights_;  // in the order of RobotModel::leds
+  std::vector<double> last_lights_;                  // the values that were published last
+  int64_t last_sound_ = -1;                          // frame of the sound that was published last
   Picture picture_;
 };
 

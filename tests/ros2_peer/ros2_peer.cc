@@ -2,7 +2,9 @@
 // ours.  What it hears goes to standard output, a line of JSON each.
 //
 //   ros2_peer DOMAIN topics                     the topics of ROS 2 that somebody else has
-//   ros2_peer DOMAIN read TYPE TOPIC N [best]   N samples; best: a best-effort reader
+//   ros2_peer DOMAIN read TYPE TOPIC N [best|late]
+//                                               N samples; best: a best-effort reader; late: one
+//                                               that gets what was written before it came
 //   ros2_peer DOMAIN command TOPIC JOINT=RAD[@RAD/S]...
 //                                               to a reader of JointState, when one is there
 //   ros2_peer DOMAIN commands TOPIC MS JOINT=RAD[@RAD/S]...
@@ -21,10 +23,14 @@
 #include <string>
 #include <vector>
 
+#include "audio_common_msgs.h"
+#include "diagnostic_msgs.h"
 #include "geometry_msgs.h"
+#include "nav_msgs.h"
 #include "rosgraph_msgs.h"
 #include "sensor_msgs.h"
 #include "std_msgs.h"
+#include "tf2_msgs.h"
 
 namespace {
 
@@ -128,8 +134,71 @@ std::string JsonOfFloat(const void* sample) {
 std::string JsonOfString(const void* sample) {
   std::string text;
   for (const char* c = static_cast<const std_msgs_msg_dds__String_*>(sample)->data_; *c != 0; ++c)
-    text += *c == '\n' ? std::string("\\n") : std::string(1, *c);
+    text += *c == '\n' ? std::string("\\n") : *c == '"' ? std::string("\\\"") : std::string(1, *c);
   return Text(text);
+}
+
+std::string JsonOfOdometry(const void* sample) {
+  const auto& odometry = *static_cast<const nav_msgs_msg_dds__Odometry_*>(sample);
+  return "{" + Header(odometry.header_) + ",\"child\":" + Text(odometry.child_frame_id_) +
+         ",\"position\":" + Numbers(&odometry.pose_.pose_.position_.x_, 3) +
+         ",\"orientation\":" + Numbers(&odometry.pose_.pose_.orientation_.x_, 4) +
+         ",\"linear\":" + Numbers(&odometry.twist_.twist_.linear_.x_, 3) +
+         ",\"angular\":" + Numbers(&odometry.twist_.twist_.angular_.x_, 3) + "}";
+}
+
+std::string JsonOfTransforms(const void* sample) {
+  const auto& all = *static_cast<const tf2_msgs_msg_dds__TFMessage_*>(sample);
+  std::string text;
+  for (uint32_t i = 0; i < all.transforms_._length; ++i) {
+    const geometry_msgs_msg_dds__TransformStamped_& one = all.transforms_._buffer[i];
+    text += (i == 0 ? "{" : ",{") + Header(one.header_) +
+            ",\"child\":" + Text(one.child_frame_id_) +
+            ",\"translation\":" + Numbers(&one.transform_.translation_.x_, 3) +
+            ",\"rotation\":" + Numbers(&one.transform_.rotation_.x_, 4) + "}";
+  }
+  return "[" + text + "]";
+}
+
+std::string JsonOfBattery(const void* sample) {
+  const auto& battery = *static_cast<const sensor_msgs_msg_dds__BatteryState_*>(sample);
+  const double values[] = {battery.voltage_, battery.current_, battery.temperature_,
+                           battery.capacity_, battery.percentage_};
+  return "{" + Header(battery.header_) + ",\"values\":" + Numbers(values, 5) +
+         ",\"status\":" + std::to_string(battery.power_supply_status_) +
+         ",\"present\":" + (battery.present_ ? "true" : "false") + "}";
+}
+
+std::string JsonOfSound(const void* sample) {
+  const auto& sound = *static_cast<const audio_common_msgs_msg_dds__AudioData_*>(sample);
+  int loudest = 0;
+  for (uint32_t i = 0; i + 1 < sound.data_._length; i += 2) {
+    const auto value =
+        static_cast<int16_t>(sound.data_._buffer[i] | sound.data_._buffer[i + 1] << 8);
+    loudest = std::max(loudest, std::abs(int{value}));
+  }
+  return "{\"bytes\":" + std::to_string(sound.data_._length) +
+         ",\"loudest\":" + std::to_string(loudest) + "}";
+}
+
+std::string JsonOfSoundInfo(const void* sample) {
+  const auto& info = *static_cast<const audio_common_msgs_msg_dds__AudioInfo_*>(sample);
+  return "{\"channels\":" + std::to_string(info.channels_) +
+         ",\"rate\":" + std::to_string(info.sample_rate_) +
+         ",\"format\":" + Text(info.sample_format_) + "}";
+}
+
+std::string JsonOfDiagnostics(const void* sample) {
+  const auto& all = *static_cast<const diagnostic_msgs_msg_dds__DiagnosticArray_*>(sample);
+  std::string text;
+  for (uint32_t i = 0; i < all.status_._length; ++i) {
+    const diagnostic_msgs_msg_dds__DiagnosticStatus_& one = all.status_._buffer[i];
+    text += (i == 0 ? "{" : ",{") + std::string("\"name\":") + Text(one.name_) +
+            ",\"level\":" + std::to_string(one.level_) + ",\"message\":" + Text(one.message_) +
+            ",\"hardware\":" + Text(one.hardware_id_) +
+            ",\"values\":" + std::to_string(one.values_._length) + "}";
+  }
+  return "[" + text + "]";
 }
 
 struct Type {
@@ -141,6 +210,14 @@ Type TypeOf(const std::string& name) {
   const std::map<std::string, Type> types = {
       {"sensor_msgs/JointState", {&sensor_msgs_msg_dds__JointState__desc, &JsonOfJointState}},
       {"sensor_msgs/Imu", {&sensor_msgs_msg_dds__Imu__desc, &JsonOfImu}},
+      {"sensor_msgs/BatteryState", {&sensor_msgs_msg_dds__BatteryState__desc, &JsonOfBattery}},
+      {"nav_msgs/Odometry", {&nav_msgs_msg_dds__Odometry__desc, &JsonOfOdometry}},
+      {"tf2_msgs/TFMessage", {&tf2_msgs_msg_dds__TFMessage__desc, &JsonOfTransforms}},
+      {"audio_common_msgs/AudioData", {&audio_common_msgs_msg_dds__AudioData__desc, &JsonOfSound}},
+      {"audio_common_msgs/AudioInfo",
+       {&audio_common_msgs_msg_dds__AudioInfo__desc, &JsonOfSoundInfo}},
+      {"diagnostic_msgs/DiagnosticArray",
+       {&diagnostic_msgs_msg_dds__DiagnosticArray__desc, &JsonOfDiagnostics}},
       {"sensor_msgs/Image", {&sensor_msgs_msg_dds__Image__desc, &JsonOfImage}},
       {"rosgraph_msgs/Clock", {&rosgraph_msgs_msg_dds__Clock__desc, &JsonOfClock}},
       {"std_msgs/String", {&std_msgs_msg_dds__String__desc, &JsonOfString}},
@@ -163,10 +240,12 @@ dds_entity_t TopicOf(dds_entity_t participant, const Type& type, const char* nam
 }
 
 int Read(dds_entity_t participant, int argc, char** argv) {
-  if (argc < 3) Fail("read TYPE TOPIC N [best]");
+  if (argc < 3) Fail("read TYPE TOPIC N [best|late]");
   const Type type = TypeOf(argv[0]);
   const bool is_best = argc > 3 && std::strcmp(argv[3], "best") == 0;
   dds_qos_t* const qos = MakeQos(is_best ? DDS_RELIABILITY_BEST_EFFORT : DDS_RELIABILITY_RELIABLE);
+  if (argc > 3 && std::strcmp(argv[3], "late") == 0)
+    dds_qset_durability(qos, DDS_DURABILITY_TRANSIENT_LOCAL);
   const dds_entity_t reader = Check(
       dds_create_reader(participant, TopicOf(participant, type, argv[1]), qos, nullptr), "reader");
   const dds_entity_t waitset = dds_create_waitset(participant);

@@ -55,15 +55,16 @@ bool Speaker::SetSoundType(longword type) {
 }
 
 std::string Speaker::Play(int64_t frame, const SoundFrame& samples, bool motor_power) {
-  if (sink_ == nullptr) return "";
-  SoundFrame out{};
+  SoundFrame& out = newest_.samples;
+  out.fill(0);
   if (motor_power && !settings_.mute) {
     for (size_t i = 0; i < samples.size(); ++i) {
       out[i] = static_cast<int16_t>(std::clamp(int64_t{samples[i]} * settings_.gain / kFullGain,
                                                int64_t{INT16_MIN}, int64_t{INT16_MAX}));
     }
   }
-  return sink_->Play(first_frame_ + frame, out);
+  newest_.frame = first_frame_ + frame;
+  return sink_ == nullptr ? "" : sink_->Play(newest_.frame, out);
 }
 
 void Speaker::HashState(Hasher* hasher) const {

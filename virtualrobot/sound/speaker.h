@@ -47,6 +47,13 @@ class Speaker {
   // in Sony's sample SoundPlay).  Returns "", or the reason why the sound could not be written.
   std::string Play(int64_t frame, const SoundFrame& samples, bool motor_power);
 
+  // Returns what was played last, with the settings applied, for listeners outside of the run.
+  struct Sound {
+    int64_t frame = -1;  // frame of the run; -1: nothing was played
+    SoundFrame samples{};
+  };
+  const Sound& newest() const { return newest_; }
+
   // Sets the settings as they are at boot.  The robot is switched off in frame `frame`, from which
   // the sink goes on when the frames begin again with 0.
   void SwitchOff(int64_t frame) {
@@ -73,6 +80,7 @@ class Speaker {
 
   std::unique_ptr<SoundSink> sink_;
   Settings settings_;
+  Sound newest_;
   int64_t first_frame_ = 0;  // frame of the sink in which the frames of this boot begin
 };
 
