@@ -98,7 +98,7 @@ def jobs(build, pattern, quick):
     if pattern in examples.name:
         found.append((examples.name, [sys.executable, str(examples), "--build", str(build)],
                       {}))
-    for docs in (ROOT / "tests/docs/run_docs.py", ROOT / "tests/docs/run_docs_test.py"):
+    for docs in sorted(ROOT.glob("tests/docs/run_docs*.py")):
         if pattern in docs.name:
             found.append((docs.name, [sys.executable, str(docs), "--build", str(build)], {}))
     python = ROOT / "tests/python/python_tests.py"

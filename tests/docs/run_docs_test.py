@@ -38,7 +38,7 @@ GOOD = [
     ("a slow command is left out", fenced("sh slow", "false") + fenced("output", "never")),
     ("commands for the robot are left out", fenced("sh robot needs the dog", "false")),
     ("a reason not to run", fenced("python not-run an idea only", "boom(")),
-    ("openr is in PATH", fenced("sh", "openr version", 'test -e "$OPENR_HOST/README.md"')),
+    ("openr is in PATH", fenced("sh", "openr version", 'test -d "$OPENR_HOST/docs"')),
     ("a list with lines under its items", "1. one\n\n    more of one\n"),
     ("programs left in the background", fenced("sh", "sleep 1000 &", "echo x") + fenced("output", "x")),
 ]

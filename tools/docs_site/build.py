@@ -18,14 +18,14 @@ from stage import Stage
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 HERE = pathlib.Path(__file__).resolve().parent
-# Sections of the site and their pages, below docs/; those that do not exist are left out, and
+# Sections of the site and their pages, below docs/ and without .md; those that do not exist are left out, and
 # documents that no section names are in the reference.
 SECTIONS = [
-    ("First ten minutes", ["guide/first-ten-minutes.md", "installing.md"]),
-    ("How OPEN-R works", ["guide/how-openr-works.md", "architecture.md", "panel.md"]),
-    ("Cookbook", ["cookbook/README.md", "cookbook/[0-9]*.md"]),
-    ("Porting", ["guide/porting.md", "host-kit.md", "robot-build.md", "limits.md", "endings.md", "conformance.md"]),
-    ("Teachers", ["guide/teachers.md", "testing.md", "controllers.md", "python.md", "worlds.md"]),
+    ("First ten minutes", ["guide/first-ten-minutes", "installing"]),
+    ("How OPEN-R works", ["guide/how-openr-works", "architecture", "panel"]),
+    ("Cookbook", ["cookbook/README", "cookbook/[0-9]*"]),
+    ("Porting", ["guide/porting", "host-kit", "robot-build", "limits", "endings", "conformance"]),
+    ("Teachers", ["guide/teachers", "testing", "controllers", "python", "worlds"]),
 ]
 
 
@@ -50,7 +50,7 @@ def navigation(pages):
 
     tree.append({"Home": take("README.md")[0]})
     for title, patterns in SECTIONS:
-        entries = [entry for pattern in patterns for entry in take(f"docs/{pattern}")]
+        entries = [entry for pattern in patterns for entry in take(f"docs/{pattern}.md")]
         if entries:
             tree.append({title: entries})
     examples = take("examples/README.md") + take("examples/*/README.md") + take("examples/*/*/README.md")
