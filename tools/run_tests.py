@@ -98,6 +98,9 @@ def jobs(build, pattern, quick):
     if pattern in examples.name:
         found.append((examples.name, [sys.executable, str(examples), "--build", str(build)],
                       {}))
+    for docs in sorted(ROOT.glob("tests/docs/run_docs*.py")):
+        if pattern in docs.name:
+            found.append((docs.name, [sys.executable, str(docs), "--build", str(build)], {}))
     python = ROOT / "tests/python/python_tests.py"
     if pattern in python.name:
         found.append((python.name, [sys.executable, str(python), "--build", str(build)], {}))
