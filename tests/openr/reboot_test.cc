@@ -2,8 +2,10 @@
 // calls when a client asks for a reboot.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
 
+#include "openr/explore/quantity.h"
 #include "openr/simulation/run_stick.h"
 #include "openr/simulation/simulation.h"
 #include "runtime/core/system.h"
@@ -86,6 +88,23 @@ TEST_F(RebootTest, TheDogSinksAndStandsUpAgain) {
   EXPECT_EQ(StateOf("Controller"), "running");
   EXPECT_NEAR(HeightM(), standing_m, 0.005);
   EXPECT_EQ(Findings(), "");
+}
+
+// The boot makes new objects; the old ones are freed.
+TEST_F(RebootTest, QuantitiesOfObjectsAreThoseOfTheNewObjects) {
+  Start();
+  SimulationView view(simulation_.get());
+  const Quantity state = FindQuantity("objects.JointMover.state", view.run());
+  const Quantity messages = FindQuantity("objects.JointMover.messages", view.run());
+  const auto number = [&] { return std::get<double>(messages(view.run())); };
+  EXPECT_EQ(std::get<std::string>(state(view.run())), "accepting-commands");
+  const double before = number();
+  Reboot();
+  EXPECT_EQ(std::get<std::string>(state(view.run())), "absent");
+  EXPECT_TRUE(std::isnan(number()));
+  system().RunUntil(system().off_robots().BootUs(0) + kStandUs);
+  EXPECT_EQ(std::get<std::string>(state(view.run())), "accepting-commands");
+  EXPECT_GT(number(), before);
 }
 
 TEST_F(RebootTest, ManyBootsLeaveNothingBehind) {
