@@ -38,8 +38,8 @@ constexpr ObjectField kOfObject[] = {
      [](const Object& object) -> Value { return static_cast<double>(object.waiting_max); }}};
 
 // Returns the quantity `field` of an object.  Looks the object up at each reading, because a boot
-// or a new load of its image replaces it.  While its robot is off there is no object: its state is
-// "absent", and its numbers are NaN.
+// or a new load of its image replaces it.  Of an object that the boot has not loaded again, the
+// state is "absent", and numbers are NaN.
 Quantity OfObject(int robot, const std::string& object_name, const std::string& field) {
   std::vector<std::string> known;
   for (const ObjectField& each : kOfObject) known.push_back(each.name);

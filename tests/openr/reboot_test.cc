@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <memory>
 
 #include "openr/explore/quantity.h"
@@ -100,11 +101,25 @@ TEST_F(RebootTest, QuantitiesOfObjectsAreThoseOfTheNewObjects) {
   EXPECT_EQ(std::get<std::string>(state(view.run())), "accepting-commands");
   const double before = number();
   Reboot();
-  EXPECT_EQ(std::get<std::string>(state(view.run())), "absent");
-  EXPECT_TRUE(std::isnan(number()));
+  EXPECT_EQ(number(), before);  // an object that is off keeps its numbers
   system().RunUntil(system().off_robots().BootUs(0) + kStandUs);
   EXPECT_EQ(std::get<std::string>(state(view.run())), "accepting-commands");
   EXPECT_GT(number(), before);
+}
+
+// The boot does not find the image of the Controller any more.
+TEST_F(RebootTest, QuantitiesOfAnObjectThatIsGoneAreMissing) {
+  Start();
+  SimulationView view(simulation_.get());
+  const Quantity state = FindQuantity("objects.Controller.state", view.run());
+  const Quantity messages = FindQuantity("objects.Controller.messages", view.run());
+  Reboot();
+  const Object* const controller = system().FindObject(0, "Controller");
+  ASSERT_NE(controller, nullptr);
+  std::filesystem::remove(folder_.path() + controller->path.substr(3));
+  system().RunUntil(system().off_robots().BootUs(0) + kStandUs);
+  EXPECT_EQ(std::get<std::string>(state(view.run())), "absent");
+  EXPECT_TRUE(std::isnan(std::get<double>(messages(view.run()))));
 }
 
 TEST_F(RebootTest, ManyBootsLeaveNothingBehind) {
