@@ -17,7 +17,14 @@ GrowingFile::GrowingFile(const std::string& file) : file_(file) {
 GrowingFile::~GrowingFile() { close(descriptor_); }
 
 void GrowingFile::Append(std::string_view bytes) {
-  if (error_ == 0) error_ = WriteAll(descriptor_, bytes);
+  if (error_ != 0) return;
+  error_ = WriteAll(descriptor_, bytes);
+  if (error_ == 0) {
+    size_ += bytes.size();
+    return;
+  }
+  // Takes back the bytes that a full disk had room for.  A device or pipe cannot be cut.
+  [[maybe_unused]] const int result = ftruncate(descriptor_, static_cast<off_t>(size_));
 }
 
 std::string GrowingFile::Problem() const {

@@ -1,6 +1,7 @@
 // GrowingFile: a file that grows while a run goes on, such as a log of data.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -15,8 +16,8 @@ class GrowingFile {
   GrowingFile(const GrowingFile&) = delete;
   GrowingFile& operator=(const GrowingFile&) = delete;
 
-  // Appends `bytes` in one write.  After the first failure nothing more is written, so that the
-  // file ends with a whole record.
+  // Appends `bytes`.  If that fails, takes back what was written of them and writes nothing more,
+  // so that the file ends with a whole record.
   void Append(std::string_view bytes);
 
   // Returns "FILE: cannot be written: why" if a write has failed, else "".
@@ -25,7 +26,8 @@ class GrowingFile {
  private:
   const std::string file_;
   int descriptor_ = -1;
-  int error_ = 0;  // errno of the first failed write
+  size_t size_ = 0;  // bytes of all appended records
+  int error_ = 0;    // errno of the first failed write
 };
 
 }  // namespace openr_host

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -27,7 +28,15 @@ int RunServe() {
   setenv("LP_NUM_THREADS", "0", 0);
   const Console console("");  // keeps what objects print away from the answers
   RequestPipe pipe(STDIN_FILENO, StandardOutput());
-  return RunServer(&pipe).Serve();
+  auto server = std::make_unique<RunServer>(&pipe);
+  const int exit_code = server->Serve();
+  const bool is_copy = server->is_copy();
+  server.reset();
+  if (!is_copy) return exit_code;
+  std::fflush(nullptr);
+  // Mesa's exit handler waits for threads of Mesa, which the copy of a process that has drawn a
+  // picture does not have.
+  _exit(exit_code);
 }
 
 }  // namespace

@@ -53,7 +53,10 @@ class CsvReader {
 
   Table Read() {
     std::string line;
-    if (!NextLine(&line)) throw std::runtime_error(file_ + ": is empty");
+    if (!NextLine(&line)) {
+      throw std::runtime_error(
+          file_ + (note_.empty() ? ": is empty" : ": has one line only, which has no end"));
+    }
     names_ = FieldsOf(line);
     FindTime();
     columns_.resize(names_.size());
@@ -63,7 +66,7 @@ class CsvReader {
 
  private:
   struct Values {
-    bool is_text = false;  // its first field is no number, so the column is none of numbers
+    bool is_text = false;  // a field is no number, so the column is none of numbers
     bool has_number = false;
     Series series;
   };
@@ -74,7 +77,7 @@ class CsvReader {
     if (rest_.empty()) return false;
     const size_t end = rest_.find('\n');
     if (end == std::string::npos) {
-      note_ = fmt::format("{}: the last line has no end and is left out", file_);
+      AddNote(fmt::format("{}: the last line has no end and is left out", file_));
       return false;
     }
     *line = rest_.substr(0, end);
@@ -83,6 +86,8 @@ class CsvReader {
     ++number_;
     return true;
   }
+
+  void AddNote(const std::string& note) { note_ += (note_.empty() ? "" : "\n") + note; }
 
   void FindTime() {
     for (const TimeColumn& column : kTimeColumns) {
@@ -121,8 +126,8 @@ class CsvReader {
     if (values.is_text) return;
     const std::optional<double> number = NumberOfField(field);
     if (!number && values.has_number) {
-      throw std::runtime_error(fmt::format("{}:{}: '{}' in column {} is no number", file_, number_,
-                                           field, names_[column]));
+      AddNote(fmt::format("{}:{}: '{}' in column {} is no number; the column is left out", file_,
+                          number_, field, names_[column]));
     }
     values.is_text = !number;
     if (!number || std::isnan(*number)) return;

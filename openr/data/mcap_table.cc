@@ -12,6 +12,8 @@
 namespace openr_host {
 namespace {
 
+constexpr int kLevelMax = 32;  // objects within objects of a message; those of openr have one
+
 // Thrown where a record ends behind the end of the file.
 struct FileIsCut {};
 
@@ -98,6 +100,7 @@ class McapReader {
   }
 
   void ReadChunk(RecordFields* record) {
+    if (depth_ > 0) Refuse("has a chunk within a chunk, which the format forbids");
     record->Take(8 + 8 + 8);  // times and size
     const uint32_t crc = record->U32();
     const std::string_view compression = record->Text();
@@ -117,6 +120,12 @@ class McapReader {
     ++depth_;
     while (!records.AtEnd()) ReadRecord(&records);
     --depth_;
+  }
+
+  // Throws an error that names the place of the record that is read.
+  [[noreturn]] void Refuse(const std::string& why) const {
+    throw std::runtime_error(
+        fmt::format("{}: the record at byte {} {}", file_, good_ + kMcapMagic.size(), why));
   }
 
   void ReadSchema(RecordFields* record) {
@@ -140,13 +149,16 @@ class McapReader {
     record->Take(8);
     if (topic.empty()) return;
     const auto json = nlohmann::json::parse(record->Rest(), nullptr, false);
-    if (json.is_object()) AddMembers(QuantityOfTopic(topic), time_s, json);
+    if (json.is_object()) AddMembers(QuantityOfTopic(topic), time_s, json, 1);
   }
 
-  void AddMembers(const std::string& name, double time_s, const nlohmann::json& json) {
+  // Adds the numbers of a JSON object, and of objects in it.  `level` is 1 for a whole message.
+  void AddMembers(const std::string& name, double time_s, const nlohmann::json& json, int level) {
+    if (level > kLevelMax)
+      Refuse(fmt::format("has objects within objects, more than {} deep", kLevelMax));
     for (const auto& [key, value] : json.items()) {
       if (key == "timestamp") continue;
-      if (value.is_object()) AddMembers(name + key + ".", time_s, value);
+      if (value.is_object()) AddMembers(name + key + ".", time_s, value, level + 1);
       if (!value.is_number()) continue;
       const auto [found, is_new] = places_.emplace(name + key, table_.series.size());
       if (is_new) table_.series.push_back({name + key, {}, {}});

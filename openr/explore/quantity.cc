@@ -23,18 +23,34 @@ constexpr size_t kNone = std::string::npos;
   throw std::runtime_error(fmt::format("no {} '{}'{}", what, name, DidYouMean(name, known)));
 }
 
-Quantity OfObject(const Object* object, const std::string& field) {
-  if (field == "state") return [object](const RunView&) -> Value { return object->state; };
-  if (field == "messages") {
-    return [object](const RunView&) -> Value { return static_cast<double>(object->message_count); };
-  }
-  if (field == "dropped") {
-    return [object](const RunView&) -> Value { return static_cast<double>(object->dropped_count); };
-  }
-  if (field == "queue_max") {
-    return [object](const RunView&) -> Value { return static_cast<double>(object->waiting_max); };
-  }
-  Unknown("field of an object", field, {"state", "messages", "dropped", "queue_max"});
+struct ObjectField {
+  const char* name;
+  Value (*of)(const Object& object);
+};
+
+constexpr ObjectField kOfObject[] = {
+    {"state", [](const Object& object) -> Value { return object.state; }},
+    {"messages",
+     [](const Object& object) -> Value { return static_cast<double>(object.message_count); }},
+    {"dropped",
+     [](const Object& object) -> Value { return static_cast<double>(object.dropped_count); }},
+    {"queue_max",
+     [](const Object& object) -> Value { return static_cast<double>(object.waiting_max); }}};
+
+// Returns the quantity `field` of an object.  Looks the object up at each reading, because a boot
+// or a new load of its image replaces it.  Of an object that the boot has not loaded again, the
+// state is "absent", and numbers are NaN.
+Quantity OfObject(int robot, const std::string& object_name, const std::string& field) {
+  std::vector<std::string> known;
+  for (const ObjectField& each : kOfObject) known.push_back(each.name);
+  const auto found = std::find(known.begin(), known.end(), field);
+  if (found == known.end()) Unknown("field of an object", field, known);
+  return [robot, object_name, of = kOfObject[found - known.begin()].of,
+          is_text = field == "state"](const RunView& view) -> Value {
+    const Object* const object = view.prepared->system->FindObject(robot, object_name);
+    if (object != nullptr) return of(*object);
+    return is_text ? Value("absent") : Value(std::numeric_limits<double>::quiet_NaN());
+  };
 }
 
 // Returns the quantity `name`.  `name` has the name of an object and of a field of the object, such
@@ -44,8 +60,8 @@ Quantity FindInObjects(const System& system, int robot, const std::string& name)
   if (dot == kNone)
     throw std::runtime_error(fmt::format("'{}' has no field; write objects.NAME.state", name));
   const std::string object_name = name.substr(0, dot);
-  const Object* const object = system.FindObject(robot, object_name);
-  if (object != nullptr) return OfObject(object, name.substr(dot + 1));
+  if (system.FindObject(robot, object_name) != nullptr)
+    return OfObject(robot, object_name, name.substr(dot + 1));
   std::vector<std::string> known;
   for (const auto& each : system.objects()) {
     if (each->robot == robot) known.push_back(each->name);

@@ -17,8 +17,8 @@ using Quantity = std::function<Value(const RunView&)>;
 
 // Returns a function that reads the quantity `name` (docs/exploring.md), such as
 // "objects.JointMover.state" or "robots[0].joint.LF_j1".  Without "robots[N]." it is of robot 0.
-// The name is looked up in `view` now, and not again when the function is called.  Throws
-// std::runtime_error when the name is not known.
+// Throws std::runtime_error when the name is not known in `view`.  Of an object
+// that a boot of its robot has not loaded again, the state is "absent" and numbers are NaN.
 Quantity FindQuantity(const std::string& name, const RunView& view);
 
 // Returns the names of all quantities of robots that are numbers: base, battery, joints, sensors,

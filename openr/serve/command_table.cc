@@ -41,7 +41,7 @@ std::vector<RunCommand> MakeStartCommands() {
         {"handler_limit_s", "number", "10.0",
          "processor time after which a handler ends the run; 0: never"}},
        "model: text, joints, sensors, leds: texts, limits: for each joint [min, max, speed] in "
-       "degrees, rc_port: integer"},
+       "degrees"},
       {"boot", "Begins the boot: DoInit and DoStart of all objects follow.", {}, kTime},
   };
 }
@@ -80,9 +80,10 @@ std::vector<RunCommand> MakeRunCommands() {
         {"entry", "text", "\"\"", "as in expect"}},
        kTime},
       {"watched",
-       "Takes the messages that were kept, at most the last 10,000.",
+       "Takes the messages that were kept, at most the last 10,000, with at most 64 MiB.",
        {},
-       "messages: as in expect, each with size; lost: integer; bytes: their contents"},
+       "messages: as in expect, each with size; lost: integer, those that gave way since the "
+       "start; bytes: their contents"},
       {"observe",
        "Chooses the values that act and observe answer, and answers them.",
        {{"names", "texts", "[]", "quantities and groups; empty: those chosen before"}},

@@ -35,6 +35,12 @@ RequestPipe::~RequestPipe() {
   for (const int descriptor : descriptors_) close(descriptor);
 }
 
+void RequestPipe::DropDescriptors() {
+  if (used_ != end_) return;
+  for (const int descriptor : descriptors_) close(descriptor);
+  descriptors_.clear();
+}
+
 void RequestPipe::Move(int socket) {
   // Leads the old descriptors to nowhere, so that their other end sees when the original ends.
   const int nowhere = open("/dev/null", O_RDWR | O_CLOEXEC);

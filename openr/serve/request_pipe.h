@@ -36,6 +36,9 @@ class RequestPipe {
   // Returns a descriptor that came with the last request, or -1.  The caller owns the descriptor.
   int TakeDescriptor();
 
+  // Closes the descriptors that no command has taken, unless they can belong to the next request.
+  void DropDescriptors();
+
   // Returns whether descriptors can come with requests: the input is a Unix socket.
   bool is_socket() const { return is_socket_; }
 

@@ -79,7 +79,8 @@ void RobotClients::Poll(Client* client) {
 RobotClients::State RobotClients::StateOf(int connection) {
   Client& client = Find(connection);
   Poll(&client);
-  return {client.is_connected && !client.has_ended, client.problem, client.received.size()};
+  return {client.is_connected && !client.has_ended, client.has_ended, client.problem,
+          client.received.size()};
 }
 
 void RobotClients::Send(int connection, std::string_view bytes) {

@@ -1,7 +1,7 @@
 // RobotClients: TCP connections of a program to a robot whose network is inside the process.
 //
-// What a client sends is there at once, and the robot sees it at its next frame boundary.  So a run
-// with such clients is the same each time, unlike one with sockets of the host.
+// Bytes that a client sends arrive at once, and the robot sees them at its next frame boundary.  So
+// a run with such clients is the same each time, unlike one with sockets of the host.
 #pragma once
 
 #include <cstdint>
@@ -27,9 +27,10 @@ class RobotClients {
   int Connect(const System& system, int robot, uint16_t port);
 
   struct State {
-    bool is_open = false;  // the robot has accepted the connection, and not ended it
-    std::string problem;   // why it failed; "": it did not
-    size_t waiting = 0;    // bytes that were received and not taken
+    bool is_open = false;    // the robot has accepted the connection, and not ended it
+    bool has_ended = false;  // the robot has ended it, or it failed
+    std::string problem;     // why it failed; "": it did not
+    size_t waiting = 0;      // bytes that were received and not taken
   };
   // The functions below throw std::runtime_error if there is no such connection.
   State StateOf(int connection);

@@ -78,6 +78,7 @@ bool RunServer::ServeOne() {
     pipe_.Send(JsonText(Refusal(error.what()).json), "");
     return false;
   }
+  pipe_.DropDescriptors();
   return pipe_.Send(JsonText(answer.json), answer.bytes);
 }
 

@@ -27,6 +27,8 @@ class RunServer {
   // Serves requests until the other end of the pipe is closed, then finishes the run.  Waits
   // for the forks of this process, because they use its files.  Returns the exit code.
   int Serve();
+  // Returns whether this process is a fork of one that served.
+  bool is_copy() const { return is_copy_; }
 
  private:
   using Json = nlohmann::json;
@@ -85,6 +87,7 @@ class RunServer {
   Answer DoLive(const Request& request);
 
   RequestPipe& pipe_;
+  bool is_copy_ = false;
   std::unique_ptr<ServedRun> run_;
   // These end the process when an object crashes or does not return.
   std::unique_ptr<EndingAnswer> ending_answer_;

@@ -53,12 +53,8 @@ ServedRun::ServedRun(const ServedRunOptions& options)
     const bool fits = std::any_of(filters_.begin(), filters_.end(),
                                   [&](const MessageFilter& filter) { return filter.Fits(seen); });
     if (!fits) return;
-    if (watched_.size() == kKeptMax) {
-      watched_.erase(watched_.begin());
-      ++lost_count_;
-    }
     seen.content = PayloadBytes(message);
-    watched_.push_back(std::move(seen));
+    Keep(std::move(seen));
   });
 }
 
@@ -144,6 +140,17 @@ std::optional<DeliveredMessage> ServedRun::RunUntilMessage(const MessageFilter& 
   }
   system().trace().RemoveSink(sink);
   return found;
+}
+
+// Keeps a message that was watched for, in place of the oldest ones if there are too many.
+void ServedRun::Keep(DeliveredMessage message) {
+  watched_bytes_ += message.content.size();
+  watched_.push_back(std::move(message));
+  while (watched_.size() > kKeptMax || watched_bytes_ > kKeptBytesMax) {
+    watched_bytes_ -= watched_.front().content.size();
+    watched_.pop_front();
+    ++lost_count_;
+  }
 }
 
 void ServedRun::Watch(const MessageFilter& filter) { filters_.push_back(filter); }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -67,10 +68,15 @@ class ServedRun {
   // until `time_us`.
   std::optional<DeliveredMessage> RunUntilMessage(const MessageFilter& filter, int64_t time_us);
 
-  // Keeps messages that fit `filter` from now on; the newest kKeptMax.
+  // Keeps messages that fit `filter` from now on: the newest kKeptMax, whose contents have at most
+  // kKeptBytesMax bytes together.
   static constexpr size_t kKeptMax = 10'000;
+  static constexpr size_t kKeptBytesMax = size_t{64} << 20;
   void Watch(const MessageFilter& filter);
-  std::vector<DeliveredMessage> TakeWatched() { return std::exchange(watched_, {}); }
+  std::deque<DeliveredMessage> TakeWatched() {
+    watched_bytes_ = 0;
+    return std::exchange(watched_, {});
+  }
   uint64_t lost_count() const { return lost_count_; }
 
   // Ends the run, and completes the recording and the files of devices.  Returns "" or the error.
@@ -87,6 +93,7 @@ class ServedRun {
  private:
   SimulationOptions SimulationWith(const ServedRunOptions& options);
   void Sample();
+  void Keep(DeliveredMessage message);
 
   const ServedRunOptions options_;
   const RunStick stick_;
@@ -105,7 +112,8 @@ class ServedRun {
   RunView view_;
   int64_t sampled_us_ = -1;
   std::vector<MessageFilter> filters_;
-  std::vector<DeliveredMessage> watched_;
+  std::deque<DeliveredMessage> watched_;
+  size_t watched_bytes_ = 0;           // size of the contents of `watched_`
   uint64_t lost_count_ = 0;            // messages that were kept and replaced by newer ones
   std::unique_ptr<TempFolder> files_;  // a fork's copies of the stick and of written files
   std::string recording_;              // path of the file that the recording goes to now

@@ -91,7 +91,7 @@ RunServer::Answer RunServer::DoReceive(const Request& request) {
   RobotClients& clients = run_->clients();
   const auto is_there = [&] {
     const RobotClients::State state = clients.StateOf(connection);
-    return state.waiting >= count || !state.problem.empty();
+    return state.waiting >= count || state.has_ended;
   };
   if (!is_there()) run_->RunUntilHolds(is_there, LimitOf(request));
   Answer answer = Time();
@@ -147,6 +147,7 @@ RunServer::Answer RunServer::BecomeCopy(int socket, const std::string& record,
     tell(error.what());
     _exit(1);
   }
+  is_copy_ = true;
   pipe_.Move(socket);
   tell("");
   return Time();

@@ -59,15 +59,17 @@ class Channel:
         self._popen: Optional["subprocess.Popen[bytes]"] = popen
         self.process = popen.pid
         self._socket: Optional[socket.socket] = ours
-        self._copies: list["Channel"] = []
+        # The ids of the processes of open copies, and of copies of these.  Copies share this set with
+        # their original.  It has no channels, so that a copy that is dropped ends at once.
+        self._copies: set[int] = set()
 
     @classmethod
-    def _of_copy(cls, process: int, ours: socket.socket) -> "Channel":
+    def _of_copy(cls, process: int, ours: socket.socket, copies: "set[int]") -> "Channel":
         channel = cls.__new__(cls)
         channel._popen = None
         channel.process = process
         channel._socket = ours
-        channel._copies = []
+        channel._copies = copies
         return channel
 
     def ask(self, request: bytes, data: bytes = b"",
@@ -139,14 +141,10 @@ class Channel:
             raise
         finally:
             theirs.close()
-        copy = Channel._of_copy(answer["process"], ours)
+        copy = Channel._of_copy(answer["process"], ours, self._copies)
+        self._copies.add(copy.process)
         copy.hear()  # the copy says that it is there
-        self._copies.append(copy)
         return copy
-
-    def has_copies(self) -> bool:
-        self._copies = [copy for copy in self._copies if not copy.is_closed() or copy.has_copies()]
-        return bool(self._copies)
 
     def is_closed(self) -> bool:
         return self._socket is None
@@ -156,11 +154,12 @@ class Channel:
         if self._socket is not None:
             self._socket.close()
             self._socket = None
+            self._copies.discard(self.process)
         popen, self._popen = self._popen, None
         _leftover[:] = [each for each in _leftover if each.poll() is None]
         if popen is None:
             return
-        if self.has_copies():
+        if self._copies:
             _leftover.append(popen)
             return
         try:

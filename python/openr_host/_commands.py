@@ -65,7 +65,7 @@ class Commands:
         echo: print on standard error what objects print.
         handler_limit_s: processor time after which a handler ends the run; 0: never.
         Answers model: text, joints, sensors, leds: texts, limits: for each joint [min, max, speed]
-        in degrees, rc_port: integer.
+        in degrees.
         """
         return self.ask("start", {
             "stick": stick,
@@ -172,9 +172,10 @@ class Commands:
         })
 
     def watched(self) -> Answer:
-        """Takes the messages that were kept, at most the last 10,000.
+        """Takes the messages that were kept, at most the last 10,000, with at most 64 MiB.
 
-        Answers messages: as in expect, each with size; lost: integer; bytes: their contents.
+        Answers messages: as in expect, each with size; lost: integer, those that gave way since the
+        start; bytes: their contents.
         """
         return self.ask("watched", {})
 

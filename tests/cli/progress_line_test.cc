@@ -21,8 +21,8 @@ TEST(ProgressLineTest, TellsHowManyAreDoneAndHowLongTheOthersTake) {
   EXPECT_EQ(ProgressText(100, 100, "seeds", 60), "openr: 100 of 100 seeds, about 0 s left");
 }
 
-// What ProgressLine writes while it lives, to a terminal or to a pipe.  `between` is called after a
-// drawing.
+// Returns what a ProgressLine writes during its life to a terminal or to a pipe.  `between` is
+// called after a drawing.
 std::string Written(
     bool is_terminal, int64_t quiet_ns = 0,
     const std::function<void(int writer)>& between = [](int) {}) {

@@ -59,8 +59,16 @@ TEST(CsvTableTest, MistakesAreNamedWithTheirLine) {
   EXPECT_EQ(ErrorOfCsv(""), "run.csv: is empty");
   EXPECT_THAT(ErrorOfCsv("a,b\n1,2\n"), HasSubstr("run.csv:1: no column time_s"));
   EXPECT_EQ(ErrorOfCsv("time_s,a\n0,1\n1\n"), "run.csv:3: 1 fields, but the first line names 2");
-  EXPECT_EQ(ErrorOfCsv("time_s,a\n0,1\n1,x\n"), "run.csv:3: 'x' in column a is no number");
+  EXPECT_EQ(ErrorOfCsv("time_s,a"), "run.csv: has one line only, which has no end");
   EXPECT_EQ(ErrorOfCsv("time_s,a\nsoon,1\n"), "run.csv:2: 'soon' in column time_s is no time");
+}
+
+TEST(CsvTableTest, ColumnThatBecomesTextIsToldAndLeftOut) {
+  const Table table = ReadCsvTable("run.csv", "time_s,a,b\n0,1,2\n1,x,3\n");
+  ASSERT_EQ(table.series.size(), 1U);
+  EXPECT_EQ(table.series[0].name, "b");
+  EXPECT_THAT(table.series[0].values, ElementsAre(2, 3));
+  EXPECT_EQ(table.note, "run.csv:3: 'x' in column a is no number; the column is left out");
 }
 
 TEST(CsvTableTest, LineThatAKilledRunLeftIsToldAndLeftOut) {
@@ -93,6 +101,45 @@ TEST(McapTableTest, FileThatEndsAnywhereIsReadUpToThere) {
   EXPECT_EQ(most, 3U);
   EXPECT_THAT(ReadMcapTable("run.mcap", bytes.substr(0, 60)).note,
               HasSubstr("ends without a summary"));
+}
+
+// A record of MCAP: its kind, the size of its content, its content.
+std::string McapRecord(McapOp op, const std::string& content) {
+  std::string bytes(1, static_cast<char>(op));
+  for (int i = 0; i < 8; ++i) bytes += static_cast<char>(content.size() >> (8 * i));
+  return bytes + content;
+}
+
+std::string McapChunk(const std::string& records) {
+  // Times, size, checksum and compression are 0 or empty; then the size of the records.
+  std::string content(8 + 8 + 8 + 4 + 4, '\0');
+  for (int i = 0; i < 8; ++i) content += static_cast<char>(records.size() >> (8 * i));
+  return McapRecord(McapOp::kChunk, content + records);
+}
+
+std::string ErrorOfMcap(const std::string& bytes) {
+  try {
+    ReadMcapTable("run.mcap", bytes);
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(McapTableTest, NestedChunkIsRefused) {
+  const std::string bytes = std::string(kMcapMagic) + McapChunk(McapChunk(""));
+  EXPECT_EQ(ErrorOfMcap(bytes),
+            "run.mcap: the record at byte 8 has a chunk within a chunk, which the format forbids");
+}
+
+TEST(McapTableTest, DeepObjectsAreRefused) {
+  std::string bytes, deep = "1";
+  for (int i = 0; i < 1000; ++i) deep = "{\"a\":" + deep + "}";
+  McapWriter writer("test", [&bytes](std::string_view more) { bytes += more; });
+  const uint16_t schema = writer.AddSchema("openr.joint", "{\"type\":\"object\"}");
+  writer.Add(writer.AddChannel("/aibo/joint", schema), 8000, deep);
+  writer.Finish();
+  EXPECT_THAT(ErrorOfMcap(bytes), HasSubstr("has objects within objects, more than 32 deep"));
 }
 
 TEST(McapTableTest, DamagedChunkIsRefused) {

@@ -68,7 +68,7 @@ TEST_F(RecordingsTest, FailingRunOfAnExplorationIsARecording) {
       Openr({"explore", "--replay", At("failure.json"), "--record", At("again.rec")});
   EXPECT_EQ(again.status, 1);
   EXPECT_EQ(Content(At("again.rec")), Content(At("failure.rec")));
-  // It is no run that can go on in another way.
+  // A run of openr explore cannot go on in another way.
   const ProgramResult on = Openr({"replay", At("failure.rec"), "--continue-at", "0s"});
   EXPECT_EQ(on.status, 1);
   EXPECT_THAT(on.err, HasSubstr("is a run of openr explore"));

@@ -2,8 +2,11 @@
 // calls when a client asks for a reboot.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <filesystem>
 #include <memory>
 
+#include "openr/explore/quantity.h"
 #include "openr/simulation/run_stick.h"
 #include "openr/simulation/simulation.h"
 #include "runtime/core/system.h"
@@ -86,6 +89,37 @@ TEST_F(RebootTest, TheDogSinksAndStandsUpAgain) {
   EXPECT_EQ(StateOf("Controller"), "running");
   EXPECT_NEAR(HeightM(), standing_m, 0.005);
   EXPECT_EQ(Findings(), "");
+}
+
+// The boot makes new objects; the old ones are freed.
+TEST_F(RebootTest, QuantitiesOfObjectsAreThoseOfTheNewObjects) {
+  Start();
+  SimulationView view(simulation_.get());
+  const Quantity state = FindQuantity("objects.JointMover.state", view.run());
+  const Quantity messages = FindQuantity("objects.JointMover.messages", view.run());
+  const auto number = [&] { return std::get<double>(messages(view.run())); };
+  EXPECT_EQ(std::get<std::string>(state(view.run())), "accepting-commands");
+  const double before = number();
+  Reboot();
+  EXPECT_GE(number(), before);  // an object that is off keeps its numbers, DoStop is counted
+  system().RunUntil(system().off_robots().BootUs(0) + kStandUs);
+  EXPECT_EQ(std::get<std::string>(state(view.run())), "accepting-commands");
+  EXPECT_GT(number(), before);
+}
+
+// The boot does not find the image of the Controller any more.
+TEST_F(RebootTest, QuantitiesOfAnObjectThatIsGoneAreMissing) {
+  Start();
+  SimulationView view(simulation_.get());
+  const Quantity state = FindQuantity("objects.Controller.state", view.run());
+  const Quantity messages = FindQuantity("objects.Controller.messages", view.run());
+  Reboot();
+  const Object* const controller = system().FindObject(0, "Controller");
+  ASSERT_NE(controller, nullptr);
+  std::filesystem::remove(folder_.path() + controller->path.substr(3));
+  system().RunUntil(system().off_robots().BootUs(0) + kStandUs);
+  EXPECT_EQ(std::get<std::string>(state(view.run())), "absent");
+  EXPECT_TRUE(std::isnan(std::get<double>(messages(view.run()))));
 }
 
 TEST_F(RebootTest, ManyBootsLeaveNothingBehind) {

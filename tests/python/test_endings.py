@@ -40,6 +40,9 @@ class EndingTest(unittest.TestCase):
         self.assertEqual(ended.exception.by, "crash")
         self.assertIn("Crasher", ended.exception.why)
         self.assertTrue(run.closed)
+        # The recording goes as far as the crash, so its replay crashes at the same place.
+        with self.assertRaisesRegex(openr_host.Error, r"(?s)EXCEPTION SIGSEGV.*OBJECT crasher, "):
+            openr_host.replay(record, self.sticks["Crasher"])
         with self.assertRaises(openr_host.ProcessError):
             run.step()
 

@@ -165,6 +165,15 @@ class RunTest(unittest.TestCase):
         with self.assertRaisesRegex(openr_host.NotMet, "has not sent 5 bytes"):
             self.run_.connect(54000).receive(5, within_s=0.1)
 
+    def test_descriptors_of_a_refused_request_are_closed(self):
+        folder = f"/proc/{self.run_._channel.process}/fd"
+        before = len(os.listdir(folder))
+        with open(os.devnull, "rb") as file:
+            for _ in range(5):
+                with self.assertRaises(openr_host.Refused):
+                    self.run_._channel.ask(b'{"do": "frok"}', descriptors=[file.fileno()])
+        self.assertEqual(len(os.listdir(folder)), before)
+
     def test_makes_motions(self):
         with tempfile.TemporaryDirectory() as folder:
             csv = ("key_frame,time_ms,roll_deg,pitch_deg,yaw_deg," + self.run_.locators["neck_pan"]

@@ -1,7 +1,9 @@
 """States: copies of a run, going back, recordings and their replays."""
+import contextlib
 import os
 import pathlib
 import tempfile
+import time
 import unittest
 
 import openr_host
@@ -29,6 +31,22 @@ def play(run):
     run.act([6, 6], frames=3, ramp=False)
     run.input("break LF_j3 weak 20% for 500ms")
     run.run(1.0031)
+
+
+@contextlib.contextmanager
+def in_folder():
+    with tempfile.TemporaryDirectory() as folder:
+        yield pathlib.Path(folder)
+
+
+def has_ended(run, process):
+    """Returns whether a process has ended.  `run`, its original, collects it between requests."""
+    for _ in range(1000):
+        run.status()
+        if not os.path.exists(f"/proc/{process}"):
+            return True
+        time.sleep(0.01)
+    return False
 
 
 class ForkTest(unittest.TestCase):
@@ -61,6 +79,27 @@ class ForkTest(unittest.TestCase):
         second.run(1)
         self.assertAlmostEqual(second.time_s, 2)
         second.close()
+
+    def test_a_copy_that_is_dropped_ends(self):
+        with standing() as run:
+            copies = [run.fork() for _ in range(3)] + [run.save()]
+            processes = [each._channel.process for each in copies]
+            del copies
+            self.assertTrue(all(has_ended(run, each) for each in processes))
+
+    def test_a_picture_does_not_stop_copies(self):
+        with in_folder() as folder, openr_host.Run(body="ideal") as run:
+            run.run(0.1)
+            run.picture(folder / "before.png", size="160x120")
+            with run.fork() as copy:
+                process = copy._channel.process
+                copy.run(1)
+                copy.picture(folder / "copy.png", size="160x120")
+                run.run(1)
+                run.picture(folder / "run.png", size="160x120")
+                self.assertEqual(copy.hashes(), run.hashes())
+            self.assertTrue(has_ended(run, process))
+            self.assertEqual((folder / "copy.png").read_bytes(), (folder / "run.png").read_bytes())
 
     def test_goes_back_and_the_same_happens_again(self):
         with standing("ode") as run, run.save() as state:
