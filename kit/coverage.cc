@@ -14,6 +14,7 @@
 #include "cli/output_file.h"
 #include "cli/process.h"
 #include "cli/standard_streams.h"
+#include "kit/sdk_paths.h"
 #include "kit/shell_words.h"
 #include "kit/text_files.h"
 #include "kit/work_copy.h"
@@ -43,12 +44,17 @@ LineCounts ReadCounts(const std::vector<fs::path>& files, const fs::path& work) 
   return counts;
 }
 
-// Keeps the user's own sources.  Leaves out the headers of the SDK and of the C++ library, and the
-// stubs, which openr build makes.
-void KeepOwn(LineCounts* counts, const fs::path& folder) {
-  std::erase_if(*counts, [&](const auto& entry) {
-    return !IsBelow(entry.first, folder) || !fs::exists(entry.first);
-  });
+// Returns the counts of the user's own sources in `folder`, which were compiled as copies below
+// `work`.  Leaves out the headers of the SDK and of the C++ library, and the stubs, which openr
+// build makes.
+LineCounts OfOriginals(const LineCounts& counts, const fs::path& folder, const fs::path& work) {
+  const WorkCopy copy(work, SdkRoot());
+  LineCounts own;
+  for (const fs::path& file : FilesBelow(folder)) {
+    const auto found = counts.find(copy.PlaceOf(file));
+    if (found != counts.end()) own[file] = found->second;
+  }
+  return own;
 }
 
 struct Sum {
@@ -155,8 +161,9 @@ int ShowCoverage(const CoverageOptions& options) {
   std::error_code error;
   const fs::path folder = fs::canonical(options.folder, error);
   if (error) throw std::runtime_error(options.folder + ": " + error.message());
-  const fs::path work = options.work.empty() ? DefaultWorkFolder(folder, BuildVariant::kCoverage)
-                                             : fs::absolute(options.work);
+  const fs::path work =
+      fs::weakly_canonical(options.work.empty() ? DefaultWorkFolder(folder, BuildVariant::kCoverage)
+                                                : fs::absolute(options.work));
   if (!fs::is_directory(work, error)) {
     throw std::runtime_error(fmt::format("{}: was not built with --coverage; {}", options.folder,
                                          BuildCommand(options)));
@@ -171,8 +178,7 @@ int ShowCoverage(const CoverageOptions& options) {
         fmt::format("{}: no run has left counts; run its stick after '{}', up to a regular end",
                     options.folder, BuildCommand(options)));
   }
-  LineCounts counts = ReadCounts(files, work);
-  KeepOwn(&counts, folder);
+  const LineCounts counts = OfOriginals(ReadCounts(files, work), folder, work);
   if (!options.lcov.empty()) {
     const std::string problem = WriteFile(options.lcov, AsLcov(counts));
     if (!problem.empty()) throw std::runtime_error(problem);
