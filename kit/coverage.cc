@@ -45,14 +45,18 @@ LineCounts ReadCounts(const std::vector<fs::path>& files, const fs::path& work) 
 }
 
 // Returns the counts of the user's own sources in `folder`, which were compiled as copies below
-// `work`.  Leaves out the headers of the SDK and of the C++ library, and the stubs, which openr
-// build makes.
+// `work`.  gcov names the copy or, after a compile command with an absolute path, the original
+// (-ffile-prefix-map).  Leaves out the headers of the SDK and of the C++ library, and the stubs,
+// which openr build makes.
 LineCounts OfOriginals(const LineCounts& counts, const fs::path& folder, const fs::path& work) {
   const WorkCopy copy(work, SdkRoot());
   LineCounts own;
   for (const fs::path& file : FilesBelow(folder)) {
-    const auto found = counts.find(copy.PlaceOf(file));
-    if (found != counts.end()) own[file] = found->second;
+    for (const fs::path& name : {copy.PlaceOf(file), file}) {
+      const auto found = counts.find(name);
+      if (found == counts.end()) continue;
+      for (const auto& [line, count] : found->second) own[file][line] += count;
+    }
   }
   return own;
 }

@@ -53,7 +53,7 @@ TEST(GdbTest, PrintersShowRegionsAndVectors) {
   EXPECT_THAT(said, HasSubstr("notification for observer 0, 1 data"));
   EXPECT_THAT(said, HasSubstr(" references"));
   EXPECT_THAT(said, HasSubstr("OSensorFrameVectorData, 31 of "));
-  EXPECT_THAT(said, HasSubstr("[30] = \"primitive "));
+  EXPECT_THAT(said, HasSubstr("[30] = primitive "));
 }
 
 TEST(GdbTest, AnUnknownObjectIsRefused) {
