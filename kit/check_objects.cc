@@ -30,13 +30,6 @@ std::string CodeIn(const std::vector<fs::path>& files, const ObjectParts& parts)
   return code;
 }
 
-bool HasWord(const std::string& code, const std::string& word) {
-  for (size_t at = code.find(word); at != std::string::npos; at = code.find(word, at + 1)) {
-    if (HasWordAt(code, at, word)) return true;
-  }
-  return false;
-}
-
 bool HasAnyWord(const std::string& code, std::initializer_list<const char*> words) {
   return std::any_of(words.begin(), words.end(),
                      [&](const char* word) { return HasWord(code, word); });

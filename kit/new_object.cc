@@ -18,8 +18,8 @@ namespace fs = std::filesystem;
 
 // Names of objects that run on every robot without an image on the stick, so no new object may have
 // such a name.  The object tcpGateway runs only if a HOSTGW.CFG asks for it.
-constexpr const char* kSystemObjects[] = {"oobjectManager", "OVirtualRobotComm",
-                                          "OVirtualRobotAudioComm", "IPStack", "tcpGateway"};
+constexpr const char* kRobotObjects[] = {"oobjectManager", "OVirtualRobotComm",
+                                         "OVirtualRobotAudioComm", "IPStack", "tcpGateway"};
 
 std::string Replaced(std::string text, const std::string& mark, const std::string& value) {
   for (size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at))
@@ -39,7 +39,7 @@ std::string WhyNoObjectName(const std::string& name) {
         "digits, a letter first, such as HelloWorld",
         name);
   }
-  for (const char* const system_name : kSystemObjects) {
+  for (const char* const system_name : kRobotObjects) {
     if (!EqualsIgnoringCase(name, system_name)) continue;
     return fmt::format(
         "{} is an object of the robot itself, and two objects of one name cannot run; choose "

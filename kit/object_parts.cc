@@ -23,13 +23,6 @@ bool IsMadeByStubgen(const fs::path& file, const ObjectFolder& object) {
          (!object.class_name.empty() && file.stem() == object.class_name + "Stub");
 }
 
-bool HasWord(const std::string& text, const std::string& word) {
-  for (size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
-    if (HasWordAt(text, at, word)) return true;
-  }
-  return false;
-}
-
 // Returns the relative paths that a Makefile names: the paths with "../", and all other words that
 // contain a slash and do not begin with one.
 std::vector<std::string> PathsIn(const std::string& makefile) {

@@ -93,6 +93,13 @@ bool HasWordAt(std::string_view text, size_t at, std::string_view word) {
   return (at == 0 || !IsWordCharacter(text[at - 1])) && WordAt(text, at) == word;
 }
 
+bool HasWord(std::string_view text, std::string_view word) {
+  for (size_t at = text.find(word); at != kNone; at = text.find(word, at + 1)) {
+    if (HasWordAt(text, at, word)) return true;
+  }
+  return false;
+}
+
 size_t ClosingOf(std::string_view text, size_t open) {
   int depth = 0;
   for (size_t i = open; i < text.size(); ++i) {

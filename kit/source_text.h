@@ -37,6 +37,9 @@ bool IsWordCharacter(char c);
 // Returns whether the whole word `word` begins at `at`.
 bool HasWordAt(std::string_view text, size_t at, std::string_view word);
 
+// Returns whether the whole word `word` occurs in the text.
+bool HasWord(std::string_view text, std::string_view word);
+
 // Returns the word that begins at `at`; "" if none does.
 std::string_view WordAt(std::string_view text, size_t at);
 

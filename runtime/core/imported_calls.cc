@@ -199,7 +199,7 @@ class CodeRanges {
 };
 
 constexpr size_t kThunkBytes = 16;
-constexpr uint64_t kPage = 4096;
+constexpr uint64_t kLoaderPage = 4096;
 
 // The addresses of a loaded image and of its tables in memory.  The dynamic section lists the
 // tables; ValueOf() returns the value of its entry `tag`, or 0 if there is no such entry.
@@ -220,8 +220,8 @@ LoadedImage::LoadedImage(char* image) : begin(reinterpret_cast<uint64_t>(image))
     if (segment.p_type == PT_LOAD) end = std::max(end, segment.p_vaddr + segment.p_memsz);
     if (segment.p_type == PT_DYNAMIC) dynamic = reinterpret_cast<const Elf64_Dyn*>(segment.p_vaddr);
     if (segment.p_type == PT_GNU_RELRO) {
-      read_only_begin = segment.p_vaddr / kPage * kPage;
-      read_only_end = (segment.p_vaddr + segment.p_memsz) / kPage * kPage;
+      read_only_begin = segment.p_vaddr / kLoaderPage * kLoaderPage;
+      read_only_end = (segment.p_vaddr + segment.p_memsz) / kLoaderPage * kLoaderPage;
     }
   }
 }
