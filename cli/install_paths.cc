@@ -121,6 +121,15 @@ std::string DataFile(const std::string& name) {
   return name;
 }
 
+std::string GdbPrinters() {
+  for (const fs::path& folder : DataFolders()) {
+    std::error_code error;
+    const fs::path file = folder / "gdb" / "openr_printers.py";
+    if (fs::is_regular_file(file, error)) return file;
+  }
+  return "";
+}
+
 std::string PanelFolder() {
   for (const fs::path& folder : DataFolders()) {
     std::error_code error;

@@ -32,6 +32,9 @@ std::string ModelFile(const std::string& name);
 // name that came with the program ("ers210.cost"), or `name` if the program has no such file.
 std::string DataFile(const std::string& name);
 
+// Returns the path of the file with the pretty printers of gdb; "" if it is not there.
+std::string GdbPrinters();
+
 // Returns the folder with the built page of the panel (index.html); "" if it is not built.
 std::string PanelFolder();
 

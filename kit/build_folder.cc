@@ -17,7 +17,6 @@
 #include <stdexcept>
 #include <thread>
 
-#include "cli/cache_folder.h"
 #include "cli/colour.h"
 #include "cli/exit_code.h"
 #include "cli/install_paths.h"
@@ -33,7 +32,6 @@
 #include "kit/shell_words.h"
 #include "kit/text_files.h"
 #include "kit/work_copy.h"
-#include "runtime/base/hasher.h"
 
 namespace openr_host {
 namespace {
@@ -45,17 +43,10 @@ namespace fs = std::filesystem;
 constexpr char kIdentityFile[] = "kit.txt";
 constexpr char kOwnerFile[] = "folder.txt";
 
-fs::path DefaultWorkFolder(const fs::path& folder) {
-  Hasher hasher;
-  hasher.AddText(folder.string());
-  return CacheFolder() / "build" /
-         fmt::format("{}-{:016x}", WithoutOddCharacters(folder.filename()), hasher.Digest());
-}
-
 // Returns a text that is different for each version of the kit's files and compilers.  If the text
 // has changed since the last build, the build begins anew, so that results of different versions
 // are not mixed.
-std::string KitIdentity(const std::string& sdk_root) {
+std::string KitIdentity(const std::string& sdk_root, BuildVariant variant) {
   fs::file_time_type newest = fs::file_time_type::min();
   for (const char* part : {"OPEN_R/include", "compat", "compile-flags.txt", "images"}) {
     const fs::path path = fs::path(sdk_root) / part;
@@ -63,9 +54,10 @@ std::string KitIdentity(const std::string& sdk_root) {
     if (fs::is_directory(path)) files = FilesBelow(path);
     for (const fs::path& file : files) newest = std::max(newest, fs::last_write_time(file));
   }
-  return fmt::format("{} {} {} {}\n", sdk_root, newest.time_since_epoch().count(),
+  return fmt::format("{} {} {} {} {}\n", sdk_root, newest.time_since_epoch().count(),
                      fmt::join(HostCompiler(Language::kCxx), " "),
-                     fmt::join(HostCompiler(Language::kC), " "));
+                     fmt::join(HostCompiler(Language::kC), " "),
+                     fmt::join(VariantCompileFlags(variant), " "));
 }
 
 class FolderBuild {
@@ -73,8 +65,9 @@ class FolderBuild {
   explicit FolderBuild(const BuildOptions& options)
       : options_(options),
         folder_(fs::canonical(options.folder)),
-        work_(fs::weakly_canonical(options.work.empty() ? DefaultWorkFolder(folder_)
-                                                        : fs::absolute(options.work))),
+        work_(fs::weakly_canonical(options.work.empty()
+                                       ? DefaultWorkFolder(folder_, options.variant)
+                                       : fs::absolute(options.work))),
         sdk_root_(SdkRoot()) {}
 
   ~FolderBuild() {
@@ -150,7 +143,7 @@ void FolderBuild::PrepareWork() {
   lock_ = open((work_.string() + ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (lock_ >= 0) flock(lock_, LOCK_EX);
   CheckWorkIsOurs();
-  const std::string identity = KitIdentity(sdk_root_);
+  const std::string identity = KitIdentity(sdk_root_, options_.variant);
   const fs::path identity_file = work_ / kIdentityFile;
   if (options_.is_fresh || ReadText(identity_file) != identity) fs::remove_all(work_);
   fs::create_directories(work_, error);
@@ -163,6 +156,7 @@ void FolderBuild::PrepareWork() {
   for (std::string file; std::getline(placed, file);) fs::remove(file);
   make_.sdk_root = sdk_root_;
   make_.log = work_ / "log.txt";
+  make_.variant = VariantName(options_.variant);
   make_.is_verbose = options_.is_verbose;
   make_.jobs = options_.jobs > 0
                    ? options_.jobs
@@ -487,6 +481,8 @@ int FolderBuild::Conclude() const {
 }  // namespace
 
 int BuildFolder(const BuildOptions& options) {
+  if (const std::string problem = WhyNoVariant(options.variant); !problem.empty())
+    throw std::runtime_error(problem);
   std::error_code error;
   if (!fs::is_directory(options.folder, error)) {
     throw std::runtime_error(

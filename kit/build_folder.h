@@ -3,7 +3,8 @@
 #pragma once
 
 #include <string>
-#include <vector>
+
+#include "kit/build_variant.h"
 
 namespace openr_host {
 
@@ -13,6 +14,7 @@ struct BuildOptions {
   std::string work;    // folder for private copies; "": one in the user's cache
   int jobs = 0;        // make jobs at a time; 0: one per processor
   bool is_verbose = false;
+  BuildVariant variant = BuildVariant::kPlain;
   bool is_fresh = false;  // removes the results of earlier builds first
 };
 

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "cli/process.h"
+#include "kit/build_variant.h"
 #include "kit/compile_command.h"
 #include "kit/kit_log.h"
 #include "kit/sdk_tools.h"
@@ -56,6 +57,7 @@ class CompileRun {
   CompileCommand command_;
   Arguments compiler_;  // the host's compiler and the flags of the kit
   Arguments extra_;     // further flags that this source needs
+  Arguments variant_;   // flags of the variant that is built
 };
 
 CompileRun::CompileRun(const Arguments& arguments, bool is_cxx)
@@ -66,6 +68,7 @@ CompileRun::CompileRun(const Arguments& arguments, bool is_cxx)
                                             command_.language, IsClang(compiler_));
   compiler_.insert(compiler_.end(), flags.begin(), flags.end());
   if (command_.compiles) {
+    variant_ = VariantCompileFlags(VariantOfBuild());
     compiler_.push_back("-g");
     for (const SourceCopy& copy : SourceCopies()) {
       compiler_.push_back("-ffile-prefix-map=" + copy.copy + "=" + copy.original);
@@ -79,6 +82,7 @@ ProcessResult CompileRun::Try(const Arguments& extra) {
   Arguments all = compiler_;
   all.insert(all.end(), extra.begin(), extra.end());
   all.insert(all.end(), command_.arguments.begin(), command_.arguments.end());
+  all.insert(all.end(), variant_.begin(), variant_.end());
   // Sets the language of messages to English, because the output is parsed.
   return RunProcess(all, {.environment = {{"LC_ALL", "C"}}, .captures_error = true});
 }

@@ -11,6 +11,7 @@
 
 #include "cli/output_file.h"
 #include "cli/process.h"
+#include "kit/build_variant.h"
 #include "kit/foreign_code.h"
 #include "kit/image_source.h"
 #include "kit/kit_log.h"
@@ -95,6 +96,8 @@ Arguments LinkArguments(const LinkCommand& command, const std::string& image_inf
                            "-L" + (prefix / "lib/openr-host").string(), "-lopenr_runtime", "-lm",
                            "-Wl,-Bsymbolic", "-Wl,--no-undefined"});
   if (!command.map.empty()) link.push_back("-Wl,-Map=" + command.map);
+  const Arguments variant = VariantLinkFlags(VariantOfBuild());
+  link.insert(link.end(), variant.begin(), variant.end());
   return link;
 }
 

@@ -32,6 +32,7 @@ Environment MakeEnvironment(const MakeOptions& options) {
       {"PKG_CONFIG_PATH", (fs::path(options.sdk_root) / "../../pkgconfig").lexically_normal()},
       {kLogVariable, options.log},
       {kCopiesVariable, options.copies},
+      {kVariantVariable, options.variant},
       // Sets these variables to the kit's tools, because make would otherwise use its default
       // compiler if a Makefile does not set them.
       {"CC", bin + "/mipsel-linux-gcc"},

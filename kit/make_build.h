@@ -13,8 +13,9 @@ namespace openr_host {
 
 struct MakeOptions {
   std::string sdk_root;
-  std::string log;     // path of the log file (kit_log.h)
-  std::string copies;  // list of private copies, for the tools (source_copies.h)
+  std::string log;      // path of the log file (kit_log.h)
+  std::string copies;   // list of private copies, for the tools (source_copies.h)
+  std::string variant;  // name of the variant to build (build_variant.h)
   int jobs = 1;
   bool is_verbose = false;
   std::function<void()> while_waiting;  // called again and again while make runs; may be null

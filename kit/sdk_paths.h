@@ -30,9 +30,10 @@ std::vector<std::string> ParseCompileFlags(const std::string& text, Language lan
 
 // Environment variables that `openr build` sets for the tools, which make starts.  Without these
 // variables, the tools only do the work of the SDK's tools with the same names.
-inline constexpr char kLogVariable[] = "OPENR_KIT_LOG";        // file, see kit_log.h
-inline constexpr char kStickVariable[] = "OPENR_KIT_STICK";    // stick that rules write to
-inline constexpr char kCopiesVariable[] = "OPENR_KIT_COPIES";  // "copy=original:copy=original"
+inline constexpr char kLogVariable[] = "OPENR_KIT_LOG";          // file, see kit_log.h
+inline constexpr char kStickVariable[] = "OPENR_KIT_STICK";      // stick that rules write to
+inline constexpr char kCopiesVariable[] = "OPENR_KIT_COPIES";    // "copy=original:copy=original"
+inline constexpr char kVariantVariable[] = "OPENR_KIT_VARIANT";  // "debug", see build_variant.h
 
 // Environment variables that the user may set: the compilers of the host, with arguments if needed.
 inline constexpr char kCxxVariable[] = "OPENR_HOST_CXX";

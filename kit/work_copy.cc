@@ -10,6 +10,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "cli/cache_folder.h"
 #include "cli/process.h"
 #include "kit/foreign_code.h"
 #include "kit/makefile_text.h"
@@ -17,6 +18,7 @@
 #include "kit/referred_places.h"
 #include "kit/text_files.h"
 #include "runtime/base/assert.h"
+#include "runtime/base/hasher.h"
 #include "runtime/core/image_file.h"
 
 namespace openr_host {
@@ -220,6 +222,15 @@ WorkCopy::Stamp WorkCopy::StampOf(const fs::path& file) {
   if (stat(file.c_str(), &status) != 0) return {};
   return {static_cast<uintmax_t>(status.st_size),
           static_cast<int64_t>(status.st_mtim.tv_sec) * 1'000'000'000 + status.st_mtim.tv_nsec};
+}
+
+fs::path DefaultWorkFolder(const fs::path& folder, BuildVariant variant) {
+  Hasher hasher;
+  hasher.AddText(folder.string());
+  const std::string name = VariantName(variant);
+  return CacheFolder() / "build" /
+         fmt::format("{}-{:016x}{}{}", WithoutOddCharacters(folder.filename()), hasher.Digest(),
+                     name.empty() ? "" : "-", name);
 }
 
 }  // namespace openr_host

@@ -12,9 +12,14 @@
 #include <string>
 #include <vector>
 
+#include "kit/build_variant.h"
 #include "kit/source_copies.h"
 
 namespace openr_host {
+
+// Returns the folder in the user's cache for private copies of `folder`, an absolute path.  Each
+// variant has a folder of its own.
+std::filesystem::path DefaultWorkFolder(const std::filesystem::path& folder, BuildVariant variant);
 
 class WorkCopy {
  public:

@@ -6,6 +6,25 @@
 #include "openr/commands/common_flags.h"
 
 namespace openr_host {
+namespace {
+
+void AddVariantFlags(CLI::App* command, BuildVariant* variant) {
+  const auto add = [&](const char* name, const char* help, BuildVariant value) {
+    return command->add_flag_callback(
+        name, [variant, value] { *variant = value; }, help);
+  };
+  CLI::Option* const debug =
+      add("--debug", "For a debugger: -Og -g, with frame pointers", BuildVariant::kDebug);
+  CLI::Option* const sanitize =
+      add("--sanitize", "With AddressSanitizer and UndefinedBehaviorSanitizer",
+          BuildVariant::kSanitize);
+  CLI::Option* const coverage =
+      add("--coverage", "With counters for openr coverage", BuildVariant::kCoverage);
+  debug->excludes(sanitize)->excludes(coverage);
+  sanitize->excludes(coverage);
+}
+
+}  // namespace
 
 void AddBuildCommand(CLI::App* app, int* exit_code) {
   CLI::App* const command =
@@ -23,6 +42,7 @@ void AddBuildCommand(CLI::App* app, int* exit_code) {
                    "Folder for private copies (default: one in ~/.cache/openr-host)")
       ->check(IsFolder());
   command->add_flag("--verbose", options->is_verbose, "Show every command");
+  AddVariantFlags(command, &options->variant);
   command->add_flag("--fresh", options->is_fresh, "Forget what earlier builds left");
   command->callback([options, exit_code] { *exit_code = BuildFolder(*options); });
 }

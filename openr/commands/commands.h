@@ -32,6 +32,7 @@ void AddTraceCommand(CLI::App* app, int* exit_code);
 void AddReplayCommand(CLI::App* app, int* exit_code);
 void AddExploreCommand(CLI::App* app, int* exit_code);
 void AddBuildCommand(CLI::App* app, int* exit_code);
+void AddCoverageCommand(CLI::App* app, int* exit_code);
 void AddNewCommand(CLI::App* app, int* exit_code);
 void AddControllerCommand(CLI::App* app, int* exit_code);
 void AddCheckCommand(CLI::App* app, int* exit_code);

@@ -37,6 +37,7 @@
 #include "openr/inspect/recorder.h"
 #include "openr/simulation/cost_file.h"
 #include "openr/simulation/pacing.h"
+#include "openr/simulation/sanitizer_start.h"
 #include "runtime/base/duration.h"
 #include "runtime/base/wall_clock.h"
 
@@ -456,7 +457,10 @@ void AddExploreCommand(CLI::App* app, int* exit_code) {
   DescribeWhat(command, flags.get());
   DescribeHow(command, flags.get());
   command->footer(ListOfProperties());
-  command->callback([flags, exit_code] { *exit_code = Explore(*flags); });
+  command->callback([flags, exit_code] {
+    StartWithSanitizerOf(flags->stick.simulation.stick);
+    *exit_code = Explore(*flags);
+  });
 }
 
 }  // namespace openr_host

@@ -41,10 +41,12 @@
 #include "openr/panel/panel_process.h"
 #include "openr/rewind/rewind.h"
 #include "openr/run/event_script.h"
+#include "openr/run/gdb_start.h"
 #include "openr/run/interrupt.h"
 #include "openr/run/report.h"
 #include "openr/run/runner.h"
 #include "openr/simulation/run_stick.h"
+#include "openr/simulation/sanitizer_start.h"
 #include "openr/simulation/simulation.h"
 #include "openr/timeline/timeline.h"
 
@@ -419,6 +421,8 @@ void AddRunCommand(CLI::App* app, int* exit_code) {
   command->callback([command, flags, exit_code] {
     // Robots with processes of their own run at full speed, since nobody can look at them.
     if (flags->jobs > 0 && command->count("--rate") == 0) flags->rate = "max";
+    if (!flags->gdb.empty()) StartUnderGdb(flags->gdb, flags->simulation.stick);
+    StartWithSanitizerOf(flags->simulation.stick);
     *exit_code = flags->jobs > 0 ? RunJobs(*flags) : CommandedRun(*flags).Run();
   });
 }

@@ -44,6 +44,8 @@ void DescribeRun(CLI::App* command, RunFlags* flags) {
       ->check(CLI::IsMember({"ode", "ideal"}))
       ->capture_default_str();
   AddBatteryFlag(command, &flags->simulation);
+  command->add_option("--gdb", flags->gdb,
+                      "Start gdb on the run, with breakpoints in the handlers of this object");
   command->add_flag("--strict", flags->simulation.strict,
                     "Enforce the limits of the robot; refuse wrong wiring");
   AddCostFlag(command, &flags->simulation);

@@ -35,7 +35,8 @@ struct RunFlags {
   std::string console_file;
   std::string stdin_file;
   std::string events_file;
-  int jobs = 0;  // --jobs; 0: all robots in one System of this process
+  int jobs = 0;     // --jobs; 0: all robots in one System of this process
+  std::string gdb;  // object of --gdb; "": no debugger
   int64_t handler_limit_us = 10'000'000;
   std::vector<std::string> snapshots;
   std::vector<std::string> snapshot_files;

@@ -22,18 +22,14 @@
 #include "runtime/core/current.h"
 #include "runtime/core/fp_flags.h"
 #include "runtime/core/guard_pages.h"
+#include "runtime/core/memory_tools.h"
 #include "runtime/core/robot_fault.h"
 #include "runtime/core/stack_memory.h"
 #include "runtime/core/system.h"
 
 #if defined(__SANITIZE_ADDRESS__)
 #define OPENR_ASAN 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define OPENR_ASAN 1
-#endif
-#endif
-#ifndef OPENR_ASAN
+#else
 #define OPENR_ASAN 0
 #endif
 
@@ -248,7 +244,33 @@ void UseAlternateStack(bool on) {
   sigaltstack(&stack, nullptr);
 }
 
+// Ends the run after AddressSanitizer, which is in images of openr build --sanitize, has printed
+// `report`.  The report's first line is "==123==ERROR: AddressSanitizer: heap-use-after-free on
+// address ...", of which the kind of the error is kept.
+void OnSanitizerReport(const char* report) {
+  if (t_current.object == nullptr) return;  // AddressSanitizer ends the process
+  static constexpr char kBegin[] = "AddressSanitizer: ";
+  const char* const begin = std::strstr(report, kBegin);
+  if (begin == nullptr) return;
+  std::string_view rest = begin + sizeof kBegin - 1;
+  static constexpr std::string_view kAttempting = "attempting ";  // "attempting double-free on ..."
+  if (rest.starts_with(kAttempting)) rest.remove_prefix(kAttempting.size());
+  StopAsTheRobotDoes("AddressSanitizer: " + std::string(rest.substr(0, rest.find_first_of(" \n"))));
+}
+
 }  // namespace
+
+}  // namespace openr_host
+
+#if !OPENR_ASAN
+// AddressSanitizer calls this function before it prints a report.  It then reads debug information,
+// so from here on files are those of the host.  The object does not go on.
+extern "C" [[gnu::visibility("default")]] void __asan_on_error() {
+  openr_host::t_current.image_code = false;
+}
+#endif
+
+namespace openr_host {
 
 CrashLog::CrashLog(std::vector<std::string> files, bool adds,
                    const std::optional<std::string>& place) {
@@ -263,6 +285,7 @@ CrashLog::CrashLog(std::vector<std::string> files, bool adds,
   sigemptyset(&action.sa_mask);
   for (const int signal : kCrashSignals) sigaction(signal, &action, nullptr);
   ArithmeticWatch::SetCatches(true);
+  if (IsAddressSanitized()) __asan_set_error_report_callback(&OnSanitizerReport);
   SetPlaceNamer(&LineOfAddress);
 }
 
@@ -270,6 +293,7 @@ CrashLog::~CrashLog() {
   if constexpr (!OPENR_ASAN) {
     ArithmeticWatch::SetCatches(false);
     SetPlaceNamer(nullptr);
+    if (IsAddressSanitized()) __asan_set_error_report_callback(nullptr);
     for (const int signal : kCrashSignals) ::signal(signal, SIG_DFL);
     UseAlternateStack(false);
   }

@@ -53,6 +53,18 @@ struct ArithmeticData {
   const TypeText* type;
 };
 
+struct ShiftData {
+  SourcePlace place;
+  const TypeText* type;  // of the number that is shifted
+  const TypeText* count_type;
+};
+
+struct IndexData {
+  SourcePlace place;
+  const TypeText* array;
+  const TypeText* index;
+};
+
 struct CastData {
   SourcePlace place;
   const TypeText* from;
@@ -75,6 +87,43 @@ void Report(SourcePlace* place, const std::string& what, const char* exception) 
   const ApiScope scope;
   t_current.system->AddFinding(Severity::kWarning, fmt::format("{} at {}: {}, the robot powers off",
                                                                what, Render(*place), exception));
+}
+
+// Adds a finding about `what`, which the language leaves undefined, once for each place in the
+// source.  Images have the checks for this only after openr build --sanitize.
+void ReportUndefined(SourcePlace* place, const std::string& what) {
+  if (t_current.system == nullptr || t_current.object == nullptr) return;
+  if (std::exchange(place->column, kSaid) == kSaid) return;
+  const ApiScope scope;
+  t_current.system->AddFinding(Severity::kWarning,
+                               fmt::format("undefined behaviour at {}: {}", Render(*place), what));
+}
+
+const char* NameOf(const TypeText* type) { return static_cast<const char*>(type->name); }
+
+// Returns the text of the integer in the argument `value` of a check.
+std::string TextOf(const TypeText& type, uintptr_t value) {
+  if (!type.is_integer() || type.bits() > 64) return "a number";
+  const unsigned unused = 64 - type.bits();
+  if (!type.is_signed()) return std::to_string(value << unused >> unused);
+  return std::to_string(static_cast<int64_t>(value << unused) >> unused);
+}
+
+void ReportOverflow(ArithmeticData* data, uintptr_t left, const char* sign, uintptr_t right) {
+  ReportUndefined(&data->place,
+                  fmt::format("{} {} {} is too large for {}", TextOf(*data->type, left), sign,
+                              TextOf(*data->type, right), NameOf(data->type)));
+}
+
+// Reports what is undefined about an access to `address`, a multiple of the alignment that the
+// robot needs: the address is null, or the object there is smaller than the type.
+void ReportAccess(AccessData* data, uintptr_t address) {
+  if (address == 0) {
+    ReportUndefined(&data->place, fmt::format("a null pointer is used as {}", NameOf(data->type)));
+  } else if (address % (uintptr_t{1} << data->log_alignment) == 0) {
+    ReportUndefined(&data->place, fmt::format("{} does not fit into the object that is accessed",
+                                              NameOf(data->type)));
+  }
 }
 
 // Returns the alignment that the robot's processor needs for the memory access `data`.  On the
@@ -130,7 +179,7 @@ extern "C" {
 
 void __ubsan_handle_type_mismatch_v1(AccessData* data, uintptr_t address) {
   const uintptr_t alignment = RobotAlignment(*data);
-  if (address % alignment == 0) return;
+  if (address % alignment == 0) return ReportAccess(data, address);
   Report(&data->place,
          fmt::format("unaligned access to {}, whose address has to be a multiple of {},",
                      static_cast<const char*>(data->type->name), alignment),
@@ -157,6 +206,61 @@ void __ubsan_handle_float_cast_overflow(CastData* data, uintptr_t value) {
 
 void __ubsan_handle_builtin_unreachable(const SourcePlace* place) {
   StopAsTheRobotDoes(fmt::format("code that cannot be reached was, at {}", Render(*place)));
+}
+
+// The functions below are only called by images of openr build --sanitize.
+void __ubsan_handle_add_overflow(ArithmeticData* data, uintptr_t left, uintptr_t right) {
+  ReportOverflow(data, left, "+", right);
+}
+
+void __ubsan_handle_sub_overflow(ArithmeticData* data, uintptr_t left, uintptr_t right) {
+  ReportOverflow(data, left, "-", right);
+}
+
+void __ubsan_handle_mul_overflow(ArithmeticData* data, uintptr_t left, uintptr_t right) {
+  ReportOverflow(data, left, "*", right);
+}
+
+void __ubsan_handle_negate_overflow(ArithmeticData* data, uintptr_t value) {
+  ReportUndefined(&data->place, fmt::format("-({}) is too large for {}", TextOf(*data->type, value),
+                                            NameOf(data->type)));
+}
+
+void __ubsan_handle_shift_out_of_bounds(ShiftData* data, uintptr_t value, uintptr_t count) {
+  ReportUndefined(&data->place, fmt::format("{}, a value of {}, is shifted by {} bits",
+                                            TextOf(*data->type, value), NameOf(data->type),
+                                            TextOf(*data->count_type, count)));
+}
+
+void __ubsan_handle_out_of_bounds(IndexData* data, uintptr_t index) {
+  ReportUndefined(&data->place, fmt::format("index {} is outside of {}",
+                                            TextOf(*data->index, index), NameOf(data->array)));
+}
+
+void __ubsan_handle_vla_bound_not_positive(ArithmeticData* data, uintptr_t bound) {
+  ReportUndefined(&data->place,
+                  fmt::format("an array gets {} elements", TextOf(*data->type, bound)));
+}
+
+void __ubsan_handle_load_invalid_value(ArithmeticData* data, uintptr_t value) {
+  ReportUndefined(&data->place, fmt::format("{} is no value of {}; was it never set?",
+                                            TextOf(*data->type, value), NameOf(data->type)));
+}
+
+void __ubsan_handle_nonnull_arg(SourcePlace* place) {
+  ReportUndefined(place, "a null pointer is given to a function that takes none");
+}
+
+void __ubsan_handle_nonnull_return_v1(void*, SourcePlace* place) {
+  ReportUndefined(place, "a null pointer is returned by a function that returns none");
+}
+
+void __ubsan_handle_pointer_overflow(SourcePlace* place, uintptr_t, uintptr_t) {
+  ReportUndefined(place, "a pointer is moved beyond the end of the address space, or is null");
+}
+
+void __ubsan_handle_invalid_builtin(SourcePlace* place) {
+  ReportUndefined(place, "zeros of the number 0 are counted");
 }
 
 }  // extern "C"

@@ -7,18 +7,7 @@
 #include <cstring>
 
 #include "runtime/base/assert.h"
-
-#if defined(__SANITIZE_ADDRESS__)
-#define OPENR_ASAN 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define OPENR_ASAN 1
-#endif
-#endif
-#ifdef OPENR_ASAN
-#include <sanitizer/asan_interface.h>
-#include <sanitizer/common_interface_defs.h>
-#endif
+#include "runtime/core/memory_tools.h"
 
 namespace openr_host {
 
@@ -34,10 +23,8 @@ thread_local Fiber* t_entered = nullptr;
 // Tells AddressSanitizer that a stack is empty.  Functions that never returned have left marks for
 // their variables in the shadow memory of AddressSanitizer.  With these marks, AddressSanitizer
 // would report the next use of the stack as an error.
-void ForgetFrames([[maybe_unused]] const void* bottom, [[maybe_unused]] size_t bytes) {
-#ifdef OPENR_ASAN
-  __asan_unpoison_memory_region(bottom, bytes);
-#endif
+void ForgetFrames(const void* bottom, size_t bytes) {
+  if (IsAddressSanitized()) __asan_unpoison_memory_region(bottom, bytes);
 }
 
 }  // namespace
@@ -80,10 +67,10 @@ void Fiber::SwitchFrom(Fiber* from) {
   std::memcpy(globals, exceptions_, sizeof exceptions_);
   t_left = from;
   t_entered = this;
-#ifdef OPENR_ASAN
-  __sanitizer_start_switch_fiber(forever ? nullptr : &from->fake_stack_, stack_bottom_,
-                                 stack_bytes_);
-#endif
+  if (IsAddressSanitized()) {
+    __sanitizer_start_switch_fiber(forever ? nullptr : &from->fake_stack_, stack_bottom_,
+                                   stack_bytes_);
+  }
   const context::transfer_t transfer = context::jump_fcontext(context_, nullptr);
   // This code runs when another fiber has switched back to `from`.  That other fiber is t_left now,
   // and the state of its stack is known only here.
@@ -92,7 +79,7 @@ void Fiber::SwitchFrom(Fiber* from) {
 }
 
 void Fiber::FinishSwitch() {
-#ifdef OPENR_ASAN
+  if (!IsAddressSanitized()) return;
   const void* bottom = nullptr;
   size_t bytes = 0;
   __sanitizer_finish_switch_fiber(fake_stack_, &bottom, &bytes);
@@ -102,7 +89,6 @@ void Fiber::FinishSwitch() {
     t_left->stack_bottom_ = bottom;
     t_left->stack_bytes_ = bytes;
   }
-#endif
 }
 
 }  // namespace openr_host

@@ -5,6 +5,8 @@
 
 #include <cstring>
 
+#include "runtime/core/memory_tools.h"
+
 namespace openr_host {
 namespace {
 
@@ -42,7 +44,7 @@ bool HostAddresses::IsMapped(uint64_t address) {
 }
 
 int64_t HostAddresses::FindIn(const void* data, size_t size) {
-  if (!kIsSearched || misses_ >= kMissesMax) return -1;
+  if (!kIsSearched || IsAddressSanitized() || misses_ >= kMissesMax) return -1;
   const auto* const bytes = static_cast<const char*>(data);
   for (size_t at = 0; at + sizeof(uint64_t) <= size; at += sizeof(uint64_t)) {
     uint64_t word;

@@ -81,6 +81,13 @@ std::string ImageObject::Load(const std::string& file, RunFolder* folder) {
   {
     const ImageFile image = ReadImageFile(file);
     if (!image.problem.empty()) return image.problem;
+    if (const std::string library = SanitizerOf(image.bytes);
+        !library.empty() && !IsAddressSanitized()) {
+      return fmt::format(
+          "was built with --sanitize, and this program has no AddressSanitizer; start it with "
+          "LD_PRELOAD={}, or build the object without --sanitize",
+          library);
+    }
     original = image.bytes;
     copy = folder->AddCopy(file, TakePlace(original), &problem);
   }

@@ -81,6 +81,50 @@ std::string OcfTextOf(const std::string& bytes) {
   return "";
 }
 
+std::string SanitizerOf(const std::string& bytes) {
+  Elf64_Ehdr header;
+  if (!ReadAt(bytes, 0, &header)) return "";
+  for (uint64_t i = 0; i < header.e_shnum; ++i) {
+    Elf64_Shdr section, texts;
+    if (!ReadAt(bytes, header.e_shoff + i * sizeof section, &section)) return "";
+    if (section.sh_type != SHT_DYNAMIC ||
+        !ReadAt(bytes, header.e_shoff + section.sh_link * sizeof texts, &texts))
+      continue;
+    for (uint64_t at = 0; at + sizeof(Elf64_Dyn) <= section.sh_size; at += sizeof(Elf64_Dyn)) {
+      Elf64_Dyn entry;
+      if (!ReadAt(bytes, section.sh_offset + at, &entry)) return "";
+      const uint64_t name_at = texts.sh_offset + entry.d_un.d_val;
+      if (entry.d_tag != DT_NEEDED || name_at >= bytes.size()) continue;
+      const std::string name(bytes, name_at, bytes.find('\0', name_at) - name_at);
+      if (name.starts_with("libasan.so")) return name;
+    }
+  }
+  return "";
+}
+
+std::vector<std::string> FunctionsIn(const std::string& bytes) {
+  std::vector<std::string> names;
+  Elf64_Ehdr header;
+  if (!ReadAt(bytes, 0, &header)) return names;
+  for (uint64_t i = 0; i < header.e_shnum; ++i) {
+    Elf64_Shdr section, texts;
+    if (!ReadAt(bytes, header.e_shoff + i * sizeof section, &section)) return names;
+    if (section.sh_type != SHT_SYMTAB ||
+        !ReadAt(bytes, header.e_shoff + section.sh_link * sizeof texts, &texts))
+      continue;
+    for (uint64_t at = 0; at + sizeof(Elf64_Sym) <= section.sh_size; at += sizeof(Elf64_Sym)) {
+      Elf64_Sym symbol;
+      if (!ReadAt(bytes, section.sh_offset + at, &symbol)) return names;
+      const uint64_t name_at = texts.sh_offset + symbol.st_name;
+      if (ELF64_ST_TYPE(symbol.st_info) != STT_FUNC || symbol.st_shndx == SHN_UNDEF ||
+          name_at >= bytes.size())
+        continue;
+      names.emplace_back(bytes, name_at, bytes.find('\0', name_at) - name_at);
+    }
+  }
+  return names;
+}
+
 ImageFile ReadImageFile(const std::string& path) {
   std::optional<std::string> bytes = ReadFile(path);
   if (bytes) return CheckImage(*std::move(bytes));

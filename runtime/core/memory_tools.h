@@ -1,8 +1,21 @@
 // Finds out under which memory checker this program runs: Valgrind or AddressSanitizer.
+//
+// AddressSanitizer is in this program (./dev sanitize), or only in the images that it runs (openr
+// build --sanitize).  In the second case its library was preloaded, and its functions are found by
+// the weak declarations below.
 #pragma once
 
+#include <cstddef>
 #include <cstdlib>
 #include <cstring>
+
+extern "C" {
+[[gnu::weak]] void __asan_init();
+[[gnu::weak]] void __asan_unpoison_memory_region(const volatile void* address, size_t bytes);
+[[gnu::weak]] void __asan_set_error_report_callback(void (*callback)(const char* report));
+[[gnu::weak]] void __sanitizer_start_switch_fiber(void** saved, const void* bottom, size_t bytes);
+[[gnu::weak]] void __sanitizer_finish_switch_fiber(void* saved, const void** bottom, size_t* bytes);
+}
 
 namespace openr_host {
 
@@ -16,14 +29,17 @@ inline bool IsUnderValgrind() {
   return is_under_valgrind;
 }
 
-// Returns whether a tool watches the stack.  AddressSanitizer and Valgrind report accesses to
-// memory below the stack pointer, so with these tools that memory must not be read or cleared.
-inline bool IsStackWatched() {
+// Returns whether AddressSanitizer is in this process.
+inline bool IsAddressSanitized() {
 #if defined(__SANITIZE_ADDRESS__)
   return true;
 #else
-  return IsUnderValgrind();
+  return &__asan_init != nullptr;
 #endif
 }
+
+// Returns whether a tool watches the stack.  AddressSanitizer and Valgrind report accesses to
+// memory below the stack pointer, so with these tools that memory must not be read or cleared.
+inline bool IsStackWatched() { return IsAddressSanitized() || IsUnderValgrind(); }
 
 }  // namespace openr_host

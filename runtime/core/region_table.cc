@@ -6,19 +6,17 @@
 
 #include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
+#include "runtime/core/memory_tools.h"
 
 namespace openr_host {
 namespace {
 
-#ifdef __SANITIZE_ADDRESS__
-constexpr size_t kGuardBytes = 0;
+// With AddressSanitizer, which reports writes beyond the end of a block itself, no known bytes
+// follow a block.
+const size_t kGuardBytes = IsAddressSanitized() ? 0 : 16;
 // With AddressSanitizer, the memory of a copy that is no longer used is freed and not kept for the
 // next copy.  Then AddressSanitizer reports reads of the old copy.
-constexpr bool kReusesCopies = false;
-#else
-constexpr size_t kGuardBytes = 16;
-constexpr bool kReusesCopies = true;
-#endif
+const bool kReusesCopies = !IsAddressSanitized();
 constexpr char kGuard = 0x5a;
 
 }  // namespace

@@ -1,0 +1,29 @@
+// Variants of a build of the user's objects: for a debugger, with sanitizers, with coverage
+// counters.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace openr_host {
+
+enum class BuildVariant { kPlain, kDebug, kSanitize, kCoverage };
+
+// Returns "debug", "sanitize" or "coverage"; "" for kPlain.
+std::string VariantName(BuildVariant variant);
+// Returns the variant of this name; kPlain if no variant has it.
+BuildVariant VariantOf(const std::string& name);
+
+// Returns the variant that `openr build` has told the tools to make (kVariantVariable).
+BuildVariant VariantOfBuild();
+
+// Returns the flags with which a variant compiles and links.  They follow the flags of the user's
+// Makefile, so that they count if both set the same thing (-O2).
+std::vector<std::string> VariantCompileFlags(BuildVariant variant);
+std::vector<std::string> VariantLinkFlags(BuildVariant variant);
+
+// Returns the reason why the compiler that the user has chosen cannot build `variant`; "" if it
+// can.
+std::string WhyNoVariant(BuildVariant variant);
+
+}  // namespace openr_host

@@ -1,0 +1,34 @@
+// The command `openr coverage`: the lines of the user's sources that runs have executed.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace openr_host {
+
+struct CoverageOptions {
+  std::string folder;    // folder that was built with openr build --coverage
+  std::string work;      // folder for private copies, as in BuildOptions
+  std::string lcov;      // file to write in the format of lcov; "": none
+  bool is_json = false;  // prints JSON
+  bool resets = false;   // forgets the counts of earlier runs instead of showing them
+};
+
+// How often each line with code was executed, by the path of the source and the line's number.
+using LineCounts = std::map<std::string, std::map<int, uint64_t>>;
+
+// Adds the counts in `json`, the output of gcov --json-format, to `counts`: one JSON document per
+// line.  Throws std::runtime_error if the text is something else.
+void AddGcovCounts(const std::string& json, LineCounts* counts);
+
+// Returns the numbers of the lines that were not executed, with neighbours joined: "3, 7-9".  Lines
+// without code between two such lines do not separate them.
+std::string LinesNotRun(const std::map<int, uint64_t>& lines);
+
+// Prints what was executed, or forgets it.  Returns the exit code.  Throws std::runtime_error if
+// the folder was not built with --coverage, or if no run has left counts.
+int ShowCoverage(const CoverageOptions& options);
+
+}  // namespace openr_host

@@ -1,0 +1,137 @@
+#include "openr/run/gdb_start.h"
+
+#include <cxxabi.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <regex>
+#include <stdexcept>
+
+#include "cli/install_paths.h"
+#include "cli/process_arguments.h"
+#include "runtime/base/spelling.h"
+#include "runtime/config/ocf.h"
+#include "runtime/core/image_file.h"
+
+namespace openr_host {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string Demangled(const std::string& name) {
+  int status = 0;
+  const std::unique_ptr<char, void (*)(void*)> text(
+      abi::__cxa_demangle(name.c_str(), nullptr, nullptr, &status), &std::free);
+  return status == 0 && text != nullptr ? text.get() : "";
+}
+
+// Returns the name of the object in the image `file`; "" if the file is no image for this machine.
+std::string ObjectIn(const fs::path& file, const std::string& bytes) {
+  const OcfResult ocf = ParseOcf(file, OcfTextOf(bytes));
+  return ocf.ocf ? ocf.ocf->name : "";
+}
+
+// Returns the bytes of the image of `object` on the stick.
+std::string ImageOf(const std::string& object, const std::string& stick) {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(stick))) {
+    if (!entry.is_regular_file()) continue;
+    ImageFile image = ReadImageFile(entry.path());
+    if (!image.problem.empty()) continue;
+    const std::string name = ObjectIn(entry.path(), image.bytes);
+    if (name == object) return std::move(image.bytes);
+    if (!name.empty()) names.push_back(name);
+  }
+  std::sort(names.begin(), names.end());
+  throw std::runtime_error(fmt::format("--gdb: no object '{}' on {}{}; it has {}", object, stick,
+                                       DidYouMean(object, names), fmt::join(names, ", ")));
+}
+
+// Returns the words of the run without --gdb and its value.  A run under a debugger has no limit
+// for handlers, and leaves the terminal to gdb, unless the user says otherwise.
+std::vector<std::string> WordsOfTheRun() {
+  std::vector<std::string> words;
+  const std::vector<std::string> given = ProcessArguments();
+  for (size_t i = 0; i < given.size(); ++i) {
+    if (given[i] == "--gdb") {
+      ++i;
+    } else if (!given[i].starts_with("--gdb=")) {
+      words.push_back(given[i]);
+    }
+  }
+  words[0] = ProgramFile();
+  const auto has = [&words](const std::string& flag) {
+    return std::any_of(words.begin(), words.end(), [&flag](const std::string& word) {
+      return word == flag || word.starts_with(flag + "=");
+    });
+  };
+  if (!has("--handler-limit")) words.insert(words.end(), {"--handler-limit", "0s"});
+  if (!has("--stdin")) words.insert(words.end(), {"--stdin", "/dev/null"});
+  return words;
+}
+
+}  // namespace
+
+std::vector<std::string> HandlersAmong(const std::vector<std::string>& functions) {
+  static const std::regex kMethod(
+      "(\\w+)::\\w+\\((?:O(System|Notify|Ready|Control|Connect)Event const&|void\\*)\\)");
+  std::vector<std::string> methods;
+  std::vector<std::string> classes;  // classes with a DoInit(), which are those of objects
+  for (const std::string& function : functions) {
+    const std::string name = Demangled(function);
+    std::smatch match;
+    if (!std::regex_match(name, match, kMethod)) continue;
+    methods.push_back(name);
+    if (name.find("::DoInit(") != std::string::npos) classes.push_back(match[1]);
+  }
+  std::erase_if(methods, [&classes](const std::string& method) {
+    const std::string name = method.substr(0, method.find(':'));
+    return std::find(classes.begin(), classes.end(), name) == classes.end();
+  });
+  std::sort(methods.begin(), methods.end());
+  methods.erase(std::unique(methods.begin(), methods.end()), methods.end());
+  return methods;
+}
+
+std::vector<std::string> GdbCommand(const std::vector<std::string>& handlers,
+                                    const std::string& printers,
+                                    const std::vector<std::string>& program) {
+  std::vector<std::string> words{"gdb", "-q"};
+  const auto tell = [&words](const std::string& command) {
+    words.insert(words.end(), {"-ex", command});
+  };
+  tell("set breakpoint pending on");
+  tell("set print thread-events off");
+  tell("handle SIGFPE nostop noprint pass");
+  if (!printers.empty()) tell("source " + printers);
+  for (const std::string& handler : handlers) tell("break " + handler);
+  tell("run");
+  words.push_back("--args");
+  words.insert(words.end(), program.begin(), program.end());
+  return words;
+}
+
+void StartUnderGdb(const std::string& object, const std::string& stick) {
+  const std::string folder = stick.empty() ? DefaultStick() : stick;
+  std::vector<std::string> handlers = HandlersAmong(FunctionsIn(ImageOf(object, folder)));
+  if (handlers.empty()) {
+    throw std::runtime_error(
+        fmt::format("--gdb: the image of {} has no symbols; build it without strip", object));
+  }
+  std::vector<std::string> words = GdbCommand(handlers, GdbPrinters(), WordsOfTheRun());
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  execvp("gdb", arguments.data());
+  throw std::runtime_error(fmt::format("--gdb: gdb cannot be started: {}; install the package gdb",
+                                       std::strerror(errno)));
+}
+
+}  // namespace openr_host

@@ -1,0 +1,77 @@
+#include "openr/simulation/sanitizer_start.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cctype>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "cli/install_paths.h"
+#include "cli/process_arguments.h"
+#include "runtime/core/image_file.h"
+#include "runtime/core/memory_tools.h"
+
+namespace openr_host {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Set for the second start, so that a library that cannot be loaded does not lead to a third.
+constexpr char kStartedVariable[] = "OPENR_SANITIZER";
+
+// Settings of AddressSanitizer.  The run handles the signals of crashes itself.  Memory that an
+// object keeps until the end is no leak, because it is freed with the object.  The check of new
+// against malloc() is off, because some functions of the SDK pass blocks between both.
+constexpr char kSettings[] =
+    "detect_leaks=0:handle_segv=0:handle_sigbus=0:handle_sigfpe=0:handle_sigill=0:"
+    "alloc_dealloc_mismatch=0:allocator_may_return_null=1";
+
+// Returns the library that an image on the stick needs; "" if none does.
+std::string SanitizerOfStick(const std::string& stick) {
+  std::error_code error;
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(stick), error)) {
+    std::string extension = entry.path().extension();
+    for (char& c : extension) c = static_cast<char>(std::toupper(c));
+    if (extension != ".BIN") continue;
+    const std::string library = SanitizerOf(ReadImageFile(entry.path()).bytes);
+    if (!library.empty()) return library;
+  }
+  return "";
+}
+
+void Prepend(const char* name, const std::string& text, char separator) {
+  const char* const before = std::getenv(name);
+  setenv(name, (before == nullptr ? text : text + separator + before).c_str(), 1);
+}
+
+}  // namespace
+
+void StartWithSanitizerOf(const std::string& stick) {
+  if (stick.empty() || IsAddressSanitized()) return;
+  const std::string library = SanitizerOfStick(stick);
+  if (library.empty()) return;
+  if (std::getenv(kStartedVariable) != nullptr) {
+    throw std::runtime_error(fmt::format(
+        "{}: its objects were built with --sanitize, and {} cannot be loaded; install the package "
+        "libasan8, or build them without --sanitize",
+        stick, library));
+  }
+  setenv(kStartedVariable, library.c_str(), 1);
+  Prepend("LD_PRELOAD", library, ':');
+  Prepend("ASAN_OPTIONS", kSettings, ':');
+  std::vector<std::string> arguments = ProcessArguments();
+  std::vector<char*> words;
+  for (std::string& argument : arguments) words.push_back(argument.data());
+  words.push_back(nullptr);
+  execv(ProgramFile().c_str(), words.data());
+  throw std::runtime_error(fmt::format("{} cannot be started again with {}: {}", ProgramFile(),
+                                       library, std::strerror(errno)));
+}
+
+}  // namespace openr_host
