@@ -32,14 +32,17 @@ constexpr char kSettings[] =
     "detect_leaks=0:handle_segv=0:handle_sigbus=0:handle_sigfpe=0:handle_sigill=0:"
     "alloc_dealloc_mismatch=0:allocator_may_return_null=1";
 
-// Returns the library that an image on the stick needs; "" if none does.
+// Returns the library that an image on the stick needs; "" if none does.  Folders that cannot be
+// read are skipped here, because the run itself says so when it reads the stick.
 std::string SanitizerOfStick(const std::string& stick) {
   std::error_code error;
-  for (const auto& entry : fs::recursive_directory_iterator(fs::path(stick), error)) {
-    std::string extension = entry.path().extension();
+  constexpr auto kSkip = fs::directory_options::skip_permission_denied;
+  fs::recursive_directory_iterator at(fs::path(stick), kSkip, error);
+  for (; at != fs::recursive_directory_iterator(); at.increment(error)) {
+    std::string extension = at->path().extension();
     for (char& c : extension) c = static_cast<char>(std::toupper(c));
     if (extension != ".BIN") continue;
-    const std::string library = SanitizerOf(ReadImageFile(entry.path()).bytes);
+    const std::string library = SanitizerOf(ReadImageFile(at->path()).bytes);
     if (!library.empty()) return library;
   }
   return "";

@@ -48,7 +48,7 @@ TEST(Ros2StateTopicsTest, TheBatteryHasTheUnitsOfRos2) {
   EXPECT_EQ(battery["present"], true);
 }
 
-TEST(Ros2StateTopicsTest, ALightShowsWhatTheRemoteControlSets) {
+TEST(Ros2StateTopicsTest, EveryLightOfTheModelHasATopic) {
   const Ros2Run run({});
   const RobotModel model = TheModel();
   int lights = 0;
