@@ -9,7 +9,9 @@
 
 #include <atomic>
 #include <cerrno>
+#include <chrono>
 #include <filesystem>
+#include <thread>
 
 #include "runtime/core/current.h"
 #include "runtime/core/object.h"
@@ -20,6 +22,17 @@ namespace {
 
 thread_local ControlledScope* t_scope = nullptr;
 std::atomic<bool> g_thread_was_made = false;
+
+// Returns the number of threads that the kernel lists.
+int ListedThreads() {
+  int count = 0;
+  std::error_code error;
+  for ([[maybe_unused]] const auto& task :
+       std::filesystem::directory_iterator("/proc/self/task", error)) {
+    ++count;
+  }
+  return count;
+}
 
 }  // namespace
 
@@ -46,11 +59,13 @@ bool ControlledScope::Refuse(const char* what) {
 
 int ThreadCount() {
   if (!g_thread_was_made) return 1;  // saves time in the usual case
-  int count = 0;
-  std::error_code error;
-  for ([[maybe_unused]] const auto& task :
-       std::filesystem::directory_iterator("/proc/self/task", error)) {
-    ++count;
+  // A thread that was joined may be listed for a moment: pthread_join() returns while the kernel is
+  // still removing it.
+  constexpr int kTries = 50;
+  int count = ListedThreads();
+  for (int i = 0; i < kTries && count > 1; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    count = ListedThreads();
   }
   return count;
 }
