@@ -25,6 +25,7 @@ FAILED = re.compile(r"^\[  FAILED  \] ([\w/]+\.[\w/]+)", re.MULTILINE)
 TOTALS = re.compile(r"^(\d+) passed, (\d+) failed(?:, (\d+) skipped)?$")
 LIMIT_S = 1800  # for one program: enough with sanitizers on two busy cores
 SHARDS = {"distribution_tests": 4}  # they wait for leases; ros2_run.h has 4 domains
+BUSY_SHARDS = {"kit_tests": 3}  # they compile: as one program they would be the last to end
 
 
 def environment(shard):
@@ -60,9 +61,8 @@ def run(name, command, shard):
     return name, passed, failed, skipped, output, seconds
 
 
-def parts(name):
+def parts(name, count):
     """Splits a test program into parts; returns name and environment variables of each part."""
-    count = SHARDS[name]
     return [(f"{name} {i + 1}/{count}",
              {"GTEST_TOTAL_SHARDS": str(count), "GTEST_SHARD_INDEX": str(i)}) for i in range(count)]
 
@@ -84,7 +84,11 @@ def jobs(build, pattern, quick):
     for program in sorted((build / "bin").glob("*_tests")):
         command = [str(program)] + gtest
         if program.name in SHARDS:
-            waiting += [(name, command, shard) for name, shard in parts(program.name)]
+            waiting += [(name, command, shard)
+                        for name, shard in parts(program.name, SHARDS[program.name])]
+        elif program.name in BUSY_SHARDS:
+            found += [(name, command, shard)
+                      for name, shard in parts(program.name, BUSY_SHARDS[program.name])]
         else:
             found.append((program.name, command, {}))
     header_check = ROOT / "tests/runtime/include/check_headers.sh"
