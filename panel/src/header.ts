@@ -73,6 +73,11 @@ function makeChips(session: Session, show: (panel: string) => void): HTMLElement
     setText(battery, percent === undefined ? 'battery unknown' : `battery ${percent}%${sign}`);
     setClass(battery, 'warn', percent !== undefined && percent < 15);
   });
+  session.on('newRun', () => {
+    setText(state, '–');
+    setText(motors, '');
+    setText(battery, '');
+  });
   const waits = button('', () => show('graph'), { class: 'chip warn', hidden: true });
   session.on('graph', (graph) => {
     const names = graph.objects.filter((each) => each.waits_for).map((each) => each.name);

@@ -194,7 +194,10 @@ class Joints {
     this.list.addEventListener('change', () => void this.connect());
     session.on('scene', () => this.build());
     session.on('robot', () => this.build());
-    session.on('newRun', () => (this.connected = ''));
+    session.on('newRun', () => {
+      this.connected = '';
+      this.lockAll();
+    });
     session.on('values', () => this.reshow());
     let isPaired = false;
     session.on('pair', (pair) => {
@@ -223,9 +226,16 @@ class Joints {
     const joints = this.session.scene?.robots[this.session.robot]?.joints ?? [];
     this.rows = joints.map((joint, i) => new JointRow(this.session, joint, i));
     this.list.replaceChildren(...this.rows.map((each) => each.element));
+    this.lockAll();
     this.speed.setJoints(joints);
     this.accel.setJoints(joints);
     this.reshow();
+  }
+
+  // Locks the sliders until the first values of the run come: before them, the page does not know
+  // whether the joints can be moved, and the text above the sliders can still come or go.
+  private lockAll(): void {
+    this.rows.forEach((row) => row.lock(true));
   }
 
   // Reads the limits in force when a person has used the remote control for the first time.

@@ -132,21 +132,43 @@ export class Panel {
     return numberOf(await this.joint(title).locator('.measured').textContent());
   }
 
-  // Drags the handle of a joint to `share` (0 to 1) of its range; returns that angle.
+  // Drags the handle of a joint to `share` (0 to 1) of its range; returns that angle. Like a person,
+  // tries again if the mouse has missed the handle, because the page can move under it.
   async dragJoint(title, share) {
+    this.clicks += 1;
+    for (let left = 3; ; --left) {
+      const { goal, reached } = await this.#dragOnce(title, share);
+      if (Math.abs(reached - goal) < 3 || left === 1) return goal;
+    }
+  }
+
+  async #dragOnce(title, share) {
     const slider = this.page.getByRole('slider', { name: title, exact: true });
     // For a new run the page makes new sliders, and locks them until the first values of the run come.
     await until(`the slider of ${title} stays locked`, () => slider.isDisabled(), (is) => !is);
     await slider.scrollIntoViewIfNeeded();
-    const box = await slider.boundingBox();
+    const box = await this.#restingBox(slider);
     const [min, max, value] = await slider.evaluate((e) => [e.min, e.max, e.value].map(Number));
     const at = (part) => box.x + 4 + part * (box.width - 8);
-    this.clicks += 1;
     await this.page.mouse.move(at((value - min) / (max - min)), box.y + box.height / 2);
     await this.page.mouse.down();
     await this.page.mouse.move(at(share), box.y + box.height / 2, { steps: 8 });
     await this.page.mouse.up();
-    return min + share * (max - min);
+    return { goal: min + share * (max - min), reached: Number(await slider.inputValue()) };
+  }
+
+  // Returns the place of an element on the page after it has been the same twice.
+  async #restingBox(locator) {
+    let last = '';
+    return until(
+      'the element moves on the page',
+      () => locator.boundingBox(),
+      (box) => {
+        const isSame = JSON.stringify(box) === last;
+        last = JSON.stringify(box);
+        return isSame && box !== null;
+      },
+    );
   }
 
   sensor(name) {
