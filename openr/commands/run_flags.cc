@@ -46,6 +46,8 @@ void DescribeRun(CLI::App* command, RunFlags* flags) {
   AddBatteryFlag(command, &flags->simulation);
   command->add_option("--gdb", flags->gdb,
                       "Start gdb on the run, with breakpoints in the handlers of this object");
+  command->add_flag("--leaks", flags->simulation.find_leaks,
+                    "Name blocks and regions of objects that nothing points to at the end");
   command->add_flag("--strict", flags->simulation.strict,
                     "Enforce the limits of the robot; refuse wrong wiring");
   AddCostFlag(command, &flags->simulation);

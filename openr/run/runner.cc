@@ -18,6 +18,7 @@
 #include "runtime/base/assert.h"
 #include "runtime/base/duration.h"
 #include "runtime/base/wall_clock.h"
+#include "runtime/core/leaks.h"
 #include "runtime/core/stack_report.h"
 #include "runtime/core/stalls.h"
 
@@ -274,6 +275,7 @@ void Runner::Finish() {
   }
   if (plan_.events != nullptr && !goes_on) plan_.events->ReportRest(&system);
   ReportStacks(&system);
+  if (system.options().find_leaks && !goes_on) ReportLeaks(&system);
   simulation_->ReportUnusedCosts();
   simulation_->CloseFiles();
   if (!goes_on) TakePictures(true);

@@ -44,6 +44,7 @@ std::unique_ptr<System> MakeSystem(const SimulationOptions& options,
   SystemOptions system_options;
   system_options.seed = options.seed;
   system_options.strict = options.strict;
+  system_options.find_leaks = options.find_leaks;
   system_options.console = options.console;
   system_options.log_level = options.log_level;
   if (options.measures) system_options.wall_clock_ns = &WallClockNs;

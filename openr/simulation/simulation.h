@@ -39,6 +39,7 @@ struct SimulationOptions {
   bool together = false;         // whether all robots are in one world; "ode" only
   uint64_t seed = 1;
   bool strict = false;
+  bool find_leaks = false;  // --leaks: see SystemOptions
   // Files for the first robot.  Without them its sound is discarded, and it hears silence.
   std::string speaker, microphone;  // WAV
   // What the cameras see; see OpenImages().  A folder of pictures is for the first robot only, and

@@ -68,7 +68,7 @@ sError NewSharedMemoryRegion(size_t size, MemoryProtectionInfo info, MemoryRegio
 sError DeleteSharedMemoryRegion(MemoryRegionID id) {
   const ApiScope scope;
   if (t_current.object == nullptr) return sFAIL;
-  return t_current.system->calls().DeleteRegion(id) ? sSUCCESS : sINVALIDSHAREDMEMID;
+  return DeleteSharedMemory(id) ? sSUCCESS : sINVALIDSHAREDMEMID;
 }
 
 sError AllowToAttachMemoryRegion(MemoryRegionID id, MemoryProtectionInfo info, OID oid,

@@ -211,7 +211,7 @@ OStatus FindDesignData(const char* keyword, ODesignDataID* id, byte** dataAddr, 
 
 OStatus DeleteDesignData(ODesignDataID id) {
   const ApiScope scope;
-  return t_current.system->calls().DeleteRegion(id) ? oSUCCESS : oINVALID_ARG;
+  return DeleteSharedMemory(id) ? oSUCCESS : oINVALID_ARG;
 }
 
 OStatus GetRobotDesign(char* robotDesign) {

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <MemoryRegion.h>
+#include <fmt/format.h>
 
 #include "runtime/base/assert.h"
+#include "runtime/core/code_place.h"
 #include "runtime/core/system.h"
 
 namespace openr_host {
@@ -16,7 +18,21 @@ inline char* NewSharedMemory(size_t bytes, MemoryRegionID* id) {
   *id = RegionTable::kNoRegion;
   if (bytes > kRobotMemoryBytes) return nullptr;
   *id = t_current.system->calls().NewRegion(bytes, t_current.object->id);
-  return t_current.system->regions().BaseOf(*id);
+  RegionTable& regions = t_current.system->regions();
+  if (t_current.system->options().find_leaks) regions.NotePlace(*id, CallerInImage());
+  return regions.BaseOf(*id);
+}
+
+// Deletes the region `id` for the current object.  Returns false if there is no such region.  A
+// region that was deleted before becomes a finding: the robot only returns an error, which programs
+// seldom look at.
+inline bool DeleteSharedMemory(MemoryRegionID id) {
+  if (t_current.system->calls().DeleteRegion(id)) return true;
+  if (t_current.system->regions().WasDeleted(id))
+    t_current.system->AddFinding(Severity::kWarning,
+                                 fmt::format("{}region {:#x} is deleted that was deleted before{}",
+                                             InHandler(), id, AtCaller()));
+  return false;
 }
 
 }  // namespace openr_host

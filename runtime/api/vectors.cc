@@ -81,6 +81,7 @@ OStatus NewVector(ODataType type, size_t info_size, size_t bytes, size_t count, 
 // `unknown`, because each OPENR::Delete... function has an error of its own for this case.
 OStatus DeleteVector(MemoryRegionID id, ODataType type, OStatus unknown) {
   const RegionTable& regions = t_current.system->regions();
+  if (regions.WasDeleted(id)) DeleteSharedMemory(id);  // adds the finding
   if (regions.SizeOf(id) < sizeof(ODataVectorInfo)) return unknown;
   const auto* const info = reinterpret_cast<const ODataVectorInfo*>(regions.BaseOf(id));
   return info->type == type && t_current.system->calls().DeleteRegion(id) ? oSUCCESS : unknown;

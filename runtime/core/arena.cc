@@ -6,8 +6,10 @@
 #include <bit>
 #include <cstdlib>
 #include <cstring>
+#include <utility>
 
 #include "runtime/base/assert.h"
+#include "runtime/core/current.h"
 
 namespace openr_host {
 namespace {
@@ -58,6 +60,8 @@ bool Arena::MapUpTo(size_t span_end) {
   const size_t end = (span_end + kStep - 1) / kStep * kStep;
   if (!MapAt(base_ + mapped_spans_ * kSpanBytes, (end - mapped_spans_) * kSpanBytes)) return false;
   mapped_spans_ = end;
+  const ApiScope scope;  // the list itself is memory of the host, not of the object
+  begins_.resize(end * kSpanBytes / 16);
   return true;
 }
 
@@ -107,7 +111,9 @@ void* Arena::Allocate(size_t size, size_t alignment) {
   if (alignment > 16) size = std::bit_ceil(std::max(size, alignment));
   if (!MayTake(size)) return nullptr;
   if (alignment > kSpanBytes) return nullptr;
-  return size <= kLargest ? AllocateSmall(ClassOfSize(size)) : AllocateLarge(size);
+  void* const block = size <= kLargest ? AllocateSmall(ClassOfSize(size)) : AllocateLarge(size);
+  if (block != nullptr) begins_[PlaceOf(block)] = true;
+  return block;
 }
 
 void* Arena::AllocateSmall(int size_class) {
@@ -150,7 +156,7 @@ size_t Arena::SizeOf(const void* block) const {
 
 size_t Arena::UsableSize(const void* block) { return OwnerOf(block)->SizeOf(block); }
 
-void Arena::Free(void* block) { OwnerOf(block)->FreeFrom(block); }
+bool Arena::Free(void* block) { return OwnerOf(block)->FreeFrom(block); }
 
 void Arena::FreeAny(void* block) {
   if (OwnerOf(block) == nullptr) {
@@ -160,21 +166,53 @@ void Arena::FreeAny(void* block) {
   }
 }
 
-void Arena::FreeFrom(void* block) {
+bool Arena::IsBegin(const void* block) const {
+  const size_t place = PlaceOf(block);
+  return reinterpret_cast<uintptr_t>(block) % 16 == 0 && place < begins_.size() && begins_[place];
+}
+
+bool Arena::WasFreed(const void* block) {
+  const Arena& arena = *OwnerOf(block);
+  const Span& span = arena.spans_[arena.IndexOf(block)];
+  const auto offset =
+      static_cast<size_t>(static_cast<const char*>(block) - arena.base_) % kSpanBytes;
+  if (span.use < 0) return span.use == kFree && offset == 0;
+  const char* const unused = arena.bump_[span.use];
+  const bool is_of_newest_span =
+      unused != nullptr && arena.IndexOf(unused - 1) == arena.IndexOf(block);
+  return offset % SizeOfClass(span.use) == 0 && !(is_of_newest_span && block >= unused);
+}
+
+void Arena::NoteCalls(const void* block, Calls calls) {
+  (*calls_)[static_cast<uint32_t>(PlaceOf(block))] = std::move(calls);
+}
+
+void Arena::ForEachBlock(const std::function<void(char*, size_t, const Calls&)>& visit) const {
+  if (calls_ == nullptr) return;
+  for (const auto& [place, calls] : *calls_) {
+    char* const block = base_ + size_t{place} * 16;
+    visit(block, SizeOf(block), calls);
+  }
+}
+
+bool Arena::FreeFrom(void* block) {
+  if (!IsBegin(block)) return false;
+  begins_[PlaceOf(block)] = false;
+  if (calls_ != nullptr) calls_->erase(static_cast<uint32_t>(PlaceOf(block)));
   const size_t index = IndexOf(block);
   const int16_t use = spans_[index].use;
-  ASSERT(use != kInside && use != kFree, "free of an address that no block begins at");
   const size_t size = SizeOf(block);
   ASSERT(size <= in_use_, "a block of {} bytes is freed, {} are in use", size, in_use_);
   in_use_ -= size;
   budget_->used_bytes -= size;
   if (use == kLarge) {
     GiveSpans(index);
-    return;
+    return true;
   }
   FreeBlock* const free_block = static_cast<FreeBlock*>(block);
   free_block->next = free_[use];
   free_[use] = free_block;
+  return true;
 }
 
 }  // namespace openr_host

@@ -12,6 +12,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
 #include <vector>
 
 #include "runtime/core/address_plan.h"
@@ -45,14 +48,31 @@ class Arena {
 
   // Returns the arena that `block` was allocated from, or null if `block` lies in no arena.
   static Arena* OwnerOf(const void* block);
-  // Frees a block of an arena.  REQUIRES: OwnerOf(block) is not null.
-  static void Free(void* block);
+  // Frees a block of an arena.  Returns false, and changes nothing, if no block in use begins at
+  // `block`, for example because it was freed already.  REQUIRES: OwnerOf(block) is not null.
+  static bool Free(void* block);
+  // Returns whether an address, at which no block in use begins, is the first address of a block
+  // that was freed.  REQUIRES: OwnerOf(block) is not null.
+  static bool WasFreed(const void* block);
   // Frees a block of an arena or of the host's heap.  If a caller got the block from Allocate()
   // itself, it must use this function and not free(): under Valgrind, free() is a function of
   // Valgrind, which does not know arenas.
   static void FreeAny(void* block);
   // Returns the number of bytes that may be used in `block`.  REQUIRES: OwnerOf(block) is not null.
   static size_t UsableSize(const void* block);
+
+  // The instructions of the object's image that were on the stack when a block was allocated, from
+  // the innermost call to the outermost.
+  using Calls = std::vector<const void*>;
+
+  // Makes the arena keep the calls of each block that is allocated from now on.
+  void KeepCalls() { calls_ = std::make_unique<std::map<uint32_t, Calls>>(); }
+  bool keeps_calls() const { return calls_ != nullptr; }
+  // Keeps the calls that allocated `block`.  REQUIRES: keeps_calls().
+  void NoteCalls(const void* block, Calls calls);
+  // Calls `visit` for every block with known calls that is in use, in the order of addresses.
+  void ForEachBlock(
+      const std::function<void(char* block, size_t bytes, const Calls& calls)>& visit) const;
 
  private:
   static constexpr int kClasses = 44;
@@ -80,7 +100,12 @@ class Arena {
   size_t SizeOf(const void* block) const;
   void* AllocateSmall(int size_class);
   void* AllocateLarge(size_t size);
-  void FreeFrom(void* block);
+  bool FreeFrom(void* block);
+  // The number of a block in `begins_`, which counts places of 16 bytes.
+  size_t PlaceOf(const void* block) const {
+    return static_cast<size_t>(static_cast<const char*>(block) - base_) / 16;
+  }
+  bool IsBegin(const void* block) const;
   bool MayTake(size_t size);
   void Account(size_t size);
 
@@ -91,6 +116,11 @@ class Arena {
   FreeBlock* free_[kClasses] = {};
   char* bump_[kClasses] = {};  // for each class, the next block that was never used
   char* bump_end_[kClasses] = {};
+  std::vector<bool> begins_;  // for each 16 bytes of mapped memory: a block in use begins there
+  // The calls of each block, by its number of PlaceOf(); null: not kept.  The keys are no
+  // addresses, so that a search of this process's memory for addresses of blocks does not find them
+  // here.
+  std::unique_ptr<std::map<uint32_t, Calls>> calls_;
   size_t in_use_ = 0;
   size_t in_use_max_ = 0;
   MemoryBudget own_budget_;

@@ -3,6 +3,8 @@
 #include <dlfcn.h>
 #include <unwind.h>
 
+#include <string_view>
+
 #include "runtime/core/current.h"
 #include "runtime/core/object.h"
 
@@ -26,7 +28,44 @@ _Unwind_Reason_Code LookAtFrame(_Unwind_Context* context, void* data) {
   return _URC_END_OF_STACK;
 }
 
+struct CallSearch {
+  const char* image;
+  std::vector<const void*> found;
+};
+
+_Unwind_Reason_Code CollectFrame(_Unwind_Context* context, void* data) {
+  CallSearch* const search = static_cast<CallSearch*>(data);
+  const auto* const address = reinterpret_cast<const char*>(_Unwind_GetIP(context) - 1);
+  if (address >= search->image && address < search->image + AddressPlace::kImageBytes)
+    search->found.push_back(address);
+  return search->found.size() < kCallsMax ? _URC_NO_REASON : _URC_END_OF_STACK;
+}
+
+bool IsInHeader(std::string_view place) {
+  const std::string_view file = place.substr(0, place.rfind(':'));
+  return file.find('.') == std::string_view::npos || file.ends_with(".h") ||
+         file.ends_with(".hpp") || file.ends_with(".tcc");
+}
+
 }  // namespace
+
+std::vector<const void*> CallsInImage() {
+  const Object* const object = t_current.object;
+  if (object == nullptr || object->place == nullptr || object->place->image() == nullptr) return {};
+  CallSearch search{object->place->image(), {}};
+  _Unwind_Backtrace(&CollectFrame, &search);
+  return search.found;
+}
+
+std::string NameOfCalls(const std::vector<const void*>& calls) {
+  std::string first;
+  for (const void* const call : calls) {
+    std::string name = NameOfPlace(call);
+    if (!name.empty() && !IsInHeader(name)) return name;
+    if (first.empty()) first = std::move(name);
+  }
+  return first;
+}
 
 void SetPlaceNamer(PlaceNamer namer) { g_namer = namer; }
 
@@ -39,6 +78,12 @@ const void* CallerInImage() {
   Search search{t_current.object};
   _Unwind_Backtrace(&LookAtFrame, &search);
   return search.found;
+}
+
+std::string InHandler() {
+  const Object* const object = t_current.object;
+  if (object == nullptr || object->handler.running == nullptr) return "";
+  return object->EntryName(object->handler.running->selector) + ": ";
 }
 
 std::string AtCaller() {

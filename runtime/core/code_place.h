@@ -6,6 +6,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace openr_host {
 
@@ -24,6 +25,20 @@ std::string NameOfPlace(const void* address);
 // Searches the stack for the innermost call made by code of the current object's image, and returns
 // the address of the call.  Returns null if no code of that image is on the stack.
 const void* CallerInImage();
+
+// Returns the calls on the stack that were made by code of the current object's image, the
+// innermost first, at most kCallsMax.  Returns none if the image is not at its planned address.
+std::vector<const void*> CallsInImage();
+constexpr size_t kCallsMax = 8;
+
+// Returns the name of the first of `calls` that is in a source of the object and not in a header,
+// or of the first with a name: memory is mostly allocated by inline functions of headers such as
+// <vector>, which say little.  Returns "" if no call has a name.
+std::string NameOfCalls(const std::vector<const void*>& calls);
+
+// Returns "DoStart: ", the name of the entry whose handler runs in the current object.  Returns ""
+// if none runs.
+std::string InHandler();
 
 // Returns ", at Talker.cc:57", the end of a finding's text, for the place of CallerInImage().
 // Returns "" if that place has no name.

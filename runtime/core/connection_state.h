@@ -10,6 +10,7 @@
 #include <OPENR/ObjcommMessages.h>
 
 #include <list>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -31,6 +32,10 @@ struct RegionAccess {
   static RCRegion* Receive(RCRegion* source, MemoryRegionID id, offset_t offset, size_t size);
   // Deletes an RCRegion that Receive() has made.
   static void GiveBack(RCRegion* received);
+  // Calls `memory` for all memory in which the pool of this thread has RCRegions and its lists of
+  // them, and `used` for every RCRegion that was made and not deleted.
+  static void VisitPool(const std::function<void(const void* begin, size_t bytes)>& memory,
+                        const std::function<void(const RCRegion* region)>& used);
   static RCRegion* SourceOf(const RCRegion* received) { return received->source_; }
 };
 

@@ -121,6 +121,7 @@ std::string ImageObject::TakePlace(const std::string& original) {
   if (!IsUnderValgrind())
     RebaseImage(&bytes, reinterpret_cast<uintptr_t>(place->image()), AddressPlace::kImageBytes);
   arena = std::make_unique<Arena>(*place, &system->robot(robot).memory);
+  if (system->options().find_leaks) arena->KeepCalls();
   stack_ = std::make_unique<HandlerStack>(place->stack(0));
   return bytes;
 }

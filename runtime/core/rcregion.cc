@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <new>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,9 @@ struct Block {
 };
 static_assert(offsetof(Block, region) == 0);
 thread_local constinit Block* t_free = nullptr;  // the first free block
+// The addresses of all chunks.  With this list, a leak checker finds that the chunks are reachable.
+// Otherwise it would report a chunk when an object has not deleted its regions.
+thread_local constinit std::vector<Block*>* t_chunks = nullptr;
 
 void GiveToPool(void* memory) {
   Block* const block = static_cast<Block*>(memory);
@@ -43,11 +47,9 @@ void GiveToPool(void* memory) {
 
 void AddChunk() {
   const ApiScope scope;
-  // The addresses of all chunks.  With this list, a leak checker finds that the chunks are
-  // reachable.  Otherwise it would report a chunk when an object has not deleted its regions.
-  static thread_local auto* const chunks = new std::vector<void*>;
+  if (t_chunks == nullptr) t_chunks = new std::vector<Block*>;
   auto* const chunk = static_cast<Block*>(::operator new(sizeof(Block) * kChunk));
-  chunks->push_back(chunk);
+  t_chunks->push_back(chunk);
   for (size_t i = kChunk; i > 0; --i) GiveToPool(chunk + i - 1);
 }
 
@@ -160,6 +162,20 @@ void RCRegion::RemoveReference() {
 }
 
 namespace openr_host {
+
+void RegionAccess::VisitPool(const std::function<void(const void*, size_t)>& memory,
+                             const std::function<void(const RCRegion*)>& used) {
+  if (t_chunks == nullptr) return;
+  std::set<const Block*> free;
+  for (const Block* block = t_free; block != nullptr; block = block->next) free.insert(block);
+  memory(t_chunks->data(), t_chunks->capacity() * sizeof(Block*));
+  for (const Block* const chunk : *t_chunks) {
+    memory(chunk, sizeof(Block) * kChunk);
+    for (size_t i = 0; i < kChunk; ++i) {
+      if (!free.contains(chunk + i)) used(reinterpret_cast<const RCRegion*>(chunk + i));
+    }
+  }
+}
 
 RCRegion* RegionAccess::Receive(RCRegion* source, MemoryRegionID id, offset_t offset, size_t size) {
   RCRegion* const region = new RCRegion(id, offset, source->Base(), size);

@@ -140,6 +140,20 @@ void RegionTable::NotePlace(uint32_t id, const void* address) {
   if (Slot* const slot = Find(id)) slot->made_at = address;
 }
 
+const void* RegionTable::PlaceOf(uint32_t id) const {
+  const Slot* const slot = Find(id);
+  return slot == nullptr ? nullptr : slot->made_at;
+}
+
+bool RegionTable::WasDeleted(uint32_t id) const {
+  const uint32_t index = (id & 0xffff) - 1;
+  if (index >= slots_.size()) return false;
+  const Slot& slot = slots_[index];
+  const uint32_t generation = id >> 16;
+  return slot.is_reusable && generation > 0 &&
+         (generation < slot.generation || (generation == slot.generation && !slot.live));
+}
+
 std::pair<const void*, int> RegionTable::MostCommonPlace() const {
   // Counts how many blocks each instruction has made, and keeps the counts in the order of slots.
   // The order of addresses would differ from run to run, and with it the choice between two equal

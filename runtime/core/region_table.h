@@ -53,6 +53,14 @@ class RegionTable {
 
   // Records `address`, the instruction of a program that made block `id`, for MostCommonPlace().
   void NotePlace(uint32_t id, const void* address);
+  // Returns the instruction of NotePlace(), or null.
+  const void* PlaceOf(uint32_t id) const;
+  // Returns whether `id` named a block that was deleted.
+  bool WasDeleted(uint32_t id) const;
+  // Returns the memory of the table itself, which has the address of every block.
+  std::pair<const void*, size_t> own_memory() const {
+    return {slots_.data(), slots_.capacity() * sizeof(Slot)};
+  }
   // Returns the instruction that made the most live blocks, and the number of these blocks.  The
   // instruction is null if none was recorded.
   std::pair<const void*, int> MostCommonPlace() const;

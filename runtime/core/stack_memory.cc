@@ -88,6 +88,17 @@ size_t StackMemory::Clear(size_t gap_bytes) {
   return used;
 }
 
+std::vector<std::pair<const char*, size_t>> StackMemory::All() {
+  std::vector<std::pair<const char*, size_t>> all;
+  for (const StackMemory* each = t_newest; each != nullptr; each = each->older_) {
+    all.emplace_back(each->bottom_, kBytes);
+    const char* const imports = each->mapping_ + kGuardBytes;
+    if (imports < each->bottom_)
+      all.emplace_back(imports, static_cast<size_t>(each->bottom_ - kGuardBytes - imports));
+  }
+  return all;
+}
+
 bool StackMemory::AnyGuardContains(const void* address) {
   const char* const p = static_cast<const char*>(address);
   for (const StackMemory* each = t_newest; each != nullptr; each = each->older_) {

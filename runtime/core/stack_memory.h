@@ -12,6 +12,8 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
+#include <vector>
 
 #include "runtime/core/address_plan.h"
 
@@ -61,6 +63,10 @@ class StackMemory {
   // Returns whether `address` lies in a guard page of a stack of this thread.  If so, and if an
   // access to `address` was a fault, that stack has overflowed.
   static bool AnyGuardContains(const void* address);
+
+  // Returns the mappings of all stacks of this thread, as first address and number of bytes, with
+  // the bytes that may be read: the guard pages are left out.
+  static std::vector<std::pair<const char*, size_t>> All();
 
  private:
   char* mapping_;

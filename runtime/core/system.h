@@ -87,6 +87,8 @@ struct SystemOptions {
   // ready (guard_pages.h).  So every later access is a fault.  If a subject changes data before
   // they are received, an error finding is added.  Costs some microseconds per notification.
   bool guard_regions = false;
+  // True: the heaps of images keep where each block was allocated, for ReportLeaks() (leaks.h).
+  bool find_leaks = false;
   // Makes the SystemCalls of this System, the functions that handlers call; null: LocalCalls.
   std::function<std::unique_ptr<SystemCalls>(System*)> make_calls = {};
 };

@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "runtime/base/assert.h"
 #include "runtime/core/arena.h"
 #include "runtime/core/code_place.h"
 #include "runtime/core/current.h"
@@ -57,13 +58,35 @@ void ReportNoMemory(size_t size) {
                         openr_host::kRobotMemoryBytes >> 20));
 }
 
+// Keeps which calls of the object allocated `block`, for the report of leaks.
+void NoteCalls(Arena* arena, const void* block) {
+  const openr_host::ApiScope scope;
+  arena->NoteCalls(block, openr_host::CallsInImage());
+}
+
 void* FromArena(Arena* arena, size_t size, size_t alignment = 16) {
   void* const block = arena->Allocate(size, alignment);
   if (block == nullptr) {
     ReportNoMemory(size);
     errno = ENOMEM;
+  } else if (arena->keeps_calls()) {
+    NoteCalls(arena, block);
   }
   return block;
+}
+
+// Adds a finding about a call of free() for an address at which no block in use begins.
+void ReportBadFree(const void* block) {
+  const openr_host::ApiScope scope;
+  const openr_host::Current& current = t_current;
+  ASSERT(current.object != nullptr, "free of an address that no block begins at");
+  const char* const what = Arena::WasFreed(block) ? "a block is freed that was freed before"
+                                                  : "an address is freed that no block begins at";
+  current.system->AddFinding(
+      openr_host::Severity::kError,
+      fmt::format("{}{}{}: on the robot this damages the heap without a word; here it changes "
+                  "nothing",
+                  openr_host::InHandler(), what, openr_host::AtCaller()));
 }
 
 void* Aligned(size_t alignment, size_t size) {
@@ -86,8 +109,8 @@ void free(void* block) {
   if (block == nullptr) return;
   if (Arena::OwnerOf(block) == nullptr) {
     __libc_free(block);
-  } else {
-    Arena::Free(block);
+  } else if (!Arena::Free(block)) {
+    ReportBadFree(block);
   }
 }
 

@@ -54,6 +54,42 @@ TEST_F(ArenaTest, FreedBlocksAreUsedAgain) {
   EXPECT_EQ(arena.bytes_in_use(), Arena::UsableSize(first));
 }
 
+TEST_F(ArenaTest, WhatIsNotInUseCannotBeFreed) {
+  Arena arena(place_);
+  char* const small = static_cast<char*>(arena.Allocate(100));
+  char* const large = static_cast<char*>(arena.Allocate(100000));
+  for (char* const block : {small, large}) {
+    EXPECT_FALSE(Arena::Free(block + 16));
+    EXPECT_FALSE(Arena::WasFreed(block + 16));
+    EXPECT_TRUE(Arena::Free(block));
+    EXPECT_FALSE(Arena::Free(block));
+    EXPECT_TRUE(Arena::WasFreed(block));
+  }
+  EXPECT_FALSE(Arena::WasFreed(small + 112));  // never allocated
+  EXPECT_EQ(arena.bytes_in_use(), 0u);
+  EXPECT_EQ(arena.Allocate(100), small);
+  EXPECT_NE(arena.Allocate(100), small);
+}
+
+TEST_F(ArenaTest, CallsAreKeptWhileABlockIsInUse) {
+  Arena arena(place_);
+  arena.KeepCalls();
+  void* const first = arena.Allocate(48);
+  arena.NoteCalls(first, {&arena});
+  size_t blocks = 0;
+  const auto count = [&](char* block, size_t bytes, const Arena::Calls& calls) {
+    EXPECT_EQ(block, first);
+    EXPECT_EQ(bytes, 48u);
+    EXPECT_EQ(calls.size(), 1u);
+    ++blocks;
+  };
+  arena.ForEachBlock(count);
+  EXPECT_EQ(blocks, 1u);
+  Arena::Free(first);
+  arena.ForEachBlock(count);
+  EXPECT_EQ(blocks, 1u);
+}
+
 TEST_F(ArenaTest, ABudgetRefusesAndLeavesTheRestUsable) {
   MemoryBudget budget{.limit_bytes = 1000};
   Arena arena(place_, &budget);

@@ -1,0 +1,316 @@
+#include "runtime/core/leaks.h"
+
+#include <OPENR/RCRegion.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cinttypes>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <map>
+#include <string>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "runtime/core/address_plan.h"
+#include "runtime/core/code_place.h"
+#include "runtime/core/connection_state.h"
+#include "runtime/core/object.h"
+#include "runtime/core/stack_memory.h"
+#include "runtime/core/system.h"
+
+namespace openr_host {
+namespace {
+
+// An address as the tables of this file keep it.  The search reads the memory of this process, with
+// these tables, and must not find addresses of blocks there.
+class HiddenAddress {
+ public:
+  HiddenAddress() = default;
+  explicit HiddenAddress(const void* address)
+      : hidden_(reinterpret_cast<uintptr_t>(address) ^ kMask) {}
+  uintptr_t value() const { return hidden_ ^ kMask; }
+  const char* pointer() const { return reinterpret_cast<const char*>(value()); }
+
+ private:
+  static constexpr uintptr_t kMask = 0xa5a5'0000'0000'0000;  // no address begins so
+  uintptr_t hidden_ = kMask;
+};
+
+// Memory that is read for addresses only if it is reachable itself.
+struct Node {
+  HiddenAddress begin;
+  size_t bytes = 0;
+  const Object* object = nullptr;  // owner of a block or region; null: never reported
+  bool is_region = false;
+  const std::vector<const void*>* calls = nullptr;  // of a block
+  const void* made_at = nullptr;                    // of a region
+  bool is_reachable = false;
+};
+
+struct Range {
+  HiddenAddress begin;
+  size_t bytes = 0;
+};
+
+class LeakSearch {
+ public:
+  explicit LeakSearch(System* system) : system_(system) {}
+
+  // Marks all reachable nodes.  `stack` is the lowest address of this thread's stack that counts.
+  void Run(const char* stack);
+  void Report() const;
+
+ private:
+  void CollectBlocks();
+  void CollectRegions();
+  void CollectPool();
+  void ReadStacks();
+  void ReadHost(const char* stack);
+  void ReadAround(const char* begin, const char* end);
+  // Read memory and mark what its words name.  With `has_ids`, the ids of regions count too.
+  void Read(const char* begin, const char* end, bool has_ids);
+  void ReadReached();
+  void MarkAddress(uintptr_t address);
+  void MarkId(uint32_t id);
+  void Mark(size_t node);
+  bool HasWaitingHandler() const;
+
+  System* const system_;
+  std::vector<Node> nodes_;   // in the order of addresses
+  std::vector<Range> holes_;  // memory of this process that is not read, in the order of addresses
+  std::unordered_map<uint32_t, HiddenAddress> region_of_id_;
+  std::vector<size_t> reached_;  // nodes whose bytes have to be read
+};
+
+bool IsLess(const HiddenAddress& a, const HiddenAddress& b) { return a.value() < b.value(); }
+
+void LeakSearch::CollectBlocks() {
+  for (const auto& object : system_->objects()) {
+    if (object == nullptr || object->arena == nullptr) continue;
+    holes_.push_back({HiddenAddress(object->arena.get()), sizeof(Arena)});
+    object->arena->ForEachBlock([&](char* block, size_t bytes, const Arena::Calls& calls) {
+      nodes_.push_back(
+          {.begin = HiddenAddress(block), .bytes = bytes, .object = object.get(), .calls = &calls});
+    });
+    // Memory of NewRegion() belongs to the object until DeleteRegion(), so it is never a leak.
+    for (void* const region : object->private_regions)
+      nodes_.push_back({.begin = HiddenAddress(region), .bytes = Arena::UsableSize(region)});
+  }
+}
+
+void LeakSearch::CollectRegions() {
+  const RegionTable& table = system_->regions();
+  const auto [memory, bytes] = table.own_memory();
+  holes_.push_back({HiddenAddress(memory), bytes});
+  for (const auto& object : system_->objects()) {
+    if (object == nullptr || !object->is_image || object->arena == nullptr) continue;
+    table.ForEachOf(object->id, [&](uint32_t id, char* base, size_t size) {
+      if (!IsPlanned(base)) return;  // in the host's heap, which is read as a whole
+      region_of_id_[id] = HiddenAddress(base);
+      nodes_.push_back({.begin = HiddenAddress(base),
+                        .bytes = size,
+                        .object = object.get(),
+                        .is_region = true,
+                        .made_at = table.PlaceOf(id)});
+    });
+  }
+}
+
+void LeakSearch::CollectPool() {
+  RegionAccess::VisitPool(
+      [this](const void* begin, size_t bytes) {
+        holes_.push_back({HiddenAddress(begin), bytes});
+      },
+      [this](const RCRegion* region) {
+        nodes_.push_back({.begin = HiddenAddress(region), .bytes = sizeof *region});
+      });
+}
+
+void LeakSearch::Mark(size_t node) {
+  if (std::exchange(nodes_[node].is_reachable, true)) return;
+  reached_.push_back(node);
+}
+
+void LeakSearch::MarkAddress(uintptr_t address) {
+  const auto after =
+      std::upper_bound(nodes_.begin(), nodes_.end(), address,
+                       [](uintptr_t a, const Node& node) { return a < node.begin.value(); });
+  if (after == nodes_.begin()) return;
+  const auto node = std::prev(after);
+  if (address - node->begin.value() < std::max<size_t>(node->bytes, 1))
+    Mark(static_cast<size_t>(node - nodes_.begin()));
+}
+
+void LeakSearch::MarkId(uint32_t id) {
+  const auto found = region_of_id_.find(id);
+  if (found != region_of_id_.end()) MarkAddress(found->second.value());
+}
+
+void LeakSearch::Read(const char* begin, const char* end, bool has_ids) {
+  if (nodes_.empty()) return;
+  const uintptr_t low = nodes_.front().begin.value();
+  const uintptr_t high = nodes_.back().begin.value() + nodes_.back().bytes;
+  const uintptr_t aligned = (reinterpret_cast<uintptr_t>(begin) + 7) / 8 * 8;
+  const char* at = reinterpret_cast<const char*>(aligned);
+  for (; at + sizeof(uint64_t) <= end; at += sizeof(uint64_t)) {
+    uint64_t word;
+    std::memcpy(&word, at, sizeof word);
+    if (word == 0) continue;
+    if (word >= low && word <= high) MarkAddress(word);
+    if (!has_ids) continue;
+    MarkId(static_cast<uint32_t>(word));
+    MarkId(static_cast<uint32_t>(word >> 32));
+  }
+  uint32_t rest;
+  if (has_ids && end - at >= static_cast<ptrdiff_t>(sizeof rest)) {
+    std::memcpy(&rest, at, sizeof rest);
+    MarkId(rest);
+  }
+}
+
+void LeakSearch::ReadReached() {
+  while (!reached_.empty()) {
+    const Node node = nodes_[reached_.back()];
+    reached_.pop_back();
+    Read(node.begin.pointer(), node.begin.pointer() + node.bytes, true);
+  }
+}
+
+bool LeakSearch::HasWaitingHandler() const {
+  const auto& objects = system_->objects();
+  return std::any_of(objects.begin(), objects.end(), [](const auto& object) {
+    return object != nullptr && object->handler.running != nullptr;
+  });
+}
+
+// Reads the stacks of handlers, if a handler waits.  Otherwise they hold only what handlers have
+// left there.
+void LeakSearch::ReadStacks() {
+  const bool has_waiting = HasWaitingHandler();
+  for (const auto& [begin, bytes] : StackMemory::All()) {
+    if (has_waiting) Read(begin, begin + bytes, true);
+    if (!IsPlanned(begin)) holes_.push_back({HiddenAddress(begin), bytes});
+  }
+}
+
+// Reads [begin, end) without the holes.
+void LeakSearch::ReadAround(const char* begin, const char* end) {
+  for (const Range& hole : holes_) {
+    const char* const hole_end = hole.begin.pointer() + hole.bytes;
+    if (hole_end <= begin) continue;
+    if (hole.begin.pointer() >= end) break;
+    if (hole.begin.pointer() > begin) Read(begin, hole.begin.pointer(), false);
+    begin = std::min(hole_end, end);
+  }
+  if (begin < end) Read(begin, end, false);
+}
+
+bool IsOfImage(const System& system, const char* address) {
+  const auto& objects = system.objects();
+  return std::any_of(objects.begin(), objects.end(), [address](const auto& object) {
+    if (object == nullptr || object->place == nullptr) return false;
+    const char* const image = object->place->image();
+    return image != nullptr && address >= image && address < image + AddressPlace::kImageBytes;
+  });
+}
+
+// Reads all writable memory of this process: variables of images, and everything of the runtime.
+void LeakSearch::ReadHost(const char* stack) {
+  std::sort(holes_.begin(), holes_.end(),
+            [](const Range& a, const Range& b) { return IsLess(a.begin, b.begin); });
+  std::FILE* const maps = std::fopen("/proc/self/maps", "re");
+  if (maps == nullptr) return;
+  char line[4352];
+  std::vector<Range> writable;
+  while (std::fgets(line, sizeof line, maps) != nullptr) {
+    uintptr_t begin = 0, end = 0;
+    char rights[5] = "";
+    if (std::sscanf(line, "%" SCNxPTR "-%" SCNxPTR " %4s", &begin, &end, rights) != 3) continue;
+    if (std::strcmp(rights, "rw-p") != 0) continue;
+    if (std::strstr(line, "[stack]") != nullptr)
+      begin = std::max(begin, reinterpret_cast<uintptr_t>(stack));
+    writable.push_back({HiddenAddress(reinterpret_cast<const void*>(begin)), end - begin});
+  }
+  std::fclose(maps);
+  for (const Range& range : writable) {
+    const char* const begin = range.begin.pointer();
+    if (!IsPlanned(begin)) {
+      ReadAround(begin, begin + range.bytes);
+    } else if (IsOfImage(*system_, begin)) {
+      Read(begin, begin + range.bytes, true);
+    }
+  }
+}
+
+void LeakSearch::Run(const char* stack) {
+  CollectBlocks();
+  CollectRegions();
+  CollectPool();
+  std::sort(nodes_.begin(), nodes_.end(),
+            [](const Node& a, const Node& b) { return IsLess(a.begin, b.begin); });
+  ReadStacks();
+  ReadHost(stack);
+  for (const auto& object : system_->objects()) {
+    if (object == nullptr || object->arena == nullptr) continue;
+    for (void* const region : object->private_regions)
+      MarkAddress(reinterpret_cast<uintptr_t>(region));
+  }
+  ReadReached();
+}
+
+std::string PlaceOf(const Node& node) {
+  std::string place = node.is_region ? NameOfPlace(node.made_at) : NameOfCalls(*node.calls);
+  return place.empty() ? "at a place that has no debug information (openr build --debug)"
+                       : "at " + place;
+}
+
+void LeakSearch::Report() const {
+  struct Sum {
+    size_t count = 0, bytes = 0;
+  };
+  std::map<std::tuple<ObjectId, bool, std::string>, Sum> sums;
+  for (const Node& node : nodes_) {
+    if (node.object == nullptr || node.is_reachable) continue;
+    Sum& sum = sums[{node.object->id, node.is_region, PlaceOf(node)}];
+    sum.count += 1;
+    sum.bytes += node.bytes;
+  }
+  for (const auto& [key, sum] : sums) {
+    const auto& [id, is_region, place] = key;
+    const char* const what = is_region ? "region" : "block";
+    system_->AddFindingAbout(
+        system_->object(id), Severity::kNote,
+        fmt::format("leak: {} {}{} of {} bytes, made {}: nothing points to {} any more", sum.count,
+                    what, sum.count == 1 ? "" : "s", sum.bytes, place,
+                    sum.count == 1 ? "it" : "them"));
+  }
+  if (sums.empty())
+    system_->AddFindingAbout(nullptr, Severity::kNote, "no leaks of blocks or regions were found");
+}
+
+// Names objects whose heaps are not known here.
+void ReportUnknown(System* system) {
+  for (const auto& object : system->objects()) {
+    if (object == nullptr || !object->is_image || object->is_absent || object->arena != nullptr)
+      continue;
+    system->AddFindingAbout(object.get(), Severity::kNote,
+                            "leaks were not looked for: its heap is in another process, or "
+                            "belongs to AddressSanitizer");
+  }
+}
+
+}  // namespace
+
+[[gnu::noinline]] void ReportLeaks(System* system) {
+  const auto* const stack = static_cast<const char*>(__builtin_frame_address(0));
+  ReportUnknown(system);
+  LeakSearch search(system);
+  search.Run(stack);
+  search.Report();
+}
+
+}  // namespace openr_host

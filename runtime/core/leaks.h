@@ -1,0 +1,22 @@
+// Finds leaks of objects: blocks of their heaps, and regions of shared memory that they own, which
+// nothing can reach any more.
+//
+// On the robot no leak is a mistake by itself: the heap of an object is freed as a whole.  But an
+// object that loses memory with every message stops after hours.  So leaks are only looked for when
+// a user asks (SystemOptions::find_leaks), and are notes of the report.
+//
+// A block counts as reachable if its address, or an address inside of it, is in the variables of an
+// image, in another reachable block or region, on the stack of a handler that waits, or anywhere in
+// the memory of the runtime.  Any number that looks like such an address counts.  So a leak can be
+// missed, but what is still used is never reported.
+#pragma once
+
+namespace openr_host {
+
+class System;
+
+// Adds a note for each place of an object's source at which memory was allocated that has leaked,
+// or one note that there is none.  REQUIRES: SystemOptions::find_leaks.
+void ReportLeaks(System* system);
+
+}  // namespace openr_host
