@@ -13,6 +13,7 @@ import json
 import os
 import re
 import shutil
+import signal
 import subprocess
 import sys
 
@@ -21,9 +22,8 @@ BUILD = os.path.join(ROOT, "build", "fuzz")
 PROGRAM = os.path.join(BUILD, "bin", "openr_fuzz")
 PROCESSES = 2
 PLANTED_SECONDS = 60
-MAX_BYTES = 8192
-OPTIONS = ["-timeout=10", "-rss_limit_mb=1536", "-malloc_limit_mb=600", "-print_final_stats=1",
-           f"-max_len={MAX_BYTES}"]
+MAX_BYTES = 8192  # of an input, or the size of the largest seed
+OPTIONS = ["-timeout=10", "-rss_limit_mb=1536", "-malloc_limit_mb=600", "-print_final_stats=1"]
 # Objects of a robot may leave memory behind, so leaks are no findings (docs/hacking.md).
 ENVIRONMENT = {**os.environ, "ASAN_OPTIONS": "detect_leaks=0:allocator_may_return_null=0",
                "UBSAN_OPTIONS": "print_stacktrace=1"}
@@ -59,9 +59,13 @@ def fuzz(name, found, seconds, seed, planted=False):
     before = set(os.listdir(crashes))
     command = [PROGRAM, name] + (["--planted"] if planted else []) + OPTIONS
     command += [f"-max_total_time={seconds}", f"-artifact_prefix={crashes}/"]
+    folders = [kept] + seed_folders(name, found)
+    sizes = [os.path.getsize(os.path.join(folder, file))
+             for folder in folders for file in os.listdir(folder)]
+    command += [f"-max_len={max([MAX_BYTES, *sizes])}"]
     command += ["-use_value_profile=1"] if planted else []
     command += [f"-seed={seed}"] if seed is not None else []
-    run = subprocess.run(command + [kept] + seed_folders(name, found), env=ENVIRONMENT,
+    run = subprocess.run(command + folders, env=ENVIRONMENT,
                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
     if planted or seed is not None:
         shutil.rmtree(kept)
@@ -147,4 +151,5 @@ def planted_bugs(known, options):
 
 
 if __name__ == "__main__":
+    signal.signal(signal.SIGPIPE, signal.SIG_DFL)
     sys.exit(main())
