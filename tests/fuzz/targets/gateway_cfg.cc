@@ -1,5 +1,6 @@
 // The fuzz target gateway_cfg: ROBOTGW.CFG and HOSTGW.CFG.
 #include "runtime/config/gateway_config.h"
+#include "runtime/config/line_file.h"
 #include "tests/fuzz/fuzz_targets.h"
 #include "tests/fuzz/target_list.h"
 

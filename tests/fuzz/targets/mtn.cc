@@ -1,5 +1,6 @@
 // The fuzz target mtn: motion files (MTN), on all robots.
 #include "MtnFile.h"
+#include "RobotConstants.h"
 #include "openr/motion/mtn_csv.h"
 #include "tests/fuzz/fuzz_targets.h"
 #include "tests/fuzz/target_list.h"
