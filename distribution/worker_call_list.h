@@ -35,8 +35,10 @@ struct CallList {
     ASSERT(number < kSize, "function {}", number);
     CallResult result;
     uint32_t index = 0;
-    ((index++ == number ? (result = CallOne<kFunctions>(target_of, arguments), true) : false) ||
-     ...);
+    const bool is_found =
+        ((index++ == number ? (result = CallOne<kFunctions>(target_of, arguments), true) : false) ||
+         ...);
+    ASSERT(is_found, "function {}", number);
     return result;
   }
 

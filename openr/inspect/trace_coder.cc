@@ -12,6 +12,9 @@ namespace {
 // Largest payload that is read from a file.  No region of this size fits into the robot's memory,
 // so a larger size means that the file is damaged.
 constexpr uint64_t kPayloadMax = 64 << 20;
+// The most bytes of last payloads that a reader keeps.  Without a limit, a damaged file of some
+// hundred bytes could make it use all memory, because bytes that are equal take no room in a file.
+constexpr uint64_t kKeptMax = 512 << 20;
 
 void WriteEvent(const NetworkEvent& event, ByteWriter* out) {
   out->U8(static_cast<uint8_t>(event.kind));
@@ -89,6 +92,9 @@ void TraceCoder::ReadPayload(ByteReader* in, TraceEntry* entry) {
   const uint64_t size = in->Varint();
   if (size > kPayloadMax) throw std::runtime_error("a message of " + Counted(size, "byte"));
   std::string& last = last_[{entry->record.sender, size}];
+  kept_ += size - last.size();
+  if (kept_ > kKeptMax)
+    throw std::runtime_error("messages of more than " + Counted(kKeptMax, "byte"));
   last.resize(size);
   for (size_t at = 0; at < size;) {
     const uint64_t equal = in->Varint();
@@ -120,7 +126,9 @@ void TraceCoder::ReadMessage(ByteReader* in, TraceEntry* entry) {
   TraceRecord& record = entry->record;
   record.number = number_ + static_cast<uint64_t>(in->Zigzag());
   record.cause = record.number - static_cast<uint64_t>(in->Zigzag());
-  record.time_us = time_us_ + in->Zigzag();
+  // Adds without a sign, because a damaged file may have any numbers.
+  record.time_us =
+      static_cast<int64_t>(static_cast<uint64_t>(time_us_) + static_cast<uint64_t>(in->Zigzag()));
   record.sender = static_cast<int32_t>(in->Zigzag());
   record.target = static_cast<int32_t>(in->Zigzag());
   record.selector = static_cast<uint32_t>(in->Varint());

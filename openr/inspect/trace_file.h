@@ -104,6 +104,7 @@ class TraceCoder {
   int64_t time_us_ = 0;
   // key: sender and size; value: last payload
   std::map<std::pair<int32_t, size_t>, std::string> last_;
+  uint64_t kept_ = 0;  // bytes of all payloads in last_ that were read
 };
 
 class TraceWriter {

@@ -20,6 +20,14 @@ namespace openr_host {
 
 // The data that the thread and the bridge share.
 struct PairBridge::Work {
+  Work(const LiveRun& in_run, size_t in_robot, const remote::Address& in_second,
+       nlohmann::json in_id, std::shared_ptr<Outbox> in_outbox)
+      : run(in_run),
+        robot(in_robot),
+        second(in_second),
+        id(std::move(in_id)),
+        outbox(std::move(in_outbox)) {}
+
   const LiveRun run;
   const size_t robot;
   const remote::Address second;

@@ -1,0 +1,155 @@
+#!/usr/bin/env python3
+"""Runs the fuzz targets (docs/reliability.md): ./dev fuzz.
+
+  fuzz.py                            the targets, and what each reads
+  fuzz.py TARGET SECONDS [--seed N]  one target
+  fuzz.py all SECONDS [--seed N]     all targets, which share the seconds, two at a time
+  fuzz.py planted [TARGET]           each target must find its planted bug within 60 s
+  fuzz.py TARGET --show FILE         one input again
+"""
+import argparse
+import concurrent.futures
+import json
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+BUILD = os.path.join(ROOT, "build", "fuzz")
+PROGRAM = os.path.join(BUILD, "bin", "openr_fuzz")
+PROCESSES = 2
+PLANTED_SECONDS = 60
+MAX_BYTES = 8192  # of an input, or the size of the largest seed
+OPTIONS = ["-timeout=10", "-rss_limit_mb=1536", "-malloc_limit_mb=600", "-print_final_stats=1"]
+# Objects of a robot may leave memory behind, so leaks are no findings (docs/hacking.md).
+ENVIRONMENT = {**os.environ, "ASAN_OPTIONS": "detect_leaks=0:allocator_may_return_null=0",
+               "UBSAN_OPTIONS": "print_stacktrace=1"}
+
+
+def targets():
+    with open(os.path.join(ROOT, "tests", "fuzz", "targets.json"), encoding="utf-8") as file:
+        return json.load(file)
+
+
+def seed_folders(name, found):
+    """Returns the folders of seeds: the corpus, and copies of the files that targets.json names."""
+    import glob
+    folder = os.path.join(BUILD, "seeds", name)
+    shutil.rmtree(folder, ignore_errors=True)
+    os.makedirs(folder)
+    for pattern in found["seeds"]:
+        for path in glob.glob(os.path.join(ROOT, pattern)):
+            copy = os.path.relpath(path, ROOT).replace(os.sep, "_")
+            shutil.copyfile(path, os.path.join(folder, copy))
+    own = os.path.join(ROOT, "tests", "fuzz", "corpus", name)
+    return [folder] + ([own] if os.path.isdir(own) else [])
+
+
+def fuzz(name, found, seconds, seed, planted=False):
+    """Runs one target.  Returns what libFuzzer has counted, and the inputs that crash."""
+    kept = os.path.join(BUILD, "planted" if planted else "corpus", name)
+    crashes = os.path.join(BUILD, "planted-found" if planted else "crashes", name)
+    if planted or seed is not None:  # what earlier runs have learnt must not count
+        kept += f"-{os.getpid()}"
+    for folder in (kept, crashes):
+        os.makedirs(folder, exist_ok=True)
+    before = set(os.listdir(crashes))
+    command = [PROGRAM, name] + (["--planted"] if planted else []) + OPTIONS
+    command += [f"-max_total_time={seconds}", f"-artifact_prefix={crashes}/"]
+    folders = [kept] + seed_folders(name, found)
+    sizes = [os.path.getsize(os.path.join(folder, file))
+             for folder in folders for file in os.listdir(folder)]
+    command += [f"-max_len={max([MAX_BYTES, *sizes])}"]
+    command += ["-use_value_profile=1"] if planted else []
+    command += [f"-seed={seed}"] if seed is not None else []
+    run = subprocess.run(command + folders, env=ENVIRONMENT,
+                         stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
+    if planted or seed is not None:
+        shutil.rmtree(kept)
+    text = run.stdout.decode(errors="replace")
+    with open(os.path.join(BUILD, f"{name}.log"), "w", encoding="utf-8") as log:
+        log.write(text)
+    executions = re.findall(r"stat::number_of_executed_units:\s*(\d+)", text)
+    if not executions:
+        executions = re.findall(r"^#(\d+)", text, re.MULTILINE)
+    edges = re.findall(r"cov: (\d+)", text)
+    return {"status": run.returncode, "text": text,
+            "executions": int(executions[-1]) if executions else 0,
+            "edges": int(edges[-1]) if edges else 0,
+            "crashes": [os.path.join(crashes, new)
+                        for new in sorted(set(os.listdir(crashes)) - before)]}
+
+
+def report(name, result):
+    print(f"{name:16} {result['executions']:>10,} executions  {result['edges']:>6,} edges  "
+          f"{len(result['crashes'])} crashes", flush=True)
+    if result["status"] == 0:
+        return True
+    for crash in result["crashes"]:
+        print(f"  {os.path.relpath(crash, ROOT)}")
+        print(f"  again: ./dev fuzz {name} --show {os.path.relpath(crash, ROOT)}")
+    if not result["crashes"]:
+        print(f"  openr_fuzz ended with status {result['status']}")
+    print(f"  its output: build/fuzz/{name}.log", flush=True)
+    return False
+
+
+def run_all(names, work):
+    """Calls work(name) for all names, two at a time.  Returns how many returned True."""
+    with concurrent.futures.ThreadPoolExecutor(PROCESSES) as pool:
+        return sum(pool.map(work, names))
+
+
+def main():
+    known = targets()
+    parser = argparse.ArgumentParser(prog="./dev fuzz", usage="\n" + __doc__)
+    parser.add_argument("target", nargs="?")
+    parser.add_argument("argument", nargs="?")
+    parser.add_argument("--seed", type=int)
+    parser.add_argument("--show", metavar="FILE")
+    options = parser.parse_args()
+    if options.target is None:
+        for name, found in known.items():
+            print(f"{name:16} {found['reads']}")
+        return 0
+    if options.target not in [*known, "all", "planted"]:
+        parser.error(f"there is no target '{options.target}'; ./dev fuzz lists them")
+    if options.show:
+        return subprocess.run([PROGRAM, options.target, options.show], env=ENVIRONMENT,
+                              check=False).returncode
+    if options.target == "planted":
+        return planted_bugs(known, options)
+    if options.argument is None or not options.argument.isdigit() or int(options.argument) < 1:
+        parser.error("the seconds are missing: ./dev fuzz TARGET SECONDS")
+    names = list(known) if options.target == "all" else [options.target]
+    # Each target gets its share of the processes' time.
+    seconds = max(1, int(options.argument) // len(names))
+
+    good = run_all(names, lambda name: report(name, fuzz(name, known[name], seconds, options.seed)))
+    print(f"{good} passed, {len(names) - good} failed")
+    return 0 if good == len(names) else 1
+
+
+def planted_bugs(known, options):
+    if options.argument and options.argument not in known:
+        sys.exit(f"fuzz: there is no target '{options.argument}'")
+
+    def find(name):
+        result = fuzz(name, known[name], PLANTED_SECONDS, options.seed or 1, planted=True)
+        is_found = "openr_fuzz: the planted bug" in result["text"]
+        print(f"{name:16} {'found' if is_found else 'NOT FOUND'} after {result['executions']:,} "
+              "executions", flush=True)
+        return is_found
+
+    names = [options.argument] if options.argument else list(known)
+    good = run_all(names, find)
+    print(f"{good} passed, {len(names) - good} failed")
+    return 0 if good == len(names) else 1
+
+
+if __name__ == "__main__":
+    signal.signal(signal.SIGPIPE, signal.SIG_DFL)
+    sys.exit(main())

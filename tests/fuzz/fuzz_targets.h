@@ -1,0 +1,67 @@
+// The fuzz targets: functions that read bytes of others in the way the product does.
+//
+// A target may throw only the exceptions with which its reader refuses bytes, and it catches them
+// itself.  Everything else that leaves it (another exception, a failed assertion, a finding of a
+// sanitizer) is a crash.  tests/fuzz/targets.json says what each target reads.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace openr_host {
+
+// Runs one input.  Returns whether the input has reached the planted bug of the target: a value
+// that only a reader that has understood most of the input returns.  `./dev fuzz planted` stops at
+// such an input, which shows that the fuzzer gets that far.  The seeds do not reach it.
+using FuzzFunction = bool (*)(std::string_view bytes);
+
+struct FuzzTarget {
+  const char* name;
+  FuzzFunction run;
+};
+
+// Returns all targets, in the order of their names.
+const std::vector<FuzzTarget>& FuzzTargets();
+
+// Returns the target `name`; null if there is none.
+const FuzzTarget* FindFuzzTarget(std::string_view name);
+
+// Stops the process with `what`, because something that must hold for every input does not.
+[[noreturn]] void FuzzViolation(const std::string& what);
+
+inline void FuzzCheck(bool holds, const char* what) {
+  if (!holds) FuzzViolation(what);
+}
+
+// A file in memory, for readers that want the name of a file.
+class FuzzFile {
+ public:
+  explicit FuzzFile(std::string_view bytes);
+  ~FuzzFile();
+  FuzzFile(const FuzzFile&) = delete;
+  FuzzFile& operator=(const FuzzFile&) = delete;
+
+  const std::string& path() const { return path_; }
+
+ private:
+  int descriptor_;
+  std::string path_;
+};
+
+// Takes numbers and texts from the front of an input.  After its end all numbers are 0.
+class FuzzBytes {
+ public:
+  explicit FuzzBytes(std::string_view bytes) : rest_(bytes) {}
+
+  bool empty() const { return rest_.empty(); }
+  uint8_t U8();
+  uint32_t U32();
+  uint64_t U64();
+  std::string_view Text(size_t size);
+
+ private:
+  std::string_view rest_;
+};
+
+}  // namespace openr_host

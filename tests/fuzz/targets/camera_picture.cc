@@ -1,0 +1,22 @@
+// The fuzz target camera_picture: pictures for the camera (PNG, PPM).
+#include <stdexcept>
+
+#include "tests/fuzz/fuzz_targets.h"
+#include "tests/fuzz/target_list.h"
+#include "virtualrobot/camera/image_source.h"
+
+namespace openr_host {
+
+bool fuzz::camera_picture(std::string_view bytes) {
+  const FuzzFile file(bytes);
+  try {
+    const Picture picture = ReadPicture(file.path());
+    Picture sensor{88, 72, std::vector<uint8_t>(88 * 72 * 3)};
+    ScalePicture(picture, &sensor);
+    return picture.width == 3 && picture.height == 3;
+  } catch (const std::runtime_error&) {
+    return false;
+  }
+}
+
+}  // namespace openr_host

@@ -1,0 +1,15 @@
+// The fuzz target serve: requests to openr serve.
+#include <nlohmann/json.hpp>
+
+#include "openr/serve/command_table.h"
+#include "tests/fuzz/fuzz_targets.h"
+#include "tests/fuzz/target_list.h"
+
+namespace openr_host {
+
+bool fuzz::serve(std::string_view bytes) {
+  nlohmann::json request = nlohmann::json::parse(bytes, nullptr, false);
+  return !request.is_discarded() && CompleteRequest(&request).empty() && request.size() > 2;
+}
+
+}  // namespace openr_host
