@@ -9,8 +9,8 @@
 #include <OPENR/OSubject.h>
 #include <OPENR/ObjcommMessages.h>
 
-#include <list>
 #include <functional>
+#include <list>
 #include <memory>
 #include <string>
 #include <vector>

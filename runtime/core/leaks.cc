@@ -11,7 +11,6 @@
 #include <map>
 #include <string>
 #include <tuple>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -82,7 +81,7 @@ class LeakSearch {
   System* const system_;
   std::vector<Node> nodes_;   // in the order of addresses
   std::vector<Range> holes_;  // memory of this process that is not read, in the order of addresses
-  std::unordered_map<uint32_t, HiddenAddress> region_of_id_;
+  std::map<uint32_t, HiddenAddress> region_of_id_;
   std::vector<size_t> reached_;  // nodes whose bytes have to be read
 };
 
