@@ -25,7 +25,7 @@ bool fuzz::gateway_wire(std::string_view bytes) {
         ProxyFrame frame;
         if (!DecodeProxyFrame(item, &frame).empty()) continue;
         FuzzCheck(frame.bytes.size() <= kProxyBytesMax, "the size of a call");
-        has_call |= frame.command == ProxyCommand::kCall && !frame.bytes.empty();
+        has_call |= frame.command == ProxyCommand::kCall && frame.bytes.ends_with('!');
       }
     }
     is_broken = result == GatewayStream::Result::kBroken;

@@ -11,9 +11,8 @@ bool fuzz::image(std::string_view bytes) {
   FunctionsIn(image.bytes);
   ServicesInImage(image.bytes);
   SanitizerOf(image.bytes);
-  const std::string text = OcfTextOf(image.bytes);
-  ParseOcf("object.ocf", text);
-  return image.problem.empty() || text.size() > 3;
+  const OcfResult result = ParseOcf("object.ocf", OcfTextOf(image.bytes));
+  return image.problem.empty() && result.ocf && result.ocf->priority == 129;
 }
 
 }  // namespace openr_host

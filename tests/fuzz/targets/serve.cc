@@ -9,7 +9,8 @@ namespace openr_host {
 
 bool fuzz::serve(std::string_view bytes) {
   nlohmann::json request = nlohmann::json::parse(bytes, nullptr, false);
-  return !request.is_discarded() && CompleteRequest(&request).empty() && request.size() > 2;
+  return !request.is_discarded() && CompleteRequest(&request).empty() &&
+         request.value("frames", nlohmann::json()) == 77;
 }
 
 }  // namespace openr_host
