@@ -1,6 +1,8 @@
 // TraceCoder: the payloads of a recording, of which only the bytes that differ are written.
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -73,6 +75,39 @@ TEST(TraceCoderTest, PayloadsThatResembleEachOtherComeBack) {
     payloads.push_back(next);
   }
   EXPECT_EQ(Coded(payloads), payloads);
+}
+
+// Returns the bytes of a message of `size` bytes that are all zero.  They are written as equal to
+// bytes that were never sent, so a damaged file of some bytes can claim any size.
+std::string MessageOfZeros(size_t size) {
+  ByteWriter out;
+  TraceCoder coder(true);
+  coder.Write(MessageWith(std::string(size, '\0')), &out);
+  return out.bytes();
+}
+
+TEST(TraceCoderTest, ShortBytesCannotClaimAllMemory) {
+  std::string bytes;
+  // One message less than 512 MiB, and a last one that goes over it.
+  const size_t most = 64 << 20;
+  for (size_t i = 0; i < 9; ++i) bytes += MessageOfZeros(most - i);
+  EXPECT_LT(bytes.size(), 400u);
+  ByteReader in(bytes);
+  TraceCoder reader(true);
+  for (int i = 0; i < 8; ++i) EXPECT_EQ(reader.Read(&in).payload.size(), most - i);
+  EXPECT_THROW(reader.Read(&in), std::runtime_error);
+}
+
+TEST(TraceCoderTest, TimesOfADamagedFileMayBeAnyNumber) {
+  TraceEntry late = MessageWith("");
+  late.record.time_us = std::numeric_limits<int64_t>::max();
+  ByteWriter out;
+  TraceCoder(true).Write(late, &out);
+  const std::string twice = out.bytes() + out.bytes();  // a time is the difference to the last one
+  ByteReader in(twice);
+  TraceCoder reader(true);
+  EXPECT_EQ(reader.Read(&in).record.time_us, std::numeric_limits<int64_t>::max());
+  EXPECT_EQ(reader.Read(&in).record.time_us, -2);
 }
 
 }  // namespace
