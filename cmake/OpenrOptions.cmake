@@ -11,8 +11,10 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 if(NOT CMAKE_BUILD_TYPE)
   set(CMAKE_BUILD_TYPE RelWithDebInfo)
 endif()
-# Line numbers; what a debugger needs beyond them takes a quarter of the compiler's time.
-set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O2 -g1")  # assertions are ours and stay on
+# Line numbers; what a debugger needs beyond them takes a quarter of the compiler's time.  A preset
+# with other flags sets OPENR_OPTIMISATION: CMAKE_CXX_FLAGS_RELWITHDEBINFO of a preset has no effect.
+set(OPENR_OPTIMISATION "-O2 -g1" CACHE STRING "Flags for optimisation and debug information")
+set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "${OPENR_OPTIMISATION}")  # assertions are ours and stay on
 
 find_program(CCACHE ccache)
 if(CCACHE)
