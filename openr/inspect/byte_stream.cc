@@ -1,30 +1,18 @@
 #include "openr/inspect/byte_stream.h"
 
+#include <algorithm>
+
 namespace openr_host {
 
-// The bytes of a number are collected and appended at once, because a string checks its room for
-// each append.
-void ByteWriter::Fixed(uint64_t value, int count) {
-  char bytes[8];
-  for (int i = 0; i < count; ++i) bytes[i] = static_cast<char>(value >> 8 * i);
-  bytes_.append(bytes, static_cast<size_t>(count));
-}
-
-void ByteWriter::Varint(uint64_t value) {
-  if (value < 0x80) return U8(static_cast<uint8_t>(value));  // nearly all numbers
-  char bytes[10];
-  size_t count = 0;
-  for (; value >= 0x80; value >>= 7) bytes[count++] = static_cast<char>(value | 0x80);
-  bytes[count++] = static_cast<char>(value);
-  bytes_.append(bytes, count);
-}
+// Twice the room each time, so that growing takes little time in all.
+void ByteWriter::Grow(size_t count) { bytes_.resize(std::max(2 * bytes_.size(), size_ + count)); }
 
 void ByteWriter::Text(std::string_view text) {
-  Varint(text.size());
-  bytes_.append(text);
+  char* const out = PutVarint(text.size(), Room(kVarintBytesMax + text.size()));
+  SetEnd(std::copy(text.begin(), text.end(), out));
 }
 
-std::string_view ByteReader::Take(uint64_t count) {
+std::string_view ByteReader::Bytes(uint64_t count) {
   if (count > bytes_.size() - at_) throw std::runtime_error("the data end too early");
   at_ += count;
   return bytes_.substr(at_ - count, count);
@@ -33,14 +21,14 @@ std::string_view ByteReader::Take(uint64_t count) {
 uint64_t ByteReader::Fixed(int count) {
   uint64_t value = 0;
   int shift = 0;
-  for (const char c : Take(static_cast<uint64_t>(count))) {
+  for (const char c : Bytes(static_cast<uint64_t>(count))) {
     value |= uint64_t{static_cast<uint8_t>(c)} << shift;
     shift += 8;
   }
   return value;
 }
 
-uint8_t ByteReader::U8() { return static_cast<uint8_t>(Take(1)[0]); }
+uint8_t ByteReader::U8() { return static_cast<uint8_t>(Bytes(1)[0]); }
 
 uint64_t ByteReader::Varint() {
   uint64_t value = 0;
@@ -57,6 +45,6 @@ int64_t ByteReader::Zigzag() {
   return static_cast<int64_t>(value >> 1 ^ (~(value & 1) + 1));
 }
 
-std::string_view ByteReader::Text() { return Take(Varint()); }
+std::string_view ByteReader::Text() { return Bytes(Varint()); }
 
 }  // namespace openr_host

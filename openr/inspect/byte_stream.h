@@ -1,7 +1,9 @@
 // Writes and reads the bytes of trace files: little-endian numbers of fixed and of variable length.
 #pragma once
 
+#include <bit>
 #include <cstdint>
+#include <cstring>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -10,25 +12,56 @@ namespace openr_host {
 
 class ByteWriter {
  public:
-  void U8(uint8_t value) { bytes_.push_back(static_cast<char>(value)); }
+  // The most bytes that PutVarint() writes.
+  static constexpr size_t kVarintBytesMax = 10;
+
+  void U8(uint8_t value) { Fixed(value, 1); }
   void U32(uint32_t value) { Fixed(value, 4); }
   void U64(uint64_t value) { Fixed(value, 8); }
   // Writes a number with seven bits per byte, the lowest bits first, so that small numbers take few
   // bytes.
-  void Varint(uint64_t value);
-  // Writes a number that may be negative, so that small numbers of either sign take few bytes: 0,
-  // -1, 1, -2 become 0, 1, 2, 3.
-  void Zigzag(int64_t value) {
-    Varint(static_cast<uint64_t>(value) << 1 ^ static_cast<uint64_t>(value >> 63));
-  }
+  void Varint(uint64_t value) { SetEnd(PutVarint(value, Room(kVarintBytesMax))); }
+  void Zigzag(int64_t value) { Varint(Folded(value)); }
   void Text(std::string_view text);  // writes the length, then the bytes of the text
 
-  const std::string& bytes() const { return bytes_; }
-  void Clear() { bytes_.clear(); }
+  // Returns the place behind what was written, with room for `count` bytes.  The caller writes
+  // there and gives the end of it to SetEnd().  So the room is tested once for many numbers.
+  char* Room(size_t count) {
+    if (count > bytes_.size() - size_) Grow(count);
+    return bytes_.data() + size_;
+  }
+  void SetEnd(const char* end) { size_ = static_cast<size_t>(end - bytes_.data()); }
+
+  // Each writes a number to `out` and returns the end of the number.
+  static char* PutVarint(uint64_t value, char* out) {
+    for (; value >= 0x80; value >>= 7) *out++ = static_cast<char>(value | 0x80);
+    *out++ = static_cast<char>(value);
+    return out;
+  }
+  // Writes a number that may be negative, so that small numbers of either sign take few bytes: 0,
+  // -1, 1, -2 become 0, 1, 2, 3.
+  static char* PutZigzag(int64_t value, char* out) { return PutVarint(Folded(value), out); }
+  static char* PutFixed(uint64_t value, size_t count, char* out) {
+    if constexpr (std::endian::native == std::endian::little) {
+      std::memcpy(out, &value, count);
+      return out + count;
+    }
+    for (size_t i = 0; i < count; ++i) *out++ = static_cast<char>(value >> 8 * i);
+    return out;
+  }
+
+  std::string_view bytes() const { return std::string_view(bytes_).substr(0, size_); }
+  void Clear() { size_ = 0; }
 
  private:
-  void Fixed(uint64_t value, int count);
-  std::string bytes_;
+  static uint64_t Folded(int64_t value) {
+    return static_cast<uint64_t>(value) << 1 ^ static_cast<uint64_t>(value >> 63);
+  }
+  void Fixed(uint64_t value, size_t count) { SetEnd(PutFixed(value, count, Room(count))); }
+  void Grow(size_t count);
+
+  std::string bytes_;  // what was written, and room for more
+  size_t size_ = 0;    // bytes that were written
 };
 
 // Reads what a ByteWriter has written.  Throws std::runtime_error when the bytes end too early, or
@@ -40,15 +73,16 @@ class ByteReader {
   bool AtEnd() const { return at_ == bytes_.size(); }
   size_t at() const { return at_; }
   uint8_t U8();
+  uint16_t U16() { return static_cast<uint16_t>(Fixed(2)); }
   uint32_t U32() { return static_cast<uint32_t>(Fixed(4)); }
   uint64_t U64() { return Fixed(8); }
   uint64_t Varint();
   int64_t Zigzag();
   std::string_view Text();
+  std::string_view Bytes(uint64_t count);
 
  private:
   uint64_t Fixed(int count);
-  std::string_view Take(uint64_t count);
 
   std::string_view bytes_;
   size_t at_ = 0;

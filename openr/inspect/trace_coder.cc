@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <cstring>
-
 #include "cli/counted.h"
 #include "openr/inspect/trace_file.h"
 #include "runtime/base/assert.h"
@@ -54,92 +52,98 @@ NetworkEvent ReadEvent(ByteReader* in) {
   return event;
 }
 
-// Returns the end of the bytes from `at` on that are equal in `a` and `b`, which have the same
-// size.  Most bytes are equal, so large pieces are compared first: memcmp() uses the widest
-// registers of the processor.
-size_t EndOfEqualBytes(const std::string& a, const std::string& b, size_t at) {
-  for (const size_t piece : {size_t{512}, size_t{64}, size_t{8}, size_t{1}}) {
-    while (at + piece <= a.size() && std::memcmp(&a[at], &b[at], piece) == 0) at += piece;
-  }
-  return at;
-}
-
-// Returns the end of the bytes from `at` on that differ.  The end is behind 4 equal bytes, because
-// leaving out a shorter gap would save less than a new piece costs.
-size_t EndOfOtherBytes(const std::string& a, const std::string& b, size_t at) {
-  for (size_t run = 0; at < a.size() && run < 4; ++at) run = a[at] == b[at] ? run + 1 : 0;
-  return at;
-}
-
 }  // namespace
 
-void TraceCoder::WritePayload(const TraceEntry& entry, ByteWriter* out) {
-  const std::string& now = entry.payload;
-  out->Varint(now.size());
-  std::string& last = last_[{entry.record.sender, now.size()}];
-  last.resize(now.size());
-  for (size_t at = 0; at < now.size();) {
-    const size_t equal = EndOfEqualBytes(now, last, at);
-    const size_t other = EndOfOtherBytes(now, last, equal);
-    out->Varint(equal - at);
-    out->Text(std::string_view(now).substr(equal, other - equal));
-    std::memcpy(&last[equal], &now[equal], other - equal);
-    at = other;
-  }
+LastPayload& TraceCoder::LastOf(int32_t sender, size_t size) {
+  return last_.try_emplace({sender, size}, size).first->second;
 }
 
-void TraceCoder::ReadPayload(ByteReader* in, TraceEntry* entry) {
-  const uint64_t size = in->Varint();
-  if (size > kPayloadMax) throw std::runtime_error("a message of " + Counted(size, "byte"));
-  std::string& last = last_[{entry->record.sender, size}];
-  kept_ += size - last.size();
-  if (kept_ > kKeptMax)
-    throw std::runtime_error("messages of more than " + Counted(kKeptMax, "byte"));
-  last.resize(size);
-  for (size_t at = 0; at < size;) {
-    const uint64_t equal = in->Varint();
-    const std::string_view other = in->Text();
-    if (equal > size - at || other.size() > size - at - equal || equal + other.size() == 0)
-      throw std::runtime_error("pieces of a message are longer than it");
-    last.replace(at + equal, other.size(), other);
-    at += equal + other.size();
-  }
-  entry->payload = last;
+uint32_t TraceCoder::LinkOf(const TraceRecord& record) {
+  const auto [found, is_new] = link_numbers_.try_emplace(
+      {record.sender, record.target, record.selector}, static_cast<uint32_t>(links_.size()));
+  if (is_new) links_.push_back({record.sender, record.target, record.selector});
+  return found->second;
 }
 
-void TraceCoder::WriteMessage(const TraceEntry& entry, ByteWriter* out) {
-  const TraceRecord& record = entry.record;
-  out->Zigzag(static_cast<int64_t>(record.number - number_));
-  out->Zigzag(static_cast<int64_t>(record.number - record.cause));
-  out->Zigzag(record.time_us - time_us_);
-  out->Zigzag(record.sender);
-  out->Zigzag(record.target);
-  out->Varint(record.selector);
-  out->Varint(record.size);
-  out->U64(record.payload_hash);
-  if (payloads_) WritePayload(entry, out);
+void TraceCoder::WriteMessage(const TraceRecord& record, std::string_view payload,
+                              uint32_t number_of_link, ByteWriter* out) {
+  constexpr size_t kHeadMax = 1 + 9 * ByteWriter::kVarintBytesMax + 8;
+  ASSERT(number_of_link <= defined_links_ && number_of_link < links_.size());
+  Link& link = links_[number_of_link];
+  char* at = out->Room(kHeadMax);
+  *at++ = static_cast<char>(TraceEntry::Kind::kMessage);
+  at = ByteWriter::PutVarint(number_of_link, at);
+  if (number_of_link == defined_links_) {
+    at = ByteWriter::PutZigzag(link.sender, at);
+    at = ByteWriter::PutZigzag(link.target, at);
+    at = ByteWriter::PutVarint(link.selector, at);
+    ++defined_links_;
+  }
+  at = ByteWriter::PutZigzag(static_cast<int64_t>(record.number - number_), at);
+  at = ByteWriter::PutZigzag(static_cast<int64_t>(record.number - record.cause), at);
+  at = ByteWriter::PutZigzag(record.time_us - time_us_, at);
+  at = ByteWriter::PutVarint(record.size, at);
+  at = ByteWriter::PutFixed(record.payload_hash, 8, at);
+  if (payloads_) at = ByteWriter::PutVarint(payload.size(), at);
+  out->SetEnd(at);
   number_ = record.number;
   time_us_ = record.time_us;
+  if (!payloads_ || payload.empty()) return;
+  if (link.last == nullptr || link.last->size() != payload.size())
+    link.last = &LastOf(record.sender, payload.size());
+  link.last->Write(payload, out);
 }
 
-void TraceCoder::ReadMessage(ByteReader* in, TraceEntry* entry) {
+void TraceCoder::ReadLink(ByteReader* in, TraceRecord* record) {
+  const uint64_t number = in->Varint();
+  if (number > links_.size()) throw std::runtime_error("a message of an unknown link");
+  if (number == links_.size()) {
+    Link link;
+    link.sender = static_cast<int32_t>(in->Zigzag());
+    link.target = static_cast<int32_t>(in->Zigzag());
+    link.selector = static_cast<uint32_t>(in->Varint());
+    links_.push_back(link);
+  }
+  record->sender = links_[number].sender;
+  record->target = links_[number].target;
+  record->selector = links_[number].selector;
+}
+
+void TraceCoder::ReadPayload(bool in_pieces, ByteReader* in, TraceEntry* entry) {
+  const uint64_t size = in->Varint();
+  if (size > kPayloadMax) throw std::runtime_error("a message of " + Counted(size, "byte"));
+  const int32_t sender = entry->record.sender;
+  if (!last_.contains({sender, size})) kept_ += size;
+  if (kept_ > kKeptMax)
+    throw std::runtime_error("messages of more than " + Counted(kKeptMax, "byte"));
+  LastPayload& last = LastOf(sender, size);
+  in_pieces ? last.ReadPieces(in) : last.Read(in);
+  entry->payload = last.bytes();
+}
+
+void TraceCoder::ReadMessage(bool is_old, ByteReader* in, TraceEntry* entry) {
   TraceRecord& record = entry->record;
+  if (!is_old) ReadLink(in, &record);
   record.number = number_ + static_cast<uint64_t>(in->Zigzag());
   record.cause = record.number - static_cast<uint64_t>(in->Zigzag());
   // Adds without a sign, because a damaged file may have any numbers.
   record.time_us =
       static_cast<int64_t>(static_cast<uint64_t>(time_us_) + static_cast<uint64_t>(in->Zigzag()));
-  record.sender = static_cast<int32_t>(in->Zigzag());
-  record.target = static_cast<int32_t>(in->Zigzag());
-  record.selector = static_cast<uint32_t>(in->Varint());
+  if (is_old) {
+    record.sender = static_cast<int32_t>(in->Zigzag());
+    record.target = static_cast<int32_t>(in->Zigzag());
+    record.selector = static_cast<uint32_t>(in->Varint());
+  }
   record.size = static_cast<uint32_t>(in->Varint());
   record.payload_hash = in->U64();
-  if (payloads_) ReadPayload(in, entry);
+  if (payloads_) ReadPayload(is_old, in, entry);
   number_ = record.number;
   time_us_ = record.time_us;
 }
 
 void TraceCoder::Write(const TraceEntry& entry, ByteWriter* out) {
+  if (entry.kind == TraceEntry::Kind::kMessage)
+    return WriteMessage(entry.record, entry.payload, LinkOf(entry.record), out);
   out->U8(static_cast<uint8_t>(entry.kind));
   switch (entry.kind) {
     case TraceEntry::Kind::kObject:
@@ -153,17 +157,17 @@ void TraceCoder::Write(const TraceEntry& entry, ByteWriter* out) {
       out->Text(entry.name);
       return;
     case TraceEntry::Kind::kMessage:
-      WriteMessage(entry, out);
-      return;
+      return;  // see above
     case TraceEntry::Kind::kNetwork:
       out->Varint(static_cast<uint64_t>(entry.robot));
       out->Varint(entry.events.size());
       for (const NetworkEvent& event : entry.events) WriteEvent(event, out);
       return;
+    case TraceEntry::Kind::kOldMessage:
     case TraceEntry::Kind::kOldPause:
     case TraceEntry::Kind::kOldShutdown:
     case TraceEntry::Kind::kOldConsole:
-      ASSERT(false, "only programs of before version 4 wrote entry {}",
+      ASSERT(false, "only programs of before version {} wrote entry {}", kTraceVersion,
              static_cast<int>(entry.kind));
       return;
     case TraceEntry::Kind::kInput:
@@ -194,7 +198,7 @@ void TraceCoder::Write(const TraceEntry& entry, ByteWriter* out) {
 
 TraceEntry TraceCoder::Read(ByteReader* in) {
   TraceEntry entry;
-  entry.kind = ReadEnum(in, TraceEntry::Kind::kInput);
+  entry.kind = ReadEnum(in, TraceEntry::Kind::kMessage);
   switch (entry.kind) {
     case TraceEntry::Kind::kObject:
       entry.id = static_cast<int32_t>(in->Zigzag());
@@ -207,7 +211,11 @@ TraceEntry TraceCoder::Read(ByteReader* in) {
       entry.name = in->Text();
       return entry;
     case TraceEntry::Kind::kMessage:
-      ReadMessage(in, &entry);
+      ReadMessage(false, in, &entry);
+      return entry;
+    case TraceEntry::Kind::kOldMessage:
+      entry.kind = TraceEntry::Kind::kMessage;
+      ReadMessage(true, in, &entry);
       return entry;
     case TraceEntry::Kind::kNetwork:
       entry.robot = static_cast<int32_t>(in->Varint());

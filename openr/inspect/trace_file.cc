@@ -97,7 +97,8 @@ TraceWriter::TraceWriter(const std::string& file, const TraceHeader& header)
   ByteWriter head;
   head.U32(kTraceVersion);
   head.Text(HeaderText(header));
-  WriteOut(std::string(kMagic) + head.bytes());
+  WriteOut(kMagic);
+  WriteOut(head.bytes());
 }
 
 TraceWriter::~TraceWriter() {
@@ -105,7 +106,7 @@ TraceWriter::~TraceWriter() {
   if (descriptor_ >= 0) close(descriptor_);
 }
 
-void TraceWriter::WriteOut(const std::string& bytes) {
+void TraceWriter::WriteOut(std::string_view bytes) {
   if (error_ == 0) error_ = WriteAll(descriptor_, bytes);
 }
 
@@ -121,6 +122,10 @@ void TraceWriter::Flush() {
 
 void TraceWriter::Add(const TraceEntry& entry) {
   coder_.Write(entry, &block_);
+  FlushIfFull();
+}
+
+void TraceWriter::FlushIfFull() {
   if (block_.bytes().size() >= kBlockBytes) Flush();
 }
 
@@ -150,12 +155,20 @@ void TraceWriter::AddNames(const System& system, const TraceRecord& record) {
 
 void TraceWriter::AddMessage(const System& system, const TraceRecord& record,
                              const Message& message) {
-  AddNames(system, record);
-  TraceEntry entry;
-  entry.kind = TraceEntry::Kind::kMessage;
-  entry.record = record;
-  if (payloads_) entry.payload = PayloadBytes(message);
-  Add(entry);
+  const auto life = [&system](int32_t id) {
+    const Object* const object = system.object(id);
+    return object == nullptr ? -1 : object->predecessors;
+  };
+  const uint32_t link = coder_.LinkOf(record);
+  if (link >= named_.size()) named_.resize(link + 1);
+  const Lives lives{life(record.sender), life(record.target)};
+  if (named_[link] != lives) {
+    AddNames(system, record);
+    named_[link] = lives;
+  }
+  coder_.WriteMessage(record, payloads_ ? PayloadView(message, &payload_copy_) : std::string_view(),
+                      link, &block_);
+  FlushIfFull();
 }
 
 void TraceWriter::AddNetwork(int robot, std::vector<NetworkEvent> events) {

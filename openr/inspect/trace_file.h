@@ -9,10 +9,13 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "openr/inspect/byte_stream.h"
+#include "openr/inspect/payload_coder.h"
 #include "runtime/core/trace.h"
 #include "runtime/ipstack/network.h"
 
@@ -21,9 +24,10 @@ namespace openr_host {
 class System;
 struct RunEnd;
 
-constexpr uint32_t kTraceVersion = 4;
+constexpr uint32_t kTraceVersion = 5;
 // The oldest version that can be read.  Version 2 has no kEnded.  Versions 2 and 3 have kOldPause,
-// kOldShutdown and kOldConsole in place of kInput; they are read as kInput.
+// kOldShutdown and kOldConsole in place of kInput; they are read as kInput.  Versions 2 to 4 have
+// kOldMessage in place of kMessage, as which it is read.
 constexpr uint32_t kOldestTraceVersion = 2;
 
 // The options that determine a run, together with the recorded input.
@@ -55,7 +59,7 @@ struct TraceEntry {
   enum class Kind : uint8_t {
     kObject = 1,       // id, robot, name; comes before the first message of the object
     kEntry = 2,        // id (of the object), selector, name; comes before the first message to it
-    kMessage = 3,      // record, payload: a delivered message
+    kOldMessage = 3,   // see kOldestTraceVersion
     kNetwork = 4,      // robot, events: what Poll() returned during the message before
     kOldPause = 5,     // see kOldestTraceVersion
     kOldShutdown = 6,  // see kOldestTraceVersion
@@ -66,7 +70,8 @@ struct TraceEntry {
     // name, payload: how the run ended, as a word of EndName(), and the reason as text.  The entry
     // is missing if the recorded process was killed.
     kEnded = 11,
-    kInput = 12,  // time_us, robot (-1: every robot), name: the line of the input
+    kInput = 12,    // time_us, robot (-1: every robot), name: the line of the input
+    kMessage = 13,  // record, payload: a delivered message
   };
   enum class OnStick : uint8_t { kNothing = 0, kFile = 1, kFolder = 2 };
   Kind kind = Kind::kEnd;
@@ -91,20 +96,50 @@ class TraceCoder {
   void Write(const TraceEntry& entry, ByteWriter* out);
   TraceEntry Read(ByteReader* in);
 
+  // Returns the number of the message's link: the messages of one sender to one entry of one
+  // receiver.  Links are numbered from 0 in the order in which they are asked for.
+  uint32_t LinkOf(const TraceRecord& record);
+
+  // Writes an entry kMessage.  REQUIRES: `number_of_link` is LinkOf(record), and a message of each
+  // link with a smaller number was written.
+  void WriteMessage(const TraceRecord& record, std::string_view payload, uint32_t number_of_link,
+                    ByteWriter* out);
+
  private:
-  void WriteMessage(const TraceEntry& entry, ByteWriter* out);
-  void ReadMessage(ByteReader* in, TraceEntry* entry);
-  // Writes only the bytes of the payload that differ from the last payload of the same sender and
-  // size.  This makes the file small, because an object's messages often resemble each other.
-  void WritePayload(const TraceEntry& entry, ByteWriter* out);
-  void ReadPayload(ByteReader* in, TraceEntry* entry);
+  struct Link {
+    int32_t sender = 0;
+    int32_t target = 0;
+    uint32_t selector = 0;
+    LastPayload* last = nullptr;  // where the link's last payload was found in last_; writers only
+  };
+  struct LinkKey {
+    int32_t sender, target;
+    uint32_t selector;
+    bool operator==(const LinkKey&) const = default;
+  };
+  struct LinkHash {
+    size_t operator()(const LinkKey& key) const {
+      return (static_cast<uint64_t>(static_cast<uint32_t>(key.sender)) << 40 ^
+              static_cast<uint64_t>(static_cast<uint32_t>(key.target)) << 20 ^ key.selector) *
+             0x9e3779b97f4a7c15u;
+    }
+  };
+
+  // Returns the last payload of this sender and size.  Only bytes that differ from it are written.
+  // This makes the file small, because an object's messages often resemble each other.
+  LastPayload& LastOf(int32_t sender, size_t size);
+  void ReadMessage(bool is_old, ByteReader* in, TraceEntry* entry);
+  void ReadLink(ByteReader* in, TraceRecord* record);
+  void ReadPayload(bool in_pieces, ByteReader* in, TraceEntry* entry);
 
   const bool payloads_;
   uint64_t number_ = 0;
   int64_t time_us_ = 0;
-  // key: sender and size; value: last payload
-  std::map<std::pair<int32_t, size_t>, std::string> last_;
+  std::map<std::pair<int32_t, size_t>, LastPayload> last_;  // key: sender and size
   uint64_t kept_ = 0;  // bytes of all payloads in last_ that were read
+  std::vector<Link> links_;
+  std::unordered_map<LinkKey, uint32_t, LinkHash> link_numbers_;  // only writers use it
+  uint32_t defined_links_ = 0;  // number of links whose first message was written
 };
 
 class TraceWriter {
@@ -140,9 +175,18 @@ class TraceWriter {
   std::string Finish(System* system);
 
  private:
+  // Object::predecessors of a link's objects when their names were last known to be written; -1:
+  // there is no such object.
+  struct Lives {
+    int sender = -2;
+    int target = -2;
+    bool operator==(const Lives&) const = default;
+  };
+
   void AddNames(const System& system, const TraceRecord& record);
   void Add(const TraceEntry& entry);
-  void WriteOut(const std::string& bytes);
+  void FlushIfFull();
+  void WriteOut(std::string_view bytes);
 
   const std::string file_;
   const bool payloads_;
@@ -153,6 +197,9 @@ class TraceWriter {
   std::map<int32_t, int> objects_;  // key: id of an object; value: Object::predecessors when the
                                     // object's name was written
   std::set<std::pair<int32_t, uint32_t>> entries_;
+  // One element for each link.  Spares looking the names up for each message.
+  std::vector<Lives> named_;
+  std::string payload_copy_;
 };
 
 class TraceReader {

@@ -43,20 +43,33 @@ uint64_t PayloadHash(const Message& message, uint32_t* size) {
   return HashBytes(message.payload, message.size);
 }
 
-std::string PayloadBytes(const Message& message) {
-  std::string bytes;
-  if (message.kind == PayloadKind::kNotify) {
-    const auto& notify = *reinterpret_cast<const ONotifyMessage*>(message.payload);
-    for (int i = 0; i < notify.numOfData; ++i)
-      bytes.append(notify.data[i].srcRCR->Base(), notify.data[i].size);
-  } else if (message.kind == PayloadKind::kReady) {
-    const auto& ready = *reinterpret_cast<const OReadyMessage*>(message.payload);
-    const int32_t words[2] = {ready.command, ready.numOfData};
-    bytes.assign(reinterpret_cast<const char*>(words), sizeof words);
-  } else if (message.kind == PayloadKind::kBytes) {
-    bytes.assign(reinterpret_cast<const char*>(message.payload), message.size);
+std::string_view PayloadView(const Message& message, std::string* copy) {
+  switch (message.kind) {
+    case PayloadKind::kNotify: {
+      const auto& notify = *reinterpret_cast<const ONotifyMessage*>(message.payload);
+      if (notify.numOfData == 1) return {notify.data[0].srcRCR->Base(), notify.data[0].size};
+      copy->clear();
+      for (int i = 0; i < notify.numOfData; ++i)
+        copy->append(notify.data[i].srcRCR->Base(), notify.data[i].size);
+      return *copy;
+    }
+    case PayloadKind::kReady: {
+      const auto& ready = *reinterpret_cast<const OReadyMessage*>(message.payload);
+      const int32_t words[2] = {ready.command, ready.numOfData};
+      copy->assign(reinterpret_cast<const char*>(words), sizeof words);
+      return *copy;
+    }
+    case PayloadKind::kHashed:
+      return {};
+    case PayloadKind::kBytes:
+      break;
   }
-  return bytes;
+  return {reinterpret_cast<const char*>(message.payload), message.size};
+}
+
+std::string PayloadBytes(const Message& message) {
+  std::string copy;
+  return std::string(PayloadView(message, &copy));
 }
 
 int Trace::AddSink(Sink sink) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -78,5 +79,9 @@ uint64_t PayloadHash(const Message& message, uint32_t* size);
 // that it gives back; of any other message, its bytes.  Returns "" for the kind kHashed: its bytes
 // hold addresses, which differ from run to run, so comparing them would be useless.
 std::string PayloadBytes(const Message& message);
+
+// Returns the bytes of PayloadBytes() without a copy where they are in one piece, otherwise in
+// `*copy`.  They are valid until the message ends or `*copy` changes.
+std::string_view PayloadView(const Message& message, std::string* copy);
 
 }  // namespace openr_host

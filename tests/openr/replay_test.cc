@@ -12,6 +12,7 @@
 #include "openr/inspect/recorder.h"
 #include "openr/inspect/replayer.h"
 #include "openr/inspect/trace_text.h"
+#include "runtime/base/hasher.h"
 #include "tests/openr/program_run.h"
 
 namespace openr_host {
@@ -224,15 +225,52 @@ TEST_F(ReplayTest, ATraceOfAnObjectThatIsNotThereIsRefusedWithTheNamesThereAre) 
   EXPECT_EQ(RunProgram({"trace", file_, "--object", "JointMover"}).status, 0);
 }
 
-// Version 2 had neither the battery nor the reason of the end.
-TEST_F(ReplayTest, ARecordingOfTheVersionBeforeIsStillRead) {
+// Returns true if the entry's payload is what was hashed: the bytes of a message or a ready, or one
+// or two regions of the same size of a notification to some observers (PayloadHash()).
+bool HasItsHash(const TraceEntry& entry) {
+  const auto hash_of = [&](size_t begin, size_t end) {
+    return HashBytes(entry.payload.data() + begin, end - begin);
+  };
+  const size_t size = entry.payload.size();
+  if (hash_of(0, size) == entry.record.payload_hash) return true;
+  for (uint64_t observers = 0; observers < 8; ++observers) {
+    const uint64_t one[] = {1, observers, hash_of(0, size)};
+    const uint64_t two[] = {2, observers, hash_of(0, size / 2), hash_of(size / 2, size)};
+    if (HashBytes(one, sizeof one) == entry.record.payload_hash) return true;
+    if (HashBytes(two, sizeof two) == entry.record.payload_hash) return true;
+  }
+  return false;
+}
+
+// Versions before 5 wrote each message with its sender and receiver, and payloads in pieces.
+TEST(OldRecordingTest, PayloadsOfVersion4AreRead) {
+  TraceReader reader(OPENR_TEST_DATA "/version4.rec");
+  int messages = 0, regions = 0;
+  while (reader.Peek() != nullptr) {
+    const TraceEntry entry = reader.Take();
+    if (entry.kind != TraceEntry::Kind::kMessage) continue;
+    ++messages;
+    if (entry.payload.empty()) continue;
+    EXPECT_TRUE(HasItsHash(entry)) << entry.record.number;
+    regions += entry.payload.size() > 1000;
+  }
+  EXPECT_EQ(messages, 187);
+  EXPECT_EQ(regions, 9);
+  EXPECT_EQ(reader.problems(), std::vector<std::string>());
+  EXPECT_EQ(reader.note(), "");
+}
+
+TEST_F(ReplayTest, PayloadsOfThisVersionHaveTheirHashes) {
   Record();
-  std::fstream file(file_, std::ios::in | std::ios::out | std::ios::binary);
-  file.seekp(8);
-  file.put(2);
-  file.close();
-  EXPECT_EQ(Replay(), "");
-  EXPECT_EQ(count_, messages_);
+  TraceReader reader(file_);
+  int payloads = 0;
+  while (reader.Peek() != nullptr) {
+    const TraceEntry entry = reader.Take();
+    if (entry.kind != TraceEntry::Kind::kMessage || entry.payload.empty()) continue;
+    EXPECT_TRUE(HasItsHash(entry)) << entry.record.number;
+    ++payloads;
+  }
+  EXPECT_GT(payloads, 300);
 }
 
 // A recording of version 3 has entries of their own for the pause button and for typed text.
