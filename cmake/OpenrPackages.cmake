@@ -24,12 +24,17 @@ set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS ON)
 
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME ${OPENR_PACKAGE_runtime})
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
-# The program loads Cyclone DDS when it is first needed, which dpkg-shlibdeps does not see.
-find_library(OPENR_DDS_FILE ddsc)
-file(REAL_PATH ${OPENR_DDS_FILE} dds_file)
-execute_process(COMMAND dpkg-query --search ${dds_file} OUTPUT_VARIABLE dds_owner ERROR_QUIET)
-string(REGEX REPLACE ":.*" "" dds_package "${dds_owner}")
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_DEPENDS "${dds_package}")
+# The program loads these libraries when it first needs them (runtime/base/late_library.h), which
+# dpkg-shlibdeps does not see.
+set(late_packages)
+foreach(library ddsc sndfile)
+  find_library(OPENR_LATE_${library} ${library})
+  file(REAL_PATH ${OPENR_LATE_${library}} late_file)
+  execute_process(COMMAND dpkg-query --search ${late_file} OUTPUT_VARIABLE late_owner ERROR_QUIET)
+  string(REGEX REPLACE ":.*" "" late_package "${late_owner}")
+  list(APPEND late_packages ${late_package})
+endforeach()
+list(JOIN late_packages ", " CPACK_DEBIAN_RUNTIME_PACKAGE_DEPENDS)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS openr-host-dev)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SUGGESTS "openr-host-doc, gdb, graphviz")
 set(CPACK_COMPONENT_RUNTIME_DESCRIPTION
@@ -40,7 +45,7 @@ set(CPACK_DEBIAN_DEV_PACKAGE_NAME ${OPENR_PACKAGE_dev})
 set(CPACK_DEBIAN_DEV_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "g++, binutils, make")
 set(CPACK_DEBIAN_DEV_PACKAGE_RECOMMENDS "cmake, pkg-config, libgtest-dev, libgmock-dev, libfmt-dev, \
-libeigen3-dev, libpng-dev, libode-dev, libsndfile1-dev, libdw-dev")
+libeigen3-dev, libpng-dev, libode-dev, libdw-dev")
 set(CPACK_COMPONENT_DEV_DEPENDS runtime)
 set(CPACK_COMPONENT_DEV_DESCRIPTION
   "Builds, checks and tests OPEN-R objects: headers, tools, libraries, the CMake package.

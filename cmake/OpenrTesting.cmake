@@ -12,12 +12,11 @@ find_package(PNG QUIET)
 find_package(PkgConfig QUIET)
 if(PkgConfig_FOUND)
   pkg_check_modules(OPENR_ODE QUIET IMPORTED_TARGET ode)
-  pkg_check_modules(OPENR_SNDFILE QUIET IMPORTED_TARGET sndfile)
   pkg_check_modules(OPENR_LIBDW QUIET IMPORTED_TARGET libdw)
 endif()
 foreach(pair GTest:libgtest-dev GTest:libgmock-dev fmt:libfmt-dev Eigen3:libeigen3-dev
              PNG:libpng-dev PkgConfig:pkg-config OPENR_ODE:libode-dev
-             OPENR_SNDFILE:libsndfile1-dev OPENR_LIBDW:libdw-dev)
+             OPENR_LIBDW:libdw-dev)
   string(REPLACE ":" ";" pair ${pair})
   list(GET pair 0 name)
   list(GET pair 1 package)
@@ -41,6 +40,5 @@ elseif(NOT TARGET openr::testing)
   target_link_libraries(openr::testing INTERFACE
     ${openr_libraries} ${OPENR_HOST_LIBRARIES}/libopenr_runtime.so
     GTest::gtest GTest::gmock fmt::fmt Eigen3::Eigen PNG::PNG PkgConfig::OPENR_ODE
-    PkgConfig::OPENR_SNDFILE PkgConfig::OPENR_LIBDW
-    ${CMAKE_DL_LIBS})
+    PkgConfig::OPENR_LIBDW ${CMAKE_DL_LIBS})
 endif()

@@ -1,7 +1,6 @@
 #include "virtualrobot/sound/wav_file.h"
 
 #include <fmt/format.h>
-#include <sndfile.h>
 
 #include <algorithm>
 #include <array>
@@ -11,6 +10,7 @@
 #include <utility>
 
 #include "runtime/base/assert.h"
+#include "virtualrobot/sound/sound_library.h"
 
 namespace openr_host {
 namespace {
@@ -27,7 +27,7 @@ template <typename... Args>
 std::string NameOfSamples(int subtype) {
   SF_FORMAT_INFO info{};
   info.format = subtype;
-  const bool is_known = sf_command(nullptr, SFC_GET_FORMAT_INFO, &info, sizeof info) == 0;
+  const bool is_known = Sndfile().sf_command(nullptr, SFC_GET_FORMAT_INFO, &info, sizeof info) == 0;
   return is_known && info.name != nullptr ? info.name : fmt::format("unknown ({:#x})", subtype);
 }
 
@@ -51,7 +51,7 @@ void CheckSound(const std::string& file, const SF_INFO& info) {
 
 std::string SoundFileError(void* sndfile) {
   constexpr std::string_view kPrefix = "System error : ";
-  std::string text = sf_strerror(static_cast<SNDFILE*>(sndfile));
+  std::string text = Sndfile().sf_strerror(static_cast<SNDFILE*>(sndfile));
   if (text.starts_with(kPrefix)) text.erase(0, kPrefix.size());
   if (text.ends_with('.')) text.pop_back();
   return text;
@@ -59,11 +59,11 @@ std::string SoundFileError(void* sndfile) {
 
 WavSound ReadWavFile(const std::string& file) {
   SF_INFO info{};
-  const std::unique_ptr<SNDFILE, int (*)(SNDFILE*)> input(sf_open(file.c_str(), SFM_READ, &info),
-                                                          sf_close);
+  const std::unique_ptr<SNDFILE, int (*)(SNDFILE*)> input(
+      Sndfile().sf_open(file.c_str(), SFM_READ, &info), Sndfile().sf_close);
   if (input == nullptr) {
     const std::string why = SoundFileError(nullptr);
-    if (sf_error(nullptr) == SF_ERR_SYSTEM) FailToRead(file, "cannot be read: {}", why);
+    if (Sndfile().sf_error(nullptr) == SF_ERR_SYSTEM) FailToRead(file, "cannot be read: {}", why);
     FailToRead(file, "is no WAV file that can be read: {}", why);
   }
   CheckSound(file, info);
@@ -75,7 +75,7 @@ WavSound ReadWavFile(const std::string& file) {
   std::array<int16_t, 4096> piece;
   for (;;) {
     const auto wanted = static_cast<sf_count_t>(piece.size()) / sound.channels;
-    const sf_count_t count = sf_readf_short(input.get(), piece.data(), wanted);
+    const sf_count_t count = Sndfile().sf_readf_short(input.get(), piece.data(), wanted);
     if (count <= 0) return sound;
     sound.samples.insert(sound.samples.end(), piece.begin(),
                          piece.begin() + count * sound.channels);
