@@ -80,8 +80,9 @@ remote_client() {
   chown -R person: $folder
   person 'cmake -S client -B client/build && cmake --build client/build
     openr run --no-panel --rc-port 54000 --for 60s >run.txt 2>&1 & run=$!
-    for i in $(seq 100); do openr rc 127.0.0.1:54000 info >/dev/null 2>&1 && break; sleep 0.1; done
-    client/build/client | tail -n 1 | grep neck_pan; kill $run'
+    # The robot refuses to move before it stands, 12 s after the start.
+    for i in $(seq 60); do client/build/client >said 2>&1 && break; sleep 1; done
+    kill $run; cat said; tail -n 1 said | grep "neck_pan [23]"'
 }
 
 python_module() {
