@@ -32,9 +32,14 @@ namespace openr_host {
 
 // The functions of the loaded library, under their names.
 struct DdsFunctions {
+// dds_write_set_batch() is deprecated since version 0.10.5.  We use it all the same, because its
+// successor dds_qset_writer_batching() is not in version 0.10.2, which Debian 12 has.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
 #define OPENR_DDS_POINTER(name) decltype(&::name) name;
   OPENR_DDS_FUNCTIONS(OPENR_DDS_POINTER)
 #undef OPENR_DDS_POINTER
+#pragma GCC diagnostic pop
 };
 
 // Returns the functions.  Throws std::runtime_error if the library cannot be loaded.

@@ -1,26 +1,28 @@
 #!/usr/bin/env bash
 # Makes the Debian packages and tests them in a clean Debian.  The last line is "N passed, N failed".
 #
-#   tools/packages.sh [--build DIR] [--only-make] [--suite NAME] [--mirror URL] [--fresh] [--keep]
+#   tools/packages.sh [--build DIR] [--only-make] [--suite NAME] [--mirror URL] [--keep]
 #
 #   --build DIR   the build folder whose files are packed (build/release); what is missing is built
 #   --only-make   makes the packages, in DIR/packages, and does not test them
-#   --suite NAME  Debian of the clean root; default: that of this machine, since the packages need
-#                 the libraries they were built with
-#   --mirror URL  where its packages come from (http://deb.debian.org/debian)
-#   --fresh       makes the root anew; without it the one of the last time is unpacked again
-#   --keep        leaves the root there, and says where
+#   --suite NAME  another Debian than that of this machine, such as trixie: everything is built from
+#                 the sources there, with its compiler and libraries, and the quick tests are run,
+#                 because packages need the libraries they were built with; the packages are then in
+#                 DIR/packages-NAME
+#   --mirror URL  where the packages of the clean Debian come from (http://deb.debian.org/debian)
+#   --keep        leaves the roots there, and says where
 #
-# To make them needs dpkg-dev.  To test them needs debootstrap, and root, because of chroot and
-# mount; nothing outside of DIR is changed.
+# To make them for this machine needs dpkg-dev.  All else needs debootstrap, and root, because of
+# chroot and mount.  Files in DIR belong to the owner of DIR.  The roots are made in a new folder
+# in /tmp, or what TMPDIR names, and removed at the end.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 build=build/release
-suite=$(. /etc/os-release && echo "${VERSION_CODENAME:-bookworm}")
+this_suite=$(. /etc/os-release && echo "${VERSION_CODENAME:-bookworm}")
+suite=$this_suite
 mirror=http://deb.debian.org/debian
 only_make=false
-fresh=false
 keep=false
 while [ $# -gt 0 ]; do
   case $1 in
@@ -28,7 +30,6 @@ while [ $# -gt 0 ]; do
     --suite) suite=$2; shift ;;
     --mirror) mirror=$2; shift ;;
     --only-make) only_make=true ;;
-    --fresh) fresh=true ;;
     --keep) keep=true ;;
     *) sed -n '2,/^set /s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
   esac
@@ -38,45 +39,87 @@ done
 say() { echo "packages: $*" >&2; }
 give_up() { say "$*"; exit 1; }
 
-command -v dpkg-shlibdeps >/dev/null || give_up "dpkg-shlibdeps is missing; install dpkg-dev"
-[ -f "$build/CPackConfig.cmake" ] || give_up "$build is no build folder; ./dev build makes one"
-build=$(cd "$build" && pwd)
-packages=$build/packages
-rm -rf "$packages"
-(cd "$build" && cpack --config CPackConfig.cmake >"$build/cpack.log" 2>&1) || {
-  tail -n 20 "$build/cpack.log" >&2
-  give_up "cpack failed; all it said is in $build/cpack.log"
+# as_owner COMMAND...: as the owner of the build folder, who could not remove files of root.
+as_owner() {
+  local owner group
+  owner=$(stat -c %u "$build") group=$(stat -c %g "$build")
+  if [ "$(id -u)" -eq 0 ] && [ "$owner" -ne 0 ]; then
+    setpriv --reuid="$owner" --regid="$group" --clear-groups env HOME="$(getent passwd "$owner" | cut -d: -f6)" "$@"
+  else
+    "$@"
+  fi
 }
-rm -rf "$packages/_CPack_Packages"
+
+# make_here: the packages of this machine's Debian.
+make_here() {
+  command -v dpkg-shlibdeps >/dev/null || give_up "dpkg-shlibdeps is missing; install dpkg-dev"
+  [ -f "$build/CPackConfig.cmake" ] || give_up "$build is no build folder; ./dev build makes one"
+  as_owner bash -c 'rm -rf "$1/packages" && cd "$1" && cpack --config CPackConfig.cmake >cpack.log 2>&1' \
+    bash "$build" || {
+    tail -n 20 "$build/cpack.log" >&2
+    give_up "cpack failed; all it said is in $build/cpack.log"
+  }
+  as_owner rm -rf "$packages/_CPack_Packages"
+}
+
+# make_root ROOT: a Debian with nothing in it.
+make_root() {
+  say "making a root of Debian $suite"
+  mkdir -p "$1"
+  debootstrap --variant=minbase "$suite" "$1" "$mirror" >"$roots/debootstrap.log" 2>&1 || {
+    tail -n 20 "$roots/debootstrap.log" >&2
+    give_up "debootstrap failed"
+  }
+  cp -L /etc/resolv.conf "$1/etc/resolv.conf"
+  # A network may have certificates of its own, which npm needs for the page of the panel.
+  if [ -n "${NODE_EXTRA_CA_CERTS:-}" ]; then cp -L "$NODE_EXTRA_CA_CERTS" "$1/etc/certificates.crt"; fi
+}
+
+# in_root ROOT SCRIPT ARGS...: runs a script in the root.  Mounts and processes of the root end with it.
+in_root() {
+  unshare --mount --pid --fork bash -c '
+    mount -t proc proc "$1/proc" && mount --rbind /dev "$1/dev" && mount -t tmpfs tmpfs "$1/run" &&
+      root=$1 && shift && exec env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin LANG=C.UTF-8 TERM=dumb \
+        ${NODE_EXTRA_CA_CERTS:+NODE_EXTRA_CA_CERTS=/etc/certificates.crt} chroot "$root" bash "$@"
+  ' bash "$@"
+}
+
+# make_there: the packages of another Debian, from the sources of this checkout.
+make_there() {
+  make_root "$roots/maker"
+  mkdir "$roots/maker/sources"
+  # The files of the checkout as they are now, without what was built.
+  git -c safe.directory="$PWD" ls-files -z --cached --others --exclude-standard --deduplicate |
+    { while IFS= read -r -d '' file; do [ -e "$file" ] && printf '%s\0' "$file"; done || true; } |
+    tar --null --files-from=- -cf - | tar --no-same-owner -C "$roots/maker/sources" -xf -
+  in_root "$roots/maker" /sources/tests/packages/build_in_root.sh || give_up "the build in Debian $suite failed"
+  as_owner rm -rf "$packages"
+  as_owner mkdir -p "$packages"
+  for file in "$roots"/maker/sources/build/release/packages/*.deb; do
+    as_owner tee "$packages/$(basename "$file")" <"$file" >/dev/null
+  done
+}
+
+mkdir -p "$build"
+build=$(cd "$build" && pwd)
+if [ "$suite" = "$this_suite" ]; then packages=$build/packages; else packages=$build/packages-$suite; fi
+if ! $only_make || [ "$suite" != "$this_suite" ]; then
+  [ "$(id -u)" -eq 0 ] || give_up "a clean root needs chroot and mount: call this as root (sudo)"
+  command -v debootstrap >/dev/null || give_up "debootstrap is missing; apt-get install debootstrap"
+fi
+roots=$(mktemp -d "${TMPDIR:-/tmp}/openr-host-roots.XXXXXX")
+chmod 755 "$roots"
+clean_up() {
+  if $keep; then say "the roots are in $roots"; else rm -rf --one-file-system "$roots"; fi
+}
+trap clean_up EXIT
+if [ "$suite" = "$this_suite" ]; then make_here; else make_there; fi
 ls -sh "$packages" >&2
 if $only_make; then exit; fi
 
-[ "$(id -u)" -eq 0 ] || give_up "a clean root needs chroot and mount: call this as root (sudo)"
-command -v debootstrap >/dev/null || give_up "debootstrap is missing; apt-get install debootstrap"
-
-base=$build/roots/$suite.tar
-mkdir -p "$build/roots"
-if $fresh; then rm -f "$base"; fi
-root=$(mktemp -d "$build/roots/$suite.XXXXXX")
-chmod 755 "$root"
-clean_up() {
-  if $keep; then say "the root is $root"; else rm -rf "$root"; fi
-}
-trap clean_up EXIT
-if [ ! -f "$base" ]; then
-  say "making a root of Debian $suite"
-  debootstrap --variant=minbase "$suite" "$root" "$mirror" >"$build/debootstrap.log" 2>&1 ||
-    give_up "debootstrap failed; all it said is in $build/debootstrap.log"
-  tar -C "$root" -cf "$base.new" . && mv "$base.new" "$base"
-else
-  tar -C "$root" -xf "$base"
-fi
-
+root=$roots/$suite
+make_root "$root"
 mkdir "$root/packages"
-cp "$packages"/*.deb tests/packages/*.sh "$root/packages"
-cp -L /etc/resolv.conf "$root/etc/resolv.conf"
-# Mounts and processes of the root end with it.
-unshare --mount --pid --fork bash -c '
-  mount -t proc proc "$1/proc" && mount --rbind /dev "$1/dev" && mount -t tmpfs tmpfs "$1/run" &&
-    exec env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin LANG=C.UTF-8 TERM=dumb chroot "$1" bash /packages/in_clean_root.sh
-' bash "$root"
+cp "$packages"/*.deb "$root/packages"
+cp -r tests/packages/. "$root/packages"
+in_root "$root" /packages/in_clean_root.sh

@@ -58,6 +58,12 @@ robot_get_device(const char* name)
 }
 
 int
+robot_has_device(const char* name)
+{
+    return theCore != 0 && theCore->Devices().Find(name) != 0;
+}
+
+int
 robot_get_mode(void)
 {
     return 1;

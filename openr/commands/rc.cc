@@ -126,7 +126,7 @@ class RcCommands {
         ->required()
         ->check(JointValue(false));
     Add(rc_, "pose", "Moves several joints with one packet", &RcPoseAction)
-        ->add_option("JOINT=DEG", flags_->goals, "A joint and its degrees: neck_pan=30")
+        ->add_option("GOAL", flags_->goals, "A joint and its degrees: neck_pan=30")
         ->required()
         ->expected(1, RC_MAX_BATCH);
     AddLimit("speed", "Limits the speed of a joint", rcSPEED, "deg/s");
@@ -183,7 +183,7 @@ class RcCommands {
         ->check(CLI::IsMember({"on", "off"}));
     motor->add_option("JOINT", flags_->device, "One joint; without it all joints and motor power");
     AddJoint("gains", "Shows or sets the gains of a joint's servo", &RcGainsAction)
-        ->add_option("P I D", flags_->gains, "The new gains")
+        ->add_option("PID", flags_->gains, "The new gains: P, I and D")
         ->expected(3)
         ->check(CLI::Range(0, RC_MAX_GAIN));
     Add(rc_, "power", "Motor power and battery", &RcPowerAction);

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <charconv>
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <system_error>
@@ -75,6 +76,41 @@ bool IsStandardStream(const struct stat& status) {
 
 // Returns the flags of `flags` that opening a file again needs.
 int FlagsAgain(int flags) { return flags & (O_ACCMODE | O_APPEND | O_NONBLOCK); }
+
+// Returns DIR/NAME-NUMBER.EXT for DIR/NAME.EXT.
+fs::path Numbered(const fs::path& path, int number) {
+  return path.parent_path() /
+         fmt::format("{}-{}{}", path.stem().string(), number, path.extension().string());
+}
+
+// Calls `copy` with the first numbered name of `path` that is free, and returns this name.
+std::string KeepFile(const fs::path& path, const std::function<void(const fs::path&)>& copy) {
+  for (int number = 2;; ++number) {
+    const fs::path target = Numbered(path, number);
+    try {
+      copy(target);
+      return target;
+    } catch (const std::system_error& error) {
+      if (error.code() != std::errc::file_exists) throw;
+    }
+  }
+}
+
+// Returns whether `path` is a file of a trace in the Common Trace Format, which is a folder.
+bool IsInTrace(const fs::path& path) { return path.parent_path().extension() == ".ctf"; }
+
+// Makes a trace, DIR/NAME-2.ctf, of the file `path` in DIR/NAME.ctf and the files beside it,
+// because readers take all files of one folder together.  Calls `copy` with the new name of the
+// file, and returns the new folder.
+std::string KeepTrace(const fs::path& path, const std::function<void(const fs::path&)>& copy) {
+  const fs::path folder = path.parent_path();
+  int number = 2;
+  while (!fs::create_directory(Numbered(folder, number))) ++number;
+  const fs::path target = Numbered(folder, number);
+  fs::copy_file(folder / "metadata", target / "metadata");
+  copy(target / path.filename());
+  return target;
+}
 
 }  // namespace
 
@@ -183,24 +219,14 @@ std::vector<std::string> ProcessFiles::KeepCopies() {
   std::vector<std::string> kept;
   for (const File& file : files_) {
     if (!file.is_copied) continue;
-    const fs::path path = file.path;
     struct stat status;
     if (fstat(file.descriptor, &status) != 0) Throw(errno, file.path);
     const off_t offset = lseek(file.descriptor, 0, SEEK_CUR);
-    for (int number = 2;; ++number) {
-      const std::string name =
-          fmt::format("{}-{}{}", path.stem().string(), number, path.extension().string());
-      const std::string target = path.parent_path() / name;
-      try {
-        CopyBytes(file.descriptor, status.st_size, target);
-      } catch (const std::system_error& error) {
-        if (error.code() == std::errc::file_exists) continue;
-        throw;
-      }
+    const auto copy = [&](const fs::path& target) {
+      CopyBytes(file.descriptor, status.st_size, target);
       Replace(file.descriptor, target, FlagsAgain(file.flags), offset);
-      kept.push_back(target);
-      break;
-    }
+    };
+    kept.push_back(IsInTrace(file.path) ? KeepTrace(file.path, copy) : KeepFile(file.path, copy));
   }
   return kept;
 }

@@ -57,7 +57,8 @@ class ProcessFiles {
   void OpenAgain(const std::string& stick, const std::string& copy, const std::string& temporary);
 
   // Keeps the copies of written files when the fork has become a run of its own: the copy of
-  // DIR/NAME.EXT becomes DIR/NAME-2.EXT, or has the next free number.  Returns the new paths.
+  // DIR/NAME.EXT becomes DIR/NAME-2.EXT, or has the next free number.  A file in a trace, the
+  // folder DIR/NAME.ctf, gets a new trace, DIR/NAME-2.ctf.  Returns the new files and traces.
   // Throws std::system_error.
   std::vector<std::string> KeepCopies();
 

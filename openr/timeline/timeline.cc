@@ -29,6 +29,7 @@ Timeline::Timeline(const std::string& file, System* system) : system_(system) {
   } else {
     json_ = std::make_unique<GrowingFile>(file);
     writer_ = std::make_unique<PerfettoWriter>([this](std::string_view text) { Print(text); });
+    FlushJson();  // a run that is killed soon leaves a timeline without slices
   }
   sink_ = system->trace().AddSink(
       [this](const TraceRecord& record, const Message& message) { Deliver(record, message); });
@@ -38,8 +39,11 @@ Timeline::~Timeline() { system_->trace().RemoveSink(sink_); }
 
 void Timeline::Print(std::string_view text) {
   text_ += text;
-  if (text_.size() < kJsonFlushBytes && !is_finished_) return;
-  json_->Append(text_);
+  if (text_.size() >= kJsonFlushBytes || is_finished_) FlushJson();
+}
+
+void Timeline::FlushJson() {
+  json_->Append(text_, is_finished_ ? "" : PerfettoWriter::kEnd);
   text_.clear();
 }
 

@@ -45,6 +45,7 @@ class Timeline {
   void NameObject(const Object* object);
   std::optional<double> CostOf(const Object& object, const Message& message) const;
   void Print(std::string_view text);
+  void FlushJson();
 
   System* const system_;
   std::unique_ptr<GrowingFile> json_;  // null: CTF

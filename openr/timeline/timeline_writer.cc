@@ -23,7 +23,7 @@ PerfettoWriter::PerfettoWriter(Sink out) : out_(std::move(out)) {
   out_("{\"displayTimeUnit\":\"ms\",\"traceEvents\":[\n");
 }
 
-void PerfettoWriter::Finish() { out_("\n]}\n"); }
+void PerfettoWriter::Finish() { out_(kEnd); }
 
 void PerfettoWriter::AddObject(int robot, int32_t id, const std::string& name) {
   Emit({{"ph", "M"},

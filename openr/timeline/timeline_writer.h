@@ -43,6 +43,7 @@ class TimelineWriter {
 class PerfettoWriter : public TimelineWriter {
  public:
   using Sink = std::function<void(std::string_view text)>;
+  static constexpr std::string_view kEnd = "\n]}\n";  // completes what the sink has got so far
   explicit PerfettoWriter(Sink out);
   void AddObject(int robot, int32_t id, const std::string& name) override;
   void AddSlice(const HandlerSlice& slice) override;

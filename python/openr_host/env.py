@@ -1,7 +1,7 @@
 """AiboEnv: a dog that learns to walk, with the reset and step of the libraries for learning.
 
 With Gymnasium installed it is a gymnasium.Env with spaces of that library, and passes its checker.
-Without it (Debian 12 has no package) the interface is the same: `reset(seed=, options=)` returns
+Without it (Debian has no package) the interface is the same: `reset(seed=, options=)` returns
 observation and info; `step(action)` returns observation, reward, terminated, truncated and info.
 """
 from __future__ import annotations

@@ -215,7 +215,7 @@ void HostNetwork::ResolveAddress(NetHandle handle, uint32_t ip) {
              error != NetError::kNone) {
     event = FailedEvent(handle, error);
   } else if (!event.host.addresses.empty()) {
-    event.host.addresses = {ip};  // the address that the program has asked about
+    event.host.addresses.assign(1, ip);  // the address that the program has asked about
   }
   events_.push_back(std::move(event));
 }

@@ -5,6 +5,7 @@ The last line is "N passed, N failed, N skipped".  Skips, with the reason, where
 missing; where the variable CI is true, that is a failure.
 """
 import argparse
+import json
 import os
 import pathlib
 import re
@@ -12,6 +13,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 LINE = re.compile(r"^\[(\d+)\.(\d{9})\] \([^)]*\) (?:\S+ )?(handler_begin|handler_end): \{ (.*) \}$")
@@ -70,6 +72,34 @@ class TimelineTest(unittest.TestCase):
         ends = [f for _, name, f in events(self.folder / "a.ctf") if name == "handler_end"]
         costs = [f for f in ends if f["cost_ns"] != "0"]
         self.assertEqual([(f["object"], f["cost_ns"]) for f in costs], [('"JointMover"', "20000000")])
+
+
+    def killed(self, timeline, size):
+        """Kills a run when its timeline has `size` bytes."""
+        file = timeline / "handlers" if timeline.suffix == ".ctf" else timeline
+        process = subprocess.Popen(
+            [str(BUILD / "bin/openr"), "run", "--rate", "max", "--no-panel", "--body", "ideal",
+             "--console", os.devnull, "--timeline", str(timeline)],
+            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, stdin=subprocess.DEVNULL)
+        while not file.exists() or file.stat().st_size < size:
+            self.assertIsNone(process.poll())
+            time.sleep(0.01)
+        process.kill()
+        process.wait()
+
+    def test_the_json_of_a_killed_run_is_complete(self):
+        self.killed(self.folder / "a.json", 300_000)
+        slices = [event for event in json.loads((self.folder / "a.json").read_text())["traceEvents"]
+                  if event["ph"] == "X"]
+        self.assertGreater(len(slices), 500)
+
+    def test_the_json_of_a_run_that_is_killed_soon_is_complete(self):
+        self.killed(self.folder / "a.json", 1)
+        self.assertIn("traceEvents", json.loads((self.folder / "a.json").read_text()))
+
+    def test_a_killed_trace_is_read_to_its_last_whole_event(self):
+        self.killed(self.folder / "a.ctf", 100_000)
+        self.assertGreater(len(events(self.folder / "a.ctf")), 500)
 
 
 def main():

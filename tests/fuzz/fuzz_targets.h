@@ -5,6 +5,7 @@
 // sanitizer) is a crash.  tests/fuzz/targets.json says what each target reads.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -1,6 +1,8 @@
 // The dog stands up by itself.
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "tests/graph/graph.h"
 
 namespace openr_host {
@@ -49,6 +51,9 @@ TEST(StandUpTest, TheOtherModelsStandToo) {
     EXPECT_TRUE(graph.Standing()) << robot;
     EXPECT_NEAR(graph.RollDeg(), 0, 1) << robot;
     for (const bool paw : graph.dog().body().state().paws) EXPECT_TRUE(paw) << robot;
+    graph.system().RunFor(1'000'000);  // the controller begins when the dog stands
+    EXPECT_EQ(graph.Findings().find("robot_get_device"), std::string::npos)
+        << robot << graph.Findings();
     EXPECT_FALSE(graph.system().findings().HasError()) << robot << graph.Findings();
   }
 }

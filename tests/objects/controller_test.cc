@@ -250,6 +250,14 @@ TEST_F(ControllerTest, AnUnknownDeviceIsRemarkedUponOnceForEachName) {
   EXPECT_EQ(unknown, (std::vector<std::string>{"PRM:/r1/c1-Joint2:j9", "wheel"}));
 }
 
+TEST_F(ControllerTest, AskingWhetherADeviceExistsIsNotRemarkedUpon) {
+  EXPECT_EQ(robot_has_device("wheel"), 0);
+  EXPECT_EQ(robot_has_device(nullptr), 0);
+  EXPECT_EQ(robot_has_device(kEye), 1);
+  EXPECT_EQ(robot_has_device("PRM:/r1/c1-Joint2:j1"), 1);
+  EXPECT_TRUE(unknown.empty());
+}
+
 TEST_F(ControllerTest, EarsFollowAMotionAndTheOtherEarStays) {
   core.MotionEars(1, 1);
   EXPECT_EQ(ears, (std::vector<uint32_t>{1}));

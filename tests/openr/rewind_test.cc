@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,14 @@ namespace {
 
 using ::testing::HasSubstr;
 using Json = nlohmann::ordered_json;
+
+// Returns the names of what is in a folder.
+std::set<std::string> NamesIn(const std::string& folder) {
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    names.insert(entry.path().filename());
+  return names;
+}
 
 class RewindTest : public ::testing::Test {
  protected:
@@ -187,6 +196,21 @@ TEST_F(RewindTest, ABranchIsARunOfItsOwnWithItsOwnRecording) {
   EXPECT_THAT(result.err, HasSubstr("ended by time: --for 30s is over"));
   EXPECT_EQ(Replay(file), 0);
   EXPECT_EQ(Replay(folder_.path() + "/run-2.rec"), 0);
+}
+
+TEST_F(RewindTest, ABranchHasATimelineOfItsOwn) {
+  const std::string trace = folder_.path() + "/run.ctf", branch = folder_.path() + "/run-2.ctf";
+  Start({"--body", "ideal", "--timeline", trace, "--for", "10s"});
+  RunTo(4);
+  EXPECT_EQ(Error(R"({"do":"rewind","back_s":1})"), "none");
+  EXPECT_EQ(Branch().at("files"), Json::array({branch}));
+  Ask(R"({"do":"clock","rate":0})");
+  EXPECT_EQ(run_->Finish().status, 0);
+  // Readers take all files of a folder together, so the branch must not add any to the first one.
+  const std::set<std::string> files = {"handlers", "metadata"};
+  EXPECT_EQ(NamesIn(trace), files);
+  EXPECT_EQ(NamesIn(branch), files);
+  EXPECT_GT(std::filesystem::file_size(branch + "/handlers"), 1000u);
 }
 
 TEST_F(RewindTest, ABranchOfABranchGoesOn) {

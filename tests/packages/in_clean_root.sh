@@ -65,15 +65,51 @@ panel() {
   person 'openr run --panel --for 2s >said 2>&1; cat said; grep -q "http://127.0.0.1" said'
 }
 
+# client_listing LANGUAGE: the block of this language in "From C++" of the remote control's page.
+client_listing() {
+  sed -n '/^## From C++/,/^## Example/p' /usr/share/doc/openr-host/docs/remote-control.md |
+    sed -n "/^\`\`\`$1\$/,/^\`\`\`\$/p" | sed '/^```/d'
+}
+
+# A CMake project that knows nothing of openr-host but what the documents say.
+remote_client() {
+  local folder=/home/person/client
+  mkdir -p $folder
+  client_listing cpp >$folder/client.cc
+  client_listing cmake >$folder/CMakeLists.txt
+  chown -R person: $folder
+  person 'cmake -S client -B client/build && cmake --build client/build
+    openr run --no-panel --rc-port 54000 --for 60s >run.txt 2>&1 & run=$!
+    # The robot refuses to move before it stands, 12 s after the start.
+    for i in $(seq 60); do client/build/client >said 2>&1 && break; sleep 1; done
+    kill $run; cat said; tail -n 1 said | grep "neck_pan [23]"'
+}
+
 python_module() {
-  if dpkg-query -W python3-openr-host >/dev/null 2>&1; then
-    person 'python3 -c "import openr_host; print(openr_host.__file__)"'
-  fi
+  person 'cat >dog.py <<END
+import openr_host
+with openr_host.Run() as run:
+    run.until_standing()
+    copy = run.fork()
+    copy.set_joints({"neck_pan": 20}, in_s=0.2)
+    copy.run(1)
+    turned = copy.joints()["neck_pan"]
+    copy.close()
+    print(openr_host.__file__, run.value("height_mm"), turned)
+    assert openr_host.__file__.startswith("/usr/lib/python3") and abs(turned - 20) < 2
+END
+    python3 dog.py'
+}
+
+python_example() {
+  person 'python3 /usr/share/doc/openr-host/examples/python/find_walk.py -o walk --generations 1 --population 2 ||
+      true
+    cat walk/walk.json; head -c 4 walk/GO.MTN | grep OMTN'
 }
 
 removed() {
-  apt-get remove -y -q openr-host openr-host-dev openr-host-doc || return 1
-  ! find /usr -path '*openr*' ! -path '/usr/lib/python3*' -print | grep . &&
+  apt-get remove -y -q openr-host openr-host-dev openr-host-doc python3-openr-host || return 1
+  ! find /usr -path '*openr*' -print | grep . &&
     [ ! -e /usr/bin/stubgen2 ]
 }
 
@@ -93,7 +129,9 @@ check 'a chart is drawn' person 'openr mtn plot /usr/share/openr-host/stick/OPEN
 check 'objects run in processes of their own' person 'openr run --stick examples/Hello/MS --isolate hello \
   --for 1s --rate max --no-panel 2>&1 | grep "Hello, world"'
 check 'the panel is served' panel
-check 'the Python module is found' python_module
+check 'a client of the remote control is built, as the documents say, and moves the head' remote_client
+check 'Python drives a run' python_module
+check 'the search for a walk runs from the examples' python_example
 check 'there are manual pages' test -s /usr/share/man/man1/openr-run.1.gz
 check 'bash completes commands' bash -c '. /usr/share/bash-completion/completions/openr
   COMP_WORDS=(openr ru) COMP_CWORD=1; _openr; [ "${COMPREPLY[*]}" = run ]'

@@ -11,6 +11,13 @@ import sys
 import tempfile
 import unittest
 
+try:
+    import ipykernel  # noqa: F401, the kernel that nbclient starts
+    import nbclient
+    import nbformat
+except ImportError:
+    nbclient = None
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 LISTING = re.compile(r"^```python\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
@@ -65,6 +72,17 @@ class DocsTest(unittest.TestCase):
             self.assertGreater(len(names["rows"]), 30)
             self.assertEqual(list(folder.glob("*.png")) != [], names["pyplot"] is not None)
 
+    @unittest.skipIf(nbclient is None, "nbclient and ipykernel are not installed")
+    def test_the_notebook_runs_in_jupyter(self):
+        notebook = nbformat.read(ROOT / "examples/python/commanded_measured.ipynb", as_version=4)
+        nbformat.validate(notebook)
+        with in_empty_folder():
+            nbclient.NotebookClient(notebook, timeout=300).execute()
+        said = "".join(output.get("text", "") for cell in notebook.cells if cell.cell_type == "code"
+                       for output in cell.outputs)
+        self.assertIn("frames", said)
+        self.assertIn("LF_j1: follows after", said)
+
     @unittest.skipIf(shutil.which("cmake") is None, "cmake is not installed")
     def test_an_installed_module_is_complete(self):
         with in_empty_folder() as folder:
@@ -89,12 +107,15 @@ class WalkTest(unittest.TestCase):
         with in_empty_folder() as folder:
             done = subprocess.run(
                 [sys.executable, str(ROOT / "examples/python/find_walk.py"), "-o", "walk",
-                 "--generations", "2", "--population", "6"],
+                 "--generations", "2", "--population", "16"],
                 stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=900)
             self.assertIn("times the walk of the stick", done.stdout)
             result = json.loads((folder / "walk/walk.json").read_text())
             self.assertTrue(result["keeps_limits"])
-            self.assertGreater(result["search_mm_s"], 50)
+            self.assertGreater(result["search_mm_s"], result["begun_mm_s"] + 5)
+            # A seed decides conditions under which the dog walks in another way.
+            self.assertEqual(len({walk["speed_mm_s"] for walk in result["shipped_walks"]}), 3)
+            self.assertEqual(len({json.dumps(each) for each in result["conditions"].values()}), 3)
             self.assertEqual((folder / "walk/GO.MTN").read_bytes()[:4], b"OMTN")
             self.assertIn("polyline", (folder / "walk/curve.svg").read_text())
 

@@ -1,7 +1,7 @@
 /*
  * The default controller, which shows that a controller runs: the eyes are lit one after the other,
  * up the left side and down the right side, and the tail wags.  The mode indicator on the head
- * blinks once per round of the eyes.
+ * blinks once per round of the eyes.  Other models lack some of these: the ERS-220 has no tail.
  */
 
 #include <device/led.h>
@@ -23,13 +23,20 @@ static DeviceTag mode;
 static DeviceTag tail;
 static int step;
 
+/* Returns the tag of a device; 0, which all functions ignore, if this model does not have it. */
+static DeviceTag
+device_if_any(const char *name)
+{
+    return robot_has_device(name) ? robot_get_device(name) : 0;
+}
+
 static void
 reset(void)
 {
     int i;
-    for (i = 0; i < NUM_EYES; i++) eyes[i] = robot_get_device(EYES[i]);
-    mode = robot_get_device("PRM:/r1/c1/c2/c3/l7-LED2:l7");
-    tail = robot_get_device("PRM:/r6/c1-Joint2:j1");
+    for (i = 0; i < NUM_EYES; i++) eyes[i] = device_if_any(EYES[i]);
+    mode = device_if_any("PRM:/r1/c1/c2/c3/l7-LED2:l7");
+    tail = device_if_any("PRM:/r6/c1-Joint2:j1");
     servo_set_acceleration(tail, 5.0f); /* rad/s^2, near the largest */
 }
 

@@ -40,6 +40,10 @@ int robot_step(int ms);
  * the tag 0. */
 DeviceTag robot_get_device(const char *name);
 
+/* Returns 1 if there is a device with this name, else 0.  For controllers of several models: unlike
+ * robot_get_device(), it does not warn of a name that is none. */
+int robot_has_device(const char *name);
+
 /* Always returns 1, which means that the controller runs on the robot, not in a simulator. */
 int robot_get_mode(void);
 
