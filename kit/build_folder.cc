@@ -21,6 +21,7 @@
 #include "cli/exit_code.h"
 #include "cli/install_paths.h"
 #include "cli/progress_line.h"
+#include "kit/compile_database.h"
 #include "kit/controller_sources.h"
 #include "kit/convention_build.h"
 #include "kit/foreign_code.h"
@@ -187,6 +188,10 @@ int FolderBuild::Run() {
   }
   Build();
   Deliver();
+  if (options_.writes_database) {
+    const KitLog log = ReadKitLog(make_.log);
+    WriteCompileDatabase(folder_, log, copies_, sdk_root_, options_.variant, &problems_);
+  }
   TellFailures();
   return Conclude();
 }

@@ -15,7 +15,8 @@ struct BuildOptions {
   int jobs = 0;        // make jobs at a time; 0: one per processor
   bool is_verbose = false;
   BuildVariant variant = BuildVariant::kPlain;
-  bool is_fresh = false;  // removes the results of earlier builds first
+  bool writes_database = false;  // writes compile_commands.json into the folder
+  bool is_fresh = false;         // removes the results of earlier builds first
 };
 
 // Builds the folder and prints the result.  Returns the exit code, which is 0 if every image

@@ -24,7 +24,7 @@ struct KitLog {
   // A compilation of one source, successful or not.
   struct Compile {
     std::string file;
-    std::string folder;  // Flags from the Makefile, such as -D and -I, with absolute folders.
+    std::string folder;  // working folder of the compiler
     // Flags of the Makefile such as -D and -I, with absolute folders.
     std::vector<std::string> flags;
   };

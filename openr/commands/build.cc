@@ -42,6 +42,8 @@ void AddBuildCommand(CLI::App* app, int* exit_code) {
                    "Folder for private copies (default: one in ~/.cache/openr-host)")
       ->check(IsFolder());
   command->add_flag("--verbose", options->is_verbose, "Show every command");
+  command->add_flag("--compile-commands", options->writes_database,
+                    "Write DIR/compile_commands.json, for editors");
   AddVariantFlags(command, &options->variant);
   command->add_flag("--fresh", options->is_fresh, "Forget what earlier builds left");
   command->callback([options, exit_code] { *exit_code = BuildFolder(*options); });

@@ -8,6 +8,7 @@
 
 #include "cli/exit_code.h"
 #include "cli/install_paths.h"
+#include "kit/editor_files.h"
 #include "kit/new_object.h"
 #include "kit/shell_words.h"
 #include "openr/commands/commands.h"
@@ -42,7 +43,10 @@ std::string NextCommands(const std::string& folder) {
 
 int New(const NewFlags& flags) {
   const std::string folder = flags.folder.empty() ? flags.name : flags.folder;
-  const std::vector<NewFile> files = MakeNewObject(flags.name);
+  std::vector<NewFile> files = MakeNewObject(flags.name);
+  const std::string prefix = std::filesystem::path(ProgramFolder()).parent_path();
+  for (NewFile& file : EditorFiles({ProgramFile(), prefix, GdbPrinters()}))
+    files.push_back(std::move(file));
   const std::string problem = WriteNewObject(files, folder);
   if (!problem.empty()) throw std::runtime_error(problem);
   for (const NewFile& file : files) fmt::print("{}/{}\n", folder, file.path);

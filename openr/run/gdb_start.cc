@@ -16,6 +16,7 @@
 
 #include "cli/install_paths.h"
 #include "cli/process_arguments.h"
+#include "kit/gdb_settings.h"
 #include "runtime/base/spelling.h"
 #include "runtime/config/ocf.h"
 #include "runtime/core/image_file.h"
@@ -107,10 +108,7 @@ std::vector<std::string> GdbCommand(const std::vector<std::string>& handlers,
   const auto tell = [&words](const std::string& command) {
     words.insert(words.end(), {"-ex", command});
   };
-  tell("set breakpoint pending on");
-  tell("set print thread-events off");
-  tell("handle SIGFPE nostop noprint pass");
-  if (!printers.empty()) tell("source " + printers);
+  for (const std::string& command : GdbSettings(printers)) tell(command);
   for (const std::string& handler : handlers) tell("break " + handler);
   tell("run");
   words.push_back("--args");

@@ -1,0 +1,137 @@
+// The files for Visual Studio Code that `openr new` writes, and compile_commands.json.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "cli/process.h"
+#include "tests/kit/kit_folder.h"
+
+namespace openr_host {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using Json = nlohmann::json;
+
+// Returns `json` as an editor reads it that has `folder` open.
+Json InFolder(const Json& json, const std::string& folder) {
+  const std::string variable = "${workspaceFolder}";
+  std::string text = json.dump();
+  for (size_t at = text.find(variable); at != std::string::npos; at = text.find(variable, at))
+    text.replace(at, variable.size(), folder);
+  return Json::parse(text);
+}
+
+Json EditorFile(const KitFolder& folder, const std::string& name) {
+  return InFolder(Json::parse(folder.Read(".vscode/" + name)), folder.File(""));
+}
+
+// Runs a program as an editor does: without a shell, in the folder that is open.
+ProcessResult RunInEditor(const KitFolder& folder, const std::string& program,
+                          const Json& arguments) {
+  std::vector<std::string> words{program};
+  for (const Json& argument : arguments) words.push_back(argument);
+  return RunProcess(words,
+                    {.folder = folder.File(""), .captures_error = true, .captures_out = true});
+}
+
+class EditorTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_EQ(RunProgram({"new", "Wag", folder_.File("")}).status, 0);
+    const Json file = EditorFile(folder_, "tasks.json");
+    for (const Json& task : file.at("tasks")) tasks_[task.at("label")] = task;
+  }
+
+  ProcessResult RunTask(const std::string& label) {
+    const Json& task = tasks_.at(label);
+    return RunInEditor(folder_, task.at("command"), task.at("args"));
+  }
+
+  Json Launch() const { return EditorFile(folder_, "launch.json").at("configurations").at(0); }
+
+  const KitFolder folder_{""};
+  Json tasks_;
+};
+
+TEST_F(EditorTest, TheTasksBuildAndRunTheObject) {
+  const ProcessResult built = RunTask("build");
+  ASSERT_TRUE(built.good()) << built.output;
+  const ProcessResult ran = RunTask("run");
+  EXPECT_TRUE(ran.good()) << ran.output;
+  EXPECT_THAT(ran.output, HasSubstr("Wag hears 31 sensors\n"));
+}
+
+TEST_F(EditorTest, TheTasksRunTheTests) {
+#if defined(__SANITIZE_ADDRESS__)
+  GTEST_SKIP() << "the library for tests wants a program with sanitizers";
+#endif
+  for (const char* label : {"configure the tests", "build the tests", "test"}) {
+    const ProcessResult result = RunTask(label);
+    ASSERT_TRUE(result.good()) << label << "\n" << result.output;
+  }
+}
+
+TEST_F(EditorTest, EachTaskThatAnotherWaitsForExists) {
+  for (const Json& task : tasks_) {
+    if (!task.contains("dependsOn")) continue;
+    EXPECT_TRUE(tasks_.contains(task.at("dependsOn"))) << task;
+  }
+  const Json launch = Launch();
+  EXPECT_TRUE(tasks_.contains(launch.at("preLaunchTask")));
+}
+
+TEST_F(EditorTest, TheDebuggerStopsAtALineOfTheUsersFile) {
+#if defined(__SANITIZE_ADDRESS__)
+  GTEST_SKIP() << "leak checks do not work under a debugger";
+#endif
+  if (!HasProgram("gdb")) GTEST_SKIP() << "gdb is not installed";
+  const Json launch = Launch();
+  ASSERT_TRUE(RunTask(launch.at("preLaunchTask")).good());
+  std::vector<std::string> words{"-q", "-batch"};
+  const auto tell = [&words](const std::string& command) {
+    words.insert(words.end(), {"-ex", command});
+  };
+  for (const Json& setting : launch.at("setupCommands")) tell(setting.at("text"));
+  const std::string source = folder_.Read("Wag/Wag.cc");
+  const long line =
+      1 +
+      std::count(source.begin(), source.begin() + source.find("observer[event.ObsIndex()]"), '\n');
+  tell("break " + folder_.File("Wag/Wag.cc") + ":" + std::to_string(line));
+  tell("run");
+  tell("print vectors");
+  tell("kill");
+  words.insert(words.end(), {"--args", launch.at("program")});
+  for (const Json& argument : launch.at("args")) words.push_back(argument);
+  const ProcessResult result = RunInEditor(folder_, "gdb", words);
+  EXPECT_THAT(result.output, HasSubstr("Wag::NotifySensor (this="));
+  EXPECT_THAT(result.output, HasSubstr("Wag/Wag.cc:" + std::to_string(line)));
+  EXPECT_THAT(result.output, HasSubstr("$1 = 1"));
+}
+
+TEST_F(EditorTest, TheCommandsForEditorsCompileTheUsersFiles) {
+  ASSERT_TRUE(RunTask("build").good());
+  const Json commands = Json::parse(folder_.Read("compile_commands.json"));
+  std::vector<std::string> files;
+  for (const Json& command : commands) {
+    files.push_back(command.at("file"));
+    std::vector<std::string> words = command.at("arguments");
+    words.push_back("-fsyntax-only");
+    const ProcessResult result =
+        RunProcess(words, {.folder = command.at("directory"), .captures_error = true});
+    EXPECT_TRUE(result.good()) << result.output;
+  }
+  EXPECT_THAT(files, ElementsAre(folder_.File("Wag/Wag.cc")));
+}
+
+TEST_F(EditorTest, ABuildAddsNoFileOfCommandsUnasked) {
+  ASSERT_EQ(folder_.Build().status, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder_.File("compile_commands.json")));
+}
+
+}  // namespace
+}  // namespace openr_host
