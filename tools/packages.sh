@@ -12,7 +12,7 @@
 #   --mirror URL  where the packages of the clean Debian come from (http://deb.debian.org/debian)
 #   --keep        leaves the roots there, and says where
 #
-# To make them for this machine needs dpkg-dev.  All else needs debootstrap, and root, because of
+# To make them for this machine needs dpkg-dev and file.  All else needs debootstrap, and root, because of
 # chroot and mount.  Files in DIR belong to the owner of DIR.  The roots are made in a new folder
 # in /tmp, or what TMPDIR names, and removed at the end.
 set -euo pipefail
@@ -53,6 +53,7 @@ as_owner() {
 # make_here: the packages of this machine's Debian.
 make_here() {
   command -v dpkg-shlibdeps >/dev/null || give_up "dpkg-shlibdeps is missing; install dpkg-dev"
+  command -v file >/dev/null || give_up "file is missing, which CPack needs; install file"
   [ -f "$build/CPackConfig.cmake" ] || give_up "$build is no build folder; ./dev build makes one"
   as_owner bash -c 'rm -rf "$1/packages" && cd "$1" && cpack --config CPackConfig.cmake >cpack.log 2>&1' \
     bash "$build" || {

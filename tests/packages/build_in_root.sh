@@ -8,7 +8,7 @@ step() { echo "packages: $*, after $SECONDS s" >&2; }
 
 export DEBIAN_FRONTEND=noninteractive
 apt-get update -q >/dev/null
-apt-get install -y -q --no-install-recommends dpkg-dev >/dev/null
+apt-get install -y -q --no-install-recommends dpkg-dev file >/dev/null
 step "building, and running the quick tests"
 ./dev test --quick >/tmp/quick.log 2>&1 || {
   tail -n 60 /tmp/quick.log >&2
