@@ -71,15 +71,19 @@ client_listing() {
     sed -n "/^\`\`\`$1\$/,/^\`\`\`\$/p" | sed '/^```/d'
 }
 
-# A CMake project that knows nothing of openr-host but what the documents say.
+# A CMake project that knows nothing of openr-host but what the documents say.  Only the port is
+# another one, because the root shares the network of this computer.
 remote_client() {
   local folder=/home/person/client
   mkdir -p $folder
   client_listing cpp >$folder/client.cc
   client_listing cmake >$folder/CMakeLists.txt
   chown -R person: $folder
-  person 'cmake -S client -B client/build && cmake --build client/build
-    openr run --no-panel --rc-port 54000 --for 60s >run.txt 2>&1 & run=$!
+  person 'openr run --no-panel --rc-port 0 --for 120s >run.txt 2>&1 & run=$!
+    until grep "remote control: " run.txt; do kill -0 $run; sleep 0.1; done
+    port=$(sed -n "s/.*remote control: .*:\([0-9]*\) .*/\1/p" run.txt)
+    sed -i "s/:54000/:$port/" client/client.cc
+    cmake -S client -B client/build && cmake --build client/build
     # The robot refuses to move before it stands, 12 s after the start.
     for i in $(seq 60); do client/build/client >said 2>&1 && break; sleep 1; done
     kill $run; cat said; tail -n 1 said | grep "neck_pan [23]"'
