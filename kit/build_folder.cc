@@ -188,10 +188,8 @@ int FolderBuild::Run() {
   }
   Build();
   Deliver();
-  if (options_.writes_database) {
-    const KitLog log = ReadKitLog(make_.log);
-    WriteCompileDatabase(folder_, log, copies_, sdk_root_, options_.variant, &problems_);
-  }
+  if (options_.writes_database)
+    WriteCompileDatabase(folder_, ReadKitLog(make_.log), copies_, &problems_);
   TellFailures();
   return Conclude();
 }

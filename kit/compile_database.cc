@@ -1,12 +1,11 @@
 #include "kit/compile_database.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "kit/compile_command.h"
-#include "kit/sdk_paths.h"
 #include "kit/text_files.h"
-#include "runtime/base/read_file.h"
 
 namespace openr_host {
 namespace {
@@ -14,56 +13,45 @@ namespace {
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
-void Append(const Words& more, Words* words) {
-  words->insert(words->end(), more.begin(), more.end());
-}
-
-// Returns the command that compiles `original`, the user's file that `compile` is about.
-Words CommandOf(const KitLog::Compile& compile, const std::string& original,
-                const std::vector<SourceCopy>& copies, const std::string& sdk_root,
-                BuildVariant variant) {
-  const bool is_cxx = fs::path(original).extension() != ".c";
-  const Language language = is_cxx ? Language::kCxx : Language::kC;
-  Words words = HostCompiler(language);
-  Append(ParseCompileFlags(ReadFile(sdk_root + "/compile-flags.txt").value_or(""), language,
-                           IsClang(words)),
-         &words);
-  for (const std::string& flag : compile.flags) {
-    // The user's folder comes before its copy, so that an editor opens the user's headers.
+// Returns the command that compiles `original`, the user's file that `command` is about.
+Words WordsFor(const KitLog::Command& command, const std::string& original,
+               const std::vector<SourceCopy>& copies) {
+  Words words = command.words;
+  // The user's folders come before their copies, so that an editor opens the user's headers.
+  Words originals;
+  for (const std::string& flag : CarriedFlags(words, command.folder)) {
     const std::string in_originals = InTermsOfOriginals(flag, copies);
-    if (in_originals != flag) words.push_back(in_originals);
-    words.push_back(flag);
+    if (flag.starts_with("-I") && in_originals != flag) originals.push_back(in_originals);
   }
-  Append({"-I" + fs::path(compile.file).parent_path().string(), "-isystem",
-          sdk_root + "/OPEN_R/include", "-isystem", sdk_root + "/compat"},
-         &words);
-  Append(VariantCompileFlags(variant), &words);
-  Append({"-c", original}, &words);
+  const auto first_flag = std::find_if(
+      words.begin(), words.end(), [](const std::string& word) { return word.starts_with('-'); });
+  words.insert(first_flag, originals.begin(), originals.end());
+  // Headers that the build makes, such as def.h, are beside the copy of the source only.
+  const std::string copied_folder = fs::path(command.file).parent_path();
+  words.insert(words.end(), {"-I" + copied_folder, "-c", original});
   return words;
 }
 
 }  // namespace
 
-std::string CompileDatabase(const KitLog& log, const std::vector<SourceCopy>& copies,
-                            const std::string& sdk_root, BuildVariant variant) {
+std::string CompileDatabase(const KitLog& log, const std::vector<SourceCopy>& copies) {
   nlohmann::ordered_json commands = nlohmann::ordered_json::array();
   std::error_code error;
-  for (const KitLog::Compile& compile : log.compiles) {
-    const std::string original = OriginalOf(compile.file, copies);
+  for (const KitLog::Command& command : log.commands) {
+    const std::string original = OriginalOf(command.file, copies);
     if (original.empty() || !fs::exists(original, error)) continue;  // a source the build has made
-    const std::string folder = OriginalOf(compile.folder, copies);
-    commands.push_back({{"directory", folder.empty() ? compile.folder : folder},
+    commands.push_back({{"directory", command.folder},
                         {"file", original},
-                        {"arguments", CommandOf(compile, original, copies, sdk_root, variant)}});
+                        {"arguments", WordsFor(command, original, copies)}});
   }
   return commands.dump(2) + "\n";
 }
 
 void WriteCompileDatabase(const fs::path& folder, const KitLog& log,
-                          const std::vector<SourceCopy>& copies, const std::string& sdk_root,
-                          BuildVariant variant, std::vector<std::string>* problems) {
+                          const std::vector<SourceCopy>& copies,
+                          std::vector<std::string>* problems) {
   const std::string problem =
-      WriteText(folder / "compile_commands.json", CompileDatabase(log, copies, sdk_root, variant));
+      WriteText(folder / "compile_commands.json", CompileDatabase(log, copies));
   if (!problem.empty()) problems->push_back(problem);
 }
 

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "kit/build_variant.h"
 #include "kit/kit_log.h"
 #include "kit/source_copies.h"
 
@@ -14,14 +13,13 @@ namespace openr_host {
 
 // Returns the text of the file: one command for each compiled source of the user.  The commands
 // name the user's files.  They also search the private copies, because headers that a build makes,
-// such as def.h, are only there.  `sdk_root` is the SDK tree whose headers the sources include.
-std::string CompileDatabase(const KitLog& log, const std::vector<SourceCopy>& copies,
-                            const std::string& sdk_root, BuildVariant variant);
+// such as def.h, are only there.
+std::string CompileDatabase(const KitLog& log, const std::vector<SourceCopy>& copies);
 
 // Writes the file compile_commands.json into `folder`.  Adds the error to `problems` if that is not
 // possible.
 void WriteCompileDatabase(const std::filesystem::path& folder, const KitLog& log,
-                          const std::vector<SourceCopy>& copies, const std::string& sdk_root,
-                          BuildVariant variant, std::vector<std::string>* problems);
+                          const std::vector<SourceCopy>& copies,
+                          std::vector<std::string>* problems);
 
 }  // namespace openr_host

@@ -1,6 +1,7 @@
 // The tools mipsel-linux-g++ and -gcc, which compile for the host.  If a source does not compile,
 // the tools compile it again: first with more declarations, then with repairs of code that only the
 // old compiler accepted.
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <sstream>
@@ -47,6 +48,7 @@ class CompileRun {
   int Run();
 
  private:
+  Arguments WordsWith(const Arguments& extra, const Arguments& own) const;
   void Log(bool is_good) const;
   ProcessResult Try(const Arguments& extra);
   ProcessResult TryKnownFlags(const Arguments& extra);
@@ -78,13 +80,20 @@ CompileRun::CompileRun(const Arguments& arguments, bool is_cxx)
                             {"-isystem", root + "/OPEN_R/include", "-isystem", root + "/compat"});
 }
 
-ProcessResult CompileRun::Try(const Arguments& extra) {
+// Returns the command of the host's compiler.  `own` are the arguments of the user's command, or a
+// part of them.
+Arguments CompileRun::WordsWith(const Arguments& extra, const Arguments& own) const {
   Arguments all = compiler_;
   all.insert(all.end(), extra.begin(), extra.end());
-  all.insert(all.end(), command_.arguments.begin(), command_.arguments.end());
+  all.insert(all.end(), own.begin(), own.end());
   all.insert(all.end(), variant_.begin(), variant_.end());
+  return all;
+}
+
+ProcessResult CompileRun::Try(const Arguments& extra) {
   // Sets the language of messages to English, because the output is parsed.
-  return RunProcess(all, {.environment = {{"LC_ALL", "C"}}, .captures_error = true});
+  return RunProcess(WordsWith(extra, command_.arguments),
+                    {.environment = {{"LC_ALL", "C"}}, .captures_error = true});
 }
 
 // Compiles the sources.  If the compiler does not know some flags, which are old, compiles again
@@ -139,8 +148,19 @@ void CompileRun::RepairIfItHelps(ProcessResult* result) {
 // Records for `openr build` the compiled sources, the flags, and whether the compiler succeeded.
 void CompileRun::Log(bool is_good) const {
   const std::string here = std::filesystem::current_path();
+  Arguments flags;
+  for (size_t i = 0; i < command_.arguments.size(); ++i) {
+    const std::string& word = command_.arguments[i];
+    if (word == "-o") {
+      ++i;  // its file
+    } else if (word != "-c" && std::find(command_.sources.begin(), command_.sources.end(), word) ==
+                                   command_.sources.end()) {
+      flags.push_back(word);
+    }
+  }
   for (const std::string& source : command_.sources) {
     LogCompile({source, here, CarriedFlags(given_, here)});
+    LogCommand({source, here, WordsWith(extra_, flags)});
     const std::string output = command_.output.empty()
                                    ? std::filesystem::path(source).stem().string() + ".o"
                                    : command_.output;

@@ -1,4 +1,4 @@
-// What gdb has to know before it starts a run.
+// The commands that gdb needs before it starts a run.
 #pragma once
 
 #include <string>

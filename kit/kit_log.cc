@@ -64,6 +64,12 @@ std::vector<std::string> CompileWords(const KitLog::Compile& compile) {
   return words;
 }
 
+std::vector<std::string> CommandWords(const KitLog::Command& command) {
+  std::vector<std::string> words{"command", command.file, command.folder};
+  words.insert(words.end(), command.words.begin(), command.words.end());
+  return words;
+}
+
 std::string Absolute(const std::string& file) { return fs::absolute(file).lexically_normal(); }
 
 void EraseFailuresOf(const std::string& output, KitLog* log) {
@@ -86,6 +92,10 @@ void LogFailure(const KitLog::Failure& failure) {
 
 void LogCompile(const KitLog::Compile& compile) {
   Append(CompileWords({Absolute(compile.file), Absolute(compile.folder), compile.flags}));
+}
+
+void LogCommand(const KitLog::Command& command) {
+  Append(CommandWords({Absolute(command.file), Absolute(command.folder), command.words}));
 }
 
 void LogSuccess(const std::string& output) { Append({"made", Absolute(output)}); }
@@ -111,6 +121,11 @@ KitLog ReadKitLog(const std::string& file) {
         return other.file == words[1] && other.folder == words[2];
       });
       log.compiles.push_back({words[1], words[2], From(3, words)});
+    } else if (words.size() >= 3 && words[0] == "command") {
+      std::erase_if(log.commands, [&](const KitLog::Command& other) {
+        return other.file == words[1] && other.folder == words[2];
+      });
+      log.commands.push_back({words[1], words[2], From(3, words)});
     } else if (words.size() == 2 && words[0] == "made") {
       EraseFailuresOf(words[1], &log);
     } else if (words.size() == 3 && words[0] == "repair") {
@@ -132,6 +147,7 @@ void AppendKitLog(const std::string& file, const KitLog& log) {
   std::ofstream stream(file, std::ios::app);
   for (const KitLog::Image& image : log.images) stream << Line(ImageWords(image));
   for (const KitLog::Compile& compile : log.compiles) stream << Line(CompileWords(compile));
+  for (const KitLog::Command& command : log.commands) stream << Line(CommandWords(command));
   for (const KitLog::Failure& failure : log.failures)
     stream << Line({"failure", failure.file, failure.why, failure.output});
   for (const KitLog::Repair& repair : log.repairs)

@@ -28,6 +28,12 @@ struct KitLog {
     // Flags of the Makefile such as -D and -I, with absolute folders.
     std::vector<std::string> flags;
   };
+  // The command of the host's compiler for one source, for compile_commands.json.
+  struct Command {
+    std::string file;
+    std::string folder;              // working folder of the compiler
+    std::vector<std::string> words;  // compiler and flags, without source and output
+  };
   struct Repair {
     std::string place;  // "file:line"
     std::string what;
@@ -35,6 +41,7 @@ struct KitLog {
   std::vector<Image> images;      // an entry for each image file, the newest
   std::vector<Failure> failures;  // an entry for each failure; none if the file was made later
   std::vector<Compile> compiles;  // an entry for each file and folder, the newest
+  std::vector<Command> commands;  // an entry for each file and folder, the newest
   std::vector<Repair> repairs;
 };
 
@@ -44,6 +51,7 @@ struct KitLog {
 void LogImage(const KitLog::Image& image);
 void LogFailure(const KitLog::Failure& failure);
 void LogCompile(const KitLog::Compile& compile);
+void LogCommand(const KitLog::Command& command);
 
 // Records in the log that the file `output` was made, so that earlier failures to make it no longer
 // count.

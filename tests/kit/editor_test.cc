@@ -2,8 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -113,19 +115,43 @@ TEST_F(EditorTest, TheDebuggerStopsAtALineOfTheUsersFile) {
   EXPECT_THAT(result.output, HasSubstr("$1 = 1"));
 }
 
-TEST_F(EditorTest, TheCommandsForEditorsCompileTheUsersFiles) {
-  ASSERT_TRUE(RunTask("build").good());
-  const Json commands = Json::parse(folder_.Read("compile_commands.json"));
-  std::vector<std::string> files;
-  for (const Json& command : commands) {
-    files.push_back(command.at("file"));
+// Builds the folder, compiles its files with the commands of compile_commands.json, and returns the
+// names of the files below the folder.
+std::set<std::string> FilesThatCompile(const KitFolder& folder) {
+  EXPECT_EQ(folder.Build({"--compile-commands"}).status, 0);
+  std::set<std::string> files;
+  for (const Json& command : Json::parse(folder.Read("compile_commands.json"))) {
     std::vector<std::string> words = command.at("arguments");
     words.push_back("-fsyntax-only");
     const ProcessResult result =
         RunProcess(words, {.folder = command.at("directory"), .captures_error = true});
     EXPECT_TRUE(result.good()) << result.output;
+    files.insert(std::filesystem::path(command.at("file")).lexically_relative(folder.File("")));
   }
-  EXPECT_THAT(files, ElementsAre(folder_.File("Wag/Wag.cc")));
+  return files;
+}
+
+TEST_F(EditorTest, TheCommandsForEditorsCompileTheUsersFiles) {
+  EXPECT_THAT(FilesThatCompile(folder_), ElementsAre("Wag/Wag.cc"));
+}
+
+TEST_F(EditorTest, TheCommandsForEditorsNeedNoMakefile) {
+  std::filesystem::remove(folder_.File("Makefile"));
+  EXPECT_THAT(FilesThatCompile(folder_), ElementsAre("Wag/Wag.cc"));
+}
+
+// What a source needs beyond the flags of its Makefile, such as declarations that headers had once.
+TEST_F(EditorTest, TheCommandsForEditorsCompileOldSources) {
+  folder_.Write("Wag/Wag.cc", folder_.Read("Wag/Wag.cc") + "double largest = DBL_MAX;\n");
+  EXPECT_THAT(FilesThatCompile(folder_), ElementsAre("Wag/Wag.cc"));
+  EXPECT_THAT(folder_.Read("compile_commands.json"), HasSubstr("openr_prelude.h"));
+}
+
+TEST_F(EditorTest, AFolderThatCannotBeWrittenIsNamed) {
+  std::filesystem::create_directory(folder_.File("compile_commands.json"));
+  const ProgramResult result = folder_.Build({"--compile-commands"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.err, HasSubstr("compile_commands.json"));
 }
 
 TEST_F(EditorTest, ABuildAddsNoFileOfCommandsUnasked) {
