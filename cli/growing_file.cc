@@ -20,20 +20,24 @@ GrowingFile::~GrowingFile() { close(descriptor_); }
 void GrowingFile::Append(std::string_view bytes, std::string_view end) {
   if (error_ != 0) return;
   if (!can_go_back_) end = "";
-  if (end_size_ > 0) lseek(descriptor_, static_cast<off_t>(size_), SEEK_SET);
-  // One write for both, because the process may be killed between two.
+  const auto go_back = [this] { lseek(descriptor_, static_cast<off_t>(size_), SEEK_SET); };
+  if (!end_.empty()) go_back();
+  // Writes both at once, because the process may be killed between two writes.
   error_ = end.empty() ? WriteAll(descriptor_, bytes)
                        : WriteAll(descriptor_, std::string(bytes).append(end));
   if (error_ == 0) {
-    const bool is_shorter = bytes.size() + end.size() < end_size_;
+    const bool is_shorter = bytes.size() + end.size() < end_.size();
     size_ += bytes.size();
-    end_size_ = end.size();
+    end_ = end;
     if (!is_shorter) return;
+  } else if (!end_.empty()) {
+    // Writes the old end again, over which the bytes were written that a full disk had room for.
+    go_back();
+    WriteAll(descriptor_, end_);
   }
-  // Cuts the rest of a longer end, or the bytes that a full disk had room for.  A device or pipe
-  // cannot be cut.
-  const size_t size = error_ == 0 ? size_ + end_size_ : size_;
-  [[maybe_unused]] const int result = ftruncate(descriptor_, static_cast<off_t>(size));
+  // Cuts what is left behind the end.  A device or pipe cannot be cut.
+  [[maybe_unused]] const int result =
+      ftruncate(descriptor_, static_cast<off_t>(size_ + end_.size()));
 }
 
 std::string GrowingFile::Problem() const {

@@ -19,8 +19,9 @@ class GrowingFile {
   // Appends `bytes`.  If that fails, takes back what was written of them and writes nothing more,
   // so that the file ends with a whole record.
   //
-  // `end` completes the file, "]" of a list.  The next call replaces it, so that the file is
-  // complete whenever the process is killed.  A pipe or terminal, which cannot go back, gets none.
+  // `end` completes the file, such as "]" a list.  The next call replaces it, so that the file is
+  // complete if the process is killed between two calls, or if a later call fails.  A pipe or
+  // terminal, which cannot go back, gets none.
   void Append(std::string_view bytes, std::string_view end = "");
 
   // Returns "FILE: cannot be written: why" if a write has failed, else "".
@@ -30,9 +31,9 @@ class GrowingFile {
   const std::string file_;
   int descriptor_ = -1;
   bool can_go_back_ = false;
-  size_t size_ = 0;      // bytes of all appended records
-  size_t end_size_ = 0;  // bytes behind them
-  int error_ = 0;        // errno of the first failed write
+  size_t size_ = 0;  // bytes of all appended records
+  std::string end_;  // bytes behind them
+  int error_ = 0;    // errno of the first failed write
 };
 
 }  // namespace openr_host

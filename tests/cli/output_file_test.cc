@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "cli/growing_file.h"
 #include "tests/openr/program_run.h"
 
 namespace openr_host {
@@ -169,6 +170,22 @@ TEST(OutputFileTest, AGoodFileStaysWhenThereIsNoRoomForTheNewOne) {
   EXPECT_EQ(folder.Read("a"), "good");
   EXPECT_EQ(folder.Read("b"), "good as well");
   EXPECT_EQ(NamesIn(folder), (std::vector<std::string>{"a", "b", "c"}));
+}
+
+TEST(OutputFileTest, AGrowingFileKeepsItsEndWhenThereIsNoRoomForMore) {
+  const ScratchFolder folder;
+  GrowingFile file(folder.File("a"));
+  file.Append("[1", "]");
+  file.Append(", 2", "\n]");
+  EXPECT_EQ(folder.Read("a"), "[1, 2\n]");
+  file.Append("", "]");
+  EXPECT_EQ(folder.Read("a"), "[1, 2]") << "a shorter end leaves nothing of the longer one";
+  {
+    const SmallDisk disk;
+    file.Append(std::string(10'000, 'x'), "]");
+  }
+  EXPECT_EQ(folder.Read("a"), "[1, 2]");
+  EXPECT_EQ(file.Problem(), folder.File("a") + ": cannot be written: File too large");
 }
 
 TEST(OutputFileTest, FilesThatBelongTogetherChangeTogether) {
