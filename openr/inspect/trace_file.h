@@ -138,7 +138,8 @@ class TraceCoder {
   std::map<std::pair<int32_t, size_t>, LastPayload> last_;  // key: sender and size
   uint64_t kept_ = 0;  // bytes of all payloads in last_ that were read
   std::vector<Link> links_;
-  std::unordered_map<LinkKey, uint32_t, LinkHash> link_numbers_;  // only writers use it
+  // Only writers use it, to look up a link.  Nothing depends on its order.
+  std::unordered_map<LinkKey, uint32_t, LinkHash> link_numbers_;
   uint32_t defined_links_ = 0;  // number of links whose first message was written
 };
 
@@ -197,7 +198,8 @@ class TraceWriter {
   std::map<int32_t, int> objects_;  // key: id of an object; value: Object::predecessors when the
                                     // object's name was written
   std::set<std::pair<int32_t, uint32_t>> entries_;
-  // One element for each link.  Spares looking the names up for each message.
+  // The index is the number of a link.  Because of it, AddMessage() looks names up only for the
+  // first message of a link, and after an object was replaced.
   std::vector<Lives> named_;
   std::string payload_copy_;
 };
