@@ -273,6 +273,18 @@ TEST_F(ReplayTest, PayloadsOfThisVersionHaveTheirHashes) {
   EXPECT_GT(payloads, 300);
 }
 
+// Version 2 had neither the battery nor the reason of the end.  This file is not all that a program
+// of that time wrote: only its number of the version is.
+TEST_F(ReplayTest, ARecordingOfTheVersionBeforeIsStillRead) {
+  Record();
+  std::fstream file(file_, std::ios::in | std::ios::out | std::ios::binary);
+  file.seekp(8);
+  file.put(2);
+  file.close();
+  EXPECT_EQ(Replay(), "");
+  EXPECT_EQ(count_, messages_);
+}
+
 // A recording of version 3 has entries of their own for the pause button and for typed text.
 TEST(OldRecordingTest, TypedTextAndThePauseButtonAreReadAsInputs) {
   TraceReader reader(OPENR_TEST_DATA "/version3.rec");
