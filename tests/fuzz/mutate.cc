@@ -1,0 +1,167 @@
+#include "tests/fuzz/mutate.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+#include "runtime/base/hasher.h"
+#include "runtime/stick/gzip.h"
+
+namespace openr_host {
+namespace {
+
+constexpr const char* kNumbers[] = {"0",   "1",     "2",          "3",          "7",   "77",
+                                    "99",  "100",   "127",        "128",        "255", "256",
+                                    "257", "65535", "2147483647", "4294967296", "-1",  "0.5"};
+
+struct Piece {
+  size_t begin = 0, size = 0;
+};
+
+bool IsOfWord(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+std::vector<Piece> WordsOf(std::string_view text) {
+  std::vector<Piece> words;
+  for (size_t at = 0; at < text.size();) {
+    size_t end = at;
+    while (end < text.size() && IsOfWord(text[end])) ++end;
+    if (end > at) words.push_back({at, end - at});
+    at = std::max(end, at + 1);
+  }
+  return words;
+}
+
+// Returns the lines of `text`, each with its line end.
+std::vector<std::string> LinesOf(std::string_view text) {
+  std::vector<std::string> lines;
+  while (!text.empty()) {
+    const size_t size = std::min(text.find('\n'), text.size() - 1) + 1;
+    lines.emplace_back(text.substr(0, size));
+    text.remove_prefix(size);
+  }
+  return lines;
+}
+
+std::string TextOf(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += line;
+  return text;
+}
+
+size_t Below(size_t limit, FuzzRandom* random) { return (*random)() % limit; }
+
+// Returns what to put in the place of `word`: a number for a number, and for a name the name
+// shortened, or another word of the text.
+std::string Substitute(const std::string& word, std::string_view text,
+                       const std::vector<Piece>& words, FuzzRandom* random) {
+  const bool is_number = std::isdigit(static_cast<unsigned char>(word[0])) != 0;
+  const size_t kind = Below(4, random);
+  if (is_number && kind == 0) return std::to_string(Below(200, random));
+  if (is_number && kind == 1) return kNumbers[Below(std::size(kNumbers), random)];
+  if (is_number && kind == 2 && word.size() < 10) {
+    return std::to_string(std::stoll(word) + static_cast<int>(Below(5, random)) - 2);
+  }
+  if (kind < 2) return word.substr(0, 1 + Below(word.size(), random));
+  const Piece other = words[Below(words.size(), random)];
+  return std::string(text.substr(other.begin, other.size));
+}
+
+std::string MutateWord(std::string_view text, const std::vector<Piece>& words, bool everywhere,
+                       FuzzRandom* random) {
+  const Piece chosen = words[Below(words.size(), random)];
+  const std::string word(text.substr(chosen.begin, chosen.size));
+  const std::string other = Substitute(word, text, words, random);
+  std::string result;
+  size_t at = 0;
+  for (const Piece& piece : words) {
+    const bool is_chosen =
+        piece.begin == chosen.begin || (everywhere && text.substr(piece.begin, piece.size) == word);
+    if (!is_chosen) continue;
+    result += text.substr(at, piece.begin - at);
+    result += other;
+    at = piece.begin + piece.size;
+  }
+  return result += text.substr(at);
+}
+
+}  // namespace
+
+std::string MutateText(std::string_view text, FuzzRandom* random) {
+  const std::vector<Piece> words = WordsOf(text);
+  if (words.empty()) return std::string(text);
+  const size_t kind = Below(8, random);
+  if (kind < 3) return MutateWord(text, words, false, random);
+  if (kind < 5) return MutateWord(text, words, true, random);
+  std::vector<std::string> lines = LinesOf(text);
+  const size_t from = Below(lines.size(), random);
+  const std::string line = lines[from];
+  if (kind != 5) lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(from));
+  if (kind != 6) {
+    const size_t to = Below(lines.size() + 1, random);
+    lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(to), line);
+  }
+  return TextOf(lines);
+}
+
+std::string JoinTexts(std::string_view first, std::string_view second, FuzzRandom* random) {
+  if (Below(2, random) == 0) return std::string(first) + std::string(second);
+  std::vector<std::string> lines = LinesOf(first);
+  const std::vector<std::string> others = LinesOf(second);
+  if (others.empty()) return std::string(first);
+  const size_t begin = Below(others.size(), random);
+  const size_t end = begin + 1 + Below(others.size() - begin, random);
+  const size_t to = Below(lines.size() + 1, random);
+  lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(to),
+               others.begin() + static_cast<std::ptrdiff_t>(begin),
+               others.begin() + static_cast<std::ptrdiff_t>(end));
+  return TextOf(lines);
+}
+
+void FixRecording(std::string* bytes) {
+  constexpr size_t kBegin = 8 + 4;  // magic and version
+  // The header is a text behind its length, a number of seven bits per byte.
+  size_t at = kBegin, length = 0;
+  for (int shift = 0; at < bytes->size() && shift < 28; shift += 7) {
+    const auto byte = static_cast<unsigned char>((*bytes)[at++]);
+    length |= static_cast<size_t>(byte & 0x7f) << shift;
+    if (byte < 0x80) break;
+  }
+  at += length;
+  constexpr size_t kHead = 4 + 8;  // size and checksum of a block
+  while (at < bytes->size() && bytes->size() - at >= kHead) {
+    uint32_t size;
+    std::memcpy(&size, bytes->data() + at, sizeof size);
+    if (size > bytes->size() - at - kHead) return;
+    const uint64_t checksum = HashBytes(bytes->data() + at + kHead, size);
+    std::memcpy(bytes->data() + at + 4, &checksum, sizeof checksum);
+    at += kHead + size;
+  }
+}
+
+std::string Decompress(std::string_view bytes) {
+  std::string content;
+  const bool is_whole = Gunzip(std::string(bytes), &content) == GzipResult::kWhole;
+  return is_whole ? content : "";
+}
+
+std::string Compress(std::string_view bytes) {
+  z_stream stream{};
+  if (deflateInit2(&stream, 1, Z_DEFLATED, 16 + MAX_WBITS, 8, Z_DEFAULT_STRATEGY) != Z_OK) {
+    return "";
+  }
+  std::string packed(deflateBound(&stream, bytes.size()), '\0');
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+  stream.avail_in = static_cast<uInt>(bytes.size());
+  stream.next_out = reinterpret_cast<Bytef*>(packed.data());
+  stream.avail_out = static_cast<uInt>(packed.size());
+  const bool is_whole = deflate(&stream, Z_FINISH) == Z_STREAM_END;
+  packed.resize(is_whole ? stream.total_out : 0);
+  deflateEnd(&stream);
+  return packed;
+}
+
+}  // namespace openr_host

@@ -1,0 +1,29 @@
+// Changes inputs of the fuzz targets with knowledge of their form.  libFuzzer itself changes single
+// bytes, which hardly ever makes a valid file of names, numbers and lines.
+#pragma once
+
+#include <random>
+#include <string>
+#include <string_view>
+
+namespace openr_host {
+
+using FuzzRandom = std::minstd_rand;
+
+// Makes one change to a word (letters, digits, '_') or to a line of `text`: renames a word in all
+// its places, puts another word or number in its place, or copies, removes or moves a line.
+// Returns `text` itself if it has no words.
+std::string MutateText(std::string_view text, FuzzRandom* random);
+
+// Puts `second` behind `first`, or lines of it between the lines of `first`.
+std::string JoinTexts(std::string_view first, std::string_view second, FuzzRandom* random);
+
+// Sets the checksums of all whole blocks of a recording (docs/trace-format.md) to the right value.
+// Other bytes stay as they are.
+void FixRecording(std::string* bytes);
+
+// Returns the content of a gzip file; "" if `bytes` is none.  Compress() is the inverse.
+std::string Decompress(std::string_view bytes);
+std::string Compress(std::string_view bytes);
+
+}  // namespace openr_host
