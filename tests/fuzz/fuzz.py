@@ -21,11 +21,15 @@ ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)
 BUILD = os.path.join(ROOT, "build", "fuzz")
 PROGRAM = os.path.join(BUILD, "bin", "openr_fuzz")
 PROCESSES = 2
+WORD_BYTES = 40  # of a word of a dictionary
 PLANTED_SECONDS = 60
 MAX_BYTES = 8192  # of an input, or the size of the largest seed
 OPTIONS = ["-timeout=10", "-rss_limit_mb=1536", "-malloc_limit_mb=600", "-print_final_stats=1"]
 # Objects of a robot may leave memory behind, so leaks are no findings (docs/hacking.md).
-ENVIRONMENT = {**os.environ, "ASAN_OPTIONS": "detect_leaks=0:allocator_may_return_null=0",
+ENVIRONMENT = {**os.environ,
+               # Files of a target in memory: a stick is written and removed for each input.
+               **({"TMPDIR": "/dev/shm"} if os.access("/dev/shm", os.W_OK) else {}),
+               "ASAN_OPTIONS": "detect_leaks=0:allocator_may_return_null=0",
                "UBSAN_OPTIONS": "print_stacktrace=1"}
 
 
@@ -48,6 +52,31 @@ def seed_folders(name, found):
     return [folder] + ([own] if os.path.isdir(own) else [])
 
 
+def dictionary(name, found, folders):
+    """Writes the words of the target for libFuzzer: the texts in the sources of its reader, which
+    targets.json names, and the words of its seeds.  Returns the file."""
+    import glob
+    words = set()
+    for pattern in found.get("words", []):
+        for path in glob.glob(os.path.join(ROOT, pattern)):
+            with open(path, encoding="utf-8") as source:
+                text = re.sub(r"(?m)^#include.*$|//.*$", "", source.read())
+            words.update(match for match in re.findall(r'"((?:[^"\\\n]|\\.)*)"', text)
+                         if 1 <= len(match) <= WORD_BYTES and "{" not in match
+                         and "\\" not in match and match.count(" ") < 2)
+    for folder in folders:
+        for file in os.listdir(folder):
+            with open(os.path.join(folder, file), "rb") as seed:
+                text = seed.read().decode("latin-1")
+            words.update(word for word in re.findall(r"[A-Za-z_][\w.]*", text)
+                         if len(word) <= WORD_BYTES and word.isascii())
+    path = os.path.join(BUILD, "seeds", f"{name}.dict")
+    with open(path, "w", encoding="utf-8") as file:
+        for number, word in enumerate(sorted(words)):
+            file.write(f'word{number}="{word}"\n')
+    return path
+
+
 def fuzz(name, found, seconds, seed, planted=False):
     """Runs one target.  Returns what libFuzzer has counted, and the inputs that crash."""
     kept = os.path.join(BUILD, "planted" if planted else "corpus", name)
@@ -59,7 +88,9 @@ def fuzz(name, found, seconds, seed, planted=False):
     before = set(os.listdir(crashes))
     command = [PROGRAM, name] + (["--planted"] if planted else []) + OPTIONS
     command += [f"-max_total_time={seconds}", f"-artifact_prefix={crashes}/"]
-    folders = [kept] + seed_folders(name, found)
+    seeds = seed_folders(name, found)
+    folders = [kept] + seeds
+    command += [f"-dict={dictionary(name, found, seeds)}"]
     sizes = [os.path.getsize(os.path.join(folder, file))
              for folder in folders for file in os.listdir(folder)]
     command += [f"-max_len={max([MAX_BYTES, *sizes])}"]
