@@ -5,6 +5,7 @@
   fuzz.py TARGET SECONDS [--seed N]  one target
   fuzz.py all SECONDS [--seed N]     all targets, which share the seconds, two at a time
   fuzz.py planted [TARGET]           each target must find its planted bug within 60 s
+                                     of processor time
   fuzz.py TARGET --show FILE         one input again
 """
 import argparse
@@ -22,8 +23,9 @@ BUILD = os.path.join(ROOT, "build", "fuzz")
 PROGRAM = os.path.join(BUILD, "bin", "openr_fuzz")
 PROCESSES = 2
 WORD_BYTES = 40  # of a word of a dictionary
-PLANTED_SECONDS = 60
-MAX_BYTES = 8192  # of an input, or the size of the largest seed
+PLANTED_SECONDS = 60  # of processor time
+PLANTED_WAIT = 10  # times as long a busy machine may take for it
+MAX_BYTES = 8192  # of an input, or max_bytes of targets.json, or the size of the largest seed
 OPTIONS = ["-timeout=10", "-rss_limit_mb=1536", "-malloc_limit_mb=600", "-print_final_stats=1"]
 # Objects of a robot may leave memory behind, so leaks are no findings (docs/hacking.md).
 ENVIRONMENT = {**os.environ,
@@ -87,13 +89,16 @@ def fuzz(name, found, seconds, seed, planted=False):
         os.makedirs(folder, exist_ok=True)
     before = set(os.listdir(crashes))
     command = [PROGRAM, name] + (["--planted"] if planted else []) + OPTIONS
+    if planted:  # processor time, so that a busy machine finds what an idle one does
+        command = ["prlimit", f"--cpu={seconds}"] + command
+        seconds *= PLANTED_WAIT
     command += [f"-max_total_time={seconds}", f"-artifact_prefix={crashes}/"]
     seeds = seed_folders(name, found)
     folders = [kept] + seeds
     command += [f"-dict={dictionary(name, found, seeds)}"]
     sizes = [os.path.getsize(os.path.join(folder, file))
              for folder in folders for file in os.listdir(folder)]
-    command += [f"-max_len={max([MAX_BYTES, *sizes])}"]
+    command += [f"-max_len={max([found.get('max_bytes', MAX_BYTES), *sizes])}"]
     command += ["-use_value_profile=1"] if planted else []
     command += [f"-seed={seed}"] if seed is not None else []
     run = subprocess.run(command + folders, env=ENVIRONMENT,

@@ -14,10 +14,10 @@ namespace openr_host {
 namespace {
 
 // Makes a forged message from the input.  Small numbers are as likely as large ones, so that some
-// of them are ids and tokens that exist.
+// of them are ids and tokens that exist; 0xff is the id of `region`, a region that exists.
 class Forger {
  public:
-  explicit Forger(std::string_view bytes) : input_(bytes) {}
+  Forger(std::string_view bytes, uint32_t region) : input_(bytes), region_(region) {}
 
   bool AtEnd() const { return input_.empty(); }
 
@@ -49,6 +49,7 @@ class Forger {
  private:
   uint64_t Number() {
     const uint8_t kind = input_.U8();
+    if (kind == 0xff) return region_;
     return kind < 0xf0 ? kind : input_.U64();
   }
   openr_wire_Bytes Bytes() {
@@ -82,6 +83,7 @@ class Forger {
   }
 
   FuzzBytes input_;
+  const uint32_t region_;
   WireArena arena_;
 };
 
@@ -90,10 +92,10 @@ int DecodeAll(std::string_view bytes, bool is_worker) {
   System system;
   system.AddRobot("ERS-210", nullptr);
   auto* const object = system.AddObject<CodeObject>(0, "object");
-  system.regions().New(64, object->host().id);
+  const uint32_t region = system.regions().New(64, object->host().id);
   Marshaller marshaller(&system, is_worker);
   int regions = 0;
-  Forger forger(bytes);
+  Forger forger(bytes, region);
   while (!forger.AtEnd()) {
     Message message;
     const openr_wire_Message forged = forger.Next();
