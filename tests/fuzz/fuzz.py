@@ -56,7 +56,8 @@ def seed_folders(name, found):
 
 def dictionary(name, found, folders):
     """Writes the words of the target for libFuzzer: the texts in the sources of its reader, which
-    targets.json names, and the words of its seeds.  Returns the file."""
+    targets.json names, the words of its seeds, and the numbers of its format, in 4 bytes.
+    Returns the file."""
     import glob
     words = set()
     for pattern in found.get("words", []):
@@ -76,6 +77,9 @@ def dictionary(name, found, folders):
     with open(path, "w", encoding="utf-8") as file:
         for number, word in enumerate(sorted(words)):
             file.write(f'word{number}="{word}"\n')
+        for number in found.get("numbers", []):
+            word = "".join(f"\\x{byte:02x}" for byte in number.to_bytes(4, "little"))
+            file.write(f'number{number}="{word}"\n')
     return path
 
 

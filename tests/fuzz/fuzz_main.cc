@@ -33,7 +33,9 @@ size_t Put(const std::string& bytes, uint8_t* data, size_t size_max) {
 }
 
 std::string MutateBytes(std::string bytes, size_t size_max, openr_host::FuzzRandom* random) {
-  if ((*random)() % 2 == 0) return openr_host::MutateText(bytes, random);
+  const bool is_text = openr_host::IsText(bytes);
+  if (!is_text && (*random)() % 3 == 0) return openr_host::MutateNumber(bytes, random);
+  if ((*random)() % (is_text ? 2 : 16) == 0) return openr_host::MutateText(bytes, random);
   const size_t size = bytes.size();
   bytes.resize(std::max(size, size_max));
   bytes.resize(LLVMFuzzerMutate(reinterpret_cast<uint8_t*>(bytes.data()), size, bytes.size()));

@@ -14,9 +14,11 @@
 namespace openr_host {
 namespace {
 
-constexpr const char* kNumbers[] = {"0",   "1",     "2",          "3",          "7",   "77",
-                                    "99",  "100",   "127",        "128",        "255", "256",
-                                    "257", "65535", "2147483647", "4294967296", "-1",  "0.5"};
+constexpr const char* kNumbers[] = {"0",     "1",          "2",   "3",   "99",  "100",
+                                    "127",   "128",        "255", "256", "257", "32767",
+                                    "65535", "2147483647", "-1",  "0.5"};
+constexpr uint32_t kWords[] = {0,   1,   2,      3,      127,        128,       255,
+                               256, 257, 0x7fff, 0xffff, 0x7fffffff, 0xffffffff};
 
 struct Piece {
   size_t begin = 0, size = 0;
@@ -90,6 +92,12 @@ std::string MutateWord(std::string_view text, const std::vector<Piece>& words, b
 
 }  // namespace
 
+bool IsText(std::string_view bytes) {
+  return std::none_of(bytes.begin(), bytes.end(), [](unsigned char c) {
+    return c == 0x7f || (c < 0x20 && c != '\n' && c != '\r' && c != '\t');
+  });
+}
+
 std::string MutateText(std::string_view text, FuzzRandom* random) {
   const std::vector<Piece> words = WordsOf(text);
   if (words.empty()) return std::string(text);
@@ -105,6 +113,26 @@ std::string MutateText(std::string_view text, FuzzRandom* random) {
     lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(to), line);
   }
   return TextOf(lines);
+}
+
+std::string MutateNumber(std::string bytes, FuzzRandom* random) {
+  const size_t size = size_t{1} << Below(3, random);
+  if (bytes.size() < size) return bytes;
+  char* const place = &bytes[Below(bytes.size() - size + 1, random)];
+  uint32_t value = 0;
+  std::memcpy(&value, place, size);
+  switch (Below(3, random)) {
+    case 0:
+      value = static_cast<uint32_t>(Below(256, random));
+      break;
+    case 1:
+      value = kWords[Below(std::size(kWords), random)];
+      break;
+    default:
+      value += static_cast<uint32_t>(Below(9, random)) - 4;
+  }
+  std::memcpy(place, &value, size);
+  return bytes;
 }
 
 std::string JoinTexts(std::string_view first, std::string_view second, FuzzRandom* random) {

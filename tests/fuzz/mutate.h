@@ -10,10 +10,17 @@ namespace openr_host {
 
 using FuzzRandom = std::minstd_rand;
 
+// Returns whether `bytes` have no control characters but those between words and lines.
+bool IsText(std::string_view bytes);
+
 // Makes one change to a word (letters, digits, '_') or to a line of `text`: renames a word in all
 // its places, puts another word or number in its place, or copies, removes or moves a line.
 // Returns `text` itself if it has no words.
 std::string MutateText(std::string_view text, FuzzRandom* random);
+
+// Changes a number of 1, 2 or 4 bytes, little-endian: to a near one, a small one, or a limit of a
+// type.  Returns `bytes` themselves if there are too few.
+std::string MutateNumber(std::string bytes, FuzzRandom* random);
 
 // Puts `second` behind `first`, or lines of it between the lines of `first`.
 std::string JoinTexts(std::string_view first, std::string_view second, FuzzRandom* random);

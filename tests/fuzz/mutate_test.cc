@@ -32,10 +32,26 @@ TEST(MutateTest, LinesAreCopiedRemovedAndMoved) {
   EXPECT_TRUE(found.contains("b 2\na 1\n"));
 }
 
+TEST(MutateTest, ControlCharactersAreNoText) {
+  EXPECT_TRUE(IsText("a 1\r\n\tb \xe4\n"));
+  EXPECT_FALSE(IsText("OMTN\x01"));
+  EXPECT_FALSE(IsText(std::string("a\0b", 3)));
+}
+
 TEST(MutateTest, BytesWithoutWordsStayAsTheyAre) {
   FuzzRandom random(1);
   EXPECT_EQ(MutateText("\x01\x02", &random), "\x01\x02");
   EXPECT_EQ(MutateText("", &random), "");
+}
+
+TEST(MutateTest, ANumberOfFewBytesIsChanged) {
+  std::set<std::string> found;
+  FuzzRandom random(1);
+  for (int i = 0; i < 5000; ++i) found.insert(MutateNumber("\x05\x07", &random));
+  EXPECT_TRUE(found.contains("\x01\x01"));  // 257
+  EXPECT_TRUE(found.contains("\x06\x07"));
+  EXPECT_TRUE(found.contains("\x05\x4d"));
+  EXPECT_EQ(MutateNumber("", &random), "");
 }
 
 TEST(MutateTest, ASecondInputIsPutBehindTheFirst) {
