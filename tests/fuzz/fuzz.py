@@ -25,8 +25,9 @@ PROCESSES = 2
 WORD_BYTES = 40  # of a word of a dictionary
 PLANTED_SECONDS = 60  # of processor time
 PLANTED_WAIT = 10  # times as long a busy machine may take for it
-MAX_BYTES = 8192  # of an input, or max_bytes of targets.json, or the size of the largest seed
-OPTIONS = ["-timeout=10", "-rss_limit_mb=1536", "-malloc_limit_mb=600", "-print_final_stats=1"]
+MAX_BYTES = 2048  # of an input, or max_bytes of targets.json, or the size of the largest seed
+OPTIONS = ["-timeout=10", "-rss_limit_mb=1536", "-malloc_limit_mb=600", "-print_final_stats=1",
+           "-mutate_depth=3"]  # an input with more changes is hardly ever valid
 # Objects of a robot may leave memory behind, so leaks are no findings (docs/hacking.md).
 ENVIRONMENT = {**os.environ,
                # Files of a target in memory: a stick is written and removed for each input.
