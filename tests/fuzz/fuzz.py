@@ -27,7 +27,8 @@ PLANTED_SECONDS = 60  # of processor time
 PLANTED_WAIT = 10  # times as long a busy machine may take for it
 MAX_BYTES = 2048  # of an input, or max_bytes of targets.json, or the size of the largest seed
 OPTIONS = ["-timeout=10", "-rss_limit_mb=1536", "-malloc_limit_mb=600", "-print_final_stats=1",
-           "-mutate_depth=3"]  # an input with more changes is hardly ever valid
+           "-mutate_depth=3",  # an input with more changes is hardly ever valid
+           "-len_control=100"]  # short inputs first, which a mutator of ours switches off
 # Objects of a robot may leave memory behind, so leaks are no findings (docs/hacking.md).
 ENVIRONMENT = {**os.environ,
                # Files of a target in memory: a stick is written and removed for each input.
@@ -100,7 +101,8 @@ def fuzz(name, found, seconds, seed, planted=False):
     command += [f"-max_total_time={seconds}", f"-artifact_prefix={crashes}/"]
     seeds = seed_folders(name, found)
     folders = [kept] + seeds
-    command += [f"-dict={dictionary(name, found, seeds)}"]
+    words = dictionary(name, found, seeds)
+    command += [f"-dict={words}"] if os.path.getsize(words) > 0 else []  # it refuses an empty one
     sizes = [os.path.getsize(os.path.join(folder, file))
              for folder in folders for file in os.listdir(folder)]
     command += [f"-max_len={max([found.get('max_bytes', MAX_BYTES), *sizes])}"]
