@@ -49,7 +49,7 @@ set(OPENR_OBJECT_FLAGS -g -Wall -Wextra -Werror -fno-strict-aliasing -ftrivial-a
 # Most of a compiler's work is what the sources include: for these targets it reads several
 # sources at a time.  Large batches build faster from nothing, small ones after an edit.
 option(OPENR_BATCHES "Compile several sources at a time" ON)
-set(OPENR_BATCH_SIZE 6 CACHE STRING "The sources that are compiled at a time")
+set(OPENR_BATCH_SIZE 24 CACHE STRING "The sources that are compiled at a time")
 function(openr_in_batches)
   set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ${OPENR_BATCHES}
     UNITY_BUILD_BATCH_SIZE ${OPENR_BATCH_SIZE})

@@ -1,4 +1,5 @@
 // The eyes of examples/BallChaser on made-up pictures of layer C.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

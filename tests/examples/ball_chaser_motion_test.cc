@@ -1,4 +1,5 @@
 // The legs of examples/BallChaser: the gait walks as it is told, and the dog gets up from anywhere.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "Leg.h"

@@ -12,7 +12,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-using Words = std::vector<std::string>;
+using Arguments = std::vector<std::string>;
 
 TEST(CompileCommandTest, FlagsForTheRobotsProcessorAreLeftOut) {
   const CompileCommand command =

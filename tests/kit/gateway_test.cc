@@ -14,7 +14,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-constexpr char kConf[] = "MS/OPEN-R/MW/CONF/";
+constexpr char kConfFolder[] = "MS/OPEN-R/MW/CONF/";
 
 sockaddr_in Loopback(uint16_t port) {
   sockaddr_in address{};
@@ -73,7 +73,7 @@ class Client {
 TEST(GatewayProgramTest, CarriesWordsToThePcAndBack) {
   const KitFolder folder("gateway");
   const uint16_t word_port = FreePort(), turned_port = FreePort();
-  folder.Write(std::string(kConf) + "ROBOTGW.CFG",
+  folder.Write(std::string(kConfFolder) + "ROBOTGW.CFG",
                "TCPGateway.Word.char.S " + std::to_string(word_port) +
                    "\nTCPGateway.Turned.char.O " + std::to_string(turned_port) + "\n");
   const ProgramResult built = folder.Build();
@@ -106,7 +106,7 @@ TEST(GatewayProgramTest, CarriesWordsToThePcAndBack) {
 class GatewayCheck : public ::testing::Test {
  protected:
   void Config(const std::string& name, const std::string& text) {
-    folder_.Write(kConf + name, text);
+    folder_.Write(kConfFolder + name, text);
   }
   std::string Check() { return RunProgram({"check", folder_.File("")}).out; }
 

@@ -31,7 +31,7 @@ std::string Compressed(const std::string& bytes) {
   return packed;
 }
 
-std::string RobotBinary() {
+std::string RobotHeader() {
   Elf32_Ehdr header{};
   std::memcpy(header.e_ident, ELFMAG, SELFMAG);
   header.e_ident[EI_CLASS] = ELFCLASS32;
@@ -57,7 +57,7 @@ TEST(ImageFileTest, ACompressedImageIsTheImage) {
 
 TEST(ImageFileTest, ABinaryForTheRobotIsKnownThroughItsCompression) {
   const ScratchFolder folder;
-  for (const std::string& bytes : {RobotBinary(), Compressed(RobotBinary())}) {
+  for (const std::string& bytes : {RobotHeader(), Compressed(RobotHeader())}) {
     const ImageFile image = Read(folder, bytes);
     EXPECT_TRUE(image.is_for_robot);
     EXPECT_THAT(image.problem, HasSubstr("is a binary for the robot (MIPS)"));

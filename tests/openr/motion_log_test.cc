@@ -172,12 +172,12 @@ JointTraces Moving(Function degrees, double step_ms = 32) {
   return traces;
 }
 
-double Swing(double time_ms) { return 20 * std::sin(2 * M_PI * time_ms / 1000); }
+double SwingAngle(double time_ms) { return 20 * std::sin(2 * M_PI * time_ms / 1000); }
 
 TEST(MotionLogCompareTest, ALagBelowOneKeyFrameIsFound) {
   for (const double lag_ms : {-50.0, -7.0, 0.0, 3.0, 21.5, 90.0}) {
     const auto differences =
-        CompareTraces(Moving(Swing), Moving([&](double t) { return Swing(t - lag_ms); }));
+        CompareTraces(Moving(SwingAngle), Moving([&](double t) { return SwingAngle(t - lag_ms); }));
     ASSERT_EQ(differences.size(), static_cast<size_t>(kLogJoints));
     ASSERT_TRUE(differences[4].lag_ms.has_value());
     EXPECT_NEAR(*differences[4].lag_ms, lag_ms, 0.5);
@@ -187,29 +187,29 @@ TEST(MotionLogCompareTest, ALagBelowOneKeyFrameIsFound) {
 
 TEST(MotionLogCompareTest, OffsetAndGainDoNotMoveTheLag) {
   const auto differences =
-      CompareTraces(Moving(Swing), Moving([](double t) { return 5 + 0.8 * Swing(t - 40); }, 40));
+      CompareTraces(Moving(SwingAngle), Moving([](double t) { return 5 + 0.8 * SwingAngle(t - 40); }, 40));
   EXPECT_NEAR(differences[0].lag_ms.value_or(0), 40, 1);
   EXPECT_NEAR(differences[0].gain.value_or(0), 0.8, 0.01);
 }
 
 TEST(MotionLogCompareTest, WhatIsLeftAfterTheLagIsTheOffset) {
   const auto differences =
-      CompareTraces(Moving(Swing), Moving([](double t) { return 3 + Swing(t - 40); }));
+      CompareTraces(Moving(SwingAngle), Moving([](double t) { return 3 + SwingAngle(t - 40); }));
   EXPECT_GT(differences[0].rms_deg, 4);
   EXPECT_NEAR(differences[0].rms_after_lag_deg.value_or(0), 3, 0.05);
 }
 
 TEST(MotionLogCompareTest, ErrorsAreThoseOfTheSameTime) {
   const auto differences =
-      CompareTraces(Moving(Swing), Moving([](double t) { return Swing(t) - 3; }));
+      CompareTraces(Moving(SwingAngle), Moving([](double t) { return SwingAngle(t) - 3; }));
   EXPECT_NEAR(differences[7].mean_deg, -3, 1e-9);
   EXPECT_NEAR(differences[7].max_deg, 3, 1e-9);
   EXPECT_NEAR(differences[7].rms_deg, 3, 1e-9);
 }
 
 TEST(MotionLogCompareTest, AJointAtRestHasNoLag) {
-  const auto rest = Moving([](double t) { return 0.2 * Swing(t) / 20; });
-  const auto differences = CompareTraces(rest, Moving(Swing));
+  const auto rest = Moving([](double t) { return 0.2 * SwingAngle(t) / 20; });
+  const auto differences = CompareTraces(rest, Moving(SwingAngle));
   EXPECT_FALSE(differences[0].lag_ms.has_value());
   EXPECT_FALSE(differences[0].gain.has_value());
 }
