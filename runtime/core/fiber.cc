@@ -20,29 +20,17 @@ namespace {
 thread_local Fiber* t_left = nullptr;
 thread_local Fiber* t_entered = nullptr;
 
-// Tells AddressSanitizer that a stack is empty.  Functions that never returned have left marks for
-// their variables in the shadow memory of AddressSanitizer.  With these marks, AddressSanitizer
-// would report the next use of the stack as an error.
-void ForgetFrames(const void* bottom, size_t bytes) {
-  if (IsAddressSanitized()) __asan_unpoison_memory_region(bottom, bytes);
-}
-
 }  // namespace
 
 Fiber::Fiber(NoStack) {}
 
-Fiber::Fiber() : stack_(std::make_unique<StackMemory>()) {
-  stack_bottom_ = stack_->bottom();
-  stack_bytes_ = StackMemory::kBytes;
-}
-
-Fiber::~Fiber() {
-  if (stack_ != nullptr) ForgetFrames(stack_bottom_, stack_bytes_);
-}
+Fiber::Fiber() : stack_(std::make_unique<StackMemory>()) {}
 
 void Fiber::Prepare(Main main, void* argument) {
   ASSERT(stack_ != nullptr, "the thread's own stack cannot be prepared");
-  ForgetFrames(stack_bottom_, stack_bytes_);
+  stack_->ForgetFrames();
+  stack_bottom_ = stack_->bottom();
+  stack_bytes_ = StackMemory::kBytes;
   main_ = main;
   argument_ = argument;
   exceptions_[0] = exceptions_[1] = nullptr;
@@ -80,15 +68,10 @@ void Fiber::SwitchFrom(Fiber* from) {
 
 void Fiber::FinishSwitch() {
   if (!IsAddressSanitized()) return;
-  const void* bottom = nullptr;
-  size_t bytes = 0;
-  __sanitizer_finish_switch_fiber(fake_stack_, &bottom, &bytes);
-  // Keeps the bounds of the thread's own stack, which AddressSanitizer needs for the switch back to
-  // this stack.  AddressSanitizer tells these bounds only at a switch away from the stack.
-  if (t_left->stack_ == nullptr) {
-    t_left->stack_bottom_ = bottom;
-    t_left->stack_bytes_ = bytes;
-  }
+  // Keeps the bounds of the stack that was left, which AddressSanitizer needs for the switch back.
+  // They are not always those of the fiber's own stack: the fiber may have called a handler, which
+  // runs on a stack of its own (handler_stack.h).
+  __sanitizer_finish_switch_fiber(fake_stack_, &t_left->stack_bottom_, &t_left->stack_bytes_);
 }
 
 }  // namespace openr_host

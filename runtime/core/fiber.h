@@ -18,7 +18,7 @@ class Fiber {
   using Main = void (*)(void* argument);  // never returns
 
   Fiber();
-  ~Fiber();
+  ~Fiber() = default;
   Fiber(const Fiber&) = delete;
   Fiber& operator=(const Fiber&) = delete;
 
@@ -43,8 +43,8 @@ class Fiber {
   Main main_ = nullptr;
   void* argument_ = nullptr;
   void* exceptions_[2] = {nullptr, nullptr};  // __cxa_eh_globals while the fiber is not running
-  // Values that AddressSanitizer needs: its fake stack for this fiber, and the bounds of the real
-  // stack.
+  // Values that AddressSanitizer needs while the fiber is not running: its fake stack for this
+  // fiber, and the bounds of the stack on which the fiber continues.
   void* fake_stack_ = nullptr;
   const void* stack_bottom_ = nullptr;
   size_t stack_bytes_ = 0;

@@ -1,5 +1,7 @@
 #include "runtime/core/handler_stack.h"
 
+#include "runtime/core/memory_tools.h"
+
 #if defined(__x86_64__)
 
 // Calls function(argument) with the stack pointer at `top`, a multiple of 16.
@@ -66,6 +68,33 @@ namespace openr_host {
 
 #if defined(__x86_64__)
 
+namespace {
+
+struct SanitizedCall {
+  void (*function)(void*);
+  void* argument;
+  // The stack of the caller.
+  const void* bottom = nullptr;
+  size_t bytes = 0;
+};
+
+// Calls the function of `data`, a SanitizedCall, on the handler's stack, and tells
+// AddressSanitizer when this stack begins and ends to be in use.  Without that AddressSanitizer
+// would take it for a part of another stack, and would keep the marks of frames that an exception
+// has left.
+void CallAndSayWhere(void* data) {
+  SanitizedCall* const call = static_cast<SanitizedCall*>(data);
+  __sanitizer_finish_switch_fiber(nullptr, &call->bottom, &call->bytes);
+  struct Departure {
+    const SanitizedCall* call;
+    ~Departure() { __sanitizer_start_switch_fiber(nullptr, call->bottom, call->bytes); }
+  };
+  const Departure departure{call};
+  call->function(call->argument);
+}
+
+}  // namespace
+
 void HandlerStack::Call(void (*function)(void*), void* argument) {
   if (memory_.Contains(__builtin_frame_address(0))) {
     function(argument);
@@ -78,7 +107,24 @@ void HandlerStack::Call(void (*function)(void*), void* argument) {
   if (is_dirty_) Clear();
   is_dirty_ = true;
   const Clearing clearing{this};
-  openr_call_on_stack(function, argument, memory_.top());
+  if (IsAddressSanitized()) {
+    CallWithSanitizer(function, argument);
+  } else {
+    openr_call_on_stack(function, argument, memory_.top());
+  }
+}
+
+void HandlerStack::CallWithSanitizer(void (*function)(void*), void* argument) {
+  memory_.ForgetFrames();
+  SanitizedCall call{function, argument};
+  void* fake_stack = nullptr;
+  struct Arrival {  // destructors, because the function may end with an exception
+    void* const* fake_stack;
+    ~Arrival() { __sanitizer_finish_switch_fiber(*fake_stack, nullptr, nullptr); }
+  };
+  const Arrival arrival{&fake_stack};
+  __sanitizer_start_switch_fiber(&fake_stack, memory_.bottom(), StackMemory::kBytes);
+  openr_call_on_stack(&CallAndSayWhere, &call, memory_.top());
 }
 
 #else

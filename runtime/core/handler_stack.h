@@ -35,6 +35,7 @@ class HandlerStack {
   size_t UsedBytes() const;
 
  private:
+  void CallWithSanitizer(void (*function)(void*), void* argument);
   void Clear();
 
   StackMemory memory_;

@@ -64,7 +64,13 @@ StackMemory::~StackMemory() {
 #ifdef VALGRIND_STACK_DEREGISTER
   VALGRIND_STACK_DEREGISTER(valgrind_id_);
 #endif
+  ForgetFrames();
   munmap(mapping_, mapped_bytes_);
+}
+
+void StackMemory::ForgetFrames() const {
+  if (IsAddressSanitized())
+    __asan_unpoison_memory_region(mapping_ + kGuardBytes, mapped_bytes_ - kGuardBytes);
 }
 
 size_t StackMemory::UsedBytes(size_t gap_bytes) const {

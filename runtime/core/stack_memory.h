@@ -57,6 +57,11 @@ class StackMemory {
   // handler finds an empty stack.
   size_t Clear(size_t gap_bytes);
 
+  // Tells AddressSanitizer that the stack is empty.  Functions that never returned have left marks
+  // for their variables in the shadow memory of AddressSanitizer.  With these marks,
+  // AddressSanitizer would report the next use of the memory as an error.
+  void ForgetFrames() const;
+
   static constexpr size_t kWideGapBytes = size_t{32} << 10;
   static constexpr size_t kSmallGapBytes = size_t{4} << 10;
 
