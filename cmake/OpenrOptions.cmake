@@ -28,7 +28,13 @@ if(OPENR_SANITIZE)
   add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
   # g++ 12 sees uninitialised members in the C++ library's <regex> when sanitizers change the flow.
   add_compile_options($<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
+  # The name by which our sources know AddressSanitizer; g++ defines it, clang does not.
+  add_compile_definitions($<$<CXX_COMPILER_ID:Clang>:__SANITIZE_ADDRESS__=1>)
   add_link_options(-fsanitize=address,undefined)
+endif()
+if(OPENR_FUZZ)
+  # Counters of branches, by which libFuzzer sees how far an input has come.
+  add_compile_options(-fsanitize=fuzzer-no-link)
 endif()
 if(OPENR_COVERAGE)
   add_compile_options(--coverage)
@@ -43,6 +49,9 @@ set(OPENR_STUBGEN2 stubgen2)
 set(OPENR_SDK_TOOL openr_sdk)
 set(OPENR_HEADERS ${PROJECT_SOURCE_DIR}/runtime/include)
 set(OPENR_OBJECT_FLAGS -g -Wall -Wextra -Werror -fno-strict-aliasing -ftrivial-auto-var-init=zero
+  # clang's UBSan ends the process where a robot goes on with a number it does not have; the runtime
+  # reports these conversions itself.
+  $<$<CXX_COMPILER_ID:Clang>:-fno-sanitize=float-cast-overflow>
   $<$<CXX_COMPILER_ID:Clang>:-enable-trivial-auto-var-init-zero-knowing-it-will-be-removed-from-clang>
   $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-fno-gnu-unique>)
 

@@ -19,8 +19,8 @@ import subprocess
 import sys
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-BUILD = os.path.join(ROOT, "build", "fuzz")
-PROGRAM = os.path.join(BUILD, "bin", "openr_fuzz")
+WORK = os.path.join(ROOT, "build", "fuzz")  # corpora, crashes and logs
+PROGRAM = os.path.join(ROOT, "build", "clang-asan", "bin", "openr_fuzz")
 PROCESSES = 2
 WORD_BYTES = 40  # of a word of a dictionary
 PLANTED_SECONDS = 60  # of processor time
@@ -45,7 +45,7 @@ def targets():
 def seed_folders(name, found):
     """Returns the folders of seeds: the corpus, and copies of the files that targets.json names."""
     import glob
-    folder = os.path.join(BUILD, "seeds", name)
+    folder = os.path.join(WORK, "seeds", name)
     shutil.rmtree(folder, ignore_errors=True)
     os.makedirs(folder)
     for pattern in found["seeds"]:
@@ -75,7 +75,7 @@ def dictionary(name, found, folders):
                 text = seed.read().decode("latin-1")
             words.update(word for word in re.findall(r"[A-Za-z_][\w.]*", text)
                          if len(word) <= WORD_BYTES and word.isascii())
-    path = os.path.join(BUILD, "seeds", f"{name}.dict")
+    path = os.path.join(WORK, "seeds", f"{name}.dict")
     with open(path, "w", encoding="utf-8") as file:
         for number, word in enumerate(sorted(words)):
             file.write(f'word{number}="{word}"\n')
@@ -87,8 +87,8 @@ def dictionary(name, found, folders):
 
 def fuzz(name, found, seconds, seed, planted=False):
     """Runs one target.  Returns what libFuzzer has counted, and the inputs that crash."""
-    kept = os.path.join(BUILD, "planted" if planted else "corpus", name)
-    crashes = os.path.join(BUILD, "planted-found" if planted else "crashes", name)
+    kept = os.path.join(WORK, "planted" if planted else "corpus", name)
+    crashes = os.path.join(WORK, "planted-found" if planted else "crashes", name)
     if planted or seed is not None:  # what earlier runs have learnt must not count
         kept += f"-{os.getpid()}"
     for folder in (kept, crashes):
@@ -113,7 +113,7 @@ def fuzz(name, found, seconds, seed, planted=False):
     if planted or seed is not None:
         shutil.rmtree(kept)
     text = run.stdout.decode(errors="replace")
-    with open(os.path.join(BUILD, f"{name}.log"), "w", encoding="utf-8") as log:
+    with open(os.path.join(WORK, f"{name}.log"), "w", encoding="utf-8") as log:
         log.write(text)
     executions = re.findall(r"stat::number_of_executed_units:\s*(\d+)", text)
     if not executions:

@@ -99,7 +99,7 @@ TEST(MoverCoreTest, APositionBeyondTheLimitEndsAtTheLimit) {
 TEST(MoverCoreTest, JointsThatDoNotExistAreIgnored) {
   StandingDog dog;
   for (const int joint : {-1, 18, 100000}) {
-    MoverCommand command = {moverkindPOSITION, joint, 0, 0, 0, {}, {}};
+    MoverCommand command = {moverkindPOSITION, joint, 0, {0}, 0, {}, {}};
     dog.core.MoveJoint(command);
   }
   EXPECT_FALSE(dog.PlayVector());
@@ -218,7 +218,7 @@ TEST(MoverCoreTest, AMotionDuringAMotionIsRefused) {
 TEST(MoverCoreTest, ARefusedMotionIsReportedOverWhileTheOtherGoesOn) {
   StandingDog dog;
   ASSERT_EQ(dog.Start(MtnBytes::OneJoint(kTilt, {0, 100000}, 100)), "");
-  MoverCommand other = {moverkindPLAY, 0, 0, 1, 0, "OTHER.MTN", {}};
+  MoverCommand other = {moverkindPLAY, 0, 0, {1}, 0, "OTHER.MTN", {}};
   dog.core.ReportRefusal(other);
   EXPECT_STREQ(dog.reports.back().file, "OTHER.MTN");
   EXPECT_EQ(dog.reports.back().isOver, 1);

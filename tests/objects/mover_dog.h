@@ -57,12 +57,12 @@ class Dog : public MoverPort {
   int Joint(const char* locator) const { return FindJoint(robot, locator); }
   void Move(const char* locator, int32_t urad) { Command(moverkindPOSITION, locator, urad); }
   void Command(int kind, const char* locator, int32_t value) {
-    MoverCommand command = {kind, Joint(locator), value, 0, 0, {}, {}};
+    MoverCommand command = {kind, Joint(locator), value, {0}, 0, {}, {}};
     core.MoveJoint(command);
   }
   std::string Start(const MtnBytes& mtn, int loops = 1) {
     const std::vector<uint8_t> bytes = mtn.Bytes();
-    MoverCommand command = {moverkindPLAY, 0, 0, loops, 0, "TEST.MTN", {}};
+    MoverCommand command = {moverkindPLAY, 0, 0, {loops}, 0, "TEST.MTN", {}};
     std::string error;
     return core.Play(command, bytes.data(), bytes.size(), &error) ? "" : error;
   }

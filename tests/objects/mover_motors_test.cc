@@ -11,7 +11,7 @@ constexpr char kTiltJoint[] = "PRM:/r1/c1-Joint2:j1";
 class MoverMotorsTest : public testing::Test {
  protected:
   void Switch(int kind, int joint) {
-    MoverCommand command = {kind, joint, 0, 0, 0, {}, {}};
+    MoverCommand command = {kind, joint, 0, {0}, 0, {}, {}};
     dog_.core.Do(command);
   }
   int NumLimp() const {
@@ -36,7 +36,7 @@ TEST_F(MoverMotorsTest, AllMotorsLosePowerAndEveryGainIsOff) {
 // Sends TRACK to the tilt joint and plays what follows; returns the positions of all frames.
 std::vector<int32_t> Tracked(StandingDog* dog, int32_t urad, int frames) {
   const int tilt = dog->Joint(kTiltJoint);
-  dog->core.Do({moverkindTRACK, tilt, urad, frames, 0, {}, {}});
+  dog->core.Do({moverkindTRACK, tilt, urad, {frames}, 0, {}, {}});
   const size_t begin = dog->frames.size();
   dog->Play();
   std::vector<int32_t> positions;
@@ -160,7 +160,7 @@ TEST_F(MoverMotorsTest, GainsTheRobotBeginsWithAreThoseOfItsTable) {
 }
 
 TEST_F(MoverMotorsTest, GainsAreSetAtOnceOrWhenTheJointIsSwitchedOn) {
-  MoverCommand command = {moverkindGAINS, tilt_, 0, 0, 0, {}, {30, 0, 5}};
+  MoverCommand command = {moverkindGAINS, tilt_, 0, {0}, 0, {}, {30, 0, 5}};
   dog_.core.Do(command);
   EXPECT_EQ(dog_.gains[tilt_], (std::vector<int>{30, 0, 5}));
   Switch(moverkindMOTOR_OFF, tilt_);
@@ -177,7 +177,7 @@ TEST_F(MoverMotorsTest, CommandsBeforeTheRobotStandsAndForNoJointHaveNoEffect) {
   Dog dog;
   for (const int kind : {moverkindMOTOR_OFF, moverkindMOTOR_ON, moverkindGAINS}) {
     for (const int joint : {-1, 0, 18, 1000000}) {
-      MoverCommand command = {kind, joint, 0, 0, 0, {}, {99, 99, 99}};
+      MoverCommand command = {kind, joint, 0, {0}, 0, {}, {99, 99, 99}};
       dog.core.Do(command);
       if (joint > 17) dog_.core.Do(command);
     }

@@ -158,7 +158,11 @@ TEST_F(DispatcherTest, AHandlerCanBeAbandonedAndItsObjectGoesOn) {
 }
 
 TEST_F(DispatcherTest, AMessageThatIsNotQueuedGoesBackToThePool) {
-  const Message* const first = system.NewMessage(kNoObject, 0).get();
+  const void* first = nullptr;
+  {
+    const OwnedMessage message = system.NewMessage(kNoObject, 0);
+    first = message.get();
+  }
   EXPECT_EQ(system.NewMessage(kNoObject, 0).get(), first);
   EXPECT_EQ(system.Post(system.NewMessage(99, 0)), sINVALIDOID);
   EXPECT_EQ(system.NewMessage(kNoObject, 0).get(), first);
