@@ -37,8 +37,8 @@ struct MakePlan {
 
 struct MakeOutcome {
   bool is_good = true;
-  // The output of make and its commands.  If make ran more than once, only the output of the last
-  // run.
+  // The output of make and its commands.  If make ran again with one job after a failure with
+  // several jobs, only the output of the second run counts.
   std::string output;
 };
 
@@ -50,7 +50,8 @@ MakePlan PlanMake(const Project& project, const std::string& sdk_root);
 // lists the images that were made.
 MakeOutcome RunMake(const MakePlan& plan, const MakeOptions& options);
 
-// Runs the Makefile in `folder` for the first target and `install`, with the variables of the plan.
+// Runs make in `folder` with the variables of the plan, for the first target of the Makefile and
+// for the target `install`.
 MakeOutcome RunMakeTargets(const std::filesystem::path& folder, const MakePlan& plan,
                            const MakeOptions& options);
 
