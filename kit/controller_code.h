@@ -47,7 +47,7 @@ class ControllerCode {
   bool Defines(const std::string& function) const;
   bool Calls(const std::string& function) const;
 
-  // Returns the function whose body contains the position `at`; null if there is none.
+  // Returns the function whose body contains the position `at`; null if there is no such function.
   const CodeFunction* FunctionAt(const CodeFile& file, size_t at) const;
 
   // Returns the calls between the positions `begin` and `end` of a file's code.

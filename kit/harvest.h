@@ -22,8 +22,9 @@ struct Harvest {
   std::vector<HarvestedImage> images;
   std::vector<std::string> problems;  // error messages, a line each
   std::vector<std::string> notes;
-  // Files that CompleteStick() has put on the stick, without those that rules of Makefiles put
-  // there.  The next build removes these files, so that they do not count as images of that build.
+  // Files that CompleteStick() has put on the stick.  Files that rules of Makefiles put there are
+  // not in this list.  The next build removes these files, so that they do not count as images of
+  // that build.
   std::vector<std::filesystem::path> placed;
   std::set<std::string> used;  // paths (KitLog::Image::file) of the images on the stick
 };

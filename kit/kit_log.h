@@ -61,8 +61,8 @@ void LogRepair(const KitLog::Repair& repair);
 // Returns the content of the log; an empty log when there is no such file.
 KitLog ReadKitLog(const std::string& file);
 
-// Returns the number of compilations in the log, together with those of earlier builds.  A source
-// that was compiled twice counts twice.
+// Returns the number of compilations in the log, together with the compilations of earlier builds.
+// A source that was compiled twice counts twice.
 uint64_t CountCompiles(const std::string& file);
 
 void AppendKitLog(const std::string& file, const KitLog& log);

@@ -27,8 +27,8 @@ struct MakeOptions {
 struct MakePlan {
   // Folders in which make runs, for the first target of the Makefile and for `install`.
   std::vector<std::filesystem::path> folders;
-  // Variables that are set on the command line of make, and so override those of the Makefiles, as
-  // pairs of name and value.
+  // Variables that are set on the command line of make, and so override the variables of the
+  // Makefiles, as pairs of name and value.
   std::vector<std::pair<std::string, std::string>> variables;
   // Folders into which rules of the Makefiles write.  Some Makefiles do not create them, so
   // RunMake() creates them first.

@@ -13,8 +13,8 @@ struct ReferredPlaces {
   // No folder is inside another one.
   std::vector<std::filesystem::path> folders;
   // Folders that contain one of `folders` and that a Makefile names, such as the parent folder in
-  // "VPATH=..".  Only the files directly in them count, because the rest may not belong to the
-  // program.
+  // "VPATH=..".  Only the files directly in them count, because files in folders below them may not
+  // belong to the program.
   std::vector<std::filesystem::path> around;
   std::vector<std::filesystem::path> files;  // the files directly in the folders of `around`
 };

@@ -98,8 +98,9 @@ class RobotStick {
     Write(to, MergeConfig(ReadText(to).value_or(""), ours));
   }
 
-  // Writes the network settings to the stick.  Takes the WLANCONF.TXT of the controller or, if
-  // there is none, of the base or, if there is none either, of this project.
+  // Writes the network settings to the stick.  Takes the WLANCONF.TXT in the folder of the
+  // controller.  If there is no such file, takes the WLANCONF.TXT of the base, or else the file of
+  // this project.
   void PutNetworkSettings() {
     const fs::path to = On("SYSTEM/CONF", "WLANCONF.TXT");
     fs::path from =

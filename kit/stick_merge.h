@@ -11,9 +11,9 @@ namespace openr_host {
 
 // Merges the OBJECT.CFG, CONNECT.CFG or DESIGNDB.CFG of a base stick with `ours`, the same file of
 // an application.  The lines before the first section, such as [ERS-210], are for all robots; a
-// section is for one design of robot.  Among the lines for all robots, and among the sections,
-// those of the base come first.  If both files have the same line for all robots, apart from
-// blanks, the result has this line once.
+// section is for one design of robot.  The result has first the lines for all robots and then the
+// sections; in both, the lines of the base come first.  If both files have the same line for all
+// robots, apart from blanks, the result has this line once.
 std::string MergeConfig(const std::string& base, const std::string& ours);
 
 // Returns the reason why a Memory Stick of the robot cannot have a file `name`; "" if it can.  A

@@ -9,8 +9,8 @@
 //   measured positions, then the four paws, 0 or 1
 //   8 bits: number of simulated values, always 0; a client may add simulated values
 //
-// The joints are those of the vendor's motion files, 15 on the ERS-210, in the order of the robot.
-// Positions are in 0.01 degree.
+// The joints of the log are the joints of the vendor's motion files, 15 on the ERS-210, in the
+// order of the robot.  Positions are in 0.01 degree.
 //
 
 #ifndef RemoteLog_h_DEFINED

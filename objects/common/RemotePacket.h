@@ -15,8 +15,8 @@
 const int RC_PORT = 54000;
 const Uint16 RC_MAGIC = 0x4352;  // the bytes 'R', 'C'
 
-// Versions of the protocol.  Version 2 adds commands, such as those for files.  A client uses
-// version 1 for all other commands, so that it can talk to older robots.
+// Versions of the protocol.  Version 2 adds commands, such as the commands for files.  A client
+// uses version 1 for all other commands, so that it can talk to older robots.
 const int RC_VERSION = 1;
 const int RC_VERSION_FILES = 2;
 
