@@ -22,8 +22,8 @@ struct AsmUse {
   bool names_register = false;  // asm gives a variable a register: register int x asm("$4")
 };
 
-// Returns whether the block that opens at `brace` contains declarations and is no body of a
-// function: extern "C" { or namespace x {.
+// Returns whether `brace` opens a block of declarations, such as extern "C" { or namespace x {, and
+// not the body of a function.
 bool IsOuterBlock(const std::string& code, size_t brace) {
   static const std::regex kHead("(^|[^\\w])(extern|namespace(\\s+\\w+)?)\\s*$");
   const size_t begin = brace < 80 ? 0 : brace - 80;
@@ -43,9 +43,9 @@ size_t OpeningOf(const std::string& code, size_t word_end) {
   return at;
 }
 
-// Returns whether an asm gives a variable its register: register int x asm("$4");  `previous` is
-// the position before the word asm, `next` the position after its brackets.  A name must stand
-// before the word, and ';', '=' or ',' after the brackets.
+// Returns whether an asm gives a variable its register, as in: register int x asm("$4");  In such a
+// declaration, a name is before the word asm, and ';', '=' or ',' is after the brackets.
+// `previous` is the position before the word asm, `next` the position after the brackets.
 bool NamesRegister(const std::string& code, size_t previous, size_t next) {
   if (previous == kNone || !IsWordCharacter(code[previous])) return false;
   if (next == kNone || std::string_view(";=,").find(code[next]) == kNone) return false;
@@ -117,8 +117,8 @@ std::string WithLineEnds(std::string replacement, std::string_view replaced) {
   for (size_t i = 0; i < replaced.size(); ++i) {
     if (replaced[i] != '\n') continue;
     const size_t back = i > 0 && replaced[i - 1] == '\r' ? 2 : 1;
-    // Writes a backslash before the new line end if the replaced one had a backslash, because a
-    // line end inside a macro needs it.
+    // Writes a backslash before the new line end if the replaced line end had one, because each
+    // line of a macro but the last must end in a backslash.
     const bool goes_on = i >= back && replaced[i - back] == '\\';
     replacement += goes_on ? " \\\n" : "\n";
   }

@@ -25,8 +25,8 @@ inline constexpr char kAssemblerSays[] = "assembler: ";
 // the complaint names no line, the edits remove all assembly outside of functions.
 std::vector<Edit> AssemblyRepairOf(const Complaint& complaint, const std::string& text);
 
-// Returns the edits that remove the assembly from macros in `header`, the text of a header.
-// Changes only the macros that `line` uses, the source line with the error.
+// Returns the edits that remove the assembly from macros in `header`, the text of a header.  `line`
+// is the source line with the error.  Macros that this line does not use are not changed.
 std::vector<Edit> AssemblyMacroRepairOf(const std::string& line, const std::string& header);
 
 }  // namespace openr_host

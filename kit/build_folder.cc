@@ -39,9 +39,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Names of two files in the folder of private copies.  The first has the version of the kit, the
-// second the path of the user's folder.
+// Name of the file, in the folder of private copies, that contains the version of the kit.
 constexpr char kIdentityFile[] = "kit.txt";
+
+// Name of the file, in the folder of private copies, that contains the path of the user's folder.
 constexpr char kOwnerFile[] = "folder.txt";
 
 // Returns a text that is different for each version of the kit's files and compilers.  If the text
@@ -202,9 +203,9 @@ bool FolderBuild::HasFailure(const ObjectFolder& object) const {
   });
 }
 
-// Returns the objects without an image from this build, although none of their sources has failed.
-// Objects with a failed source are left out, because that source would fail in another way of
-// building too.
+// Returns the objects that have no image from this build and no failed source.  Objects with a
+// failed source are left out, because this source would fail again if the object were built in
+// another way.
 std::vector<ObjectFolder> FolderBuild::NotBuilt() const {
   const KitLog log = ReadKitLog(make_.log);
   std::vector<ObjectFolder> objects;
@@ -218,8 +219,9 @@ std::vector<ObjectFolder> FolderBuild::NotBuilt() const {
   return objects;
 }
 
-// Returns about how many sources the build compiles: those that were found, and a stub for each
-// stub.cfg.  Makefiles may name more or fewer.
+// Returns about how many sources the build compiles: the sources that were found, and the generated
+// stub of each stub.cfg.  The number is not exact, because Makefiles may name more or fewer
+// sources.
 uint64_t FolderBuild::CountSources() const {
   uint64_t count = project_.shared_sources.size();
   for (const ObjectFolder& object : project_.objects)
@@ -331,7 +333,8 @@ void FolderBuild::TryConvention(const std::vector<ObjectFolder>& objects, const 
 }
 
 void FolderBuild::Deliver() {
-  // Scans the folders again, because the rules of Makefiles may have made Memory Sticks in them.
+  // Scans the folders again, because the rules of Makefiles may have made Memory Sticks in these
+  // folders.
   Project after = ScanProject(copied_folders_);
   if (after.sticks.empty()) after.sticks.push_back({after.root / "MS", {}, {}});
   wants_all_ = std::all_of(after.sticks.begin(), after.sticks.end(),
@@ -376,8 +379,8 @@ void FolderBuild::Deliver() {
 }
 
 // Returns whether the build of some object has failed or could not begin.  A Makefile can ignore
-// the failure of a command, so make may succeed nevertheless.  Then a failure counts only if it is
-// in an object's folder.
+// the failure of a command, so make may succeed nevertheless.  If make succeeds, a failure counts
+// only if it is in an object's folder.
 bool FolderBuild::HasFailed() const {
   const std::vector<KitLog::Failure> failures = ReadKitLog(make_.log).failures;
   return !hurdles_.empty() ||
@@ -412,7 +415,8 @@ void FolderBuild::TellFailures() {
 }
 
 // Returns an error message for each object file or library for another processor that the Makefiles
-// name and that the build has not made anew.  Such files were not copied.
+// name and that the build has not made anew.  The private copy does not contain such files, because
+// the host cannot use them.
 std::vector<std::string> FolderBuild::LeftOutAndMissed() const {
   std::string makefiles;
   for (const fs::path& file : project_.makefiles) makefiles += ReadText(file).value_or("");

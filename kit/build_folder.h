@@ -11,8 +11,8 @@ namespace openr_host {
 struct BuildOptions {
   std::string folder;  // folder to build
   std::string output;  // folder for the finished stick; "": the stick in `folder`
-  std::string work;    // folder for private copies; "": one in the user's cache
-  int jobs = 0;        // make jobs at a time; 0: one per processor
+  std::string work;    // folder for private copies; "": a folder in the user's cache
+  int jobs = 0;        // number of jobs that make runs at a time; 0: one job per processor
   bool is_verbose = false;
   BuildVariant variant = BuildVariant::kPlain;
   bool writes_database = false;  // writes compile_commands.json into the folder

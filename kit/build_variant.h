@@ -11,15 +11,18 @@ enum class BuildVariant { kPlain, kDebug, kSanitize, kCoverage };
 
 // Returns "debug", "sanitize" or "coverage"; "" for kPlain.
 std::string VariantName(BuildVariant variant);
-// Returns the variant of this name; kPlain if no variant has it.
+// Returns the variant of this name; kPlain if no variant has this name.
 BuildVariant VariantOf(const std::string& name);
 
-// Returns the variant that `openr build` has told the tools to make (kVariantVariable).
+// Returns the variant that `openr build` has told the tools to make, by the environment variable
+// kVariantVariable.
 BuildVariant VariantOfBuild();
 
-// Returns the flags with which a variant compiles and links.  They follow the flags of the user's
-// Makefile, so that they count if both set the same thing (-O2).
+// Returns the compiler flags of a variant.  They follow the flags of the user's Makefile, because
+// the compiler obeys the last of two flags that contradict each other (-O2, -O0).
 std::vector<std::string> VariantCompileFlags(BuildVariant variant);
+
+// Returns the linker flags of a variant.
 std::vector<std::string> VariantLinkFlags(BuildVariant variant);
 
 // Returns the reason why the compiler that the user has chosen cannot build `variant`; "" if it

@@ -42,8 +42,9 @@ const char* WordOf(Remark::Kind kind) {
   }
 }
 
-// Returns `rendered`, a remark, with the place and the word in its first line in the colour of its
-// kind.
+// Returns `rendered`, the text of a remark, with the beginning of its first line in colour.  This
+// beginning is the place and, except for errors, the word "warning" or "note".  The colour shows
+// the kind of the remark.
 std::string WithColour(const std::string& rendered, Remark::Kind kind, bool has_colours) {
   const std::string word = kind == Remark::Kind::kError ? ":" : std::string(WordOf(kind)) + ":";
   const size_t at = rendered.find(word + " ");
@@ -117,8 +118,8 @@ Remarks CheckFolder(const std::string& folder, const std::vector<std::string>& l
   // Checks nothing else if files cannot be read, because the checks would report these files as
   // missing.
   if (!unreadable.all().empty()) return unreadable;
-  // Scans folders outside of `folder` as well if the program names files in them with "../": these
-  // files belong to the program, as in openr build.
+  // Scans folders outside of `folder` as well if the program names files in them with "../",
+  // because these files belong to the program.  The command openr build does the same.
   const fs::path root = fs::canonical(folder);
   const ReferredPlaces places = FindReferredPlaces(root);
   const Project project = ScanProject(places.folders);

@@ -22,7 +22,7 @@ struct Remark {
   int column = 0;  // 0: the column is not known, and no caret is shown
   std::string text;
   std::string source_line;
-  std::string cause;   // remarks with the same cause become one; "": the remark stays alone
+  std::string cause;   // remarks with the same cause are joined into one; "": never joined
   uint64_t count = 1;  // number of places that the remark is about
   std::vector<std::string> also_at;  // the first few of the other places: "CONNECT.CFG:5"
 };
@@ -60,7 +60,8 @@ class Remarks {
   std::vector<Remark> all_;
 };
 
-// What is to run the program: a host takes images for its own processor, a robot for its own.
+// The machine that is to run the program.  A host loads images for the host's processor, a robot
+// loads images for the robot's processor.
 enum class CheckTarget { kHost, kRobot };
 
 // Checks a folder with objects and sticks, or a stick alone.  `locators` are the names of all
@@ -71,7 +72,7 @@ Remarks CheckFolder(const std::string& folder, const std::vector<std::string>& l
 
 // Returns the remarks as text.  Each remark is "file:line: warning: text", then the line of the
 // file with a caret below it, then the other places with the same cause.  With `has_colours`, the
-// place is in the colour of its kind.
+// place has the colour of the remark's kind.
 std::string RenderRemarks(const Remarks& remarks, bool has_colours = false);
 
 // Returns the remarks as JSON:

@@ -18,7 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The base of a stick, which is Sony's and comes with the SDK (measured.md 4, "Base tree").
+// Files of the base image, the part of a stick that is Sony's and comes with the SDK (measured.md
+// 4, "Base tree").
 constexpr const char* kBaseFiles[] = {"OPEN-R/APERIOS.GZ",
                                       "OPEN-R/APERINIT.GZ",
                                       "OPEN-R/BOOTPARA",
@@ -56,7 +57,8 @@ class BootCheck {
     return (found.empty() ? root_ / path : found).string();
   }
 
-  // Returns the names of `objects` that are not in OPEN-R/SYSTEM/OBJS.
+  // Returns the names of the image files that are missing in OPEN-R/SYSTEM/OBJS.  `objects` has the
+  // names of all wanted images, without ".BIN".
   template <size_t N>
   std::vector<std::string> Missing(const char* const (&objects)[N]) const {
     std::vector<std::string> missing;
@@ -119,8 +121,8 @@ void BootCheck::CheckBase() {
   }
 }
 
-// A DESIGN.CFG that does not fit the robot ends its boot with "DR OPEN-R SDK version can run
-// odrexecMODE3 only" (field-notes.md 5).
+// Checks that DESIGN.CFG names the design of the robot.  If it names another design, the robot ends
+// its boot with "DR OPEN-R SDK version can run odrexecMODE3 only" (field-notes.md 5).
 void BootCheck::CheckDesign() {
   const fs::path file = On("OPEN-R/MW/CONF/DESIGN.CFG");
   if (file.empty() || design_.empty()) return;

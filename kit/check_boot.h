@@ -1,4 +1,5 @@
-// Checks what a Memory Stick needs so that a robot boots from it, beyond what a host needs.
+// Checks that a Memory Stick has the files that a robot needs to boot from it.  A host does not
+// need these files.
 #pragma once
 
 #include <string>
@@ -9,7 +10,7 @@ namespace openr_host {
 
 // The content of a stick in a folder, for a summary.
 struct StickSummary {
-  std::string base;  // "WCONSOLE": the base image, "": none
+  std::string base;  // name of the base image, such as "WCONSOLE"; "": none
   int num_files = 0;
   uint64_t num_bytes = 0;
 };

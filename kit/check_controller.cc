@@ -162,8 +162,8 @@ class ControllerCheck {
            (code[before] == '.' || (code[before] == '>' && before > 0 && code[before - 1] == '-'));
   }
 
-  // Returns whether the word at `at` is the name of a variable of type std::ifstream or the like.
-  // Then a file name is in the brackets after the word.
+  // Returns whether the word at `at` is a variable that is declared there with a type such as
+  // std::ifstream.  The brackets after such a variable contain the name of a file.
   static bool IsFileStream(const std::string& code, size_t at) {
     size_t begin = PreviousOf(code, at);
     if (begin == kNone || begin + 1 == at) return false;
@@ -226,7 +226,7 @@ class ControllerCheck {
                     name, slash == kNone ? name : name.substr(slash + 1)));
   }
 
-  // Checks the values that functions passed to robot_run() return, which are time steps in ms.
+  // Checks the time steps, in ms, that are returned by the functions passed to robot_run().
   void CheckRunFunctions() {
     static const std::regex kReturn("\\breturn[ \t\r\n(]+(\\w+)[ \t\r\n)]*;");
     for (const CodeFunction& function : code_.functions()) {

@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Returns `body`, the inside of a struct or class, with bodies of functions and text in round
-// brackets blanked out.  What is left are the declarations of its members.
+// brackets blanked out.  The text that is left declares the members of the type.
 std::string MembersOf(std::string body) {
   for (size_t at = 0; at < body.size(); ++at) {
     if (body[at] != '{' && body[at] != '(') continue;

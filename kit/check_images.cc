@@ -99,13 +99,13 @@ class ImageCheck {
   const ObjectParts& parts_;
   const CheckTarget target_;
   Remarks* const remarks_;
-  std::vector<const ObjectFolder*> objects_;  // first those of the project, then its neighbours
+  std::vector<const ObjectFolder*> objects_;  // objects of the project, then its neighbours
   bool has_sources_ = false;
   StickImages images_;
   std::vector<PlacedObject> placed_;
   std::vector<MissingImage> missing_;
-  // key: name of the object in an image; value: the lines of OBJECT.CFG with such an image.  Finds
-  // two objects of one name.
+  // The lines of OBJECT.CFG by the name of the object in their image.  Two images whose objects
+  // have the same name are an error.
   std::map<std::string, std::vector<ObjectRecord>> lines_by_name_;
 };
 
@@ -127,8 +127,8 @@ void ImageCheck::CheckRecord(const ObjectRecord& record) {
     return;
   }
   const ImageFile image = ReadImageFile(file);
-  // Takes a binary for the robot for missing if there are sources to build, because a build will
-  // replace it by an image for the host.
+  // Treats a binary for the robot as missing if there are sources to build, because a build will
+  // replace the binary by an image for the host.
   if (image.is_for_robot && has_sources_) {
     missing_.push_back({record, image.problem});
   } else if (!image.problem.empty() && !(image.is_for_robot && target_ == CheckTarget::kRobot)) {
@@ -258,8 +258,8 @@ void ImageCheck::ExpectFromProject() {
     ReportMissing(*image, is_made);
     is_some_made = is_some_made || is_made;
   }
-  // Takes the services of all remaining objects for known, so that connections to these services
-  // get no error: a rule of a Makefile may make a missing image from any of these objects.
+  // Adds the services of all remaining objects, so that connections to these services get no error:
+  // a rule of a Makefile may make a missing image from any of these objects.
   for (size_t i = 0; is_some_made && i < free.size(); ++i) AddServices(*free[i], "");
 }
 

@@ -19,8 +19,8 @@ namespace fs = std::filesystem;
 // The smallest stack in an .ocf file that gets no warning.  The SDK's samples have 3072 bytes, and
 // no program with less than 1024 is known to work.
 constexpr int64_t kStackBytesMin = 1024;
-// The largest step of a heap that gets no warning.  The limit is half of the robot's memory of 32
-// MB: a second step of this size would not fit.
+// The largest step by which a heap may grow without a warning.  The limit is half of the robot's
+// memory of 32 MB, because a second step of this size would not fit.
 constexpr int64_t kHeapBytesMax = 16 << 20;
 
 // Returns the text of all `files` in one string, without comments.

@@ -21,7 +21,7 @@ struct PlacedObject {
   std::string section;
 };
 
-// Adds a remark for each object whose .ocf file has the same name as that of another object, if one
+// Adds a remark for each object that has, in its .ocf file, the same name as another object, if one
 // robot loads both objects.
 void CheckObjectNames(const std::vector<PlacedObject>& placed, const ObjectParts& parts,
                       Remarks* remarks);
@@ -30,8 +30,9 @@ void CheckObjectNames(const std::vector<PlacedObject>& placed, const ObjectParts
 // because stub.cfg must have at least one subject and one observer.
 bool IsDummy(const StubService& service);
 
-// Adds a remark for each file on the stick ("/MS/...") that the source `text` names by a name that
-// is not an 8.3 name.  The robot cannot open such a file.
+// Adds a remark for each path on the stick ("/MS/...") in the source `text` that is not made of 8.3
+// names.  An 8.3 name has up to 8 characters, a dot and up to 3 characters.  The robot cannot open
+// files with longer names.
 void CheckStickPaths(const std::string& file, const std::string& text, Remarks* remarks);
 
 }  // namespace openr_host

@@ -76,8 +76,8 @@ class StickCheck {
 };
 
 // Checks that an object on the stick has the service `name`, which CONNECT.CFG names at `place`.
-// `section` is the section of CONNECT.CFG with that line, which holds for one design of robot only;
-// "" means that the line holds for all robots.
+// `section` is the section of CONNECT.CFG that contains this line.  Each section is for one design
+// of robot; "" means that the line is for all robots.
 void StickCheck::CheckService(const ServiceName& name, const std::string& section,
                               const FilePosition& place) {
   const std::string full = Compose(name);

@@ -56,12 +56,12 @@ bool TakesNextWord(const std::string& flag) {
                         "-aux-info"});
 }
 
-// Returns whether `flag`, a flag of a compile command for the robot, is not passed to the host's
-// compiler.  Such a flag is for the robot's processor (-mips3, -EL, -G0), or about something that
-// the kit decides itself: warnings, the folders of headers, the language level, or how code is
+// Returns whether `flag`, a flag of a compile command for the robot, must not be passed to the
+// host's compiler.  Such a flag is for the robot's processor (-mips3, -EL, -G0), or about something
+// that the kit decides itself: warnings, the folders of headers, the language level, or how code is
 // linked (-fPIC).
 bool IsRobotFlag(const std::string& flag) {
-  // Beginnings of flags.  All flags for the processor begin with -m.
+  // Beginnings of such flags.  For example, all flags for the processor begin with -m.
   static const char* const kStarts[] = {"-m",    "-Werror", "-pedantic", "-fpic",   "-fPIC",
                                         "-fpie", "-fPIE",   "-fno-pic",  "-fno-PIC"};
   if (IsOneOf(flag, {"-EL", "-EB", "-ansi", "-Wno-return-type", "-nostdinc", "-nostdinc++", "-w",
@@ -97,10 +97,10 @@ Language LanguageOf(const CompileCommand& command, const std::string& given, boo
                                                                            : Language::kCxx;
 }
 
-// Returns the flags for `name`, the value of a -std flag such as "c99"; none if `name` is a level
-// of another language than `language`.  A strict level is replaced by the same level with GNU
-// extensions, because the headers of the SDK's compiler declared the same functions in both.  C99
-// gets -fgnu89-inline, because gcc took `inline` in the meaning of GNU C until version 4.3.
+// Returns the flags for `name`, the value of a -std flag such as "c99"; no flags if `name` is a
+// level of another language than `language`.  A strict level is replaced by the same level with GNU
+// extensions, because the headers of the SDK's compiler declared the same functions in both levels.
+// C99 gets -fgnu89-inline, because gcc took `inline` in the meaning of GNU C until version 4.3.
 std::vector<std::string> StandardFlags(const std::string& name, Language language) {
   const bool is_cxx = name.find("++") != std::string::npos;
   if (name.empty() || is_cxx != (language == Language::kCxx)) return {};
@@ -154,7 +154,7 @@ std::vector<std::string> CarriedFlags(const std::vector<std::string>& arguments,
                                       const std::string& folder) {
   const auto absolute = [&folder](const std::string& path) {
     const fs::path whole = (fs::path(folder) / path).lexically_normal();
-    // Drops the slash at the end of "a/".
+    // Removes the slash at the end of "a/".
     return (whole.has_filename() ? whole : whole.parent_path()).string();
   };
   std::vector<std::string> flags;

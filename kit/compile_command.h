@@ -1,4 +1,4 @@
-// Translates a command line of the robot's compiler into one of the host's compiler.
+// Translates a command line of the robot's compiler into a command line of the host's compiler.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace openr_host {
 
 // The parts of a command line of the robot's g++ or gcc.
 struct CompileCommand {
-  std::vector<std::string> arguments;  // for the host's compiler, after those of compile-flags.txt
+  std::vector<std::string> arguments;  // for the host's compiler; they follow compile-flags.txt
   std::vector<std::string> sources;    // files to compile, in the order given
   std::string output;                  // value of -o; "" if not given
   bool compiles = false;               // makes object files or assembly (-c, -S)
@@ -26,8 +26,8 @@ struct CompileCommand {
 CompileCommand TranslateCompile(const std::vector<std::string>& arguments, bool is_cxx);
 
 // Returns the flags among `arguments` that change the meaning of a source: -D, -U, -I, -include,
-// -std and the like.  Relative names of files and folders in these flags become absolute; they are
-// relative to `folder`.
+// -std and the like.  Names of files and folders in these flags become absolute; relative names
+// count from `folder`.
 std::vector<std::string> CarriedFlags(const std::vector<std::string>& arguments,
                                       const std::string& folder);
 

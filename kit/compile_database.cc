@@ -13,7 +13,8 @@ namespace {
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
-// Returns the command that compiles `original`, the user's file that `command` is about.
+// Returns the words of `command`, changed so that it compiles `original`, the user's file, and not
+// the private copy of this file.
 Words WordsFor(const KitLog::Command& command, const std::string& original,
                const std::vector<SourceCopy>& copies) {
   Words words = command.words;
@@ -26,7 +27,8 @@ Words WordsFor(const KitLog::Command& command, const std::string& original,
   const auto first_flag = std::find_if(
       words.begin(), words.end(), [](const std::string& word) { return word.starts_with('-'); });
   words.insert(first_flag, originals.begin(), originals.end());
-  // Headers that the build makes, such as def.h, are beside the copy of the source only.
+  // Adds the folder of the copied source, because headers that the build makes, such as def.h, are
+  // only in this folder.
   const std::string copied_folder = fs::path(command.file).parent_path();
   words.insert(words.end(), {"-I" + copied_folder, "-c", original});
   return words;
@@ -39,7 +41,8 @@ std::string CompileDatabase(const KitLog& log, const std::vector<SourceCopy>& co
   std::error_code error;
   for (const KitLog::Command& command : log.commands) {
     const std::string original = OriginalOf(command.file, copies);
-    if (original.empty() || !fs::exists(original, error)) continue;  // a source the build has made
+    // Skips a source that the build has made, because the user has no such file.
+    if (original.empty() || !fs::exists(original, error)) continue;
     commands.push_back({{"directory", command.folder},
                         {"file", original},
                         {"arguments", WordsFor(command, original, copies)}});

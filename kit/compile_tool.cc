@@ -1,6 +1,6 @@
-// The tools mipsel-linux-g++ and -gcc, which compile for the host.  If a source does not compile,
-// the tools compile it again: first with more declarations, then with repairs of code that only the
-// old compiler accepted.
+// The tools mipsel-linux-g++ and mipsel-linux-gcc, which compile for the host.  If a source does
+// not compile, the tools compile it again: first with more declarations, then with repairs of code
+// that only the old compiler accepted.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -28,8 +28,8 @@ size_t CountErrors(const std::string& output) {
   return count;
 }
 
-// Returns `output`, the messages of g++, without its notes that it does not know a flag of the form
-// -Wno-x.
+// Returns `output`, the messages of g++, without the notes in which g++ says that it does not know
+// a flag of the form -Wno-x.
 std::string WithoutFlagNotes(const std::string& output) {
   std::istringstream lines(output);
   std::string kept;
@@ -96,8 +96,8 @@ ProcessResult CompileRun::Try(const Arguments& extra) {
                     {.environment = {{"LC_ALL", "C"}}, .captures_error = true});
 }
 
-// Compiles the sources.  If the compiler does not know some flags, which are old, compiles again
-// without these flags.
+// Compiles the sources.  If the host's compiler does not know some of the flags, compiles again
+// without these flags.  They are flags of an old compiler.
 ProcessResult CompileRun::TryKnownFlags(const Arguments& extra) {
   ProcessResult result = Try(extra);
   while (!result.good()) {
@@ -152,7 +152,7 @@ void CompileRun::Log(bool is_good) const {
   for (size_t i = 0; i < command_.arguments.size(); ++i) {
     const std::string& word = command_.arguments[i];
     if (word == "-o") {
-      ++i;  // its file
+      ++i;  // skips the file name after -o
     } else if (word != "-c" && std::find(command_.sources.begin(), command_.sources.end(), word) ==
                                    command_.sources.end()) {
       flags.push_back(word);
@@ -184,8 +184,8 @@ int CompileRun::Run() {
     if (!result.good()) RepairIfItHelps(&result);
   }
   if (result.good() && TellsOfMissingReturn(result.output) && !IsClang(compiler_)) {
-    // Adds a flag that makes every function call a helper function of the image at its end
-    // (image_source.cc).  The helper makes a missing return value 0.
+    // Adds a flag with which each function calls a helper (image_source.cc) just before it returns.
+    // The helper makes the function return 0 if the function sets no return value.
     extra_.push_back("-finstrument-functions");
     const ProcessResult again = Try(extra_);
     if (again.good()) result = again;

@@ -9,7 +9,7 @@ namespace openr_host {
 struct ControllerBuildOptions {
   std::string folder;          // folder of the controller
   std::string output;          // folder of the stick, which holds OPEN-R/; "": `folder` itself
-  std::string template_stick;  // if `output` has no stick yet, it gets a copy of this one
+  std::string template_stick;  // this stick is copied to `output` if there is no stick yet
 };
 
 // Builds the controller, puts CONTROLL.BIN and the folder's WLANCONF.TXT and *.MTN on the stick,

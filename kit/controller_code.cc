@@ -62,7 +62,7 @@ void ControllerCode::Read(const fs::path& file) {
 
 void ControllerCode::FindFunctions(const CodeFile& file) {
   const std::string& code = file.code.text;
-  size_t after = 0;  // end of the last function; calls before it are in its body
+  size_t after = 0;  // end of the last function; calls before this position are in its body
   for (const CodeCall& call : CallsIn(code, 0, code.size())) {
     if (call.at < after) continue;
     const size_t close = ClosingOf(code, call.open);

@@ -47,7 +47,7 @@ class ControllerCode {
   bool Defines(const std::string& function) const;
   bool Calls(const std::string& function) const;
 
-  // Returns the function whose body contains the position `at`; null if there is none.
+  // Returns the function whose body contains the position `at`; null if there is no such function.
   const CodeFunction* FunctionAt(const CodeFile& file, size_t at) const;
 
   // Returns the calls between the positions `begin` and `end` of a file's code.
@@ -66,7 +66,7 @@ class ControllerCode {
   static FilePosition PlaceOf(const CodeFile& file, size_t at);
 
   // Returns the text of the source from the first argument of the call on.  If the argument is a
-  // word, returns the text of the macro with this name, or "" if no macro has it.
+  // word, returns the text of the macro with this name, or "" if there is no such macro.
   std::string FirstArgument(const CodeFile& file, const CodeCall& call) const;
 
  private:

@@ -17,7 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Exports the call of main(), because all other names of the library are hidden.
+// The source of a function that calls main() of the controller.  The library exports this function;
+// all its other functions are hidden.
 constexpr char kExport[] =
     "// Generated when the controller was built.\n\n"
     "int CallControllerMain();\n\n"
@@ -54,8 +55,9 @@ std::string FolderOfController(const std::string& source) {
 bool BuildControllerLibrary(const ControllerLibraryOptions& options) {
   const fs::path scratch = fs::path(options.output).parent_path();
   const std::string folder = FolderOfController(options.source);
-  // Leaves out the checks for operations that stop the robot's processor: their functions look for
-  // the running object of the robot, and there is none here.
+  // Compiles without the sanitizer checks for operations that stop the robot's processor.  The
+  // functions that these checks call need a running OPEN-R object, and a controller library runs
+  // outside of any object.
   const Arguments flags = {"-fno-sanitize=all"};
   const auto objects = CompileController(SourcesOf(options.source), folder, scratch, flags);
   if (!objects) return false;

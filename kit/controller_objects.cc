@@ -18,8 +18,8 @@ Arguments Joined(Arguments first, const Arguments& second) {
   return first;
 }
 
-// Generates and compiles the function that calls main().  Its text depends on how the controller
-// declares main().  Returns its object file; "" after printing an error.
+// Generates and compiles the function that calls main().  The text of this function depends on how
+// the controller declares main().  Returns the object file; "" after printing an error.
 std::string CompileCallOfMain(const Arguments& objects, const fs::path& folder,
                               const fs::path& scratch, const Arguments& flags) {
   const ControllerMain main = FindControllerMain("nm", {objects.begin(), objects.end()});

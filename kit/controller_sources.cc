@@ -41,8 +41,8 @@ constexpr char kPrintVariables[] =
     "$(if $(filter file,$(origin $(v))),$(info = $($(v)))))\n"
     "openr-nothing:;\n";
 
-// Returns the error `message` for the place in the file `list`, whose content is `text`, at which
-// `word` first occurs.  If `word` does not occur, the error names the first line.
+// Returns an error with the text `message`.  Its place is the first occurrence of `word` in the
+// file `list`, whose content is `text`.  If `word` does not occur, the place is the first line.
 Diagnostic AtWord(const fs::path& list, const std::string& text, const std::string& word,
                   std::string message) {
   std::vector<Diagnostic> ignored;

@@ -9,14 +9,14 @@
 namespace openr_host {
 
 struct ControllerSources {
-  std::vector<std::filesystem::path> files;  // in the order of `list`; without a list, by name
+  std::vector<std::filesystem::path> files;  // in the order of `list`, else by name
   std::filesystem::path list;                // Makefile.sources; empty: there is none
   std::vector<Diagnostic> diagnostics;       // about the list, such as a missing file
 };
 
-// Returns the sources that Makefile.sources of `folder` names, whatever its variables are called:
-// every word that ends like a source, after make has expanded the values.  Without that file,
-// returns the *.c, *.cc and *.cpp files of the folder itself.
+// Returns the sources that Makefile.sources of `folder` names.  Its variables may have any names:
+// after make has expanded their values, every word that ends in .c, .cc or .cpp is a source.  If
+// there is no Makefile.sources, returns the *.c, *.cc and *.cpp files of the folder itself.
 ControllerSources FindControllerSources(const std::filesystem::path& folder);
 
 // Returns whether `folder` is the folder of a controller: it has a Makefile.sources, or a source

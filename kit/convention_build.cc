@@ -22,7 +22,8 @@ namespace fs = std::filesystem;
 using Paths = std::vector<fs::path>;
 
 // Returns the headers that lie in the same folders as `sources` and `shared`.  The key is the file
-// name in lower case, because #include lines may write it in another case.
+// name in lower case, because #include lines may write the name with other upper and lower case
+// letters.
 std::multimap<std::string, fs::path> HeadersByName(const Paths& sources, const Paths& shared) {
   std::set<fs::path> folders;
   for (const fs::path& file : sources) folders.insert(file.parent_path());
@@ -73,8 +74,8 @@ fs::path ChooseOcf(const ObjectFolder& object, std::string* problem) {
   return {};
 }
 
-// Returns `word`, a word of a shell command, with '$' and '#' escaped, because make gives them a
-// meaning.
+// Returns `word`, a word of a shell command, with '$' and '#' escaped, because these characters
+// have a meaning for make.
 std::string InMakefile(const std::string& word) {
   std::string text;
   for (const char c : word) {
@@ -115,10 +116,10 @@ fs::path NamedStubFolder(const ObjectFolder& object) {
 }
 
 // Returns the folder into which stubgen2 writes the stub of `object`.  This is the folder from
-// which the object's sources include the stub.  If they include no stub, it is the folder of
-// stub.cfg, because sources of other objects may include the stub from there ("../Walker/def.h").
-// If the folder of stub.cfg has a def.h written by hand, returns `build`, so that this def.h is not
-// overwritten.
+// which the object's sources include the stub.  If the sources name no such folder, it is the
+// folder of stub.cfg, because sources of other objects may include the stub from there
+// ("../Walker/def.h").  If the folder of stub.cfg has a def.h written by hand, returns `build`, so
+// that this def.h is not overwritten.
 fs::path StubFolder(const ObjectFolder& object, const fs::path& build) {
   const fs::path named = NamedStubFolder(object);
   if (!named.empty()) return named;
@@ -164,9 +165,9 @@ class ConventionBuild {
     if (!problem.empty()) return problem;
     const Paths included = SourcesIncluded(object_.sources, shared_);
     WriteMakefile(included, {});
-    // Links only the shared sources whose headers are included in the first attempt.  Hides its
-    // failure if there are other shared sources, because the second attempt links these, too, and
-    // may succeed.
+    // In the first attempt, links only the shared sources whose headers are included.  If there are
+    // other shared sources, hides a failure of this attempt, because the second attempt links these
+    // sources, too, and may succeed.
     const bool has_more = included.size() < shared_.size();
     if (Make(has_more ? MakeOptions::Says::kIfGood : MakeOptions::Says::kAlways) || !has_more)
       return "";
@@ -198,7 +199,7 @@ class ConventionBuild {
   }
 
   // Links the object with `included`, the shared sources whose headers it includes, and with all
-  // other shared sources that compile.  One of these may define the undefined names.
+  // other shared sources that compile.  One of these sources may define the undefined names.
   void LinkWithAll(const Paths& included) {
     Paths rest, compiling;
     std::set_difference(shared_.begin(), shared_.end(), included.begin(), included.end(),
@@ -215,14 +216,14 @@ class ConventionBuild {
   }
 
   // Returns the flags for the compiler.  Header folders from the object's Makefile come first,
-  // because the Makefile names the right ones.  Other folders of the project come last, because
+  // because the Makefile names the right folders.  Other folders of the project come last, because
   // they may have different headers with the same names.
   std::string CompilerFlags() const {
     std::string flags = "-O2";
     for (const std::string& flag : flags_) flags += " " + InMakefile(ShellWord(flag));
     flags += " -I" + object_.folder.string();
-    // Gives each folder only one of the two flags, because gcc searches a folder of -idirafter last
-    // even if -I names it, too.
+    // Never gives a folder both flags, -I and -idirafter, because gcc searches a folder of
+    // -idirafter last even if -I names it, too.
     const auto add = [&](const fs::path& folder, const char* search) {
       const bool is_first =
           std::find(flags_.begin(), flags_.end(), "-I" + folder.string()) != flags_.end();

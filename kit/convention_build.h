@@ -26,10 +26,10 @@ std::vector<std::filesystem::path> SourcesIncluded(
     const std::vector<std::filesystem::path>& shared);
 
 // Builds `objects` of `project` in folders below `work`.  `plan` has the variables with which make
-// was called.  With these variables, the compiler flags in the objects' Makefiles are found, which
-// are used here too.  Returns an error message for each object whose build cannot begin, for
-// example without an .ocf file.  Prints the messages of the compilers.  Failures and images are in
-// the log of `options` (kit_log.h).
+// was called.  With these variables, the compiler flags are read from the objects' Makefiles.  The
+// objects are compiled with these flags, too.  Returns an error message for each object whose build
+// cannot begin, for example without an .ocf file.  Prints the messages of the compilers.  Failures
+// and images are in the log of `options` (kit_log.h).
 std::vector<std::string> BuildByConvention(const Project& project,
                                            const std::vector<ObjectFolder>& objects,
                                            const MakePlan& plan, const std::filesystem::path& work,

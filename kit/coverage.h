@@ -1,4 +1,4 @@
-// The command `openr coverage`: the lines of the user's sources that runs have executed.
+// The command `openr coverage`: shows which lines of the user's sources were executed by runs.
 #pragma once
 
 #include <cstdint>
@@ -16,19 +16,20 @@ struct CoverageOptions {
   bool resets = false;   // forgets the counts of earlier runs instead of showing them
 };
 
-// How often each line with code was executed, by the path of the source and the line's number.
+// Numbers of executions of the lines with code, by the path of the source and the line's number.
 using LineCounts = std::map<std::string, std::map<int, uint64_t>>;
 
-// Adds the counts in `json`, the output of gcov --json-format, to `counts`: one JSON document per
-// line.  Throws std::runtime_error if the text is something else.
+// Adds the counts in `json` to `counts`.  `json` is the output of gcov --json-format, with one JSON
+// document per line.  Throws std::runtime_error if `json` is something else.
 void AddGcovCounts(const std::string& json, LineCounts* counts);
 
 // Returns the numbers of the lines that were not executed, with neighbours joined: "3, 7-9".  Lines
 // without code between two such lines do not separate them.
 std::string LinesNotRun(const std::map<int, uint64_t>& lines);
 
-// Prints what was executed, or forgets it.  Returns the exit code.  Throws std::runtime_error if
-// the folder was not built with --coverage, or if no run has left counts.
+// Prints which lines were executed or, with `resets`, deletes the counts of earlier runs.  Returns
+// the exit code.  Throws std::runtime_error if the folder was not built with --coverage, or if no
+// run has left counts.
 int ShowCoverage(const CoverageOptions& options);
 
 }  // namespace openr_host

@@ -44,7 +44,8 @@ Json Tasks(const EditorPlaces& places) {
           {"tasks", Json::array({build, debug_build, run, configure, build_tests, test})}};
 }
 
-// A program under a debugger has no limit for handlers, and its standard input stays with gdb.
+// Returns the settings for a run under gdb.  The run has no time limit for handlers, because the
+// user may stop inside one.  Its standard input is /dev/null, because gdb reads the terminal.
 Json Launch(const EditorPlaces& places) {
   Json settings = Json::array();
   for (const std::string& command : GdbSettings(places.printers))

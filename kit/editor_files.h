@@ -8,7 +8,7 @@
 
 namespace openr_host {
 
-// The places of the installation that the files name.
+// Paths of the installation that the files for the editor contain.
 struct EditorPlaces {
   std::string program;   // absolute path of the program openr
   std::string prefix;    // absolute path of the folder where CMake finds openr-host

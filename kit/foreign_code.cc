@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kArchiveMark = "!<arch>\n";
-constexpr size_t kMemberHeaderSize = 60;  // name 16, four numbers 32, size 10, end mark 2 bytes
+constexpr size_t kMemberHeaderSize = 60;  // bytes of: name 16, four numbers 32, size 10, end mark 2
 
 // Returns the ELF machine number of this host.
 unsigned HostMachine() {
@@ -103,7 +103,7 @@ std::vector<std::string> ArchiveMembers(const fs::path& file) {
     if (member.name == "//") {
       long_names = member.bytes;
     } else if (member.name.size() > 1 && member.name[0] == '/') {
-      // Looks up a name such as "/12", which stands for the name at this offset in the list of long
+      // Looks up a name such as "/12", which stands for the name at offset 12 in the list of long
       // names.
       const size_t at = std::strtoul(member.name.c_str() + 1, nullptr, 10);
       if (at < long_names.size())

@@ -125,8 +125,9 @@ class StickCompletion {
     return record.path.size() < 4 ? fs::path() : FindBelow(stick_.root, record.path.substr(4));
   }
 
-  // Returns whether no other stick is nearer to the image's .ocf file.  The nearest stick is in the
-  // deepest folder that has both a stick in it and the .ocf file below it.
+  // Returns whether no other stick is nearer to the image's .ocf file.  If the folder around a
+  // stick also contains the .ocf file, the stick is near; the deeper this folder, the nearer the
+  // stick.
   bool IsOfThisStick(const BuiltImage& image) const {
     const auto depth = [&image](const StickFolder& stick) {
       const fs::path around = stick.root.parent_path();
@@ -199,9 +200,9 @@ class StickCompletion {
         fmt::format("OBJECT.CFG:{}: {} was not built: {}", record.place.line, record.path, why));
   }
 
-  // Puts all images on this stick to which no other stick is nearer (IsOfThisStick()), and writes
-  // an OBJECT.CFG that names them.  Called when the stick has no OBJECT.CFG, because then the
-  // images that it needs are not known.
+  // Puts on this stick all images to which no other stick is nearer (IsOfThisStick()), and writes
+  // an OBJECT.CFG that names them.  Called when the stick has no OBJECT.CFG, because without this
+  // file nothing says which images the stick needs.
   void ListEverything() {
     std::string text;
     for (size_t i = 0; i < built_.size(); ++i) {

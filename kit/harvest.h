@@ -22,8 +22,9 @@ struct Harvest {
   std::vector<HarvestedImage> images;
   std::vector<std::string> problems;  // error messages, a line each
   std::vector<std::string> notes;
-  // Files that CompleteStick() has put on the stick, without those that rules of Makefiles put
-  // there.  The next build removes these files, so that they do not count as images of that build.
+  // Files that CompleteStick() has put on the stick.  Files that rules of Makefiles put there are
+  // not in this list.  The next build removes these files, so that they do not count as images of
+  // that build.
   std::vector<std::filesystem::path> placed;
   std::set<std::string> used;  // paths (KitLog::Image::file) of the images on the stick
 };
@@ -31,8 +32,8 @@ struct Harvest {
 // Puts on `stick` the images that its OBJECT.CFG names and that rules of Makefiles have not put
 // there.  `stick` is in the private copy of the user's folder.  If the stick has no OBJECT.CFG,
 // writes one that names all images.  With several sticks, a stick first gets images that were built
-// near it in the tree of folders.  If a Makefile puts an image on one stick, the image keeps that
-// name on the other sticks.
+// near it in the tree of folders.  An image that a Makefile puts on one stick has the same file
+// name on all other sticks.
 Harvest CompleteStick(const StickFolder& stick, const Project& project, const KitLog& log,
                       const std::string& sdk_root);
 

@@ -64,9 +64,9 @@ class Matcher {
     }
   }
 
-  // Applies one rule, `fits`, to the wanted names that have no candidate yet.  Pairs a name with a
-  // free candidate if the name fits no other candidate, and the candidate fits no other of these
-  // names.
+  // Applies the rule `fits` to the wanted names that have no candidate yet.  Pairs a wanted name
+  // with a free candidate if, by this rule, the name fits only this candidate and the candidate
+  // fits only this name.
   void Pair(const std::function<bool(const std::string& wanted, const std::string& name)>& fits) {
     for (size_t w = 0; w < wanted_.size(); ++w) {
       const int only = OnlyCandidate(w, fits);

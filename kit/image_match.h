@@ -8,20 +8,22 @@
 namespace openr_host {
 
 struct ImageCandidate {
-  std::vector<std::string> names;  // names of its object, file, folder and class, in any order
+  std::vector<std::string> names;  // names of the image's object, file, folder and class, in any
+                                   // order
 };
 
 // Returns for each name of `wanted` ("BLNKLED.BIN") the index of its candidate, or -1.  The rules
 // are tried in this order, each for the names that have no candidate yet.  A rule pairs a name and
-// a candidate only if no other candidate fits the name and no other name fits the candidate:
-//   - the names are equal, in any case;
+// a candidate only if no other candidate fits the name and no other name fits the candidate.  All
+// rules ignore upper and lower case:
+//   - the names are equal;
 //   - one name is the beginning of the other;
 //   - the letters of the wanted name occur in the candidate's name in this order, and both names
 //     have the same first letter;
 //   - one name is a part of the other;
 //   - the letters of the wanted name occur in the candidate's name in this order;
 //   - both have the same four letters in a row;
-//   - one wanted name and one candidate are left.
+//   - only one wanted name and one candidate are left.
 std::vector<int> MatchImages(const std::vector<std::string>& wanted,
                              const std::vector<ImageCandidate>& candidates);
 

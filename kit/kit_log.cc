@@ -47,7 +47,7 @@ std::vector<std::string> Split(const std::string& line) {
   return words;
 }
 
-// Returns `words` without the first `n`.
+// Returns `words` without the first `n` words.
 std::vector<std::string> From(size_t n, const std::vector<std::string>& words) {
   return {words.begin() + static_cast<long>(n), words.end()};
 }

@@ -38,10 +38,10 @@ struct KitLog {
     std::string place;  // "file:line"
     std::string what;
   };
-  std::vector<Image> images;      // an entry for each image file, the newest
-  std::vector<Failure> failures;  // an entry for each failure; none if the file was made later
-  std::vector<Compile> compiles;  // an entry for each file and folder, the newest
-  std::vector<Command> commands;  // an entry for each file and folder, the newest
+  std::vector<Image> images;      // for each image file only the newest entry
+  std::vector<Failure> failures;  // failures of files that were not made later
+  std::vector<Compile> compiles;  // for each file and folder only the newest entry
+  std::vector<Command> commands;  // for each file and folder only the newest entry
   std::vector<Repair> repairs;
 };
 
@@ -61,8 +61,8 @@ void LogRepair(const KitLog::Repair& repair);
 // Returns the content of the log; an empty log when there is no such file.
 KitLog ReadKitLog(const std::string& file);
 
-// Returns how many compilations the log has, those of earlier builds included; each counts as often
-// as it was made.
+// Returns the number of compilations in the log, together with the compilations of earlier builds.
+// A source that was compiled twice counts twice.
 uint64_t CountCompiles(const std::string& file);
 
 void AppendKitLog(const std::string& file, const KitLog& log);

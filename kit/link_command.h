@@ -1,5 +1,5 @@
-// Translates a command line of mkbin, the SDK's tool that links an image, into one of the host's
-// linker.
+// Translates a command line of mkbin, the SDK's tool that links an image, into a command line of
+// the host's linker.
 #pragma once
 
 #include <functional>
@@ -13,13 +13,13 @@ struct LinkCommand {
   std::string ocf;                     // the .ocf file
   std::string map;                     // value of -m, a file for the list of addresses; "": none
   std::vector<std::string> objects;    // object files, in order
-  std::vector<std::string> libraries;  // archives: those given by name and those found for -l
+  std::vector<std::string> libraries;  // archives that are given by name or found for -l
   bool is_verbose = false;             // -v
 };
 
-// Translates `arguments`, those of mkbin.  `exists` returns whether a file exists.  A library (-l)
-// that is in no folder of -L belongs to the SDK.  It is left out, because the runtime has its
-// functions.
+// Translates `arguments`, the arguments of mkbin.  `exists` returns whether a file exists.  A
+// library (-l) that is in no folder of -L belongs to the SDK.  Such a library is left out, because
+// the runtime has its functions.
 LinkCommand TranslateMkbin(const std::vector<std::string>& arguments,
                            const std::function<bool(const std::string& file)>& exists);
 

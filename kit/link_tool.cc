@@ -31,8 +31,8 @@ int Refuse(const std::string& why) {
 }
 
 // Returns whether the command has object files or libraries for another processor, and reports the
-// first one.  Such files are object files of an earlier build for the robot, which make takes for
-// up to date, or libraries for the robot that came without sources.
+// first one.  Such files are object files of an earlier build for the robot, which make believes to
+// be up to date, or libraries for the robot that came without sources.
 bool HasForeignCode(const LinkCommand& command) {
   for (const std::string& file : command.objects) {
     const std::string processor = ForeignProcessorOf(file);

@@ -39,7 +39,7 @@ size_t EndOfDirective(std::string_view code, size_t at) {
 }
 
 struct Directive {
-  size_t begin = 0;  // position of its #
+  size_t begin = 0;  // position of the character #
   size_t end = 0;
   std::string_view word;  // such as "define"
   size_t rest = 0;        // position after the word
@@ -193,9 +193,10 @@ size_t MacroTable::PutMacro(std::string_view text, size_t at, size_t origin, con
   return close + 1;
 }
 
-// Adds `text` with macros expanded to `result`.  If `text` comes from a macro, all its characters
-// get the offset `fixed` (ExpandedText::origins).  If `text` is the source itself, `fixed` is
-// kNone, and each character gets its own position.  Macros in `hidden` are not expanded.
+// Expands the macros in `text` and appends the outcome to `result`.  If `text` comes from a macro,
+// all its characters get the offset `fixed` (ExpandedText::origins).  If `text` is the source
+// itself, `fixed` is kNone, and each character gets its own position.  Macros in `hidden` are not
+// expanded.
 void MacroTable::Put(std::string_view text, size_t fixed, const Names& hidden,
                      ExpandedText* result) const {
   for (size_t at = 0; at < text.size() && result->text.size() < kExpandedMax;) {

@@ -24,7 +24,8 @@ class MacroTable {
   // Adds the macros that the text `source` defines.
   void Read(const std::string& source);
 
-  // Returns the value of a number, or of a macro that stands for a number; -1 for other words.
+  // Returns the value of `word` if it is a number, or a macro that stands for a number; -1 for
+  // other words.
   int NumberOf(std::string_view word) const;
 
   // Returns the text that a #define gives `word`, as it is written; "" if there is no such #define.

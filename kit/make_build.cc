@@ -67,8 +67,9 @@ ProcessResult Make(const fs::path& folder, const std::vector<std::string>& argum
                           .while_waiting = options.while_waiting});
 }
 
-// Returns the folders in which make must run: those with a Makefile.  Leaves out a folder below
-// another such folder, because a Makefile usually calls the Makefiles below it.
+// Returns the folders in which make must run: all folders with a Makefile.  Leaves out a folder
+// inside another folder with a Makefile, because a Makefile usually calls the Makefiles in the
+// folders inside its own.
 std::vector<fs::path> TopFolders(const Project& project) {
   std::vector<fs::path> folders;
   for (const fs::path& file : project.makefiles) {

@@ -27,8 +27,8 @@ struct MakeOptions {
 struct MakePlan {
   // Folders in which make runs, for the first target of the Makefile and for `install`.
   std::vector<std::filesystem::path> folders;
-  // Variables that are set on the command line of make, and so override those of the Makefiles, as
-  // pairs of name and value.
+  // Variables that are set on the command line of make, and so override the variables of the
+  // Makefiles, as pairs of name and value.
   std::vector<std::pair<std::string, std::string>> variables;
   // Folders into which rules of the Makefiles write.  Some Makefiles do not create them, so
   // RunMake() creates them first.
@@ -37,8 +37,8 @@ struct MakePlan {
 
 struct MakeOutcome {
   bool is_good = true;
-  // The output of make and its commands.  If make ran more than once, only the output of the last
-  // run.
+  // The output of make and its commands.  If make ran again with one job after a failure with
+  // several jobs, only the output of the second run counts.
   std::string output;
 };
 
@@ -50,7 +50,8 @@ MakePlan PlanMake(const Project& project, const std::string& sdk_root);
 // lists the images that were made.
 MakeOutcome RunMake(const MakePlan& plan, const MakeOptions& options);
 
-// Runs the Makefile in `folder` for the first target and `install`, with the variables of the plan.
+// Runs make in `folder` with the variables of the plan, for the first target of the Makefile and
+// for the target `install`.
 MakeOutcome RunMakeTargets(const std::filesystem::path& folder, const MakePlan& plan,
                            const MakeOptions& options);
 

@@ -16,9 +16,9 @@ std::string AdaptMakefile(const std::string& text, const std::string& sdk_root);
 
 struct MakefileVariable {
   std::string name;
-  bool is_defined = false;          // the text assigns to it, in any way
+  bool is_defined = false;          // the text assigns a value to it (=, := or the like)
   std::vector<std::string> values;  // as written, one per assignment
-  std::string folder;  // the folder that it names, below the SDK or stick: "" or "/OPEN_R/bin"
+  std::string folder;               // the folder of the SDK that it names: "", or "/OPEN_R/bin"
 };
 
 // Returns the variables that stand for the SDK's folder or a folder in it.  The text after a
@@ -29,7 +29,7 @@ std::vector<MakefileVariable> SdkVariables(const std::string& text);
 // Returns the variables that stand for the root of a Memory Stick, as in $(X)/OPEN-R/MW/OBJS.
 std::vector<MakefileVariable> StickVariables(const std::string& text);
 
-// Returns whether the text assigns to a variable of this name.
+// Returns whether the text assigns a value to a variable of this name.
 bool IsDefinedIn(const std::string& text, const std::string& name);
 
 // Returns the file names of images that rules write below OPEN-R/MW/OBJS, such as "HELLO.BIN".

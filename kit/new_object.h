@@ -19,8 +19,8 @@ std::string WhyNoObjectName(const std::string& name);
 // and ours), a CMakeLists.txt, and a test with openr::testing.
 std::vector<NewFile> MakeNewObject(const std::string& name);
 
-// Writes the files to `folder`.  If one of them exists already, writes none.  Returns "" or the
-// error.
+// Writes the files to `folder`.  If one of the files exists already, writes no file.  Returns "" or
+// the error message.
 std::string WriteNewObject(const std::vector<NewFile>& files, const std::string& folder);
 
 }  // namespace openr_host

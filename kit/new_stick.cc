@@ -27,8 +27,8 @@ void Write(const fs::path& file, const std::string& text) {
   if (!problem.empty()) throw std::runtime_error(problem);
 }
 
-// Returns the name of an image on the stick: that of `file` in upper case.  Throws if the stick
-// cannot hold it.
+// Returns the name that the image `file` gets on the stick: its own name in upper case.  Throws if
+// a stick cannot have a file of this name.
 std::string ImageName(const std::string& file) {
   std::string name = fs::path(file).filename();
   std::transform(name.begin(), name.end(), name.begin(),
@@ -41,7 +41,7 @@ std::string ImageName(const std::string& file) {
   return name;
 }
 
-// Returns OBJECT.CFG for the images, and copies them to `objects`.
+// Copies the images to the folder `objects`, and returns the text of an OBJECT.CFG that lists them.
 std::string PutImages(const std::vector<std::string>& images, const fs::path& objects) {
   std::string list;
   std::set<std::string> names;
@@ -55,7 +55,8 @@ std::string PutImages(const std::vector<std::string>& images, const fs::path& ob
   return list;
 }
 
-// Adds `ours` to a configuration file of the base, if it has one.
+// Adds the lines `ours` to a configuration file of the base.  Creates the file if the base has
+// none.
 void MergeInto(const fs::path& file, const std::string& ours) {
   Write(file, MergeConfig(ReadText(file).value_or(""), ours));
 }

@@ -9,16 +9,17 @@ namespace openr_host {
 struct NewStickOptions {
   std::string output;               // folder to make; OPEN-R/ will be in it
   std::vector<std::string> images;  // .BIN files, in the order of OBJECT.CFG
-  std::string connections;          // CONNECT.CFG to copy; "": an empty one
+  std::string connections;          // CONNECT.CFG to copy; "": an empty file is made
   std::string base;                 // folder whose OPEN-R/ is the base of the stick; "": none
   std::string wlan;                 // text of WLANCONF.TXT; "": none is written
 };
 
-// Makes the stick, whole or not at all.  Throws std::runtime_error with the reason of a failure.
+// Makes the stick completely or, if anything fails, not at all.  Throws std::runtime_error with the
+// reason of a failure.
 void MakeNewStick(const NewStickOptions& options);
 
 // Writes `text` as the network settings of the stick in the folder `stick`, which holds OPEN-R/.
-// Returns the path of the file.  Throws std::runtime_error.
+// Returns the path of the file.  Throws std::runtime_error if the file cannot be written.
 std::string PutWlanFile(const std::string& stick, const std::string& text);
 
 }  // namespace openr_host

@@ -24,7 +24,7 @@ bool IsMadeByStubgen(const fs::path& file, const ObjectFolder& object) {
 }
 
 // Returns the relative paths that a Makefile names: the paths with "../", and all other words that
-// contain a slash and do not begin with one.
+// contain a slash and do not begin with a slash.
 std::vector<std::string> PathsIn(const std::string& makefile) {
   std::vector<std::string> paths = UpwardPaths(makefile);
   std::string word;
@@ -83,8 +83,8 @@ bool ObjectParts::IsOfOther(const fs::path& file, const ObjectFolder& object) co
   return false;
 }
 
-// Returns the Makefiles that build `object`: those in its folder, and those elsewhere that name
-// this folder and the folder of no other object.
+// Returns the Makefiles that build `object`: the Makefiles in its folder, and Makefiles elsewhere
+// that name this folder and no folder of another object.
 std::vector<fs::path> ObjectParts::MakefilesOf(const ObjectFolder& object) const {
   Paths found;
   for (const fs::path& file : makefiles_) {
@@ -166,8 +166,8 @@ std::vector<fs::path> ObjectParts::OcfsOf(const ObjectFolder& object) const {
     if (IsOcf(file)) named.push_back(file);
   }
   if (!named.empty()) return named;
-  // Returns none without Makefiles, because for .ocf files that are not beside a stub.cfg it is not
-  // known to which object they belong.
+  // Returns no files if there are no Makefiles, because then nothing says to which object an .ocf
+  // file outside of the objects' folders belongs.
   if (makefiles_.empty()) return {};
   Paths free;
   for (const fs::path& file : all_) {

@@ -19,15 +19,15 @@ class ObjectParts {
  public:
   ObjectParts(const Project& project, const ReferredPlaces& places);
 
-  // Returns the sources and headers of `object`: those in its folder, those in folders that its
-  // Makefiles name, those that mention its class, and the headers that all of these include, with
-  // the sources beside these headers.  A file in the folder of another object counts only if a
+  // Returns the sources and headers of `object`: files in its folder, files in folders that its
+  // Makefiles name, files that mention its class, headers that all of these include, and sources
+  // with the same names as these headers.  A file in the folder of another object counts only if a
   // Makefile names that folder.  Files made by stubgen2 are left out.
   const std::vector<std::filesystem::path>& CodeOf(const ObjectFolder& object) const;
 
-  // Returns the object's .ocf files.  These are the .ocf files in its folder, or else those that
-  // its Makefiles name.  If both are missing, this is the .ocf file outside of all objects' folders
-  // whose name is most like the name of the object.
+  // Returns the object's .ocf files.  These are the .ocf files in its folder, or else the .ocf
+  // files that its Makefiles name.  If there are none of both kinds, the result is the .ocf file
+  // outside of all objects' folders whose name is most like the name of the object.
   std::vector<std::filesystem::path> OcfsOf(const ObjectFolder& object) const;
 
   // Returns whether the object's Makefiles compile it for the PC.  Such objects are a part of
@@ -41,15 +41,16 @@ class ObjectParts {
   // Returns the file names of all images that rules of Makefiles put on a stick.
   std::vector<std::string> AllImageNames() const;
 
-  // Returns whether a Makefile of the project contains this file name, in any case.
+  // Returns whether a Makefile of the project contains this file name, ignoring upper and lower
+  // case.
   bool MakefilesName(const std::string& file_name) const;
 
-  // Returns whether a rule puts an image on a stick under a name made of variables, which only make
-  // can work out.
+  // Returns whether a rule puts an image on a stick under a name with variables, whose values only
+  // make knows.
   bool HasUnreadableInstall() const;
 
-  // Finds a file by its name, in any case, outside of sticks.  Returns an empty path if there is
-  // none.
+  // Finds a file outside of the sticks by its name, ignoring upper and lower case.  Returns an
+  // empty path if there is no such file.
   std::filesystem::path FindFile(const std::string& name) const;
 
   // Returns the text of a file; for a Makefile the text that make reads (referred_places.h).

@@ -20,8 +20,8 @@ bool DefinesEntryTable(const std::string& text) {
   return text.find("ObjectEntryTable") != std::string::npos && std::regex_search(text, kTable);
 }
 
-// Returns whether the file has the name of a stub that stubgen2 makes: the class Sender has
-// SenderStub.cc.
+// Returns whether the file has the name of a stub that stubgen2 makes, such as SenderStub.cc for
+// the class Sender.
 bool IsGenerated(const fs::path& file, const std::string& class_name) {
   return !class_name.empty() && file.stem() == class_name + "Stub";
 }
@@ -46,8 +46,8 @@ ObjectFolder DescribeObject(const fs::path& folder, const std::vector<fs::path>&
   return object;
 }
 
-// Returns whether `files`, the files of one folder, make it the folder of an object.  It must have
-// a stub.cfg, or an .ocf file and a source with a table of the object's handlers (entry table).
+// Returns whether a folder with the files `files` is the folder of an object.  Such a folder has a
+// stub.cfg, or an .ocf file and a source with a table of the object's handlers (entry table).
 bool IsObjectFolder(const std::vector<fs::path>& files) {
   bool has_ocf = false, has_table = false;
   for (const fs::path& file : files) {
@@ -110,8 +110,8 @@ Project ScanProject(const std::vector<fs::path>& folders) {
   std::map<fs::path, std::vector<fs::path>> files_of;
   std::set<fs::path> seen;  // files found already, because one folder may be inside another
   for (const fs::path& folder : folders) {
-    // Searches folders outside only if the project has no stick of its own, because a build must
-    // not write to the stick of another program.
+    // Searches folders outside of the project for sticks only if the project has no stick of its
+    // own, because a build must not write to the stick of another program.
     if (project.sticks.empty()) FindSticks(folder, &project.sticks);
     for (const fs::path& file : FilesBelow(folder))
       if (seen.insert(file).second) files_of[file.parent_path()].push_back(file);
@@ -125,8 +125,8 @@ Project ScanProject(const std::vector<fs::path>& folders) {
   const auto is_ours = [&](const ObjectFolder& object) {
     return IsBelow(object.folder, project.root);
   };
-  // Makes objects of folders outside neighbours if the project has objects, so that they are not
-  // built.
+  // If the project has objects of its own, moves the objects of folders outside to `neighbours`, so
+  // that these objects are not built.
   if (std::any_of(project.objects.begin(), project.objects.end(), is_ours)) {
     const auto first =
         std::stable_partition(project.objects.begin(), project.objects.end(), is_ours);

@@ -37,16 +37,16 @@ struct Project {
   // list is empty and `objects` has the objects outside.
   std::vector<ObjectFolder> neighbours;
   std::vector<StickFolder> sticks;
-  std::vector<std::filesystem::path> makefiles;  // all, including Makefiles that others include
-  std::vector<std::filesystem::path> shared_sources;  // sources in folders of no object
+  std::vector<std::filesystem::path> makefiles;       // also Makefiles that others include
+  std::vector<std::filesystem::path> shared_sources;  // sources in folders that belong to no object
   // Folders that have headers and belong to no object.  The compiler searches them for every
   // object.
   std::vector<std::filesystem::path> header_folders;
 };
 
 // Finds the parts of a program in `folders`.  The first folder is the root of the project.  The
-// others are folders outside that its files name; objects and sticks there are used only if the
-// root has none.
+// other folders are outside of the root, and files in the root name them.  Objects and sticks in
+// these folders are used only if the root has none.
 Project ScanProject(const std::vector<std::filesystem::path>& folders);
 
 // Returns whether the text of a def.h was written by stubgen2, of any version.

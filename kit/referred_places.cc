@@ -15,7 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr size_t kOutsideFilesMax = 20'000;  // folders outside with more files are not used
+constexpr size_t kOutsideFilesMax = 20'000;  // a folder outside of the program with more files is
+                                             // not used
 
 // Returns whether the file, by its name, may be a part of a program.  From a folder around the
 // program, only such files are used, because that folder may hold many other files.
@@ -24,8 +25,8 @@ bool IsPartOfPrograms(const fs::path& file) {
          LowerCase(file.extension()) == ".ocf" || LowerCase(file.extension()) == ".cfg";
 }
 
-// The deepest nesting that is followed, of Makefiles that include others and of variables in the
-// values of variables.  The limit ends the search if a variable contains itself.
+// Largest depth of Makefiles that include other Makefiles, and of variables that contain other
+// variables.  The limit ends the search if a variable contains itself.
 constexpr int kDepthMax = 8;
 
 using Variables = std::map<std::string, std::string>;
@@ -60,8 +61,8 @@ std::string Expanded(const std::string& text, const Variables& variables) {
   return result;
 }
 
-// Returns the files that the text `makefile` includes.  Its variables have been replaced by their
-// values.
+// Returns the files that the text `makefile` includes.  The variables in `makefile` have been
+// replaced by their values before.
 std::vector<fs::path> IncludedFiles(const fs::path& folder, const std::string& makefile) {
   static const std::regex kInclude("(?:^|\n)[ \t]*[-s]?include[ \t]+([^#\n]+)");
   std::vector<fs::path> files;

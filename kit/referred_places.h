@@ -9,14 +9,14 @@
 namespace openr_host {
 
 struct ReferredPlaces {
-  // The folder itself, then folders outside of it in the order in which they were found.  No folder
-  // is inside another one.
+  // The folder of the program, then folders outside of it in the order in which they were found.
+  // No folder is inside another one.
   std::vector<std::filesystem::path> folders;
   // Folders that contain one of `folders` and that a Makefile names, such as the parent folder in
-  // "VPATH=..".  Only the files directly in them count, because the rest may not belong to the
-  // program.
+  // "VPATH=..".  Only the files directly in them count, because files in folders below them may not
+  // belong to the program.
   std::vector<std::filesystem::path> around;
-  std::vector<std::filesystem::path> files;  // the files directly in `around`
+  std::vector<std::filesystem::path> files;  // the files directly in the folders of `around`
 };
 
 // Returns the text of a Makefile and of the files that it includes.  Variables that stand for paths
@@ -24,7 +24,7 @@ struct ReferredPlaces {
 std::string ExpandedMakefile(const std::filesystem::path& file);
 
 // Returns the places that are named in files below `root`, an absolute folder, and the places that
-// are named in the files found there.
+// are named in files of these places.
 ReferredPlaces FindReferredPlaces(const std::filesystem::path& root);
 
 }  // namespace openr_host

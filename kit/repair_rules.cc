@@ -98,7 +98,7 @@ Edits LabelAtEnd(const Spot& place) {
 // is a literal.  The text then names the file and not the function; this is good enough, because
 // only people read it.
 Edits FunctionName(const Spot& place) {
-  size_t begin = NextOf(place.code, place.at);  // the message names the end of the text before
+  size_t begin = NextOf(place.code, place.at);  // the message names the text before the word
   if (place.Says("before string constant")) {
     begin = PreviousOf(place.code, place.at);
     while (begin != kNone && begin > 0 && IsWordCharacter(place.code[begin - 1])) --begin;
@@ -297,8 +297,8 @@ Edits InheritedName(const Spot& place) {
            fmt::format("'this->' put before '{}', which a template inherits", place.Quoted())}};
 }
 
-// Corrects a header's name that was written for another file system, in case and slashes:
-// #include "Sub\HEADER.H"
+// Corrects the name of a header if its slashes or its upper and lower case letters are wrong,
+// because it was written for another file system: #include "Sub\HEADER.H"
 Edits HeaderName(const Spot& place, const std::vector<std::string>& headers) {
   const size_t end = place.complaint.message.find(": No such file or directory");
   if (end == kNone) return {};

@@ -24,7 +24,7 @@ struct Edit {
   size_t begin = 0;  // offset in the file that the complaint is about
   size_t end = 0;    // equal to `begin` for an insertion
   std::string text;
-  std::string what;  // description of the repair for the user; only one of its edits has it
+  std::string what;  // description of the repair for the user; "" in further edits of a repair
 };
 
 // Returns the edits of `text`, the whole file, that repair the error of `complaint`; none if no

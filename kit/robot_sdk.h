@@ -14,9 +14,10 @@ class RobotSdk {
   static RobotSdk FromEnvironment();
 
   // Uses the SDK in the folder `root`.  Throws std::runtime_error if the folder or a tool is
-  // missing, or if the SDK is this project's own tree.  After set_verbose(true), every command is
-  // printed when it is run.
+  // missing, or if the SDK is this project's own tree.
   explicit RobotSdk(const std::filesystem::path& root);
+
+  // Sets whether every command is printed before it is run.
   void set_verbose(bool is_verbose) { is_verbose_ = is_verbose; }
 
   const std::filesystem::path& root() const { return root_; }
@@ -29,7 +30,7 @@ class RobotSdk {
                                   bool is_protected) const;
 
   // Writes def.h, entry.h and the stub to `folder`.  Throws std::runtime_error when stubgen2 fails;
-  // stubgen2 itself prints the reason.  Compile() and Link() do the same when their tools fail.
+  // stubgen2 itself prints the reason.  Compile() and Link() also throw when their tools fail.
   void GenerateStub(const std::filesystem::path& config, const std::filesystem::path& folder) const;
 
   // Compiles `source` to an object file.  `options` are flags such as -I and -D.
@@ -42,7 +43,7 @@ class RobotSdk {
             const std::vector<std::string>& libraries, const std::filesystem::path& image) const;
 
   // Returns the program that lists the symbols of object files: the SDK's nm, or else this
-  // machine's nm, which can read them too.
+  // machine's nm, which can read these files, too.
   std::string SymbolLister() const;
 
  private:

@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct RobotObject {
-  const char* name;   // name of its class, its folder and its files
+  const char* name;   // name of the object's class, folder and files
   const char* image;  // file name in OBJECT.CFG
   bool has_common;    // is linked with the sources in objects/common
   bool has_network;
@@ -71,7 +71,7 @@ class RobotStick {
     PutNetworkSettings();
     PutMotions();
     ThrowIf(CheckNames(draft_.stick()), "the robot's stick cannot hold these names");
-    CompileController();  // first, because most errors are in the controller
+    CompileController();  // compiled first, because most errors are in the controller
     CompileCommon();
     for (const RobotObject& object : kObjects) MakeImage(object);
     ThrowIf(CheckObjectConfig(draft_.stick()), "the stick is not complete");
@@ -98,8 +98,9 @@ class RobotStick {
     Write(to, MergeConfig(ReadText(to).value_or(""), ours));
   }
 
-  // Writes the network settings to the stick: those of the controller, or else those of the base,
-  // or else ours.
+  // Writes the network settings to the stick.  Takes the WLANCONF.TXT in the folder of the
+  // controller.  If there is no such file, takes the WLANCONF.TXT of the base, or else the file of
+  // this project.
   void PutNetworkSettings() {
     const fs::path to = On("SYSTEM/CONF", "WLANCONF.TXT");
     fs::path from =
@@ -254,7 +255,7 @@ void MakeHostStick(const std::string& stick, const std::string& output) {
   for (const auto& entry : fs::recursive_directory_iterator(draft.stick()))
     if (entry.path().extension() == ".DBG") debug_files.push_back(entry);
   for (const fs::path& file : debug_files) fs::remove(file);
-  fs::create_directories(SpeltBelow(draft.stick(), "OPEN-R/MW/DATA/P"));  // where programs write
+  fs::create_directories(SpeltBelow(draft.stick(), "OPEN-R/MW/DATA/P"));  // programs write here
   draft.Finish();
   fmt::print("{} run --stick {}\n", ShellWord(ProgramCall()), ShellWord(output));
 }

@@ -8,7 +8,7 @@ namespace openr_host {
 struct RobotStickOptions {
   std::string output;      // folder to create; OPEN-R/ will be in it
   std::string controller;  // folder of a controller; "": the empty controller
-  std::string base;        // folder whose OPEN-R/ is the base of the stick; "": the SDK's
+  std::string base;        // folder whose OPEN-R/ is the base of the stick; "": the base in the SDK
   std::string model = "ers210";
   std::string flavour = "WCONSOLE";
   bool is_protected = true;  // take the base with memory protection
@@ -18,12 +18,12 @@ struct RobotStickOptions {
 };
 
 // Compiles the objects with the robot's SDK, which the environment variable OPENRSDK_ROOT names,
-// and adds them to the base of a stick.  The output appears whole or not at all.  Throws
+// and adds them to the base of a stick.  If anything fails, no output is left.  Throws
 // std::runtime_error with the reason of a failure.
 void MakeRobotStick(const RobotStickOptions& options);
 
-// Copies `stick` to `output`, whole or not at all, without the files that only a debugger on the
-// host reads.
+// Copies `stick` to `output`.  Leaves out the files that only a debugger on the host reads.  If
+// anything fails, no output is left.
 void MakeHostStick(const std::string& stick, const std::string& output);
 
 }  // namespace openr_host

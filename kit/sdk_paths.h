@@ -19,7 +19,8 @@
 
 namespace openr_host {
 
-// Returns the root of the SDK tree.  Throws std::runtime_error if the program has none beside it.
+// Returns the root of the SDK tree.  Throws std::runtime_error if there is no SDK tree beside the
+// program.
 std::string SdkRoot();
 
 enum class Language { kC, kCxx };
@@ -35,11 +36,15 @@ inline constexpr char kStickVariable[] = "OPENR_KIT_STICK";      // stick that r
 inline constexpr char kCopiesVariable[] = "OPENR_KIT_COPIES";    // "copy=original:copy=original"
 inline constexpr char kVariantVariable[] = "OPENR_KIT_VARIANT";  // "debug", see build_variant.h
 
-// Environment variables that the user may set: the compilers of the host, with arguments if needed.
+// Environment variable by which the user may name the C++ compiler of the host, with arguments if
+// needed.
 inline constexpr char kCxxVariable[] = "OPENR_HOST_CXX";
+
+// Environment variable by which the user may name the C compiler of the host.
 inline constexpr char kCcVariable[] = "OPENR_HOST_CC";
 
-// Returns the words of $OPENR_HOST_CXX or "g++", or of $OPENR_HOST_CC or "gcc".
+// Returns the command of the host's compiler for a language, as words.  For C++ the command is the
+// value of $OPENR_HOST_CXX, or "g++"; for C it is the value of $OPENR_HOST_CC, or "gcc".
 std::vector<std::string> HostCompiler(Language language);
 bool IsClang(const std::vector<std::string>& compiler);
 

@@ -17,7 +17,7 @@ struct SourceCopy {
 std::vector<SourceCopy> SourceCopies();
 std::string ToEnvironment(const std::vector<SourceCopy>& copies);
 
-// Returns `text` with paths of copies replaced by those of the originals.
+// Returns `text` with the paths of copies replaced by the paths of the originals.
 std::string InTermsOfOriginals(std::string text, const std::vector<SourceCopy>& copies);
 
 // Returns the user's file of which `file`, an absolute path, is the private copy; "" when `file` is

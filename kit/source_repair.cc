@@ -23,8 +23,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Returns the errors in the output of g++: one JSON array per line, with lines of other kinds
-// between.
+// Returns the errors in the output of g++.  The output has JSON arrays, each on one line, and other
+// lines between them.
 std::vector<Complaint> ReadComplaints(const std::string& diagnostics) {
   std::vector<Complaint> complaints;
   std::istringstream lines(diagnostics);
@@ -69,8 +69,8 @@ std::vector<Complaint> ReadAssemblerComplaints(const std::string& diagnostics,
   return complaints;
 }
 
-// Returns `text` with `edits` made, which must not overlap.  The last edit in the text is made
-// first, so that the positions of the other edits stay right.
+// Applies `edits` to `text` and returns the result.  The edits must not overlap.  The last edit in
+// the text is made first, so that the positions of the other edits stay right.
 std::string Edited(std::string text, std::vector<Edit> edits) {
   std::sort(edits.begin(), edits.end(),
             [](const Edit& a, const Edit& b) { return a.begin > b.begin; });
@@ -139,7 +139,7 @@ bool RepairSession::Apply(const std::string& diagnostics, const std::vector<std:
   const std::vector<Complaint> more = ReadAssemblerComplaints(diagnostics, sources);
   complaints.insert(complaints.end(), more.begin(), more.end());
   // Leaves messages about undeclared names for a later round while a 'typename' is missing, because
-  // the missing word may be their reason.
+  // the missing 'typename' may be the reason for these messages.
   const bool is_unclear = diagnostics.find("need 'typename'") != std::string::npos;
   for (const Complaint& complaint : complaints) {
     if (is_unclear && complaint.message.find("not declared") != std::string::npos) continue;

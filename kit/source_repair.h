@@ -13,7 +13,7 @@
 namespace openr_host {
 
 // The repairs during one compilation.  While a session exists, other compiler processes wait before
-// they repair files, because several sources include the same headers.
+// they repair files, because two processes must not repair the same header at the same time.
 class RepairSession {
  public:
   RepairSession();
@@ -42,7 +42,7 @@ class RepairSession {
 
   const std::vector<SourceCopy> copies_;
   int lock_ = -1;
-  std::map<std::string, std::string> former_;  // by file: its text before the first repair
+  std::map<std::string, std::string> former_;  // texts of files before their first repair
   std::vector<KitLog::Repair> repairs_;
 };
 

@@ -26,10 +26,12 @@ size_t OffsetOf(std::string_view text, int line, int column);
 // The result of functions that find no position.
 inline constexpr size_t kNone = std::string_view::npos;
 
-// NextOf() returns the position of the first character from `at` on that is neither a blank nor a
-// line end, PreviousOf() the position of the last such character before `at`; kNone if there is
-// none.
+// Returns the position of the first character from `at` on that is neither a blank nor a line end;
+// kNone if there is no such character.
 size_t NextOf(std::string_view text, size_t at);
+
+// Returns the position of the last character before `at` that is neither a blank nor a line end;
+// kNone if there is no such character.
 size_t PreviousOf(std::string_view text, size_t at);
 
 bool IsWordCharacter(char c);
@@ -40,10 +42,11 @@ bool HasWordAt(std::string_view text, size_t at, std::string_view word);
 // Returns whether the whole word `word` occurs in the text.
 bool HasWord(std::string_view text, std::string_view word);
 
-// Returns the word that begins at `at`; "" if none does.
+// Returns the word that begins at `at`; "" if no word begins there.
 std::string_view WordAt(std::string_view text, size_t at);
 
-// Returns the position of the bracket that closes the bracket at `open`; npos if there is none.
+// Returns the position of the bracket that closes the bracket at `open`; npos if there is no such
+// bracket.
 size_t ClosingOf(std::string_view text, size_t open);
 
 }  // namespace openr_host

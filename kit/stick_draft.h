@@ -1,4 +1,4 @@
-// A Memory Stick tree that appears whole or not at all.
+// Makes a Memory Stick tree completely or, if anything fails, not at all.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@ namespace openr_host {
 // nothing.
 class StickDraft {
  public:
-  // Throws std::runtime_error if `output` is there already, or no folder can be made beside it.
+  // Throws std::runtime_error if `output` exists already, or if no folder can be made beside it.
   explicit StickDraft(const std::string& output);
   ~StickDraft();
   StickDraft(const StickDraft&) = delete;

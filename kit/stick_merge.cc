@@ -15,8 +15,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The lines of a configuration file.  `common` has those before the first line such as [ERS-210],
-// which are for all robots.  `sections` has the rest: sections for one design of robot each.
+// The lines of a configuration file.  `common` has the lines before the first section, which are
+// for all robots.  `sections` has all other lines.  Each section begins with a line such as
+// [ERS-210] and is for one design of robot.
 struct Parts {
   std::vector<std::string> common, sections;
 };

@@ -9,10 +9,11 @@
 
 namespace openr_host {
 
-// Merges the OBJECT.CFG, CONNECT.CFG or DESIGNDB.CFG of a base stick with that of an application,
-// `ours`.  The lines before the first section, such as [ERS-210], are for all robots; a section is
-// for one design of robot.  In both parts the lines of the base come first.  If both files have the
-// same line for all robots, apart from blanks, it is kept once.
+// Merges the OBJECT.CFG, CONNECT.CFG or DESIGNDB.CFG of a base stick with `ours`, the same file of
+// an application.  The lines before the first section, such as [ERS-210], are for all robots; a
+// section is for one design of robot.  The result has first the lines for all robots and then the
+// sections; in both, the lines of the base come first.  If both files have the same line for all
+// robots, apart from blanks, the result has this line once.
 std::string MergeConfig(const std::string& base, const std::string& ours);
 
 // Returns the reason why a Memory Stick of the robot cannot have a file `name`; "" if it can.  A
@@ -23,12 +24,12 @@ std::string WhyNotShortName(const std::string& name);
 // have.
 std::vector<Diagnostic> CheckNames(const std::filesystem::path& folder);
 
-// Checks a WLANCONF.TXT, the network settings.  A blank beside '=' is an error, because with it the
-// robot hangs in its boot.  An unknown key is a warning, because it has no effect.
+// Checks a WLANCONF.TXT, the network settings.  A blank beside '=' is an error, because such a
+// blank hangs the robot while it boots.  An unknown key is a warning, because it has no effect.
 std::vector<Diagnostic> CheckWlanConfig(const std::string& file, const std::string& text);
 
 // Checks that the images which OBJECT.CFG of `stick` names exist, and that an object handles the
-// pause button.  `stick` holds OPEN-R/.
+// pause button.  `stick` is the folder that holds OPEN-R/.
 std::vector<Diagnostic> CheckObjectConfig(const std::filesystem::path& stick);
 
 }  // namespace openr_host

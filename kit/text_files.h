@@ -19,22 +19,28 @@ std::string LowerCase(std::string text);
 // that old Makefiles work in a folder of this name.
 std::string WithoutOddCharacters(std::string path);
 
-// Returns the file or folder in `folder` that is called `name`, in upper or lower case; an empty
-// path if there is none.
+// Returns the file or folder in `folder` that is called `name`, ignoring upper and lower case; an
+// empty path if there is no such file or folder.
 std::filesystem::path FindEntry(const std::filesystem::path& folder, const std::string& name);
 
-// Returns the file or folder `path` below `folder`, such as OPEN-R/MW/CONF, with each part in upper
-// or lower case; an empty path if there is none.
+// Returns the file or folder `path` below `folder`, such as OPEN-R/MW/CONF, ignoring upper and
+// lower case; an empty path if there is no such file or folder.
 std::filesystem::path FindBelow(std::filesystem::path folder, const std::string& path);
 
-// Returns `path` below `folder`.  Parts that exist, in any case, are written as on the disk.
+// Returns `path` below `folder`.  Parts that exist on the disk get the upper and lower case letters
+// that they have on the disk.
 std::filesystem::path SpeltBelow(std::filesystem::path folder, const std::string& path);
 
-// Return whether a file of this name is a C or C++ source, a header, or a file with rules for make.
+// Returns whether a file of this name is a C or C++ source.
 bool IsSourceName(const std::filesystem::path& file);
+
+// Returns whether a file of this name is a header.
 bool IsHeaderName(const std::filesystem::path& file);
+
+// Returns whether a file of this name has rules for make.
 bool IsMakefileName(const std::filesystem::path& file);
-// Returns whether make finds a file of this name without -f.
+
+// Returns whether make reads a file of this name without the flag -f.
 bool IsMainMakefileName(const std::filesystem::path& file);
 
 // Returns whether the kit ignores the folder, because it cannot hold sources: a folder of version
@@ -51,7 +57,8 @@ std::vector<std::filesystem::path> FilesBelow(const std::filesystem::path& folde
 // read: Permission denied"; "" if it can be read.
 std::string WhyUnreadable(const std::filesystem::path& path);
 
-// Returns those of `folder` and the files and folders below it that exist but cannot be read.
+// Returns the files and folders that exist but cannot be read, among `folder` and all files and
+// folders below it.
 std::vector<std::filesystem::path> UnreadableBelow(const std::filesystem::path& folder);
 
 }  // namespace openr_host

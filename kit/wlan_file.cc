@@ -16,7 +16,7 @@ bool WithWep(const WlanConfig& config) { return config.wep_enable; }
 // The channel is only for ad hoc networks; an access point has its own (Installation Guide 3.2.2).
 bool MayBeAdHoc(const WlanConfig& config) { return config.ap_mode != 1; }
 
-// Returns a dotted address, which the parser has accepted, as a number.
+// Returns an address such as "10.0.1.100" as a number.  The parser has accepted the address before.
 uint32_t AddressOf(const std::string& text) {
   uint32_t address = 0;
   const char* at = text.c_str();
@@ -93,8 +93,9 @@ const std::vector<WlanQuestion>& WlanQuestions() {
 }
 
 std::string SetWlanKey(const std::string& key, const std::string& value, WlanConfig* config) {
-  // The parser is the one place that knows what is allowed.  It begins with the robot's defaults,
-  // so only the key is taken from its result.
+  // Checks the value with the parser, because only the parser knows which values are allowed.  The
+  // parser begins with the robot's defaults, so all other keys are given to it again with their old
+  // values.
   const WlanResult result = ParseWlanConfig("", key + "=" + value);
   if (!result.diagnostics.empty()) return result.diagnostics[0].message;
   std::string text;

@@ -17,7 +17,8 @@ struct WlanQuestion {
   const char* key;       // "ETHER_IP"
   const char* flag;      // "--ip"
   const char* question;  // "Address of the robot"
-  // Says whether the answer has a meaning, given the settings before it.
+  // Returns whether the setting has a meaning beside the other settings.  If not, it is not asked
+  // for.
   bool (*is_asked)(const WlanConfig& config);
 };
 
@@ -25,26 +26,26 @@ struct WlanQuestion {
 const std::vector<WlanQuestion>& WlanQuestions();
 
 // Sets `key` to `value`, as a line KEY=VALUE of the file does.  Returns the reason why the robot
-// would not accept it ("CHANNEL must be a number from 1 to 11"); "" if it is set.
+// would not accept the value ("CHANNEL must be a number from 1 to 11"); "" if it is set.
 std::string SetWlanKey(const std::string& key, const std::string& value, WlanConfig* config);
 
-// Returns the value of `key` as it stands in a file; "" if it has none.
+// Returns the value of `key`, written as in a file; "" if the key has no value.
 std::string WlanValue(const WlanConfig& config, const std::string& key);
 
-// Asks each question by `ask`, which gets the text of the question and the value that holds without
-// an answer, and returns the answer; nullopt at the end of the input.  An answer that the robot
-// would not accept is given to `refuse` with the reason, and the question is asked again.  Returns
-// false if the input ended before the last question.
+// Asks each question by `ask`.  `ask` gets the text of the question and the present value, which
+// stays if the answer is empty.  `ask` returns the answer, or nullopt at the end of the input.  An
+// answer that the robot would not accept is given to `refuse` with the reason, and the question is
+// asked again.  Returns false if the input ended before the last question.
 bool AskForWlan(const std::function<std::optional<std::string>(const std::string& question,
                                                                const std::string& value)>& ask,
                 const std::function<void(const std::string& reason)>& refuse, WlanConfig* config);
 
-// Returns the text of a WLANCONF.TXT, with the line ends of Sony's file.  Settings that have no
-// meaning beside the others are left out.
+// Returns the text of a WLANCONF.TXT, with the line ends of Sony's file.  Leaves out settings that
+// another setting makes meaningless, such as the key of a network without encryption.
 std::string WlanText(const WlanConfig& config);
 
-// Returns warnings about settings that are good each for itself but do not fit together, such as a
-// gateway that is not in the robot's network.  `file` is named in them.
+// Returns warnings about settings that are valid but do not fit together, such as a gateway that is
+// not in the robot's network.  The warnings name `file`.
 std::vector<Diagnostic> CheckWlanSense(const std::string& file, const WlanResult& settings);
 
 }  // namespace openr_host

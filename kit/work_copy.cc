@@ -161,8 +161,8 @@ void WorkCopy::CopyFile(const fs::path& original) {
       left_out_.insert(*entry);
     return;
   }
-  // Does not copy files for another processor, such as the robot's, because make would take them
-  // for up to date.
+  // Does not copy files for another processor, such as the robot's, because make would believe that
+  // they are up to date.
   const std::string processor = ForeignProcessorOf(original);
   if (!processor.empty()) {
     left_out_[original] = processor;

@@ -76,7 +76,7 @@ struct StandIn {
 };
 
 // Returns the folder of the default stick, which comes with openr-host: its objects make the dog
-// stand up.  Throws std::runtime_error when it is not found.
+// stand up.  Throws std::runtime_error when the folder is not found.
 std::string DefaultStick();
 
 // Returns the seed in the environment variable OPENR_SEED; 1 when the variable is not set.
@@ -87,7 +87,7 @@ struct BenchOptions {
                                       // stick
   std::vector<StandIn> replace = {};  // objects of the stick that are replaced
   std::string body = "none";          // "none"; "ideal": joints follow exactly; "ode": physics
-  std::string robot = "ers210";       // name of a model
+  std::string robot = "ers210";       // name of a robot model
   // A world file, the user's own or one that came with the program ("corridor.json"); "": a flat
   // floor.
   std::string world = "";
@@ -99,7 +99,7 @@ struct BenchOptions {
   std::string images = "world";
   uint64_t seed = SeedOfEnvironment();
   bool strict = false;  // whether the limits of the robot (memory, stack) are enforced
-  // The virtual time that handlers take; null: handlers take none.
+  // The virtual time that handlers take; null: handlers take no time.
   std::shared_ptr<openr_host::CostModel> cost = {};
   // Gives observers read-only copies of the data that they receive, to find two mistakes.  A write
   // to received data crashes at the line that writes.  A use of data after the observer has given
@@ -141,11 +141,13 @@ class Bench {
   // Connects a subject with an observer by their full names, like a line of CONNECT.CFG.
   void Wire(const std::string& subject, const std::string& observer);
 
-  // Watch() adds a probe, which receives what the subject `subject` sends.  Feed() adds a probe,
-  // which sends to the observer `observer`.  Both connect the probe with that service.  If the
-  // object with the service is on the bench already, the first parts of the service's name are
-  // enough ("Blinker.Light").
+  // Adds a probe, and connects it with the subject `subject`, so that the probe receives what the
+  // subject sends.  If the object of the subject is on the bench already, the first parts of the
+  // subject's name are enough ("Blinker.Light").
   ProbeObserver& Watch(const std::string& subject);
+
+  // Adds a probe, and connects it with the observer `observer`, so that the probe can send to the
+  // observer.  `observer` may be a part of the name, as in Watch().
   ProbeSubject& Feed(const std::string& observer);
 
   // Returns the probe with this name, also if it replaces an object of the stick.  Throws
@@ -163,10 +165,11 @@ class Bench {
   bool Step(Place place = Place::Here());
 
   // Runs until an object ("JointMover") or a service ("JointMover.Mover") has handled its next
-  // message, or waits for a reply in its handler.  The second function does the same for the next
-  // message that fits `spec`.  Both report a failure if no such message comes within `budget` of
-  // virtual time.
+  // message, or waits for a reply in its handler.  Reports a failure if no such message comes
+  // within `budget` of virtual time.
   bool StepTo(const std::string& end, Duration budget = 10s, Place place = Place::Here());
+  // Runs until the next message that fits `spec` was handled, or its handler waits for a reply.
+  // Reports a failure if no such message comes within `budget` of virtual time.
   bool StepTo(const MessageSpec& spec, Duration budget = 10s, Place place = Place::Here());
   // Runs until the handler of the message with this number has returned.  Failures print the
   // numbers of messages, so with this function a test can stop where it failed.
@@ -185,7 +188,7 @@ class Bench {
   // everything that is due at the last of them.
   bool Frame(int count = 1, Place place = Place::Here());
   // Runs to the end of the `count`-th sensor vector from now, and delivers everything that is due
-  // then.  A sensor vector holds 4 frames of the body.  Needs a body (BenchOptions::body).
+  // at that time.  A sensor vector holds 4 frames of the body.  Needs a body (BenchOptions::body).
   bool SensorVector(int count = 1, Place place = Place::Here());
   // Runs until the body has made one more step.  Stops before any object receives data of that
   // step.  Needs a body.
@@ -215,7 +218,7 @@ class Bench {
   void Reorder(std::vector<std::string> objects, Place place = Place::Here());
 
   // Hold(), Drop() and Refuse() make the test fail if too few fitting messages come.  Optional()
-  // lets it pass then: bench.Drop(Notify("Blinker.Light")).Optional().
+  // lets the test pass nevertheless: bench.Drop(Notify("Blinker.Light")).Optional().
 
   // Keeps back, from now on, messages that fit `spec`, until the test releases them.
   HeldMessages& Hold(const MessageSpec& spec, Place place = Place::Here());
@@ -275,7 +278,7 @@ class Bench {
   int64_t now_us() const { return system_->now_us(); }
   const std::string& console() const { return console_; }  // text that objects have printed
   // Returns the object's state: the text after "state: " in the last such line of its log.  Returns
-  // "" when it has logged none.
+  // "" when the object has logged no such line.
   const std::string& state(const std::string& object) const;
 
   // Return the state of a device.  `name` is the name of the device ("RF_j1", "chin", "head_led")
@@ -286,23 +289,24 @@ class Bench {
   int LedIntensity(std::string_view name) const;     // 0: dark
   double RollDeg() const;
   double PitchDeg() const;                     // right-handed: nose down is positive
-  bool Standing(Place place = Place::Here());  // after the next 0.6 s, by the rule of docs/cli.md
+  bool Standing(Place place = Place::Here());  // after the next 0.6 s; rule: docs/cli.md
   openr_host::VirtualRobot& dog() const;
   const openr_host::RobotModel& model() const { return *model_; }
 
   // ---- Actions of a person on the dog; docs/inputs.md
   //
   // Each of these functions adds an input, which takes effect at the next frame boundary, or at
-  // once if the bench is at one.  If the input is refused, for example because the dog has no such
-  // sensor, the test fails at the line of the call and the function returns false.
+  // once if the bench is at a frame boundary.  If the input is refused, for example because the dog
+  // has no such sensor, the test fails at the line of the call and the function returns false.
 
   // Adds any input: "press chin for 300ms", "send Blinker.Alarm 5", "type hello".
   bool Do(std::string_view input, Place place = Place::Here());
 
   // Presses a sensor that people touch: "back", "chin", "head", "paw_LF" ..., for a duration or
-  // until Release().  SetSensor() makes a sensor read a value, in its OPEN-R unit.
+  // until Release().
   bool Press(std::string_view sensor, Duration duration = 0s, Place place = Place::Here());
   bool Release(std::string_view sensor, Place place = Place::Here());
+  // Makes a sensor read `value`, in the OPEN-R unit of the sensor.
   bool SetSensor(std::string_view sensor, int32_t value, Place place = Place::Here());
   // Presses the pause button on the dog's back.  That cuts the motor power and sets the pause bit
   // of the power status, which objects can watch.
@@ -342,8 +346,8 @@ class Bench {
   // Makes the bench call `see` for every message, just before its handler runs.
   void OnMessage(std::function<void(const SeenMessage&)> see) { see_.push_back(std::move(see)); }
 
-  // Returns what each failure adds to its text: the last messages, the objects that wait and what
-  // they wait for, and how to repeat the run.
+  // Returns the text that is added to each failure: the last messages, the objects that wait and
+  // what they wait for, and how to repeat the run.
   std::string Story() const;
 
   // Makes this bench independent of the bench in the original process: copies its stick and notes
@@ -365,21 +369,23 @@ class Bench {
   std::vector<std::string> KnownServices();
   // Returns the full name of the service whose full name, or first parts, are `name`.  `direction`
   // is 'S' for a subject, 'O' for an observer.  If only services of the other direction fit,
-  // returns one of them, so that the caller can say so.  Throws std::invalid_argument when no
-  // service fits, or several do.
+  // returns one of them, so that the caller can report this mistake.  Throws std::invalid_argument
+  // when no service fits, or several do.
   std::string FullName(const std::string& name, char direction);
   // Adds a probe with one service, a subject if `direction` is 'S' and an observer if it is 'O'.
-  // Connects it with `given`, a service of the other direction.  Returns the probe and the full
-  // name of its service.
+  // Connects the probe with `given`, a service of the other direction.  Returns the probe and the
+  // full name of the probe's service.
   std::pair<Probe*, std::string> AddOtherEnd(const std::string& given, char direction);
 
   // Calls `run`, which lets the robot run.  Meanwhile refuses objects new threads and sockets,
-  // because with these no run would repeat.  Reports each refusal, and each error that the runtime
-  // has found in an object, as a failure.  Returns false if there were any.
+  // because a run with threads or sockets cannot be repeated.  Reports each refusal, and each error
+  // that the runtime has found in an object, as a failure.  Returns false if there were such
+  // failures.
   bool Control(const Place& place, const std::function<void()>& run);
   bool ReportFindings(const Place& place);
   void AllowFinding(size_t index) { told_.insert(index); }
-  // Reports the failure `what` with Story() at the line `place`.  Always returns false.
+  // Reports the failure `what` with Story() at the line `place`.  Always returns false, so that a
+  // caller can return this result.
   bool Miss(const Place& place, const std::string& what);
   bool IsRunning(const Place& place);  // reports a failure if Boot() was not called
   void See(const openr_host::Message& message);
@@ -393,7 +399,7 @@ class Bench {
   bool InjectReady(const MessageSpec& spec, const Place& place);
   bool InjectEntry(const MessageSpec& spec, std::string_view bytes, const Place& place);
   static std::string CommandOf(uint64_t seed);
-  // Returns the end of a connection that `name` names; reports a failure if there is none.
+  // Returns the end of a connection that `name` names; reports a failure if there is no such end.
   std::optional<openr_host::ServiceEnd> FindEnd(const std::string& name,
                                                 openr_host::ServiceSide side, const Place& place);
 

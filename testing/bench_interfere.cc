@@ -83,7 +83,7 @@ bool Bench::InjectReady(const MessageSpec& spec, const Place& place) {
 }
 
 bool Bench::InjectEntry(const MessageSpec& spec, std::string_view bytes, const Place& place) {
-  constexpr uint32_t kSelectors = 64;  // most entries that an object can have
+  constexpr uint32_t kSelectors = 64;  // largest number of entries that an object can have
   const Object& target = object(spec.to());
   uint32_t selector = 0;
   while (selector < kSelectors && target.EntryName(selector) != spec.entry()) ++selector;
@@ -148,7 +148,7 @@ void Bench::Reorder(std::vector<std::string> objects, Place place) {
 HeldMessages& Bench::Hold(const MessageSpec& spec, Place place) {
   const bool is_good = CheckNames(spec, place);
   HeldMessages& held = doors_.Hold(spec, place);
-  return is_good ? held : held.Optional();  // a wrong name has failed the test already
+  return is_good ? held : held.Optional();  // a wrong name fails the test only once
 }
 
 DroppedMessages& Bench::Drop(const MessageSpec& spec, int count, Place place) {

@@ -1,4 +1,4 @@
-// Bench: functions that run the robot, and those that check the test's expectations.
+// Bench: functions that run the robot, and functions that check the test's expectations.
 #include <fmt/format.h>
 
 #include "testing/bench.h"

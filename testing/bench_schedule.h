@@ -1,6 +1,6 @@
-// BenchSchedule decides the order of messages on a bench where the robot leaves it open, such as
-// which of two objects gets a message first.  The seed decides, unless the test prefers an object.
-// A test can also delay or refuse messages.
+// BenchSchedule decides the order of messages on a bench where the robot leaves this order open,
+// such as which of two objects gets a message first.  The seed decides, unless the test prefers an
+// object.  A test can also delay or refuse messages.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// BenchStick, the Memory Stick of a bench: a temporary folder.  It is removed with the bench, so a
-// test can neither spoil a stick nor disturb another test.
+// BenchStick, the Memory Stick of a bench: a temporary folder.  The folder is removed together with
+// the bench, so a test can neither spoil a stick nor disturb another test.
 #pragma once
 
 #include <memory>
@@ -19,7 +19,7 @@ class BenchStick : public openr_host::MemoryStick {
   // Throws std::runtime_error when OPEN-R is missing or the disk has no room for the copy.
   explicit BenchStick(const std::string& model);
 
-  // ---- For tests.  Names of files are those of the robot: "/MS/OPEN-R/MW/DATA/P/TABLE.TXT"
+  // ---- For tests.  Names of files are written as on the robot: "/MS/OPEN-R/MW/DATA/P/TABLE.TXT"
 
   // Creates or replaces a file, and creates the folders above it.  Throws std::runtime_error when
   // the name is not below /MS.

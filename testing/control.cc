@@ -1,6 +1,6 @@
 // Defines pthread_create() and socket(), so that a bench can refuse them to objects.  Calls from
-// everywhere in the program come here, because the linker prefers definitions in a program to those
-// of its libraries.
+// everywhere in the program come here, because the linker prefers definitions in a program to
+// definitions in libraries.
 #include "testing/control.h"
 
 #include <fmt/format.h>

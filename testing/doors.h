@@ -1,4 +1,4 @@
-// Doors, through which a test holds back or drops messages between two objects.
+// Doors: a test uses them to hold back or drop messages between two objects.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ class System;
 namespace openr::testing {
 
 // Messages that are held back until the test releases them.  A released message is due at once, and
-// is delivered before all other messages that are due then with the same priority.
+// is delivered before all other messages that are due at the same time with the same priority.
 class HeldMessages {
  public:
   HeldMessages(openr_host::System* system, MessageSpec spec, const Place& place)
@@ -54,7 +54,7 @@ class HeldMessages {
   bool has_held_ = false;
   bool is_open_ = false;
   std::deque<openr_host::OwnedMessage> messages_;
-  std::set<uint64_t> passing_;  // numbers of messages released one by one; not held again
+  std::set<uint64_t> passing_;  // numbers of messages that ReleaseOne() has released
 };
 
 // Messages that are dropped on their way: their receivers never get them.

@@ -2,7 +2,7 @@
 //
 // Expected messages must come in the order in which the test has named them.  Other messages may
 // come between them.  In a strict bench a notification must be expected next or allowed; any other
-// is a failure.
+// notification is a failure.
 #pragma once
 
 #include <deque>

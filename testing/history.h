@@ -1,4 +1,4 @@
-// History, the last delivered messages.  Failures print them.
+// History, the last delivered messages.  Failures of tests print these messages.
 #pragma once
 
 #include <deque>

@@ -1,9 +1,10 @@
-// MessageSpec, a description of messages.  All functions of a bench that concern messages take one.
+// MessageSpec, a description of messages.  All functions of a bench that concern messages take a
+// MessageSpec.
 //
 //   Notify("Blinker.Blink", "Eye.Light")            data that Blinker sends to Eye
 //   Notify("Blinker.Blink").With(Data<int>(Gt(3)))  data above 3 that Blinker sends to anybody
 //   Ready("Eye.Light", "Blinker.Blink")             AssertReady() of the observer Eye.Light
-//   ToEntry("Blinker", "Alarm")                     a message for another handler, as for DoStart
+//   ToEntry("Blinker", "Alarm")                     a message for the handler Alarm of Blinker
 //
 // A sender or receiver is named by its object ("Blinker") or by its service ("Blinker.Blink", or
 // the full name).  An empty name fits every sender or receiver.
@@ -37,9 +38,9 @@ class MessageSpec {
   MessageSpec ToEntry(std::string name) const;
   MessageSpec With(PayloadMatcher payload) const;
 
-  // Matches() returns whether `message` meets all conditions.  MatchesEnds() does not check the
-  // condition on the payload.
+  // Returns whether `message` meets all conditions.
   bool Matches(const SeenMessage& message) const;
+  // Returns whether `message` meets all conditions but the condition on the payload.
   bool MatchesEnds(const SeenMessage& message) const;
 
   const std::optional<MessageKind>& kind() const { return kind_; }

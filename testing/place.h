@@ -1,5 +1,5 @@
-// Place, a line in the source of a test.  A function that can fail takes one, so that its failure
-// points to the line that called it.
+// Place, a line in the source of a test.  A function that can fail takes a Place, so that its
+// failure points to the line that called the function.
 #pragma once
 
 #include <functional>
@@ -26,9 +26,11 @@ using ReportAt = std::function<void(const Place&, const std::string&)>;
 void Fail(const Place& place, const std::string& text);
 
 // Returns whether the running test has failed fatally, as with ASSERT_EQ().  In a copy of the
-// process (RunInCopy()) GoogleTest does not know that, because failures are sent to the original
-// process.  So the copy calls NoteFatalFailure() for each of them.
+// process (RunInCopy()) GoogleTest does not know this, because failures are sent to the original
+// process.  So the copy calls NoteFatalFailure() for each fatal failure.
 bool FailedFatally();
+
+// Makes FailedFatally() return true from now on, in a copy of the process.
 void NoteFatalFailure();
 
 }  // namespace openr::testing

@@ -26,12 +26,12 @@ namespace openr::testing {
 struct ReceivedEvent {
   int64_t time_us = 0;
   uint64_t number = 0;  // number of the message
-  std::string from;     // "Blinker.Blink"
+  std::string from;     // name of the sender, such as "Blinker.Blink"
   int notify_count = 1;
   std::vector<std::string> data;  // bytes of each datum
 
-  // Returns datum `i` as a T.  If the message has no such datum, or one of another size, reports a
-  // failure and returns zeros.
+  // Returns datum `i` as a T.  If the message has no such datum, or a datum of another size,
+  // reports a failure and returns zeros.
   template <typename T>
   T as(size_t i = 0, Place place = Place::Here()) const {
     static_assert(std::is_trivially_copyable_v<T>, "what objects send each other is plain data");
@@ -97,14 +97,14 @@ class ProbeObserver {
 // A message "ready" or "not ready" that a probe's subject received from an observer.
 struct ReceivedReady {
   int64_t time_us = 0;
-  std::string from;       // "Eye.Light"
+  std::string from;       // name of the sender, such as "Eye.Light"
   bool asserted = false;  // true: AssertReady(); false: DeassertReady()
 };
 
 class ProbeSubject {
  public:
-  // Sends `value` to the connected observers.  Data for an observer that is not ready wait until it
-  // is, as on the robot.  Reports a failure when no observer is connected.
+  // Sends `value` to the connected observers.  Data for an observer that is not ready wait until
+  // the observer is ready, as on the robot.  Reports a failure when no observer is connected.
   template <typename T>
   OStatus Send(const T& value, Place place = Place::Here()) {
     Set(value, place);
@@ -122,8 +122,9 @@ class ProbeSubject {
   // Sends the characters of `text` and a NUL at their end.
   OStatus SendText(const std::string& text, Place place = Place::Here());
 
-  // Return whether all connected observers are ready, and whether any of them is.
+  // Returns whether all connected observers are ready.
   bool all_ready() const { return end_->IsAllReady() != 0; }
+  // Returns whether at least one connected observer is ready.
   bool any_ready() const { return end_->IsAnyReady() != 0; }
   const std::vector<ReceivedReady>& readies() const { return readies_; }
 
@@ -152,8 +153,8 @@ class Probe : public openr_host::CodeObject {
   static void CheckServices(const std::vector<std::string>& services);
 
   // Return the subject or observer with the name `service`.  The first parts of its name are
-  // enough, with or without the object: "Eye.Light" or "Light".  If the probe has none,
-  // std::invalid_argument lists those that it has.
+  // enough, with or without the object: "Eye.Light" or "Light".  If the probe has no such service,
+  // throws std::invalid_argument with the names of its services.
   ProbeSubject& subject(std::string_view service);
   ProbeObserver& observer(std::string_view service);
 

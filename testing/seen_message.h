@@ -16,8 +16,8 @@ namespace openr::testing {
 enum class MessageKind : uint8_t {
   kNotify,    // data of a subject for an observer
   kReady,     // AssertReady() of an observer, for a subject
-  kNotReady,  // DeassertReady()
-  kReply,     // answer to a Call(), or to a Send() that wants one
+  kNotReady,  // DeassertReady() of an observer, for a subject
+  kReply,     // answer to a Call(), or to a Send() that wants an answer
   kOther,     // DoInit and the like, other handlers, messages of the system
 };
 
@@ -28,7 +28,7 @@ const char* WordFor(MessageKind kind);
 class SeenMessage {
  public:
   // REQUIRES: `system` outlives this object.  `message` must still exist when data() or
-  // data_count() is called; only a copy from Past() can do without it.
+  // data_count() is called; only a copy from Past() does not need the message.
   SeenMessage(const openr_host::System& system, const openr_host::Message& message);
 
   // Returns a copy without the data.  The copy can be used after the delivery, when the message no
@@ -53,8 +53,8 @@ class SeenMessage {
   // connection or a reply, returns the word of WordFor() instead, such as "notify".
   std::string entry() const;
 
-  // Returns the number of data in the message.  A notification may have several.  Any other message
-  // has one, the bytes of its payload, or none.  A copy from Past() has none.
+  // Returns the number of data in the message.  A notification may have several data.  Any other
+  // message has one datum, the bytes of its payload, or no data.  A copy from Past() has no data.
   int data_count() const;
   // Returns the bytes of datum `i`.  REQUIRES: 0 <= i < data_count().
   std::string_view data(int i) const;

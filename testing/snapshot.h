@@ -15,8 +15,8 @@
 //   }
 //
 // A copy (made with fork) takes less than a millisecond and shares nothing with other copies, so a
-// test may change the state or crash.  A failure or a skip in a copy counts for the test that runs
-// there, at the same line.
+// test may change the state or crash.  If a test fails or is skipped in a copy, the original
+// process reports this for the test, with the file and line where it happened in the copy.
 #pragma once
 
 #include <functional>
@@ -33,8 +33,8 @@ namespace openr::testing {
 void RunInCopy(const std::function<void()>& body, const Place& place);
 
 // A state from which several tests go on, each in a copy of the process.  World is any type, such
-// as Bench.  If it has a function OnCopied(), each copy calls that first, to replace what copies
-// must not share (a Bench replaces its stick).
+// as Bench.  If World has a function OnCopied(), each copy calls this function first, to replace
+// what copies must not share (a Bench replaces its stick).
 template <typename World>
 class Snapshot {
  public:

@@ -1,5 +1,6 @@
-// StoryTeller adds to each failure of a test what happened on its bench.  That holds for failures
-// of the bench's functions, plain EXPECTs, crashes, and handlers that do not return.
+// StoryTeller adds a text to each failure of a test: what happened on the bench of the test.  Such
+// failures are failures of the bench's functions, plain EXPECTs, crashes, and handlers that do not
+// return.
 #pragma once
 
 #include <cstdint>

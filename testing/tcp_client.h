@@ -1,12 +1,12 @@
-// TcpClient, a network client on another computer.  It does the steps of a script that the test
-// writes.
+// TcpClient, a network client on another computer.  The client does the steps of a script that the
+// test writes.
 //
 //   bench.AddClient().Connect(54000).Send("PING\n").Hear("PONG\n").Close();
 //   bench.RunFor(1s);
 //
 // The client acts only at frame boundaries of the virtual time (every 8 ms), where all input from
-// outside enters a robot.  So a run with clients, too, is the same each time.  Bench::Verify()
-// makes the test fail if a script has not ended.
+// outside enters a robot.  So a run with clients is the same each time, too.  Bench::Verify() makes
+// the test fail if a script has not ended.
 #pragma once
 
 #include <cstdint>
@@ -84,7 +84,7 @@ class TcpClient : public openr_host::CodeObject {
   bool ended_ = false;
   bool broken_ = false;
   std::string heard_;
-  size_t passed_ = 0;  // bytes at the beginning of heard_ that steps have used
+  size_t passed_ = 0;  // number of bytes of heard_ that the steps so far have used
 };
 
 }  // namespace openr::testing

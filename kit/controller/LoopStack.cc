@@ -1,6 +1,6 @@
 // The functions of objects/Controller/LoopStack.h for the host, where the main() of a controller
 // may be an endless loop.  The loop runs on a second stack: robot_step() leaves that stack, and
-// when its time has passed, the Controller object continues the loop.  This file becomes a part of
+// after the time step the Controller object continues the loop.  This file becomes a part of
 // images, so it is written in gnu++98.
 #include "LoopStack.h"
 

@@ -32,8 +32,8 @@ Controller::DoInit(const OSystemEvent&)
     NEW_ALL_SUBJECT_AND_OBSERVER;
     REGISTER_ALL_ENTRY;
     SET_ALL_READY_AND_NOTIFY_ENTRY;
-    // Keeps the reports in this buffer, so that none is lost: JointMover sends them without waiting
-    // for Controller.
+    // Gives the observer a buffer for reports of JointMover, so that no report is lost: JointMover
+    // sends reports without waiting for Controller.
     observer[obsSetValue]->SetBufCtrlParam(0, 1, MAX_NUM_DATA);
 
     char design[orobotdesignNAME_MAX + 1] = "";
@@ -54,7 +54,7 @@ Controller::DoStart(const OSystemEvent&)
 {
     ENABLE_ALL_SUBJECT;
     ASSERT_READY_TO_ALL_OBSERVER;
-    observer[obsImage]->DeassertReady();  // camera_enable() asserts ready
+    observer[obsImage]->DeassertReady();  // no images before camera_enable() asserts ready
     OSYSLOG1((osyslogINFO, "state: waiting"));
     return oSUCCESS;
 }
@@ -351,8 +351,8 @@ Controller::ContinueLoop()
     LoopStackContinue();
 }
 
-// Ends the program by exit(), which ends the method that runs while the object goes on
-// (Programmer's Guide, appendix A.2).
+// Ends the program by exit().  On the robot, exit() ends only the running method, and the object
+// goes on (Programmer's Guide, appendix A.2).
 void
 Controller::EndLoop()
 {

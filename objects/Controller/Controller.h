@@ -1,6 +1,6 @@
 //
-// Controller runs a controller program on the robot that is written as for the simulator Webots
-// (Hohl 2004, section 5.3).
+// Controller runs a controller program on the robot that is written in the style of the simulator
+// Webots (Hohl 2004, section 5.3).
 //
 //   Controller.Led, Controller.Ear -> OVirtualRobotComm.Effector
 //   Controller.BatchMover          -> JointMover: the buffer of joint commands

@@ -10,8 +10,8 @@
 
 #include "ControllerCore.h"
 
-// Sets the core that the functions of include/device use.  `core` must exist as long as they may be
-// called.  If `core` is 0, these functions do nothing and return 0.
+// Sets the core that the functions of include/device use.  `core` must exist as long as these
+// functions may be called.  If `core` is 0, these functions do nothing and return 0.
 void SetControllerCore(ControllerCore* core);
 ControllerCore* GetControllerCore();
 

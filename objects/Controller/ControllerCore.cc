@@ -7,7 +7,7 @@
 #include "Angle.h"
 
 // Time step, in frames, while no controller program runs and until the program asks for another
-// one: 32 ms, the shorter of the two time steps that Hohl 2004, 5.3.4, recommends.
+// time step: 32 ms, the shorter of the two time steps that Hohl 2004, 5.3.4, recommends.
 static const int DEFAULT_STEP_FRAMES = 4;
 
 static const int FRAME_MS = 8;
@@ -153,8 +153,8 @@ ControllerCore::Step(int ms)
 }
 
 // Ends the program if its code called exit().  exit() ends only the method that is running, not the
-// object (Programmer's Guide, appendix A.2).  place_ then still says that the code is running, and
-// this is how the call is recognised here.
+// object (Programmer's Guide, appendix A.2).  After exit(), place_ still says that the code is
+// running.  This is how the call of exit() is recognised here.
 void
 ControllerCore::EndIfItDidNotReturn()
 {
@@ -163,9 +163,9 @@ ControllerCore::EndIfItDidNotReturn()
     run_ = 0;
 }
 
-// Begins the next iteration, because the last LED vector has ended.  The effector may not be ready
-// although this event says so.  Then a vector that waited has just been sent, and its end will call
-// this function again.
+// Begins the next iteration, because the last LED vector has ended.  Does nothing if the effector
+// is not ready in spite of this event: then a vector that waited has just been sent, and the end of
+// that vector will call this function again.
 void
 ControllerCore::LedReady()
 {
@@ -183,8 +183,8 @@ ControllerCore::LedReady()
     SendBuffers();
 }
 
-// Sends all that has changed.  Sends the LED vector even without a change, because its end begins
-// the next iteration.
+// Sends all that has changed.  Sends the LED vector even without a change, because the end of this
+// vector begins the next iteration.
 void
 ControllerCore::SendBuffers()
 {
@@ -212,8 +212,8 @@ ControllerCore::SendBatchIfChanged()
     port_->SendBatch(batch_);
 }
 
-// Sends ears that could not be sent before.  A program with a loop sends them in its next iteration
-// instead.
+// Sends a change of the ears that could not be sent before.  A program with a loop sends this
+// change in its next iteration instead.
 void
 ControllerCore::EarReady()
 {

@@ -38,12 +38,15 @@ public:
     // Ends the controller program, because the robot is shut down.
     void Die();
 
-    // Called when new sensor values, a ready message of an observer, or new values of the remote
-    // control have arrived.
+    // Called when new sensor values have arrived.
     void SetSensors(const SensorValues& values) { sensors_ = values; }
+
+    // Called when the observer of LED vectors, ear vectors or batch commands has become ready.
     void LedReady();
     void EarReady();
     void BatchMoverReady();
+
+    // Called when the remote control has changed LEDs or ears.
     void RemoteLights(const LedEarState& change);
 
     // Sets the ears of `mask` to their positions in the key frame (posture) that a motion has
@@ -51,7 +54,7 @@ public:
     // on.
     void MotionEars(Uint32 mask, Uint32 on);
 
-    // The functions of the program's interface (include/device) call the functions below.
+    // The functions below are called by the functions of include/device, which the program calls.
     int FindDevice(const char* locator);
     void Live(void (*reset)());
     void OnDie(void (*die)()) { die_ = die; }
@@ -65,7 +68,7 @@ public:
     void MotorOff(int joint);
 
 private:
-    // The function of the program that runs now.
+    // The function of the program that runs now: none, main() or a run function.
     enum Place { NOWHERE, IN_MAIN, IN_RUN };
 
     static void CallMain(void* core);

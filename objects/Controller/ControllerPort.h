@@ -15,10 +15,13 @@ class ControllerPort {
 public:
     virtual ~ControllerPort() {}
 
-    // Return whether the receiver of one kind of output is ready for the next one: LED vectors, ear
-    // vectors, batch commands for JointMover.
+    // Returns whether the effector is ready for the next LED vector.
     virtual bool IsLedReady() = 0;
+
+    // Returns whether the effector is ready for the next ear vector.
     virtual bool IsEarReady() = 0;
+
+    // Returns whether JointMover is ready for the next batch command.
     virtual bool IsBatchMoverReady() = 0;
 
     // Sends a vector for all LEDs that lasts `frames` frames of 8 ms.  LED i is on when bit i of
@@ -56,13 +59,17 @@ public:
     // Prints a text of the controller program on the robot's console.
     virtual void Print(const char* text) = 0;
 
-    // Run a program that is an endless loop.  Such a program is left in robot_step() and continued
-    // there later, which needs a second stack.  RunLoop() calls `body`, on the second stack if
-    // there is one.  It returns when `body` has ended or has called LeaveLoop().  ContinueLoop()
-    // continues `body` after its call of LeaveLoop(), and returns in the same two cases.
-    // LeaveLoop() returns false at once when there is no second stack.
+    // Calls `body`, a program that may be an endless loop.  Such a program is left in robot_step()
+    // and continued there later.  Because this needs a second stack, calls `body` on the second
+    // stack if there is one.  Returns when `body` has ended or has called LeaveLoop().
     virtual void RunLoop(void (*body)(void*), void* argument) = 0;
+
+    // Called by `body`, to leave its loop.  Returns true when ContinueLoop() continues `body`.
+    // Returns false at once when there is no second stack.
     virtual bool LeaveLoop() = 0;
+
+    // Continues `body` after its call of LeaveLoop().  Returns when `body` has ended or has called
+    // LeaveLoop() again.
     virtual void ContinueLoop() = 0;
 
     // Ends the program, after LeaveLoop() has failed, by ending the method of the object that runs

@@ -1,12 +1,12 @@
 //
 // A second stack for controller programs that are an endless loop (ControllerPort::RunLoop).  The
-// program can leave it in the middle of the loop, so that the object's method returns, and continue
-// there later.
+// program can leave this stack in the middle of the loop, so that the object's method returns, and
+// continue there later.
 //
 // OPEN-R gives an object only one stack, and an object whose method does not return handles no more
 // messages (Hohl 2004, 5.3.3).  So there are two implementations, from which the build chooses:
-// LoopStack.cc for the robot has no second stack, so a program that is an endless loop stops the
-// object there.  kit/controller/LoopStack.cc for the host has one.
+// LoopStack.cc for the robot has no second stack, so robot_step() ends such a program there.
+// kit/controller/LoopStack.cc for the host has a second stack.
 //
 
 #ifndef LoopStack_h_DEFINED
@@ -25,8 +25,8 @@ bool LoopStackLeave();
 // `body` has called LoopStackLeave() and has not been continued since.
 void LoopStackContinue();
 
-// Reports a mistake of the controller program outside of the robot's log: on a host, in the list of
-// findings.
+// Reports a mistake of the controller program in the list of findings of a host.  Does nothing on
+// the robot.
 void TellRunner(const char* text);
 
 // Reports the text of a mistake with `name`, which is not one of the `count` known names.  The host

@@ -64,10 +64,10 @@ mtn_delete(MTN* motion)
     delete motion;
 }
 
-// Plays the motion.  It counts as playing from now on, although JointMover may first move the robot
-// to its first key frame.  While another motion plays, sends nothing, because JointMover would
-// refuse the command.  If both motions were of the same file, the report of this refusal would look
-// as if the motion that plays had ended.
+// Plays the motion.  The motion counts as playing from now on, although JointMover may first move
+// the robot to the first key frame of the motion.  While another motion plays, sends nothing,
+// because JointMover would refuse the command.  If both motions were of the same file, the report
+// of this refusal would look as if the motion that plays had ended.
 void
 mtn_play(MTN* motion)
 {
@@ -101,9 +101,9 @@ mtn_get_time(MTN* motion)
     return motion->keyFrame < 0 ? motion->file.DurationMs() : motion->file.TimeMs(motion->keyFrame);
 }
 
-// Returns 1 when the motion has reached its last key frame.  Decides by key frames instead of time,
-// because gaps of a motion may be long.  A motion of one key frame is over only when JointMover
-// reports it.
+// Returns 1 when the motion has reached its last key frame.  Decides by key frames and not by time,
+// because the time between two key frames may be long.  A motion of one key frame is over only when
+// JointMover reports it.
 int
 mtn_is_over(MTN* motion)
 {

@@ -110,9 +110,9 @@ JointMover::ReadyMove(const OReadyEvent& event)
     SendReports();
 }
 
-// Sends two vectors at first, and then one for each vector that has ended.  Sends none while the
-// effector is not ready, because a new vector would then replace the vector that waits (measured:
-// of several vectors, the latest stays).
+// Sends two vectors at first, and then one for each vector that has ended.  Sends no vector while
+// the effector is not ready, because a new vector would then replace the vector that waits
+// (measured: of several vectors, the latest stays).
 void
 JointMover::SendVectors()
 {
@@ -129,8 +129,8 @@ JointMover::SendVectors()
     numUnderWay_ += numSet;
 }
 
-// Returns the number of regions that the effector still uses: those with more references than our
-// own.
+// Returns the number of regions that the effector still uses.  JointMover itself has one reference
+// to each region, so a region with more references is in use.
 int
 JointMover::NumBusyRegions() const
 {
@@ -166,7 +166,7 @@ JointMover::FillRegion(RCRegion* region)
 }
 
 // Lets a controller begin at once when it has replaced another controller while the robot stands.
-// After the start of the robot, this event comes before the robot stands and has no effect.
+// During the start of the robot, this event comes before the robot stands, and has no effect.
 void
 JointMover::ReadyMainExecution(const OReadyEvent& event)
 {
@@ -282,7 +282,7 @@ JointMover::StateChanged(MoverState state)
 }
 
 // Sets the message but does not send it.  SendReports() sends all messages of a handler together,
-// because a second NotifyObservers() would replace the messages of the first.
+// because a second call of NotifyObservers() would replace the messages of the first call.
 void
 JointMover::Report(const SetValueMessage& message)
 {

@@ -16,9 +16,9 @@ public:
     // Makes a set of joints.  `port` must outlive the set.
     explicit JointSet(MoverPort* port);
 
-    // Puts every joint at rest at its measured position.  Each joint gets the highest speed of its
-    // row in `robot` and the default acceleration.  The gains of all joints count as off, and motor
-    // power as on.
+    // Puts every joint at rest at its measured position.  The limits of each joint become the
+    // highest speed that `robot` has for this joint, and the default acceleration.  The gains of
+    // all joints count as off, and motor power as on.
     void Begin(const RobotConstants* robot);
 
     int NumJoints() const { return robot_->numJoints; }
@@ -31,7 +31,7 @@ public:
     void SetAcceleration(int joint, Sint32 cdeg);
 
     // Moves the joint to `urad` in `frames` frames, whatever its limits of speed and acceleration
-    // are.  A position beyond the joint's range becomes its end.
+    // are.  A position beyond the joint's range becomes the end of this range.
     void Track(int joint, Sint32 urad, int frames);
 
     // Puts the joint at rest at `urad`, because a motion has moved the joint to this position.
@@ -49,13 +49,15 @@ public:
     // Has no effect while motor power is off.
     void Wake(int joint, Sint32 urad);
 
-    // SwitchPowerOff() switches the gains of all joints off and then motor power.  SwitchPowerOn()
-    // switches motor power on, and leaves the gains off.
+    // Switches the gains of all joints off, and then motor power.
     void SwitchPowerOff();
+
+    // Switches motor power on, and leaves the gains of all joints off.
     void SwitchPowerOn();
     bool HasPower() const { return hasPower_; }
 
-    // Sets the P, I and D gain of the joint.  While the gain is off, they wait until it is on.
+    // Sets the P, I and D gain of the joint.  While the joint is off, the gains are only stored;
+    // they are used when the joint is switched on.
     void SetGain(int joint, const Sint32 gain[3]);
 
     // Returns whether there is a vector to send: because a joint moves, or because the gain of a
@@ -63,13 +65,16 @@ public:
     bool IsBusy() const;
     bool IsMoving(int joint) const;
 
-    // Advances all joints by one frame of 8 ms, and writes their positions at its end to `urad`.
+    // Advances all joints by one frame of 8 ms, and writes their positions at the end of the frame
+    // to `urad`.
     void Step(Sint32 urad[MAX_JOINTS]);
     Sint32 Position(int joint) const { return trajectory_[joint].Position(); }
 
-    // Called when command vector number `vector` was made, and when it has ended.  The number of
-    // each vector is 1 more than that of the vector before.
+    // Called when command vector number `vector` was made.  The number of each vector is 1 more
+    // than the number of the vector before.
     void VectorMade(Sint32 vector);
+
+    // Called when command vector number `vector` has ended.
     void VectorEnded(Sint32 vector);
 
 private:

@@ -36,8 +36,9 @@ MoverCore::MoveJoint(const MoverCommand& command)
         joints_.SetAcceleration(command.joint, command.value);
 }
 
-// Moves a joint that follows another robot.  Positions of that robot come again and again, so the
-// joint goes to a far position within its limits, as to the first key frame of a motion.
+// Moves a joint that follows another robot, whose positions come again and again.  The joint moves
+// to a near position in the number of frames that the command has.  It moves to a far position
+// within its limits of speed and acceleration, as to the first key frame of a motion.
 void
 MoverCore::Track(const MoverCommand& command)
 {
@@ -52,7 +53,7 @@ MoverCore::Track(const MoverCommand& command)
 }
 
 // Returns the position at which a limp joint is to be held.  This is its old position if it has
-// hardly moved; otherwise it would creep when it is switched off and on again and again.
+// hardly moved; otherwise the joint would creep a little each time it is switched off and on.
 Sint32
 MoverCore::HoldPosition(int joint) const
 {

@@ -114,7 +114,7 @@ MoverCore::Remember(const VectorPlan& plan)
     joints_.VectorMade(record.number);
 }
 
-// Returns whether the present state is completed with the last frame that was made.
+// Returns whether the last frame that was made completes the present state.
 bool
 MoverCore::HasArrived() const
 {
@@ -169,8 +169,9 @@ MoverCore::Advance()
     }
 }
 
-// Searches the start-up postures from `index` on.  Skips those that the robot's model lacks and
-// those that the robot is already in, and begins the movement to the first one left.
+// Searches the start-up postures from `index` on.  Skips the postures that the robot's model lacks
+// and the postures that the robot is already in, and begins the movement to the first posture that
+// is left.
 void
 MoverCore::EnterPosture(int index)
 {
@@ -204,7 +205,7 @@ MoverCore::Report(Sint32 keyFrame, const Sint32* commanded)
     port_->Report(message);
 }
 
-// Fills in the states of the plungers (ears).  They are those of the key frame reached last,
+// Fills in the states of the plungers (ears).  Takes the states of the key frame reached last,
 // because plungers are not interpolated.
 void
 MoverCore::FillEars(SetValueMessage* message) const

@@ -25,7 +25,7 @@
 
 // Number of frames of a vector outside of motions: 4 x 8 ms, which is the period of the sensor
 // vectors.  Because two vectors are in the effector, a command begins to act after 64 ms at most.
-// Full vectors of 128 ms would make that 256 ms; shorter vectors would double the messages for
+// Full vectors of 128 ms would make this time 256 ms; shorter vectors would double the messages for
 // little gain.
 const int MANUAL_VECTOR_FRAMES = 4;
 
@@ -73,16 +73,17 @@ public:
     // joint goes to the new position after the motion.
     void MoveJoint(const MoverCommand& command);
 
-    // Switches the motor of a joint off or on, or with MOVER_ALL_JOINTS the power of all motors,
-    // which ends a motion.  Only a command to switch on, or for a single joint a position in a
-    // buffer of a controller, wakes a joint that is off (Hohl 2004, section 5.3.6).
+    // Switches the motor of a joint off or on.  With MOVER_ALL_JOINTS, switches the power of all
+    // motors; switching it off also ends a motion.  A joint that is off is switched on again by
+    // this command or, while there is motor power, by a position in the buffer of a controller.  No
+    // other command wakes it (Hohl 2004, section 5.3.6).
     void SwitchMotor(const MoverCommand& command);
 
     // Sets the gains of a joint.
     void SetGain(const MoverCommand& command);
 
-    // Carries out the differences between this buffer of a controller and the buffer before.  A
-    // buffer can also switch joints off and on again, which MoveJoint() cannot do.
+    // Carries out the differences between this buffer of a controller and the buffer that came
+    // before.  A buffer can also switch joints off and on again, which MoveJoint() cannot do.
     void Batch(const BatchMoverCommand& command);
 
     // Begins the motion in `bytes`, the content of a motion file.  Returns false and sets `error`
@@ -135,7 +136,7 @@ private:
     MtnPlayer player_;
     char file_[MTN_NAME_SIZE];
     int loops_, keyFramesPerVector_;
-    bool inMotion_[MAX_JOINTS];  // [joint]: whether the motion moves it
+    bool inMotion_[MAX_JOINTS];  // [joint]: whether the motion moves this joint
     bool deferred_[MAX_JOINTS];  // [joint]: whether a position waits for the end of the motion
     bool deferredWake_[MAX_JOINTS];
     Sint32 deferredGoal_[MAX_JOINTS];

@@ -16,9 +16,11 @@ public:
     // Returns the present angle of a joint in urad (10^-6 rad).
     virtual Sint32 Measure(int joint) = 0;
 
-    // EnableGain() enables the gain of a joint and sets its values: the P, I and D gain in `gain`,
-    // and the shifts of the robot's table.  DisableGain() disables the gain.
+    // Enables the gain of a joint and sets its values: the P, I and D gain in `gain`, and the
+    // shifts of the robot's table.
     virtual void EnableGain(int joint, const Sint32 gain[3]) = 0;
+
+    // Disables the gain of a joint, which becomes limp.
     virtual void DisableGain(int joint) = 0;
 
     // Switches the power of all motors on or off.

@@ -58,8 +58,8 @@ PowerMonitor::UpdatePowerStatus(void* msg)
     ShutdownRobot();
 }
 
-// Shuts the robot down.  Continues when a step fails, because the robot must be switched off in any
-// case.
+// Shuts the robot down.  Continues when a step fails, because the robot must be switched off
+// nevertheless.
 void
 PowerMonitor::ShutdownRobot()
 {

@@ -2,8 +2,8 @@
 
 #include <string.h>
 
-// Size, in bytes, of all but a few answers.  Answers to requests that arrived together go into one
-// send, as long as one more answer of this size fits into RC_MAX_PACKET.
+// Size, in bytes, that most answers do not exceed.  Answers to requests that arrived together go
+// into one send, as long as one more answer of this size fits into RC_MAX_PACKET.
 static const int USUAL_ANSWER_SIZE = 256;
 
 void

@@ -8,10 +8,10 @@
 //
 // Answers come before packets of streams.  All answers are sent in the order of their requests.
 //
-// Packets of streams are sent when the client has sent a packet since the last ones, usually an
-// EVENT packet, which has no answer.  Then no bytes are on their way to the client, so neither a
-// slow client nor Nagle's algorithm delays the answers that follow.  A client that sends nothing
-// gets packets of streams every EVENT_FRAMES.
+// Packets of streams are sent only after the client has sent a packet since the last packets of
+// streams.  Usually this is an EVENT packet, which has no answer.  The packet shows that no bytes
+// are on their way to the client, so neither a slow client nor Nagle's algorithm delays the answers
+// that follow.  A client that sends nothing gets packets of streams every EVENT_FRAMES.
 //
 
 #ifndef ClientSession_h_DEFINED
@@ -28,7 +28,8 @@ const int RC_IDLE_SECONDS = 10;
 class ClientSession {
 public:
     // Size of the buffer for NextAnswers() and NextEvents(), in bytes.  At most the first
-    // RC_MAX_PACKET bytes are sent; an answer that has no room there waits behind them.
+    // RC_MAX_PACKET bytes are sent; an answer that does not fit into these bytes is kept behind
+    // them until the next send.
     static const int SEND_SIZE = 2 * RC_MAX_PACKET;
 
     ClientSession() : handler_(0), number_(0) { Reset(); }
@@ -48,7 +49,7 @@ public:
     // bytes are needed.
     int NextAnswers(Uint8* buffer);
 
-    // Writes the due packets of streams to `buffer` and returns their size; 0: none is due.
+    // Writes the due packets of streams to `buffer` and returns their size; 0: no packet is due.
     // REQUIRES: NextAnswers() has just returned 0.
     int NextEvents(Uint8* buffer);
 
@@ -72,7 +73,8 @@ public:
 
 private:
     // Time between packets of streams to a client that sends nothing, in frames of 8 ms: 224 ms.
-    // After 200 ms the client's host has acknowledged all earlier bytes (network.md 4.3).
+    // The time is longer than the 200 ms within which the client's host acknowledges all earlier
+    // bytes (network.md 4.3), so that no packet waits for an acknowledgement.
     static const Uint32 EVENT_FRAMES = 28;
 
     void Reset();
@@ -88,7 +90,7 @@ private:
     bool hasSpoken_;     // whether the client has sent a packet since the last packet of a stream
     Uint32 eventFrame_;  // frame of the last packet of a stream
     int heldAt_;         // place in the buffer of an answer that did not fit into the last send
-    int heldSize_;       // size of that answer; 0: there is none
+    int heldSize_;       // size of this answer; 0: there is no such answer
 };
 
 #endif  // ClientSession_h_DEFINED

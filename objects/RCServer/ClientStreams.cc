@@ -19,15 +19,17 @@ ClientStreams::Begin(int stream, Uint16 period, Uint16 tag)
 }
 
 // Returns whether the period since lastFrame is over.  Also returns true when frame numbers have
-// begun anew, because the difference is large then; so a packet comes early, and not never.
+// begun anew: then `frame` is less than lastFrame, and the difference of these unsigned numbers is
+// very large.  So the next packet comes too early, which is better than a long wait.
 bool
 ClientStreams::IsPeriodOver(const Stream& stream, Uint32 frame) const
 {
     return !stream.wasSent || frame - stream.lastFrame >= stream.period;
 }
 
-// Counts new values of a stream.  Sensor values come in every vector, so only those count for which
-// a packet is due.  All set values count, because each is a key frame.
+// Counts new values of a stream.  Sensor values come in every vector, so a sensor value counts only
+// if a packet is due for it.  All set values (reports of JointMover) count, because each of them is
+// a key frame.
 void
 ClientStreams::NewValues(int stream, Uint32 frame)
 {

@@ -43,7 +43,7 @@ private:
         Uint16 period;
         bool wasSent;      // whether lastFrame is valid
         Uint32 lastFrame;  // frame of the last packet that was sent or was due
-        Uint16 numNew;     // number of values since the last packet for which a packet was due
+        Uint16 numNew;     // number of values that NewValues() has counted since the last packet
     };
 
     bool IsPeriodOver(const Stream& stream, Uint32 frame) const;

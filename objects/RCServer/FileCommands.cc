@@ -45,7 +45,7 @@ int
 RequestHandler::BeginUpload(RcReader* in, RcWriter* out)
 {
     RcUploadBegin request;
-    // Ends the upload before, even if the new request is wrong.
+    // Ends an earlier upload, even if the new request is wrong.
     upload_[client_].Abort();
     if (!request.Read(in)) return FailSize();
     if (request.kind >= NUM_RC_FILE_KINDS) return FailKind(request.kind);

@@ -177,7 +177,7 @@ FileUpload::PutInPlace(StickStore* store, std::string* why)
 {
     const std::string target = store->Path(target_);
     // Copies the old image instead of renaming it, so that the stick always has an image: without
-    // one the robot would not boot.
+    // an image the robot would not boot.
     if (target_.kind == rcfileIMAGE && StickStore::SizeOf(target) >= 0) {
         const std::string copy = store->Path(rcfileIMAGE, TemporaryName("OLD"));
         if (!store->Copy(target, copy) ||

@@ -6,8 +6,9 @@
 
 #include "TextFormat.h"
 
-// Writes records from a number on, as many as there is room for.  If older records are not kept any
-// more, begins with the oldest record; the client sees this by the number of the first record.
+// Writes as many records as there is room for, from the record number in the request on.  If older
+// records are not kept any more, begins with the oldest record; the client sees this by the number
+// of the first record.
 int
 RequestHandler::TellLog(RcReader* in, RcWriter* out)
 {

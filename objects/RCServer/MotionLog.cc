@@ -2,7 +2,8 @@
 
 #include "Angle.h"
 
-// Returns whether the vendor's motion files have the joint.  They lack mouth and tail.
+// Returns whether the log has the joint.  The log has the same joints as the vendor's motion files,
+// which lack mouth and tail.
 static bool
 IsLogged(const JointConstants& joint)
 {

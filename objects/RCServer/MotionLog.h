@@ -25,8 +25,10 @@ public:
     // which have the state of the paws.
     void Add(const SetValueMessage& report, const SensorValues& sensors);
 
-    // Return the number of records so far, and the number of the oldest record that is kept.
+    // Returns the number of records so far.
     Uint32 Count() const { return count_; }
+
+    // Returns the number of the oldest record that is kept.
     Uint32 Oldest() const { return count_ > (Uint32)CAPACITY ? count_ - CAPACITY : 0; }
 
     int RecordSize() const { return LogRecordSize(numJoints_); }

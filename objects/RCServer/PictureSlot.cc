@@ -11,7 +11,8 @@ PictureSlot::Take(int client, int layer, Uint32 frame)
     isHere_ = false;
 }
 
-// Keeps a copy of the layer.  Cuts a layer that is larger than that of any known robot.
+// Keeps a copy of the layer.  Cuts off the end of a layer that is larger than all layers of known
+// robots.
 void
 PictureSlot::Put(const CameraLayer& layer)
 {

@@ -44,9 +44,10 @@ public:
     // Keeps a copy of the layer.  REQUIRES: IsWaiting().
     void Put(const CameraLayer& layer);
 
-    // Returns the number of parts, and writes part number `part` with its head.  REQUIRES: IsHere();
-    // 0 <= part < NumParts().
+    // Returns the number of parts of the picture.  REQUIRES: IsHere().
     int NumParts() const;
+
+    // Writes part number `part` with its head.  REQUIRES: IsHere(); 0 <= part < NumParts().
     void WritePart(int part, RcWriter* out) const;
 
 private:

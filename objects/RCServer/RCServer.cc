@@ -41,8 +41,8 @@ RCServer::DoInit(const OSystemEvent&)
     NEW_ALL_SUBJECT_AND_OBSERVER;
     REGISTER_ALL_ENTRY;
     SET_ALL_READY_AND_NOTIFY_ENTRY;
-    // Keeps the reports in this buffer, so that none is lost: JointMover sends them without waiting
-    // for RCServer.
+    // Gives the observer a buffer for reports of JointMover, so that no report is lost: JointMover
+    // sends reports without waiting for RCServer.
     observer[obsSetValue]->SetBufCtrlParam(0, 1, MAX_NUM_DATA);
 
     char design[orobotdesignNAME_MAX + 1] = "";
@@ -65,7 +65,7 @@ RCServer::DoStart(const OSystemEvent&)
 {
     ENABLE_ALL_SUBJECT;
     ASSERT_READY_TO_ALL_OBSERVER;
-    observer[obsImage]->DeassertReady();  // WantImage() asserts ready
+    observer[obsImage]->DeassertReady();  // no images before WantImage() asserts ready
     ipstack_ = antStackRef("IPStack");
     for (int i = 0; i < RC_PLACES; i++) {
         if (NewBuffer(i) != oSUCCESS) return oFAIL;
@@ -125,7 +125,7 @@ void
 RCServer::NotifyImage(const ONotifyEvent& event)
 {
     const int layer = handler_.WantedLayer();
-    if (layer < 0) return;  // this image was sent before the client had gone
+    if (layer < 0) return;  // this image was sent before the client left
     OFbkImageVectorData* vector = (OFbkImageVectorData*)event.Data(event.NumOfData() - 1);
     const OFbkImageInfo* info = vector->GetInfo(layer);
     CameraLayer image;
@@ -213,7 +213,7 @@ RCServer::WantImage(bool wanted)
 void
 RCServer::EndRun(bool reboot)
 {
-    // only the first request counts
+    // The first request decides between shutdown and reboot; later requests are ignored.
     if (runEnd_ == runGOES_ON) runEnd_ = reboot ? runREBOOT : runSHUTDOWN;
 }
 
@@ -228,7 +228,7 @@ RCServer::EndRunInTime(Uint32 frame)
 }
 
 // Shuts the robot down as PowerMonitor does.  After a shutdown the robot boots when the pause
-// button is pressed; a reboot is a boot by the timer after no time (robot.md 15.3).
+// button is pressed; a reboot is a boot by the timer after 0 s (robot.md 15.3).
 void
 RCServer::ShutDownRobot()
 {

@@ -74,8 +74,8 @@ private:
         byte* receiveData;
         byte* sendData;
         ClientSession session;
-        bool isReceiving;  // whether a receive runs, and whether a send runs
-        bool isSending;
+        bool isReceiving;  // whether a receive runs
+        bool isSending;    // whether a send runs
         Uint32 lastFrame;  // frame in which the client last sent bytes
     };
 
@@ -116,7 +116,7 @@ private:
     LedEarState ledEar_;  // changes that wait until Controller is ready
     RunEnd runEnd_;       // set by a request for shutdown or reboot
     bool isEnding_;       // whether the answer to the request for the end was sent
-    Uint32 endFrame_;     // frame in which that answer was sent
+    Uint32 endFrame_;     // frame in which this answer was sent
     bool isStopped_;
 };
 

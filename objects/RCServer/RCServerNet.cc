@@ -10,8 +10,10 @@
 
 #include "entry.h"
 
-// Sizes, in bytes, of the two parts of a client's shared buffer: received bytes, and bytes to send.
+// Size, in bytes, of the part of a client's shared buffer that holds received bytes.
 static const int RECEIVE_SIZE = RC_MAX_PACKET;
+
+// Size, in bytes, of the part of a client's shared buffer that holds the bytes to send.
 static const int SEND_SIZE = ClientSession::SEND_SIZE;
 
 // Memory of an endpoint, in bytes: twice the largest send, as in Sony's samples (network guide,
@@ -114,8 +116,8 @@ RCServer::NumServed() const
     return count;
 }
 
-// Gives the waiting client a place: a free place, or that of the client that has been silent for
-// the longest time.  Silent clients keep their places while no client waits.
+// Gives the waiting client a place: a free place, or the place of the client that has been silent
+// for the longest time.  Silent clients keep their places while no client waits.
 void
 RCServer::PlaceWaiting(Uint32 frame)
 {

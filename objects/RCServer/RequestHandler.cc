@@ -86,7 +86,7 @@ RequestHandler::Answer(int client, const RcFramer& request, RcWriter* out)
 }
 
 // Writes the answer to one request, which is a packet or a part of a batch.  When `out` has no room
-// for the answer, writes an error; its text is cut off where the room ends.
+// for the answer, writes an error answer; if its text does not fit either, the text is cut off.
 void
 RequestHandler::AnswerOne(const RcHeader& request, const Uint8* payload, RcWriter* out)
 {

@@ -32,9 +32,12 @@ public:
     // Returns "" or the path of a file that could not be removed.
     std::string Begin(const RobotConstants* robot, const std::string& stickRoot = "");
 
-    // Set the newest sensor values of the robot, and the newest report of JointMover.
+    // Sets the newest sensor values of the robot.
     void SetSensors(const SensorValues& values);
+
+    // Sets the newest report of JointMover.
     void SetMover(const SetValueMessage& message);
+
     // Returns the layer of the picture that a client waits for; -1: no client waits.
     int WantedLayer() const { return picture_.IsWaiting() ? picture_.Layer() : -1; }
     // Gives the picture to the client that waits for it.
@@ -53,9 +56,11 @@ public:
     // Returns the frame number of the newest sensor values.
     Uint32 Frame() const { return sensors_.frame; }
 
-    // HasEvents() returns whether a packet of a stream is due for a client.  WriteEvents() writes
-    // all due packets to `out`.  REQUIRES: `out` is empty and has room for RC_MAX_PACKET bytes.
+    // Returns whether a packet of a stream is due for a client.
     bool HasEvents(int client) const { return streams_[client].Due(sensors_.frame) >= 0; }
+
+    // Writes all packets of streams that are due for a client to `out`.  REQUIRES: `out` is empty
+    // and has room for RC_MAX_PACKET bytes.
     void WriteEvents(int client, RcWriter* out);
 
     // Ends the upload, the subscriptions and the picture of a client whose connection has ended.
@@ -67,7 +72,7 @@ public:
 
     // Writes to `out` the answer that all `places` are taken by clients that have sent requests in
     // the last `seconds`.  The connection ends after this answer.  `request` is 0 when the client
-    // has sent none.
+    // has sent no request.
     void AnswerNoPlace(const RcFramer* request, int places, int seconds, RcWriter* out);
 
 private:

@@ -32,11 +32,11 @@ public:
     // Celsius.
     virtual void ReadBattery(Sint32* capacity, Sint32* temperature) = 0;
 
-    // Reads the power status.  Returns false when the robot does not report it.
+    // Reads the power status.  Returns false when the robot does not report its power status.
     virtual bool ReadPower(RcPower* power) = 0;
 
     // Reads the P, I and D gain of a joint and their shifts.  Returns false when the gain is
-    // disabled; then all six are 0.
+    // disabled; then all six values are 0.
     virtual bool ReadGains(int joint, Uint16 gains[6]) = 0;
 
     // Begins or ends to receive images of the camera.

@@ -118,8 +118,9 @@ bool
 StickStore::Replace(const std::string& from, const std::string& to)
 {
     if (rename(from.c_str(), to.c_str()) == 0) return true;
-    // Removes the other file first if the file system refuses to rename a file to a name that
-    // exists. No source says whether the robot's file system does.  A folder is never removed.
+    // Removes the file `to` and tries again, because the file system may refuse to rename a file to
+    // a name that exists.  No source says whether the robot's file system refuses this.  A folder
+    // is never removed.
     if (SizeOf(to) < 0 || remove(to.c_str()) != 0) return false;
     return rename(from.c_str(), to.c_str()) == 0;
 }

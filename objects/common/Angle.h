@@ -27,8 +27,10 @@ DivideRounded(Sint64 numerator, Sint64 denominator)
 // Number of urad in one cdeg, times 10^9: pi / 18000 x 10^6 x 10^9.
 const Sint64 URAD_PER_CDEG_E9 = 174532925199LL;
 
-// Factors for the radians in which controllers give positions and speeds.
+// Number of urad in a radian, the unit in which controllers give positions.
 const double URAD_PER_RAD = 1e6;
+
+// Number of cdeg in a radian.
 const double CDEG_PER_RAD = 5729.577951308232;
 
 // Converts 0.01 degree to urad.  An angle of more than 100 turns counts as 100 turns, so that the

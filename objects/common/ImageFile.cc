@@ -14,7 +14,7 @@ ImageProcessor
 ImageProcessorOf(const Uint8* bytes, int size)
 {
     if (size < IMAGE_HEAD_SIZE) return imageUNKNOWN;
-    // Takes every gzip file for an image of the robot, because the robot's images are gzip files
+    // Treats every gzip file as an image of the robot, because the robot's images are gzip files
     // (1f 8b, method 8) and this code does not unpack them.  A packed image of the host must be
     // unpacked first.
     if (bytes[0] == 0x1f && bytes[1] == 0x8b && bytes[2] == 8) return imageMIPS;
@@ -28,7 +28,7 @@ ImageProcessorOf(const Uint8* bytes, int size)
 ImageProcessor
 OwnProcessor()
 {
-    // Objects are built for two processors only: that of the robot, with 32 bits, and x86-64.
+    // Objects are built for two processors only: the robot's processor, with 32 bits, and x86-64.
     return sizeof(void*) == 4 ? imageMIPS : imageX86_64;
 }
 

@@ -37,7 +37,7 @@ struct MoverCommand {
     Sint32 joint;
     Sint32 value;
     union {
-        Sint32 loops;   // how many times the motion is played, >= 1
+        Sint32 loops;   // number of times that the motion is played, >= 1
         Sint32 frames;  // time for the way to `value`, in frames of 8 ms, >= 1
     };
     Sint32 keyFramesPerVector;  // 0: JointMover chooses the number
@@ -60,8 +60,8 @@ struct BatchJoint {
 
 // The message of Controller.BatchMover to JointMover.BatchMover: the whole buffer of joint
 // commands, sent when a value in it has changed.  JointMover acts on the differences from the
-// buffer before (Hohl 2004, 5.3.6).  The first buffer is compared with the values at start-up:
-// highest speeds, default accelerations and no flags.
+// buffer that came before (Hohl 2004, 5.3.6).  The first buffer is compared with the values at
+// start-up: highest speeds, default accelerations and no flags.
 struct BatchMoverCommand {
     BatchJoint joint[MAX_JOINTS];
 };

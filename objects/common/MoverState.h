@@ -8,10 +8,10 @@
 enum MoverState {
     moverFILLING,    // the first command vector has the measured positions
     moverGAINS,      // gains of all joints are enabled and set
-    moverBROADBASE,  // moves to the first start-up posture; in the next three states to the others
-    moverSLEEPING,
-    moverCROUCHING,
-    moverSTANDING,
+    moverBROADBASE,  // moves to the first start-up posture
+    moverSLEEPING,   // moves to the second start-up posture
+    moverCROUCHING,  // moves to the third start-up posture
+    moverSTANDING,   // moves to the last start-up posture
     moverACCEPTING_COMMANDS,
     moverPREPARE_MTN,  // moves to the first key frame (posture) of a motion
     moverMTN,          // plays the motion

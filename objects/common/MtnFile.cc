@@ -5,8 +5,8 @@
 #include "ByteOrder.h"
 #include "TextFormat.h"
 
-// Reads the bytes of a file one after the other.  REQUIRES for all reads of numbers: Has() has
-// returned true for their size.
+// Reads the bytes of a file one after the other.  REQUIRES: before a number is read, Has() has
+// returned true for its size.
 class MtnFile::Cursor {
 public:
     Cursor(const Uint8* bytes, size_t size)
@@ -38,7 +38,8 @@ public:
     }
     Uint32 PeekU32(size_t at) const { return GetU32(bytes_ + at); }
 
-    // Reads a length byte and this number of characters.  Returns false when the file ends before.
+    // Reads a length byte and this number of characters.  Returns false when the file ends before
+    // the last character.
     bool String(std::string* text)
     {
         if (!Has(1) || !Has(1 + (size_t)bytes_[at_])) return false;
@@ -54,7 +55,7 @@ private:
     size_t at_;
 
 public:
-    int section;      // number of the section that is being read; -1: none yet
+    int section;      // number of the section that is being read; -1: no section yet
     size_t start;     // offset in the file at which this section begins
     Uint32 declared;  // size of the section, in bytes, as written in the section itself
 };
@@ -293,7 +294,7 @@ MtnFile::ReadKeyFrame(Cursor* cursor)
 }
 
 // Returns the reason why the robot has no joint or plunger with the locator of joint `j`: the
-// locator is unknown, or it is that of another device.
+// locator is unknown, or it is the locator of another device.
 std::string
 MtnFile::WhyNoJoint(const RobotConstants* robot, int j) const
 {

@@ -6,11 +6,12 @@
 // robot is at key frame 0 when play-back begins.  A gap with interpolation count n lasts (n + 1) x
 // 16 ms.  It is played as a straight line in 2 (n + 1) frames of 8 ms.  The last frame of a gap is
 // the next key frame itself, so key frames are reached exactly.  Each further loop begins with the
-// first gap again; the joints do not move back to key frame 0 before.  Speed limits are ignored.
+// first gap again; the joints do not move back to key frame 0 before this loop.  Speed limits are
+// ignored.
 //
-// A vector has as many whole gaps as fit, but no more than the number asked for.  So a vector ends
-// at a key frame, where positions are measured.  The last vector of a loop may be short.  Only a
-// gap that is longer than a vector is split.
+// A vector has as many whole gaps as fit, but no more than `keyFramesPerVector` (Start()).  So a
+// vector ends at a key frame, where positions are measured.  The last vector of a loop may be
+// short.  Only a gap that is longer than a vector is split.
 //
 
 #ifndef MtnPlayer_h_DEFINED
@@ -53,14 +54,14 @@ public:
     // urad (10^-6 rad).
     Sint32 Position(int j) const;
 
-    // Returns the index of the key frame reached last; 0 before the first one is reached.
+    // Returns the index of the key frame reached last; 0 at the beginning.
     int KeyFrame() const { return keyFrame_; }
 
 private:
     int FramesOfGap(int gap) const { return 2 * (motion_->Interpolation(gap) + 1); }
     void EndLoop();
 
-    const MtnFile* motion_;  // motion that plays; 0: none plays
+    const MtnFile* motion_;  // motion that plays; 0: no motion plays
     const MtnFile* shown_;   // motion that Position() shows, also after the last frame
     int loopsLeft_;          // number of loops left, with the present loop
     int keyFramesPerVector_;

@@ -14,13 +14,18 @@
 
 enum RcFileKind { rcfileMOTION = 0, rcfileIMAGE = 1, NUM_RC_FILE_KINDS };
 
-// Largest files, in bytes.  JointMover plays no larger motion (StickFile.h).  Images of the host
-// have less than 1 MB, those of the robot less than 300 KB.
+// Size of the largest motion that can be uploaded, in bytes.  JointMover plays no larger motion
+// (StickFile.h).
 const Uint32 RC_MAX_MOTION = 1024 * 1024;
+
+// Size of the largest image that can be uploaded, in bytes.  Images of the host have less than 1
+// MB, images of the robot less than 300 KB.
 const Uint32 RC_MAX_IMAGE = 8 * 1024 * 1024;
 
-// Largest numbers of bytes of a file in UPLOAD_DATA and in an answer to DOWNLOAD.
+// Largest number of bytes of a file in a request UPLOAD_DATA.
 const int RC_MAX_UPLOAD_DATA = RC_MAX_PACKET - RC_HEADER_SIZE - 4;
+
+// Largest number of bytes of a file in an answer to DOWNLOAD.
 const int RC_MAX_DOWNLOAD_DATA = RC_MAX_PACKET - RC_ANSWER_HEADER_SIZE - 4;
 
 // Name of the one image that may be uploaded and downloaded.

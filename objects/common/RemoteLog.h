@@ -5,12 +5,12 @@
 //
 //   key frame
 //   commanded positions, one for each joint of the log
-//   8 bits: number of measured values, that of the joints plus 4
+//   8 bits: number of measured values, which is the number of joints plus 4
 //   measured positions, then the four paws, 0 or 1
-//   8 bits: number of simulated values, 0: a client may add such values there
+//   8 bits: number of simulated values, always 0; a client may add simulated values
 //
-// The joints are those of the vendor's motion files, 15 on the ERS-210, in the order of the robot.
-// Positions are in 0.01 degree.
+// The joints of the log are the joints of the vendor's motion files, 15 on the ERS-210, in the
+// order of the robot.  Positions are in 0.01 degree.
 //
 
 #ifndef RemoteLog_h_DEFINED

@@ -15,8 +15,8 @@
 const int RC_PORT = 54000;
 const Uint16 RC_MAGIC = 0x4352;  // the bytes 'R', 'C'
 
-// Versions of the protocol.  Version 2 adds commands, such as those for files.  A client uses
-// version 1 for all others, so that it can talk to older robots.
+// Versions of the protocol.  Version 2 adds commands, such as the commands for files.  A client
+// uses version 1 for all other commands, so that it can talk to older robots.
 const int RC_VERSION = 1;
 const int RC_VERSION_FILES = 2;
 
@@ -62,7 +62,7 @@ public:
     // Counts `count` bytes that the caller has written at End().  REQUIRES: count <= Room().
     void Add(int count) { size_ += count; }
 
-    // Drops all bytes after the first `size`.
+    // Drops all bytes after the first `size` bytes.
     void Truncate(int size);
 
     // Writes the header into the first RC_HEADER_SIZE bytes, when the size is known.

@@ -80,7 +80,7 @@ const int RC_MAX_BATCH = (RC_MAX_PACKET - RC_ANSWER_HEADER_SIZE) / RC_SMALLEST_B
 // The header of an answer.
 struct RcAnswerHeader {
     RcHeader header;
-    Uint32 frame;   // frame number of the newest sensor values; 0xffffffff: none yet
+    Uint32 frame;   // frame number of the newest sensor values; 0xffffffff: no values yet
     Uint16 status;  // a RcStatus
 
     // Reads the header from a packet.  Returns false when the packet is too short for an answer.
@@ -96,8 +96,8 @@ struct RcInfo {
     // The values `processor`, `largestMotion` and `largestImage` are sent in version 2 only.
     bool hasFiles;         // whether the three values below are there
     Uint8 processor;       // ImageProcessor of the images that the robot runs
-    Uint32 largestMotion;  // sizes in bytes of the largest motion and image that can be uploaded
-    Uint32 largestImage;
+    Uint32 largestMotion;  // size in bytes of the largest motion that can be uploaded
+    Uint32 largestImage;   // size in bytes of the largest image that can be uploaded
 
     void Write(RcWriter* out) const;
     bool Read(RcReader* in);
@@ -136,9 +136,9 @@ struct RcDescription {
 };
 
 struct RcJointState {
-    Sint32 position;  // measured position
-    Sint32 speed;     // limits of speed and acceleration, last set by remote control
-    Sint32 acceleration;
+    Sint32 position;      // measured position
+    Sint32 speed;         // limit of speed that the remote control has set last
+    Sint32 acceleration;  // limit of acceleration that the remote control has set last
 
     void Write(RcWriter* out) const;
     bool Read(RcReader* in);

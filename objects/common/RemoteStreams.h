@@ -18,7 +18,7 @@ enum RcStream {
     NUM_RC_STREAMS
 };
 
-// Number of frames in a sensor vector; periods of streams are multiples of it.
+// Number of frames in a sensor vector; periods of streams are multiples of this number.
 const int RC_FRAMES_PER_VECTOR = 4;
 
 struct RcSubscribe {
@@ -44,10 +44,10 @@ struct RcSetValues {
     Uint8 state;      // MoverState
     Uint8 isOver;     // 1: the motion of `file` has ended or was refused
     Uint8 motorsOff;  // 1: motor power is off by MOTOR_OFF
-    Uint8 earMask;    // ears that the motion moves, and the ears of these that are on
-    Uint8 earOn;
+    Uint8 earMask;    // ears that the motion moves: bit i stands for ear i
+    Uint8 earOn;      // bits of earMask whose ears are on
     Sint32 keyFrame;   // key frame to which the positions belong; -1: no motion plays
-    std::string file;  // file of the motion; "": none
+    std::string file;  // file of the motion; "": no motion
     std::vector<Sint32> commanded;
     std::vector<Sint32> measured;  // as many positions as in `commanded`
 

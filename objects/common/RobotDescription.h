@@ -28,10 +28,10 @@ struct JointConstants {
     Sint32 minCdeg;  // software limits in 0.01 degree
     Sint32 maxCdeg;
     Sint32 minSpeedCdeg;  // speed limits in 0.01 degree/s
-    Sint32 maxSpeedCdeg;  // also the speed limit after start-up
+    Sint32 maxSpeedCdeg;  // upper limit of speed; also the speed limit after start-up
     Uint16 gain[6];       // P, I, D gain, then P, I, D shift, as OPENR::SetJointGain() takes them
-    Sint16 sensorIndex;   // index of its element in sensor vectors
-    Sint16 mtnIndex;      // index of the joint in the vendor's MTN files; -1: in none
+    Sint16 sensorIndex;   // index of the joint's element in sensor vectors
+    Sint16 mtnIndex;      // index of the joint in the vendor's MTN files; -1: not in these files
 };
 
 enum LedKind { ledLED2 = 2, ledLED3 = 3 };  // kind of command: OLEDCommandValue2 or 3
@@ -69,8 +69,8 @@ struct SensorConstants {
     const char* locator;
     Sint32 group;        // a SensorGroup
     Sint32 kind;         // SensorKind
-    Sint32 touchLimit;   // the sensor is touched when its value is above this; -1: no touch sensor
-    Sint16 sensorIndex;  // index of its element in sensor vectors
+    Sint32 touchLimit;   // a value above this limit means touched; -1: no touch sensor
+    Sint16 sensorIndex;  // index of the sensor's element in sensor vectors
     Sint16 reserved;
 };
 
@@ -90,14 +90,14 @@ struct PostureConstants {
 struct RobotConstants {
     const char* design;  // result of OPENR::GetRobotDesign(), such as "ERS-210"
     int numJoints;
-    const JointConstants* joints;  // order of the Model Information guide, section 2.1
+    const JointConstants* joints;  // in the order of the Model Information guide, section 2.1
     int numLeds;
     const LedConstants* leds;
     int numPlungers;
     const PlungerConstants* plungers;
     int numSensors;                  // number of sensors that do not measure a joint
     const SensorConstants* sensors;  // in the order of sensorIndex
-    int numSensorElements;           // elements of a sensor frame vector, also those of joints
+    int numSensorElements;           // number of elements of a sensor frame vector, joints included
     int numPostures;
     const PostureConstants* postures;
     Sint32 minAccelerationCdeg;  // in 0.01 degree/s^2, for every joint
@@ -106,10 +106,15 @@ struct RobotConstants {
     CameraConstants camera;
 };
 
-// Find a robot or posture by its name, or the index of a device by its locator (OPEN-R name).
-// Return 0 (for an index: -1) when there is none with this name.  REQUIRES: `robot` is not 0.
+// Returns the robot of this design; 0 when there is no such robot.
 const RobotConstants* FindRobot(const char* design);
+
+// Returns the posture of `robot` with this name; 0 when there is no such posture.  REQUIRES:
+// `robot` is not 0.
 const PostureConstants* FindPosture(const RobotConstants* robot, const char* name);
+
+// Return the index of the device of one kind with this locator (OPEN-R name); -1 when `robot` has
+// no such device.  REQUIRES: `robot` is not 0.
 int FindJoint(const RobotConstants* robot, const char* locator);
 int FindLed(const RobotConstants* robot, const char* locator);
 int FindPlunger(const RobotConstants* robot, const char* locator);

@@ -31,7 +31,7 @@ private:
     OPrimitiveID joint_[MAX_JOINTS];
     OPrimitiveID sensor_[MAX_SENSORS];
     bool isFound_;                  // whether jointElement_ and sensorElement_ are set
-    int jointElement_[MAX_JOINTS];  // index of the joint's element in a vector; -1: none
+    int jointElement_[MAX_JOINTS];  // index of the joint's element in a vector; -1: not there
     int sensorElement_[MAX_SENSORS];
 };
 

@@ -19,7 +19,7 @@ void accelerometer_disable(DeviceTag sensor);
 /*
  * Returns three values in m/s^2: to the front, to the right and up, measured by the robot's
  * primitives a1, a2 and a3.  `sensor` may be any of the three.  The values stay valid until the
- * next call.  For any other device they are 0.0; the result is never a null pointer.
+ * next call.  For any other device these values are 0.0; the result is never a null pointer.
  */
 const float *accelerometer_get_values(DeviceTag sensor);
 

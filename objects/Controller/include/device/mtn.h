@@ -27,9 +27,11 @@ void mtn_delete(MTN *mtn);
 /* Plays the motion once. */
 void mtn_play(MTN *mtn);
 
-/* Return, in ms, the length of the motion, and the time since its beginning.  When the motion does
- * not play, both are the length. */
+/* Returns the length of the motion, in ms. */
 int mtn_get_length(MTN *mtn);
+
+/* Returns the time since the beginning of the motion, in ms.  When the motion does not play,
+ * returns its length. */
 int mtn_get_time(MTN *mtn);
 
 /* Returns 1 when the motion does not play or has ended, otherwise 0. */

@@ -36,12 +36,12 @@ void robot_run(int (*run)(int));
  */
 int robot_step(int ms);
 
-/* Returns the tag (number) of the device with this name; 0 if there is none.  All functions ignore
- * the tag 0. */
+/* Returns the tag (number) of the device with this name; 0 if there is no such device.  All
+ * functions ignore the tag 0. */
 DeviceTag robot_get_device(const char *name);
 
-/* Returns 1 if there is a device with this name, else 0.  For controllers of several models: unlike
- * robot_get_device(), it does not warn of a name that is none. */
+/* Returns 1 if there is a device with this name, else 0.  Unlike robot_get_device(), it does not
+ * warn if there is no such device, so that a controller can be written for several models. */
 int robot_has_device(const char *name);
 
 /* Always returns 1, which means that the controller runs on the robot, not in a simulator. */

@@ -1,6 +1,6 @@
 /*
  * The temperature sensor of the body (wished for in Hohl 2004, section 5.5).  Webots has no such
- * sensor; the functions have the form of those of its other sensors.
+ * sensor; these functions have the same form as the functions of other sensors in Webots.
  */
 
 #ifndef DEVICE_THERMOMETER_H
