@@ -105,7 +105,7 @@ std::string ModelFile(const std::string& name) {
       if (entry.path().extension() == ".json") known.push_back(entry.path().stem());
     }
   }
-  // Two data folders may have the same model.
+  // Removes double names, because two data folders may have the same model.
   std::sort(known.begin(), known.end());
   known.erase(std::unique(known.begin(), known.end()), known.end());
   throw std::runtime_error(

@@ -19,7 +19,7 @@ class RunStick;
 void AddBusFlags(CLI::App* command, BusOptions* bus);
 
 // Returns a check of the value of --run-name (`what` is "run") or --process (`what` is "process"):
-// it refuses all names but those of up to 64 letters, digits, '_', '-' and '.'.
+// it accepts only names of up to 64 letters, digits, '_', '-' and '.'.
 CLI::Validator IsNameOf(const std::string& what);
 
 struct PlacementFlags {

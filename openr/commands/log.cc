@@ -199,7 +199,8 @@ LogGroup GroupOf(const std::string& flag, const LogFile& log) {
   return CountOf(log, LogGroup::kMeasured) > 0 ? LogGroup::kMeasured : LogGroup::kSimulated;
 }
 
-// Returns the group to compare with the other group of the same log.
+// Returns the second group of a comparison within one log: the group that the flag names.  Without
+// the flag, the simulated values if the log has them, else the values of the real robot.
 LogGroup OtherGroupOf(const std::string& flag, const LogFile& log) {
   if (!flag.empty()) return GroupOf(flag, log);
   return CountOf(log, LogGroup::kSimulated) > 0 ? LogGroup::kSimulated : LogGroup::kMeasured;
@@ -332,7 +333,8 @@ void LogCompare(const LogFlags& flags) {
 
 using LogAction = void (*)(const LogFlags& flags);
 
-// Runs `action`.  If the user gave --json, prints an error as JSON, too.
+// Runs `action`.  Prints an error of it on standard error and, with --json, also as JSON on
+// standard output.
 int PerformLog(LogAction action, const LogFlags& flags) {
   try {
     action(flags);

@@ -40,7 +40,7 @@ struct ReplayFlags {
   ShowOptions show;
   std::optional<int64_t> continue_at_us;
   ContinueOptions go_on;
-  DataLogOptions data_log;  // file "": no log of data
+  DataLogOptions data_log;  // `file` in it is "" if no log of data is wanted
   std::string timeline_file;
   int64_t handler_limit_us = 10'000'000;  // the same default as in openr run
 };

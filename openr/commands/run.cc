@@ -419,7 +419,8 @@ void AddRunCommand(CLI::App* app, int* exit_code) {
   auto flags = std::make_shared<RunFlags>();
   DescribeRunFlags(command, flags.get());
   command->callback([command, flags, exit_code] {
-    // Robots with processes of their own run at full speed, since nobody can look at them.
+    // Runs robots with processes of their own at full speed, because nobody can watch them on a
+    // panel.
     if (flags->jobs > 0 && command->count("--rate") == 0) flags->rate = "max";
     if (!flags->gdb.empty()) StartUnderGdb(flags->gdb, flags->simulation.stick);
     StartWithSanitizerOf(flags->simulation.stick);

@@ -24,7 +24,7 @@ struct RunFlags {
   std::string rate = "1";
   std::string report_file;
   std::string record_file;
-  DataLogOptions data_log;  // file "": no log of data
+  DataLogOptions data_log;  // `file` in it is "" if no log of data is wanted
   std::string timeline_file;
   bool no_payloads = false;
   bool json = false;

@@ -22,9 +22,11 @@ namespace openr_host {
 namespace {
 
 int RunServe() {
-  // The program that drives the run decides what Ctrl-C in its terminal means.
+  // Ignores Ctrl-C, because the program that drives the run decides what Ctrl-C in its terminal
+  // means.
   signal(SIGINT, SIG_IGN);
-  // Threads that draw would be missing in forked copies of the process.
+  // Makes Mesa draw pictures without threads of its own, because a forked copy of the process has
+  // no such threads.
   setenv("LP_NUM_THREADS", "0", 0);
   const Console console("");  // keeps what objects print away from the answers
   RequestPipe pipe(STDIN_FILENO, StandardOutput());
