@@ -114,7 +114,7 @@ class RemotePort : public ControllerPort {
   // Joints whose new positions the robot has refused as BUSY, with the text of the warning.
   std::vector<std::pair<int, std::string>> busy_;
   Uint32 wanted_ears_ = 0;
-  Uint32 sent_leds_ = 0;  // the lights as commanded last; at first all are off
+  Uint32 sent_leds_ = 0;  // the lights that were commanded last; at first all lights are off
   Uint32 sent_ears_ = 0;
   int state_ = -1;  // MoverState; -1: not known yet
   int battery_percent_ = 0;

@@ -55,7 +55,7 @@ void AddShape(const render::Shape& shape, const Eigen::Isometry3d& pose, Json* e
     json["bottom_scale"] = json["top_scale"] = 1;
     (*entity)["cylinders"].push_back(json);
   } else {
-    // A box whose edges are as round as possible is a ball.
+    // Shows a box whose edges are as round as possible as a ball.
     const bool is_ball = 2 * shape.radius_m >= shape.size_m.maxCoeff();
     (*entity)[is_ball ? "spheres" : "cubes"].push_back(json);
   }
