@@ -65,8 +65,9 @@ class LiveEvents {
                                         // object
   std::map<size_t, Rate> connections_;  // messages of connections; key: index in
                                         // System::connections()
-  // The clock of this computer and the virtual time at the last update of speed_.
+  // The time of this computer's clock at the last update of speed_.
   int64_t speed_ns_ = 0;
+  // The virtual time at the last update of speed_.
   int64_t speed_us_ = 0;
   double speed_ = 0;  // virtual seconds per second
 };

@@ -22,10 +22,10 @@ class Couplings;
 
 class LiveServer {
  public:
-  // Limits, so that no client can make the run use much memory: the bytes of a request, the bytes
-  // of answers that a client has not taken yet, and the number of clients.  A client beyond a limit
-  // is closed.
+  // Limits, so that no client can make the run use much memory.  A client beyond a limit is closed.
+  // The first limit is the bytes of a request.
   static constexpr size_t kRequestMax = size_t{64} << 10;
+  // The bytes of answers that a client has not taken yet.
   static constexpr size_t kAnswersMax = size_t{4} << 20;
   static constexpr size_t kClientsMax = 32;  // enough for the 16 pages of the panel
 
