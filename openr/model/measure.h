@@ -19,8 +19,8 @@ struct StepResponse {
   double current_ma_max = 0;  // highest current that the robot draws from its battery
 };
 
-// Makes the robot stand in the air, held by a hand, and lets each joint take a step of at most
-// `step_deg` towards the middle of its range, one after the other.
+// Makes the robot stand in the air, held by a hand.  Then moves one joint after the other by a step
+// of at most `step_deg` towards the middle of its range.
 std::vector<StepResponse> MeasureSteps(const RobotModel& model, double step_deg);
 
 // Readings of the distance sensor in front of a wall, over 200 samples.
@@ -31,7 +31,7 @@ struct DistanceReading {
 };
 
 // Measures with a wall 100, 150 ... 1000 mm in front of the first distance sensor of a standing
-// robot.  Returns nothing for a model whose distance sensors have no place.
+// robot.  Returns nothing if the model does not say where its distance sensors are on the body.
 std::vector<DistanceReading> MeasureDistances(const RobotModel& model, double reflectance);
 
 }  // namespace openr_host

@@ -33,9 +33,9 @@ constexpr int kEventsMax = 100;    // events that are taken from one robot befor
 constexpr int32_t kChangeMin = 5;  // smaller changes of a goal, in 0.01 degree, are not sent
 constexpr uint32_t kFramesPerTurn = 0x0ffffff1;  // number of frames after which frame numbers begin
                                                  // again with 0
-// Limits of the frames in which a robot goes to a goal by TRACK, and the largest step of a joint in
-// one frame, in 0.01 degree.
+// Fewest and most frames in which a robot goes to a goal by TRACK.
 constexpr uint32_t kTrackFramesMin = RC_FRAMES_PER_VECTOR, kTrackFramesMax = 40;
+// The largest step of a joint in one frame, in 0.01 degree.
 constexpr uint32_t kTrackStepMax = 400;
 
 PairSide OtherOf(PairSide side) { return side == kFirst ? kSecond : kFirst; }

@@ -31,8 +31,9 @@ enum PageClose {
 
 class Page : public WebPage {
  public:
-  // The most bytes of a message of a page: of an upload, and of any other message.
+  // The most bytes of an upload, which is one message of a page.
   static constexpr size_t kUploadMax = size_t{12} << 20;
+  // The most bytes of any other message of a page.
   static constexpr size_t kMessageMax = size_t{64} << 10;
   // The most bytes that the server reads and drops after it has decided to close a page.
   static constexpr size_t kDropMax = size_t{64} << 20;

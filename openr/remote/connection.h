@@ -134,7 +134,8 @@ class Connection {
   void SetLed(int led, bool on);
   void SetEar(int ear, bool on);
 
-  // `joint` may be RC_ALL_JOINTS, which switches all joints and the motor power.
+  // Switches the motor of a joint on or off.  RC_ALL_JOINTS switches all motors and the motor
+  // power.
   void SwitchMotor(int joint, bool on);
   Gains GetGains(int joint);
   Gains SetGains(int joint, int p, int i, int d);  // each gain is 0 to RC_MAX_GAIN; returns the new

@@ -314,7 +314,8 @@ std::optional<Colour> FloorColour(const World& world) {
 }
 
 std::vector<Shape> ShapesOfWorld(const World& world) {
-  constexpr double kPaintTop_m = 0.004;  // height of the uppermost paint, not to be seen as a step
+  constexpr double kPaintTop_m = 0.004;  // height of the uppermost paint; too small to look like a
+                                         // step
   const auto is_paint = [](const WorldThing& thing) { return !thing.is_solid; };
   const auto paints = std::count_if(world.things.begin(), world.things.end(), is_paint);
   double paint_height_m = 0;
