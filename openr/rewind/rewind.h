@@ -52,8 +52,9 @@ struct RewindParts {
   // Makes the process of a new checkpoint print nothing, and leave the sockets of the original
   // process alone.  Called in that process.
   std::function<void()> become_copy;
-  // Called in a view: after each frame, and before an input line is repeated.
+  // Called in a view after each frame.
   std::function<void()> after_frame;
+  // Called in a view before an input line is repeated.
   std::function<void(int robot, const std::string& line)> before_input;
   // Makes the process of a view that of a branch, which is to go on at `rate`.  Returns the name of
   // the new run.
@@ -87,14 +88,16 @@ class Rewind {
   nlohmann::ordered_json Status();
 
   bool shows_past() const { return shown_ != nullptr; }
-  // Shows the run as it was at the virtual time `time_us`, or after `count` messages.  Returns ""
-  // or the reason why that is not possible.
+  // Shows the run as it was at the virtual time `time_us`.  Returns "" or the reason why that is
+  // not possible.
   std::string ShowTime(int64_t time_us);
+  // Shows the run as it was after `count` messages.  Returns the same as ShowTime().
   std::string ShowMessage(uint64_t count);
   // Ends the view.  Clients then see the present state of the run, which still waits.
   void ShowPresent();
-  // Returns the virtual time, in us, and the number of messages of the moment that is shown.
+  // Returns the virtual time of the moment that is shown.
   int64_t shown_us() const { return shown_us_; }
+  // Returns the number of messages up to the moment that is shown.
   uint64_t shown_messages() const { return shown_messages_; }
 
   // Passes `request` to the view and returns its answer.  REQUIRES: shows_past().

@@ -110,7 +110,8 @@ void Ros2Link::TakeCommands(Robot* robot) {
   }
 }
 
-// Adds the inputs (docs/inputs.md) that came, in their order, at the frame boundary that is now.
+// Adds the inputs (docs/inputs.md) that have come from ROS 2, in their order.  They take effect at
+// the present frame boundary.
 void Ros2Link::TakeInputs(Robot* robot) {
   const std::string topic = robot->space + kInputTopic;
   if (robot->inputs->HasMisfit()) {

@@ -84,9 +84,10 @@ class Runner {
   // Returns the reason if the run is over; nullopt if it goes on.  Also returns nullopt when all
   // robots are off, because the System has then noted the reason already.
   std::optional<RunEnd> WhyOver() const;
-  // Return the virtual time up to which the run goes in one step, from now or from `now_us`: the
-  // next frame boundary or, if that is earlier, the end of --for.
+  // Returns the virtual time up to which the run goes in one step from now: the next frame boundary
+  // or, if that is earlier, the end of --for.
   int64_t NextStop() const;
+  // Returns the same for a step that begins at `now_us`.
   int64_t NextStopAfter(int64_t now_us) const;
   bool WaitWhilePaused(Pacer* pacer);
   void GoOn(Pacer* pacer);

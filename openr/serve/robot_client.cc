@@ -103,7 +103,7 @@ std::string RobotClients::Take(int connection, size_t size_max) {
 
 void RobotClients::Close(int connection) {
   Find(connection).network->Close(kHandle);
-  // The network object stays, because the robot still reads what was sent before.
+  // Keeps the network object, because the robot may still read bytes that were sent before.
   Find(connection).has_ended = true;
 }
 
