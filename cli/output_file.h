@@ -96,7 +96,7 @@ class PreparedFile {
                                      // a file
   int descriptor_ = -1;
   unsigned mode_ = 0666;
-  bool keeps_mode_ = false;  // true: the new file gets mode_, the mode of the old one
+  bool keeps_mode_ = false;  // true: the new file gets mode_, which is the mode of the old file
 };
 
 }  // namespace openr_host

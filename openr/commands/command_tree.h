@@ -34,8 +34,8 @@ struct OptionInfo {
 };
 
 struct CommandInfo {
-  std::string path;  // "openr rc mtn play"
-  std::string name;  // "play"
+  std::string path;  // the words that call the command, such as "openr rc mtn play"
+  std::string name;  // the last of these words, such as "play"
   std::string description;
   std::string footer;  // the last part of the help: the examples, and lists of words
   std::vector<OptionInfo> positionals;

@@ -28,7 +28,7 @@ struct PlacementFlags {
   std::vector<std::string> isolated;  // names of objects, each for a process of its own
   std::string wrapper;                // command that starts workers, such as "gdb --args"
   bool is_free = false;
-  bool is_monitored = false;  // sends its status to openr top, also without workers
+  bool is_monitored = false;  // the run sends its status to openr top, also if it has no workers
   BusOptions bus;
   int64_t wait_us = 60'000'000;
   int restarts = 0;

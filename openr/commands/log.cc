@@ -35,8 +35,9 @@ constexpr double kSameMotionDeg = 0.1;
 constexpr LogGroup kGroups[] = {LogGroup::kCommanded, LogGroup::kMeasured, LogGroup::kSimulated};
 
 struct LogFlags {
-  std::string file, other;         // files to read; `other` is only for compare; "": compare within
-                                   // `file`
+  // The files to read.  Only the command `compare` uses `other`; "" means that it compares two
+  // groups of `file`.
+  std::string file, other;
   std::string motion;              // motion file of the log; "": the user has named none
   std::string group, other_group;  // groups of the two sides of compare; "": chosen by the content
                                    // of the log
@@ -238,7 +239,7 @@ Comparison CompareWithin(const LogFlags& flags) {
 void WarnIfMotionsDiffer(const TimedLog& first, const TimedLog& second) {
   const std::vector<const JointConstants*> joints = LoggedJoints(*first.log.robot);
   const size_t count = std::min(first.log.records.size(), second.log.records.size());
-  // Leaves out the first record, because its commanded positions are those from before the motion.
+  // Leaves out the first record, because the robot got its commanded positions before the motion.
   for (size_t i = 1; i < count; ++i) {
     const LogRecord& a = first.log.records[i];
     const LogRecord& b = second.log.records[i];

@@ -159,8 +159,8 @@ class CommandedRun {
   std::string LiveName() const;
   std::string WhyNotRewound() const;
   void BeginRewind(LiveServer* live, Runner* runner, Watchdog* watchdog);
-  // Returns the stream for the line that shows how far the run is; -1: none, because nobody knows
-  // when the run ends, or a program reads its output.
+  // Returns the stream on which a line shows how far the run is.  Returns -1, for no such line, if
+  // nobody knows when the run ends, or if a program reads the output.
   int ProgressStream() const { return plan_.for_us && !flags_.json ? STDERR_FILENO : -1; }
   uint64_t VirtualSeconds() const {
     return static_cast<uint64_t>(plan_.for_us.value_or(0) / 1'000'000);

@@ -289,8 +289,8 @@ std::string RemotePort::LocalMotion(const std::string& name) const {
   return "";
 }
 
-// Returns the bytes of a motion.  A motion file in the controller's folder is first uploaded to the
-// robot's stick, because `openr controller build` puts it there, too.
+// Returns the bytes of a motion.  If the controller's folder has the motion file, first uploads it
+// to the robot's stick, where `openr controller build` would put it, too.
 std::string RemotePort::FetchMotion(const std::string& name) {
   const std::string local = LocalMotion(name);
   if (local.empty()) return robot_.Download(rcfileMOTION, name);

@@ -47,8 +47,8 @@ class Replayer : public KnownRun {
   System& system() { return simulation_->system(); }
 
   // Applies the recorded input that is due, then goes on to the next entry of the recording.  If
-  // the entry is a message, delivers one message and compares both.  If the entry is input,
-  // delivers nothing, and the next call applies the input.  Returns false at the end of the
+  // that entry is a message, delivers one message and compares it with the entry.  If the entry is
+  // input, delivers nothing, and the next call applies the input.  Returns false at the end of the
   // recording and after a difference.
   bool Step();
   // ---- Implementation of KnownRun

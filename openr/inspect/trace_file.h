@@ -43,7 +43,7 @@ struct TraceHeader {
   std::vector<std::string> addresses;  // arguments of --ip, such as "10.0.1.2=127.0.0.1"
   int robots = 1;
   bool together = false;                 // all robots are in one world
-  std::vector<std::string> more_sticks;  // see SimulationOptions
+  std::vector<std::string> more_sticks;  // as SimulationOptions::more_sticks
   std::vector<uint64_t> more_stick_hashes;
   uint64_t seed = 1;
   bool strict = false;
@@ -66,7 +66,7 @@ struct TraceEntry {
     kEnd = 7,          // time_us, trace_hash, state_hash: the last entry
     kOldConsole = 8,   // see kOldestTraceVersion
     kStick = 9,        // what, name, payload: content before an object changed a file or folder
-    kLoss = 10,        // time_us, name: a process was lost; what follows cannot be replayed
+    kLoss = 10,        // time_us, name: a worker process was lost; what follows cannot be replayed
     // name, payload: how the run ended, as a word of EndName(), and the reason as text.  The entry
     // is missing if the recorded process was killed.
     kEnded = 11,

@@ -69,7 +69,7 @@ class LiveServer {
   };
 
   struct Client {
-    uint64_t number;  // differs for all clients of this run
+    uint64_t number;  // two clients of this run never have the same number
     int descriptor;
     std::string received;  // the first bytes of a request that is not complete yet
     std::string to_send;   // answers that the socket has not taken yet

@@ -14,8 +14,8 @@ struct StepResponse {
   double from_deg = 0, to_deg = 0;
   std::vector<double> times_ms, commanded_deg, measured_deg;
   double rise_ms = 0;         // time until 90 % of the way is done; -1: never
-  double overshoot_deg = 0;   // how far the joint went beyond its end
-  double end_error_deg = 0;   // distance from the set point at the end
+  double overshoot_deg = 0;   // how far the joint went beyond the end of the step
+  double end_error_deg = 0;   // distance from the set point at the end of the measurement
   double current_ma_max = 0;  // highest current that the robot draws from its battery
 };
 

@@ -20,7 +20,7 @@ LogFile AsSimulated(LogFile log);
 // differ by more than kSameCommandCdeg, because the motions were not the same then.
 LogFile MergeLogs(const LogFile& real, const LogFile& other);
 
-constexpr int kSameCommandCdeg = 2;  // both positions are rounded to 0.01 degree, so they can
-                                     // differ by rounding
+constexpr int kSameCommandCdeg = 2;  // largest difference of equal commands, which are rounded to
+                                     // 0.01 degree in each log
 
 }  // namespace openr_host

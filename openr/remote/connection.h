@@ -58,7 +58,7 @@ using RequestId = uint16_t;
 struct Answer {
   uint32_t frame =
       0xffffffff;     // frame of 8 ms of the robot's newest sensor values; 0xffffffff: none
-  int status = rcOK;  // RcStatus
+  int status = rcOK;  // result of the request, an RcStatus
   std::string error;  // the robot's error text if the status is not rcOK
   Bytes payload;      // empty if the status is not rcOK
 };
@@ -289,7 +289,7 @@ class Connection {
   RcFramer framer_;
   RequestId last_id_ = 0;
   std::map<RequestId, Pending> pending_;
-  std::deque<Event> events_;  // arrived and not yet returned by NextEvent()
+  std::deque<Event> events_;  // events that have arrived and that NextEvent() has not returned yet
   uint32_t frame_ = 0xffffffff;
   std::optional<std::vector<Description>> devices_[NUM_RC_DEVICES];
 };

@@ -46,7 +46,8 @@ render::Camera CameraFor(const RobotLook& look, View view) {
 
 // Returns a camera that sees all robots and things, from the side of the world's -y.
 render::Camera CameraOverWorld(const std::vector<RobotLook>& looks, const World& world) {
-  constexpr double kRobot_m = 0.25, kReachMax_m = 6;  // things further away than that are left out
+  constexpr double kRobot_m = 0.25, kReachMax_m = 6;  // things further away than kReachMax_m are
+                                                      // left out
   Eigen::AlignedBox2d seen;
   for (const RobotLook& look : looks) {
     const Eigen::Vector2d place = look.X_WB.translation().head<2>();

@@ -326,7 +326,7 @@ std::vector<Shape> ShapesOfWorld(const World& world) {
     shape.X_WS.translation() = thing.centre_m;
     shape.size_m = thing.size_m;
     const double shortest_m = thing.size_m.minCoeff();
-    // A box whose edges are as round as possible is a sphere.
+    // Draws a sphere as a box whose edges are as round as possible.
     shape.radius_m =
         thing.shape == ThingShape::kSphere ? shortest_m / 2 : std::min(0.004, 0.2 * shortest_m);
     shape.is_cylinder = thing.shape == ThingShape::kCylinder;

@@ -56,8 +56,8 @@ struct RewindParts {
   std::function<void()> after_frame;
   // Called in a view before an input line is repeated.
   std::function<void(int robot, const std::string& line)> before_input;
-  // Makes the process of a view that of a branch, which is to go on at `rate`.  Returns the name of
-  // the new run.
+  // Turns the process of a view into the process of a branch, which is to go on at `rate`.  Returns
+  // the name of the new run.
   std::function<std::string(double rate)> become_branch;
 };
 
@@ -77,7 +77,7 @@ class Rewind {
 
   // Takes a checkpoint if it is time for one, and drops old checkpoints.  Drops all checkpoints if
   // no client watches the run.  Called after each frame.  Returns false in the original run.
-  // Returns again, with true, in a branch.
+  // Returns a second time, with true, in the process of a branch.
   bool AfterFrame(bool is_watched);
 
   // Refuses all requests to go back, for the reason `why`.  "": allows them again.

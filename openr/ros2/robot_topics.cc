@@ -15,7 +15,7 @@ constexpr int64_t kSecondFrames = 125;
 
 // Returns the state of the battery of `robot` in the units of ROS 2.
 Ros2BatteryValues BatteryOf(VirtualRobot* robot) {
-  constexpr double kZeroCelsius = 273.15;  // K
+  constexpr double kZeroCelsius = 273.15;  // 0 degrees Celsius in K
   const OPowerStatus status = robot->power().Status();
   return {.voltage_v = static_cast<float>(status.voltage / 1000.0),
           .current_a = static_cast<float>(status.current / 1000.0),

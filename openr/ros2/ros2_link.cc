@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kPatienceFrames = 125;  // 1 s; after this time a target that the robot has not taken
                                       // is dropped
-constexpr size_t kNamespaceMax = 64;  // characters
+constexpr size_t kNamespaceMax = 64;  // largest length of a namespace, in characters
 constexpr const char* kCommandTopic = "/joint_command";
 constexpr const char* kInputTopic = "/input";
 

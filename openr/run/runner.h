@@ -35,7 +35,8 @@ struct RunPlan {
   std::string stdin_file;
   EventScript* events = nullptr;                     // timed inputs; null: none
   LiveServer* live = nullptr;                        // serves openr poke; null: none
-  RunClock* clock = nullptr;                         // see RunClock; null: always `rate`
+  RunClock* clock = nullptr;                         // rate and pause that clients choose; null:
+                                                     // the run always has `rate`
   Rewind* rewind = nullptr;                          // goes back to earlier moments; null: none
   std::function<void(const std::string& line)> say;  // prints a message for the user
   Recorder* recorder = nullptr;                      // records lost processes; null: none
@@ -113,8 +114,9 @@ class Runner {
   bool shutdown_posted_ = false;
   bool is_new_branch_ = false;  // this process has just become a run of its own (Rewind)
   bool good_ = true;
-  int64_t begin_ns_ = 0;      // clock of this computer at the start; 0: not running
-  int64_t wall_time_ns_ = 0;  // when not running: duration; else minus the time for pictures
+  int64_t begin_ns_ = 0;  // clock of this computer at the start; 0: not running
+  // Before and after the run: its duration.  During the run: minus the time for drawing pictures.
+  int64_t wall_time_ns_ = 0;
 };
 
 }  // namespace openr_host

@@ -10,7 +10,7 @@ namespace openr_host {
 
 struct CommandParameter {
   const char* name;
-  const char* type;       // "text", "number", "integer", "flag" or "texts"
+  const char* type;       // type of the value: "text", "number", "integer", "flag" or "texts"
   const char* otherwise;  // value if a request leaves the parameter out, as JSON; null: the
                           // parameter is required
   const char* help;

@@ -12,7 +12,8 @@ namespace openr_host {
 namespace {
 
 constexpr NetHandle kHandle = 1;
-constexpr uint32_t kFirstIp = 0x0a000102;  // 10.0.1.2, in the network of the robot
+constexpr uint32_t kFirstIp = 0x0a000102;  // first address of clients: 10.0.1.2, in the network of
+                                           // the robot
 constexpr uint16_t kFirstPort = 40000;
 constexpr size_t kReceiveMax = size_t{1} << 20;
 constexpr int kClientsMax = 64;

@@ -34,8 +34,8 @@ struct SimulationOptions {
   std::vector<std::string> more_sticks;
   std::string robot = "ers210";  // name of a model
   std::string world;             // a world file; "": a flat floor
-  std::string body = "ode";      // "ode" or "ideal"
-  int robots = 1;                // number of robots; several can only read their sticks
+  std::string body = "ode";      // kind of body: "ode" (with physics) or "ideal"
+  int robots = 1;                // number of robots; several robots can only read their sticks
   bool together = false;         // whether all robots are in one world; "ode" only
   uint64_t seed = 1;
   bool strict = false;
@@ -46,7 +46,8 @@ struct SimulationOptions {
   // the others see their world.
   std::string images = kImagesOfWorld;
   std::string battery = "drain";    // battery of each robot; see ParseBattery()
-  bool writable_stick = true;       // whether objects may write; several robots never may
+  bool writable_stick = true;       // whether objects may write; objects of several robots never
+                                    // may
   bool measures = true;             // measures handler times and stacks for the report
   bool guard_regions = false;       // see SystemOptions
   std::string cost_file;            // see LoadCostFile()

@@ -52,8 +52,8 @@ void Timeline::NameObject(const Object* object) {
   writer_->AddObject(object->robot, object->id, object->name);
 }
 
-// Returns the processor time that the cost file gives the handler of `message`; nullopt without a
-// cost file, and for parts of the robot and replies, which take none.
+// Returns the processor time that the cost file gives the handler of `message`.  Returns nullopt
+// without a cost file, and for parts of the robot and replies, which take no processor time.
 std::optional<double> Timeline::CostOf(const Object& object, const Message& message) const {
   if (system_->cpus().empty() || object.is_system || message.is_reply) return {};
   if (!object.processor.is_busy) return 0;

@@ -15,7 +15,7 @@ namespace openr_host {
 // A handler that has run.
 struct HandlerSlice {
   enum class Length {
-    kUnknown,  // a recording does not say how long a handler took
+    kUnknown,  // not known, because a recording does not say how long a handler took
     kCost,     // processor time of the robot, from the cost file
     kWall,     // time of this computer
   };
@@ -23,7 +23,7 @@ struct HandlerSlice {
   int robot = 0;  // number of the object's robot
   std::string object, entry, sender;
   double at_us = 0;      // time on the timeline when the handler began
-  double length_us = 0;  // 0 if it is unknown
+  double length_us = 0;  // length of the slice; 0 if it is unknown
   Length length = Length::kUnknown;
 };
 
