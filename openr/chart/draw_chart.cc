@@ -204,8 +204,8 @@ class Painter {
     cairo_set_dash(cairo_, nullptr, 0, 0);
   }
 
-  // Draws the legend at the right end of the head: for each label a short line in the look of its
-  // curves, and the label.
+  // Draws the legend at the right end of the space above the panels.  It has an entry for each
+  // label: a short line in the look of the curves with this label, and the label.
   void DrawLegend(double width) {
     std::vector<const Curve*> entries;
     for (const Panel& panel : chart_.panels) {

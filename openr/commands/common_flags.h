@@ -21,8 +21,9 @@ void AddRobotsFlags(CLI::App* command, SimulationOptions* options);
 // Throws CLI::ValidationError if flags about several robots do not fit together.
 void CheckRobots(const SimulationOptions& options);
 
-// Add --battery and --cost, the flags of commands that run robots.
+// Adds --battery, a flag of commands that run robots.
 void AddBatteryFlag(CLI::App* command, SimulationOptions* options);
+// Adds --cost, a flag of commands that run robots.
 void AddCostFlag(CLI::App* command, SimulationOptions* options);
 
 // Adds --images, the source of the pictures that the cameras of the robots see.

@@ -25,7 +25,7 @@ int PeriodOf(int64_t every_us) {
       std::min<int64_t>(std::max<int64_t>(vectors, 1) * RC_FRAMES_PER_VECTOR, kPeriodMax));
 }
 
-// Formats set values with the names of the joints.
+// Formats SetValues, the reports of JointMover, with the names of the joints.
 class SetValueFormat {
  public:
   explicit SetValueFormat(remote::Connection* robot) : joints_(robot->Devices(rcdeviceJOINT)) {}

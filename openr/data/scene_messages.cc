@@ -22,7 +22,7 @@ Json PoseJson(const Eigen::Isometry3d& pose) {
           {"orientation", {{"x", q.x()}, {"y", q.y()}, {"z", q.z()}, {"w", q.w()}}}};
 }
 
-// Returns an entity of a scene without shapes.
+// Returns an entity of a scene that has no shapes yet.
 Json EmptyEntity(const std::string& frame, const std::string& id) {
   Json entity = {{"timestamp", {{"sec", 0}, {"nsec", 0}}},
                  {"frame_id", frame},

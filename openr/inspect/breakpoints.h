@@ -50,9 +50,10 @@ class Breakpoints {
   };
 
   Break Read(const std::string& text) const;
-  // Both throw std::runtime_error: CheckObject() when no object has this name, CheckService() when
-  // no entry (handler for messages) of any object has `part` in its name.
+  // Throws std::runtime_error if no object has this name.
   void CheckObject(const std::string& name) const;
+  // Throws std::runtime_error if no entry (handler for messages) of any object has `part` in its
+  // name.
   void CheckService(const std::string& part) const;
   bool Holds(const Break& one) const;
   bool HoldsText(const std::string& text) const;

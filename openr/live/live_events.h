@@ -38,8 +38,8 @@ class LiveEvents {
   // Returns "" if `cursor` says that the client has got this event already.
   std::string Line(std::string_view name, EventCursor* cursor);
 
-  // Begins or ends to keep the messages of connections.  `is_watched`: a client watches the event
-  // "graph", which shows these messages.
+  // Begins or stops keeping the messages of connections.  `is_watched` says that a client watches
+  // the event "graph", which shows these messages.
   void WatchGraph(bool is_watched);
 
   // Returns the state of the clock: virtual time, messages, pause, wanted rate and measured speed.

@@ -12,7 +12,7 @@ using Eigen::Vector3d;
 
 std::string Triple(const Vector3d& v) { return fmt::format("{} {} {}", v.x(), v.y(), v.z()); }
 
-// Returns the place of the origin of the part's link, in B at zero angles.
+// Returns the origin of the part's link in the base frame B, when all angles are 0.
 Vector3d OriginOf(const RobotModel& model, int part) {
   const int joint = model.bodies[part].joint;
   return joint < 0 ? Vector3d(0, 0, 0) : model.joints[joint].anchor_m;

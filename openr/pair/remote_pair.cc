@@ -23,8 +23,8 @@ constexpr int64_t kRoundTripMs = 500;  // time between two measurements of the r
 // The largest number of requests that one robot has not answered yet.  While a robot has so many,
 // no positions are sent to it, because newer positions follow.
 constexpr size_t kPostedMax = 16;
-// The longest silence of a robot after which it still gets positions.  When it goes on after a
-// longer silence, all positions sent meanwhile would be old.
+// A robot that has been silent for longer gets no more positions.  When it goes on, all positions
+// that were sent during its silence would be old.
 constexpr int64_t kSilentMs = 500;
 constexpr size_t kTripsMax = 32;   // number of round trips that are kept; the shortest one counts
                                    // as the time of the network

@@ -218,7 +218,8 @@ class Connection {
   // batch.
   std::vector<Answer> Batch(const std::vector<Call>& calls);
   RequestId SendBatch(const std::vector<Call>& calls);
-  // `count` is the number of calls in the batch
+  // Waits for the answer to SendBatch() and returns the answers in it.  `count` is the number of
+  // calls in the batch.
   std::vector<Answer> WaitForBatch(RequestId id, size_t count);
 
   // ---- For programs that serve several robots in one thread

@@ -110,7 +110,8 @@ bool Rewind::AfterFrame(bool is_watched) {
   return false;
 }
 
-// Makes a checkpoint.  Returns false in the original run.  Returns again, with true, in a branch.
+// Makes a checkpoint.  Returns false in the original run.  Returns a second time, with true, in the
+// process of a branch.
 bool Rewind::Take() {
   auto* const stick = dynamic_cast<FolderStick*>(system().robot(0).stick.get());
   ASSERT(stick != nullptr);

@@ -91,7 +91,8 @@ class Rewind {
   // Shows the run as it was at the virtual time `time_us`.  Returns "" or the reason why that is
   // not possible.
   std::string ShowTime(int64_t time_us);
-  // Shows the run as it was after `count` messages.  Returns the same as ShowTime().
+  // Shows the run as it was after `count` messages.  Returns "" or the reason why that is not
+  // possible.
   std::string ShowMessage(uint64_t count);
   // Ends the view.  Clients then see the present state of the run, which still waits.
   void ShowPresent();

@@ -88,7 +88,7 @@ class Runner {
   // Returns the virtual time up to which the run goes in one step from now: the next frame boundary
   // or, if that is earlier, the end of --for.
   int64_t NextStop() const;
-  // Returns the same for a step that begins at `now_us`.
+  // Returns the time up to which a step goes that begins at `now_us`; see NextStop().
   int64_t NextStopAfter(int64_t now_us) const;
   bool WaitWhilePaused(Pacer* pacer);
   void GoOn(Pacer* pacer);
