@@ -1,5 +1,5 @@
-// The console shows the text that objects print.  It is kept apart from the answer, the text that
-// the program itself prints on standard output.
+// The console is the stream on which the text of objects is shown.  This text is kept apart from
+// the answer, which is the text that the program itself prints on standard output.
 #pragma once
 
 #include <cstdio>

@@ -1,5 +1,5 @@
-// Finds the process that writes a file.  A run locks each file that it goes on writing, such as a
-// recording.
+// Finds the process that is writing to a file.  It can be found, because a run locks each file to
+// which it goes on writing, such as a recording.
 #pragma once
 
 #include <sys/stat.h>

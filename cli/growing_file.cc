@@ -22,7 +22,7 @@ void GrowingFile::Append(std::string_view bytes, std::string_view end) {
   if (!can_go_back_) end = "";
   const auto go_back = [this] { lseek(descriptor_, static_cast<off_t>(size_), SEEK_SET); };
   if (!end_.empty()) go_back();
-  // Writes both at once, because the process may be killed between two writes.
+  // Writes `bytes` and `end` in one call, because the process may be killed between two calls.
   error_ = end.empty() ? WriteAll(descriptor_, bytes)
                        : WriteAll(descriptor_, std::string(bytes).append(end));
   if (error_ == 0) {
@@ -31,11 +31,13 @@ void GrowingFile::Append(std::string_view bytes, std::string_view end) {
     end_ = end;
     if (!is_shorter) return;
   } else if (!end_.empty()) {
-    // Writes the old end again, over which the bytes were written that a full disk had room for.
+    // Writes the old end again, because the part of `bytes` that still fitted on the disk has
+    // overwritten it.
     go_back();
     WriteAll(descriptor_, end_);
   }
-  // Cuts what is left behind the end.  A device or pipe cannot be cut.
+  // Cuts off the bytes that follow the end of the records and of `end_`.  A device or pipe cannot
+  // be cut.
   [[maybe_unused]] const int result =
       ftruncate(descriptor_, static_cast<off_t>(size_ + end_.size()));
 }

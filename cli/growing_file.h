@@ -16,12 +16,13 @@ class GrowingFile {
   GrowingFile(const GrowingFile&) = delete;
   GrowingFile& operator=(const GrowingFile&) = delete;
 
-  // Appends `bytes`.  If that fails, takes back what was written of them and writes nothing more,
-  // so that the file ends with a whole record.
+  // Appends `bytes`.  If that fails, removes the part of `bytes` that was written and writes
+  // nothing more, so that the file ends with a whole record.
   //
-  // `end` completes the file, such as "]" a list.  The next call replaces it, so that the file is
-  // complete if the process is killed between two calls, or if a later call fails.  A pipe or
-  // terminal, which cannot go back, gets none.
+  // `end` is text that completes the file, for example "]" after a list.  Each call overwrites the
+  // `end` of the call before.  So the file is complete even if the process is killed between two
+  // calls, or if a later call fails.  A pipe or a terminal gets no `end`, because written text
+  // cannot be taken back there.
   void Append(std::string_view bytes, std::string_view end = "");
 
   // Returns "FILE: cannot be written: why" if a write has failed, else "".
@@ -32,7 +33,7 @@ class GrowingFile {
   int descriptor_ = -1;
   bool can_go_back_ = false;
   size_t size_ = 0;  // bytes of all appended records
-  std::string end_;  // bytes behind them
+  std::string end_;  // the text that completes the file; it follows the records
   int error_ = 0;    // errno of the first failed write
 };
 

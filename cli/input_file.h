@@ -8,7 +8,7 @@ namespace openr_host {
 // Returns the reason why the file `path` cannot be read; "" if it can be read.  The reason is a
 // text of the system, such as "No such file or directory".  For a folder it is "is a folder; give a
 // motion file", with `kind` for "motion file".  If a file in the folder ends in `extension`
-// (".MTN", in any case), the text names this file as an example.
+// (".MTN", in upper or lower case), the text names this file as an example.
 std::string WhyNotReadable(const std::string& path, const std::string& kind,
                            const std::string& extension);
 

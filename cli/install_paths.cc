@@ -23,8 +23,9 @@ constexpr char kInstalledLibraries[] = "openr-host";
 // Returns the folder that holds bin/openr, both in the build tree and after installing.
 fs::path Prefix() { return fs::path(ProgramFolder()).parent_path(); }
 
-// Returns the folder above lib/, from which the runtime library was loaded.  A test program lies in
-// a folder of its own, so it finds the files of the installation by way of the library.
+// Returns the folder above the folder lib/ from which the runtime library was loaded.  A test
+// program may be in any folder, so it finds the files of the installation by the place of this
+// library.
 fs::path RuntimePrefix() {
   Dl_info info{};
   if (dladdr(dlsym(RTLD_DEFAULT, "openr_second_stack_new"), &info) == 0) return Prefix();
@@ -105,7 +106,7 @@ std::string ModelFile(const std::string& name) {
       if (entry.path().extension() == ".json") known.push_back(entry.path().stem());
     }
   }
-  // Two data folders may have the same model.
+  // Removes double names, because two data folders may have the same model.
   std::sort(known.begin(), known.end());
   known.erase(std::unique(known.begin(), known.end()), known.end());
   throw std::runtime_error(

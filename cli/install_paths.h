@@ -12,8 +12,8 @@ std::string ProgramFolder();
 // Returns the path of the file of the running program.
 std::string ProgramFile();
 
-// Returns the word with which a person calls the program from where that person stands: its name if
-// PATH leads to it, else its path, which is short if it is below the working folder.
+// Returns the word that calls the program in a shell: its name if PATH leads to it, else its path.
+// The path is relative, and so short, if the program is below the working folder.
 std::string ProgramCall();
 
 // Returns the default stick, which runs use if the user names none: a folder that holds OPEN-R/.

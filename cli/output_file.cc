@@ -36,7 +36,7 @@ struct Target {
   int stream = -1;   // descriptor of an open stream of this process; -1: the name means a file
   std::string path;  // path of the file, after symbolic links were followed
   bool exists = false;
-  struct stat status {};  // set if `exists`
+  struct stat status {};  // status of the file; set only if `exists`
 };
 
 // Returns the descriptor that the names /dev/fd/N and /proc/self/fd/N mean; -1 for other names.

@@ -37,7 +37,7 @@ ProcessCopy StartCopy(const std::function<void(int answers)>& work) {
 }
 
 std::string ReadToEnd(int descriptor, std::FILE* echo, const std::function<void()>& while_waiting) {
-  constexpr int kPauseMs = 200;  // between two calls of `while_waiting`
+  constexpr int kPauseMs = 200;  // time between two calls of `while_waiting`
   std::string text;
   char buffer[8192];
   for (;;) {

@@ -15,7 +15,7 @@ namespace {
 constexpr int64_t kPauseNs = 200'000'000;  // least time between two drawings
 constexpr char kToStart[] = "\r\x1b[K";    // moves to the start of the line and clears it
 
-int g_drawn_on = -1;  // descriptor of the terminal that shows a line; -1: none does
+int g_drawn_on = -1;  // descriptor of the terminal that shows a line; -1: no terminal shows a line
 
 std::string TimeLeft(double left_s) {
   constexpr double kInMinutes_s = 180;

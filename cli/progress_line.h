@@ -6,16 +6,16 @@
 
 namespace openr_host {
 
-// Returns the text of the line: "openr: 40 of 100 seeds, about 90 s left".  `what` is the
-// plural of what is counted, such as "seeds".  The time is left out at the beginning, when it is
-// not known.
+// Returns the text of the line: "openr: 40 of 100 seeds, about 90 s left".  `what` is the plural
+// noun for the things that are counted, such as "seeds".  At the beginning the remaining time is
+// not known yet, and the text leaves it out.
 std::string ProgressText(uint64_t done, uint64_t total, const std::string& what, double elapsed_s);
 
 // A command that takes less than this time shows no line.
 inline constexpr int64_t kQuickNs = 2'000'000'000;
 
-// Draws the line on a terminal; each drawing replaces the one before.  Writes nothing if
-// `descriptor` is no terminal or -1, or before `quiet_ns` are over.
+// Draws the progress line on a terminal.  Each drawing replaces the previous one.  Writes nothing
+// if `descriptor` is -1 or no terminal, and nothing before `quiet_ns` have passed.
 class ProgressLine {
  public:
   ProgressLine(int descriptor, uint64_t total, std::string what, int64_t quiet_ns = kQuickNs);
@@ -31,7 +31,7 @@ class ProgressLine {
   bool is_shown() const { return descriptor_ >= 0; }
 
  private:
-  const int descriptor_;  // -1: no terminal
+  const int descriptor_;  // descriptor of the terminal; -1: the line is not drawn
   const uint64_t total_;
   const std::string what_;
   const int64_t begin_ns_;

@@ -21,10 +21,11 @@ int g_output_error = 0;  // errno of the first failed write to standard output
 bool g_has_failed = false;
 bool g_is_told = false;  // true: the failed write has been reported to the user
 
-// Opens /dev/null for each closed descriptor from 0 to 2.  open() gives the lowest closed
-// descriptor, which is the one that the loop has reached.
+// Opens /dev/null for each closed descriptor from 0 to 2. open() returns the lowest closed
+// descriptor, so it returns the descriptor that the loop has reached.
 void OpenClosedDescriptors() {
-  // Mode by descriptor; 1 is read-only, so that writing to it fails.
+  // The mode for each descriptor.  Descriptor 1 is opened for reading only, so that writing to it
+  // fails.
   constexpr int kModes[] = {O_RDONLY, O_RDONLY, O_WRONLY};
   for (int descriptor = STDIN_FILENO; descriptor <= STDERR_FILENO; ++descriptor) {
     if (fcntl(descriptor, F_GETFD) >= 0 || errno != EBADF) continue;

@@ -1,4 +1,4 @@
-// Chart, a picture of curves as plain data: panels in rows and columns.
+// Chart: a picture with curves, described as plain data.  Its panels stand in rows and columns.
 #pragma once
 
 #include <string>
@@ -26,7 +26,7 @@ struct Panel {
   std::string title;
   std::string note;  // short text to the right of the title
   std::vector<Curve> curves;
-  double y_span_min = 0;  // smallest span of the vertical axis; 0: Chart::y_span_min
+  double y_span_min = 0;  // smallest span of the vertical axis; 0: as Chart::y_span_min
 };
 
 struct Chart {
@@ -34,7 +34,8 @@ struct Chart {
   std::string subtitle;
   std::string x_label, y_label;  // texts at the axes, with units
   int columns = 3;               // >= 1
-  double y_span_min = 4;         // smallest span of an axis, so that small noise does not fill it
+  double y_span_min = 4;         // smallest span of a vertical axis, so that small noise does not
+                                 // fill the plot
   double plot_width = 320, plot_height = 128;  // size of a panel's plot, in points
   std::vector<Panel> panels;  // the panels of the first row, then those of the second row, ...
 };

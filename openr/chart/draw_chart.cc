@@ -16,12 +16,12 @@ namespace {
 
 // Sizes in units of the picture; a unit is one point in an SVG file.
 constexpr double kMargin = 24;
-constexpr double kTickRoom = 40;  // space left of a plot, for the numbers at its axis
+constexpr double kTickRoom = 40;  // width to the left of each plot, for the numbers at its axis
 constexpr double kColumnGap = 22, kRowGap = 14;
-constexpr double kTitleRoom = 22;  // space above a plot
-constexpr double kHeadRoom = 76;   // space above all plots
+constexpr double kTitleRoom = 22;  // height above each plot, for the title of its panel
+constexpr double kHeadRoom = 76;   // height above the first row of panels
 constexpr double kAxisLabelRoom = 22;
-constexpr double kFootRoom = 52;   // space below all plots
+constexpr double kFootRoom = 52;   // height below the last row of panels
 constexpr double kPngScale = 1.5;  // pixels per unit
 constexpr double kPi = 3.14159265358979323846;
 
@@ -204,8 +204,8 @@ class Painter {
     cairo_set_dash(cairo_, nullptr, 0, 0);
   }
 
-  // Draws the legend at the right end of the head: for each label a short line in the look of its
-  // curves, and the label.
+  // Draws the legend at the right end of the space above the panels.  It has an entry for each
+  // label: a short line in the look of the curves with this label, and the label.
   void DrawLegend(double width) {
     std::vector<const Curve*> entries;
     for (const Panel& panel : chart_.panels) {

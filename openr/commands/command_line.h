@@ -10,7 +10,8 @@ namespace openr_host {
 // is the whole program; `error` is the exception that app.parse() has thrown.
 std::string ExplainCommandLine(const CLI::App& app, const CLI::ParseError& error);
 
-// Returns the text of a help as standard output shows it: on a terminal with bold headings.
+// Returns the help text `help` as it is printed: with bold headings if standard output is a
+// terminal.
 std::string ForTerminal(const std::string& help);
 
 // Returns the words to type for help about the command on the command line, such as "openr help

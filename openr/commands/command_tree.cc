@@ -7,8 +7,9 @@
 namespace openr_host {
 namespace {
 
-// Returns the words of "TEXT:{ers210,ers220}", or of "{basic->BASIC,...} OR {BASIC,...}", what
-// CLI11 says of an option with a list of values; none for other types.
+// Returns the words in the first braces of `type`, which is CLI11's text for an option with a list
+// of values: "TEXT:{ers210,ers220}" or "{basic->BASIC,...} OR {BASIC,...}".  Returns none if `type`
+// has no braces.
 std::vector<std::string> ChoicesIn(const std::string& type) {
   const size_t begin = type.find('{'), end = type.find('}', begin);
   std::vector<std::string> choices;
@@ -23,7 +24,8 @@ bool IsOneOf(const std::string& word, std::initializer_list<const char*> words) 
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-// Returns the kind of value.  `name` is what help calls a positional, "" for a flag.
+// Returns the kind of an option's value.  `type` is CLI11's text for the option.  `name` is the
+// name of a positional in the help; "" for a flag.
 OptionInfo::Value ValueOf(const std::string& type, const std::string& name) {
   using Value = OptionInfo::Value;
   if (!ChoicesIn(type).empty()) return Value::kChoice;
@@ -33,7 +35,8 @@ OptionInfo::Value ValueOf(const std::string& type, const std::string& name) {
   return Value::kText;
 }
 
-// Returns how the value is called: "FILE" for "TEXT:FILE", "INT" for "INT:INT in [1 - 9]".
+// Returns the name of an option's value in the help: "FILE" if `type` is "TEXT:FILE", "INT" if it
+// is "INT:INT in [1 - 9]".
 std::string ValueName(const std::string& type, OptionInfo::Value value) {
   if (value == OptionInfo::Value::kFile) return "FILE";
   if (value == OptionInfo::Value::kFolder) return "FOLDER";
@@ -66,7 +69,8 @@ CommandInfo DescribeCommand(const CLI::App& app, const std::string& above) {
   info.path = above.empty() ? info.name : above + " " + info.name;
   info.description = app.get_description();
   info.footer = app.get_footer();
-  // An option without a group is hidden: for programs that openr starts.
+  // Leaves out options without a group.  They are hidden, because only openr gives them, to
+  // programs that it starts.
   const auto is_shown = [](const CLI::Option* option) { return !option->get_group().empty(); };
   for (const CLI::Option* const option : app.get_options(is_shown))
     (option->get_positional() ? info.positionals : info.options).push_back(DescribeOption(*option));

@@ -1,4 +1,5 @@
-// The one description of all commands, as data: what help, completion and manual pages are made of.
+// The description of all commands as data.  The manual pages and the completion script are made of
+// it.
 #pragma once
 
 #include <string>
@@ -10,7 +11,8 @@ class App;
 
 namespace openr_host {
 
-// A flag, or a word without a name in a fixed place (a positional).
+// A flag, or a positional: a word without a flag, whose place in the command line gives its
+// meaning.
 struct OptionInfo {
   enum class Value {
     kNone,    // a flag without a value
@@ -20,24 +22,25 @@ struct OptionInfo {
     kFolder,
   };
 
-  std::vector<std::string> names;  // "-o", "--output"; of a positional only what help calls it
+  std::vector<std::string> names;  // "-o", "--output"; for a positional, the one name that help
+                                   // shows
   Value value = Value::kNone;
-  std::string value_name;  // "FILE"; "" without a value
+  std::string value_name;  // "FILE"; "": the option has no value
   std::vector<std::string> choices;
-  std::string default_value;  // "": none is shown
+  std::string default_value;  // default value that help shows; "": none
   std::string description;
   bool is_required = false;
   bool is_repeatable = false;
 };
 
 struct CommandInfo {
-  std::string path;  // "openr rc mtn play"
-  std::string name;  // "play"
+  std::string path;  // the words that call the command, such as "openr rc mtn play"
+  std::string name;  // the last of these words, such as "play"
   std::string description;
-  std::string footer;  // what help shows last: the examples, and lists of words
+  std::string footer;  // the last part of the help: the examples, and lists of words
   std::vector<OptionInfo> positionals;
   std::vector<OptionInfo> options;
-  std::vector<CommandInfo> commands;  // those below, in the order of the help
+  std::vector<CommandInfo> commands;  // the subcommands, in the order in which the help lists them
 };
 
 // Returns the description of `app`, the whole program.

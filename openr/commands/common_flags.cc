@@ -12,7 +12,8 @@
 namespace openr_host {
 namespace {
 
-// Returns a check of a file of the user, or of one that came with the program (DataFile()).
+// Returns a check of the flag `flag`: its value must be a readable file of the user, or the name of
+// a file that came with the program (DataFile()).
 CLI::Validator IsDataFile(const char* flag, const InputKind& kind) {
   return CLI::Validator(
       [flag, kind](const std::string& name) -> std::string {
@@ -158,8 +159,8 @@ CLI::Validator IsWritable() { return CLI::Validator(&WhyNotWritable, "FILE"); }
 
 void RefuseInput(const std::string& flag, const std::string& file, const std::string& problem) {
   if (problem.empty()) return;
-  // Throws a plain ParseError instead of a ValidationError, because CLI11 would put the flag's name
-  // before the text of the latter, and this text already begins with the name.
+  // Throws a plain ParseError instead of a ValidationError.  CLI11 puts the flag's name before the
+  // text of a ValidationError, but this text already begins with the name.
   throw CLI::ParseError(fmt::format("{} {}: {}", flag, file, problem),
                         CLI::ExitCodes::ValidationError);
 }

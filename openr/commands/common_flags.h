@@ -15,17 +15,18 @@ namespace openr_host {
 // --seed.
 void AddCommonFlags(CLI::App* command, SimulationOptions* options);
 
-// Adds the flags of commands that run several robots: --robots and --together, and makes --stick
-// one that may be repeated.  Called after AddCommonFlags().
+// Adds the flags of commands that run several robots: --robots and --together.  Also allows several
+// --stick flags.  Must be called after AddCommonFlags().
 void AddRobotsFlags(CLI::App* command, SimulationOptions* options);
 // Throws CLI::ValidationError if flags about several robots do not fit together.
 void CheckRobots(const SimulationOptions& options);
 
-// Add --battery and --cost, the flags of commands that run robots.
+// Adds --battery, a flag of commands that run robots.
 void AddBatteryFlag(CLI::App* command, SimulationOptions* options);
+// Adds --cost, a flag of commands that run robots.
 void AddCostFlag(CLI::App* command, SimulationOptions* options);
 
-// Adds --images, which says what cameras see.
+// Adds --images, the source of the pictures that the cameras of the robots see.
 void AddImagesFlag(CLI::App* command, SimulationOptions* options);
 
 // Adds a flag that takes a duration such as "20s".  If the user gives the flag, `take` is called

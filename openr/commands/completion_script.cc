@@ -8,8 +8,9 @@ namespace {
 
 using Value = OptionInfo::Value;
 
-// The begin of the script: finds out which command stands before the word that is completed.  The
-// patterns of commands come in between.  `help run` completes as `run` does.
+// The beginning of the script.  It finds out which command stands before the word to complete.
+// BashCompletion() puts the names of all commands between kBegin and kAfterCommands.  The words
+// after `help` are completed like a command: `help run` as `run`.
 constexpr char kBegin[] = R"(# Completion of openr for bash; made by: openr completion bash
 _openr() {
   local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD-1]} path=openr i
@@ -64,7 +65,8 @@ const char* KindOf(Value value) {
   return value == Value::kFile ? "-f" : value == Value::kFolder ? "-d" : "";
 }
 
-// Adds a case for each flag with a value: what the word behind the flag can be.
+// Adds a case to the script for each flag with a value.  The case says which words can follow the
+// flag.
 void AddValues(const CommandInfo& command, std::string* script) {
   for (const OptionInfo& option : command.options) {
     if (option.value == Value::kNone) continue;
@@ -83,8 +85,8 @@ void AddValues(const CommandInfo& command, std::string* script) {
   for (const CommandInfo& below : command.commands) AddValues(below, script);
 }
 
-// Adds a case for each command: the words that may come next, then '|' and the flags, and whether
-// files or folders may come.
+// Adds a case to the script for each command.  The case has the words that may come next, then '|',
+// then the flags, and says whether file or folder names may come next.
 void AddWords(const CommandInfo& command, std::string* script) {
   std::vector<std::string> words, flags;
   for (const CommandInfo& below : command.commands) words.push_back(below.name);

@@ -31,7 +31,8 @@
 namespace openr_host {
 namespace {
 
-// The replay of a recording whose robots get a real network behind the recorded one.
+// A recorded run that is first replayed and then goes on live.  Each robot has a BranchNetwork.
+// During the replay this network repeats the recorded data; afterwards it uses a real network.
 class ContinuedRun {
  public:
   explicit ContinuedRun(const ContinueOptions& options) : options_(options) {
@@ -62,7 +63,8 @@ class ContinuedRun {
     for (BranchNetwork* const network : networks_) network->GoOn();
   }
 
-  // Forgets events of the network, which only a run that can be rewound needs.
+  // Drops the events of the network that were logged so far, because only a run that can be rewound
+  // needs them.
   void ForgetEvents() { log_.DropBefore(log_.end()); }
 
   // Completes the recording.  Returns "" or the error in writing it.
@@ -71,7 +73,7 @@ class ContinuedRun {
   }
 
  private:
-  // Puts a real network behind the recorded events.
+  // Gives each robot a network that first repeats the recorded data, and then uses a real network.
   void Prepare(SimulationOptions* simulation) {
     simulation->host_network = true;
     simulation->network_filter = [this, recorded = simulation->network_filter](
@@ -85,7 +87,7 @@ class ContinuedRun {
     if (recorder_ != nullptr) recorder_->Listen(simulation);
   }
 
-  // Returns the folder of the stick of which the replay has made a copy.
+  // Returns the folder of the stick that the replay has copied.
   std::string StickName() const {
     if (!options_.replay.stick.empty()) return options_.replay.stick;
     return TraceReader(options_.replay.file).header().stick;

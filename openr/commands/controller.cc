@@ -79,7 +79,7 @@ CLI::Validator IsRemoteAddress() {
   return CLI::Validator(problem, "");
 }
 
-// Returns the function `name` of a library that stays loaded until the process ends.
+// Loads `library`, which then stays loaded until the process ends, and returns its function `name`.
 template <typename Function>
 Function* Load(const std::string& library, const char* name) {
   void* const handle = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
@@ -90,15 +90,16 @@ Function* Load(const std::string& library, const char* name) {
 
 // Builds the controller as a library and loads it into this process.
 int (*LoadController(const ControllerFlags& flags))() {
-  const TempFolder folder;  // deleted at the end; a loaded file may be deleted
+  const TempFolder folder;  // the folder is deleted when this function returns; Linux lets a loaded
+                            // file be deleted
   const std::string library = folder.path() + "/controller.so";
   if (!BuildControllerLibrary({flags.source, ControllerLibrary(), library})) return nullptr;
   return Load<int()>(library, kControllerMainName);
 }
 
 int Run(const ControllerFlags& flags) {
-  // Loads our own library first, because the controller's library is linked with it by its bare
-  // name.
+  // Loads our own library first.  The controller's library names it without a folder, so the
+  // dynamic linker can only use the copy that is already loaded.
   auto* const run = Load<RunController>(ControllerLibrary(), kRunControllerName);
   auto* const controller_main = LoadController(flags);
   if (controller_main == nullptr) return kExitWrong;

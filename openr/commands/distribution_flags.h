@@ -19,7 +19,7 @@ class RunStick;
 void AddBusFlags(CLI::App* command, BusOptions* bus);
 
 // Returns a check of the value of --run-name (`what` is "run") or --process (`what` is "process"):
-// it refuses all names but those of up to 64 letters, digits, '_', '-' and '.'.
+// it accepts only names of up to 64 letters, digits, '_', '-' and '.'.
 CLI::Validator IsNameOf(const std::string& what);
 
 struct PlacementFlags {
@@ -28,7 +28,7 @@ struct PlacementFlags {
   std::vector<std::string> isolated;  // names of objects, each for a process of its own
   std::string wrapper;                // command that starts workers, such as "gdb --args"
   bool is_free = false;
-  bool is_monitored = false;  // sends its status to openr top, also without workers
+  bool is_monitored = false;  // the run sends its status to openr top, also if it has no workers
   BusOptions bus;
   int64_t wait_us = 60'000'000;
   int restarts = 0;

@@ -316,8 +316,8 @@ int ShowFailure(const ExploreFlags& flags, const ExploredStick& stick, uint64_t 
 }
 
 // Runs the failing run once more and writes its recording.  `answer` is the answer of
-// ReplayDeviations().  A run that an object ends by a crash ends this process, with a recording up
-// to there, so this comes last.  Returns false after printing an error.
+// ReplayDeviations().  Must be called last, because this process ends if an object crashes in the
+// run.  The recording then ends at the crash.  Returns false after printing an error.
 bool RecordFailure(const ExploreFlags& flags, const ExploredStick& stick, uint64_t seed,
                    const Json& deviations, const Json& answer) {
   const EndingAnswer ending_answer(-1);

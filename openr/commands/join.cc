@@ -43,7 +43,7 @@ std::string WhyNoStick(const std::string& folder) {
   return fmt::format("{}: there is no such folder; give a copy of the run's stick", folder);
 }
 
-// Exit codes with which a worker started by --restart ends its child process.
+// Exit codes of the child process in which a worker runs with --restart.
 constexpr int kRefused = 3;  // the run refuses this version or stick; a restart cannot help
 constexpr int kOffline = 4;  // the worker threw an exception, usually without a network
 

@@ -35,8 +35,9 @@ constexpr double kSameMotionDeg = 0.1;
 constexpr LogGroup kGroups[] = {LogGroup::kCommanded, LogGroup::kMeasured, LogGroup::kSimulated};
 
 struct LogFlags {
-  std::string file, other;         // files to read; `other` is only for compare; "": compare within
-                                   // `file`
+  // The files to read.  Only the command `compare` uses `other`; "" means that it compares two
+  // groups of `file`.
+  std::string file, other;
   std::string motion;              // motion file of the log; "": the user has named none
   std::string group, other_group;  // groups of the two sides of compare; "": chosen by the content
                                    // of the log
@@ -199,7 +200,8 @@ LogGroup GroupOf(const std::string& flag, const LogFile& log) {
   return CountOf(log, LogGroup::kMeasured) > 0 ? LogGroup::kMeasured : LogGroup::kSimulated;
 }
 
-// Returns the group to compare with the other group of the same log.
+// Returns the second group of a comparison within one log: the group that the flag names.  Without
+// the flag, the simulated values if the log has them, else the values of the real robot.
 LogGroup OtherGroupOf(const std::string& flag, const LogFile& log) {
   if (!flag.empty()) return GroupOf(flag, log);
   return CountOf(log, LogGroup::kSimulated) > 0 ? LogGroup::kSimulated : LogGroup::kMeasured;
@@ -237,7 +239,7 @@ Comparison CompareWithin(const LogFlags& flags) {
 void WarnIfMotionsDiffer(const TimedLog& first, const TimedLog& second) {
   const std::vector<const JointConstants*> joints = LoggedJoints(*first.log.robot);
   const size_t count = std::min(first.log.records.size(), second.log.records.size());
-  // Leaves out the first record, because its commanded positions are those from before the motion.
+  // Leaves out the first record, because the robot got its commanded positions before the motion.
   for (size_t i = 1; i < count; ++i) {
     const LogRecord& a = first.log.records[i];
     const LogRecord& b = second.log.records[i];
@@ -332,7 +334,8 @@ void LogCompare(const LogFlags& flags) {
 
 using LogAction = void (*)(const LogFlags& flags);
 
-// Runs `action`.  If the user gave --json, prints an error as JSON, too.
+// Runs `action`.  Prints an error of it on standard error and, with --json, also as JSON on
+// standard output.
 int PerformLog(LogAction action, const LogFlags& flags) {
   try {
     action(flags);

@@ -10,8 +10,8 @@
 namespace openr_host {
 namespace {
 
-// Returns `text` so that it is shown as it is: no line of it is a request of man(7), and '-' can be
-// copied as the flag that it is.
+// Returns `text` in the language of man(7), such that man shows it unchanged: no line begins a
+// request, and '-' stays the character that can be copied as part of a flag.
 std::string Plain(const std::string& text) {
   std::string plain;
   bool begins_line = true;
@@ -78,8 +78,8 @@ std::string Entries(const CommandInfo& command) {
   return text;
 }
 
-// Returns the footer of the help: lines without an indent are headings, the others are shown as
-// they are.
+// Converts `footer`, the last part of a command's help, to the language of man(7).  Lines without
+// an indent become headings; all other lines are shown unchanged.
 std::string Footer(const std::string& footer) {
   std::string text;
   bool is_in_block = false;
@@ -102,7 +102,7 @@ std::string UpperCase(std::string text) {
   return text;
 }
 
-// Adds a section for each command below `command`.
+// Adds a section for each subcommand of `command`, and for their subcommands.
 void AddBelow(const CommandInfo& command, std::string* page) {
   for (const CommandInfo& below : command.commands) {
     *page += ".SS " + Plain(below.path) + "\n" + Synopsis(below) + ".PP\n" +

@@ -7,8 +7,8 @@
 
 namespace openr_host {
 
-// Returns the text of a page in the language of man(7).  The page of the program lists the
-// commands; the page of a command has the commands below it as well.  `version` is that of the
+// Returns the text of a manual page in the language of man(7).  The page of the program lists all
+// commands.  The page of a command also describes its subcommands.  `version` is the version of the
 // program.
 std::string ManPage(const CommandInfo& program, const CommandInfo& command,
                     const std::string& version);

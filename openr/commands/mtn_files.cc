@@ -110,8 +110,8 @@ std::vector<OdaMember> MembersOf(const std::string& file, const std::string& byt
   }
 }
 
-// Replaces all bytes but printable ASCII in `name` by '?', because a container may come from
-// anywhere, and control bytes must not reach a terminal.
+// Replaces all bytes of `name` but printable ASCII by '?'.  A container file may come from
+// anywhere, and control bytes in it must not reach the terminal.
 std::string Printable(std::string name) {
   for (char& c : name) {
     if (c < ' ' || c > '~') c = '?';

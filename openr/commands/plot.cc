@@ -32,7 +32,7 @@
 namespace openr_host {
 namespace {
 
-constexpr int64_t kHandlerLimitUs = 10'000'000;  // the same as in openr replay
+constexpr int64_t kHandlerLimitUs = 10'000'000;  // the limit that openr replay has, too
 
 struct PlotFlags {
   std::string file, stick, motion, output;

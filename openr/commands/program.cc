@@ -52,7 +52,7 @@ void TellFailure(const std::string& why, bool as_json) {
   const std::string name = Coloured(Colour::kError, "openr:", HasColours(STDERR_FILENO));
   std::fprintf(stderr, "%s %s\n", name.c_str(), why.c_str());
   if (!as_json) return;
-  // replaces bytes that are not UTF-8
+  // Replaces bytes that are not UTF-8, because dump() would throw otherwise.
   const auto replace = nlohmann::json::error_handler_t::replace;
   std::printf("%s\n", nlohmann::json{{"error", why}}.dump(-1, ' ', false, replace).c_str());
 }
@@ -72,8 +72,8 @@ int PrintAskedFor(const CLI::App& app, const CLI::ParseError& error) {
 
 }  // namespace
 
-// Does not describe all commands if one is enough, because that takes a fifth of the start of the
-// program.
+// Describes only the command `wanted` if it can, because describing all commands takes a fifth of
+// the start of the program.
 void DescribeProgram(CLI::App* app, int* exit_code, std::string_view wanted) {
   app->name("openr");
   app->require_subcommand(1);

@@ -27,8 +27,8 @@ remote::Address AddressOf(const RcFlags& flags) {
 }
 
 int Perform(const RcFlags& flags, const RcAction& action) {
-  // Acts at each robot separately, unless a log is wanted: one action makes a log, because a log
-  // has records of both robots.
+  // With --with, performs the action at each robot separately.  With --log, performs only one
+  // action, because one log has the records of both robots.
   if (!flags.with.empty() && flags.log.empty()) {
     AddressOf(flags);
     return PerformAtBoth(flags, action);

@@ -20,7 +20,8 @@ namespace remote = openr::remote;
 struct RcFlags {
   std::string address;
   std::string with;    // address of a second robot; "": none
-  bool track = false;  // whether a robot that follows ignores its limits
+  bool track = false;  // whether a robot that follows another one ignores its limits of speed and
+                       // acceleration
   int64_t timeout_us = 3'000'000;
   bool json = false;
   std::string device;  // name, title, locator or number of a device
@@ -61,9 +62,9 @@ void RcMotorAction(remote::Connection* robot, const RcFlags& flags);
 void RcGainsAction(remote::Connection* robot, const RcFlags& flags);
 void RcPowerAction(remote::Connection* robot, const RcFlags& flags);
 
-// Actions for two robots (rc_play_with.cc): play a motion on both, and convert the bytes of a log
-// to those of a simulated robot's log.
+// Plays a motion on two robots (rc_play_with.cc).
 void RcPlayWithAction(remote::Connection* robot, const RcFlags& flags);
+// Converts the bytes of a log to the bytes of a simulated robot's log (rc_play_with.cc).
 std::string SimulatedLog(const std::string& bytes);
 
 // Fetches a picture of the camera (rc_camera.cc).

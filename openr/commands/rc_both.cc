@@ -27,9 +27,10 @@ using Json = nlohmann::ordered_json;
 
 constexpr int64_t kFollowVectorUs = 32'000;  // a sensor vector has 4 frames of 8 ms
 constexpr int64_t kFollowPeriodMaxUs = 10'000'000;
-constexpr int kStatusesPerReport = 5;  // RemotePair tells its status every 200 ms
+constexpr int kStatusesPerReport = 5;  // one report a second, because RemotePair tells its status
+                                       // every 200 ms
 
-// A robot of the two, with the result of the action at this robot.
+// One of the two robots, with the result of the action at this robot.
 struct Partner {
   std::string address;
   std::unique_ptr<remote::Connection> connection;

@@ -20,7 +20,7 @@
 namespace openr_host {
 namespace {
 
-// Time between two requests for the logs, the same as for one robot.
+// Time between two requests for the logs; the same as kLogPollUs for the log of one robot.
 constexpr useconds_t kBothPollUs = 5'000;
 
 remote::PlayAnswer Play(remote::Connection* robot, const RcFlags& flags) {

@@ -15,7 +15,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int64_t kVectorUs = 32'000;  // a sensor vector has 4 frames of 8 ms
-constexpr int kPeriodMax = 65532;      // frames; the largest multiple of 4 in 16 bits
+constexpr int kPeriodMax = 65532;      // largest period in frames: the largest multiple of 4 that
+                                       // fits into 16 bits
 
 // Returns the period for `every_us` in frames, rounded up to whole sensor vectors.
 int PeriodOf(int64_t every_us) {
@@ -24,7 +25,7 @@ int PeriodOf(int64_t every_us) {
       std::min<int64_t>(std::max<int64_t>(vectors, 1) * RC_FRAMES_PER_VECTOR, kPeriodMax));
 }
 
-// Formats set values with the names of the joints.
+// Formats SetValues, the reports of JointMover, with the names of the joints.
 class SetValueFormat {
  public:
   explicit SetValueFormat(remote::Connection* robot) : joints_(robot->Devices(rcdeviceJOINT)) {}

@@ -40,16 +40,16 @@ struct ReplayFlags {
   ShowOptions show;
   std::optional<int64_t> continue_at_us;
   ContinueOptions go_on;
-  DataLogOptions data_log;  // file "": no log of data
+  DataLogOptions data_log;  // `file` in it is "" if no log of data is wanted
   std::string timeline_file;
-  int64_t handler_limit_us = 10'000'000;  // the same default as in openr run
+  int64_t handler_limit_us = 10'000'000;  // openr run has the same default
 };
 
 nlohmann::ordered_json TextOrNull(const std::string& text) {
   return text.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(text);
 }
 
-// Prints the answers of the object of --only that differ from the recorded ones.
+// Prints the messages of the object of --only that differ from the recorded messages.
 void PrintAnswers(const Replayer& replayer, const ReplayFlags& flags) {
   if (flags.replay.only.empty()) return;
   for (const AnswerDifference& difference : replayer.answer_differences())

@@ -37,16 +37,18 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kInterruptMs = 200;        // how long Ctrl-C may wait for its turn at most
-constexpr size_t kFindingsPrinted = 20;  // the others are in the report
+constexpr int kInterruptMs = 200;        // longest wait for data of the copies, so that Ctrl-C is
+                                         // noticed soon
+constexpr size_t kFindingsPrinted = 20;  // the report has all findings
 
 struct RunningCopy {
   int robot = 0;
   ProcessCopy process;
-  std::string said;  // what it has sent so far
+  std::string said;  // the part of the report that the copy has sent so far
 };
 
-// Reads what `copy` has sent, without waiting for more than there is.  Returns false at its end.
+// Reads data that `copy` has sent; does not wait for more of it.  Returns false when `copy` has
+// ended.
 bool ReadSome(RunningCopy* copy) {
   char buffer[65536];
   const ssize_t size = read(copy->process.answers, buffer, sizeof buffer);
@@ -56,7 +58,7 @@ bool ReadSome(RunningCopy* copy) {
   return true;
 }
 
-// Returns the report of a robot whose process has ended without one.
+// Returns a report about a robot whose process has ended without sending its report.
 Json LostReport(const std::string& model, int status) {
   const std::string why = WIFSIGNALED(status) ? fmt::format("signal {} ({})", WTERMSIG(status),
                                                             strsignal(WTERMSIG(status)))
@@ -80,17 +82,18 @@ Json LostReport(const std::string& model, int status) {
           {"findings", Json::array({finding})}};
 }
 
-// A finding that one robot or several have.
+// A finding, with all robots that have it.
 struct SharedFinding {
-  std::string severity, text;  // the text with its object
+  std::string severity, text;  // `text` begins with the name of the object
   std::vector<int> robots;
 };
 
-// Prints the first findings, errors first.  Equal findings of several robots are one line, so that
-// what all robots have does not hide what one has.
+// Prints the first kFindingsPrinted findings, errors first.  Equal findings of several robots are
+// printed as one line.  Otherwise a finding of all robots would hide the finding of a single robot.
 void PrintFindings(const Json& findings) {
   std::vector<SharedFinding> shared;
-  std::map<std::pair<std::string, std::string>, size_t> places;  // severity and text -> in shared
+  std::map<std::pair<std::string, std::string>, size_t> places;  // key: severity and text; value:
+                                                                 // index in `shared`
   for (const Json& finding : findings) {
     const std::string severity = finding["severity"].get<std::string>();
     const std::string object = finding["object"].get<std::string>();
@@ -180,7 +183,8 @@ SimulationOptions RobotJobs::Options() {
   return options;
 }
 
-// Prints whole lines, each with its robot in front, because the lines of several robots mix.
+// Prints whole lines, each with the number of its robot in front, because the lines of several
+// robots mix on the console.
 void RobotJobs::Print(std::string_view text) {
   if (robot_ < 0) return console_.Print(text);
   line_ += text;
@@ -195,7 +199,8 @@ void RobotJobs::RunInCopy(int robot, int answer) {
   robot_ = robot;
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   const EndingAnswer ending_answer(-1);
-  std::optional<std::string> place;  // see CrashLog: the finding names the file
+  std::optional<std::string> place;  // has a value if the finding about a crash must name the
+                                     // record's file (CrashLog)
   if (stick_.is_default()) place = "";
   const CrashLog crash_log({stick_.crash_log()}, true, place);
   const Watchdog watchdog(flags_.handler_limit_us);
@@ -221,7 +226,8 @@ void RobotJobs::RunInCopy(int robot, int answer) {
   WriteAll(answer, JsonText(report()));
 }
 
-// Takes what the process of `robot` has sent and how it ended.
+// Stores `said`, the report that the process of `robot` has sent.  If the report is not complete,
+// stores a report about the end of the process instead; `status` is its exit status.
 void RobotJobs::Take(int robot, const std::string& said, int status) {
   Json report = Json::parse(said, nullptr, false);
   if (!report.is_object() || !report.contains("robots"))
@@ -229,8 +235,8 @@ void RobotJobs::Take(int robot, const std::string& said, int status) {
   reports_[static_cast<size_t>(robot)] = std::move(report);
 }
 
-// Starts the process of `robot`.  While the process begins, Ctrl-C waits: it must be counted once,
-// in this process, which passes it on.
+// Starts the process of `robot`.  Blocks the signals of Ctrl-C until the copy has been made: only
+// this process may count a Ctrl-C, and it then passes it on to its copies.
 ProcessCopy RobotJobs::Start(int robot) {
   sigset_t signals, before;
   sigemptyset(&signals);
@@ -238,7 +244,8 @@ ProcessCopy RobotJobs::Start(int robot) {
   sigaddset(&signals, SIGTERM);
   sigprocmask(SIG_BLOCK, &signals, &before);
   const ProcessCopy copy = StartCopy([&](int answer) {
-    // Ctrl-C on a terminal reaches only the process that the user has started.
+    // Gives the copy a process group of its own.  So Ctrl-C on the terminal reaches only the
+    // process that the user has started.
     setpgid(0, 0);
     interrupts_.StartAgain();
     sigprocmask(SIG_SETMASK, &before, nullptr);
@@ -254,7 +261,8 @@ ProcessCopy RobotJobs::Start(int robot) {
 }
 
 void RobotJobs::RunAll() {
-  // The robots' own lines would be written into the progress line.
+  // Shows progress only if the robots print to a file, because their lines on the terminal would
+  // mix with the progress line.
   const int progress_stream = flags_.console_file.empty() || flags_.json ? -1 : STDERR_FILENO;
   ProgressLine progress(progress_stream, reports_.size(), "robots");
   std::vector<RunningCopy> running;
@@ -295,15 +303,15 @@ Json RobotJobs::ReportOfNoBoot() {
   return MakeReport(&simulation_, facts);
 }
 
-// Makes one report of those of the robots.
+// Combines the reports of all robots to one report.
 Json RobotJobs::Merge(double wall_time_s) {
   Json merged = {{"virtual_time_s", 0.0}};
   Json robots = Json::array(), objects = Json::array(), findings = Json::array();
   Hasher state, trace;
   uint64_t messages = 0;
-  const Json* last = nullptr;  // the robot that ended last
+  const Json* last = nullptr;  // the report of the robot that ended last
   for (size_t i = 0; i < reports_.size(); ++i) {
-    if (reports_[i].is_null()) continue;  // Ctrl-C came before its turn
+    if (reports_[i].is_null()) continue;  // the robot was not started before Ctrl-C
     const Json& report = reports_[i];
     if (last == nullptr || report["virtual_time_s"] >= (*last)["virtual_time_s"]) last = &report;
     Json robot = report["robots"][0];

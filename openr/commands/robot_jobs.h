@@ -1,4 +1,4 @@
-// openr run --robots N --jobs K: N robots that have nothing to do with each other, K at a time.
+// openr run --robots N --jobs K: runs N robots, each on its own, K of them at a time.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -18,10 +18,10 @@ namespace openr_host {
 // Throws CLI::ValidationError if a flag of the user does not go with --jobs, with the reason.
 void RefuseFlagsBesideJobs(const RunFlags& flags);
 
-// Runs each robot in a copy of this process (fork), which has one robot in a System of its own.
-// The images are loaded once, before the copies are made.  So the hashes of a robot depend on its
-// number, but neither on how many robots nor on how many jobs there are.  The memory that is used
-// does not grow with the number of robots, but for their reports.
+// Runs each robot in a copy of this process (fork), with a System for this robot only.  The images
+// are loaded once, before the copies are made.  So the hashes of a robot depend only on its number,
+// and not on the number of robots or jobs.  The memory does not grow with the number of robots,
+// except for their reports.
 class RobotJobs {
  public:
   // REQUIRES: flags.jobs > 0; RefuseFlagsBesideJobs() has accepted the flags.
@@ -47,9 +47,11 @@ class RobotJobs {
   Console console_;
   InterruptCounter interrupts_;
   int robot_ = -1;    // the robot that this copy of the process runs; -1: this is no copy
-  std::string line_;  // what the objects of that robot have printed since their last whole line
+  std::string line_;  // text that the objects of this robot have printed after their last whole
+                      // line
   Simulation simulation_;
-  std::vector<nlohmann::ordered_json> reports_;  // by robot; null: the robot has not run
+  std::vector<nlohmann::ordered_json> reports_;  // index: number of the robot; null: the robot has
+                                                 // not run
 };
 
 }  // namespace openr_host

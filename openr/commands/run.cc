@@ -159,8 +159,8 @@ class CommandedRun {
   std::string LiveName() const;
   std::string WhyNotRewound() const;
   void BeginRewind(LiveServer* live, Runner* runner, Watchdog* watchdog);
-  // Returns the stream for the line that shows how far the run is; -1: none, because nobody knows
-  // when the run ends, or a program reads its output.
+  // Returns the stream on which a line shows how far the run is.  Returns -1, for no such line, if
+  // nobody knows when the run ends, or if a program reads the output.
   int ProgressStream() const { return plan_.for_us && !flags_.json ? STDERR_FILENO : -1; }
   uint64_t VirtualSeconds() const {
     return static_cast<uint64_t>(plan_.for_us.value_or(0) / 1'000'000);
@@ -419,7 +419,8 @@ void AddRunCommand(CLI::App* app, int* exit_code) {
   auto flags = std::make_shared<RunFlags>();
   DescribeRunFlags(command, flags.get());
   command->callback([command, flags, exit_code] {
-    // Robots with processes of their own run at full speed, since nobody can look at them.
+    // Runs robots with processes of their own at full speed, because nobody can watch them on a
+    // panel.
     if (flags->jobs > 0 && command->count("--rate") == 0) flags->rate = "max";
     if (!flags->gdb.empty()) StartUnderGdb(flags->gdb, flags->simulation.stick);
     StartWithSanitizerOf(flags->simulation.stick);

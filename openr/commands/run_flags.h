@@ -24,7 +24,7 @@ struct RunFlags {
   std::string rate = "1";
   std::string report_file;
   std::string record_file;
-  DataLogOptions data_log;  // file "": no log of data
+  DataLogOptions data_log;  // `file` in it is "" if no log of data is wanted
   std::string timeline_file;
   bool no_payloads = false;
   bool json = false;
@@ -35,7 +35,7 @@ struct RunFlags {
   std::string console_file;
   std::string stdin_file;
   std::string events_file;
-  int jobs = 0;     // --jobs; 0: all robots in one System of this process
+  int jobs = 0;     // value of --jobs; 0: all robots are in one System of this process
   std::string gdb;  // object of --gdb; "": no debugger
   int64_t handler_limit_us = 10'000'000;
   std::vector<std::string> snapshots;
@@ -49,8 +49,9 @@ void DescribeRunFlags(CLI::App* command, RunFlags* flags);
 // Adds --log-data, --log-images and --timeline, which run and replay have.
 void AddDataLogFlags(CLI::App* command, DataLogOptions* options, std::string* timeline);
 
-// Returns whether the run has a panel.  --panel and --no-panel decide; without them, it has one if
-// the panel is built and standard error is a terminal, on which a person sees its address.
+// Returns whether the run has a panel.  The flags --panel and --no-panel decide.  Without them, the
+// run has a panel if the panel is built and standard error is a terminal, on which a person sees
+// the address of the panel.
 bool WantsPanel(const RunFlags& flags);
 
 // Returns the plan of the run that the flags describe.  Throws CLI::ValidationError if two flags

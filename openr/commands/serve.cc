@@ -22,11 +22,13 @@ namespace openr_host {
 namespace {
 
 int RunServe() {
-  // The program that drives the run decides what Ctrl-C in its terminal means.
+  // Ignores Ctrl-C, because the program that drives the run decides what Ctrl-C in its terminal
+  // means.
   signal(SIGINT, SIG_IGN);
-  // Threads that draw would be missing in forked copies of the process.
+  // Makes Mesa draw pictures without threads of its own, because a forked copy of the process has
+  // no such threads.
   setenv("LP_NUM_THREADS", "0", 0);
-  const Console console("");  // keeps what objects print away from the answers
+  const Console console("");  // keeps the text that objects print away from the answers
   RequestPipe pipe(STDIN_FILENO, StandardOutput());
   auto server = std::make_unique<RunServer>(&pipe);
   const int exit_code = server->Serve();
@@ -34,8 +36,8 @@ int RunServe() {
   server.reset();
   if (!is_copy) return exit_code;
   std::fflush(nullptr);
-  // Mesa's exit handler waits for threads of Mesa, which the copy of a process that has drawn a
-  // picture does not have.
+  // Ends without exit handlers.  The exit handler of Mesa would wait for threads of Mesa, which a
+  // copy of a process that has drawn a picture does not have.
   _exit(exit_code);
 }
 

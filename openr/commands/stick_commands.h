@@ -1,4 +1,4 @@
-// The commands below `openr stick` that are about a stick for a real robot.
+// The subcommands of `openr stick` for the Memory Stick of a real robot.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -15,7 +15,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Run = RunsHeard::Run;
 
-constexpr double kSilent_s = 3;   // a longer silence is shown; a run sends its status once a second
+constexpr double kSilent_s = 3;   // a run that is silent for longer is shown as silent; each run
+                                  // sends its status once a second
 constexpr double kEnded_s = 10;   // an ended run is shown for this time
 constexpr size_t kStateMax = 40;  // most characters of a state in the table
 

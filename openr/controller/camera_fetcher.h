@@ -23,8 +23,8 @@ class CameraFetcher {
   // if a new picture has come since the last call.
   bool Take(std::string* rgb);
 
-  // Returns the reason why no pictures come; "" if they come, if the robot has had none for less
-  // than 10 s, or if the reason was returned before.
+  // Returns the reason why no pictures come.  Returns "" if pictures come, if none has come for
+  // less than 10 s, or if the reason was returned before.
   std::string TakeProblem();
 
  private:

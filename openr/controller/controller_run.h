@@ -1,8 +1,8 @@
 // The interface of libopenr_controller.so, which the program loads only for `openr controller run`.
 //
 // The library has the functions of objects/Controller/include/device for a controller that runs on
-// this computer and commands a robot through openr::remote.  The controller is a shared library
-// linked with it (kit/controller_library.h).
+// this computer and commands a robot through openr::remote.  The controller itself is another
+// shared library, linked with this one (kit/controller_library.h).
 #pragma once
 
 namespace openr_host {
@@ -10,7 +10,7 @@ namespace openr_host {
 struct ControllerRun {
   const char* address;       // address of the robot's remote control: "HOST[:PORT]"
   int timeout_ms;            // time limit for each answer of the robot
-  const char* folder;        // folder of the controller, for its *.MTN
+  const char* folder;        // folder of the controller, which has its motion files (*.MTN)
   int (*controller_main)();  // calls main() of the controller
 };
 

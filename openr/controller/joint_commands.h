@@ -13,7 +13,7 @@ namespace openr_host {
 // A request to the robot, and its description for messages.
 struct RobotCommand {
   openr::remote::Call call;
-  std::string what;  // such as "a position of neck_pan"
+  std::string what;  // description of the request, such as "a position of neck_pan"
   int joint = -1;    // the joint whose position the request sets; -1: another request
 };
 
@@ -36,7 +36,7 @@ class JointCommands {
 
  private:
   struct Sent {
-    std::optional<Sint32> position;  // 0.01 degree
+    std::optional<Sint32> position;  // in 0.01 degree; nullopt: no position was sent
     Sint32 speed;
     Sint32 acceleration;
     bool is_off = false;

@@ -289,8 +289,8 @@ std::string RemotePort::LocalMotion(const std::string& name) const {
   return "";
 }
 
-// Returns the bytes of a motion.  A motion file in the controller's folder is first uploaded to the
-// robot's stick, because `openr controller build` puts it there, too.
+// Returns the bytes of a motion.  If the controller's folder has the motion file, first uploads it
+// to the robot's stick, where `openr controller build` would put it, too.
 std::string RemotePort::FetchMotion(const std::string& name) {
   const std::string local = LocalMotion(name);
   if (local.empty()) return robot_.Download(rcfileMOTION, name);
@@ -340,9 +340,9 @@ void RemotePort::Print(const char* text) {
 
 // ---- A controller that is an endless loop
 
-// Waits here, in robot_step(), because a controller on this computer may wait; a second stack as on
-// the robot is not needed.  Makes iterations of the core until one of them continues the loop of
-// the controller.
+// Blocks in robot_step() until the core continues the loop of the controller.  On this computer the
+// controller may block, so it needs no second stack, which it has on the robot.  Each call of
+// on_step_() runs one iteration of the core, and one of these iterations sets is_continued_.
 bool RemotePort::LeaveLoop() {
   is_continued_ = false;
   while (!is_continued_) on_step_();

@@ -17,17 +17,18 @@
 
 namespace openr_host {
 
-// Implements the functions of a robot that ControllerCore, the loop of the Controller object,
-// calls: sends commands as requests of the remote control, and takes sensor values from its stream.
+// Implements ControllerPort, the functions of a robot that ControllerCore calls.  ControllerCore is
+// the loop of the OPEN-R object Controller.  Commands are sent as requests of the remote control,
+// and sensor values come from its stream.
 //
-// Functions of ControllerPort are called in code of the controller, which may be C, so they throw
-// nothing.  They keep an error of the connection, and Check() throws it.
+// The functions of ControllerPort are called in code of the controller, which may be C, so they
+// throw nothing.  They keep an error of the connection, and Check() throws it.
 class RemotePort : public ControllerPort {
  public:
   // Subscribes to the sensor values.  `folder` is the controller's folder.  `on_step` makes an
-  // iteration of the loop while the controller waits in robot_step(); it does not return when the
-  // program ends.  Throws remote::Error; throws std::runtime_error if the design of the robot is
-  // unknown.
+  // iteration of the loop while the controller waits in robot_step().  If the program has to end,
+  // `on_step` does not return.  Throws remote::Error; throws std::runtime_error if the design of
+  // the robot is unknown.
   RemotePort(const openr::remote::Address& address, openr::remote::Options options,
              std::string folder, std::function<void()> on_step);
   ~RemotePort() override;
@@ -114,9 +115,9 @@ class RemotePort : public ControllerPort {
   // Joints whose new positions the robot has refused as BUSY, with the text of the warning.
   std::vector<std::pair<int, std::string>> busy_;
   Uint32 wanted_ears_ = 0;
-  Uint32 sent_leds_ = 0;  // the lights as commanded last; at first all are off
+  Uint32 sent_leds_ = 0;  // the lights that were commanded last; at first all lights are off
   Uint32 sent_ears_ = 0;
-  int state_ = -1;  // MoverState; -1: not known yet
+  int state_ = -1;  // state of JointMover (MoverState); -1: not known yet
   int battery_percent_ = 0;
   std::string playing_;      // file of the motion that plays for the controller; "": none
   uint32_t play_frame_ = 0;  // frame number in the answer to MTN_PLAY for this motion

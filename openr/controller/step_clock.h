@@ -23,8 +23,8 @@ class StepClock {
   Time Next(Time now, Duration step);
 
   // Returns a warning if the next iteration, which begins now, begins more than kLate after the
-  // time that Next() returned; else "".  Warns at most once a second.  Plans the following
-  // iterations from now on in this case, because lost time is not made up for.
+  // time that Next() returned; else "".  Warns at most once a second.  A late iteration does not
+  // make the next ones shorter: they are planned from `now` on.
   std::string Begin(Time now);
 
   int64_t iterations() const { return iterations_; }  // iterations that have ended

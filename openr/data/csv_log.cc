@@ -11,7 +11,8 @@
 namespace openr_host {
 namespace {
 
-constexpr int64_t kFlushUs = 1'000'000;  // longest virtual time that a line waits for its writing
+constexpr int64_t kFlushUs = 1'000'000;  // longest virtual time for which a line is kept in memory
+                                         // before it is written
 
 }  // namespace
 

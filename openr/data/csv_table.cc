@@ -11,14 +11,15 @@
 namespace openr_host {
 namespace {
 
-// A column of time, and the factor that makes it seconds.
+// The name of a column with the time, and the factor that converts its values to seconds.
 struct TimeColumn {
   const char* name;
   double factor;
 };
 constexpr TimeColumn kTimeColumns[] = {{"time_s", 1}, {"time_ms", 1e-3}, {"time_us", 1e-6}};
 
-// Splits a line into fields.  Fields in quotes may have commas; two quotes there mean one.
+// Splits a line into fields.  A field in quotes may have commas, and two quotes in it stand for one
+// quote.
 std::vector<std::string> FieldsOf(std::string_view line) {
   std::vector<std::string> fields(1);
   bool is_quoted = false;
@@ -66,13 +67,14 @@ class CsvReader {
 
  private:
   struct Values {
-    bool is_text = false;  // a field is no number, so the column is none of numbers
+    bool is_text = false;  // true: a field is not a number, so the column is left out
     bool has_number = false;
     Series series;
   };
 
-  // Sets `line` to the next line.  Returns false at the end of the file, and for a last line
-  // without its end, because the program that wrote it was killed.
+  // Sets `line` to the next line.  Returns false at the end of the file.  Also returns false if the
+  // last line has no newline at its end: the program that wrote the file was killed, so the line
+  // may not be complete.
   bool NextLine(std::string* line) {
     if (rest_.empty()) return false;
     const size_t end = rest_.find('\n');
@@ -151,8 +153,8 @@ class CsvReader {
   std::string_view rest_;
   int number_ = 0;  // number of the last line that was read
   std::vector<std::string> names_;
-  size_t time_ = 0;    // column of the time
-  double factor_ = 1;  // of the time
+  size_t time_ = 0;    // index of the column with the time
+  double factor_ = 1;  // converts the time to seconds
   std::vector<Values> columns_;
   std::string note_;
 };

@@ -25,7 +25,8 @@ class DataLog {
  public:
   virtual ~DataLog() = default;
 
-  // Adds the values of the frame that is over now.  Does this once in a frame.
+  // Adds the values of the frame that has just ended.  A second call in the same frame adds
+  // nothing.
   virtual void Sample() = 0;
 
   // Completes the file.  Returns "", or the error in writing it.  Further calls do nothing.

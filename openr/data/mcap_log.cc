@@ -18,8 +18,8 @@
 namespace openr_host {
 namespace {
 
-constexpr int64_t kChunkUs = 1'000'000;      // longest virtual time that a message waits
-constexpr size_t kChunkBytes = 1 << 20;      // and most bytes that wait with it
+constexpr int64_t kChunkUs = 1'000'000;      // longest virtual time between two chunks of messages
+constexpr size_t kChunkBytes = 1 << 20;      // size at which a chunk is written earlier
 constexpr int64_t kPoseDistanceUs = 32'000;  // least virtual time between two poses
 // The largest number of characters of a finding's or an input's text.
 constexpr size_t kTextMax = 2000;
@@ -66,7 +66,7 @@ McapLog::McapLog(const DataLogOptions& options, Simulation* simulation)
   });
 }
 
-// Returns the beginning of a robot's topics.  The name is that of the topics of ROS 2.
+// Returns the first part of the names of a robot's topics.  ROS 2 topics begin with the same name.
 std::string McapLog::Space(size_t robot) const {
   return simulation_->robots().size() == 1 ? "/aibo" : fmt::format("/aibo{}", robot);
 }
@@ -137,7 +137,8 @@ void McapLog::AddPoses(int64_t now_us) {
     const std::vector<Eigen::Isometry3d> poses = robot->body().BodyPoses();
     for (size_t i = 0; i < poses.size(); ++i)
       AppendTransform(now_us, space + "/" + robot->model().bodies[i].name, poses[i], &text);
-    // With several robots in one world, all of them see the same things.
+    // Adds the things of a world once, because several robots together in one world see the same
+    // things.
     if (simulation_->is_together() && number > 1) continue;
     for (const WorldThing& thing : robot->body().MovableThings()) {
       Eigen::Isometry3d X_WT(thing.R_WT);

@@ -22,11 +22,11 @@ class McapLog : public DataLog {
   std::string Finish() override;
 
  private:
-  // A topic of values: those of one robot and one group of quantities, such as "joint".
+  // A topic with the values of one robot in one group of quantities, such as "joint".
   struct Values {
     uint16_t channel = 0;
-    std::vector<std::string> keys;  // names of the members, as JSON
-    std::vector<size_t> columns;    // their columns
+    std::vector<std::string> keys;  // names of the members of a message, as JSON
+    std::vector<size_t> columns;    // for each member, the index of its quantity in columns_
   };
   struct CameraTopic {
     uint16_t channel = 0;

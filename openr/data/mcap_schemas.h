@@ -1,5 +1,5 @@
-// The JSON schemas of the messages in an MCAP file.  Names and members of those that begin with
-// "foxglove." are Foxglove's, which then knows how to show them (docs.foxglove.dev, "Schemas").
+// The JSON schemas of the messages in an MCAP file.  Schemas whose names begin with "foxglove." are
+// defined by Foxglove (docs.foxglove.dev, "Schemas"), so Foxglove can show their messages.
 #pragma once
 
 #include <string>
@@ -15,7 +15,8 @@ extern const char kImageSchema[];  // foxglove.CompressedImage
 // Levels of foxglove.Log.
 constexpr int kLogInfo = 2, kLogWarning = 3, kLogError = 4;
 
-// Returns the schema of a topic of values.  `keys` are the names of its members, as JSON.
+// Returns the schema of a topic with values.  `keys` are the names of the members of its messages,
+// as JSON.
 std::string ValueSchema(const std::string& topic, const std::vector<std::string>& keys);
 
 }  // namespace openr_host

@@ -12,9 +12,10 @@
 namespace openr_host {
 namespace {
 
-constexpr int kLevelMax = 32;  // objects within objects of a message; those of openr have one
+constexpr int kLevelMax = 32;  // largest depth of objects within objects in a message; the messages
+                               // of openr have depth 1
 
-// Thrown where a record ends behind the end of the file.
+// Thrown when a record is longer than the rest of the file.
 struct FileIsCut {};
 
 // Reads the fields of a record.
@@ -47,9 +48,9 @@ class RecordFields {
   size_t at_ = 0;
 };
 
-// Returns the name of the quantities of a topic, up to the name of a member: "joint." for
-// "/aibo/joint", "robots[1].joint." for "/aibo1/joint", "" for "/aibo/base".  The topics of other
-// programs keep their names.
+// Returns the first part of the names of a topic's quantities; a member's name follows it.  It is
+// "joint." for "/aibo/joint", "robots[1].joint." for "/aibo1/joint", and "" for "/aibo/base".  For
+// a topic of another program, it is the name of the topic and a dot.
 std::string QuantityOfTopic(const std::string& topic) {
   const size_t slash = topic.find('/', 1);
   if (!topic.starts_with("/aibo") || slash == std::string::npos) return topic + ".";
@@ -101,7 +102,7 @@ class McapReader {
 
   void ReadChunk(RecordFields* record) {
     if (depth_ > 0) Refuse("has a chunk within a chunk, which the format forbids");
-    record->Take(8 + 8 + 8);  // times and size
+    record->Take(8 + 8 + 8);  // skips two times and a size, which are not needed
     const uint32_t crc = record->U32();
     const std::string_view compression = record->Text();
     if (!compression.empty()) {
@@ -122,7 +123,7 @@ class McapReader {
     --depth_;
   }
 
-  // Throws an error that names the place of the record that is read.
+  // Throws an error that names the place of the present record.
   [[noreturn]] void Refuse(const std::string& why) const {
     throw std::runtime_error(
         fmt::format("{}: the record at byte {} {}", file_, good_ + kMcapMagic.size(), why));
@@ -137,7 +138,7 @@ class McapReader {
     const uint16_t number = record->U16();
     const std::string schema = schemas_[record->U16()];
     const std::string topic(record->Text());
-    // Texts, poses and pictures have no quantities.
+    // Skips topics of texts, poses and pictures, because they have no quantities.
     const bool is_skipped = record->Text() != "json" || schema.starts_with("foxglove.");
     topics_[number] = is_skipped ? "" : topic;
   }
@@ -169,10 +170,10 @@ class McapReader {
 
   const std::string& file_;
   Table table_;
-  std::map<std::string, size_t> places_;  // key: name; value: index in table_.series
+  std::map<std::string, size_t> places_;  // key: name of a quantity; value: index in table_.series
   std::map<uint16_t, std::string> schemas_, topics_;
-  size_t good_ = 0;  // place of the record that is read
-  int depth_ = 0;    // 1 in a chunk
+  size_t good_ = 0;  // place of the present record that is not in a chunk
+  int depth_ = 0;    // 1 while the records of a chunk are read, else 0
   bool is_over_ = false;
 };
 

@@ -14,7 +14,8 @@ uint32_t Crc(uint32_t crc, std::string_view bytes) {
       crc32_z(crc, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()));
 }
 
-// Appends the fields of a record, as the section "Serialization" of the specification has them.
+// Builds the fields of a record as the section "Serialization" of the MCAP specification describes
+// them.
 class McapFields {
  public:
   McapFields& U8(uint8_t value) { return Number(value, 1); }
@@ -66,7 +67,7 @@ void McapWriter::Write(std::string_view bytes) {
 }
 
 uint16_t McapWriter::AddSchema(std::string_view name, std::string_view json_schema) {
-  const uint16_t number = ++schema_count_;  // 0 would mean: no schema
+  const uint16_t number = ++schema_count_;  // numbers begin with 1, because 0 means "no schema"
   const std::string record = McapRecord(
       McapOp::kSchema, McapFields().U16(number).Text(name).Text("jsonschema").Text(json_schema));
   schemas_ += record;
@@ -136,8 +137,8 @@ std::string McapWriter::Statistics() const {
                                              .U64(sum)
                                              .U16(schema_count_)
                                              .U32(static_cast<uint32_t>(message_counts_.size()))
-                                             .U32(0)  // attachments
-                                             .U32(0)  // metadata
+                                             .U32(0)  // number of attachments
+                                             .U32(0)  // number of metadata records
                                              .U32(static_cast<uint32_t>(chunks_.size()))
                                              .U64(times_.first)
                                              .U64(times_.last)
@@ -176,7 +177,7 @@ void McapWriter::Finish() {
   add_group(McapOp::kChannel, channels_);
   add_group(McapOp::kStatistics, Statistics());
   add_group(McapOp::kChunkIndex, chunk_indexes);
-  // The checksum of the summary reaches up to the first two fields of the footer.
+  // The checksum covers the summary and the first two fields of the footer.
   McapFields footer;
   footer.U8(static_cast<uint8_t>(McapOp::kFooter)).U64(8 + 8 + 4);
   footer.U64(summary_start).U64(summary_start + summary.size());

@@ -42,9 +42,10 @@ class McapWriter {
   // Writes the beginning of the file.  `library` names the program that writes it.
   McapWriter(std::string_view library, Sink sink);
 
-  // Add a schema, a JSON schema with a name, and a channel of messages with this schema.  Messages
-  // of a channel are JSON.  Return the number of the schema and of the channel.
+  // Adds a schema: a JSON schema with a name.  Returns its number.
   uint16_t AddSchema(std::string_view name, std::string_view json_schema);
+  // Adds a channel, whose messages are JSON and have this schema.  Returns the number of the
+  // channel.
   uint16_t AddChannel(std::string_view topic, uint16_t schema);
 
   // Adds a message.  Messages may come in any order of time.
@@ -54,7 +55,8 @@ class McapWriter {
   void EndChunk();
   size_t chunk_bytes() const { return chunk_.size(); }
 
-  // Writes the rest, the summary and the end of the file.  Nothing may be added after it.
+  // Writes the last messages, the summary and the end of the file.  No other function may be called
+  // afterwards.
   void Finish();
 
  private:
@@ -66,9 +68,10 @@ class McapWriter {
   struct ChunkPlace {
     Times times;
     uint64_t offset = 0, length = 0;
-    std::vector<std::pair<uint16_t, uint64_t>> indexes;  // channel, offset of its message index
+    std::vector<std::pair<uint16_t, uint64_t>> indexes;  // channel, and offset of the index of its
+                                                         // messages
     uint64_t indexes_length = 0;
-    uint64_t size = 0;  // bytes of its records
+    uint64_t size = 0;  // bytes of the records in the chunk
   };
 
   void Write(std::string_view bytes);
@@ -76,8 +79,8 @@ class McapWriter {
 
   const Sink sink_;
   uint64_t offset_ = 0;             // bytes written so far
-  uint32_t crc_ = 0;                // checksum of these bytes
-  std::string schemas_, channels_;  // their records, for the summary
+  uint32_t crc_ = 0;                // checksum of all bytes written so far
+  std::string schemas_, channels_;  // records of all schemas and channels, for the summary
   uint16_t schema_count_ = 0;
   std::vector<uint64_t> message_counts_;  // index: channel
   std::string chunk_;                     // records of the present chunk

@@ -22,7 +22,7 @@ Json PoseJson(const Eigen::Isometry3d& pose) {
           {"orientation", {{"x", q.x()}, {"y", q.y()}, {"z", q.z()}, {"w", q.w()}}}};
 }
 
-// Returns an entity of a scene without shapes.
+// Returns an entity of a scene that has no shapes yet.
 Json EmptyEntity(const std::string& frame, const std::string& id) {
   Json entity = {{"timestamp", {{"sec", 0}, {"nsec", 0}}},
                  {"frame_id", frame},
@@ -55,7 +55,7 @@ void AddShape(const render::Shape& shape, const Eigen::Isometry3d& pose, Json* e
     json["bottom_scale"] = json["top_scale"] = 1;
     (*entity)["cylinders"].push_back(json);
   } else {
-    // A box whose edges are as round as possible is a ball.
+    // Shows a box whose edges are as round as possible as a ball.
     const bool is_ball = 2 * shape.radius_m >= shape.size_m.maxCoeff();
     (*entity)[is_ball ? "spheres" : "cubes"].push_back(json);
   }

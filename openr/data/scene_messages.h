@@ -17,9 +17,11 @@ std::string TimestampText(int64_t time_us);
 void AppendTransform(int64_t time_us, const std::string& child, const Eigen::Isometry3d& pose,
                      std::string* text);
 
-// Return the messages foxglove.SceneUpdate with the shapes of a robot, whose parts are the frames
-// "SPACE/NAME", and of a world, whose movable things are the frames "thing/NAME".
+// Returns the message foxglove.SceneUpdate with the shapes of a robot.  The parts of the robot are
+// the frames "SPACE/NAME".
 std::string RobotSceneMessage(const RobotModel& model, const std::string& space);
+// Returns the message foxglove.SceneUpdate with the shapes of a world.  Each thing that can move is
+// a frame "thing/NAME".
 std::string WorldScene(const World& world);
 
 }  // namespace openr_host

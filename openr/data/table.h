@@ -18,11 +18,11 @@ struct Table {
   std::string note;  // a remark for the user, such as that the file was cut; "": none
 };
 
-// Read a file of `openr run --log-data`: comma-separated values, and MCAP without compression.
-// `bytes` is the content of `file`, whose name is for messages.  Other CSV files are read, too, if
-// they have a column time_s, time_ms or time_us.  Throw std::runtime_error "FILE:LINE: what is
-// wrong".
+// Reads comma-separated values: a file of `openr run --log-data`, or any file with a column time_s,
+// time_ms or time_us.  `bytes` is the content of `file`, whose name is used in error messages.
+// Throws std::runtime_error "FILE:LINE: what is wrong".
 Table ReadCsvTable(const std::string& file, std::string_view bytes);
+// Reads an MCAP file without compression, as ReadCsvTable() does.
 Table ReadMcapTable(const std::string& file, std::string_view bytes);
 
 }  // namespace openr_host

@@ -21,7 +21,7 @@ constexpr size_t kPanelsMax = 60;
 
 // A group of quantities that share the panel of a joint.
 struct AngleGroup {
-  const char* begin;  // of the name
+  const char* begin;  // beginning of the names of the quantities in the group
   Look look;
   const char* label;
 };
@@ -37,7 +37,7 @@ const AngleGroup* AngleGroupOf(const std::string& name) {
   return nullptr;
 }
 
-// Returns the name of the panel for the quantity `name`: without its group.
+// Returns the title of the panel for the quantity `name`: the name without its group.
 std::string PanelOf(const std::string& name) {
   const AngleGroup* const group = AngleGroupOf(name);
   if (group == nullptr) return name;
@@ -45,9 +45,10 @@ std::string PanelOf(const std::string& name) {
   return panel.erase(panel.find(group->begin), std::string(group->begin).size());
 }
 
-// A unit, and the smallest span of an axis with it, so that small noise does not fill a panel.
+// A unit of quantities, and the smallest span of an axis with this unit.  The span keeps small
+// noise from filling a panel.
 struct QuantityUnit {
-  const char* ending;  // of the names of its quantities
+  const char* ending;  // ending of the names of quantities with this unit
   const char* text;
   double span_min;
 };
@@ -65,8 +66,9 @@ QuantityUnit UnitOfQuantity(const std::string& name) {
   return kNoUnit;
 }
 
-// Returns the part of `series` in the time that `request` asks for.  Of more than `points_max`
-// points, keeps the lowest and the highest of each stretch of time, so that no peak is lost.
+// Returns the part of `series` in the time that `request` asks for.  If it has more than
+// `points_max` points, divides the time into intervals and keeps only the lowest and the highest
+// point of each interval.  So no peak is lost.
 Curve CurveOf(const Series& series, const PlotRequest& request, size_t points_max) {
   Curve curve;
   for (size_t i = 0; i < series.values.size(); ++i) {
@@ -157,8 +159,8 @@ class ChartMaker {
                        DidYouMean(wanted, known));
   }
 
-  // Adds a quantity to the panel `title`, if there is one from number `first` on, else to a new
-  // one.
+  // Adds a quantity to the panel `title` if a panel of this title exists among the panels from
+  // number `first` on.  Else adds it to a new panel.
   void Add(const std::string& title, const Series* series, size_t first = 0) {
     const auto panel = std::find_if(panels_.begin() + static_cast<ptrdiff_t>(first), panels_.end(),
                                     [&](const Chosen& chosen) { return chosen.title == title; });
@@ -169,7 +171,7 @@ class ChartMaker {
     }
   }
 
-  // Gives few panels more room than many.
+  // Makes the plots larger if there are at most four panels.
   void LayOut() {
     if (panels_.size() > 4) return;
     chart_.columns = 1;
@@ -184,20 +186,21 @@ class ChartMaker {
       panel.curves.push_back(
           CurveOf(*series, request_, static_cast<size_t>(4 * chart_.plot_width)));
       const AngleGroup* const group = AngleGroupOf(series->name);
-      // A quantity that has a panel of its own needs no entry in the legend.
+      // Gives no legend entry to a quantity whose whole name is the title of its panel.
       if (group == nullptr || chosen.title == series->name) continue;
       panel.curves.back().look = group->look;
       panel.curves.back().label = group->label;
     }
-    // The order in which they are drawn is that of the legend.
+    // Sorts the curves by their look, because the legend lists the looks in this order, too.
     std::stable_sort(panel.curves.begin(), panel.curves.end(),
                      [](const Curve& a, const Curve& b) { return a.look < b.look; });
     if (unit.text == kOpenR.text) ConvertToSi(&panel);
     chart_.panels.push_back(std::move(panel));
   }
 
-  // Converts the values of a sensor that OPEN-R has in 10^-6 of an SI unit.  Switches have 0 and 1,
-  // and counts of a converter are small.
+  // Converts the values of a sensor to SI units if they are large.  OPEN-R gives most values in
+  // 10^-6 of an SI unit, so these are large.  The states 0 and 1 of switches and the counts of a
+  // converter are small, and stay as they are.
   static void ConvertToSi(chart::Panel* panel) {
     std::vector<double>& values = panel->curves.front().y;
     const bool is_micro = std::any_of(values.begin(), values.end(),

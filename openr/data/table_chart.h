@@ -10,16 +10,17 @@
 namespace openr_host {
 
 struct PlotRequest {
-  // The quantities to draw: a name, the end of a name behind a dot ("LF_j1"), or a pattern with *
-  // ("sensor.*").  None: all joints.
+  // The quantities to draw.  Each text is a name, the part of a name after a dot ("LF_j1"), or a
+  // pattern with * ("sensor.*").  An empty list means all joints.
   std::vector<std::string> wanted;
   double from_s = 0, until_s = 1e300;
   std::string title, subtitle;
 };
 
-// Returns the chart.  The angles of a joint, commanded, measured and of the body, share a panel
-// unless one of them is asked for by its whole name.  Throws std::runtime_error when the table has
-// nothing of that name, or no values in that time.
+// Returns the chart.  A joint has three angles: commanded, measured, and the angle of the body.
+// They share a panel, unless the request has the whole name of one of them.  Throws
+// std::runtime_error when the table has no quantity with a wanted name, or no values in the wanted
+// time.
 chart::Chart ChartOf(const Table& table, const PlotRequest& request);
 
 }  // namespace openr_host

@@ -263,8 +263,9 @@ void OnSanitizerReport(const char* report) {
 }  // namespace openr_host
 
 #if !OPENR_ASAN
-// AddressSanitizer calls this function before it prints a report.  It then reads debug information,
-// so from here on files are those of the host.  The object does not go on.
+// AddressSanitizer calls this function before it prints a report.  From now on file functions use
+// the files of the host and not those of the object, because AddressSanitizer reads debug
+// information for its report.  The object does not go on.
 extern "C" [[gnu::visibility("default")]] void __asan_on_error() {
   openr_host::t_current.image_code = false;
 }

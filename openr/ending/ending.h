@@ -42,8 +42,8 @@ class EndingAction {
   friend void RunEndingActions(Ending* ending);
 };
 
-// Calls all functions that EndingActions have registered, the newest first.  Unregisters them
-// before, so that a second call runs none of them again.
+// Calls all functions that EndingActions have registered, the newest first.  Unregisters the
+// functions before it calls them, so that a second call does not run them again.
 void RunEndingActions(Ending* ending);
 
 // While an EndingAnswer exists, a run that ends early says on the last line of standard error what
@@ -59,11 +59,11 @@ class EndingAnswer {
   EndingAnswer& operator=(const EndingAnswer&) = delete;
 };
 
-// The two steps by which a signal handler ends the process.  BeginEnding() writes out what objects
-// have printed so far, and prepares for further signals that come while the process ends.
-// FinishEnding() calls the functions registered by EndingActions, writes the JSON report of the run
-// where EndingAnswer says, and does not return.
+// The first of two steps by which a signal handler ends the process.  Writes out what objects have
+// printed so far, and prepares for further signals that come while the process ends.
 void BeginEnding(Ending* ending);
+// The second step.  Calls the functions that EndingActions have registered, writes the JSON report
+// of the run where EndingAnswer says, and does not return.
 [[noreturn]] void FinishEnding();
 
 }  // namespace openr_host

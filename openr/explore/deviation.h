@@ -27,7 +27,8 @@ struct Deviation {
     kFault,  // at time_us robot number `selector` gets the nth fault, FaultLine() of number `us`
   };
   Kind kind = Kind::kTie;
-  int64_t time_us = 0;  // virtual time; identifies a kTie; in kDelay and kCost only for people
+  int64_t time_us = 0;  // virtual time; part of the place of a kTie; in kDelay and kCost only to
+                        // inform people
   uint64_t nth = 0;     // counted from 0
   ObjectId object = kNoObject;
   ObjectId sender = kNoObject;

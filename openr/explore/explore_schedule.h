@@ -95,7 +95,7 @@ class ExploreSchedule : public Schedule {
   const System& system_;
   uint64_t start_count_ = 0;
   int64_t tie_time_us_ = -1;
-  uint64_t tie_count_ = 0;  // number of ties so far at tie_time_us_
+  uint64_t tie_count_ = 0;  // number of ties so far at the time tie_time_us_
   // The number of messages so far from one sender to one handler of one receiver, because
   // deviations name a message by this number.  For messages from the network, also the time when
   // the last message reaches the receiver, because the next message must not overtake it.  The key

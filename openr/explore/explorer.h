@@ -16,7 +16,7 @@ struct ExplorePlan {
   RunOptions run;
   ForkLimits limits;
   uint64_t first_seed = 1;
-  uint64_t runs = 100;        // number of seeds; for a search, the most runs
+  uint64_t runs = 100;        // number of seeds; for a search, the largest number of runs
   int jobs = 1;               // number of child processes that make runs
   bool reduce = true;         // for a search: true tries only one of several orders with equal
                               // results

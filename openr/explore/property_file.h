@@ -28,7 +28,7 @@ struct PropertyRule {
   std::string name;
   When when = When::kAlways;
   int64_t from_us = 0;
-  int64_t within_us = -1;  // -1: no limit
+  int64_t within_us = -1;  // the time D of `within D`; -1: no limit
   std::string quantity;
   std::string op;
   std::string value;   // the rest of the line after OP

@@ -38,8 +38,8 @@ constexpr ObjectField kOfObject[] = {
      [](const Object& object) -> Value { return static_cast<double>(object.waiting_max); }}};
 
 // Returns the quantity `field` of an object.  Looks the object up at each reading, because a boot
-// or a new load of its image replaces it.  Of an object that the boot has not loaded again, the
-// state is "absent", and numbers are NaN.
+// of the robot or a new load of its image replaces the object.  If a boot has not loaded the object
+// again, its state is "absent", and its numbers are NaN.
 Quantity OfObject(int robot, const std::string& object_name, const std::string& field) {
   std::vector<std::string> known;
   for (const ObjectField& each : kOfObject) known.push_back(each.name);
@@ -139,7 +139,7 @@ struct BaseQuantity {
   double (*of)(const BodyState& state);
 };
 
-// The quantities of a robot's base: its place, its attitude, and its speeds as a walker feels them:
+// The quantities of a robot's base: its place, its attitude, and its speeds in its own directions:
 // forward and left along the floor, up, and the rate at which it turns left.
 constexpr BaseQuantity kOfBase[] = {
     {"x_m", [](const BodyState& s) -> double { return s.X_WB.translation().x(); }},

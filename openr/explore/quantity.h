@@ -16,20 +16,22 @@ using Value = std::variant<double, std::string>;
 using Quantity = std::function<Value(const RunView&)>;
 
 // Returns a function that reads the quantity `name` (docs/exploring.md), such as
-// "objects.JointMover.state" or "robots[0].joint.LF_j1".  Without "robots[N]." it is of robot 0.
-// Throws std::runtime_error when the name is not known in `view`.  Of an object
-// that a boot of its robot has not loaded again, the state is "absent" and numbers are NaN.
+// "objects.JointMover.state" or "robots[0].joint.LF_j1".  A name without "robots[N]." is a quantity
+// of robot 0.  Throws std::runtime_error when the name is not known in `view`.  If a robot has
+// booted again without loading an object again, the state of this object is "absent" and its
+// numbers are NaN.
 Quantity FindQuantity(const std::string& name, const RunView& view);
 
 // Returns the names of all quantities of robots that are numbers: base, battery, joints, sensors,
-// movable things.  Those of robot 0 have no "robots[0]." in front.
+// movable things.  The names of robot 0 begin without "robots[0].".
 std::vector<std::string> NumbersOf(const RunView& view);
 
 // The parts of a run of a Simulation that quantities can read.
 class SimulationView {
  public:
   explicit SimulationView(Simulation* simulation);
-  SimulationView(const SimulationView&) = delete;  // run() refers to members
+  SimulationView(const SimulationView&) = delete;  // a copy would refer to the members of the
+                                                   // original
   SimulationView& operator=(const SimulationView&) = delete;
 
   // Finds out whether each robot stands.  Does this only for the first call in a frame of 8 ms,

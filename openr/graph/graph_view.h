@@ -35,7 +35,8 @@ struct GraphConnection {
 
 struct GraphView {
   double virtual_time_s = 0;
-  std::vector<GraphObject> objects;          // objects of the stick; system objects with services
+  std::vector<GraphObject> objects;          // all objects of the stick, and the system objects
+                                             // that have services
   std::vector<GraphConnection> connections;  // in the order of CONNECT.CFG
 };
 

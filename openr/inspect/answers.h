@@ -1,7 +1,7 @@
 // Answers: the messages that one object sends in a replay, compared with the recorded ones.
 //
-// The other objects get the recorded bytes, so they do what they did then, and one different answer
-// does not change all that follows.
+// The messages that arrive at other objects get the recorded bytes, so the other objects do what
+// they did in the recorded run.  Otherwise one different answer would change everything after it.
 #pragma once
 
 #include <cstdint>
@@ -14,22 +14,25 @@ namespace openr_host {
 
 struct RobotModel;
 
-// A message of the object with other bytes than the recorded one.
+// A message of the compared object whose bytes differ from the recorded bytes.
 struct AnswerDifference {
-  TraceRecord record{};                // of the message now
-  std::string receiver, entry;         // the names of its receiver and of the receiver's entry
-  size_t first = 0;                    // the first byte that differs
-  size_t count = 0;                    // how many bytes differ
-  std::vector<std::string> now, then;  // values that differ, as text; empty: of an unknown type
+  TraceRecord record{};         // describes the message in the replay
+  std::string receiver, entry;  // name of the receiver, and of its entry (handler)
+  size_t first = 0;             // index of the first byte that differs
+  size_t count = 0;             // number of bytes that differ
+  // Values that differ, as text: `now` in the replay, `then` in the recording.  Both are empty if
+  // the type of the content is not known.
+  std::vector<std::string> now, then;
 };
 
-// Returns the difference between the content of a message now and the recorded content, of the same
-// size.  `entry` names the type of the content.
+// Returns the difference between `now`, the content of a message in the replay, and `then`, its
+// recorded content of the same size.  `entry` is the name of the receiver's entry, which names the
+// type of the content.
 AnswerDifference CompareAnswer(const RobotModel& model, const std::string& entry,
                                const std::string& now, const std::string& then);
 
-// Gives `message`, which is about to be delivered, the recorded content `bytes`, of the same size.
-// REQUIRES: `message` is a notification or has plain bytes.
+// Replaces the content of `message`, which is about to be delivered, by the recorded content
+// `bytes` of the same size.  REQUIRES: `message` is a notification or has plain bytes.
 void PutContent(const Message& message, const std::string& bytes);
 
 // Returns lines about the difference for people.

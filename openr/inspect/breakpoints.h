@@ -35,10 +35,10 @@ class Breakpoints {
   // from 1, of the first breakpoint that stops the replay here; 0 if the replay goes on.
   size_t Hit();
 
-  // Save() returns all breakpoints as text, one per line; Load() replaces all breakpoints by those
-  // of such a text.  Used when the user goes back: another process continues the session then, and
-  // loads what the process before it has saved.
+  // Returns all breakpoints as text, one per line.  Called when the user goes back, because another
+  // process then continues the session and needs the breakpoints.
   std::string Save() const;
+  // Replaces all breakpoints by those in `text`, which Save() has returned in the process before.
   void Load(const std::string& text);
 
  private:
@@ -50,9 +50,10 @@ class Breakpoints {
   };
 
   Break Read(const std::string& text) const;
-  // Both throw std::runtime_error: CheckObject() when no object has this name, CheckService() when
-  // no entry (handler for messages) of any object has `part` in its name.
+  // Throws std::runtime_error if no object has this name.
   void CheckObject(const std::string& name) const;
+  // Throws std::runtime_error if no entry (handler for messages) of any object has `part` in its
+  // name.
   void CheckService(const std::string& part) const;
   bool Holds(const Break& one) const;
   bool HoldsText(const std::string& text) const;

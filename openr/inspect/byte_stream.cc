@@ -4,7 +4,7 @@
 
 namespace openr_host {
 
-// Twice the room each time, so that growing takes little time in all.
+// At least doubles the room.  So the bytes are copied seldom, although they grow often.
 void ByteWriter::Grow(size_t count) { bytes_.resize(std::max(2 * bytes_.size(), size_ + count)); }
 
 void ByteWriter::Text(std::string_view text) {

@@ -24,15 +24,17 @@ class ByteWriter {
   void Zigzag(int64_t value) { Varint(Folded(value)); }
   void Text(std::string_view text);  // writes the length, then the bytes of the text
 
-  // Returns the place behind what was written, with room for `count` bytes.  The caller writes
-  // there and gives the end of it to SetEnd().  So the room is tested once for many numbers.
+  // Returns a pointer to room for `count` bytes behind the bytes written so far.  The caller writes
+  // there, and then passes the end of its bytes to SetEnd().  So the room is checked only once for
+  // many numbers.
   char* Room(size_t count) {
     if (count > bytes_.size() - size_) Grow(count);
     return bytes_.data() + size_;
   }
   void SetEnd(const char* end) { size_ = static_cast<size_t>(end - bytes_.data()); }
 
-  // Each writes a number to `out` and returns the end of the number.
+  // PutVarint(), PutZigzag() and PutFixed() write a number to `out` and return a pointer to the
+  // first byte behind the number.
   static char* PutVarint(uint64_t value, char* out) {
     for (; value >= 0x80; value >>= 7) *out++ = static_cast<char>(value | 0x80);
     *out++ = static_cast<char>(value);
@@ -60,8 +62,8 @@ class ByteWriter {
   void Fixed(uint64_t value, size_t count) { SetEnd(PutFixed(value, count, Room(count))); }
   void Grow(size_t count);
 
-  std::string bytes_;  // what was written, and room for more
-  size_t size_ = 0;    // bytes that were written
+  std::string bytes_;  // the written bytes, and behind them room for more
+  size_t size_ = 0;    // number of written bytes
 };
 
 // Reads what a ByteWriter has written.  Throws std::runtime_error when the bytes end too early, or

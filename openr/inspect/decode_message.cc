@@ -18,8 +18,8 @@
 namespace openr_host {
 namespace {
 
-// Reads a T at `offset` of `content` into `value`.  Returns false if the content is too short,
-// because it may have been cut.
+// Reads a T at `offset` of `content` into `value`.  Returns false if `content` ends before, which
+// is possible because the content of a message may have been cut.
 template <typename T>
 bool ReadAt(const std::string& content, size_t offset, T* value) {
   if (offset > content.size() || content.size() - offset < sizeof(T)) return false;

@@ -18,14 +18,16 @@ constexpr size_t kWord = 4;
 constexpr size_t kWords = kPayloadBlock / kWord;
 constexpr size_t kMaskBytes = kWords / 8;
 
-// Returns a bit for each word of a block that differs, the lowest bit for the first word.
+// Compares two blocks.  Returns a bit for each word, which is 1 if the word differs.  The lowest
+// bit is for the first word.
 uint32_t ChangedWords(const char* now, const char* last) {
 #if defined(__SSE2__)
   const auto equal = [now, last](size_t at) {
     return _mm_cmpeq_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(now + at)),
                            _mm_loadu_si128(reinterpret_cast<const __m128i*>(last + at)));
   };
-  // Each step makes the mark of a word half as long: 32 bits, 16 bits, a byte, a bit.
+  // The result of a comparison is 32 bits for each word.  Each further step halves it: to 16 bits,
+  // to 8 bits, and at last to one bit.
   const __m128i first = _mm_packs_epi32(equal(0), equal(16));
   const __m128i second = _mm_packs_epi32(equal(32), equal(48));
   return static_cast<uint32_t>(_mm_movemask_epi8(_mm_packs_epi16(first, second))) ^ 0xffffu;
@@ -37,7 +39,8 @@ uint32_t ChangedWords(const char* now, const char* last) {
 #endif
 }
 
-// Writes the mask and the words of `now` that it names to `out`, and returns the end of them.
+// Writes `mask`, and the words of `now` whose bits are set in it, to `out`.  Returns the end of the
+// written bytes.
 char* PutWords(uint32_t mask, const char* now, char* out) {
   *out++ = static_cast<char>(mask);
   *out++ = static_cast<char>(mask >> 8);
@@ -51,7 +54,8 @@ char* PutWords(uint32_t mask, const char* now, char* out) {
 void LastPayload::Write(std::string_view now, ByteWriter* out) {
   ASSERT(now.size() == size_);
   const size_t blocks = bytes_.size() / kPayloadBlock;
-  // Each block takes at most its words, their mask and the number of equal blocks before it.
+  // Makes room for the largest result: all words of each block, their mask, and the number of equal
+  // blocks before it.
   char* at = out->Room(blocks * (kPayloadBlock + kMaskBytes + 1) + 2 * ByteWriter::kVarintBytesMax);
   size_t equal = 0;
   const auto compare = [&](const char* block, char* last) {
@@ -67,7 +71,8 @@ void LastPayload::Write(std::string_view now, ByteWriter* out) {
   const size_t whole = size_ / kPayloadBlock * kPayloadBlock;
   for (size_t i = 0; i < whole; i += kPayloadBlock) compare(now.data() + i, bytes_.data() + i);
   if (whole < size_) {
-    char rest[kPayloadBlock] = {};  // because bytes behind `now` may not be read
+    char rest[kPayloadBlock] = {};  // a copy of the last bytes, because bytes behind `now` may not
+                                    // be read
     std::memcpy(rest, now.data() + whole, size_ - whole);
     compare(rest, bytes_.data() + whole);
   }

@@ -1,5 +1,5 @@
-// Writes the bytes of messages for a recording: only words that differ from the last bytes of the
-// same sender and size.  docs/trace-format.md describes the layout.
+// Writes the content of messages for a recording.  Only words that differ from the last message of
+// the same sender and size are written. docs/trace-format.md describes the layout.
 #pragma once
 
 #include <cstddef>
@@ -10,11 +10,11 @@
 
 namespace openr_host {
 
-// The number of bytes that are compared together.
+// The number of bytes that one step compares.
 constexpr size_t kPayloadBlock = 64;
 
-// The last payload of a sender and a size, followed by zeros up to a multiple of kPayloadBlock.
-// Begins as zeros.
+// The payload, that is the content, of the last message of one sender and one size.  Zeros fill it
+// up to a multiple of kPayloadBlock.  Before the first message all its bytes are 0.
 class LastPayload {
  public:
   explicit LastPayload(size_t size)
@@ -23,15 +23,16 @@ class LastPayload {
   size_t size() const { return size_; }
   std::string_view bytes() const { return std::string_view(bytes_).substr(0, size_); }
 
-  // Appends the words of `now` that differ from the last payload, which `now` becomes.  REQUIRES:
-  // now.size() == size().
+  // Appends to `out` the words of `now` that differ from the last payload.  Then `now` becomes the
+  // last payload.  REQUIRES: now.size() == size().
   void Write(std::string_view now, ByteWriter* out);
 
-  // Reads what Write() has written and makes it the last payload.  Throws std::runtime_error when
-  // the bytes are damaged.
+  // Reads a payload that Write() has written, and makes it the last payload.  Throws
+  // std::runtime_error when the bytes are damaged.
   void Read(ByteReader* in);
 
-  // Reads the pieces of bytes that programs before version 5 of the format have written.
+  // Reads a payload as Read() does, in the form before version 5 of the format: pieces of equal and
+  // of different bytes.
   void ReadPieces(ByteReader* in);
 
  private:

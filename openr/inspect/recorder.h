@@ -15,9 +15,10 @@ class Recorder {
  public:
   Recorder(std::string file, bool payloads) : file_(std::move(file)), payloads_(payloads) {}
 
-  // Puts a recording network in front of each robot's network, and of networks that were put there
-  // before, by a function in `options`.  The recording network passes all calls on, and gives this
-  // recorder all events from outside.  Called before the simulation is made with `options`.
+  // Makes `options` put a recording network in front of each robot's network.  If `options` already
+  // puts other networks there, the recording network comes before them.  It passes all calls on,
+  // and gives this recorder all events from outside.  Must be called before the simulation is made
+  // with `options`.
   void Listen(SimulationOptions* options);
 
   // Begins the file.  `stick` is the folder in which a replay finds the files of the Memory Stick
@@ -28,8 +29,8 @@ class Recorder {
   void Begin(Simulation* simulation, const SimulationOptions& options, const std::string& stick,
              bool is_free = false, const std::string& schedule = "");
 
-  // Adds the content that files of the Memory Stick had at the beginning, from the recording of
-  // which this run is a continuation.
+  // Adds entries of an older recording, which this run continues: the content that files of the
+  // Memory Stick had at its beginning.
   void AddStick(const std::vector<TraceEntry>& entries);
 
   void NoteLoss(const std::string& process, int64_t time_us) { writer_->AddLoss(process, time_us); }

@@ -69,7 +69,8 @@ std::string Replayer::StickOfThen(const std::string& now, const std::vector<Trac
   return stick;
 }
 
-// Makes the simulation.  The run of a schedule gets its order of messages.
+// Makes the simulation.  If the recording has a schedule, the simulation delivers messages in its
+// order.
 void Replayer::MakeRun(SimulationOptions options) {
   const std::string& text = reader_.header().schedule;
   if (text.empty()) {
@@ -106,7 +107,7 @@ Replayer::Replayer(const ReplayOptions& replay)
   }
   SimulationOptions options = OptionsOf(reader_.header(), replay);
   const std::string stick = options.stick;
-  if (options.robots == 1) {  // with several robots, the stick is read-only
+  if (options.robots == 1) {  // a stick of several robots is read-only, so it needs no copy
     if (std::error_code error; !std::filesystem::is_directory(stick, error)) {
       throw std::runtime_error(
           fmt::format("{}: the stick {} is no longer there; give it with --stick", file_, stick));
@@ -189,7 +190,8 @@ void Replayer::CompareFields(const TraceEntry& recorded, const TraceRecord& now)
   } else if (now.cause != then.cause) {
     Differ(recorded,
            fmt::format("is caused by message {} now, by {} when recorded", now.cause, then.cause));
-  } else if (now.size != then.size) {  // also of an answer: it cannot get the recorded bytes
+  } else if (now.size != then.size) {  // also for an answer of `only_`, because recorded bytes of
+                                       // another size do not fit in
     Differ(recorded, fmt::format("has {} bytes now, {} when recorded", now.size, then.size));
   }
 }
@@ -278,7 +280,7 @@ void Replayer::EndAtLoss() {
 void Replayer::CompareEnd(const TraceEntry& end) {
   at_end_ = true;
   if (system().now_us() < end.time_us) system().RunUntil(end.time_us);
-  // The hashes of a run with other answers are those of other answers.
+  // Does not compare hashes if an answer differs, because the hashes then differ, too.
   if (!difference_.empty() || !answer_differences_.empty()) return;
   if (system().trace_hash() != end.trace_hash) {
     difference_ = fmt::format("at the end: trace hash {:016x} now, {:016x} when recorded",
@@ -303,8 +305,8 @@ bool Replayer::ApplyInput() {
     if (next->time_us <= system().now_us() || system().powered_off()) CompareEnd(reader_.Take());
     return false;
   }
-  // Leaves messages and network input in the recording, because others take them from it: Compare()
-  // when a message is delivered, SayNetwork() when a robot polls its network.
+  // Leaves messages and network input in the recording, because other functions take them:
+  // Compare() when a message is delivered, SayNetwork() when a robot polls its network.
   if (next->kind == Kind::kMessage || next->kind == Kind::kNetwork) return false;
   if (next->time_us > system().now_us()) return false;
   if (next->kind == Kind::kLoss) {

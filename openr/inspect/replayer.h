@@ -26,7 +26,7 @@ struct ReplayOptions {
   // The name of an object whose answers are compared, see answers.h; "": everything is compared,
   // and the replay ends at the first difference.
   std::string only = {};
-  // Changes the options of the simulation before it is made; null: they stay.
+  // Changes the options of the simulation before it is made; null: the options are not changed.
   std::function<void(SimulationOptions*)> prepare = {};
   // Called before the boot with the recorded changes of the Memory Stick; may be null.
   std::function<void(Simulation*, const SimulationOptions&, const std::vector<TraceEntry>& changes)>
@@ -47,8 +47,8 @@ class Replayer : public KnownRun {
   System& system() { return simulation_->system(); }
 
   // Applies the recorded input that is due, then goes on to the next entry of the recording.  If
-  // the entry is a message, delivers one message and compares both.  If the entry is input,
-  // delivers nothing, and the next call applies the input.  Returns false at the end of the
+  // that entry is a message, delivers one message and compares it with the entry.  If the entry is
+  // input, delivers nothing, and the next call applies the input.  Returns false at the end of the
   // recording and after a difference.
   bool Step();
   // ---- Implementation of KnownRun
@@ -60,11 +60,12 @@ class Replayer : public KnownRun {
   const TraceEntry& last() const { return last_; }
   // Returns the time of the next message or input in the recording; INT64_MAX at its end.
   int64_t NextTimeUs();
-  // Ends the comparison with the recording.  The run may go on without it.
+  // Ends the comparison with the recording.  The run can then go on without the recording.
   void Leave() { at_end_ = true; }
 
-  // Return how many messages of ReplayOptions::only were compared, and those that differ.
+  // Returns how many messages of the object ReplayOptions::only were compared.
   uint64_t answer_count() const { return answer_count_; }
+  // Returns the messages of this object that differ from the recorded ones.
   const std::vector<AnswerDifference>& answer_differences() const { return answer_differences_; }
 
   uint64_t count() const { return count_; }  // number of messages that were equal to the recording
@@ -103,9 +104,11 @@ class Replayer : public KnownRun {
   const std::string file_;
   TraceReader reader_;
   TempFolder folder_;                           // holds the copy of the Memory Stick
-  PreparedRun prepared_;                        // owner of the run of a schedule; else empty
-  std::unique_ptr<ExploreSchedule> schedule_;   // null: the order that the seed chooses
-  std::unique_ptr<Simulation> own_simulation_;  // null for the run of a schedule
+  PreparedRun prepared_;                        // owns the run if the recording has a schedule;
+                                                // else empty
+  std::unique_ptr<ExploreSchedule> schedule_;   // schedule of the recording; null: the seed decides
+                                                // the order of messages
+  std::unique_ptr<Simulation> own_simulation_;  // null if the recording has a schedule
   Simulation* simulation_ = nullptr;
   std::string only_;
   uint64_t answer_count_ = 0;

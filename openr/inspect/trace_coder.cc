@@ -126,7 +126,8 @@ void TraceCoder::ReadMessage(bool is_old, ByteReader* in, TraceEntry* entry) {
   if (!is_old) ReadLink(in, &record);
   record.number = number_ + static_cast<uint64_t>(in->Zigzag());
   record.cause = record.number - static_cast<uint64_t>(in->Zigzag());
-  // Adds without a sign, because a damaged file may have any numbers.
+  // Adds unsigned numbers, because a damaged file may have any numbers, and a signed sum could
+  // overflow.
   record.time_us =
       static_cast<int64_t>(static_cast<uint64_t>(time_us_) + static_cast<uint64_t>(in->Zigzag()));
   if (is_old) {
@@ -157,7 +158,7 @@ void TraceCoder::Write(const TraceEntry& entry, ByteWriter* out) {
       out->Text(entry.name);
       return;
     case TraceEntry::Kind::kMessage:
-      return;  // see above
+      return;  // WriteMessage() has written the message already
     case TraceEntry::Kind::kNetwork:
       out->Varint(static_cast<uint64_t>(entry.robot));
       out->Varint(entry.events.size());

@@ -26,8 +26,8 @@ struct RunEnd;
 
 constexpr uint32_t kTraceVersion = 5;
 // The oldest version that can be read.  Version 2 has no kEnded.  Versions 2 and 3 have kOldPause,
-// kOldShutdown and kOldConsole in place of kInput; they are read as kInput.  Versions 2 to 4 have
-// kOldMessage in place of kMessage, as which it is read.
+// kOldShutdown and kOldConsole in place of kInput.  Versions 2 to 4 have kOldMessage in place of
+// kMessage.  The old kinds are read as the new ones.
 constexpr uint32_t kOldestTraceVersion = 2;
 
 // The options that determine a run, together with the recorded input.
@@ -43,7 +43,7 @@ struct TraceHeader {
   std::vector<std::string> addresses;  // arguments of --ip, such as "10.0.1.2=127.0.0.1"
   int robots = 1;
   bool together = false;                 // all robots are in one world
-  std::vector<std::string> more_sticks;  // see SimulationOptions
+  std::vector<std::string> more_sticks;  // as SimulationOptions::more_sticks
   std::vector<uint64_t> more_stick_hashes;
   uint64_t seed = 1;
   bool strict = false;
@@ -66,7 +66,7 @@ struct TraceEntry {
     kEnd = 7,          // time_us, trace_hash, state_hash: the last entry
     kOldConsole = 8,   // see kOldestTraceVersion
     kStick = 9,        // what, name, payload: content before an object changed a file or folder
-    kLoss = 10,        // time_us, name: a process was lost; what follows cannot be replayed
+    kLoss = 10,        // time_us, name: a worker process was lost; what follows cannot be replayed
     // name, payload: how the run ended, as a word of EndName(), and the reason as text.  The entry
     // is missing if the recorded process was killed.
     kEnded = 11,
@@ -110,7 +110,8 @@ class TraceCoder {
     int32_t sender = 0;
     int32_t target = 0;
     uint32_t selector = 0;
-    LastPayload* last = nullptr;  // where the link's last payload was found in last_; writers only
+    LastPayload* last = nullptr;  // the element of last_ with the link's last payload; set only
+                                  // when writing
   };
   struct LinkKey {
     int32_t sender, target;
@@ -138,7 +139,8 @@ class TraceCoder {
   std::map<std::pair<int32_t, size_t>, LastPayload> last_;  // key: sender and size
   uint64_t kept_ = 0;  // bytes of all payloads in last_ that were read
   std::vector<Link> links_;
-  // Only writers use it, to look up a link.  Nothing depends on its order.
+  // The numbers of the links; used only when writing.  Nothing depends on the order of this map, so
+  // it need not be sorted.
   std::unordered_map<LinkKey, uint32_t, LinkHash> link_numbers_;
   uint32_t defined_links_ = 0;  // number of links whose first message was written
 };
@@ -164,7 +166,8 @@ class TraceWriter {
   // `name` the path below the stick's folder.
   void AddStick(const std::string& name, const std::string& path);
 
-  // Adds an entry of another recording.  Its names of objects and entries must be in this one, too.
+  // Adds an entry of another recording.  REQUIRES: this recording also has the names of the objects
+  // and handlers in the entry.
   void AddEntry(const TraceEntry& entry) { Add(entry); }
 
   // Writes the added entries to the file.  May be called in a signal handler that ends the process.
@@ -176,8 +179,8 @@ class TraceWriter {
   std::string Finish(System* system);
 
  private:
-  // Object::predecessors of a link's objects when their names were last known to be written; -1:
-  // there is no such object.
+  // The value of Object::predecessors of a link's sender and of its target when AddMessage() last
+  // made sure that their names are written; -1: there is no such object.
   struct Lives {
     int sender = -2;
     int target = -2;
@@ -198,8 +201,9 @@ class TraceWriter {
   std::map<int32_t, int> objects_;  // key: id of an object; value: Object::predecessors when the
                                     // object's name was written
   std::set<std::pair<int32_t, uint32_t>> entries_;
-  // The index is the number of a link.  Because of it, AddMessage() looks names up only for the
-  // first message of a link, and after an object was replaced.
+  // The Lives of each link; the index is the number of the link.  While they do not change,
+  // AddMessage() need not look up names: it does so only for the first message of a link, and after
+  // an object was replaced.
   std::vector<Lives> named_;
   std::string payload_copy_;
 };
@@ -260,7 +264,7 @@ class TraceReader {
   std::pair<std::string, std::string> why_ended_;
   std::vector<std::string> problems_;
   std::string note_;
-  // key: id of an object; value: robot and name
+  // Robot and name of each object; the key is the id of the object.
   std::map<int32_t, std::pair<int, std::string>> objects_;
   std::map<std::pair<int32_t, uint32_t>, std::string> entries_;
 };

@@ -120,7 +120,7 @@ void WriteTraceCsv(TraceReader* reader, const TraceFilter& filter, const TextSin
 
 void WriteTracePerfetto(TraceReader* reader, const TraceFilter& filter, const TextSink& out) {
   PerfettoWriter writer(out);
-  double at_us = -1;  // of the last slice
+  double at_us = -1;  // time at which the last slice was drawn
   while (reader->Peek() != nullptr) {
     const TraceEntry entry = reader->Take();
     const TraceRecord& record = entry.record;

@@ -15,8 +15,9 @@ class ConsoleLog {
     std::string text;
   };
 
-  // Limits of the log: the number of lines, and the characters of a line.
+  // The largest number of lines that the log keeps.
   static constexpr size_t kLinesMax = 1000;
+  // The largest number of characters that it keeps of a line.
   static constexpr size_t kLineMax = 2000;
 
   // Adds text that was printed at the virtual time `time_us`.  Keeps the first part of a line until

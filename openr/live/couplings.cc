@@ -60,8 +60,8 @@ void Couplings::Update() {
       all_.empty()
           ? ""
           : fmt::format("the robot at {} is connected, and cannot go back with it", all_[0].with));
-  // Leaves the rate alone if it is fixed, or if the number of couplings has not changed from or to
-  // 0.
+  // Changes the rate only if the first coupling has begun or the last one has ended, and never a
+  // fixed rate.
   if (all_.empty() == !is_paced_ || clock_->is_fixed()) return;
   is_paced_ = !all_.empty();
   if (is_paced_) {

@@ -83,7 +83,8 @@ const std::vector<LiveEvents::Kind>& LiveEvents::Kinds() {
   return kinds;
 }
 
-// Returns a number that differs from all earlier ones when the run has gone on since.
+// Returns a number that grows whenever the run goes on.  An equal number means that nothing has
+// changed.
 uint64_t LiveEvents::Version() const {
   System& system = context_.simulation->system();
   return system.message_count() + static_cast<uint64_t>(system.now_us());

@@ -38,8 +38,8 @@ class LiveEvents {
   // Returns "" if `cursor` says that the client has got this event already.
   std::string Line(std::string_view name, EventCursor* cursor);
 
-  // Begins or ends to keep the messages of connections.  `is_watched`: a client watches the event
-  // "graph", which shows these messages.
+  // Begins or stops keeping the messages of connections.  `is_watched` says that a client watches
+  // the event "graph", which shows these messages.
   void WatchGraph(bool is_watched);
 
   // Returns the state of the clock: virtual time, messages, pause, wanted rate and measured speed.
@@ -65,8 +65,9 @@ class LiveEvents {
                                         // object
   std::map<size_t, Rate> connections_;  // messages of connections; key: index in
                                         // System::connections()
-  // The clock of this computer and the virtual time at the last update of speed_.
+  // The time of this computer's clock at the last update of speed_.
   int64_t speed_ns_ = 0;
+  // The virtual time at the last update of speed_.
   int64_t speed_us_ = 0;
   double speed_ = 0;  // virtual seconds per second
 };

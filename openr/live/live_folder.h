@@ -10,7 +10,7 @@ namespace openr_host {
 struct LiveRun {
   std::string name;    // --run-name, or the last part of the stick's path
   int process = 0;     // process id of openr run
-  std::string socket;  // path of its socket
+  std::string socket;  // path of the run's socket
 };
 
 // Returns the folder of the sockets, which only this user can enter.  Makes the folder if it is

@@ -105,8 +105,8 @@ bool LiveServer::AnswerLines(Client* client) {
   return client->received.size() <= kRequestMax;
 }
 
-// Answers a request.  Answers here the requests whose answers depend on the client; calls answer_
-// for all others.
+// Answers a request.  If the answer depends on the client, makes the answer here; otherwise calls
+// answer_.
 nlohmann::ordered_json LiveServer::AnswerTo(Client* client, const nlohmann::json& request) {
   if (request.at("do") == "watch") return BeginWatch(client, request);
   if (request.at("do") == "couple" && couplings_ != nullptr)

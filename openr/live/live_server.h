@@ -22,10 +22,10 @@ class Couplings;
 
 class LiveServer {
  public:
-  // Limits, so that no client can make the run use much memory: the bytes of a request, the bytes
-  // of answers that a client has not taken yet, and the number of clients.  A client beyond a limit
-  // is closed.
+  // Limits, so that no client can make the run use much memory.  A client beyond a limit is closed.
+  // The first limit is the bytes of a request.
   static constexpr size_t kRequestMax = size_t{64} << 10;
+  // The bytes of answers that a client has not taken yet.
   static constexpr size_t kAnswersMax = size_t{4} << 20;
   static constexpr size_t kClientsMax = 32;  // enough for the 16 pages of the panel
 
@@ -69,7 +69,7 @@ class LiveServer {
   };
 
   struct Client {
-    uint64_t number;  // differs for all clients of this run
+    uint64_t number;  // two clients of this run never have the same number
     int descriptor;
     std::string received;  // the first bytes of a request that is not complete yet
     std::string to_send;   // answers that the socket has not taken yet

@@ -32,9 +32,10 @@ class MessageHistory {
     std::string content;  // the content as in a recording, cut to kContentMax bytes
   };
 
-  // Limits of the history: messages of a connection, and bytes of a message.
+  // The largest number of messages that are kept for a connection.
   static constexpr size_t kMessagesMax = 20;
-  static constexpr size_t kContentMax = 16384;  // a sensor vector of any robot fits
+  static constexpr size_t kContentMax = 16384;  // largest number of bytes kept of a message; a
+                                                // sensor vector of any robot fits
 
   // `system` must outlive the history.
   explicit MessageHistory(System* system) : system_(*system) {}
@@ -42,8 +43,9 @@ class MessageHistory {
   MessageHistory(const MessageHistory&) = delete;
   MessageHistory& operator=(const MessageHistory&) = delete;
 
-  // Begin and end the recording of messages.  End() also forgets all messages.
+  // Begins the recording of messages.
   void Begin();
+  // Ends the recording of messages, and forgets all of them.
   void End();
 
   // Returns the number of messages that both ends of a connection have sent each other since

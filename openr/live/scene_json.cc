@@ -200,7 +200,7 @@ Json SceneJson(const Simulation& simulation) {
     robots.push_back(RobotJson(simulation.model()));
   for (const render::Shape& shape : ShapesOfWorld(simulation.world()))
     shapes.push_back(JsonOf(shape));
-  // The movable things are numbered as in the events `pose`.
+  // Numbers the movable things in the same order as the events `pose`.
   int movable = 0;
   const std::vector<WorldThing>& things = simulation.world().things;
   for (size_t i = 0; i < things.size(); ++i) {

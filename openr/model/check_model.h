@@ -14,19 +14,19 @@ inline constexpr double kStaticErrorMaxDeg = 2, kDriftMaxMm = 10, kDriftMaxDeg =
 
 struct ModelCheck {
   double total_mass_g = 0;
-  // 2 s after standing up: the largest distance of a joint from its set point, and the base frame's
-  // attitude and height over the floor.
+  // Largest distance of a joint from its set point, 2 s after standing up.
   double static_error_deg_max = 0;
+  // Attitude of the base frame and its height over the floor, 2 s after standing up.
   double roll_deg = 0, pitch_deg = 0, height_mm = 0;
   int paws = 0;  // number of paws on the floor
-  // Pitch and height of a stiff robot with the same set points, from kinematics alone.
+  // Pitch and height of a stiff robot with the same set points, computed from kinematics alone.
   double stiff_pitch_deg = 0, stiff_height_mm = 0;
-  // Way and largest change of roll, pitch or yaw in the 60 s that follow.
+  // Distance that the robot moves in the following 60 s, and largest change of roll, pitch or yaw.
   double drift_60s_mm = 0, drift_60s_deg = 0;
-  std::vector<std::string> problems;  // what is outside of the limits above
+  std::vector<std::string> problems;  // one text for each value outside of the limits above
 };
 
-// Throws std::runtime_error if the model has no body with physics.
+// Checks how well `model` stands.  Throws std::runtime_error if the model has no body with physics.
 ModelCheck CheckModel(const RobotModel& model);
 
 }  // namespace openr_host

@@ -67,7 +67,8 @@ StepResponse MeasureStep(const RobotModel& model, size_t j, double step_deg) {
   return response;
 }
 
-// Returns the index of the first distance sensor with a place; -1 if there is none.
+// Returns the index of the first distance sensor whose place on the body is known; -1 if there is
+// none.
 int DistanceSensorOf(const RobotModel& model) {
   for (size_t i = 0; i < model.sensors.size(); ++i) {
     const Sensor& sensor = model.sensors[i];
@@ -110,7 +111,7 @@ std::vector<DistanceReading> MeasureDistances(const RobotModel& model, double re
   for (int distance_mm = 100; distance_mm <= 1000; distance_mm += 50) {
     WorldThing wall;
     wall.size_m = {0.1, 2, 2};
-    // The front of the wall is where the ray has come this far.
+    // Puts the front of the wall at the point of the ray that is `distance_mm` from the sensor.
     wall.centre_m = {place_W.x() + ray_W.x() * distance_mm / 1000.0 + 0.05, 0, 1};
     wall.reflectance = reflectance;
     World world;

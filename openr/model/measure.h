@@ -14,13 +14,13 @@ struct StepResponse {
   double from_deg = 0, to_deg = 0;
   std::vector<double> times_ms, commanded_deg, measured_deg;
   double rise_ms = 0;         // time until 90 % of the way is done; -1: never
-  double overshoot_deg = 0;   // how far the joint went beyond its end
-  double end_error_deg = 0;   // distance from the set point at the end
+  double overshoot_deg = 0;   // how far the joint went beyond the end of the step
+  double end_error_deg = 0;   // distance from the set point at the end of the measurement
   double current_ma_max = 0;  // highest current that the robot draws from its battery
 };
 
-// Makes the robot stand in the air, held by a hand, and lets each joint take a step of at most
-// `step_deg` towards the middle of its range, one after the other.
+// Makes the robot stand in the air, held by a hand.  Then moves one joint after the other by a step
+// of at most `step_deg` towards the middle of its range.
 std::vector<StepResponse> MeasureSteps(const RobotModel& model, double step_deg);
 
 // Readings of the distance sensor in front of a wall, over 200 samples.
@@ -31,7 +31,7 @@ struct DistanceReading {
 };
 
 // Measures with a wall 100, 150 ... 1000 mm in front of the first distance sensor of a standing
-// robot.  Returns nothing for a model whose distance sensors have no place.
+// robot.  Returns nothing if the model does not say where its distance sensors are on the body.
 std::vector<DistanceReading> MeasureDistances(const RobotModel& model, double reflectance);
 
 }  // namespace openr_host

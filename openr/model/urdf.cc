@@ -12,13 +12,13 @@ using Eigen::Vector3d;
 
 std::string Triple(const Vector3d& v) { return fmt::format("{} {} {}", v.x(), v.y(), v.z()); }
 
-// Returns the place of the origin of the part's link, in B at zero angles.
+// Returns the origin of the part's link in the base frame B, when all angles are 0.
 Vector3d OriginOf(const RobotModel& model, int part) {
   const int joint = model.bodies[part].joint;
   return joint < 0 ? Vector3d(0, 0, 0) : model.joints[joint].anchor_m;
 }
 
-// Adds a shape as the part looks and as it touches.
+// Adds a shape to a link twice: as its look (visual) and as its shape for contacts (collision).
 void AddShape(const Vector3d& place_m, const std::string& geometry, std::string* out) {
   for (const char* const use : {"visual", "collision"}) {
     fmt::format_to(std::back_inserter(*out),
@@ -88,7 +88,8 @@ void AddCameraFrame(const RobotModel& model, const Camera& camera, std::string* 
   const Vector3d z = camera.direction.normalized();
   const Vector3d x = z.cross(Vector3d::UnitZ()).normalized();
   const Vector3d y = z.cross(x);
-  // The matrix with the columns x, y and z, as turns about the fixed axes x, y and z of the part.
+  // Converts the matrix with the columns x, y and z to turns about the fixed axes x, y and z of the
+  // part.
   const double roll = std::atan2(y.z(), z.z());
   const double pitch = std::atan2(-x.z(), std::hypot(y.z(), z.z()));
   const double yaw = std::atan2(x.y(), x.x());

@@ -66,8 +66,8 @@ Fit FitLine(const std::vector<double>& a, const std::vector<double>& b) {
     bb += db * db;
     ab += da * db;
   }
-  // Gives up if the positions do not vary, or vary in opposite directions: no shift makes them one
-  // motion.
+  // Gives up if the positions do not vary, or vary in opposite directions, because no shift of time
+  // makes such motions equal.
   if (aa <= 0 || bb <= 0 || ab <= 0) return {};
   return {ab / aa, 1 - ab * ab / (aa * bb)};
 }
@@ -83,10 +83,11 @@ bool Moves(const std::vector<double>& deg) {
   return *high - *low >= kMovesDeg;
 }
 
-// Finds the lag of one joint in two searches.  Each search compares all its shifts on the same
-// records, those that no shift moves out of B, so that the number of records has no influence.  The
-// first search tries large shifts, so it has to leave out many records.  The second search tries
-// only shifts near the result of the first one, so it uses nearly all records.
+// Finds the lag of one joint in two searches.  Each search uses the same records for all its
+// shifts, so that the number of records has no influence.  A record can be used if no shift moves
+// it out of the time of B.  The first search tries large shifts, so it has to leave out many
+// records.  The second search tries only shifts near the result of the first one, so it uses nearly
+// all records.
 class LagSearch {
  public:
   LagSearch(const JointTraces& a, const JointTraces& b, size_t joint)

@@ -11,12 +11,12 @@ namespace openr_host {
 
 enum class LogGroup { kCommanded, kMeasured, kSimulated };
 
-const char* NameOf(LogGroup group);  // "commanded"
+const char* NameOf(LogGroup group);  // such as "commanded"
 
 // The positions of all joints over time.
 struct JointTraces {
-  std::vector<double> times_ms;          // rising
-  std::vector<std::vector<double>> deg;  // [joint][time]
+  std::vector<double> times_ms;          // times of the positions, in rising order
+  std::vector<std::vector<double>> deg;  // positions in degrees: [joint][time]
 };
 
 // Returns the positions of a group with the times of their records.  Leaves out records that do not

@@ -122,8 +122,8 @@ std::vector<const JointConstants*> LoggedJoints(const RobotConstants& robot) {
   return joints;
 }
 
-// Tries each design of robot, because the file does not name its robot.  At most one design fits: a
-// wrong number of joints makes the counts of values be read at wrong places.
+// Tries each design of robot, because the file does not name its robot.  At most one design fits:
+// with a wrong number of joints, the counts of values would be read at wrong places.
 LogFile ParseLog(const std::string& bytes) {
   std::string problem;
   for (const char* const design : {"ERS-210", "ERS-7"}) {

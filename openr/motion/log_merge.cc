@@ -19,7 +19,7 @@ void RequireSameMoment(const LogFile& real, const LogFile& other, size_t i) {
         "the same motion",
         i, a.key_frame, b.key_frame));
   }
-  // Does not compare the commanded positions of the first record, because they are those from
+  // Does not compare the commanded positions of the first record, because the robots got them
   // before the motion.
   if (i == 0) return;
   const std::vector<const JointConstants*> joints = LoggedJoints(*real.robot);

@@ -13,15 +13,14 @@ LogFile AsSimulated(LogFile log);
 // log of another robot that has played the same motion.
 //
 // Values are merged by key frame, whatever the times at which the robots have reached it.  This
-// compensates the delay between the two robots; the report has to shift values by one key frame
-// instead.  Records that `other` lacks, because its motion has ended earlier, get no simulated
-// values.
+// compensates the delay between the two robots; Hohl 2004 has to shift the values by one key frame
+// instead.  If the motion of `other` has ended earlier, the last records have no simulated values.
 //
 // Throws std::runtime_error if the key frames of the records differ, or if commanded positions
 // differ by more than kSameCommandCdeg, because the motions were not the same then.
 LogFile MergeLogs(const LogFile& real, const LogFile& other);
 
-constexpr int kSameCommandCdeg = 2;  // both positions are rounded to 0.01 degree, so they can
-                                     // differ by rounding
+constexpr int kSameCommandCdeg = 2;  // largest difference of equal commands, which are rounded to
+                                     // 0.01 degree in each log
 
 }  // namespace openr_host

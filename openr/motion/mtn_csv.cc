@@ -17,7 +17,7 @@ namespace {
 constexpr double kDegPerUradOfCsv = Degrees(1e-6);
 constexpr std::string_view kFirstColumns[] = {"key_frame", "time_ms", "roll_deg", "pitch_deg",
                                               "yaw_deg"};
-constexpr size_t kFirstAngle = 2;  // column of roll_deg
+constexpr size_t kFirstAngle = 2;  // index of the column roll_deg
 constexpr size_t kFirstJoint = std::size(kFirstColumns);
 
 std::vector<std::string_view> Split(std::string_view line) {

@@ -13,11 +13,11 @@ struct KeyFrame {
                           // first key frame
   // Roll, pitch and yaw of the body; pitch is positive with the nose up.  Players ignore them.
   std::array<int32_t, 3> attitude_urad{};
-  std::vector<int32_t> angles_urad;  // order of MotionFile::locators
+  std::vector<int32_t> angles_urad;  // in the order of MotionFile::locators
 };
 
 struct MotionFile {
-  std::string name;  // "stand#sit"
+  std::string name;  // name of the motion, such as "stand#sit"
   std::string creator = "openr-host";
   std::string design_label = "DRX-900";  // the label of ERS-210 and ERS-220
   std::vector<std::string> locators;

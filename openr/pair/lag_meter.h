@@ -14,14 +14,15 @@ namespace openr_host {
 // the lag, because the joints need time, too.
 class LagMeter {
  public:
-  // Duration of the movement that is compared, and the largest lag that can be found.
+  // Duration of the movement that is compared.
   static constexpr int64_t kWindowMs = 3000;
+  // Largest lag that can be found.
   static constexpr int64_t kLagMaxMs = 1500;
   // Least range of a joint's movement in 0.01 degree; a smaller movement does not show the lag.
   static constexpr int32_t kRangeMin = 300;
 
-  // Adds the positions of all joints at `time_ms`, in 0.01 degree.  A time before that of the last
-  // added positions is replaced by the latter.
+  // Adds the positions of all joints at `time_ms`, in 0.01 degree.  If `time_ms` is before the time
+  // of the last added positions, that time is used instead.
   void AddLeader(int64_t time_ms, const std::vector<int32_t>& joints);
   void AddFollower(int64_t time_ms, const std::vector<int32_t>& joints);
 

@@ -20,22 +20,22 @@ namespace {
 
 constexpr int kTellMs = 200;           // time between two reports of the status
 constexpr int64_t kRoundTripMs = 500;  // time between two measurements of the round trip
-// The most requests without an answer of one robot.  Above this, positions are left out, because
-// newer positions follow.
+// The largest number of requests that one robot has not answered yet.  While a robot has so many,
+// no positions are sent to it, because newer positions follow.
 constexpr size_t kPostedMax = 16;
-// The longest silence of a robot after which it still gets positions.  When it goes on after a
-// longer silence, all positions sent meanwhile would be old.
+// A robot that has been silent for longer gets no more positions.  When it goes on, all positions
+// that were sent during its silence would be old.
 constexpr int64_t kSilentMs = 500;
-constexpr size_t kTripsMax = 32;   // number of last round trips; the shortest of them is taken for
-                                   // that of the link
+constexpr size_t kTripsMax = 32;   // number of round trips that are kept; the shortest one counts
+                                   // as the time of the network
 constexpr int kEventsMax = 100;    // events that are taken from one robot before the other robot's
                                    // turn
 constexpr int32_t kChangeMin = 5;  // smaller changes of a goal, in 0.01 degree, are not sent
 constexpr uint32_t kFramesPerTurn = 0x0ffffff1;  // number of frames after which frame numbers begin
                                                  // again with 0
-// Limits of the frames in which a robot goes to a goal by TRACK, and the largest step of a joint in
-// one frame, in 0.01 degree.
+// Fewest and most frames in which a robot goes to a goal by TRACK.
 constexpr uint32_t kTrackFramesMin = RC_FRAMES_PER_VECTOR, kTrackFramesMax = 40;
+// The largest step of a joint in one frame, in 0.01 degree.
 constexpr uint32_t kTrackStepMax = 400;
 
 PairSide OtherOf(PairSide side) { return side == kFirst ? kSecond : kFirst; }
@@ -274,7 +274,7 @@ void RemotePair::TakeAnswer(PairSide side, const remote::Answer& answer, const P
     status_.refusal[side] = each.error;
     // Uses MOVE from now on, because a robot with an earlier version does not know TRACK.
     if (each.status == rcerrorUNKNOWN_COMMAND) own.tracks = false;
-    own.sent.clear();  // all positions are sent again
+    own.sent.clear();  // so that all positions are sent again
     return;
   }
 }

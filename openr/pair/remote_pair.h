@@ -40,6 +40,7 @@ struct PairWish {
   bool follows_motions = true;  // the first robot follows key frames of the second robot's motions
 };
 
+// The state of both robots, for a person.
 struct PairStatus {
   Follow follow = Follow::kNone;
   std::optional<double> round_trip_ms[2];  // times from a request to its answer; index: PairSide

@@ -36,7 +36,7 @@ class Outbox {
 
  private:
   std::mutex mutex_;
-  std::function<void()> wake_;  // null: closed
+  std::function<void()> wake_;  // null: the outbox is closed
   std::vector<std::string> texts_;
 };
 

@@ -168,7 +168,7 @@ RcBridge* Page::BridgeTo(const nlohmann::json& request) {
   return bridge.get();
 }
 
-// Carries out a call of the panel Both dogs: connects a second robot to a robot of the run,
+// Carries out a call of the panel "Both dogs": connects a second robot to a robot of the run,
 // disconnects it, or changes which robot follows the other, and how.
 void Page::CallPair(const nlohmann::json& request) {
   const size_t robot = request.value("robot", size_t{0});

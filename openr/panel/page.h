@@ -31,8 +31,9 @@ enum PageClose {
 
 class Page : public WebPage {
  public:
-  // The most bytes of a message of a page: of an upload, and of any other message.
+  // The most bytes of an upload, which is one message of a page.
   static constexpr size_t kUploadMax = size_t{12} << 20;
+  // The most bytes of any other message of a page.
   static constexpr size_t kMessageMax = size_t{64} << 10;
   // The most bytes that the server reads and drops after it has decided to close a page.
   static constexpr size_t kDropMax = size_t{64} << 20;
@@ -76,8 +77,9 @@ class Page : public WebPage {
   RunsLister* const runs_;
   const std::shared_ptr<Outbox> outbox_;
   std::optional<LiveRun> run_;
-  std::unique_ptr<RunLink> link_;                             // null: no run
-  std::map<std::string, std::unique_ptr<RcBridge>> bridges_;  // key: endpoint
+  std::unique_ptr<RunLink> link_;                             // null: the page has no run
+  std::map<std::string, std::unique_ptr<RcBridge>> bridges_;  // key: "HOST:PORT", or "run N" for
+                                                              // robot N of the run
   std::map<size_t, std::unique_ptr<PairBridge>> pairs_;       // key: number of the robot in the run
   // the first bytes of a message that is not complete yet
   std::string received_;
@@ -90,7 +92,7 @@ class Page : public WebPage {
     std::string why;
   };
   std::optional<Ending> ending_;
-  size_t dropped_ = 0;  // bytes of that message that were dropped
+  size_t dropped_ = 0;  // bytes that were dropped of the message that is coming
 };
 
 }  // namespace openr_host

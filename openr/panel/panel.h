@@ -11,8 +11,8 @@ struct PanelOptions {
   std::string run;       // the run for pages that name no run, by name, process id or both; "": no
                          // run
   // Descriptor of a pipe.  The server ends when the pipe is closed; -1: the server ends with SIGINT
-  // or SIGTERM.  The server of a run prints its address on standard error and then leaves that
-  // stream.
+  // or SIGTERM.  The server of a run prints its address on standard error, and then writes nothing
+  // more to it.
   int run_pipe = -1;
 };
 

@@ -14,9 +14,9 @@ namespace openr_host {
 // for the robot.  Answers and events go into an outbox.
 class RcBridge {
  public:
-  // The most calls, and the most bytes of calls, that may wait.  Any further call is answered with
-  // an error.
+  // The most calls that may wait.  Any further call is answered with an error.
   static constexpr size_t kCallsMax = 64;
+  // The most bytes of calls that may wait, with the same answer to further calls.
   static constexpr size_t kBytesMax = size_t{16} << 20;
   // The most threads of all bridges of this process together.
   static constexpr int kThreadsMax = 64;

@@ -11,9 +11,10 @@ namespace openr_host {
 
 class RunLink final : public WebDescriptor {
  public:
-  // The most bytes for the run that may wait.  Above this, the page should not be read.
+  // The most bytes that may wait until the run takes them.  If more wait, the page should not be
+  // read.
   static constexpr size_t kWaitingMax = size_t{256} << 10;
-  // The most bytes of a line of a run.
+  // The most bytes that a line from the run may have.
   static constexpr size_t kLineMax = size_t{8} << 20;
 
   struct Owner {

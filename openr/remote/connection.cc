@@ -147,8 +147,8 @@ bool Connection::ReceivePacket(Clock::time_point deadline) {
   }
 }
 
-// Stores the packet that was received last: an event with those that NextEvent() returns, an answer
-// with its request.
+// Stores the packet that was received last: adds an event to those that NextEvent() will return,
+// and stores an answer with its request.
 void Connection::TakePacket() {
   RcAnswerHeader header;
   if (!header.Read(framer_)) ThrowMalformed();

@@ -58,7 +58,7 @@ using RequestId = uint16_t;
 struct Answer {
   uint32_t frame =
       0xffffffff;     // frame of 8 ms of the robot's newest sensor values; 0xffffffff: none
-  int status = rcOK;  // RcStatus
+  int status = rcOK;  // result of the request, an RcStatus
   std::string error;  // the robot's error text if the status is not rcOK
   Bytes payload;      // empty if the status is not rcOK
 };
@@ -134,7 +134,8 @@ class Connection {
   void SetLed(int led, bool on);
   void SetEar(int ear, bool on);
 
-  // `joint` may be RC_ALL_JOINTS, which switches all joints and the motor power.
+  // Switches the motor of a joint on or off.  RC_ALL_JOINTS switches all motors and the motor
+  // power.
   void SwitchMotor(int joint, bool on);
   Gains GetGains(int joint);
   Gains SetGains(int joint, int p, int i, int d);  // each gain is 0 to RC_MAX_GAIN; returns the new
@@ -217,7 +218,8 @@ class Connection {
   // batch.
   std::vector<Answer> Batch(const std::vector<Call>& calls);
   RequestId SendBatch(const std::vector<Call>& calls);
-  // `count` is the number of calls in the batch
+  // Waits for the answer to SendBatch() and returns the answers in it.  `count` is the number of
+  // calls in the batch.
   std::vector<Answer> WaitForBatch(RequestId id, size_t count);
 
   // ---- For programs that serve several robots in one thread
@@ -288,7 +290,7 @@ class Connection {
   RcFramer framer_;
   RequestId last_id_ = 0;
   std::map<RequestId, Pending> pending_;
-  std::deque<Event> events_;  // arrived and not yet returned by NextEvent()
+  std::deque<Event> events_;  // events that have arrived and that NextEvent() has not returned yet
   uint32_t frame_ = 0xffffffff;
   std::optional<std::vector<Description>> devices_[NUM_RC_DEVICES];
 };

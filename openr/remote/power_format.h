@@ -7,8 +7,9 @@
 
 namespace openr::remote {
 
-// Return whether the motors have power, and whether the robot is on its charging station.
+// Returns whether the motors have power.
 bool HasMotorPower(const RcPower& power);
+// Returns whether the robot is on its charging station.
 bool IsOnStation(const RcPower& power);
 
 // Returns the answer to POWER (docs/remote-control.md) as JSON: volts, amperes, degrees Celsius,

@@ -38,7 +38,8 @@ class TcpStream {
  private:
   bool WaitFor(short events, Clock::time_point deadline) const;
   int WaitForConnection(Clock::time_point deadline) const;  // returns 0 or an errno
-  // `error` is an errno; 0: the other end has closed the connection
+  // Stores the reason of the loss for why_lost(), and returns kLost.  `error` is an errno; 0: the
+  // other end has closed the connection.
   Result Lost(int error);
 
   int socket_ = -1;

@@ -20,7 +20,7 @@ void AddSide(int axis, float sign, const Eigen::Vector3f& flat, float radius, in
   // direction of the side.  The angles go from -45 to 45 degrees in equal steps, because this makes
   // the edge evenly round.
   const auto slope = [steps](int i) {
-    const int step = i <= steps ? i - steps : i - steps - 1;  // -steps to 0, 0 to steps
+    const int step = i <= steps ? i - steps : i - steps - 1;  // -steps to 0, then 0 to steps
     return std::tan(static_cast<float>(step) / static_cast<float>(steps) * 0.78539816f);
   };
   const auto half = [steps](int i) { return i <= steps ? -1.0f : 1.0f; };
@@ -63,7 +63,8 @@ Mesh RoundedBox(const Eigen::Vector3f& size, float radius, int steps) {
   return mesh;
 }
 
-// Adds two triangles for each side face, and one at each end for each side.
+// Adds two triangles for each side face, and at each of the two ends one triangle for each side
+// face.
 Mesh Cylinder(const Eigen::Vector3f& size, int sides) {
   Mesh mesh;
   const Eigen::Vector3f half = 0.5f * size;

@@ -97,7 +97,8 @@ std::string TakePicture(const PictureRequest& plan, VirtualRobot* robot,
   World world = robot->body().world();
   const size_t things = world.things.size();
   world.things = robot->body().Surroundings();
-  world.things.resize(things);  // without the boxes of other robots, which are drawn as they look
+  world.things.resize(things);  // drops the boxes of other robots, because robots are drawn with
+                                // their own shapes
   std::vector<RobotLook> looks = {LookOf(*robot)};
   for (const VirtualRobot* const other : company) {
     if (other != robot) looks.push_back(LookOf(*other));

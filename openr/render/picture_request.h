@@ -17,7 +17,8 @@ struct PictureRequest {
   int64_t time_us = -1;  // virtual time; -1: the end of the run
   View view = View::kIso;
   int robot = 0;
-  int width_px = 1280;  // both: not used by View::kCamera
+  int width_px = 1280;  // width of the picture; not used by View::kCamera
+  // Height of the picture; not used by View::kCamera.
   int height_px = 720;
   std::string file;
 };

@@ -14,7 +14,7 @@ namespace {
 struct ViewPlace {
   const char* name;
   View view;
-  Eigen::Vector3d from;  // camera minus target, in m; x is forward
+  Eigen::Vector3d from;  // vector from the target to the camera, in m; x is forward
 };
 
 const ViewPlace* Places(size_t* count) {
@@ -46,7 +46,8 @@ render::Camera CameraFor(const RobotLook& look, View view) {
 
 // Returns a camera that sees all robots and things, from the side of the world's -y.
 render::Camera CameraOverWorld(const std::vector<RobotLook>& looks, const World& world) {
-  constexpr double kRobot_m = 0.25, kReachMax_m = 6;  // things further away than that are left out
+  constexpr double kRobot_m = 0.25, kReachMax_m = 6;  // things further away than kReachMax_m are
+                                                      // left out
   Eigen::AlignedBox2d seen;
   for (const RobotLook& look : looks) {
     const Eigen::Vector2d place = look.X_WB.translation().head<2>();
@@ -61,7 +62,7 @@ render::Camera CameraOverWorld(const std::vector<RobotLook>& looks, const World&
   render::Camera camera;
   camera.fov_rad = 0.5;
   camera.target_W = Eigen::Vector3d(seen.center().x(), seen.center().y(), 0);
-  // The picture is wider than high, so the way along y decides as much as that along x.
+  // Scales the extent along x by 9/16, because the picture is wider than high in this ratio.
   const double reach_m = std::max(seen.sizes().x() * 9 / 16, seen.sizes().y()) / 2;
   camera.shadow_reach_m = seen.sizes().maxCoeff() / 2 + kRobot_m;
   camera.p_W =

@@ -39,7 +39,8 @@ enum class View { kSide, kFront, kTop, kIso, kFollow, kWorld, kCamera };
 // false for other names.
 bool ParseView(std::string_view name, View* view);
 
-// REQUIRES: `view` is not View::kCamera.
+// Makes the scene for a picture of robots of one model in their world.  REQUIRES: `view` is not
+// View::kCamera.
 render::Scene MakeRobotScene(const RobotModel& model, const std::vector<RobotLook>& looks,
                              const World& world, View view);
 

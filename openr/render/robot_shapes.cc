@@ -314,7 +314,8 @@ std::optional<Colour> FloorColour(const World& world) {
 }
 
 std::vector<Shape> ShapesOfWorld(const World& world) {
-  constexpr double kPaintTop_m = 0.004;  // height of the uppermost paint, not to be seen as a step
+  constexpr double kPaintTop_m = 0.004;  // height of the uppermost paint; too small to look like a
+                                         // step
   const auto is_paint = [](const WorldThing& thing) { return !thing.is_solid; };
   const auto paints = std::count_if(world.things.begin(), world.things.end(), is_paint);
   double paint_height_m = 0;
@@ -325,7 +326,7 @@ std::vector<Shape> ShapesOfWorld(const World& world) {
     shape.X_WS.translation() = thing.centre_m;
     shape.size_m = thing.size_m;
     const double shortest_m = thing.size_m.minCoeff();
-    // A box whose edges are as round as possible is a sphere.
+    // Draws a sphere as a box whose edges are as round as possible.
     shape.radius_m =
         thing.shape == ThingShape::kSphere ? shortest_m / 2 : std::min(0.004, 0.2 * shortest_m);
     shape.is_cylinder = thing.shape == ThingShape::kCylinder;

@@ -20,7 +20,7 @@ struct RobotShape {
   render::Shape shape;
   int led = -1;           // for a light: index of RobotModel::leds, otherwise -1
   render::Colour glow;    // for a light: its colour when it is on
-  render::Colour glow_b;  // the same in mode B of the face lights of the ERS-7
+  render::Colour glow_b;  // for a light of the ERS-7's face: its colour in mode B
   int ear = -1;           // for an ear: index of RobotModel::plungers, otherwise -1
   // For an ear: a point of its axis, in the coordinates of the part.  The direction of the axis is
   // -y.

@@ -21,7 +21,7 @@ struct Shape {
   double radius_m = 0;       // radius of the edges; at most half of the shortest edge is used
   bool is_cylinder = false;  // a cylinder along z fills the box; its edges are sharp
   // Three corners for each triangle of a surface, counterclockwise from outside, in the axes of the
-  // box.  If there are any, they are drawn and not the box.
+  // box.  If there are triangles, they are drawn instead of the box.
   std::vector<Eigen::Vector3f> triangles;
   Colour colour;
   float gloss = 0.3f;  // from 0, dull, to 1, polished

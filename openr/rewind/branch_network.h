@@ -1,10 +1,10 @@
 // BranchNetwork, the network of a robot whose run can be copied at an earlier moment.
 //
 // In the run itself, BranchNetwork passes all calls on to the real network and logs the events that
-// come from outside.  In a copy of the run, first returns the logged events again and sends
-// nothing.  When the copy goes on as a new run, the network opens the ports again at which the
-// robot listens.  The robot sees its connections as broken, because their peers are still connected
-// to the first run.
+// come from outside.  In a copy of the run, BranchNetwork first returns the logged events again and
+// sends nothing.  When the copy goes on as a new run, the network opens the ports again at which
+// the robot listens.  The robot sees its connections as broken, because their peers are still
+// connected to the first run.
 #pragma once
 
 #include <cstdint>
@@ -75,11 +75,13 @@ class BranchNetwork : public PassingNetwork {
   const int robot_;
   InputLog& log_;
   uint64_t poll_ = 0;                               // number of calls of Poll()
-  std::function<std::vector<NetworkEvent>()> say_;  // of RepeatFrom(); null: inputs_ are repeated
+  std::function<std::vector<NetworkEvent>()> say_;  // function given to RepeatFrom(); null: inputs_
+                                                    // are repeated
   bool repeats_ = false;              // Poll() returns logged inputs, and nothing is sent
   std::deque<LoggedInput> inputs_;    // inputs that Poll() has still to return, in order of their
                                       // numbers
-  std::vector<NetworkEvent> broken_;  // events that the next Poll() returns after GoOn()
+  std::vector<NetworkEvent> broken_;  // events that tell the robot that its connections are broken;
+                                      // the next Poll() returns them
   std::map<NetHandle, Socket> sockets_;
 };
 

@@ -15,12 +15,13 @@ namespace openr_host {
 // An input line, or the events that the network of a robot returned.
 struct LoggedInput {
   int robot = 0;
-  // An input line ("press chin"), and when it was added: the virtual time, and the number of
-  // messages that had been delivered.
+  // An input line, such as "press chin".
   std::string line;
+  // The virtual time when the line was added.
   int64_t time_us = 0;
+  // The number of messages that had been delivered when the line was added.
   uint64_t messages = 0;
-  // The events that call number `poll` of Network::Poll() has returned.  0: this is an input line.
+  // The number of the call of Network::Poll() that returned `events`. 0: this is an input line.
   uint64_t poll = 0;
   std::vector<NetworkEvent> events;
 };
@@ -50,8 +51,9 @@ class InputLog {
   size_t bytes_ = 0;
 };
 
-// Converts inputs to and from JSON with binary values, to send them to another process.
+// Converts inputs to JSON with binary values, to send them to another process.
 nlohmann::json ToJson(const std::vector<LoggedInput>& inputs);
+// Converts the JSON of ToJson() back to inputs.
 std::vector<LoggedInput> LoggedInputsOf(const nlohmann::json& json);
 
 }  // namespace openr_host

@@ -6,7 +6,7 @@
 
 namespace openr_host {
 
-// Makes a pair of connected sockets.  Throws std::system_error.
+// A pair of connected sockets, which the constructor makes.  It throws std::system_error.
 struct SocketPair {
   SocketPair();
   int first = -1;

@@ -28,8 +28,9 @@ namespace {
 
 using PlainJson = nlohmann::json;
 
-// The least distance between two checkpoints, in virtual time and by the clock of this computer.
+// The least distance between two checkpoints in virtual time.
 constexpr int64_t kDistanceUs = 1'500'000;
+// The least distance between two checkpoints by the clock of this computer.
 constexpr int64_t kDistanceNs = 300'000'000;
 
 // The most memory that all checkpoints may take together.  Above this, old checkpoints are dropped.
@@ -41,8 +42,8 @@ constexpr size_t kStickBytesMax = size_t{64} << 20;
 // The longest time that a view may need to reach its moment.
 constexpr int kViewTimeoutMs = 60'000;
 
-// Returns the memory of process `process` in bytes.  Memory that processes share is counted in
-// parts, one for each of them.
+// Returns the memory of process `process` in bytes.  Memory that several processes share is divided
+// equally between them.
 size_t MemoryOf(pid_t process) {
   std::ifstream file(fmt::format("/proc/{}/smaps_rollup", process));
   for (std::string word; file >> word;) {
@@ -109,7 +110,8 @@ bool Rewind::AfterFrame(bool is_watched) {
   return false;
 }
 
-// Makes a checkpoint.  Returns false in the original run.  Returns again, with true, in a branch.
+// Makes a checkpoint.  Returns false in the original run.  Returns a second time, with true, in the
+// process of a branch.
 bool Rewind::Take() {
   auto* const stick = dynamic_cast<FolderStick*>(system().robot(0).stick.get());
   ASSERT(stick != nullptr);

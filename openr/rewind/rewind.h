@@ -52,11 +52,12 @@ struct RewindParts {
   // Makes the process of a new checkpoint print nothing, and leave the sockets of the original
   // process alone.  Called in that process.
   std::function<void()> become_copy;
-  // Called in a view: after each frame, and before an input line is repeated.
+  // Called in a view after each frame.
   std::function<void()> after_frame;
+  // Called in a view before an input line is repeated.
   std::function<void(int robot, const std::string& line)> before_input;
-  // Makes the process of a view that of a branch, which is to go on at `rate`.  Returns the name of
-  // the new run.
+  // Turns the process of a view into the process of a branch, which is to go on at `rate`.  Returns
+  // the name of the new run.
   std::function<std::string(double rate)> become_branch;
 };
 
@@ -76,7 +77,7 @@ class Rewind {
 
   // Takes a checkpoint if it is time for one, and drops old checkpoints.  Drops all checkpoints if
   // no client watches the run.  Called after each frame.  Returns false in the original run.
-  // Returns again, with true, in a branch.
+  // Returns a second time, with true, in the process of a branch.
   bool AfterFrame(bool is_watched);
 
   // Refuses all requests to go back, for the reason `why`.  "": allows them again.
@@ -87,14 +88,17 @@ class Rewind {
   nlohmann::ordered_json Status();
 
   bool shows_past() const { return shown_ != nullptr; }
-  // Shows the run as it was at the virtual time `time_us`, or after `count` messages.  Returns ""
-  // or the reason why that is not possible.
+  // Shows the run as it was at the virtual time `time_us`.  Returns "" or the reason why that is
+  // not possible.
   std::string ShowTime(int64_t time_us);
+  // Shows the run as it was after `count` messages.  Returns "" or the reason why that is not
+  // possible.
   std::string ShowMessage(uint64_t count);
   // Ends the view.  Clients then see the present state of the run, which still waits.
   void ShowPresent();
-  // Returns the virtual time, in us, and the number of messages of the moment that is shown.
+  // Returns the virtual time of the moment that is shown.
   int64_t shown_us() const { return shown_us_; }
+  // Returns the number of messages up to the moment that is shown.
   uint64_t shown_messages() const { return shown_messages_; }
 
   // Passes `request` to the view and returns its answer.  REQUIRES: shows_past().

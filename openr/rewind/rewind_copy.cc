@@ -168,7 +168,7 @@ void Rewind::RunTo(const PlainJson& target) {
     if (now_us >= end_us) return;
     const int64_t frame_end_us = (now_us / kFrameUs + 1) * kFrameUs;
     RunOne(std::min(frame_end_us, end_us));
-    // the run is over
+    // Returns, because the run is over: the time does not advance and no message comes.
     if (system().now_us() == now_us && system().message_count() == before) return;
   }
 }

@@ -74,7 +74,7 @@ bool IsStandardStream(const struct stat& status) {
   return false;
 }
 
-// Returns the flags of `flags` that opening a file again needs.
+// Returns the flags in `flags` that are needed to open the file again.
 int FlagsAgain(int flags) { return flags & (O_ACCMODE | O_APPEND | O_NONBLOCK); }
 
 // Returns DIR/NAME-NUMBER.EXT for DIR/NAME.EXT.
@@ -128,7 +128,7 @@ size_t SavedStick::bytes() const {
 }
 
 void SavedStick::CopyTo(const std::string& folder) const {
-  // Makes a folder before the files in it, because the paths are sorted by name.
+  // The paths are sorted by name, so a folder is made before the files in it.
   for (const auto& [path, saved] : files_) {
     const fs::path target = fs::path(folder) / path;
     if (saved.is_folder) {

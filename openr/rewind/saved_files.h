@@ -27,8 +27,9 @@ class SavedStick {
 
   size_t bytes() const;
 
-  // Convert the files to and from JSON with binary values, to send them to another process.
+  // Converts the files to JSON with binary values, to send them to another process.
   nlohmann::json ToJson() const;
+  // Converts the JSON of ToJson() back to files.
   static SavedStick Of(const nlohmann::json& json);
 
  private:

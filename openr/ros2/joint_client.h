@@ -59,7 +59,7 @@ class JointClient : public PassingNetwork {
   void Forget();
 
   const Refused refused_;
-  std::map<int, JointTarget> wanted_;  // stored targets by joint
+  std::map<int, JointTarget> wanted_;  // stored targets; key: number of the joint
   NetHandle listener_ = 0;             // listener of the remote control; 0: it does not listen
   std::deque<NetHandle> accepts_;      // Accept() calls of the remote control that wait
 

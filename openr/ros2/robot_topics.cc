@@ -13,9 +13,9 @@ namespace {
 
 constexpr int64_t kSecondFrames = 125;
 
-// Returns what the battery of `robot` says of itself, in the units of ROS 2.
+// Returns the state of the battery of `robot` in the units of ROS 2.
 Ros2BatteryValues BatteryOf(VirtualRobot* robot) {
-  constexpr double kZeroCelsius = 273.15;  // K
+  constexpr double kZeroCelsius = 273.15;  // 0 degrees Celsius in K
   const OPowerStatus status = robot->power().Status();
   return {.voltage_v = static_cast<float>(status.voltage / 1000.0),
           .current_a = static_cast<float>(status.current / 1000.0),
@@ -47,8 +47,8 @@ Ros2Status FaultStatus(VirtualRobot* robot) {
   return status;
 }
 
-// Returns what the checks of the run found in the objects of `robot`; the newest finding is the
-// message.
+// Returns a summary of the findings about the objects of `robot`.  Its message is the newest
+// finding.
 Ros2Status ObjectStatus(const RobotParts& robot) {
   Ros2Status status{
       .level = Ros2Status::kGood, .name = "objects", .message = "no findings", .values = {}};
@@ -117,7 +117,7 @@ RobotTopics::RobotTopics(Bus* bus, const std::string& space, VirtualRobot* robot
         numbers_[sensor] = std::make_unique<Ros2Number>(bus, space + "/distance/" + part);
         break;
       default:
-        break;  // joints and acceleration are published elsewhere, temperature is not
+        break;  // joints and acceleration have topics of other types; temperature is not published
     }
   }
 }
@@ -177,7 +177,8 @@ void RobotTopics::PublishFaults() {
   faults_.Publish(text);
 }
 
-// Publishes where the body of the simulation is and how it moves.  The robot has no such sensor.
+// Publishes where the body is and how it moves.  The values come from the simulation, because the
+// robot has no sensor for them.
 void RobotTopics::PublishMotion(int64_t time_us) {
   const BodyState& body = robot_->body().state();
   const Eigen::Vector3d place = body.X_WB.translation();
@@ -192,7 +193,7 @@ void RobotTopics::PublishMotion(int64_t time_us) {
 
 void RobotTopics::PublishBattery(int64_t time_us) { battery_.Publish(time_us, BatteryOf(robot_)); }
 
-// Publishes how bright the lights are, 0 to 1: all once a second, and each when it changes.
+// Publishes the brightness of each light, 0 to 1, when it changes and once a second.
 void RobotTopics::PublishLights() {
   last_lights_.resize(lights_.size(), -1);
   for (size_t i = 0; i < lights_.size(); ++i) {

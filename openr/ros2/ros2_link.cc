@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kPatienceFrames = 125;  // 1 s; after this time a target that the robot has not taken
                                       // is dropped
-constexpr size_t kNamespaceMax = 64;  // characters
+constexpr size_t kNamespaceMax = 64;  // largest length of a namespace, in characters
 constexpr const char* kCommandTopic = "/joint_command";
 constexpr const char* kInputTopic = "/input";
 
@@ -110,7 +110,8 @@ void Ros2Link::TakeCommands(Robot* robot) {
   }
 }
 
-// Adds the inputs (docs/inputs.md) that came, in their order, at the frame boundary that is now.
+// Adds the inputs (docs/inputs.md) that have come from ROS 2, in their order.  They take effect at
+// the present frame boundary.
 void Ros2Link::TakeInputs(Robot* robot) {
   const std::string topic = robot->space + kInputTopic;
   if (robot->inputs->HasMisfit()) {

@@ -30,7 +30,7 @@ class Ros2Complaints {
   using Say = std::function<void(const std::string& line)>;
   static constexpr size_t kMax = 20;
 
-  // `robot` is the robot's namespace in ROS 2; the messages name it.
+  // `robot` is the robot's namespace in ROS 2; each message to the user begins with it.
   Ros2Complaints(std::string robot, Say say) : robot_(std::move(robot)), say_(std::move(say)) {}
 
   void Add(const std::string& what);
@@ -61,8 +61,7 @@ class Ros2Link {
   // Begins to publish.  Called when the simulation has been made.
   void Begin(Simulation* simulation);
   // Publishes clock and sensors, and passes to the robots the commands and inputs that ROS 2 has
-  // sent.  Called
-  // after each frame of 8 ms.
+  // sent.  Called after each frame of 8 ms.
   void AfterFrame();
   // Prints, for each robot, how many messages Ros2Complaints left out.  Called when the run is
   // over.

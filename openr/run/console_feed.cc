@@ -42,7 +42,7 @@ std::string ConsoleFeed::TakeLines() {
     }
   }
   if (!is_open_) return std::exchange(text_, "");
-  const size_t end = text_.rfind('\n') + 1;  // 0: no complete line
+  const size_t end = text_.rfind('\n') + 1;  // length of the complete lines; 0: there is none
   std::string lines = text_.substr(0, end);
   text_.erase(0, end);
   return lines;

@@ -29,8 +29,8 @@ class EventScript {
   // Gives the robots the inputs that are due.  Called between frames of 8 ms.
   void Feed(System* system);
 
-  // Removes the next event if it is this input, because something else has already given it to the
-  // robot.
+  // Removes the next event if it is this input, because another part of the program has already
+  // given the input to the robot.
   void Skip(int robot, const std::string& input);
 
   // Adds an error finding if some inputs were not due before the end of the run.  Called at that

@@ -55,8 +55,8 @@ std::string ImageOf(const std::string& object, const std::string& stick) {
                                        DidYouMean(object, names), fmt::join(names, ", ")));
 }
 
-// Returns the words of the run without --gdb and its value.  A run under a debugger has no limit
-// for handlers, and leaves the terminal to gdb, unless the user says otherwise.
+// Returns the command line of this process without --gdb and its value.  A run under a debugger has
+// no limit for handlers, and leaves the terminal to gdb, unless the user says otherwise.
 std::vector<std::string> WordsOfTheRun() {
   std::vector<std::string> words;
   const std::vector<std::string> given = ProcessArguments();

@@ -35,7 +35,8 @@ struct RunPlan {
   std::string stdin_file;
   EventScript* events = nullptr;                     // timed inputs; null: none
   LiveServer* live = nullptr;                        // serves openr poke; null: none
-  RunClock* clock = nullptr;                         // see RunClock; null: always `rate`
+  RunClock* clock = nullptr;                         // rate and pause that clients choose; null:
+                                                     // the run always has `rate`
   Rewind* rewind = nullptr;                          // goes back to earlier moments; null: none
   std::function<void(const std::string& line)> say;  // prints a message for the user
   Recorder* recorder = nullptr;                      // records lost processes; null: none
@@ -84,9 +85,10 @@ class Runner {
   // Returns the reason if the run is over; nullopt if it goes on.  Also returns nullopt when all
   // robots are off, because the System has then noted the reason already.
   std::optional<RunEnd> WhyOver() const;
-  // Return the virtual time up to which the run goes in one step, from now or from `now_us`: the
-  // next frame boundary or, if that is earlier, the end of --for.
+  // Returns the virtual time up to which the run goes in one step from now: the next frame boundary
+  // or, if that is earlier, the end of --for.
   int64_t NextStop() const;
+  // Returns the time up to which a step goes that begins at `now_us`; see NextStop().
   int64_t NextStopAfter(int64_t now_us) const;
   bool WaitWhilePaused(Pacer* pacer);
   void GoOn(Pacer* pacer);
@@ -112,8 +114,9 @@ class Runner {
   bool shutdown_posted_ = false;
   bool is_new_branch_ = false;  // this process has just become a run of its own (Rewind)
   bool good_ = true;
-  int64_t begin_ns_ = 0;      // clock of this computer at the start; 0: not running
-  int64_t wall_time_ns_ = 0;  // when not running: duration; else minus the time for pictures
+  int64_t begin_ns_ = 0;  // clock of this computer at the start; 0: not running
+  // Before and after the run: its duration.  During the run: minus the time for drawing pictures.
+  int64_t wall_time_ns_ = 0;
 };
 
 }  // namespace openr_host

@@ -1,5 +1,5 @@
-// The commands of openr serve (docs/python.md), as data: what docs/python.md lists, what the module
-// openr_host has methods for, and what RunServer checks requests against.
+// The commands of openr serve as data.  RunServer checks requests against them, docs/python.md
+// lists them, and the module openr_host has a method for each of them.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -10,8 +10,9 @@ namespace openr_host {
 
 struct CommandParameter {
   const char* name;
-  const char* type;       // "text", "number", "integer", "flag" or "texts"
-  const char* otherwise;  // the value without it, as JSON; null: the parameter is required
+  const char* type;       // type of the value: "text", "number", "integer", "flag" or "texts"
+  const char* otherwise;  // value if a request leaves the parameter out, as JSON; null: the
+                          // parameter is required
   const char* help;
 };
 
@@ -19,8 +20,10 @@ struct RunCommand {
   const char* name;
   const char* help;
   std::vector<CommandParameter> parameters;
-  const char* answer;      // members of the answer, "time_s: number"; "bytes" are its further bytes
-  const char* takes = "";  // what the further bytes of the request are; "": there are none
+  const char* answer;      // members of the answer, such as "time_s: number"; "bytes" stands for
+                           // bytes after the JSON text
+  const char* takes = "";  // meaning of the bytes after the JSON text of the request; "": there are
+                           // none
 };
 
 // Returns all commands in the order of the documentation.
@@ -32,8 +35,9 @@ const RunCommand* FindRunCommand(const std::string& name);
 // Returns the commands as JSON, for `openr serve --describe`.
 nlohmann::ordered_json DescribeRunCommands();
 
-// Returns the error in `request`: an unknown command, a parameter that is missing, unknown or of
-// another type.  "": none; then parameters that were left out have their values in `request`.
+// Returns the error in `request`: an unknown command, or a parameter that is missing, unknown or of
+// another type.  If there is no error, adds the parameters that were left out to `request`, with
+// their values, and returns "".
 std::string CompleteRequest(nlohmann::json* request);
 
 }  // namespace openr_host

@@ -1,4 +1,5 @@
-// MessageFilter: messages that a program waits for, by their kind, ends and entry.
+// MessageFilter: describes the messages for which a program waits, by kind, sender, receiver and
+// entry.
 #pragma once
 
 #include <cstdint>
@@ -12,20 +13,23 @@ class System;
 struct RobotModel;
 struct TraceRecord;
 
-// A message that was delivered, as programs see it.
+// A message that was delivered, in the form that programs get.
 struct DeliveredMessage {
   uint64_t number = 0;
   uint64_t cause = 0;
   int64_t time_us = 0;
   std::string kind;  // "notify", "ready", "not ready", "reply" or "other"
-  std::string from;  // service, or object without one: "RCServer.Mover.MoverCommand.S"
+  std::string from;  // the sender's service, "RCServer.Mover.MoverCommand.S", or else the name of
+                     // its object
+  // The receiver, in the same form as the sender in `from`.
   std::string to;
   std::string entry;    // name of the receiver's handler
-  std::string content;  // the bytes that a recording has
+  std::string content;  // the content of the message, as in a recording
 };
 
 struct MessageFilter {
-  // "" fits every message.  An end is named by its object or by the first parts of its service.
+  // A field that is "" fits every message.  `from` and `to` name an object, or the first parts of
+  // the name of a service.
   std::string kind, from, to, entry;
 
   // Returns "" or the reason why no message can ever fit: an unknown kind, object or service.

@@ -18,7 +18,8 @@ namespace {
 
 constexpr std::string_view kRobots = "robots[";
 
-// A name without the robot in front: "robots[1].joints" is "joints" of robot 1.
+// The name of a value, split into the robot and the rest: "robots[1].joints" is "joints" of robot
+// 1.
 struct OfRobot {
   size_t robot = 0;
   std::string rest;
@@ -64,7 +65,7 @@ Quantity AngleOf(size_t robot, size_t joint) {
   };
 }
 
-// Returns what the sensor of a joint says, in degrees.
+// Returns the angle that the sensor of a joint measures, in degrees.
 Quantity MeasuredOf(size_t robot, size_t joint) {
   return [=](const RunView& view) -> Value {
     const VirtualRobot& dog = *view.prepared->robots[robot];
@@ -92,8 +93,8 @@ Quantity PawOf(size_t robot, size_t paw) {
   return [=](const RunView& view) -> Value { return StateOf(view, robot).paws[paw] ? 1.0 : 0.0; };
 }
 
-// Returns the velocity of the base along an axis of the world, or its angular velocity about an
-// axis of its own.
+// Returns the velocity of the base along an axis of the world, or the angular velocity of the base
+// about one of its own axes.
 Quantity MotionOf(size_t robot, const std::string& name) {
   static const std::map<std::string, int> axes = {{"vx_m_s", 0},   {"vy_m_s", 1},
                                                   {"vz_m_s", 2},   {"wx_deg_s", 3},
@@ -141,7 +142,7 @@ std::vector<ReadValue> FindGroup(const OfRobot& wanted, const RobotModel& model)
   return values;
 }
 
-// Returns the quantity `wanted` if it is one of those that only this file knows; else null.
+// Returns the quantity `wanted` if this file defines it; null if FindQuantity() has to find it.
 Quantity FindOwn(const OfRobot& wanted, const RobotModel& model) {
   const size_t dot = wanted.rest.find('.');
   if (dot == std::string::npos) return MotionOf(wanted.robot, wanted.rest);

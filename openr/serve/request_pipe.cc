@@ -42,7 +42,8 @@ void RequestPipe::DropDescriptors() {
 }
 
 void RequestPipe::Move(int socket) {
-  // Leads the old descriptors to nowhere, so that their other end sees when the original ends.
+  // Makes the old descriptors lead to /dev/null.  So the program at their other end sees when the
+  // original process ends, although this fork of it goes on.
   const int nowhere = open("/dev/null", O_RDWR | O_CLOEXEC);
   for (const int descriptor : {input_, output_}) dup2(nowhere, descriptor);
   close(nowhere);
@@ -80,7 +81,8 @@ long RequestPipe::ReadSome(char* bytes, size_t size) {
   return count;
 }
 
-// Reads until `wanted` bytes are there that no request has had.  Returns false at the end.
+// Reads until `buffer_` has `wanted` bytes that no request has used.  Returns false at the end of
+// the input.
 bool RequestPipe::Fill(size_t wanted) {
   if (used_ == end_) used_ = end_ = 0;
   if (buffer_.size() < used_ + wanted) {

@@ -15,7 +15,7 @@ namespace openr_host {
 
 class RequestPipe {
  public:
-  // The most bytes of a request; far above what a caller needs.
+  // The most bytes of a request; no caller needs nearly as many.
   static constexpr size_t kRequestMax = size_t{64} << 20;
 
   // Reads requests from `input` and writes answers to `output`.  Both may be the same socket.
@@ -36,14 +36,15 @@ class RequestPipe {
   // Returns a descriptor that came with the last request, or -1.  The caller owns the descriptor.
   int TakeDescriptor();
 
-  // Closes the descriptors that no command has taken, unless they can belong to the next request.
+  // Closes the descriptors that no command has taken.  Keeps them if a part of the next request has
+  // come already, because they may belong to that request.
   void DropDescriptors();
 
   // Returns whether descriptors can come with requests: the input is a Unix socket.
   bool is_socket() const { return is_socket_; }
 
-  // Goes on with another socket; called in a fork of the process.  Forgets bytes that were received
-  // and not used.
+  // Goes on with another socket; called in a fork of the process.  Drops bytes that were received
+  // but not used yet.
   void Move(int socket);
 
  private:
@@ -54,8 +55,8 @@ class RequestPipe {
   int output_;
   bool is_socket_;
   std::string buffer_;
-  size_t used_ = 0;  // bytes of `buffer_` that requests have had
-  size_t end_ = 0;   // bytes of `buffer_` that were received
+  size_t used_ = 0;  // bytes at the beginning of `buffer_` that Receive() has already returned
+  size_t end_ = 0;   // number of bytes in `buffer_`
   std::deque<int> descriptors_;
 };
 

@@ -5,7 +5,8 @@
 
 namespace openr_host {
 
-// A request that is too long to be received, so that the bytes behind it cannot be understood.
+// Thrown when a request is too long to be received.  The pipe cannot be used any more, because the
+// bytes of the request are still in it.
 class RequestTooLong : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

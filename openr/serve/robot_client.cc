@@ -12,7 +12,8 @@ namespace openr_host {
 namespace {
 
 constexpr NetHandle kHandle = 1;
-constexpr uint32_t kFirstIp = 0x0a000102;  // 10.0.1.2, in the network of the robot
+constexpr uint32_t kFirstIp = 0x0a000102;  // first address of clients: 10.0.1.2, in the network of
+                                           // the robot
 constexpr uint16_t kFirstPort = 40000;
 constexpr size_t kReceiveMax = size_t{1} << 20;
 constexpr int kClientsMax = 64;
@@ -103,7 +104,7 @@ std::string RobotClients::Take(int connection, size_t size_max) {
 
 void RobotClients::Close(int connection) {
   Find(connection).network->Close(kHandle);
-  // The network object stays, because the robot still reads what was sent before.
+  // Keeps the network object, because the robot may still read bytes that were sent before.
   Find(connection).has_ended = true;
 }
 

@@ -23,14 +23,14 @@ class RobotClients {
     return std::make_unique<LoopbackNetwork>(HubOf(robot));
   }
 
-  // Connects to `port` of a robot.  Returns the number of the connection.
+  // Connects to the TCP port `port` of a robot.  Returns the number of the connection.
   int Connect(const System& system, int robot, uint16_t port);
 
   struct State {
     bool is_open = false;    // the robot has accepted the connection, and not ended it
-    bool has_ended = false;  // the robot has ended it, or it failed
-    std::string problem;     // why it failed; "": it did not
-    size_t waiting = 0;      // bytes that were received and not taken
+    bool has_ended = false;  // the robot has ended the connection, or it has failed
+    std::string problem;     // the reason why the connection failed; "": it has not failed
+    size_t waiting = 0;      // bytes that have arrived and that Take() has not returned yet
   };
   // The functions below throw std::runtime_error if there is no such connection.
   State StateOf(int connection);

@@ -63,7 +63,7 @@ int RunServer::Serve() {
 
 // Serves one request.  Returns false if the other end is closed.
 bool RunServer::ServeOne() {
-  while (waitpid(-1, nullptr, WNOHANG) > 0) {  // copies that have ended
+  while (waitpid(-1, nullptr, WNOHANG) > 0) {  // removes zombies: forks that have ended
   }
   std::string text, bytes;
   Answer answer;
@@ -86,7 +86,7 @@ RunServer::Answer RunServer::Refusal(const std::string& text) const {
   return {{{"error", text}, {"kind", "refused"}}, ""};
 }
 
-// Does the work of a command.  An answer tells of the end of the run, if it is over.
+// Does the work of a command.  If the run is over, the answer also says how it ended.
 RunServer::Answer RunServer::Do(const Request& request) {
   Answer answer;
   try {
@@ -111,8 +111,8 @@ ServedRun& RunServer::BootedRun() {
   return *run_;
 }
 
-// Throws if the run cannot go on.  A run whose robots are off is no error here: the answer says how
-// it ended.
+// Throws if the run is finished.  Does not throw if all robots are off, because the answer then
+// says how the run ended.
 void RunServer::CheckGoesOn() {
   if (BootedRun().is_finished())
     throw std::runtime_error("the run is finished; it can be read but cannot go on");
@@ -122,7 +122,7 @@ RunServer::Answer RunServer::Time() {
   return {{{"time_s", static_cast<double>(run().system().now_us()) / 1e6}}, ""};
 }
 
-// Prepares the process for objects that crash or do not return.
+// Prepares the process for the case that an object crashes or does not return.
 void RunServer::BeginGuards(int64_t handler_limit_us) {
   ending_action_.reset();
   watchdog_.reset();
@@ -135,12 +135,13 @@ void RunServer::BeginGuards(int64_t handler_limit_us) {
 }
 
 void RunServer::WatchCrashes() {
-  crash_log_.reset();  // first, because only one may exist
+  crash_log_.reset();  // destroys the old CrashLog first, because only one may exist
   const auto robots = run().simulation().robots().size();
   crash_log_ = std::make_unique<CrashLog>(std::vector<std::string>(robots, run_->crash_log()));
 }
 
-// Answers the request in which the process ends, in a signal handler (docs/endings.md).
+// Called in a signal handler when the process ends (docs/endings.md).  Answers the present request,
+// because the program waits for its answer.
 void RunServer::TellEnding(Ending* ending) {
   const RunEnd end = EndOf(*ending);
   const nlohmann::ordered_json answer = {{"error", std::string(ending->record.text())},

@@ -27,19 +27,19 @@ class RunServer {
   // Serves requests until the other end of the pipe is closed, then finishes the run.  Waits
   // for the forks of this process, because they use its files.  Returns the exit code.
   int Serve();
-  // Returns whether this process is a fork of one that served.
+  // Returns whether this process is a fork that the command "fork" has made.
   bool is_copy() const { return is_copy_; }
 
  private:
   using Json = nlohmann::json;
 
-  // The answer to a command: members of a JSON object, and further bytes.
+  // The answer to a command: members of a JSON object, and the bytes after the JSON text.
   struct Answer {
     nlohmann::ordered_json json;
     std::string bytes;
   };
 
-  // A request, with the values of parameters that were left out, and its further bytes.
+  // A request: its parameters, also those that were left out, and the bytes after its JSON text.
   struct Request {
     const Json& json;
     const std::string& bytes;
@@ -89,7 +89,7 @@ class RunServer {
   RequestPipe& pipe_;
   bool is_copy_ = false;
   std::unique_ptr<ServedRun> run_;
-  // These end the process when an object crashes or does not return.
+  // The next four members end the process when an object crashes or does not return.
   std::unique_ptr<EndingAnswer> ending_answer_;
   std::unique_ptr<CrashLog> crash_log_;
   std::unique_ptr<Watchdog> watchdog_;

@@ -142,7 +142,7 @@ std::optional<DeliveredMessage> ServedRun::RunUntilMessage(const MessageFilter& 
   return found;
 }
 
-// Keeps a message that was watched for, in place of the oldest ones if there are too many.
+// Keeps a message that fits a filter of Watch().  Drops the oldest messages if there are too many.
 void ServedRun::Keep(DeliveredMessage message) {
   watched_bytes_ += message.content.size();
   watched_.push_back(std::move(message));

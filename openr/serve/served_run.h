@@ -59,8 +59,9 @@ class ServedRun {
 
   void Boot();
 
-  // Go on, but not beyond the end of the run.
+  // Goes on to the virtual time `time_us`, but not beyond the end of the run.
   void RunUntil(int64_t time_us);
+  // Goes on for `count` steps, but not beyond the end of the run.
   void MakeSteps(RunClock::Step step, int count);
   // Goes on until `holds` returns true after a frame.  Returns false if it did not until `time_us`.
   bool RunUntilHolds(const std::function<bool()>& holds, int64_t time_us);
@@ -68,10 +69,11 @@ class ServedRun {
   // until `time_us`.
   std::optional<DeliveredMessage> RunUntilMessage(const MessageFilter& filter, int64_t time_us);
 
-  // Keeps messages that fit `filter` from now on: the newest kKeptMax, whose contents have at most
-  // kKeptBytesMax bytes together.
+  // The largest number of messages that Watch() keeps.
   static constexpr size_t kKeptMax = 10'000;
+  // The most bytes that the contents of these messages have together.
   static constexpr size_t kKeptBytesMax = size_t{64} << 20;
+  // Keeps messages that fit `filter` from now on.  If there are too many, only the newest stay.
   void Watch(const MessageFilter& filter);
   std::deque<DeliveredMessage> TakeWatched() {
     watched_bytes_ = 0;
@@ -100,7 +102,7 @@ class ServedRun {
   std::string crash_log_;
   ConsoleLog console_;
   Recorder recorder_;
-  Rewind rewind_;  // never begins: the program goes back by forks
+  Rewind rewind_;  // never begun, because the program goes back by forks of this process
   RunClock clock_{0};
   RobotClients clients_;
   const SimulationOptions simulation_options_;
@@ -114,7 +116,8 @@ class ServedRun {
   std::vector<MessageFilter> filters_;
   std::deque<DeliveredMessage> watched_;
   size_t watched_bytes_ = 0;           // size of the contents of `watched_`
-  uint64_t lost_count_ = 0;            // messages that were kept and replaced by newer ones
+  uint64_t lost_count_ = 0;            // number of watched messages that were dropped for newer
+                                       // ones
   std::unique_ptr<TempFolder> files_;  // a fork's copies of the stick and of written files
   std::string recording_;              // path of the file that the recording goes to now
   bool has_booted_ = false;

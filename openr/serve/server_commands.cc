@@ -85,7 +85,7 @@ ServedRunOptions OptionsOf(const nlohmann::json& request) {
   return options;
 }
 
-// Describes the robot: what its devices are called, and the limits of its joints.
+// Describes the robot: the names of its devices, and the limits of its joints.
 OrderedJson DescribeModel(const RobotModel& model) {
   OrderedJson joints = OrderedJson::array(), sensors = joints, leds = joints, limits = joints;
   OrderedJson locators = joints;
@@ -107,7 +107,7 @@ OrderedJson DescribeModel(const RobotModel& model) {
 MessageFilter FilterOf(const nlohmann::json& request, const System& system) {
   MessageFilter filter{TextOf(request, "kind"), TextOf(request, "sender"),
                        TextOf(request, "receiver"), TextOf(request, "entry")};
-  // Services have no names before the boot.
+  // Checks the names in the filter only after the boot, because services have no names before.
   const std::string problem = system.booted() ? filter.Check(system) : "";
   if (!problem.empty()) throw std::runtime_error(problem);
   return filter;

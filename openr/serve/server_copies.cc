@@ -43,12 +43,13 @@ class ReadyPipe {
   ReadyPipe(const ReadyPipe&) = delete;
   ReadyPipe& operator=(const ReadyPipe&) = delete;
 
-  // Tells the original `problem`; "": ready.
+  // Tells the original process why the copy cannot go on; `problem` "" means that the copy is
+  // ready.
   void Tell(const std::string& problem) const {
     const std::string text = problem + '\n';
     [[maybe_unused]] const ssize_t count = write(ends_[1], text.data(), text.size());
   }
-  // Returns what the copy has told.
+  // Waits for the text that the copy gives to Tell(), and returns it.
   std::string Hear() {
     close(std::exchange(ends_[1], -1));
     std::string text;
@@ -106,8 +107,8 @@ RunServer::Answer RunServer::DoDisconnect(const Request& request) {
   return Time();
 }
 
-// Copies this process.  Returns in both: the original answers at its pipe, the copy goes on at
-// the new one, where nobody waits for an answer yet.
+// Makes a copy of this process.  Returns in both processes.  The original answers the request at
+// its own pipe.  The copy serves the new socket, where no program waits for an answer yet.
 RunServer::Answer RunServer::DoFork(const Request& request) {
   const int socket = pipe_.TakeDescriptor();
   if (socket < 0)
@@ -136,7 +137,8 @@ RunServer::Answer RunServer::DoFork(const Request& request) {
   }
 }
 
-// Makes this process, a new copy, serve at `socket`.
+// Prepares this process, a new copy, to serve requests at `socket`.  Calls `tell` with "" or an
+// error.
 RunServer::Answer RunServer::BecomeCopy(int socket, const std::string& record,
                                         const std::function<void(const std::string&)>& tell) {
   try {
@@ -212,7 +214,7 @@ RunServer::Answer RunServer::DoFinish(const Request&) {
   return {run_->Report(), ""};
 }
 
-// Answers the requests that a run gets through its socket, too (docs/inputs.md).
+// Does a command that clients of a run's socket can send, too (docs/inputs.md).
 RunServer::Answer RunServer::DoLive(const Request& request) {
   if (request.json.at("do") == "input") CheckGoesOn();
   OrderedJson answer = AnswerLive(run().live(), request.json);

@@ -29,8 +29,9 @@ VirtualRobotOptions DevicesWithBattery(const std::string& battery);
 inline constexpr char kImagesOfWorld[] = "world", kImagesOfPattern[] = "pattern";
 bool IsImageFolder(const std::string& images);
 
-// Returns the source of the camera's pictures that `images` names; null, the default of
-// VirtualRobotOptions::camera, for the world.  Throws std::runtime_error as OpenImageFolder() does.
+// Returns the source of the camera's pictures that `images` names.  Returns null if `images` names
+// the world; null is also the default of VirtualRobotOptions::camera.  Throws std::runtime_error as
+// OpenImageFolder() does.
 std::unique_ptr<ImageSource> OpenImages(const std::string& images);
 
 struct RobotEquipment {

@@ -22,7 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Set for the second start, so that a library that cannot be loaded does not lead to a third.
+// Environment variable that is set for the second start.  If the library is then still not loaded,
+// the program ends with an error instead of starting a third time.
 constexpr char kStartedVariable[] = "OPENR_SANITIZER";
 
 // Settings of AddressSanitizer.  The run handles the signals of crashes itself.  Memory that an

@@ -29,13 +29,13 @@ struct SimulationOptions {
   // with the program and must not change.  So if objects may write, set this field to
   // RunStick::folder(), which is a copy of the default stick or the user's own stick.
   std::string stick;
-  // Further sticks.  With them, the robots take `stick` and these in turn: robot 0 has `stick`,
-  // robot 1 the first of these, and after the last one comes `stick` again.
+  // Further sticks.  With them, the robots take the sticks in turn: robot 0 takes `stick`, robot 1
+  // takes the first further stick, and so on.  After the last one, `stick` comes again.
   std::vector<std::string> more_sticks;
   std::string robot = "ers210";  // name of a model
   std::string world;             // a world file; "": a flat floor
-  std::string body = "ode";      // "ode" or "ideal"
-  int robots = 1;                // number of robots; several can only read their sticks
+  std::string body = "ode";      // kind of body: "ode" (with physics) or "ideal"
+  int robots = 1;                // number of robots; several robots can only read their sticks
   bool together = false;         // whether all robots are in one world; "ode" only
   uint64_t seed = 1;
   bool strict = false;
@@ -46,11 +46,12 @@ struct SimulationOptions {
   // the others see their world.
   std::string images = kImagesOfWorld;
   std::string battery = "drain";    // battery of each robot; see ParseBattery()
-  bool writable_stick = true;       // whether objects may write; several robots never may
+  bool writable_stick = true;       // whether objects may write; objects of several robots never
+                                    // may
   bool measures = true;             // measures handler times and stacks for the report
   bool guard_regions = false;       // see SystemOptions
   std::string cost_file;            // see LoadCostFile()
-  std::shared_ptr<CostModel> cost;  // instead of cost_file; null: cost_file
+  std::shared_ptr<CostModel> cost;  // costs to use instead of cost_file; null: cost_file is used
   uint32_t log_level = 3;           // see SystemOptions
   bool host_network = true;         // false: the robots cannot reach other programs
   // The port of this computer for the first robot's remote control; 0: any free port; -1: the
@@ -119,8 +120,9 @@ class Simulation {
 
   const RobotModel model_;
   const World world_;
-  // The world that all robots share, and its frames; null if each robot has a world of its own.
+  // The world that all robots share; null if each robot has a world of its own.
   const std::shared_ptr<PhysicsWorld> physics_;
+  // The frames of that world; null if each robot has a world of its own.
   const std::shared_ptr<SharedFrame> shared_frame_;
   const std::vector<std::string> sticks_;
   const std::shared_ptr<ConfiguredCost> cost_;  // made from the cost file; null: no cost file

@@ -27,7 +27,8 @@ StandingMonitor::Stance StandingMonitor::StanceAt(const std::vector<double>& ang
     paws_B[i] = X_BL[static_cast<size_t>(paw.body)] * paw.centre_m;
   }
   Stance stance;
-  // Four paws need not lie in one plane.  The plane along both diagonals is as far from each.
+  // Four paws need not lie in one plane.  Uses the plane that is parallel to both diagonals between
+  // the paws, and half way between them, because all four paws have the same distance from it.
   stance.up_B = (paws_B[3] - paws_B[0]).cross(paws_B[2] - paws_B[1]).normalized();
   const Eigen::Vector3d middle_B = (paws_B[0] + paws_B[1] + paws_B[2] + paws_B[3]) / 4;
   stance.height_m = model_->paws[0].radius_m - middle_B.dot(stance.up_B);

@@ -34,11 +34,11 @@ class StandingMonitor {
   bool standing() const;
 
  private:
-  // A robot over the plane that touches its four paws from below.
+  // Pose of a robot relative to the plane that touches its four paws from below.
   struct Stance {
-    double height_m = 0;  // of B's origin over the plane
+    double height_m = 0;  // height of the origin of B, the base frame, over the plane
     double roll_rad = 0, pitch_rad = 0;
-    Eigen::Vector3d up_B{0, 0, 1};  // unit vector that stands on the plane
+    Eigen::Vector3d up_B{0, 0, 1};  // unit vector in B, at right angles to the plane
   };
 
   Stance StanceAt(const std::vector<double>& angles_rad) const;

@@ -61,7 +61,8 @@ class CtfFields {
   CtfFields& U64(uint64_t value) { return Number(value, 8); }
   // Appends a text with a 0 at its end.
   CtfFields& Text(const std::string& text) {
-    bytes_ += text.c_str();  // up to a 0 in it
+    bytes_ += text.c_str();  // ends the text at the first 0 byte, because a 0 ends it in the file,
+                             // too
     bytes_ += '\0';
     return *this;
   }

@@ -28,7 +28,7 @@ class CtfWriter : public TimelineWriter {
     uint64_t time_ns;
     uint64_t message;
     std::string bytes;
-    bool operator<(const End& other) const {  // the earliest is taken first
+    bool operator<(const End& other) const {  // makes the queue return the earliest end first
       return time_ns != other.time_ns ? time_ns > other.time_ns : message > other.message;
     }
   };

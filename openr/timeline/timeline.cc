@@ -29,7 +29,7 @@ Timeline::Timeline(const std::string& file, System* system) : system_(system) {
   } else {
     json_ = std::make_unique<GrowingFile>(file);
     writer_ = std::make_unique<PerfettoWriter>([this](std::string_view text) { Print(text); });
-    FlushJson();  // a run that is killed soon leaves a timeline without slices
+    FlushJson();  // writes the file at once, so that a run that is killed soon leaves a valid file
   }
   sink_ = system->trace().AddSink(
       [this](const TraceRecord& record, const Message& message) { Deliver(record, message); });
@@ -52,8 +52,8 @@ void Timeline::NameObject(const Object* object) {
   writer_->AddObject(object->robot, object->id, object->name);
 }
 
-// Returns the processor time that the cost file gives the handler of `message`; nullopt without a
-// cost file, and for parts of the robot and replies, which take none.
+// Returns the processor time that the cost file gives the handler of `message`.  Returns nullopt
+// without a cost file, and for parts of the robot and replies, which take no processor time.
 std::optional<double> Timeline::CostOf(const Object& object, const Message& message) const {
   if (system_->cpus().empty() || object.is_system || message.is_reply) return {};
   if (!object.processor.is_busy) return 0;
@@ -80,7 +80,7 @@ void Timeline::Deliver(const TraceRecord& record, const Message& message) {
     slice.length_us = *cost_us;
   }
   running_ = std::move(slice);
-  begin_ns_ = WallClockNs();  // last, so that the work above is in no slice
+  begin_ns_ = WallClockNs();  // read last, so that the time of the work above is in no slice
 }
 
 void Timeline::EndSlice() {
@@ -91,8 +91,9 @@ void Timeline::EndSlice() {
     slice.length = HandlerSlice::Length::kWall;
     slice.length_us = static_cast<double>(now_ns - begin_ns_) / 1e3;
   }
-  // Handlers of one instant are drawn one behind the other, because this computer ran them so.
-  // Objects with a cost have a processor of their own, whose times are virtual ones.
+  // Without a cost file, draws the handlers of one instant one after the other, because this
+  // computer ran them one after the other.  With a cost file, each robot has a processor of its own
+  // with virtual times.
   if (system_->cpus().empty()) {
     slice.at_us = std::max(slice.at_us, free_us_);
     free_us_ = slice.at_us + slice.length_us;

@@ -22,8 +22,9 @@ struct Message;
 // or FOLDER.ctf.
 std::string WhyNoTimelineName(const std::string& file);
 
-// The length of a slice is the processor time that the cost file gives the handler, if there is
-// one.  Else it is the time that the handler took on this computer.
+// A slice is the time of one handler on the timeline.  Its length is the processor time that the
+// cost file gives the handler.  Without a cost file, it is the time that the handler took on this
+// computer.
 class Timeline {
  public:
   // Creates `file` and follows the run from now on.  Throws std::runtime_error when the file cannot
@@ -48,13 +49,14 @@ class Timeline {
   void FlushJson();
 
   System* const system_;
-  std::unique_ptr<GrowingFile> json_;  // null: CTF
+  std::unique_ptr<GrowingFile> json_;  // file of a JSON timeline; null: the timeline is in CTF
   std::string text_;                   // JSON that is not in the file yet
   std::unique_ptr<TimelineWriter> writer_;
-  CtfWriter* ctf_ = nullptr;  // null: JSON
+  CtfWriter* ctf_ = nullptr;  // the writer, if the timeline is in CTF; null: it is JSON
   int sink_ = 0;
   std::optional<HandlerSlice> running_;      // slice of the handler that runs
-  int64_t begin_ns_ = 0;                     // when it began, by the clock of this computer
+  int64_t begin_ns_ = 0;                     // time at which this handler began, by the clock of
+                                             // this computer
   double free_us_ = 0;                       // end of the last slice whose length is wall time
   std::set<std::pair<int32_t, int>> known_;  // objects with names: id and number of predecessors
   bool is_finished_ = false;

@@ -15,15 +15,15 @@ namespace openr_host {
 // A handler that has run.
 struct HandlerSlice {
   enum class Length {
-    kUnknown,  // a recording does not say how long a handler took
+    kUnknown,  // not known, because a recording does not say how long a handler took
     kCost,     // processor time of the robot, from the cost file
     kWall,     // time of this computer
   };
   TraceRecord record{};
-  int robot = 0;  // of the object
+  int robot = 0;  // number of the object's robot
   std::string object, entry, sender;
-  double at_us = 0;      // when it began, on the timeline
-  double length_us = 0;  // 0 if it is unknown
+  double at_us = 0;      // time on the timeline when the handler began
+  double length_us = 0;  // length of the slice; 0 if it is unknown
   Length length = Length::kUnknown;
 };
 
@@ -43,7 +43,7 @@ class TimelineWriter {
 class PerfettoWriter : public TimelineWriter {
  public:
   using Sink = std::function<void(std::string_view text)>;
-  static constexpr std::string_view kEnd = "\n]}\n";  // completes what the sink has got so far
+  static constexpr std::string_view kEnd = "\n]}\n";  // text that completes the JSON written so far
   explicit PerfettoWriter(Sink out);
   void AddObject(int robot, int32_t id, const std::string& name) override;
   void AddSlice(const HandlerSlice& slice) override;
