@@ -32,7 +32,7 @@ class Hull {
   const Eigen::Vector3d& PawCentre(size_t paw) const { return balls_[paw].centre; }
 
  private:
-  // Two numbers, which every x86-64 processor computes with at once.
+  // Two numbers.  Every x86-64 processor can compute with both in one instruction.
   using Pair = double __attribute__((vector_size(16)));
 
   struct Ball {
@@ -47,8 +47,9 @@ class Hull {
   };
   // Balls around two boxes, elements 2i and 2i + 1 of boxes_.  A ball is larger than its box.
   struct BallPair {
-    Pair x{}, y{}, z{};  // of the centres
-    // The bottom of a ball with this radius is at infinity, so a half without a box never counts.
+    Pair x{}, y{}, z{};  // coordinates of the centres
+    // The lowest point of a ball with this radius is at infinity.  So the second half of a pair
+    // that has only one box is never the lowest.
     Pair radius = {-std::numeric_limits<double>::infinity(),
                    -std::numeric_limits<double>::infinity()};
   };

@@ -50,7 +50,7 @@ class IdealBody : public Body {
   std::optional<Eigen::Isometry3d> held_at_;  // the pose that a hand gives to the base
   mutable BodyState state_;
   mutable StiffRobot robot_;  // at the joint angles of the last Place()
-  mutable RestingPose pose_;  // of robot_
+  mutable RestingPose pose_;  // the pose in which robot_ rests
   // True when robot_, and the base and paws in state_, are computed for the present joint angles.
   mutable bool placed_ = false;
 };

@@ -43,7 +43,7 @@ class PrimitiveTable {
   // Returns the primitive with this id; null when the robot has no such primitive.
   Primitive* Find(OPrimitiveID id);
 
-  // Makes all primitives as if OpenPrimitive() had never been called.
+  // Closes all primitives, as if OpenPrimitive() had never been called.
   void CloseAll();
 
   void HashState(Hasher* hasher) const;

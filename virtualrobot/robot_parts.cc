@@ -19,7 +19,7 @@ std::unique_ptr<ImageSource> SourceOf(std::unique_ptr<ImageSource> given, const 
   return given ? std::move(given) : std::make_unique<RenderedWorld>(model);
 }
 
-// Returns the random generator of the errors of noisy sensors, which a person has broken.
+// Returns the random generator for the errors of sensors that the input `break` has made noisy.
 Rng FaultNoiseOf(int robot, uint64_t seed) { return {seed, fmt::format("robot{}/faults", robot)}; }
 
 }  // namespace

@@ -43,8 +43,8 @@ class StiffRobot {
   Eigen::Vector3d SupportedPoint() const;
 
   const RobotModel& model_;
-  std::vector<double> angles_rad_;  // as set
-  std::vector<double> placed_rad_;  // those of X_BL_ and hull_
+  std::vector<double> angles_rad_;  // angles that were set
+  std::vector<double> placed_rad_;  // angles for which X_BL_ and hull_ were computed
   std::vector<Eigen::Isometry3d> X_BL_;
   std::vector<Eigen::Vector3d> moments_;  // [part]: mass times centre of mass, in kg m and in B
   std::vector<bool> has_moved_;  // [part]: used by Move() only; a member to save allocations

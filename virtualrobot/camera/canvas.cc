@@ -100,7 +100,7 @@ Canvas::Linear Canvas::AlongRays(const Vector3d& v) const {
 bool Canvas::MaySee(const Vector3d& centre_W, double radius_m) const {
   const Vector3d p = R_CW_ * (centre_W - p_WC_);
   if (p.x() + radius_m < kNear_m) return false;
-  // Compares with the planes through the lens and the edges of the picture.
+  // Compares the ball with the planes through the lens and the edges of the picture.
   const auto is_outside = [&](double sideways, double slope) {
     return std::fabs(sideways) - p.x() * slope > radius_m * std::sqrt(1 + slope * slope);
   };
@@ -164,7 +164,7 @@ void Canvas::DrawPaint(Face face, const RgbBytes& colour) {
 
 void Canvas::DrawFace(Face face, const Vector3d& normal_W, const RgbBytes& colour) {
   ASSERT(face.count() >= 3 && face.count() <= Face::kCornersMax, "{} corners", face.count());
-  // The face lies in the plane n . p = height of C.
+  // In C, the face lies in the plane n . p = height.
   const Vector3d n = R_CW_ * normal_W;
   const double height = normal_W.dot(face.corner(0) - p_WC_);
   if (!(height < 0)) return;
@@ -190,8 +190,8 @@ void Canvas::DrawFace(Face face, const Vector3d& normal_W, const RgbBytes& colou
 
 Canvas::Span Canvas::SpanOfBall(double forward, double sideways, double radius_m,
                                 double pixels_per_slope, double size) const {
-  // Seen along the other axis, the ball is a circle.  Its tangents through the lens have the slopes
-  // m that solve (sideways - m forward)^2 = radius^2 (1 + m^2).
+  // In the plane of `forward` and `sideways`, the ball is a circle.  Its tangents through the lens
+  // have the slopes m that solve (sideways - m forward)^2 = radius^2 (1 + m^2).
   const double a = forward * forward - radius_m * radius_m;
   const double root = a + sideways * sideways;
   if (forward <= radius_m || a <= 0 || root <= 0) return {0, static_cast<int>(size)};
@@ -213,7 +213,7 @@ void Canvas::DrawBall(const Vector3d& centre_W, double radius_m, const Vector3d&
   const Span rows = SpanOfBall(centre.x(), centre.z(), radius_m, height_ / (2 * slope_v_), height_);
   const Linear towards = AlongRays(centre), left = AlongRays(Vector3d::UnitY());
   const Linear up = AlongRays(Vector3d::UnitZ()), rise = AlongRays(R_CW_.col(2));
-  // The light that falls on the ball at t d is the share t light(d) - light_of_centre.
+  // At the point t d, the ball gets the share t * light(d) - light_of_centre of the light.
   const Linear light = AlongRays(to_light / radius_m);
   const double light_of_centre = to_light.dot(centre) / radius_m, per_c = 1 / c;
   const bool is_sunk = centre_W.z() < radius_m;
