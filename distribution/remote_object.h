@@ -1,5 +1,4 @@
-// RemoteObject, the stand-in: the master's object in place of an object whose code runs in a
-// worker.
+// RemoteObject: the master's stand-in for an object whose code runs in a worker.
 #pragma once
 
 #include <OPENR/ObjcommTypes.h>
@@ -39,8 +38,8 @@ class RemoteObject : public Object {
   // loaded the object.
   void SetDescription(const openr_wire_LoadedObject& loaded);
 
-  // Number of messages that were to be delivered to the object after its worker was lost.  No
-  // handler ran for them.
+  // Number of messages that came for the object after its worker was lost.  No handler ran for
+  // these messages.
   uint64_t undelivered_count = 0;
   // Number of notifications that waited in the object's subjects, for observers that were not
   // ready, when its last handler ended.  These notifications are lost with the worker; the report
@@ -77,7 +76,7 @@ class RemoteObject : public Object {
   const LossListener lost_;
   std::set<uint32_t> selectors_;
   // Observers that have asserted ready to a subject of this object and were not notified since
-  // then.  A restarted worker gets these asserts again, because only the lost process knew them.
+  // then.  Only the lost process knew these asserts, so a restarted worker gets them again.
   std::set<StandingReady> readies_;
 };
 
