@@ -1,5 +1,5 @@
-// The functions of MCOOP.h that order messages for later (events), and those that read and set
-// limits of an object.  MCOOP.h is the interface of Aperios, the robot's operating system.
+// The functions of MCOOP.h that order messages for later (events), and the functions that read and
+// set limits of an object.  MCOOP.h is the interface of Aperios, the robot's operating system.
 #include <MCOOP.h>
 
 #include "runtime/api/mcoop_limits.h"

@@ -177,8 +177,8 @@ void StubParser::CheckWhole(const std::string& file) {
 void StubParser::CheckCount(const std::string& file, const Side& side) {
   const int found = static_cast<int>(side.services->size());
   const std::string& object = result_.config.object_name;
-  // Expects a dummy subject in an object without subjects, and a dummy observer in one without
-  // observers, because the SDK's stub needs at least one of each.
+  // Expects a dummy subject in an object without subjects, and a dummy observer in an object
+  // without observers, because the SDK's stub needs at least one of each.
   const std::string dummy =
       found > 0 ? ""
                 : fmt::format(

@@ -46,15 +46,15 @@ struct alignas(64) Message {
   ObjectId target = kNoObject;
   uint32_t selector = 0;  // number of the receiver's entry, the function that handles the message
   uint32_t size = 0;      // bytes of payload
-  // A request has the number of the sender's reply box (requests.h), a reply that of the target's
-  // box; 0: the message is neither.
+  // In a request: the number of the sender's reply box (requests.h).  In a reply: the number of the
+  // target's reply box. 0: the message is neither.
   uint64_t reply_box = 0;
   uint64_t payload_hash = 0;  // hash of the payload; used only if `kind` is kHashed
   Message* next = nullptr;    // the next message in a list of MessageQueue
   MessageClass message_class = MessageClass::kObject;
   PayloadKind kind = PayloadKind::kBytes;
   bool is_reply = false;  // a reply goes into `reply_box` of the target and calls no entry
-  // The queue to whose pool the message goes back, set by Allocate(); null: none.
+  // The queue to whose pool the message goes back; null: the message is from no pool.
   MessageQueue* pool = nullptr;
 
   // The largest number of bytes that a message can carry.  The robot's limit is 256; an
@@ -165,8 +165,8 @@ class MessageQueue {
     occupied_[level / 64] &= ~(uint64_t{1} << (level % 64));
     if (level == first_level_) first_level_ = FirstLevelFrom(level / 64);
   }
-  // Returns the first level with a message of those whose bits are in the words from `word` on;
-  // kLevels if there is none.
+  // Returns the first level that has a message, of the levels whose bits are in occupied_[word] or
+  // later words; kLevels if there is none.
   uint32_t FirstLevelFrom(uint32_t word) const {
     for (; word < kLevels / 64; ++word) {
       if (occupied_[word] != 0)

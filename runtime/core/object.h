@@ -132,8 +132,8 @@ class Object {
   // in the master process, for an object whose code is in a worker process.
   virtual void ReturnRegion(RCRegion*) {}
 
-  // Counts a `message` to this object that will not be delivered.  If it is a notification, gives
-  // its regions back to the subject.
+  // Counts a `message` to this object that will not be delivered.  If `message` is a notification,
+  // gives its regions back to the subject.
   virtual void HandleUndelivered(const Message& message);
 
   // Puts the held messages back at the front of the queue, because they are older than all messages
@@ -170,7 +170,8 @@ class Object {
   std::string name;  // OBJECT_NAME of the .ocf file, unique per robot
   std::string path;  // /MS/... of an image; empty for objects built in code
 
-  // Number of the objects that have had this id before.  The entries of each have other names.
+  // Number of the objects that had this id before this object.  Each of these objects has its own
+  // names of entries.
   int predecessors = 0;
 
   // Statistics for the report of the run.
@@ -207,11 +208,11 @@ class Object {
   // selector.
   std::map<uint32_t, std::string> services;
 
-  // ---- What every message reads, on two cache lines, and last, so that the members of the derived
-  // classes follow.  With thousands of objects, waiting for memory is most of the time of a
-  // message.
+  // ---- The members that every message reads.  They lie on two cache lines, and last, so that the
+  // members of the derived classes follow.  With thousands of objects, most of the time of a
+  // message is spent waiting for memory.
 
-  // The object has the entries 0 to entry_count - 1.  HasEntry() is asked about the others.
+  // The object has the entries 0 to entry_count - 1.  For all other entries, HasEntry() is called.
   alignas(64) uint32_t entry_count = 0;
   // The number of messages to the object that are not delivered yet, without replies.
   int waiting = 0;

@@ -157,9 +157,9 @@ void ObjectManager::RunBoot(int robot, size_t findings_before) {
 void ObjectManager::RunBootAgain(int robot) {
   const size_t findings_before = system().findings().all().size();
   shutting_down_.erase(robot);
-  // Clears this set, because its addresses would be wrong after the boot.  The set has services of
-  // lost processes only, and a robot with objects in other processes does not boot again, so no
-  // service is lost.
+  // Clears unreported_, because its addresses would be wrong after the boot.  It has only services
+  // of lost processes, and a robot with objects in other processes does not boot again, so no
+  // service is forgotten.
   unreported_.clear();
   if (!system().LoadAgain(robot)) return;
   KeepBack(robot);
@@ -231,9 +231,9 @@ void ObjectManager::Begin(std::vector<std::unique_ptr<Object>> fresh) {
     if (no_observer) ReportUnknown(connection, connection.observer);
   }
   ReleaseEarlyMessages();
-  // Sends to each new object the readies that observers had asserted to the old one, because these
-  // observers do not know of the replacement.  A ready of an observer that is replaced too is left
-  // out: the new observer asserts ready in its own boot.
+  // Sends to each new object the readies that observers had asserted to the old object, because
+  // these observers do not know of the replacement.  A ready of an observer that is replaced too is
+  // left out: the new observer asserts ready in its own boot.
   for (auto& [id, standing] : readies) {
     std::erase_if(standing, [&](const auto& one) { return readies.contains(one.observer); });
     system().object_table().AssertAgain(id, standing);

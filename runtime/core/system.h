@@ -60,7 +60,7 @@ constexpr size_t kRobotMemoryBytes = size_t{32} << 20;
 
 struct SystemOptions {
   // The seed of everything that is random.  With 1, messages have the canonical order (schedule.h);
-  // with any other seed, the order is drawn from those that the robot allows.
+  // with any other seed, the order is drawn from the orders that the robot allows.
   uint64_t seed = 1;
   // If true, mistakes of programs that stop a real robot stop the robot here too.  If false, they
   // only become findings, which are lines in the report of the run.  If true, objects also receive
@@ -166,7 +166,7 @@ class System {
 
   // Posts the shutdown of one robot: DoStop of its objects, then DoDestroy, then the robot is off.
   void Shutdown(int robot, const RunEnd& why = {});
-  void Shutdown(const RunEnd& why = {});             // all robots
+  void Shutdown(const RunEnd& why = {});             // shuts down all robots
   bool booted() const { return booted_; }            // the last DoStart has returned
   bool powered_off() const { return powered_off_; }  // all robots are off for good; nothing runs
   // Switches one robot off at once, as OPENR::Fatal() does.  Messages to its objects are dropped
@@ -247,8 +247,8 @@ class System {
 
   // ---- Schedule and gate ----
   //
-  // Both are for tests and tools that explore orders of messages.  The System does not own them:
-  // they must exist as long as it delivers messages.  Null: none.
+  // A schedule and a gate are for tests and tools that explore orders of messages.  The System does
+  // not own them, so they must exist as long as the System delivers messages.  Null: there is none.
 
   // Replaces the schedule that the seed has chosen.  The schedule decides the order of messages.
   // REQUIRES: before Boot().

@@ -54,7 +54,8 @@ inline constexpr uint32_t kStatusType = 2;       // type of a reply that is only
 inline constexpr uint32_t kOpenType = 1024;
 inline constexpr uint32_t kOpenReplyType = 1025;  // also the type of a close request
 inline constexpr uint32_t kControlType = 1027;
-inline constexpr uint32_t kPowerType = 1024;  // plus the selector; our choice, ignored on receipt
+// Plus the selector; our choice, because receivers ignore it.
+inline constexpr uint32_t kPowerType = 1024;
 
 // Returns the 32-bit word at `offset`, or 0 if the bytes end before it.
 uint32_t WordIn(const std::string& bytes, size_t offset);
