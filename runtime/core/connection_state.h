@@ -73,9 +73,9 @@ void RefuseNotification(Object* object, const Message& message);
 struct ObserverLink {
   ObserverID observer;
 
-  // The readiness of the observer for data: 1 if it is ready; 0 if it has not asserted ready yet,
-  // or not since data were last sent to it; -1 if it has deasserted ready.  Two asserts in a row
-  // count as one, as on the robot.
+  // The readiness of the observer for data: 1 if it is ready; 0 if it has not asserted ready since
+  // data were last sent to it, or never; -1 if it has deasserted ready.  Two asserts in a row count
+  // as one, as on the robot.
   int ready = 0;
   bool is_lost = false;          // the last deassert came from the runtime (kDeassertOfLost)
   bool told_deasserted = false;  // a finding about a notify after a deassert has been added
