@@ -38,8 +38,8 @@ dds_qos_t* ClaimQos(const Bus& bus) {
   return qos;
 }
 
-// Returns the claim that another run has put into the user data of its `writer`; "" if there is
-// none.
+// Returns the claim that another run has put into the user data of its `writer`; "" if the writer
+// has no claim.
 std::string ClaimOf(dds_entity_t reader, dds_instance_handle_t writer) {
   dds_builtintopic_endpoint_t* const endpoint =
       Dds().dds_get_matched_publication_data(reader, writer);

@@ -47,7 +47,7 @@ class RemoteObject : public Object {
   uint64_t pending_count = 0;
   uint64_t heap_max = 0;  // the most bytes of heap that the object has used
 
-  // Makes the RemoteObject that replaces this one when the worker is restarted.
+  // Makes the RemoteObject that replaces this RemoteObject when the worker is restarted.
   std::unique_ptr<RemoteObject> NewInstance() const;
 
   // Records that a subject of this object has notified the observer `ready`.  From then on this
@@ -59,8 +59,8 @@ class RemoteObject : public Object {
 
   std::vector<StandingReady> StandingReadies() const override;
   void ReturnRegion(RCRegion* region) override;
-  void HandleUndelivered(
-      const Message& message) override;  // also sends an empty reply if the sender waits for one
+  // Also sends an empty reply if the sender waits for a reply.
+  void HandleUndelivered(const Message& message) override;
   bool IsLost() const override;
   bool IsAtWorkElsewhere() const override;
   bool HasEntry(uint32_t selector) const override { return selectors_.contains(selector); }

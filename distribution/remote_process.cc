@@ -447,7 +447,7 @@ void RemoteProcess::ResumeWithLine(RemoteObject* object, const Stop& stop, uint6
 }
 
 std::string RemoteProcess::FetchState(ObjectId object) {
-  if (is_free_) return "";  // in a free run the object has gone on meanwhile
+  if (is_free_) return "";  // in a free run the object runs on, so its state is not fixed
   openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_ASK_STATE);
   to_worker.body._u.state_of = object;
   Send(to_worker);

@@ -85,8 +85,8 @@ class RemoteProcess {
   // the master for the worker's objects; they have replaced the old stand-ins.
   void Rejoin(const std::map<ObjectId, RemoteObject*>& objects);
 
-  // Makes the worker drop its connections to object `id` of another process.  This object has been
-  // replaced, and the new one is connected anew.
+  // Makes the worker drop its connections to object `id` of another process.  A new object has
+  // replaced this object and will be connected again.
   void Forget(ObjectId id);
 
   // Switches to free running: the master does not wait while a handler runs in the worker.  Only

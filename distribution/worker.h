@@ -51,8 +51,8 @@ class Worker : public MasterLink {
   // Runs until the master ends this worker.  Returns "" or an error.
   std::string Run();
 
-  // Returns whether another Run() would fail, too.  This is so if the worker has the wrong version
-  // of the protocol or the wrong stick, or was given no session.
+  // Returns whether another Run() would fail, too.  Another Run() fails if the worker has the wrong
+  // version of the protocol or the wrong stick, or was given no session.
   bool is_refused() const { return is_refused_; }
 
   // Tells the master that the present handler ends this process, for instance by a crash.  Called

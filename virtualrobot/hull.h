@@ -24,8 +24,8 @@ class Hull {
   // Moves the ball and the box of part `part` (index of RobotModel::bodies) to the pose `X_BL`.
   void Move(int part, const Eigen::Isometry3d& X_BL);
 
-  // Returns the point that lies furthest against the direction `n_B`.  A ball is taken as one
-  // point: the lowest point for the direction `up_B`, which is a unit vector near n_B.
+  // Returns the point that lies furthest in the direction opposite to `n_B`.  A ball is taken as
+  // one point: the lowest point for the direction `up_B`, which is a unit vector near n_B.
   Eigen::Vector3d LowestAlong(const Eigen::Vector3d& n_B, const Eigen::Vector3d& up_B) const;
 
   // Returns the middle of paw `paw` (index of RobotModel::paws).

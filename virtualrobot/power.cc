@@ -19,7 +19,7 @@ namespace {
 constexpr int kZeroCelsius = 2731;       // 0 degrees Celsius in units of 0.1 K
 constexpr word kFullCapacityMah = 2000;  // our choice
 constexpr word kVoltageMv = 7400;        // two lithium cells; our choice
-constexpr int kChargingMa = 1000;        // on the charging station; our choice
+constexpr int kChargingMa = 1000;        // charging current on the charging station; our choice
 constexpr int kCurrentMaxMa = 32767;     // largest current that OPowerStatus can tell
 
 // Returns whether `filter` asks to be notified of the change from `before` to `now`.

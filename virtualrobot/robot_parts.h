@@ -70,7 +70,7 @@ struct RobotParts {
   // Makes the noise of the sensors start again from `seed`.
   void Reseed(uint64_t seed);
 
-  // Gives the sensors the noise that robot `number` of a run has, for a process that runs this one
+  // Gives the sensors the noise that robot `number` of a run has, for a process that runs only this
   // robot of a larger run.  REQUIRES: no frame has run yet.
   void TakeNoiseOf(int number);
 

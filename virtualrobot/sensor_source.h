@@ -67,8 +67,8 @@ class SensorSource {
   // Sets the temperature of the body, in degrees Celsius.
   void set_body_c(int celsius) { body_c_ = celsius; }
 
-  // Makes sensor `sensor` read `value`, in its OPEN-R unit, until Release().  REQUIRES: it is not
-  // the sensor of a joint.
+  // Makes sensor `sensor` read `value`, in its OPEN-R unit, until Release().  REQUIRES: `sensor` is
+  // not the sensor of a joint.
   void Hold(int sensor, slongword value) { held_[static_cast<size_t>(sensor)] = value; }
   void Release(int sensor) { held_[static_cast<size_t>(sensor)].reset(); }
 

@@ -90,7 +90,8 @@ StiffRobot::StiffRobot(const RobotModel& model)
 StiffRobot::StiffRobot(const RobotModel& model, const std::vector<double>& angles_rad)
     : model_(model),
       angles_rad_(angles_rad),
-      // No angle equals this one, so the first Move() places all parts.
+      // Starts with infinite angles.  No angle of a joint equals such an angle, so the first Move()
+      // places all parts.
       placed_rad_(model.joints.size(), std::numeric_limits<double>::infinity()),
       X_BL_(model.bodies.size(), Isometry3d::Identity()),
       moments_(model.bodies.size(), Vector3d::Zero()),

@@ -11,8 +11,8 @@
 namespace openr_host {
 
 // Keeps everything that follows from the joint angles, and computes only the parts again that a
-// joint has moved since.  All results have the same bits as those of a StiffRobot that is made anew
-// with the same angles.
+// joint has moved since.  All results have the same bits as the results of a new StiffRobot with
+// the same angles.
 class StiffRobot {
  public:
   // Makes a robot with all joints at 0.  `model` must outlive the robot.

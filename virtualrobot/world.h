@@ -71,8 +71,9 @@ struct RayHit {
   double reflectance = 1;
 };
 
-// Sets `hit` to the first solid one of `things` that the ray from `p_W` along the unit vector
-// `direction_W` meets before `hit->distance_m`; leaves `hit` as it is if there is none.
+// Follows the ray from `p_W` along the unit vector `direction_W`, up to the distance
+// `hit->distance_m`.  Sets `hit` to the first solid thing of `things` that the ray meets.  Does not
+// change `hit` if the ray meets no solid thing.
 void MeetThings(const std::vector<WorldThing>& things, const Eigen::Vector3d& p_W,
                 const Eigen::Vector3d& direction_W, RayHit* hit);
 

@@ -91,8 +91,8 @@ sError GetResourceValue(sResource resource, slongword* current, slongword* max, 
     default:
       return sINVALIDRESOURCE;
   }
-  // The maximum of each limit is its current value.  This is so for the queue too, because the host
-  // has no larger maximum for the length of the queue.
+  // Sets the maximum of each limit to its current value.  This is right for the queue, too, because
+  // the host has no larger maximum for the length of the queue.
   if (max != nullptr) *max = *current;
   if (min != nullptr) *min = 1;
   return sSUCCESS;

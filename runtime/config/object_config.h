@@ -11,7 +11,8 @@
 namespace openr_host {
 
 struct ObjectRecord {
-  // As written, e.g. /MS/OPEN-R/MW/OBJS/MOVER.BIN; upper and lower case are equal.
+  // The path as the file has it, e.g. /MS/OPEN-R/MW/OBJS/MOVER.BIN; upper and lower case letters
+  // are equal.
   std::string path;
   std::string section;  // the robot design for which the line is valid; "" for every robot
   FilePosition place;

@@ -58,7 +58,8 @@ class StubParser {
                   &result_.config.observers};
   bool has_object_name_ = false;
   bool in_block_comment_ = false;
-  int ignored_service_line_ = 0;  // number of the last Service line that was ignored; 0: none
+  // Number of the last Service line that was ignored; 0: no line was ignored.
+  int ignored_service_line_ = 0;
 };
 
 StubConfigResult StubParser::Parse(const std::string& file, std::string_view text) {

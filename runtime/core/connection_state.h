@@ -89,8 +89,9 @@ struct ObserverLink {
   size_t skip = 0;
   size_t min = 1;
   size_t max = 1;
-  size_t skipped = 0;              // notifications skipped since the last kept notification
-  int64_t waiting_since_us = -1;   // virtual time since which a notification waits; -1: none waits
+  size_t skipped = 0;  // notifications skipped since the last kept notification
+  // Virtual time since which a notification waits; -1: no notification waits.
+  int64_t waiting_since_us = -1;
   uint64_t sent = 0;               // messages sent
   int64_t sent_us = 0;             // virtual time of the last message
   std::vector<RCRegion*> pending;  // regions that were notified but not sent yet, oldest first
@@ -180,7 +181,7 @@ struct ObserverState {
   size_t min = 1;
   size_t max = 1;
 
-  // Returns this observer's record of `subject`, which is made if there is none yet.
+  // Returns this observer's record of `subject`.  Makes the record if it does not exist yet.
   Held& HeldOf(const SubjectID& subject) {
     for (Held& entry : held) {
       if (entry.subject == subject) [[likely]]

@@ -45,7 +45,7 @@ Fiber* Dispatcher::TakeFiber() {
 
 void Dispatcher::FiberMain(void* dispatcher) { static_cast<Dispatcher*>(dispatcher)->Loop(); }
 
-// Leaves the running fiber and continues `fiber`.  Returns when another fiber continues the one
+// Leaves the running fiber and continues `fiber`.  Returns when another fiber continues the fiber
 // that was left.
 void Dispatcher::SwitchTo(Fiber* fiber) {
   Fiber* const from = running_;
@@ -229,7 +229,7 @@ void Dispatcher::Loop() {
       Deliver(std::move(message));
       continue;
     }
-    // No message is due now, so the clock goes to the next message or other event.
+    // Moves the clock to the next message or other event, because no message is due now.
     const int64_t next_us = std::min(queue.NextTime(), system_->NextInstant());
     if (next_us <= limits_.time_us && next_us != INT64_MAX) {
       AdvanceTo(next_us);

@@ -45,8 +45,9 @@ struct Node {
   size_t bytes = 0;
   const Object* object = nullptr;  // owner of a block or region; null: never reported
   bool is_region = false;
-  const std::vector<const void*>* calls = nullptr;  // of a block: the calls that allocated it
-  const void* made_at = nullptr;                    // of a region: where it was made
+  // For a block: the calls that allocated the block.
+  const std::vector<const void*>* calls = nullptr;
+  const void* made_at = nullptr;  // for a region: the instruction that made the region
   bool is_reachable = false;
 };
 
@@ -109,7 +110,7 @@ void LeakSearch::CollectRegions() {
   for (const auto& object : system_->objects()) {
     if (object == nullptr || !object->is_image || object->arena == nullptr) continue;
     table.ForEachOf(object->id, [&](uint32_t id, char* base, size_t size) {
-      if (!IsPlanned(base)) return;  // in the host's heap, which is read as a whole
+      if (!IsPlanned(base)) return;  // the memory is in the host's heap, which is read as a whole
       region_of_id_[id] = HiddenAddress(base);
       nodes_.push_back({.begin = HiddenAddress(base),
                         .bytes = size,

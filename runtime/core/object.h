@@ -52,7 +52,8 @@ struct HandlerState {
   // Messages that the object cannot handle yet, oldest first, because its handler waits or has the
   // processor, or because it is in its boot (ObjectManager::IsTooEarly()).
   std::vector<OwnedMessage> held;
-  Fiber* blocked = nullptr;      // the stack of the handler while it waits; null: it does not wait
+  // The stack of the handler while the handler waits; null: it does not wait.
+  Fiber* blocked = nullptr;
   uint64_t blocked_box = 0;      // the reply box for which the handler waits
   int64_t blocked_since_us = 0;  // virtual time when the wait began
   // The text that tells users what the handler waits for: "the answer of IPStack (Send)".
@@ -77,7 +78,7 @@ struct ReplyBoxes {
 // The object's use of the robot's processor, if handlers take time; see cpu.h.
 struct ProcessorState {
   bool is_busy = false;  // a handler of the object has the processor
-  // The virtual time since when a message has waited for the processor; -1: none waits.
+  // The virtual time since when a message has waited for the processor; -1: no message waits.
   int64_t starving_since_us = -1;
   struct Outgoing {
     OwnedMessage message;
@@ -196,9 +197,10 @@ class Object {
   OpenFiles files;
   ReplyBoxes boxes;
 
-  // The part of the address plan that belongs to the object, and its heap there.  Null for objects
-  // that are no images, and where addresses are not planned (address_plan.h).
+  // The part of the address plan that belongs to the object.  Null for objects that are no images,
+  // and where addresses are not planned (address_plan.h).
   std::unique_ptr<AddressPlace> place;
+  // The heap of the object, at addresses of `place`.  Null if `place` is null.
   std::unique_ptr<Arena> arena;
   std::vector<std::unique_ptr<SubjectState>> subjects;
   std::vector<std::unique_ptr<ObserverState>> observers;

@@ -153,7 +153,7 @@ void ObjectManager::RunBoot(int robot, size_t findings_before) {
   system().booted_ = true;
 }
 
-// Boots `robot` again after it was off.  Loads all its images anew.
+// Boots `robot` again after it was off.  Loads all images of the robot again.
 void ObjectManager::RunBootAgain(int robot) {
   const size_t findings_before = system().findings().all().size();
   shutting_down_.erase(robot);
@@ -292,8 +292,8 @@ void ObjectManager::Send(Object* object, Selector entry, OReason reason) {
 // name of a service does not tell its object for sure, so the object is searched for:
 // 1. the object whose name is the first part of the service's name,
 // 2. else the object of a registered service whose name has the same first part.
-// Returns whether that object is lost.  If neither exists, returns whether any object of the robot
-// is lost, because the service may belong to it.
+// Returns whether the object found is lost.  If neither exists, returns whether any object of the
+// robot is lost, because the service may belong to the lost object.
 bool ObjectManager::MayBeLost(int robot, const std::string& service) const {
   const std::string prefix = service.substr(0, service.find('.') + 1);
   bool has_lost = false;

@@ -53,7 +53,8 @@ class RegionTable {
 
   // Records `address`, the instruction of a program that made block `id`, for MostCommonPlace().
   void NotePlace(uint32_t id, const void* address);
-  // Returns the instruction that NotePlace() has recorded for block `id`; null if there is none.
+  // Returns the instruction that NotePlace() has recorded for block `id`; null if no instruction
+  // was recorded.
   const void* PlaceOf(uint32_t id) const;
   // Returns whether `id` named a block that was deleted.
   bool WasDeleted(uint32_t id) const;

@@ -109,14 +109,16 @@ struct Robot {
   std::unique_ptr<RobotServices> services;  // its simulated devices (robot_services.h)
   // The object and selector of each registered service.  The key is the service's name.
   std::map<std::string, std::pair<ObjectId, uint32_t>> directory;
-  std::map<std::string, std::string> design_data;  // of DESIGNDB.CFG: keyword -> path of a file
-  std::map<std::string, ObjectId> names;           // of Register() (MCOOP.h): name -> object
+  // The lines of DESIGNDB.CFG: keyword -> path of a file.
+  std::map<std::string, std::string> design_data;
+  std::map<std::string, ObjectId> names;  // the names given to Register() (MCOOP.h): name -> object
   MemoryBudget memory;      // memory that its objects use; limited only with SystemOptions::strict
   uint64_t stick_hash = 0;  // hash of the stick's content when LoadStick() was called
   bool powered_off = false;
-  std::optional<RunEnd> end;  // the reason for the shutdown or the power-off; none: still on
-  int64_t booted_us = 0;      // virtual time of its last boot
-  int boots = 1;              // how often it has booted
+  // The reason for the shutdown or the power-off; no value while the robot is on.
+  std::optional<RunEnd> end;
+  int64_t booted_us = 0;  // virtual time of the robot's last boot
+  int boots = 1;          // number of times the robot has booted
   // Adds the robot's system objects and loads its stick once more, for a boot after a shutdown.
   // Returns false if the robot does not boot.  Null: the robot cannot boot again.
   std::function<bool()> load_again;
@@ -294,7 +296,7 @@ class System {
   uint64_t state_hash();
   uint64_t message_count() const { return trace_.count(); }
 
-  // Adds a finding about the current object, or about the system if there is none.
+  // Adds a finding about the current object, or about the system if there is no current object.
   void AddFinding(Severity severity, std::string text);
   void AddFindingAbout(const Object* object, Severity severity, std::string text);
   // Adds a finding about the stick or the configuration of a robot.
@@ -314,7 +316,8 @@ class System {
   friend class ObjectManager;
 
   // Removes the objects, services, connections and names of robot number `index`, which is off, and
-  // loads them again.  Returns false, and leaves the robot off for good, if it does not boot.
+  // loads them again.  If the robot does not boot, returns false and leaves the robot off for the
+  // rest of the run.
   bool LoadAgain(int index);
   void WaitForBoot(Robot* robot);
   void NoteWhetherAllAreOff(const RunEnd& why);
@@ -356,7 +359,7 @@ class System {
   std::vector<std::unique_ptr<Robot>> robots_;
   std::vector<Connection> connections_;
   std::unique_ptr<Dispatcher> dispatcher_;
-  std::vector<std::unique_ptr<Cpu>> cpus_;  // by robot; none without a cost model
+  std::vector<std::unique_ptr<Cpu>> cpus_;  // by index of the robot; empty without a cost model
   std::unique_ptr<SeedSchedule> seed_schedule_;
   Schedule* schedule_ = nullptr;
   Gate* gate_ = nullptr;

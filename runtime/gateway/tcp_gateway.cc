@@ -188,8 +188,8 @@ class GatewayLoader {
     return text ? ParseGatewayConfig(file, *text, Design(), side) : GatewayConfig();
   }
 
-  // Returns whether HOSTGW.CFG names a robot for OPEN-R calls.  The stick is then that of a PC, and
-  // the gateway is needed even if neither OBJECT.CFG nor CONNECT.CFG names it.
+  // Returns whether HOSTGW.CFG names a robot for OPEN-R calls.  If so, the stick belongs to a PC,
+  // and the gateway is needed even if neither OBJECT.CFG nor CONNECT.CFG names the gateway.
   bool CallsARobot() const { return config_.proxy && !config_.proxy->host.empty(); }
 
   static bool NamesGateway(const ConnectConfig& wires) {

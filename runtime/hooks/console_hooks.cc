@@ -85,8 +85,8 @@ char* fgets(char* line, int size, FILE* file) {
   return next(line, size, Resolve(file));
 }
 
-// Reads a line without its newline.  Like every gets(), it does not know the size of the buffer, so
-// a long line overflows the buffer.
+// Reads a line without its newline.  Like every gets(), this function does not know the size of the
+// buffer, so a long line overflows the buffer.
 char* gets(char* line) {
   char* end = line;
   int c = getc(stdin);

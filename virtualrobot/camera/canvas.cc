@@ -17,7 +17,8 @@ using Eigen::Vector3d;
 // Number of steps from the shadow to the lit side of a ball.
 constexpr int kSteps = 63;
 
-// Returns the first of `size` pixels whose centre lies beyond `x`; `size` if there is none.
+// Returns the first of `size` pixels whose centre lies beyond `x`; returns `size` if no centre lies
+// beyond `x`.
 int FirstBeyond(double x, double size) { return static_cast<int>(std::clamp(x + 0.5, 0.0, size)); }
 
 void PutPixel(const RgbBytes& colour, uint8_t* pixel) {
@@ -54,8 +55,8 @@ void Face::CutBy(const Vector3d& normal, double offset) {
     const double a = height(from), b = height(to);
     if (a >= 0) Add(from);
     if ((a >= 0) == (b >= 0)) continue;
-    // Computes the point always from the inside to the outside, so that two faces that share an
-    // edge get the same corner.
+    // Always computes the point from the inner to the outer end of the edge, so that two faces that
+    // share the edge get the same corner.
     Add(a >= 0 ? from + (to - from) * (a / (a - b)) : to + (from - to) * (b / (b - a)));
   }
 }
@@ -115,7 +116,8 @@ Face Canvas::InLens(const Face& face) const {
 }
 
 void Canvas::AddEdge(const Vector2d& from, const Vector2d& to) {
-  // Goes from the upper to the lower end, so that two faces that share an edge get the same pixels.
+  // Follows the edge from its upper to its lower end, so that two faces that share the edge get the
+  // same pixels.
   const bool is_down = from.y() < to.y() || (from.y() == to.y() && from.x() < to.x());
   const Vector2d &top = is_down ? from : to, &bottom = is_down ? to : from;
   const int begin = FirstBeyond(top.y(), height_), end = FirstBeyond(bottom.y(), height_);
@@ -164,7 +166,7 @@ void Canvas::DrawPaint(Face face, const RgbBytes& colour) {
 
 void Canvas::DrawFace(Face face, const Vector3d& normal_W, const RgbBytes& colour) {
   ASSERT(face.count() >= 3 && face.count() <= Face::kCornersMax, "{} corners", face.count());
-  // In C, the face lies in the plane n . p = height.
+  // The face lies in the plane n . p = height of the camera's frame C.
   const Vector3d n = R_CW_ * normal_W;
   const double height = normal_W.dot(face.corner(0) - p_WC_);
   if (!(height < 0)) return;

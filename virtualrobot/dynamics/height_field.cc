@@ -40,7 +40,8 @@ Vector3d NearestOf(const Triangle& triangle, const Vector3d& p) {
   for (size_t i = 0; i < 3; ++i) {
     const Vector3d &a = triangle[i], &b = triangle[(i + 1) % 3];
     const Vector3d edge = b - a;
-    if (edge.cross(below - a).dot(normal) >= 0) continue;  // on the inner side of this edge
+    // Skips an edge if `below` is on the inner side of the edge.
+    if (edge.cross(below - a).dot(normal) >= 0) continue;
     const double share = std::clamp(edge.dot(p - a) / edge.squaredNorm(), 0.0, 1.0);
     const Vector3d on_edge = a + share * edge;
     if (!nearest || (on_edge - p).squaredNorm() < (*nearest - p).squaredNorm()) nearest = on_edge;
@@ -86,7 +87,7 @@ void TouchTriangles(const WorldThing& thing, const Vector3d& p, double radius_m,
         const double distance_m = way.norm();
         if (distance_m >= radius_m || distance_m == 0) continue;
         const Vector3d out = way / distance_m;
-        if (out.dot(NormalOf(triangle)) > 0)  // otherwise the centre is below the surface
+        if (out.dot(NormalOf(triangle)) > 0)  // ignores a triangle that has the centre below it
           found->push_back({p - radius_m * out, out, radius_m - distance_m});
       }
     }

@@ -30,7 +30,7 @@ Matrix3d CrossMatrix(const Vector3d& a) {
 }
 
 // Returns `q`, turned by the angular velocity `w_W` for `step_s` seconds.  Like ODE's formula, this
-// one is right to first order in the angle.
+// formula is exact only to first order in the angle.
 Quaterniond Turned(const Quaterniond& q, const Vector3d& w_W, double step_s) {
   const Vector3d half = 0.5 * step_s * w_W;
   const double w = q.w() - half.dot(q.vec());

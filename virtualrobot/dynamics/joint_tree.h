@@ -138,7 +138,8 @@ class JointTree {
   void Move();
 
   const std::vector<TreePart> parts_;
-  std::vector<int> parent_;  // [unknown]: the next unknown on the way to unknown 0; -1: none
+  // [unknown]: the next unknown on the way to unknown 0; -1 for unknown 0 itself.
+  std::vector<int> parent_;
 
   // The state: everything that decides the future.
   Eigen::Quaterniond q_WB_ = Eigen::Quaterniond::Identity();

@@ -28,7 +28,7 @@ struct SurfaceDistance {
 SurfaceDistance DistanceTo(ThingShape shape, const Eigen::Vector3d& size_m,
                            const Eigen::Vector3d& p);
 
-// Adds the point at which a ball touches `thing`, if it does.
+// Adds the point at which a ball touches `thing`, if the ball touches it.
 void TouchBall(const Eigen::Vector3d& centre_W, double radius_m, const WorldThing& thing,
                std::vector<TouchPoint>* points);
 

@@ -60,12 +60,12 @@ class ContactFinder {
   // A box or a ball of a robot, or a thing.
   struct Shape {
     ThingShape shape = ThingShape::kBox;
-    Eigen::Vector3d size_m{0, 0, 0};  // as WorldThing::size_m
+    Eigen::Vector3d size_m{0, 0, 0};  // has the meaning of WorldThing::size_m
     ContactSide side;
     int paw = -1;
     dGeomID geom = nullptr;
     dBodyID body = nullptr;             // null: the shape is fixed
-    Eigen::Vector3d offset_m{0, 0, 0};  // from the body's centre of mass, in its axes
+    Eigen::Vector3d offset_m{0, 0, 0};  // vector from the body's centre of mass, in the body's axes
     const WorldThing* thing = nullptr;  // null: the shape is a part of a robot
     Room room = {};
 

@@ -26,7 +26,7 @@ constexpr double kHandTime_s = 0.05;
 constexpr double kHandSpeed_m_s = 0.5, kHandTurn_rad_s = 2;
 constexpr double kHandForce_n = 60, kHandTorque_nm = 5;
 
-// No part of a robot is further than this from the origin of its base.
+// The largest distance of a part of a robot from the origin of the robot's base.
 constexpr double kReach_m = 0.6;
 
 // Returns how a robot lies asleep at the place `start`.
