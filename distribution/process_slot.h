@@ -77,7 +77,7 @@ class ProcessSlot {
   MasterChannel* channel() const { return channel_.get(); }
   const Identity& identity() const { return identity_; }
   // Returns the host and process id of the present worker, for reports.  Until that worker has sent
-  // its Hello, returns those of the previous worker.
+  // its Hello, returns host and process id of the previous worker.
   const Identity& last_identity() const { return identity_.pid == 0 ? previous_ : identity_; }
 
  private:

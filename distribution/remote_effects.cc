@@ -198,7 +198,7 @@ int32_t RemoteProcess::Post(const openr_wire_PostedMessage& posted, Object* self
   // worker is lost before the handler ends (RemoteObject::SendEmptyReply()).
   if (answers && error == sSUCCESS) self->handler.running->reply_box = 0;
   // Records that the observer is not ready any more.  After a notification, an observer must assert
-  // ready again before it gets the next one.
+  // ready again before it gets the next notification.
   if (is_notify && error == sSUCCESS) objects_.at(self->id)->UseReady(used);
   return error;
 }

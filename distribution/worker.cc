@@ -115,8 +115,8 @@ std::string Worker::RequestSession() {
   for (int64_t waited_ms = 0; waited_ms < options_.master_wait_ms && !IsEndRequested();
        waited_ms += kJoinRetryMs) {
     if (!WaitFor(join_channel)) return NoRunFound();
-    // Repeats the request, because the last one may have gone to a run that was ending and did not
-    // answer.
+    // Repeats the request, because the last request may have gone to a run that was ending and did
+    // not answer.
     join_channel.Send(request);
     const auto answer = join_channel.Receive(kJoinRetryMs);
     if (!answer || StringOf(answer->id) != id) continue;

@@ -182,8 +182,8 @@ openr_wire_Load WorkerGroup::NextLoadFor(Member* member, WireArena* arena) {
                        object.is_system, object.name == IpStack::kName,
                        member->objects.contains(object.id), object.boxes.last});
   }
-  // Sends the heap use of all robots with every load, not only that of new robots.  Objects in
-  // other processes may have used more heap since the last load.
+  // Sends the heap use of all robots with every load, and not only of new robots, because objects
+  // in other processes may have used more heap since the last load.
   std::vector<uint64_t> heap_elsewhere;
   for (int i = 0; i < system_->robot_count(); ++i)
     heap_elsewhere.push_back(member->process->HeapElsewhere(system_, i));
@@ -195,8 +195,7 @@ openr_wire_Load WorkerGroup::NextLoadFor(Member* member, WireArena* arena) {
 }
 
 // Sends the worker the new entries of the master's tables, and waits until the worker has loaded
-// those objects among them that are its own.  The first time, also waits until the worker has
-// joined.
+// the new objects that belong to it.  The first time, also waits until the worker has joined.
 void WorkerGroup::SendNextLoad(Member* member) {
   WireArena arena;
   const openr_wire_Load load = NextLoadFor(member, &arena);

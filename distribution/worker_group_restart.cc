@@ -210,7 +210,7 @@ void WorkerGroup::OnReplaced(ObjectId id) {
     // already, but messages may have come for the old stand-in since then.
     member.successors[id]->undelivered_count = member.objects[id]->undelivered_count;
     // Finishes the restart only when `id` was the last object of the worker.  Objects are replaced
-    // in the order of their ids, so the last one has the largest id.
+    // in the order of their ids, so the last object has the largest id.
     if (member.successors.rbegin()->first != id) continue;
     uint64_t undelivered = 0;
     for (const auto& [new_id, object] : member.successors) undelivered += object->undelivered_count;

@@ -62,7 +62,7 @@ class Faults {
   std::string ReadDraw(std::string_view rest, Inputs::Action* action);
   std::string ReadRepair(std::string_view rest, Inputs::Action* action);
 
-  // Finds the sensors, also those of joints, that `name` names.  Returns "" or the error.
+  // Finds the sensors that `name` names, also sensors of joints.  Returns "" or the error.
   std::string FindParts(const std::string& name, std::vector<int>* sensors) const;
   // Returns the place of a fault of this kind, for the part that has the sensor `sensor`. nullopt:
   // the part is no joint, and only joints can have this fault.

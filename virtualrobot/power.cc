@@ -105,8 +105,8 @@ void Power::SetCapacity(int percent) {
 }
 
 void Power::SetCharging(bool on) {
-  SetCapacity(RemainingCapacity());  // stores the present capacity, because it changes at another
-                                     // speed from now on
+  // Stores the present capacity, because the capacity changes at another speed from now on.
+  SetCapacity(RemainingCapacity());
   charging_ = on;
   NotifyChange();
 }

@@ -92,7 +92,8 @@ class Power {
 
   Battery battery_;  // state at the time capacity_since_us_
   int64_t capacity_since_us_ = 0;
-  int64_t extra_ma_us_ = 0;  // charge drawn since then, minus that of the usual current
+  // Charge drawn since capacity_since_us_, minus the charge that the usual current draws.
+  int64_t extra_ma_us_ = 0;
   Load load_;
   bool charging_ = false;
   bool motor_power_ = false;

@@ -38,8 +38,9 @@ class SensorSource {
  public:
   static constexpr int kFramesPerVector = 4;  // source: Level 2 Reference Guide, 3.1
 
-  // Makes the sensors of a robot.  `noise` is the random generator of their noise, `fault_noise`
-  // that of sensors with the fault kNoisy.  `model` and `primitives` must outlive this object.
+  // Makes the sensors of a robot.  `noise` is the random generator of their noise; `fault_noise` is
+  // the random generator of sensors with the fault kNoisy.  `model` and `primitives` must outlive
+  // this object.
   SensorSource(const RobotModel& model, const PrimitiveTable& primitives, Rng noise,
                Rng fault_noise);
 

@@ -9,11 +9,11 @@
 namespace openr_host {
 
 struct ImageFile {
-  std::string bytes;           // the shared object, decompressed
-  bool is_compressed = false;  // compressed with gzip, as the Makefiles of some programs install
-                               // images
-  bool is_for_robot = false;   // the file is a MIPS binary
-  std::string problem;         // the reason why the file cannot be loaded; "" if it can be loaded
+  std::string bytes;  // the shared object, decompressed
+  // True if the file is compressed with gzip.  The Makefiles of some programs compress the images.
+  bool is_compressed = false;
+  bool is_for_robot = false;  // the file is a MIPS binary
+  std::string problem;        // the reason why the file cannot be loaded; "" if it can be loaded
 };
 
 // Reads the file `path` and checks everything that can be checked without loading the file: whether

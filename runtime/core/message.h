@@ -20,8 +20,8 @@ class Schedule;
 using ObjectId = int32_t;
 constexpr ObjectId kNoObject = -1;
 
-// The classes in order of delivery: if messages are due at the same time, those of class kFrame are
-// delivered first.
+// The classes in order of delivery: if messages are due at the same time, messages of class kFrame
+// are delivered first.
 enum class MessageClass : uint8_t {
   kFrame = 0,   // begins a frame, a step of 8 ms of a robot's body
   kInput = 1,   // input from outside

@@ -184,7 +184,7 @@ std::vector<OwnedMessage> ObjectTable::TakeMessagesTo(Object* object) {
   for (OwnedMessage& message : system_->queue().TakeIf(is_to_object)) {
     if (!message->is_reply) messages.push_back(std::move(message));
   }
-  // Subtracts only the messages taken so far, because those in outboxes, which are taken below,
+  // Subtracts only the messages taken so far.  The messages in outboxes, which are taken below,
   // were never counted as waiting.
   object->waiting -= static_cast<int>(messages.size());
   ASSERT(object->waiting >= 0, "{} has {} waiting messages", object->name, object->waiting);

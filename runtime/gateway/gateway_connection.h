@@ -78,8 +78,8 @@ class GatewayConnection {
   const int index_;
   const GatewayRecord record_;
   Owner* const owner_;
-  byte* receive_bytes_ =
-      nullptr;             // the shared buffer: first the received bytes, then those to send
+  // The shared buffer: first the received bytes, then the bytes to send.
+  byte* receive_bytes_ = nullptr;
   antModuleRef listener_;  // the endpoint that waits for the next client
   antModuleRef endpoint_;  // the endpoint of the connection, also while it is being made
   bool is_up_ = false;

@@ -225,7 +225,7 @@ void IpStack::HandleEndpointMessage(Operation* operation) {
   const auto found = endpoints_.find(ref.index);
   if (found == endpoints_.end() || found->second->protocol() != protocol) {
     // Recognises a closed endpoint by its index: indexes are given out in order, so an unknown
-    // index that is not larger than the last one belonged to a closed endpoint.
+    // index that is not larger than the last index belonged to a closed endpoint.
     const bool was_closed = found == endpoints_.end() && ref.index != 0 && ref.index <= last_index_;
     return Answer(operation,
                   was_closed && protocol != 0 ? ClosedError(protocol) : InvalidError(protocol));

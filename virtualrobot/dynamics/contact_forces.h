@@ -36,7 +36,7 @@ class ContactEquations {
   double& At(int row, int column) { return matrix_[static_cast<size_t>(row) * rows() + column]; }
   const double* Row(int row) const { return &matrix_[static_cast<size_t>(row) * rows()]; }
 
-  // [row]: d, in m/s.
+  // [row]: the wanted change of velocity d, in m/s.
   std::vector<double> wanted;
 
  private:
@@ -48,8 +48,8 @@ class ContactForces {
   // `friction` is Coulomb's coefficient.
   explicit ContactForces(double friction) : friction_(friction) {}
 
-  // A sweep that changes no impulse by more than this, in N s, is the last one.  A standing ERS-210
-  // presses with 0.13 N s on the floor in a frame.
+  // Sweeps end after a sweep that changes no impulse by more than this, in N s.  For comparison: a
+  // standing ERS-210 presses with 0.13 N s on the floor in a frame.
   static constexpr double kTolerance_n_s = 1e-6;
   // Number of sweeps after which the impulses are taken as they are.
   static constexpr int kSweepsMax = 1000;
@@ -68,8 +68,8 @@ class ContactForces {
   double Sweep(const ContactEquations& equations);
 
   const double friction_;
-  std::vector<double> impulses_;  // [row]
-  std::vector<int> closed_;       // contacts that press if all of them stick
+  std::vector<double> impulses_;  // [row]: impulse along the row, in N s
+  std::vector<int> closed_;       // contacts that press if all contacts stick
   // Cholesky factor of the part of K that belongs to closed_, row by row.
   std::vector<double> factor_;
   int sweeps_ = 0;

@@ -83,7 +83,7 @@ Isometry3d JointTree::X_WL(int part) const {
   return X;
 }
 
-// Computes the places of all parts from those of the trunk and the angles of the hinges.
+// Computes the places of all parts from the place of the trunk and the angles of the hinges.
 void JointTree::PlaceParts() {
   now_[0].R_WL = q_WB_.toRotationMatrix();
   now_[0].centre_W = centre_W_;
@@ -130,8 +130,8 @@ void JointTree::BeginStep(const std::vector<TorqueLine>& lines, double gravity_m
   Factor();
 }
 
-// Fills the lower triangle of M + h B.  The inertia of a part and of all parts behind it is taken
-// as that of one body, because all of them move when the hinge of the part turns.
+// Fills the lower triangle of M + h B.  A part and all parts behind it are taken as one body with
+// their common inertia, because all of them move when the hinge of the part turns.
 void JointTree::FillMatrix(const std::vector<TorqueLine>& lines, double step_s) {
   for (int i = 0; i < parts(); ++i) {
     const Vector3d r = now_[i].centre_W - centre_W_;

@@ -27,7 +27,7 @@ namespace openr_host {
 
 class Hasher;
 
-// A rigid part and the hinge that joins it to its parent.  Places and axes are those of the part's
+// A rigid part and the hinge that joins it to its parent.  Places and axes are given in the part's
 // own frame L, which coincides with B when all angles are 0.
 struct TreePart {
   double mass_kg = 0;                                       // > 0
@@ -60,7 +60,7 @@ class JointTree {
   int parts() const { return static_cast<int>(parts_.size()); }
 
   // Puts the trunk and the hinges in their places, at rest.  `angles_rad` has an angle for each
-  // part; that of the trunk is not used.
+  // part; the angle of the trunk is not used.
   void Place(const Eigen::Isometry3d& X_WB, const std::vector<double>& angles_rad);
 
   // The present motion.  X_WL maps a point of the part's frame to its place in W.
@@ -74,7 +74,7 @@ class JointTree {
   double speed_rad_s(int part) const { return speed_rad_s_[part]; }
 
   // Begins a step of `step_s` seconds: sets up the equation of motion without pushes and contacts,
-  // and factors its matrix.  `lines` has the torque line of the hinge of each part; that of the
+  // and factors its matrix.  `lines` has the torque line of the hinge of each part; the line of the
   // trunk is not used.
   void BeginStep(const std::vector<TorqueLine>& lines, double gravity_m_s2, double step_s);
 

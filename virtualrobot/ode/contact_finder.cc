@@ -231,8 +231,8 @@ void ContactFinder::FindBoxOnFloor(const Shape& box) {
   }
 }
 
-// Tests four points of the rim of each end: the lowest one, and those a quarter, a half and three
-// quarters around from it.
+// Tests four points of the rim of each end: the lowest point, and the points that follow after a
+// quarter, a half and three quarters of the rim.
 void ContactFinder::FindCylinderOnFloor(const Shape& cylinder) {
   const Vector3d centre_W = cylinder.CentreW();
   const Matrix3d R = cylinder.R_W();

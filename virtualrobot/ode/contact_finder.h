@@ -45,8 +45,8 @@ class ContactFinder {
   // of `model`.  `model` and `bodies` must outlive the finder.
   void AddRobot(int tree, const RobotModel& model, const std::vector<dBodyID>& bodies);
 
-  // Returns the points that touch now: those of the movable things, then those of each robot, in
-  // the order of its model.  The result is valid until the next call.
+  // Returns the points that touch now: first the points of the movable things, then the points of
+  // each robot, in the order of its model.  The result is valid until the next call.
   const std::vector<ContactPoint>& Find();
 
  private:

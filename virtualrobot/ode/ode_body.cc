@@ -180,7 +180,7 @@ RayHit OdeBody::CastRay(const Vector3d& p_W, const Vector3d& direction_W, double
   RayHit hit = openr_host::CastRay(world(), world_->things(), p_W, direction_W, max_m);
   for (const OdeBody* const robot : world_->robots()) {
     if (robot == this) continue;
-    // Because most robots are not in the way of the ray, a ball around each one is tested first.
+    // First tests a ball around the robot, because most robots are not in the way of the ray.
     const Vector3d to_robot = robot->state_.X_WB.translation() - p_W;
     const double along_m = std::clamp(to_robot.dot(direction_W), 0.0, hit.distance_m);
     if ((to_robot - along_m * direction_W).norm() > kReach_m) continue;
