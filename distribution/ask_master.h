@@ -1,4 +1,5 @@
-// Lets code in a worker process call functions of the master process, those of WorkerCallList.
+// Lets code in a worker process call functions of the master process.  WorkerCallList lists these
+// functions.
 #pragma once
 
 #include "distribution/master_link.h"
@@ -16,7 +17,7 @@ auto AskMaster(MasterLink* master, const Arguments&... arguments) {
   return Function::Decode(result, arguments...);
 }
 
-// Calls `kFunction` in the master without waiting for it, so there is no result.
+// Makes the master call `kFunction`.  Does not wait for the call, so it has no result.
 template <auto kFunction, typename... Arguments>
 void TellMaster(MasterLink* master, const Arguments&... arguments) {
   using Function = call_codec::Signature<decltype(kFunction)>;

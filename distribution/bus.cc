@@ -166,8 +166,7 @@ ChannelBase::ChannelBase(Bus* bus, const std::string& place, ChannelEnd end,
   const dds_entity_t publisher = Dds().dds_create_publisher(participant, qos, nullptr);
   const dds_entity_t subscriber = Dds().dds_create_subscriber(participant, qos, nullptr);
   owned_.insert(owned_.end(), {publisher, subscriber});
-  Dds().dds_write_set_batch(
-      true);  // holds for writers created from now on; WriteBatched() needs it
+  Dds().dds_write_set_batch(true);  // for writers created from now on; WriteBatched() needs it
   writer_ = Dds().dds_create_writer(publisher, is_master ? to_worker : to_master, qos, nullptr);
   Dds().dds_write_set_batch(false);
   reader_ = Dds().dds_create_reader(subscriber, is_master ? to_master : to_worker, qos, nullptr);
@@ -185,8 +184,8 @@ ChannelBase::ChannelBase(Bus* bus, const std::string& place, ChannelEnd end,
 ChannelBase::~ChannelBase() {
   for (void* const sample : received_) Dds().dds_sample_free(sample, type_, DDS_FREE_ALL);
   for (void* const sample : free_samples_) Dds().dds_sample_free(sample, type_, DDS_FREE_ALL);
-  // Deletes the entities in the reverse order of their creation, because later ones use earlier
-  // ones.
+  // Deletes the entities in the reverse order of their creation, because an entity uses entities
+  // that were created before it.
   for (auto entity = owned_.rbegin(); entity != owned_.rend(); ++entity) Dds().dds_delete(*entity);
 }
 
@@ -245,7 +244,7 @@ void ChannelBase::ReceiveMore() {
   void* samples[kSamplesPerPacketMax];
   dds_sample_info_t infos[kSamplesPerPacketMax];
   std::copy_n(free_samples_.rbegin(), kSamplesPerPacketMax, samples);
-  // Receives the next sample alone after a large one (see kBulkBytes).
+  // Receives only one sample if the last sample was large (see kBulkBytes).
   const uint32_t wanted = last_bulk_bytes_ < kBulkBytes ? kSamplesPerPacketMax : 1;
   const int count =
       Check(Dds().dds_take(reader_, samples, infos, kSamplesPerPacketMax, wanted), "take");

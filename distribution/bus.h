@@ -25,11 +25,11 @@ namespace openr_host {
 // a worker ends, so a short lease is not needed.  A worker that a debugger has stopped must not be
 // taken for dead, so we use the longest lease that Cyclone DDS accepts.
 //
-// kReturningLease_s is for the same workers if they may be restarted.  Until the lease of a killed
-// process is over, every participant of the domain takes the process for a slow reader and keeps
-// data for it.  That makes each restart slower, so this lease is shorter.
+// kReturningLease_s is for workers that the master started and may restart.  Until the lease of a
+// killed process is over, every participant of the domain takes the process for a slow reader and
+// keeps data for it.  That makes each restart slower, so this lease is shorter.
 //
-// kLease_s is for all other processes.
+// kLease_s is for all processes that are not such workers.
 constexpr int kWatchedLease_s = 3600;
 constexpr int kReturningLease_s = 60;
 constexpr int kLease_s = 10;
@@ -40,7 +40,7 @@ struct BusOptions {
   std::string address = "127.0.0.1";  // address of this host's network interface
   std::vector<std::string> peers;     // addresses of other hosts; `address` need not be repeated
   std::string config_file;            // additional settings of Cyclone DDS, such as DDS Security
-  int participants_max = 120;         // limit of processes on one host
+  int participants_max = 120;         // largest number of processes on one host
   // Lease of this process in seconds, such as kWatchedLease_s; 0 means kLease_s.
   int lease_s = 0;
   // True: many sent samples are kept, so writes do not block while a receiving process is stopped.
@@ -141,7 +141,7 @@ class ChannelBase {
   dds_entity_t writer_ = 0;
   dds_entity_t reader_ = 0;
   dds_entity_t waitset_ = 0;
-  // The topics, the publisher, the subscriber and the wait set, which are deleted with the channel.
+  // The topics, the publisher, the subscriber and the wait set.  They are deleted with the channel.
   std::vector<dds_entity_t> owned_;
   int batched_count_ = 0;
   size_t last_bulk_bytes_ = 0;
@@ -155,9 +155,9 @@ class Channel : public ChannelBase {
   using ChannelBase::ChannelBase;
 
   void Send(const Out& sample) { Write(&sample); }
-  // Keeps `sample`, to send it together with the next ones in one packet.  A sample of kBulkBytes
-  // or more is sent at once.  The kept samples are sent at the latest when Receive() finds no
-  // sample.
+  // Keeps `sample`, to send it together with the next samples in one packet.  A sample of
+  // kBulkBytes or more is sent at once.  The kept samples are sent at the latest when Receive()
+  // finds no sample.
   void SendBatched(const Out& sample) {
     BulkBytesOf(sample) < kBulkBytes ? WriteBatched(&sample) : Write(&sample);
   }

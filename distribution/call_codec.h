@@ -65,8 +65,8 @@ void CopyBytes(const std::string& bytes, T* value) {
   if (bytes.size() == sizeof(T)) std::memcpy(static_cast<void*>(value), bytes.data(), sizeof(T));
 }
 
-// Reads the numbers of a list one after the other.  After the last number, Next() returns 0,
-// because a faulty worker may send too few numbers.
+// Reads the numbers of a list one after the other.  A faulty worker may send too few numbers, so
+// Next() returns 0 after the last number.
 class NumberReader {
  public:
   explicit NumberReader(const std::vector<uint64_t>& numbers) : numbers_(numbers) {}
@@ -238,8 +238,8 @@ struct Parameter<T*> {
     }
   }
   Parameter(const CallArguments&, NumberReader*) {
-    // Clears the struct together with its padding: all its bytes are sent to the other process, so
-    // they must not contain old memory of this process.
+    // Clears the struct together with its padding.  All bytes of the struct are sent to the other
+    // process, so they must not contain old memory of this process.
     std::memset(static_cast<void*>(&value), 0, sizeof value);
   }
   T* argument() { return &value; }
@@ -254,8 +254,8 @@ struct Parameter<T*> {
   T value;
 };
 
-// The class, the parameters and the result of a member function, taken from its type.  They decide
-// how its calls are converted.
+// Converts calls of a member function.  The type of the function gives its class, its parameters
+// and its result.
 template <typename Function>
 struct Signature;
 template <typename Result_, typename Class_, typename... Parameters>

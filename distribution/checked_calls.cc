@@ -16,11 +16,12 @@
 namespace openr_host {
 namespace {
 
-// Limit of times in microseconds.  No program can give a longer time (RelativeTime, two 32-bit
-// numbers).  So a longer time is an error of the worker and is refused.
+// Longest time in microseconds that a worker may send.  No program can give a longer time, because
+// RelativeTime consists of two 32-bit numbers.  So a longer time is an error of the worker and is
+// refused.
 constexpr int64_t kTimeMaxUs = int64_t{1} << 53;
 
-constexpr uint64_t kResultMax = 1024;  // in bytes; no request of ControlPrimitive() returns more
+constexpr uint64_t kResultMax = 1024;  // bytes; no ControlPrimitive() request returns more
 
 bool IsTime(int64_t time_us) { return time_us >= 0 && time_us <= kTimeMaxUs; }
 

@@ -20,8 +20,8 @@ class CheckedCalls : public LocalCalls {
   // A function that returns whether an object runs in the worker.  The worker may act only for such
   // objects.
   using IsOwn = std::function<bool(ObjectId)>;
-  // A function that throws ProcessLost, with the message that the worker has sent `what` although
-  // it is not allowed.
+  // A function that throws ProcessLost.  The message says that the worker has sent `what`, which is
+  // not allowed.
   using Refuse = std::function<void(const std::string& what)>;
 
   CheckedCalls(System* system, IsOwn is_own, Refuse refuse)
@@ -42,7 +42,7 @@ class CheckedCalls : public LocalCalls {
   void PowerOff(int robot, const RunEnd& why) override;
 
   // Adds a finding (an error, warning or note for the report of the run) about the object `about`;
-  // kNoObject: about the system.
+  // if `about` is kNoObject, the finding is about the system.
   void AddFindingAbout(ObjectId about, Severity severity, std::string_view text);
 
   // ControlPrimitive() and SetColourTable() get the bytes of a block of memory in place of its
@@ -52,8 +52,8 @@ class CheckedCalls : public LocalCalls {
   // Copies `bytes` to `region`, then calls RobotServices::SetCdtVectorData().
   OStatus SetColourTable(uint32_t region, const std::string& bytes);
 
-  // Returns whether an object of the worker owns the region or has made it.  Both are tested,
-  // because an object may make a region and give it to an object in another process.
+  // Returns whether an object of the worker owns the region or has made it.  Tests both owner and
+  // maker, because an object may make a region and give it to an object in another process.
   bool HasRegion(uint32_t region) const;
 
   // Removes all pins of the worker's objects after the worker was lost.  A pin keeps the memory of

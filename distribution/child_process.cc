@@ -29,8 +29,8 @@ ChildProcess::ChildProcess(std::string name, const std::vector<std::string>& com
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   // Gives the child the default actions of SIGPIPE and SIGXFSZ.  This program ignores these
-  // signals, and a child would inherit that, but other programs, such as debuggers, expect that
-  // SIGPIPE ends them.
+  // signals, and a child would ignore them, too.  But other programs, such as debuggers, expect
+  // that SIGPIPE ends them.
   sigset_t signals;
   sigemptyset(&signals);
   sigaddset(&signals, SIGPIPE);

@@ -10,9 +10,9 @@ namespace openr_host {
 
 class ChildProcess {
  public:
-  // Starts `command`; its first word is searched for in PATH.  Standard output of the process goes
-  // to standard error of this one.  An interactive process, such as a debugger, shares the terminal
-  // and its process group.  Throws std::runtime_error.
+  // Starts `command`; its first word is searched for in PATH.  Standard output of the new process
+  // goes to standard error of this process.  An interactive process, such as a debugger, shares the
+  // terminal and its process group.  Throws std::runtime_error.
   ChildProcess(std::string name, const std::vector<std::string>& command, bool is_interactive);
   ~ChildProcess();  // kills the process if it has not ended
   ChildProcess(const ChildProcess&) = delete;
@@ -28,8 +28,8 @@ class ChildProcess {
   void WaitForEnd(int64_t limit_ms);
 
  private:
-  // Returns whether the process has ended, as the kernel knows it.  If `waits` is true, first waits
-  // for the end.
+  // Asks the kernel whether the process has ended, and returns the answer.  If `waits` is true,
+  // first waits for the end.
   bool UpdateStatus(bool waits);
 
   const std::string name_;

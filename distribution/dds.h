@@ -1,4 +1,4 @@
-// Dds(): the functions of Cyclone DDS that this program calls.
+// Declares Dds(), which returns the functions of Cyclone DDS that this program calls.
 //
 // The library is loaded by the first call of Dds() and not with the program: loading it, with
 // OpenSSL and iceoryx, takes a fifth of the start of a program, and most runs have one process and
@@ -32,8 +32,8 @@ namespace openr_host {
 
 // The functions of the loaded library, under their names.
 struct DdsFunctions {
-// dds_write_set_batch() is deprecated since version 0.10.5.  We use it all the same, because its
-// successor dds_qset_writer_batching() is not in version 0.10.2, which Debian 12 has.
+// dds_write_set_batch() is deprecated since version 0.10.5.  We still use it, because Debian 12 has
+// version 0.10.2, which lacks the successor dds_qset_writer_batching().
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wdeprecated-declarations"
 #define OPENR_DDS_POINTER(name) decltype(&::name) name;

@@ -22,8 +22,8 @@ struct DomainElement {
   std::string id = "any";
   bool has_security = false;
 
-  // Returns whether the element applies to `domain`.  Ids are compared as Cyclone DDS does, because
-  // the result must be the same.
+  // Returns whether the element applies to `domain`.  Compares ids in the way of Cyclone DDS, so
+  // that the result is the same as there.
   bool IsFor(int domain) const {
     if (IsSame(id.c_str(), "any")) return true;
     char* end = nullptr;
@@ -62,7 +62,7 @@ class SettingsFile {
       file->domains_.emplace_back();
     } else if (parent == kRoot) {
       file->has_others_ = true;
-    } else if (parent == kDomain && IsSame(name, "Id")) {  // older files have the id as an element
+    } else if (parent == kDomain && IsSame(name, "Id")) {  // in older files, Id is an element
       *element = kDomainId;
     } else if (parent == kDomain && (IsSame(name, "Security") || IsSame(name, "DDSSecurity"))) {
       file->domains_.back().has_security = true;

@@ -15,8 +15,8 @@ std::string JoinAdvice(const std::string& process, const std::string& host, cons
   // key of its own.
   if (!bus.config_file.empty()) text += " --dds-config FILE";
   if (host != bus.address)
-    text += " --stick DIR";  // DIR stands for a copy of the run's stick on
-                             // that host
+    // DIR stands for a copy of the run's stick on the host `host`.
+    text += " --stick DIR";
   return text;
 }
 

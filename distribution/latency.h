@@ -11,7 +11,8 @@ namespace openr_host {
 class Latency {
  public:
   // Measures the time from its construction to its destruction, and adds that time to two
-  // histograms: for example, that of a worker and that of an object of the worker.
+  // histograms: for example, the histogram of a worker and the histogram of an object of the
+  // worker.
   class Timer {
    public:
     Timer(Latency* first, Latency* second)
@@ -47,7 +48,8 @@ class Latency {
   uint64_t count_ = 0;
   int64_t max_ns_ = 0;
   double sum_ns_ = 0;
-  std::vector<uint64_t> buckets_;  // number of durations by length; 16 for each power of two
+  // Number of durations by length; 16 buckets for each power of two.
+  std::vector<uint64_t> buckets_;
 };
 
 }  // namespace openr_host

@@ -15,8 +15,7 @@ namespace openr_host {
 namespace {
 
 struct ProcessStat {
-  std::string state;  // process state, one letter of proc(5); "": hidden, or there is no such
-                      // process
+  std::string state;  // one letter, see proc(5); "": hidden, or no such process
   std::string start_time;
 };
 
@@ -59,10 +58,11 @@ bool LivenessCheck::HasEnded() const {
   if (pid_ == 0) return false;
   if (!Exists(pid_)) return true;
   const ProcessStat now = ProcessStatOf(pid_);
-  // Reports no end if the /proc entry is hidden (mount option hidepid), because we then know only
-  // that some process has this id.
+  // Reports that the process lives if its /proc entry is hidden (mount option hidepid).  We then
+  // know only that some process has this id.
   if (now.state.empty() || start_time_.empty()) return false;
-  // Takes a zombie (Z) for ended: its parent has only not read its status yet.
+  // Counts a zombie (Z) as ended.  A zombie runs no more; the kernel lists it only until its parent
+  // reads its exit status.
   return now.state == "Z" || now.state == "X" || now.start_time != start_time_;
 }
 

@@ -1,5 +1,5 @@
-// Tests whether a process of the same machine still runs; the process need not be a child of this
-// one.
+// Tests whether a process of the same machine still runs.  Unlike waitpid(), works for processes
+// that are not children of this process.
 #pragma once
 
 #include <cstdint>
@@ -7,9 +7,9 @@
 
 namespace openr_host {
 
-// Returns an id that is equal for processes that see the same process ids: it names one boot of one
-// kernel and one PID namespace.  A host name is not enough, because containers can share it.
-// Returns "" if the id cannot be read.
+// Returns an id that is equal for all processes that see the same process ids.  The id names one
+// boot of one kernel and one PID namespace.  A host name is not enough, because two containers can
+// have the same host name.  Returns "" if the id cannot be read.
 std::string MachineId();
 
 // Checks one process.  A default-constructed check reports that the process lives.
@@ -26,7 +26,7 @@ class LivenessCheck {
 
  private:
   int64_t pid_ = 0;         // 0: the process cannot be checked
-  std::string start_time_;  // start time in clock ticks since boot; "": hidden from this process
+  std::string start_time_;  // in clock ticks since boot; "": hidden from this process
 };
 
 }  // namespace openr_host

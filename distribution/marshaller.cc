@@ -114,8 +114,8 @@ void Marshaller::EncodeNotify(const Message& message, const PeerHasMemory& peer_
 }
 
 // Compares the region with the bytes that were received.  Most observers give a region back in the
-// handler that received it.  Then the sample is still there, and comparing with its bytes is faster
-// than computing a hash.  After that handler we compare hashes.
+// handler that received it.  Then the sample still exists, and a comparison with its bytes is
+// faster than a hash.  After that handler, the sample is released and we compare hashes.
 bool Marshaller::IsChanged(const RCRegion& region, const ImportedRegion& imported) {
   if (imported.bytes != nullptr)
     return std::memcmp(region.Base(), imported.bytes, region.Size()) != 0;
@@ -125,8 +125,8 @@ bool Marshaller::IsChanged(const RCRegion& region, const ImportedRegion& importe
 void Marshaller::ReleaseSample() {
   for (RCRegion* const region : sample_regions_) {
     const auto found = imported_.find(region);
-    // Skips a region that an observer has given back during the handler.  It is not imported any
-    // more, so its hash is not needed.
+    // Skips a region that an observer has given back during the handler.  Such a region is not
+    // imported any more, so its hash is not needed.
     if (found == imported_.end() || found->second.bytes == nullptr) continue;
     ImportedRegion& imported = found->second;
     imported.hash = HashBytes(std::exchange(imported.bytes, nullptr), region->Size());
@@ -341,8 +341,8 @@ std::string Marshaller::DecodeReady(const openr_wire_Ready& in, Message* out) {
   out->kind = PayloadKind::kReady;
   for (uint32_t i = 0; i < in.regions._length; ++i) {
     const openr_wire_ReturnedRegion& returned = in.regions._buffer[i];
-    // Ignores a region that TakeExportedBy() has released already, because the object of its
-    // subject was replaced.  Only its token is removed.
+    // Removes only the token of a region that TakeExportedBy() has released already because the
+    // object of its subject was replaced.
     const auto found = exported_.find(returned.token);
     if (withdrawn_.erase(returned.token) > 0) continue;
     if (found == exported_.end()) return "a ready with an unknown region";

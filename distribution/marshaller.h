@@ -7,8 +7,8 @@
 // A Marshaller exchanges messages with one other process, its peer.  A region that it sends is
 // exported until a ready message of the peer gives it back.  For a region that it receives
 // (imported), it creates an RCRegion with the same memory id; the region stays imported until a
-// ready message of this process gives it back.  Tokens are numbers that are looked up in a table,
-// so data from the network are never used as an address.
+// ready message of this process gives it back.  A token is a number that is looked up in a table,
+// so this process never uses data from the network as an address.
 #pragma once
 
 #include <cstdint>
@@ -32,9 +32,9 @@ class Marshaller {
   // not sent.  A null function means that the peer has no region.
   using PeerHasMemory = std::function<bool(uint32_t region)>;
 
-  // `makes_copies` is true in workers: a received region may be new to their region table, so the
-  // table gets a copy of its memory.  It is false in the master, which assigns region ids and so
-  // knows every region.
+  // `makes_copies` is true in workers.  A received region may be new to the region table of a
+  // worker, so the table then gets a copy of the region's memory.  `makes_copies` is false in the
+  // master, because the master assigns region ids and so knows every region.
   Marshaller(System* system, bool makes_copies) : system_(system), makes_copies_(makes_copies) {}
   Marshaller(const Marshaller&) = delete;
   Marshaller& operator=(const Marshaller&) = delete;
@@ -69,18 +69,18 @@ class Marshaller {
   struct ExportedRegion {
     RCRegion* region;
     size_t size;
-    int32_t subject;  // object and selector of the sending subject
+    int32_t subject;  // object of the sending subject; its selector follows
     uint32_t subject_selector;
-    int32_t observer;  // object and selector of the receiving observer
+    int32_t observer;  // object of the receiving observer; its selector follows
     uint32_t observer_selector;
   };
   // Returns all regions that were sent to the peer and not given back, and forgets them.  Called
   // when the peer is lost, because a lost peer gives no region back.
   std::vector<ExportedRegion> TakeExported();
   // Returns the regions that the subjects of object `subject` have sent and that were not given
-  // back, and forgets them.  Called when this object was replaced: its regions are then released
-  // without waiting for the peer.  The peer may still use these regions, so its later ready
-  // messages for them are accepted and ignored.
+  // back, and forgets them.  Called when this object was replaced, because its regions are then
+  // released without waiting for the peer.  The peer may still use these regions, so its later
+  // ready messages for them are accepted and ignored.
   std::vector<RCRegion*> TakeExportedBy(ObjectId subject);
 
   // Returns the tokens of the regions that ReleaseImported() has released and whose memory is not
@@ -91,8 +91,8 @@ class Marshaller {
   // `tokens` is the result of TakeDroppedTokens() in the peer.
   void PeerDropped(const std::vector<uint64_t>& tokens);
 
-  // Handles the loss of the peer: forgets its tokens, because no ready message can give a region
-  // back to it any more.
+  // Forgets the tokens of the peer, because the peer was lost and no ready message can give a
+  // region back to it any more.
   void PeerIsLost();
 
   // Releases a region that was received from the peer, without a ready message.  Called when the
@@ -131,8 +131,8 @@ class Marshaller {
   // token.  The ids are kept so that a late ready message for such a region is not taken for an
   // error.
   std::map<uint64_t, uint32_t> withdrawn_;
-  // Imported regions, by their RCRegion.  The order of pointers differs from run to run, so we
-  // iterate over the map only where the order does not matter.
+  // Imported regions, by their RCRegion.  The order of pointers differs from run to run, so loops
+  // over this map must give the same result in any order.
   std::map<RCRegion*, ImportedRegion> imported_;
   std::map<uint64_t, uint32_t> dropped_;   // key: token; value: memory id; see TakeDroppedTokens()
   std::vector<RCRegion*> sample_regions_;  // received regions whose ImportedRegion::bytes is set

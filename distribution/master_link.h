@@ -17,9 +17,9 @@ class MasterLink {
   // Posts `message` as SystemCalls::Post() does.
   virtual int32_t Post(OwnedMessage message, int64_t delay_us) = 0;
 
-  // Both functions make the master call the function with number `function` in WorkerCallList.
-  // Ask() waits and returns the result.  Tell() does not wait and has no result.  The arguments of
-  // Tell() must have no `bytes`, because its samples have no member for them.
+  // Tell() and Ask() make the master call function number `function` of WorkerCallList.  Ask()
+  // waits and returns the result.  Tell() does not wait and has no result.  The arguments of Tell()
+  // must have no `bytes`, because the samples that it sends have no member for bytes.
   virtual void Tell(uint32_t function, const CallArguments& arguments) = 0;
   virtual CallResult Ask(uint32_t function, const CallArguments& arguments) = 0;
 

@@ -17,8 +17,8 @@ namespace {
 constexpr auto kInterval = std::chrono::seconds(1);
 constexpr double kIntervalMin_s = 1e-3;  // rates are computed over at least this time
 
-// Copies the rates of the previous status `before` to the final one.  Rates cannot be computed for
-// the final status, because little time may have passed since the previous one.
+// Copies the rates of `before`, the previous status, to the final status.  No rates are computed
+// for the final status, because too little time may have passed since the previous status.
 void KeepRates(const RunStatus& before, RunStatus* status) {
   status->x_real_time = before.x_real_time;
   status->messages_per_s = before.messages_per_s;
@@ -45,8 +45,8 @@ void Monitor::Publish(Clock::time_point now, bool has_ended) {
     return std::chrono::duration<double>(time).count();
   };
   const double passed_s = std::max(seconds(now - std::exchange(published_, now)), kIntervalMin_s);
-  // Computes a rate.  If a count is less than the old count, takes all of it as new, because an
-  // object in a restarted worker counts from 0 again.
+  // Computes a rate.  An object in a restarted worker counts from 0 again, so a count below the old
+  // count is taken as the increase.
   const auto rate = [passed_s](uint64_t count, uint64_t* before) {
     const uint64_t old = std::exchange(*before, count);
     return static_cast<double>(count < old ? count : count - old) / passed_s;

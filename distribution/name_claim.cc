@@ -17,11 +17,11 @@ constexpr char kClaimTopic[] = "openr_run";  // no sample is ever sent on it
 // Number of digits of the time in a claim: nanoseconds since 1970 with leading zeros, so that
 // comparing claims as text compares their times.
 constexpr size_t kSinceDigits = 20;
-constexpr size_t kClaimsMax = 64;  // number of claims of other runs that are compared at most
+constexpr size_t kClaimsMax = 64;  // largest number of claims that are compared
 
 // Makes a claim "TIME pid PID on HOST".  The run with the earlier claim keeps the name.  Both runs
-// compare the same two texts.  So they agree which run gives way, even if the clocks of their hosts
-// differ.
+// compare the same two texts.  So both runs agree on which of them gives way, even if the clocks of
+// their hosts differ.
 std::string NewClaim() {
   const auto since =
       std::chrono::system_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
@@ -38,8 +38,8 @@ dds_qos_t* ClaimQos(const Bus& bus) {
   return qos;
 }
 
-// Returns the claim that another run has put into the user data of its `writer`; "" if there is
-// none.
+// Returns the claim that another run has put into the user data of its `writer`; "" if the writer
+// has no claim.
 std::string ClaimOf(dds_entity_t reader, dds_instance_handle_t writer) {
   dds_builtintopic_endpoint_t* const endpoint =
       Dds().dds_get_matched_publication_data(reader, writer);

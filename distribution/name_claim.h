@@ -17,8 +17,9 @@ class NameClaim {
   // Returns the run that has claimed the name earlier, as "pid 12 on host", or "".
   std::string EarlierRun() const;
 
-  // Makes this claim the earliest of all, because a worker has joined this run: every run of the
-  // same name that still waits for workers has to give way, whatever the clocks of the hosts say.
+  // Makes this claim earlier than every claim with a real time.  Called when a worker has joined
+  // this run.  Every run of the same name that still waits for workers must then give way, whatever
+  // the clocks of the hosts say.
   void MakePermanent();
 
  private:

@@ -14,8 +14,8 @@
 namespace openr_host {
 namespace {
 
-// Returns whether `text` is a valid name.  Names become DDS partitions, in which '*' and '?' are
-// wildcards.
+// Returns whether `text` is a valid name.  Allows few characters, because names become DDS
+// partitions, in which '*' and '?' are wildcards.
 bool IsName(std::string_view text) {
   return !text.empty() && text.size() <= 64 && std::all_of(text.begin(), text.end(), [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-' || c == '.';

@@ -16,12 +16,12 @@ namespace {
 // Time for a process to join after it has got a session.  After this time another process that asks
 // to join gets a new session in its place.  So a process that never joins does not keep the slot.
 constexpr int64_t kSessionClaimMs = 5'000;
-// Limit of the length of a requester's id, far above that of a real one ("host-1234-5").  Requests
-// with longer ids are ignored, because they come from the network and may be forged.
+// Limit of the length of a requester's id.  A real id, such as "host-1234-5", is far shorter.
+// Requests with longer ids are ignored, because they come from the network and may be forged.
 constexpr size_t kRequesterIdMax = 256;
 constexpr int64_t kLivenessIntervalMs = 100;  // interval of liveness checks
-// Limit of abandoned workers that are remembered; the oldest one is forgotten first.  Each keeps
-// its channel, so without a limit many losses would keep many channels.
+// Largest number of abandoned workers that are remembered; the oldest is forgotten first.  Each of
+// them keeps its channel open, so without a limit many losses would leave many open channels.
 constexpr size_t kAbandonedMax = 4;
 
 }  // namespace
@@ -107,7 +107,8 @@ void ProcessSlot::NotifyAbandoned() {
   }
 }
 
-// Asks the kernel only every kLivenessIntervalMs, because a fast run calls this function often.
+// Asks the kernel only every kLivenessIntervalMs whether the process still exists, because a fast
+// run calls HasEnded() often.
 bool ProcessSlot::HasEnded() const {
   if (!has_joined_ || WallClockMs() < next_check_ms_) return false;
   next_check_ms_ = WallClockMs() + kLivenessIntervalMs;
@@ -115,8 +116,8 @@ bool ProcessSlot::HasEnded() const {
 }
 
 // Answers one join request.  A requester repeats its request until it has an answer, so a request
-// may also be ignored for now.  In this way a second requester waits until the first one has joined
-// or the first one's session has expired.
+// may also be ignored for now.  In this way a second requester waits until the first requester has
+// joined or its session has expired.
 void ProcessSlot::AnswerJoinRequest(const openr_wire_JoinRequest& request) {
   WireArena arena;
   openr_wire_JoinAnswer answer{};
@@ -139,7 +140,7 @@ void ProcessSlot::AnswerJoinRequest(const openr_wire_JoinRequest& request) {
                                             process_, identity_.pid, identity_.host));
   } else if (channel_ != nullptr && requester_id_ != id &&
              WallClockMs() - session_opened_ms_ < kSessionClaimMs) {
-    return;  // another requester has the session; this one asks again
+    return;  // another requester has the session; this requester asks again
   } else {
     // If a requester repeats its request, gives it the same session again, so that it does not
     // matter which of the answers the requester receives.
@@ -167,9 +168,8 @@ bool ProcessSlot::ReceiveHello(int timeout_ms) {
     throw ProcessLost(fmt::format("process '{}' sent something before its name", process_));
   const openr_wire_Hello& hello = to_master->body._u.hello;
   identity_ = {StringOf(hello.host), hello.pid};
-  // Prepares to check by the process id whether an external worker still exists.  For a worker that
-  // the master has started this is not needed: it is the master's child, so the kernel reports its
-  // end.
+  // Prepares to check by the process id whether an external worker still exists.  A worker that the
+  // master has started needs no such check, because the kernel reports the end of a child.
   if (join_channel_ != nullptr) liveness_ = LivenessCheck(StringOf(hello.machine), hello.pid);
   next_check_ms_ = 0;
   if (hello.version != openr_wire_VERSION)

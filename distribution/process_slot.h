@@ -1,10 +1,10 @@
-// The master's place for one worker process: which process may join, and which one has joined.
+// The master's place for one worker process: which process may join, and which process has joined.
 //
-// Each process that joins gets a session, which has a name of its own.  Its Channel is in the
-// partition RUN/PROCESS/SESSION, so samples for a lost process never reach the next one.  A worker
-// that the master has started gets the session on its command line.  An external worker, which a
-// user starts with openr join, sends a JoinRequest on two topics in the partition RUN/PROCESS.  The
-// JoinAnswer has the session, or the reason why there is none.
+// Each process that joins gets a session, which has a name of its own.  The Channel of a session is
+// in the partition RUN/PROCESS/SESSION, so samples for a lost process never reach the next process.
+// A worker that the master has started gets the session on its command line.  An external worker,
+// which a user starts with openr join, sends a JoinRequest on two topics in the partition
+// RUN/PROCESS.  The JoinAnswer of the master has the session, or the reason of a refusal.
 #pragma once
 
 #include <cstdint>
@@ -38,8 +38,8 @@ std::string HostName();
 // Returns the process that has made a session name: "pid 1234 on host" for "host-1234-5".
 std::string MakerOf(const std::string& session);
 
-// The place in the run for the worker of one name.  Different processes may take it one after the
-// other, but at most one at any time.
+// The place in the run for the worker of one name.  Different processes may take this place one
+// after the other, but only one process has it at any time.
 class ProcessSlot {
  public:
   struct Identity {  // the host and process id that the worker reports in its Hello
@@ -76,8 +76,8 @@ class ProcessSlot {
   // The channel to the worker that has joined or is joining; null if there is no such worker.
   MasterChannel* channel() const { return channel_.get(); }
   const Identity& identity() const { return identity_; }
-  // The host and process id of the present worker, for reports.  Until that worker has sent its
-  // Hello, the host and process id of the worker before.
+  // Returns the host and process id of the present worker, for reports.  Until that worker has sent
+  // its Hello, returns host and process id of the previous worker.
   const Identity& last_identity() const { return identity_.pid == 0 ? previous_ : identity_; }
 
  private:
@@ -90,7 +90,7 @@ class ProcessSlot {
   const std::string process_;
   std::unique_ptr<MasterJoinChannel> join_channel_;
   std::unique_ptr<MasterChannel> channel_;
-  // An external worker that the master has given up, and that may not know it yet.
+  // An external worker that the master has given up.  The worker may not know this yet.
   struct Abandoned {
     std::unique_ptr<MasterChannel> channel;
     bool is_notified = false;

@@ -39,9 +39,9 @@ struct CallTargets {
   }
 };
 
-// Returns whether a worker may call the function while no handler runs, so without a current
-// object.  Workers call the functions of this list also while they load their objects.  All other
-// calls without a current object are ignored.
+// Returns whether a worker may call function number `function` while no handler runs and there is
+// no current object.  Workers call the functions of this list also while they load their objects.
+// All other calls without a current object are ignored.
 bool MayLackCaller(uint32_t function) {
   constexpr uint32_t kFunctions[] = {
       WorkerCallList::NumberOf<&SystemCalls::DeleteRegion>(),
@@ -128,15 +128,15 @@ bool RemoteProcess::Answers(const Message& message, const Object* self) {
          (message.is_reply ? message.target : message.sender) == request->sender;
 }
 
-// Returns whether the worker may send bytes of `region`: the region belongs to an object of the
-// worker or was sent to the worker.
+// Returns whether the worker may send bytes of `region`.  It may if the region belongs to an object
+// of the worker or was sent to the worker.
 bool RemoteProcess::MayUse(uint32_t region) const {
   return calls_->HasRegion(region) || marshaller_->HasExported(region);
 }
 
-// Refuses a message if its sender, or its sending subject or observer, is not `self`; if `self` is
-// null, any object of this worker may send.  A request that the handler forwards keeps the name of
-// its original sender, so that name is accepted, too.
+// Refuses a message if its sender, or the object of its subject or observer, is not `self`.  If
+// `self` is null, any object of this worker may be the sender.  A request that the handler forwards
+// keeps the name of its original sender, so that name is accepted, too.
 void RemoteProcess::CheckEnds(const openr_wire_Message& in, const Object* self) {
   const auto is_own = [&](ObjectId id) {
     return self == nullptr ? id == kNoObject || objects_.contains(id) : id == self->id;
@@ -184,8 +184,8 @@ int32_t RemoteProcess::Post(const openr_wire_PostedMessage& posted, Object* self
   message->cause = cause;
   message->message_class = message_class;
   if (message->is_reply) {
-    // Refuses a reply if the object that asked has closed its reply box meanwhile; a run with one
-    // process does so too.
+    // Refuses a reply if the object that asked has closed its reply box meanwhile.  A run with one
+    // process refuses such a reply, too.
     const Object* const asker = system_->object(message->target);
     if (asker == nullptr || !asker->boxes.open.contains(message->reply_box)) return sRBOXWASCLEANED;
   }
@@ -197,8 +197,8 @@ int32_t RemoteProcess::Post(const openr_wire_PostedMessage& posted, Object* self
   // Marks the request as answered.  Without this mark the master would answer it again if the
   // worker is lost before the handler ends (RemoteObject::SendEmptyReply()).
   if (answers && error == sSUCCESS) self->handler.running->reply_box = 0;
-  // Records that the observer is not ready any more: it has got a notification, and must assert
-  // ready again before the next notification.
+  // Records that the observer is not ready any more.  After a notification, an observer must assert
+  // ready again before it gets the next notification.
   if (is_notify && error == sSUCCESS) objects_.at(self->id)->UseReady(used);
   return error;
 }

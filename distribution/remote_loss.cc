@@ -62,8 +62,8 @@ void RemoteProcess::ReleaseAll() {
     if (object->handler.blocked != nullptr) WakeHandler(id, object->handler.blocked_box);
   }
   calls_->ReleasePins();
-  // Removes the dropped counts and the heap use of the lost process, because those of the next
-  // process begin at 0.
+  // Removes the dropped counts and the heap use of the lost process, because the next process
+  // counts from 0.
   dropped_.clear();
   for (const auto& [robot, bytes] : std::exchange(heap_by_robot_, {}))
     system_->robot(robot).memory.used_bytes -= bytes;
@@ -75,8 +75,8 @@ void RemoteProcess::ReleaseAll() {
 
 void RemoteProcess::Rejoin(const std::map<ObjectId, RemoteObject*>& objects) {
   objects_ = objects;
-  // Changes the number of the session.  Functions that still wait for the old process compare the
-  // number and so see that this process has ended.
+  // Changes the number of the session.  Functions that still wait for the old process see by this
+  // number that the old process has ended.
   ++session_;
   is_lost_ = false;
   loss_.clear();

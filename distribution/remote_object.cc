@@ -58,8 +58,8 @@ bool RemoteObject::Run() {
 }
 
 void RemoteObject::RecordReady() {
-  // Records in the master the observers that are ready.  A restarted worker must be told, because
-  // only the process before it knew them.
+  // Records in the master the observers that are ready.  A restarted worker must be told of them,
+  // because only the lost process knew them.
   const auto& ready = *reinterpret_cast<const OReadyMessage*>(handler.running->payload);
   const StandingReady standing = {handler.running->selector, ObjectIdOf(ready.observerID.GetOID()),
                                   ready.observerID.GetSelector()};
@@ -97,9 +97,9 @@ void RemoteObject::HandleUndelivered(const Message& message) {
   SendEmptyReply(message);
 }
 
-// Answers `request` in place of the lost worker, so that its sender does not wait for ever.  The
-// answer is empty, except for DoInit to DoDestroy: the object manager, which sends these, expects a
-// status and gets oSUCCESS.
+// Answers `request` in place of the lost worker, so that the sender of the request does not wait
+// for ever.  The answer is empty, except for DoInit to DoDestroy: the object manager, which sends
+// these, expects a status and gets oSUCCESS.
 void RemoteObject::SendEmptyReply(const Message& request) {
   if (request.reply_box == 0) return;
   const CurrentScope scope(system, this);

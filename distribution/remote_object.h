@@ -1,5 +1,4 @@
-// RemoteObject, the stand-in: the master's object in place of an object whose code runs in a
-// worker.
+// RemoteObject: the master's stand-in for an object whose code runs in a worker.
 #pragma once
 
 #include <OPENR/ObjcommTypes.h>
@@ -39,8 +38,8 @@ class RemoteObject : public Object {
   // loaded the object.
   void SetDescription(const openr_wire_LoadedObject& loaded);
 
-  // Number of messages that were to be delivered to the object after its worker was lost.  No
-  // handler ran for them.
+  // Number of messages that came for the object after its worker was lost.  No handler ran for
+  // these messages.
   uint64_t undelivered_count = 0;
   // Number of notifications that waited in the object's subjects, for observers that were not
   // ready, when its last handler ended.  These notifications are lost with the worker; the report
@@ -48,7 +47,7 @@ class RemoteObject : public Object {
   uint64_t pending_count = 0;
   uint64_t heap_max = 0;  // the most bytes of heap that the object has used
 
-  // Makes the RemoteObject that replaces this one when the worker is restarted.
+  // Makes the RemoteObject that replaces this RemoteObject when the worker is restarted.
   std::unique_ptr<RemoteObject> NewInstance() const;
 
   // Records that a subject of this object has notified the observer `ready`.  From then on this
@@ -60,8 +59,8 @@ class RemoteObject : public Object {
 
   std::vector<StandingReady> StandingReadies() const override;
   void ReturnRegion(RCRegion* region) override;
-  void HandleUndelivered(
-      const Message& message) override;  // also sends an empty reply if the sender waits for one
+  // Also sends an empty reply if the sender waits for a reply.
+  void HandleUndelivered(const Message& message) override;
   bool IsLost() const override;
   bool IsAtWorkElsewhere() const override;
   bool HasEntry(uint32_t selector) const override { return selectors_.contains(selector); }
@@ -77,7 +76,7 @@ class RemoteObject : public Object {
   const LossListener lost_;
   std::set<uint32_t> selectors_;
   // Observers that have asserted ready to a subject of this object and were not notified since
-  // then.  A restarted worker gets these asserts again, because only the lost process knew them.
+  // then.  Only the lost process knew these asserts, so a restarted worker gets them again.
   std::set<StandingReady> readies_;
 };
 

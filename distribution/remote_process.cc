@@ -22,12 +22,12 @@ constexpr int kWorkerPollMs = 10;
 // Time after which the user is told to start an external worker.  A worker that has already been
 // started joins in less time, and the user is told nothing.
 constexpr int64_t kJoinNoticeMs = 300;
-// Time to wait for the last samples of a worker that has ended.  These samples are already on their
-// way; a goodbye among them has the reason of the end.
+// Time to wait for the last samples of a worker that has ended, because they may still be on their
+// way.  A goodbye among them has the reason of the end.
 constexpr int kGoodbyeWaitMs = 50;
 constexpr int64_t kShortTimeoutMs = 500;  // limit for an answer while the run is brought down
 constexpr int kEndFlushMs = 1'000;        // time for the worker to receive the end of the run
-constexpr int64_t kSilenceMs = 2'000;     // the user is told after this time without an answer
+constexpr int64_t kSilenceMs = 2'000;     // after this time without an answer, the user is told
 // First number of the reply boxes by which the master waits for handlers in a free run.  Boxes of
 // objects count from 1 and never get so large, so the two kinds of boxes stay different.
 constexpr uint64_t kFirstWakeBox = uint64_t{1} << 40;
@@ -239,10 +239,10 @@ bool RemoteProcess::RunHandler(RemoteObject* object, const Message& message) {
     openr_wire_Deliver& deliver = to_worker.body._u.deliver;
     deliver.now_us = system_->now_us();
     deliver.heap_elsewhere = HeapElsewhere(system_, object->robot);
-    // Returns whether the worker has the bytes of a region, so that they need not be sent.  It has
-    // them if one of its objects has made the region, even if another object owns the region now.
-    // A restarted worker does not have the bytes of the lost process.  For these regions MakerOf()
-    // returns kNoObject, because the objects that made them were unloaded.
+    // Returns whether the worker has the bytes of a region, so that they need not be sent.  The
+    // worker has them if one of its objects has made the region, even if another object owns the
+    // region now.  A restarted worker does not have the regions of the lost process; for these,
+    // MakerOf() returns kNoObject, because the objects that made them were unloaded.
     const auto is_there = [this](uint32_t region) {
       return objects_.contains(system_->regions().MakerOf(region));
     };
@@ -311,8 +311,8 @@ std::optional<RemoteProcess::Stop> RemoteProcess::WaitForStopInFreeRun(RemoteObj
   const uint64_t session = session_;
   const uint64_t box = kFirstWakeBox + ++wake_box_count_;
   object->boxes.open.insert(box);
-  // Begins to measure the worker's silence now, when it gets work, because an idle worker sends
-  // nothing.
+  // Measures the worker's silence from now on, because the worker gets work now and an idle worker
+  // sends nothing.
   if (running_.empty()) last_heard_ms_ = WallClockMs();
   const bool is_new = running_.emplace(object->id, box).second;
   ASSERT(is_new, "{} runs a handler already", object->name);
@@ -371,7 +371,7 @@ void RemoteProcess::CheckHealth() {
     const std::string problem = FindProblem();
     if (problem.empty()) return;
     if (const ReceivedSample last = slot_.channel()->Receive(kGoodbyeWaitMs))
-      return HandleFreeSample(*last);  // if it is a goodbye, it has a better reason
+      return HandleFreeSample(*last);  // a goodbye has a better reason than `problem`
     throw ProcessLost(problem);
   });
 }
@@ -447,7 +447,7 @@ void RemoteProcess::ResumeWithLine(RemoteObject* object, const Stop& stop, uint6
 }
 
 std::string RemoteProcess::FetchState(ObjectId object) {
-  if (is_free_) return "";  // the object has gone on, so its state does not belong to this instant
+  if (is_free_) return "";  // in a free run the object runs on, so its state is not fixed
   openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_ASK_STATE);
   to_worker.body._u.state_of = object;
   Send(to_worker);
@@ -456,8 +456,8 @@ std::string RemoteProcess::FetchState(ObjectId object) {
   const openr_wire_State& state = to_master->body._u.state;
   for (uint32_t i = 0; i < state.regions._length; ++i) {
     const openr_wire_RegionBytes& in = state.regions._buffer[i];
-    // Skips a region that was received in a notification and not given back.  The observer may have
-    // changed this region, so the master's copy may be newer than the worker's.
+    // Skips a region that the master has received in a notification and not given back.  An
+    // observer may have changed the region, so the master's copy may be newer than the worker's.
     if (marshaller_->HasImported(in.region)) continue;
     char* const base = system_->regions().BaseOf(in.region);
     if (base == nullptr || in.bytes._length != system_->regions().SizeOf(in.region))

@@ -85,8 +85,8 @@ class RemoteProcess {
   // the master for the worker's objects; they have replaced the old stand-ins.
   void Rejoin(const std::map<ObjectId, RemoteObject*>& objects);
 
-  // Makes the worker drop its connections to object `id` of another process.  This object has been
-  // replaced, and the new one is connected anew.
+  // Makes the worker drop its connections to object `id` of another process.  A new object has
+  // replaced this object and will be connected again.
   void Forget(ObjectId id);
 
   // Switches to free running: the master does not wait while a handler runs in the worker.  Only
@@ -140,17 +140,17 @@ class RemoteProcess {
 
   // The reason of a loss that HandleReceived() or CheckHealth() has found; "" if there was none.
   const std::string& loss() const { return loss_; }
-  // Return whether a handler brought the worker down, and the object of this handler, or kNoObject
-  // if the object is not known.
+  // Returns whether a handler has ended the worker, for instance by a crash.
   bool has_crashed() const { return crashed_; }
+  // Returns the object of the handler that has ended the worker; kNoObject if it is not known.
   ObjectId crashed_object() const { return crashed_object_; }
 
   // Releases a memory region that was received from the worker, without a ready message.  To be
   // called when the object that sent the region was lost or replaced, because then no subject waits
   // for the region.
   void ReturnRegion(RCRegion* region);
-  // Handles a message that the lost worker did not receive.  If it is a ready message, releases the
-  // regions that it gives back.  Messages of other kinds are ignored.
+  // Handles a message that the lost worker did not receive.  If `message` is a ready message,
+  // releases the regions that it gives back.  Messages of other kinds are ignored.
   void HandleUndelivered(const Message& message);
 
   // Returns the problem of the worker, or "".  Needs no answer of the worker, so it also finds the
@@ -225,8 +225,7 @@ class RemoteProcess {
   // Object::dropped_count of the worker's objects, as the worker has reported it last.  The master
   // adds only the increase to its own count.
   std::map<ObjectId, uint64_t> dropped_;
-  std::map<int, uint64_t> heap_by_robot_;  // key: robot; value: bytes of heap used by the worker's
-                                           // objects
+  std::map<int, uint64_t> heap_by_robot_;  // robot: heap bytes of the worker's objects
   bool is_lost_ = false;
   Latency latency_;
   std::map<ObjectId, Latency> latency_of_;
@@ -236,8 +235,8 @@ class RemoteProcess {
   // HandleFreeSample() posts this reply when the handler has stopped.
   bool is_free_ = false;
   uint64_t wake_box_count_ = 0;           // number of reply boxes made for these waits
-  std::map<ObjectId, uint64_t> running_;  // the box of each such wait, by object
-  std::map<ObjectId, Stop> stops_;        // key: object; value: the box of the wait for its handler
+  std::map<ObjectId, uint64_t> running_;  // object: the box for which its stand-in waits
+  std::map<ObjectId, Stop> stops_;        // object: why its handler has stopped
   // The time of the worker's last sample, or the time when an idle worker was given work.
   // ReportSilence() compares it with the present time.
   int64_t last_heard_ms_ = 0;

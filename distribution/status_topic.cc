@@ -10,7 +10,7 @@ namespace openr_host {
 namespace {
 
 constexpr char kStatusTopic[] = "openr_status";
-constexpr int kStatusRunsMax = 256;  // limit of runs whose newest status is kept
+constexpr int kStatusRunsMax = 256;  // largest number of runs whose status is kept
 
 dds_qos_t* StatusQos(const std::string& partition) {
   dds_qos_t* const qos = Dds().dds_create_qos();
@@ -182,7 +182,7 @@ std::vector<RunStatus> StatusReader::Take() {
     if (info.valid_data) {
       all.push_back(Decode(status));
     } else {
-      RunStatus gone;  // no valid data means that the writer has gone; only the key is set
+      RunStatus gone;  // the writer has gone, so only the key is set
       gone.run = Printable(status.run);
       gone.host = Printable(status.host);
       gone.pid = status.pid;

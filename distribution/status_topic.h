@@ -16,7 +16,7 @@ class StatusWriter {
   // Creates a writer in the partition of the bus's run.  Throws std::runtime_error.
   explicit StatusWriter(Bus* bus);
 
-  // Sends `status` if that is possible without waiting; else drops it.
+  // Sends `status` if this is possible without waiting; otherwise drops it.
   void Write(const RunStatus& status);
 
  private:

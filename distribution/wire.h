@@ -51,8 +51,8 @@ class WireArena {
     return View(kept, size);
   }
 
-  // Returns bytes that are not copied: `data` must stay unchanged until the sample has been
-  // written.
+  // Returns a sequence that points to `data`, without a copy.  So `data` must stay unchanged until
+  // the sample has been written.
   static openr_wire_Bytes View(const void* data, size_t size) {
     const auto count = static_cast<uint32_t>(size);
     return {count, count, static_cast<uint8_t*>(const_cast<void*>(data)), false};
@@ -81,8 +81,8 @@ size_t BulkBytesOf(const Sample&) {
   return 0;
 }
 inline size_t BulkBytesOf(const openr_wire_Answer& answer) { return answer.bytes._length; }
-// Returns how many bytes of memory regions the items of a sequence contain, each in its member
-// `bytes`.
+// Returns how many bytes of memory regions the items of a sequence contain.  Each item has them in
+// its member `bytes`.
 template <typename Seq>
 size_t BytesIn(const Seq& items) {
   return std::accumulate(items._buffer, items._buffer + items._length, size_t{0},

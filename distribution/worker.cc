@@ -23,8 +23,8 @@ namespace {
 
 constexpr int kMasterPollMs = 100;      // interval of checks that the master still exists
 constexpr int kGoodbyeFlushMs = 1'000;  // time for the master to receive a goodbye
-// Time that a crashed process waits until the master has received its report.  The limit is long,
-// because the process ends then and cannot repeat the report.
+// Longest time that a crashed process waits until the master has received its report.  The time is
+// long, because the process ends afterwards and cannot repeat the report.
 constexpr int kCrashFlushMs = 3'000;
 // In a free run, effects of earlier handlers are kept while a fast handler runs, to share a packet
 // with its own effects.  A handler is fast if it takes less than this time, so that no effect is
@@ -59,8 +59,8 @@ void Worker::MoveEffectsTo(openr_wire_ToMaster* to_master) {
 }
 
 Worker::ReceivedSample Worker::Next(bool answer) {
-  // Obeys a request of the user to end this process only between two handlers, so that the effects
-  // of a handler are sent as a whole.
+  // Ends at the user's request only between two handlers, so that the effects of a handler are sent
+  // as a whole.
   if (!answer && IsEndRequested()) return {channel_.get(), nullptr};
   if (!answer && !deferred_.empty()) {
     ReceivedSample sample = std::move(deferred_.front());
@@ -115,8 +115,8 @@ std::string Worker::RequestSession() {
   for (int64_t waited_ms = 0; waited_ms < options_.master_wait_ms && !IsEndRequested();
        waited_ms += kJoinRetryMs) {
     if (!WaitFor(join_channel)) return NoRunFound();
-    // Repeats the request, because the last one may have gone to a run that was ending and did not
-    // answer.
+    // Repeats the request, because the last request may have gone to a run that was ending and did
+    // not answer.
     join_channel.Send(request);
     const auto answer = join_channel.Receive(kJoinRetryMs);
     if (!answer || StringOf(answer->id) != id) continue;
@@ -163,7 +163,7 @@ std::string Worker::SetUp(const openr_wire_Welcome& welcome) {
   options.guard_regions = welcome.guard;
   options.measure_stacks = welcome.measure;
   options.log_level = welcome.log_level;
-  options.free_deliveries = INT64_MAX;  // no limit here: the master counts them
+  options.free_deliveries = INT64_MAX;  // no limit here, because the master counts deliveries
   options.make_calls = [this](System* system) {
     return std::make_unique<WorkerCalls>(system, this);
   };
@@ -208,7 +208,7 @@ void Worker::SayGoodbye(const std::string& text) {
   try {
     channel_->Send(to_master);
     channel_->WaitForAcks(kGoodbyeFlushMs);
-  } catch (const std::exception&) {  // no goodbye, then: the master notices the end anyway
+  } catch (const std::exception&) {  // ignored: the master notices the end without a goodbye, too
   }
 }
 
@@ -299,9 +299,10 @@ void Worker::Deliver(const openr_wire_Deliver& deliver, bool timed_out) {
   SendStopped(object);
 }
 
-// Runs a handler in a free run, and measures whether it is fast.  If the last handler of this
-// object was fast, kept effects of earlier handlers are sent together with those of this handler.
-// If not, they are sent first, so that they do not wait for a slow handler.
+// Runs a handler in a free run, and measures whether the handler is fast.  If the last handler of
+// this object was fast, effects of earlier handlers that were kept are sent together with the
+// effects of this handler.  If not, they are sent first, so that they do not wait for a slow
+// handler.
 void Worker::RunTimed(ObjectId id) {
   if (!fast_objects_.contains(id)) channel_->FlushBatch();
   const int64_t begin_ns = WallClockNs();
@@ -343,8 +344,8 @@ void Worker::SendStopped(Object* object) {
   stopped.object = object->id;
   stopped.kind = openr_wire_STOP_DONE;
   stopped.timeout_us = -1;
-  // Sends the reason of the wait if the handler has an element in waits_: it has not returned, but
-  // waits for a reply or a line.
+  // Sends the reason of the wait if the object has an element in waits_.  Its handler has then not
+  // returned but waits for a reply or a line.
   if (const auto found = waits_.find(object->id); found != waits_.end()) {
     stopped.kind = found->second.kind;
     stopped.box = found->second.box;

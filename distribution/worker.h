@@ -2,9 +2,9 @@
 //
 // The System of a worker has all objects of the run in its tables, with the same ids, but code only
 // for its own objects.  A worker does one thing at a time: the master sends a message, the handler
-// runs, and all its effects (messages and calls for the master) go back in one sample.  If a
-// handler needs an answer of the master, the worker waits for the answer before the handler goes
-// on.
+// of the message runs, and all effects of the handler (messages and calls for the master) go back
+// in one sample.  If a handler needs an answer of the master, the worker waits for the answer
+// before the handler goes on.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,7 @@ struct WorkerOptions {
   std::string session;                 // session given by the run; "": the worker requests one
   std::string stick;                   // folder of the Memory Stick here; "": the master's path
   int64_t master_wait_ms = 60'000;     // time limit for finding the master
-  bool waits_for_predecessor = false;  // true: wait for the end of an earlier process of this name
+  bool waits_for_predecessor = false;  // wait for the end of an earlier process of this name
   std::function<bool()> is_ended;      // returns true once the user ends this process; may be null
   std::function<void(const std::string& line)> say;  // prints a line for the user
   // Returns a local folder to use as the Memory Stick when the run's folder is not on this host, or
@@ -51,8 +51,8 @@ class Worker : public MasterLink {
   // Runs until the master ends this worker.  Returns "" or an error.
   std::string Run();
 
-  // Returns whether another Run() would fail too, because the worker has the wrong version of the
-  // protocol, the wrong stick, or was given no session.
+  // Returns whether another Run() would fail, too.  Another Run() fails if the worker has the wrong
+  // version of the protocol or the wrong stick, or was given no session.
   bool is_refused() const { return is_refused_; }
 
   // Tells the master that the present handler ends this process, for instance by a crash.  Called
@@ -140,8 +140,8 @@ class Worker : public MasterLink {
   bool is_free_ = false;                    // the master does not wait for handlers
   std::set<ObjectId> fast_objects_;  // objects whose last handler took less than kFastHandlerNs
   bool is_shutting_down_ = false;    // no handler runs any more; objects are being unloaded
-  // Entries of objects in other processes that exist, by an earlier answer of the master.  A
-  // message to such an entry needs no new question.
+  // Entries of objects in other processes.  The master has told that these entries exist, so a
+  // message to them needs no new question.
   std::set<std::pair<ObjectId, uint32_t>> known_entries_;
   std::deque<ReceivedSample> deferred_;  // samples that arrived while an answer was awaited
   // The effects of the present handler that have not been sent, and the memory that they point to.

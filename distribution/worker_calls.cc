@@ -154,8 +154,8 @@ void WorkerCalls::Shutdown(int robot, const RunEnd& why) {
   TellMaster<&SystemCalls::Shutdown>(master_, robot, why);
 }
 
-// Switches the robot off: the objects in this process at once, all others when the master receives
-// the call.
+// Switches the robot off.  Objects in this process are switched off at once, all other objects when
+// the master receives the call.
 void WorkerCalls::PowerOff(int robot, const RunEnd& why) {
   TellMaster<&SystemCalls::PowerOff>(master_, robot, why);
   LocalCalls::PowerOff(robot, why);

@@ -26,8 +26,8 @@ constexpr int64_t kExitWaitMs = 5'000;  // time for a worker to end after it was
 constexpr int64_t kInterruptedExitWaitMs = 500;
 
 // Keeps many sent samples only in a free run.  In a free run the master does not wait for workers,
-// so no write may block because a worker is stopped.  In lockstep the master waits for a stopped
-// worker anyway.
+// so a stopped worker must not block a write of the master.  In lockstep the master waits for a
+// stopped worker anyway.
 BusOptions GroupBusOptions(const WorkerGroupOptions& options) {
   BusOptions bus = options.bus;
   bus.has_large_history = options.is_free;
@@ -182,8 +182,8 @@ openr_wire_Load WorkerGroup::NextLoadFor(Member* member, WireArena* arena) {
                        object.is_system, object.name == IpStack::kName,
                        member->objects.contains(object.id), object.boxes.last});
   }
-  // Sends the heap use of all robots with every load, not only that of new robots.  Objects in
-  // other processes may have used more heap since the last load.
+  // Sends the heap use of all robots with every load, and not only of new robots, because objects
+  // in other processes may have used more heap since the last load.
   std::vector<uint64_t> heap_elsewhere;
   for (int i = 0; i < system_->robot_count(); ++i)
     heap_elsewhere.push_back(member->process->HeapElsewhere(system_, i));
@@ -194,8 +194,8 @@ openr_wire_Load WorkerGroup::NextLoadFor(Member* member, WireArena* arena) {
   return load;
 }
 
-// Sends the worker the new entries of the master's tables, and waits until it has loaded its own
-// objects among them.  The first time, also waits until the worker has joined.
+// Sends the worker the new entries of the master's tables, and waits until the worker has loaded
+// the new objects that belong to it.  The first time, also waits until the worker has joined.
 void WorkerGroup::SendNextLoad(Member* member) {
   WireArena arena;
   const openr_wire_Load load = NextLoadFor(member, &arena);
@@ -236,9 +236,9 @@ void WorkerGroup::WaitForAnotherWorker(Member* member, const std::string& why) {
   member->robots = member->known = 0;
 }
 
-// Handles the loss of a worker.  After a crash the run goes on without the worker.  This is the
-// same in every run, because a handler crashes at the same message each time.  After any other loss
-// a lockstep run stops, unless the worker may be restarted, because the run would wait for the
+// Handles the loss of a worker.  After a crash the run goes on without the worker.  A handler
+// crashes at the same message in every run, so all runs go on in the same way.  After any other
+// loss a lockstep run stops, unless the worker may be restarted, because the run would wait for the
 // worker for ever.
 void WorkerGroup::HandleLoss(const RemoteObject* about, RemoteObject::Loss loss,
                              const std::string& why) {
@@ -308,8 +308,8 @@ void WorkerGroup::Pump(int64_t timeout_us) {
   for (auto& [name, member] : members_) member.process->FlushBatch();
   if (!HandleReceived()) {
     bus_.Wait(timeout_us);
-    // Returns after a second Ctrl-C: the workers then end because the user wants it, which is no
-    // loss.
+    // Returns after a second Ctrl-C.  The workers then end because the user wants it, so their end
+    // is not a loss.
     if (IsInterrupted()) return;
     HandleReceived();
   }

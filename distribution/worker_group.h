@@ -33,8 +33,8 @@ struct WorkerGroupOptions {
   int restarts = 0;                                  // limit of restarts of each worker
   std::function<void(const std::string& line)> say;  // prints a line for the user
   // Returns the number of times that the user has asked the run to end (Ctrl-C).  After the first
-  // request the run waits for no lost worker; after the second request the run ends at once.  Null:
-  // the user never asks.
+  // request the run waits for no lost worker; after the second request the run ends at once.  If
+  // this function is null, the user never asks.
   std::function<int()> interrupts;
 };
 
@@ -117,7 +117,7 @@ class WorkerGroup {
   enum class Stage {
     kRunning,       // the worker is not lost
     kNotRestarted,  // the worker is lost and will not be restarted
-    kCleaningUp,    // its objects are cleaned up, and the old process ends if it still exists
+    kCleaningUp,    // the objects of the worker are cleaned up, and its old process ends
     kJoining,       // the new process has been started and has not joined yet
     kLoading,       // the new process loads its images
     kReplacing,     // the master's new stand-ins are about to replace the old ones
@@ -159,7 +159,8 @@ class WorkerGroup {
   void LoadNewObjects(Member* member);
   void SendNextLoad(Member* member);
   void WaitForAnotherWorker(Member* member, const std::string& why);
-  // Return whether the user has asked the run to end: once (IsEnding) or twice (IsInterrupted).
+  // Return whether the user has asked the run to end: at least once (IsEnding) or at least twice
+  // (IsInterrupted).
   bool IsEnding() const { return options_.interrupts && options_.interrupts() >= 1; }
   bool IsInterrupted() const { return options_.interrupts && options_.interrupts() >= 2; }
   bool HandleReceived();

@@ -1,4 +1,5 @@
-// The restart of a lost worker: a new process takes its slot, and its objects begin anew.
+// The restart of a lost worker: a new process takes the slot of the worker, and the worker's
+// objects begin anew.
 //
 // Each call of AdvanceRestart() does one step.  In lockstep (the master waits for each handler),
 // all restarts are completed at the beginning of the next frame, a multiple of 8 ms of virtual
@@ -200,8 +201,8 @@ void WorkerGroup::OnReplaced(ObjectId id) {
   for (auto& [name, member] : members_) {
     for (const auto& [other, object] : member.objects) {
       // Skips old stand-ins that are destroyed already.  In stage kReplacing, member.objects still
-      // has the old ones.  Objects are replaced in the order of their ids, so those with ids below
-      // `id` are gone.
+      // has the old stand-ins.  Objects are replaced in the order of their ids, so the old
+      // stand-ins with ids below `id` are destroyed.
       if (other >= id || member.stage != Stage::kReplacing) object->ForgetObserver(id);
     }
     if (member.stage != Stage::kReplacing || !member.successors.contains(id)) continue;
@@ -209,7 +210,7 @@ void WorkerGroup::OnReplaced(ObjectId id) {
     // already, but messages may have come for the old stand-in since then.
     member.successors[id]->undelivered_count = member.objects[id]->undelivered_count;
     // Finishes the restart only when `id` was the last object of the worker.  Objects are replaced
-    // in the order of their ids, so the last one has the largest id.
+    // in the order of their ids, so the last object has the largest id.
     if (member.successors.rbegin()->first != id) continue;
     uint64_t undelivered = 0;
     for (const auto& [new_id, object] : member.successors) undelivered += object->undelivered_count;

@@ -54,8 +54,9 @@ void Worker::KeepUntilSent(uint32_t region) {
   pinned_.push_back(region);
 }
 
-// Removes the bytes of `part` if the next sample has them already.  Each region is sent only once
-// in a sample, even for several observers: the master copies its bytes with the first notification.
+// Removes the bytes of `part` if the next sample has them already.  A sample has the bytes of a
+// region only once, even for several observers, because the master copies them with the first
+// notification.
 void Worker::SendOnce(openr_wire_NotifiedRegion* part) {
   const auto [first, is_first] = parts_in_sample_.try_emplace(part->region, *part);
   const openr_wire_NotifiedRegion& sent = first->second;
@@ -81,9 +82,9 @@ openr_wire_PostedMessage Worker::Encode(const Message& message, int64_t delay_us
   return posted;
 }
 
-// Returns whether the master may refuse the message.  It may refuse a reply, because the receiver
-// may have closed the reply box; any message with --strict, which limits the number of waiting
-// messages; and a message to an entry that does not exist.
+// Returns whether the master may refuse the message.  The master may refuse three kinds of
+// messages: a reply, because the receiver may have closed the reply box; any message with --strict,
+// which limits the number of waiting messages; and a message to an entry that does not exist.
 bool Worker::MayBeRefused(const Message& message) {
   if (message.is_reply || system_->options().strict) return true;
   const std::pair<ObjectId, uint32_t> entry(message.target, message.selector);
@@ -125,10 +126,10 @@ int32_t Worker::Post(OwnedMessage message, int64_t delay_us) {
   return error;
 }
 
-// Removes the latest call PinRegion() for `region` from the effects that are not sent yet, because
-// the call UnpinRegion() that is about to be sent would undo it.  Then neither call is sent.
-// Returns false if there is no such PinRegion().  Most observers take a region and give it back in
-// one handler, so most of these calls are never sent.
+// Removes the latest call PinRegion() for `region` from the effects that are not sent yet.  The
+// call UnpinRegion() that is about to be sent would undo it, so then neither call is sent.  Returns
+// false if there is no such PinRegion().  Most observers take a region and give it back in one
+// handler, so most of these calls are never sent.
 bool Worker::CancelPendingPin(uint64_t region) {
   const auto is_pin = [region](const openr_wire_Effect& effect) {
     return effect._d == openr_wire_EFFECT_NOTE && effect._u.note.kind == kPinRegion &&

@@ -28,9 +28,9 @@ struct JointTrouble {
   std::optional<double> hand_rad;    // a hand turns the joint towards this angle
   std::optional<double> jammed_rad;  // the joint is stuck at this angle
   double strength = 1;               // share of the motor's torque that is left, 0 to 1
-  std::optional<double> sensed_rad;  // the joint's sensor says this, wherever the joint is
+  std::optional<double> sensed_rad;  // the joint's sensor reports this angle, wherever the joint is
   double sensor_error_rad = 0;       // error of the joint's sensor, added to the angle
-  bool is_sensor_dead = false;       // the signal of the joint's sensor means nothing
+  bool is_sensor_dead = false;  // whether the joint's sensor is dead, so its signal means nothing
 
   bool Exists() const {
     return hand_rad || jammed_rad || strength != 1 || sensed_rad || sensor_error_rad != 0;
@@ -73,9 +73,10 @@ class Body {
  public:
   virtual ~Body() = default;
 
-  // A frame of 8 ms has two halves, because several robots can be in one world: first all of them
-  // get their commands, then Advance() is called for each.  The first of these calls simulates the
-  // frame for all robots of the world.  REQUIRES: commands.size() == model.joints.size().
+  // Simulate a frame of 8 ms in two steps, because several robots can be in one world.  First
+  // SetCommands() is called for each robot, then Advance() for each robot.  The first call of
+  // Advance() simulates the frame for all robots of the world.  REQUIRES: commands.size() ==
+  // model.joints.size().
   virtual void SetCommands(const std::vector<JointCommand>& commands) = 0;
   virtual void Advance() = 0;
 
@@ -115,7 +116,7 @@ class Body {
   virtual std::vector<WorldThing> MovableThings() const;
 
   // Puts the movable thing `thing`, an index of World::things, at rest at `centre_m`.  Returns
-  // false when this body, or the thing, cannot move it.
+  // false when this body cannot move things, or when the thing is not movable.
   virtual bool PutThing(size_t /*thing*/, const Eigen::Vector3d& /*centre_m*/) { return false; }
 
   // Returns the present pose X_WL of each part, in the order of RobotModel::bodies.  X_WL maps a
@@ -130,8 +131,8 @@ class Body {
 };
 
 // Make a body that lies limp and at rest on the floor at `start`, in the model's sleeping posture.
-// `model` must outlive the body.  The second body with physics is in `world` together with other
-// robots.
+// `model` must outlive the body.  The second MakeOdeBody() puts the body into `world`, together
+// with other robots.
 std::unique_ptr<Body> MakeIdealBody(const RobotModel& model, const World& world,
                                     const StartPlace& start = {});
 std::unique_ptr<Body> MakeOdeBody(const RobotModel& model, const World& world,

@@ -1,5 +1,5 @@
-// Moves a body by set points without objects, as a careful program would move the robot: for checks
-// of models and for tests.
+// Moves a body by set points as a careful program would, but without OPEN-R objects.  Used to check
+// models and in tests.
 #pragma once
 
 #include <string>
@@ -11,21 +11,23 @@ namespace openr_host {
 
 class BodyMover {
  public:
-  // All joints begin limp, with the vendor's gains.  Both must outlive the mover.
+  // All joints begin limp, with the vendor's gains.  `model` and `body` must outlive the mover.
   BodyMover(const RobotModel& model, Body* body);
 
-  // Simulates one frame, or the frames of `seconds`.
+  // Simulates one frame with the present commands.
   void Frame() { body_.Advance(commands); }
+  // Simulates the frames of `seconds` with the present commands.
   void Hold(double seconds);
 
   // Switches all gains on at the present positions.
   void EnableAll();
 
-  // Moves to these angles.  All joints start and arrive together; the slowest moves at 0.9 of its
-  // planned speed limit.
+  // Moves the joints to the angles `to_rad`.  All joints start and arrive together.  The joint that
+  // needs the most time moves at 0.9 of its planned speed limit.
   void RampTo(const std::vector<double>& to_rad);
 
-  // Returns a posture of the model, kept to the software limits.  Throws like PostureAngles().
+  // Returns the angles of a posture of the model, limited to the software limits of the joints.
+  // Throws like PostureAngles().
   std::vector<double> Posture(const std::string& name) const;
 
   // Enables all joints and stands up through the postures broadbase, sleep, crouch and stand.  A

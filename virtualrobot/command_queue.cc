@@ -21,7 +21,7 @@ bool CommandQueue::Add(RCRegion* region) {
 
 bool CommandQueue::ReleaseFinished(int64_t frame) {
   if (!playing_ || frame < end_) return false;
-  elements_.clear();  // first, because the elements point into the region
+  elements_.clear();  // before Release(), because the elements point into the region
   playing_.Release();
   return true;
 }

@@ -29,7 +29,8 @@ struct RobotParts;
 
 class CommandQueue {
  public:
-  // The most vectors that may wait.  The limit of the robot is not known; Sony's samples need four.
+  // Largest number of vectors that may wait.  The limit of the robot is not known; Sony's samples
+  // need four.
   static constexpr size_t kMax = 32;
 
   // Makes a queue for the vectors of `subject`, which move the parts of `robot`.  `robot` must
@@ -47,8 +48,8 @@ class CommandQueue {
   bool ReleaseFinished(int64_t frame);
 
   // Reports the first waiting vector to the robot's synchronisation keys, if no vector plays.
-  // REQUIRES: called for all queues of a robot before Apply() of any of them, so that vectors with
-  // parts of one key start in the same frame.
+  // REQUIRES: called for all queues of a robot before Apply() of any of them, so that vectors whose
+  // keys are parts of one key start in the same frame.
   void AnnounceFirst();
 
   // Starts the first waiting vector if its turn has come, and then applies the set points of frame
@@ -73,7 +74,7 @@ class CommandQueue {
   VectorTurn turn_;          // tells when the first vector in waiting_ may start
   RegionReference playing_;  // the vector that plays; empty when none plays
   int64_t start_ = 0;        // frame in which the vector in playing_ begins
-  int64_t end_ = 0;          // first frame after that vector
+  int64_t end_ = 0;          // first frame after the vector in playing_
   std::vector<Element> elements_;
   std::vector<CommandElement> read_;  // result of Start(); a member only to save allocations
   int face_ = -1;  // index of the element with the last light of the face; -1: no such light

@@ -21,7 +21,7 @@ class Hasher;
 using GainWords = std::array<word, 6>;
 
 struct JointDevice {
-  slongword target_urad = 0;  // set point in 10^-6 rad; 0 at boot, even if the joint is elsewhere
+  slongword target_urad = 0;  // set point in 10^-6 rad; 0 at boot, whatever angle the joint has
   bool commanded = false;     // whether a set point has been sent since boot
   ObjectId commander = kNoObject;  // the object that sent the set point
   bool gain_enabled = false;
@@ -46,9 +46,9 @@ class Devices {
   // motors have power.  The result is valid until the next call.
   const std::vector<JointCommand>& Commands(bool motor_power);
 
-  // Returns what hands and faults do to a joint, for a change.
+  // Returns the hands and faults that act on `joint`, so that the caller can change them.
   JointTrouble& Trouble(int joint);
-  // Returns the same for reading; null: nothing.
+  // Returns the hands and faults that act on `joint`, for reading only; null when none act on it.
   const JointTrouble* TroubleOf(int joint) const;
 
   // Sets the object whose command vector is applied next.  SetTarget() stores this object as the

@@ -13,10 +13,14 @@ namespace {
 constexpr double kGearShare = 0.6;
 // Current of a robot whose motors do nothing, for its computer, camera and radio.
 constexpr double kElectronicsMa = 1000;
-constexpr double kMeanShare = 0.08;  // of a new frame in the mean: a time constant of 100 ms
-// Heat: how much warmer the thing gets in the end, and how fast.
+// Weight of a new frame in the mean; gives a time constant of 100 ms.
+constexpr double kMeanShare = 0.08;
+// How much warmer the body becomes in the end, for each W of motor heat; time constant of this.
 constexpr double kBodyPerW_k = 2.5, kBodyTime_s = 600;
+// How much warmer the battery becomes in the end, for each unit by which the square of its current
+// (in units of kUsualMa) exceeds 1; time constant of this.
 constexpr double kBatteryUsual_k = 5, kBatteryTime_s = 1200;
+// How much warmer the battery becomes in the end because it is charged.
 constexpr double kChargingBattery_k = 6;
 
 }  // namespace
@@ -76,8 +80,8 @@ void Energy::Keep(WarmThing thing, std::optional<int> celsius) {
   if (celsius) warmth.above_rest_k = *celsius - kRestC;
 }
 
-// Adds only what differs from the beginning, so that a robot without physics, which draws the usual
-// current, adds nothing.
+// Adds only values that differ from those at boot.  A robot without physics draws the usual
+// current, so it adds nothing.
 void Energy::HashState(Hasher* hasher) const {
   if (mean_ma_ != kUsualMa) hasher->Add(mean_ma_);
   for (const WarmThing thing : {WarmThing::kBody, WarmThing::kBattery}) {

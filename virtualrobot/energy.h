@@ -4,8 +4,9 @@
 // time.  A motor at rest draws its stall current times the square of this share from the battery:
 // its own current is the stall current times the share, and flows only for this share of the time.
 // Body and battery warm up with the power that is lost in motors and battery, and cool down to 30
-// degrees Celsius with a time constant each.  docs/calibration.md has the reason of every number.
-// A body without physics has no drives: such a robot draws kUsualMa and stays at 30 degrees.
+// degrees Celsius, each with its own time constant. docs/calibration.md has the reason of every
+// number.  A body without physics has no drives: such a robot draws kUsualMa and stays at 30
+// degrees.
 #pragma once
 
 #include <array>
@@ -43,9 +44,10 @@ class Energy {
   // Returns a temperature as its sensor reads it: whole degrees Celsius.
   int Celsius(WarmThing thing) const;
 
-  // Keeps a thing at a temperature, or lets it warm up and cool down again from there.
+  // Keeps `thing` at the temperature `celsius`. nullopt: lets the thing warm up and cool down
+  // again, from its present temperature.
   void Keep(WarmThing thing, std::optional<int> celsius);
-  // Makes something draw this current beside the robot.
+  // Sets the current that something beside the robot draws from the battery.
   void SetExtraMa(int ma) { extra_ma_ = ma; }
 
   void HashState(Hasher* hasher) const;

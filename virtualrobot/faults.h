@@ -39,10 +39,12 @@ class Faults {
 
  private:
   // A joint can have one of the first three kinds of faults and, at its sensor, one of the next
-  // three.  The last two are of the body, the battery and its supply.
+  // three.  The last two are not faults of joints: kHot is a fault of the body or the battery,
+  // kDraw of the supply.
   enum class Kind { kJammed, kWeak, kUnpowered, kStuck, kNoisy, kDead, kHot, kDraw };
   enum class Part { kMotor, kSensor, kBody, kBattery, kSupply };
-  // The part that has a fault.  `number` is that of the joint or the sensor.
+  // The part that has a fault.  `number` is the index of the joint or the sensor; 0 for other
+  // parts.
   struct Place {
     Part part;
     int number = 0;
@@ -60,10 +62,10 @@ class Faults {
   std::string ReadDraw(std::string_view rest, Inputs::Action* action);
   std::string ReadRepair(std::string_view rest, Inputs::Action* action);
 
-  // Finds the sensors, also those of joints, that `name` names.  Returns "" or the error.
+  // Finds the sensors that `name` names, also sensors of joints.  Returns "" or the error.
   std::string FindParts(const std::string& name, std::vector<int>* sensors) const;
-  // Returns the place of a fault of this kind, at the part with this sensor.  nullopt: the part is
-  // no joint and cannot have the fault.
+  // Returns the place of a fault of this kind, for the part that has the sensor `sensor`. nullopt:
+  // the part is no joint, and only joints can have this fault.
   std::optional<Place> PlaceOf(Kind kind, int sensor) const;
   void Begin(const Place& place, const Fault& fault);
   void End(const Place& place);

@@ -21,12 +21,12 @@ using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
 constexpr int64_t kPushFrames = 13;  // about 100 ms, the duration of a push without `for`
-constexpr double kPushMax_n = 1000;  // far above what a robot of 1.4 kg survives
+constexpr double kPushMax_n = 1000;  // limit of a push; far more than a robot of 1.4 kg survives
 constexpr double kLiftDefault_m = 0.2, kLiftMax_m = 2;
 constexpr double kLiftPerFrame_m = 0.2 * kFrame_s;   // a hand lifts with 0.2 m/s
-constexpr double kLowerPerFrame_m = 0.1 * kFrame_s;  // and lowers with 0.1 m/s
-// A hand that sets the robot down lets go when something below carries the robot.  This is so when
-// the robot is at least kCarried_m above the pose of the hand and sinks more slowly than
+constexpr double kLowerPerFrame_m = 0.1 * kFrame_s;  // a hand lowers with 0.1 m/s
+// A hand that sets the robot down lets go when something below carries the robot.  The robot counts
+// as carried when it is at least kCarried_m above the pose of the hand and sinks more slowly than
 // kCarried_m_s.  The height alone is not enough, because a robot that is lowered follows about half
 // a centimetre behind the hand.
 constexpr double kCarried_m = 0.015, kCarried_m_s = 0.03;
@@ -108,8 +108,8 @@ std::string Hands::FindSensors(const std::string& name, std::vector<int>* sensor
 std::string Hands::ReadPress(std::string_view rest, Inputs::Action* action) {
   std::vector<std::string> words = SplitInput(rest);
   if (words.size() == 1 && words[0] == "pause") {
-    // Leaves the button of a robot alone that is off, because it would not see the button; its boot
-    // timer boots it all the same.
+    // Does not press the button of a robot that is off.  Such a robot does not notice its button;
+    // only its boot timer boots it again.
     *action = [this] {
       if (!robot_.system.robot(robot_.robot_index).powered_off) robot_.power.PressPause();
     };
@@ -259,8 +259,8 @@ std::string Hands::ReadLift(std::string_view rest, Inputs::Action* action) {
   return "";
 }
 
-// Reads the name of a thing, which may have several words and end in a number, and two or three
-// numbers.
+// Reads the name of a thing and then two or three coordinates.  The name may have several words and
+// end in a number.
 std::string Hands::ReadPut(std::string_view rest, Inputs::Action* action) {
   const std::vector<std::string> words = SplitInput(rest);
   if (words.size() < 3) return "needs the name of a thing, and x and y in m";

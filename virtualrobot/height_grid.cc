@@ -10,13 +10,15 @@ namespace {
 
 using Eigen::Vector3d;
 
-// A place on the grid: the square of four points, and the coordinates in it, 0 to 1.
+// A place on the grid: column and row of the square in which the place lies, and the coordinates of
+// the place in this square, 0 to 1.
 struct GridPlace {
   int column = 0, row = 0;
   double u = 0, v = 0;
 };
 
-// Returns a coordinate, counted in points of a grid with `count` of them along `size_m`.
+// Converts the coordinate `x` (in m; 0 is the middle of the grid) to a position in grid points: 0
+// is the first point, `count` - 1 the last.  The grid has `count` points over the length `size_m`.
 double InPoints(double x, double size_m, int count) { return (x / size_m + 0.5) * (count - 1); }
 
 GridPlace PlaceOnGrid(const WorldThing& thing, double x, double y) {
@@ -33,7 +35,8 @@ GridPlace PlaceOnGrid(const WorldThing& thing, double x, double y) {
   return place;
 }
 
-// Adds the t between `enter` and `leave` at which at + t * step is a whole number.
+// Adds to `found` each t between `enter` and `leave` at which at + t * step is a whole number:
+// there a ray crosses a line of the grid.
 void AddCrossings(double at, double step, double enter, double leave, std::vector<double>* found) {
   if (step == 0) return;
   double from = at + enter * step, to = at + leave * step;
@@ -70,7 +73,7 @@ std::vector<Triangle> OutsideOf(const WorldThing& thing) {
         triangles.push_back(triangle);
     }
   }
-  // Adds the side below the edge from `a` to `b`, which goes to the left, seen from outside.
+  // Adds the side below the edge from `a` to `b`.  Seen from outside, `b` is to the left of `a`.
   const auto add_side = [&](const Vector3d& a, const Vector3d& b) {
     const Vector3d below_a(a.x(), a.y(), -thing.size_m.z() / 2);
     const Vector3d below_b(b.x(), b.y(), below_a.z());
@@ -110,13 +113,13 @@ SurfacePoint SurfaceAt(const WorldThing& thing, double x, double y) {
 double EnterHeights(const WorldThing& thing, const Vector3d& p, const Vector3d& d, double enter,
                     double leave) {
   const HeightGrid& grid = *thing.heights;
-  // Returns how far the ray is over the surface.
+  // Returns the height of the ray over the surface at `t`; negative below the surface.
   const auto over = [&](double t) {
     const Vector3d at = p + t * d;
     return at.z() + thing.size_m.z() / 2 - SurfaceAt(thing, at.x(), at.y()).height_m;
   };
-  // The surface is even between the lines of the grid and the diagonals of its squares, so the
-  // ray comes into the solid where `over` changes its sign between two crossings of lines.
+  // The surface is plane between the lines of the grid and the diagonals of its squares, so `over`
+  // is linear in t between two crossings of them.  The ray enters the solid where `over` becomes 0.
   const double u = InPoints(p.x(), thing.size_m.x(), grid.columns);
   const double v = InPoints(p.y(), thing.size_m.y(), grid.rows);
   const double du = d.x() / thing.size_m.x() * (grid.columns - 1);

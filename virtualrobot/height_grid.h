@@ -1,8 +1,8 @@
-// The surface of a heightfield: a grid of points with heights, and two triangles between each four
-// of them.
+// The surface of a heightfield: a grid of points with heights.  Each square of four neighbouring
+// points is filled with two triangles.
 //
 // All places are in the axes T of the thing, whose origin is the centre of its box.  Heights are
-// over the lower face of this box.  The thing is solid from there up to the surface.
+// over the lower face of this box.  The thing is solid between this face and the surface.
 #pragma once
 
 #include <Eigen/Core>
@@ -25,19 +25,20 @@ struct HeightGrid {
 
 using Triangle = std::array<Eigen::Vector3d, 3>;
 
-// Returns the point of the grid with this column and row.  REQUIRES: `thing` is a heightfield; so
-// do the functions below.
+// Returns the point of the grid with this column and row.  REQUIRES: `thing` is a heightfield.  The
+// functions below require this, too.
 Eigen::Vector3d PointOfGrid(const WorldThing& thing, int column, int row);
 
-// Returns the two triangles between the point with this column and row and the next ones,
-// counterclockwise from above.
+// Returns the two triangles of the square whose first corner is the point with this column and row.
+// Seen from above, the corners of each triangle are in counterclockwise order.
 std::array<Triangle, 2> TrianglesOf(const WorldThing& thing, int column, int row);
 
-// Returns the triangles of the surface and of the sides below its edges, counterclockwise from
-// outside.
+// Returns the triangles of the surface and of the sides below its edges.  Seen from outside, the
+// corners of each triangle are in counterclockwise order.
 std::vector<Triangle> OutsideOf(const WorldThing& thing);
 
-// Returns the unit vector that stands on the outer side of `triangle`; 0 if it has no area.
+// Returns the unit vector that is perpendicular to `triangle` and points outwards; 0 if the
+// triangle has no area.
 Eigen::Vector3d NormalOf(const Triangle& triangle);
 
 struct SurfacePoint {
@@ -45,11 +46,13 @@ struct SurfacePoint {
   Eigen::Vector3d normal_T{0, 0, 1};  // unit vector
 };
 
-// Returns the surface at (x, y), or at the nearest place of its edge.
+// Returns the point of the surface at (x, y).  If (x, y) is outside, returns the nearest point of
+// the edge.
 SurfacePoint SurfaceAt(const WorldThing& thing, double x, double y);
 
-// Follows the ray p + t d for t from `enter` to `leave`, between which it is in the box of the
-// thing.  Returns the least t at which the ray is in the solid; infinite if there is none.
+// Follows the ray p + t d for t from `enter` to `leave`, the range in which the ray is in the box
+// of the thing.  Returns the least t at which the ray is in the solid; infinite if the ray does not
+// meet the solid.
 double EnterHeights(const WorldThing& thing, const Eigen::Vector3d& p, const Eigen::Vector3d& d,
                     double enter, double leave);
 

@@ -67,7 +67,8 @@ Vector3d Hull::LowestAlong(const Vector3d& n_B, const Vector3d& up_B) const {
   }
   const double n_norm = n_B.norm();
   for (size_t i = 0; i < around_.size(); ++i) {
-    // Most boxes are so far above the paws that their exact height is not needed.
+    // Compares the lowest points of the balls first, because most boxes are so far above the paws
+    // that their exact height is not needed.
     const BallPair& pair = around_[i];
     const Pair bottom =
         pair.x * n_B.x() + pair.y * n_B.y() + pair.z * n_B.z() - pair.radius * n_norm;

@@ -24,15 +24,15 @@ class Hull {
   // Moves the ball and the box of part `part` (index of RobotModel::bodies) to the pose `X_BL`.
   void Move(int part, const Eigen::Isometry3d& X_BL);
 
-  // Returns the point that lies furthest against the direction `n_B`.  A ball is taken as one
-  // point: the lowest point for the direction `up_B`, which is a unit vector near n_B.
+  // Returns the point that lies furthest in the direction opposite to `n_B`.  A ball is taken as
+  // one point: the lowest point for the direction `up_B`, which is a unit vector near n_B.
   Eigen::Vector3d LowestAlong(const Eigen::Vector3d& n_B, const Eigen::Vector3d& up_B) const;
 
   // Returns the middle of paw `paw` (index of RobotModel::paws).
   const Eigen::Vector3d& PawCentre(size_t paw) const { return balls_[paw].centre; }
 
  private:
-  // Two numbers, which every x86-64 processor computes with at once.
+  // Two numbers.  Every x86-64 processor can compute with both in one instruction.
   using Pair = double __attribute__((vector_size(16)));
 
   struct Ball {
@@ -47,8 +47,9 @@ class Hull {
   };
   // Balls around two boxes, elements 2i and 2i + 1 of boxes_.  A ball is larger than its box.
   struct BallPair {
-    Pair x{}, y{}, z{};  // of the centres
-    // The bottom of a ball with this radius is at infinity, so a half without a box never counts.
+    Pair x{}, y{}, z{};  // coordinates of the centres
+    // The lowest point of a ball with this radius is at infinity.  So the second half of a pair
+    // that has only one box is never the lowest.
     Pair radius = {-std::numeric_limits<double>::infinity(),
                    -std::numeric_limits<double>::infinity()};
   };

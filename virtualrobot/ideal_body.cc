@@ -11,7 +11,8 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-// Returns the angle of a joint that is at `angle_rad`, and that its servo would move to `goal_rad`.
+// Returns the next angle of a joint on which `trouble` acts.  The joint is at `angle_rad`, and its
+// servo would move it to `goal_rad`.
 double AngleInTrouble(const JointTrouble& trouble, double angle_rad, double goal_rad) {
   if (trouble.jammed_rad || (trouble.strength == 0 && !trouble.hand_rad)) return angle_rad;
   return trouble.hand_rad.value_or(goal_rad);
@@ -60,7 +61,7 @@ void IdealBody::Place() const {
   placed_ = true;
 }
 
-// Gives the robot the pose of the hand that holds it.  Its paws touch nothing.
+// Gives the robot the pose of the hand that holds it.  The paws of the robot touch nothing.
 void IdealBody::PlaceInHand() const {
   pose_.X_WB = *held_at_;
   pose_.paws.assign(model_.paws.size(), false);

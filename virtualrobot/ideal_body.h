@@ -27,9 +27,9 @@ class IdealBody : public Body {
   void SetCommands(const std::vector<JointCommand>& commands) override;
   void Advance() override {}
 
-  // Return the state and the poses at the end of the last frame.  state(), BodyPoses() and PoseOf()
-  // compute the pose of the base only when a joint has moved since the last call, and of the parts
-  // only those that have moved.  So a frame whose state is not read costs next to nothing.
+  // Return the state and the poses at the end of the last frame. state(), BodyPoses() and PoseOf()
+  // compute the pose of the base only when a joint has moved since the last call, and compute only
+  // the parts that have moved.  So a frame whose state is not read takes almost no time.
   const BodyState& state() const override;
   RayHit CastRay(const Eigen::Vector3d& p_W, const Eigen::Vector3d& direction_W,
                  double max_m) const override;
@@ -50,7 +50,7 @@ class IdealBody : public Body {
   std::optional<Eigen::Isometry3d> held_at_;  // the pose that a hand gives to the base
   mutable BodyState state_;
   mutable StiffRobot robot_;  // at the joint angles of the last Place()
-  mutable RestingPose pose_;  // of robot_
+  mutable RestingPose pose_;  // the pose in which robot_ rests
   // True when robot_, and the base and paws in state_, are computed for the present joint angles.
   mutable bool placed_ = false;
 };

@@ -98,8 +98,8 @@ int JointTargets::JointNamed(std::string_view name) {
   return joint;
 }
 
-// Lets the set points of `goals` begin their ways, each where the set point of the joint is now.  A
-// joint that nobody has commanded since the boot begins where it hangs.
+// Starts a way for each joint in `goals`.  The way begins at the present set point of the joint, or
+// at its measured angle if nobody has commanded the joint since the boot.
 void JointTargets::Begin(const std::vector<Goal>& goals, int64_t frames) {
   robot_.devices.set_commander(kNoObject);
   for (const Goal& goal : goals) {
@@ -108,7 +108,8 @@ void JointTargets::Begin(const std::vector<Goal>& goals, int64_t frames) {
     const double measured_urad = robot_.body->state().joints[j].angle_rad * 1e6;
     const int32_t from_urad = device.commanded ? static_cast<int32_t>(device.target_urad)
                                                : static_cast<int32_t>(std::lround(measured_urad));
-    // The set point makes its first step now: the commands of this frame were applied before.
+    // Makes the first step of the set point at once, because the commands of this frame were
+    // already applied.
     ways_[goal.joint] = {from_urad, goal.urad, frames, 1};
     const int64_t step_urad = (int64_t{goal.urad} - from_urad) / frames;
     robot_.devices.SetTarget(goal.joint, static_cast<slongword>(from_urad + step_urad));

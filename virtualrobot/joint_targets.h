@@ -1,9 +1,8 @@
-// JointTargets: set points of joints that come from outside, as the input "target LF_j1 12.5 in
-// 32ms".
+// JointTargets: set points of joints that come from inputs such as "target LF_j1 12.5 in 32ms".
 //
-// While a joint has such a set point, its servo gets these set points and not those of the robot's
-// objects. Programs that learn to move use this input: it needs no object, and the recording of a
-// run has it.
+// While a joint has such a set point, its servo ignores the set points of the robot's objects.
+// Programs that learn to move use this input, because it needs no object and is part of the
+// recording of a run.
 #pragma once
 
 #include <cstdint>
@@ -27,17 +26,19 @@ class JointTargets {
   // Adds the input `target` of this robot to its system.
   void AddVerbs();
 
-  // Sets the set points of the frame of 8 ms that begins.  Called after those of the objects.
+  // Sets the set points of the frame of 8 ms that begins.  Called after the set points of the
+  // objects.
   void DoFrame();
 
-  // Gives a joint, or all joints, back to the objects of the robot.
+  // Gives a joint back to the objects of the robot.
   void Release(int joint) { ways_.erase(joint); }
+  // Gives all joints back to the objects of the robot.
   void SwitchOff() { ways_.clear(); }
 
   void HashState(Hasher* hasher) const;
 
  private:
-  // The way of a set point: straight from where it was to its goal, in a number of frames.
+  // The way of a set point from its old value to its goal, in equal steps, one per frame.
   struct Way {
     int32_t from_urad = 0;
     int32_t goal_urad = 0;

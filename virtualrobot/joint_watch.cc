@@ -18,9 +18,10 @@ constexpr double kRadPerUrad = 1e-6;
 // Distance from which a joint counts as far from its set point.  The number is our choice: a joint
 // that is limp (without power) for a moment sags less.
 const double kFar_rad = Radians(10);
-// Half of the second in which a limp joint may sink without a report, because a program needs some
-// time for the steps that open the joint.  The time is our choice.  For example, the head of an
-// ERS-210 sinks 27 degrees in 136 ms, which is no mistake of the program.
+// Number of frames in half a second.  A limp joint may sink for two such periods (1 s) without a
+// report, because a program needs some time to open the joint and to switch its servo on.  The time
+// is our choice.  For example, the head of an ERS-210 sinks 27 degrees in 136 ms, which is no
+// mistake of the program.
 constexpr int kHalfSecondFrames = 62;
 // Change of a set point in one frame that counts as a jump.  The number is our choice: the vendor's
 // own walks change set points by up to 20 degrees in a frame.
@@ -119,8 +120,8 @@ void JointWatch::CheckForRadians(size_t joint, const CommandElement& element,
     const slongword urad = element.Urad(i);
     const bool tiny = urad != 0 && urad >= -kTinyUrad && urad <= kTinyUrad;
     watched.tiny_frames = tiny ? watched.tiny_frames + 1 : 0;
-    // Notes whether a number is larger than 4: a program that sends radians by mistake never sends
-    // such a number, so the program uses microradians.
+    // Notes whether a set point is larger than kTinyUrad.  No joint can turn by so many radians, so
+    // a program that sends such a set point uses microradians.
     watched.was_in_urad = watched.was_in_urad || urad < -kTinyUrad || urad > kTinyUrad;
   }
   if (watched.tiny_frames < kTinyFrames || watched.told_radians || watched.was_in_urad) return;

@@ -55,9 +55,9 @@ class JointWatch {
     double high = -std::numeric_limits<double>::infinity();
   };
   struct Joint {
-    bool acted = false;       // whether the servo acted at the last change of gains or power
-    bool told_start = false;  // told_*: whether this kind of mistake was reported for the joint
-                              // already
+    bool acted = false;  // whether the servo acted at the last change of gains or power
+    // Each told_... tells whether one kind of mistake has been reported for the joint already.
+    bool told_start = false;
     bool told_jump = false;
     bool told_effect = false;
     bool told_radians = false;

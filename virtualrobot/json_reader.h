@@ -34,8 +34,8 @@ class JsonReader {
   // Returns the member `key` of an object.  Fails when the member is missing.
   JsonReader At(const char* key) const;
 
-  // Returns the elements of an array.  This function and the ones below call Fail() when the value
-  // is of another kind than they read.
+  // Returns the elements of an array.  This function and the functions below call Fail() when the
+  // value has another kind than the function reads.
   std::vector<JsonReader> Elements() const;
 
   // Fails when the object has a member that is not in `keys`, because a misspelt name must not be

@@ -42,8 +42,8 @@ struct RestingPose {
 // the search begins with an upright robot, the robot never comes to rest on its back.
 RestingPose PlaceOnFloor(const RobotModel& model, const std::vector<double>& angles_rad);
 
-// Returns `X_WB`, turned about the vertical through the world's origin and moved to `start`.  The
-// start at the origin leaves all bits as they are.
+// Returns `X_WB`, turned about the vertical through the world's origin and moved to `start`.  A
+// start at the origin changes no bit of the pose.
 Eigen::Isometry3d MovedTo(const StartPlace& start, const Eigen::Isometry3d& X_WB);
 
 // Returns the height over z = 0 of the lowest point of all boxes and paws, for a robot at `X_WB`.

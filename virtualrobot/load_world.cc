@@ -20,22 +20,24 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Most steps of stairs, and most things of a world.
+// Largest number of steps of stairs.
 constexpr int kStepsMax = 100;
+// Largest number of things in a world.
 constexpr size_t kThingsMax = 1000;
-// Most points of a heightfield along x and along y.
+// Largest number of points of a heightfield along x and along y.
 constexpr int kGridMax = 64;
 // Largest size of a thing, and largest distance of its centre from the origin along an axis.
 constexpr double kPlaceMax_m = 1000;
 constexpr double kAngleMax_deg = 360;
 // Limits of things that can move.
 constexpr double kMassMin_kg = 0.001, kMassMax_kg = 1000, kMovableMin_m = 0.005;
-// Greatest height of paint over the floor, and of its middle.
+// Largest height of a thing that is paint on the floor, and largest height of its middle.
 constexpr double kPaintMax_m = 0.01;
-// Thickness of a ramp, which is a board: more than a falling part moves in a frame.
+// Thickness of the board that is a ramp.  A falling part moves less than this in a frame, so it
+// cannot pass through the board.
 constexpr double kRampThickness_m = 0.1;
 
-// Reads the angle `yaw_deg` about the vertical, in radians; 0 if it was left out.
+// Reads the angle `yaw_deg` about the vertical, in radians; 0 if the file does not give it.
 double YawOf(const JsonReader& row) {
   if (!row.Has("yaw_deg")) return 0;
   const double yaw_deg = row.At("yaw_deg").Number();
@@ -44,12 +46,12 @@ double YawOf(const JsonReader& row) {
   return Radians(yaw_deg);
 }
 
-// Reads the rotation `yaw_deg`; none if it was left out.
+// Reads the rotation `yaw_deg`; no rotation if the file does not give it.
 Matrix3d YawRotationOf(const JsonReader& row) {
   return row.Has("yaw_deg") ? RotationFromRpy({0, 0, YawOf(row)}) : Matrix3d::Identity();
 }
 
-// Reads the rotation `rpy_deg`; none if it was left out.
+// Reads the rotation `rpy_deg`; no rotation if the file does not give it.
 Matrix3d RpyRotationOf(const JsonReader& row) {
   if (!row.Has("rpy_deg")) return Matrix3d::Identity();
   const Vector3d rpy_deg = row.At("rpy_deg").Vector();
@@ -69,8 +71,8 @@ Vector3d ColourOf(const JsonReader& value) {
   return colour;
 }
 
-// Reads the mass of a thing that can be moved.  Refuses what is so light or so thin that its
-// inertia would be as good as nothing.
+// Reads the mass of a thing that can be moved.  Refuses a thing that is so light or so thin that
+// its inertia would be almost 0.
 void ReadMass(const JsonReader& row, WorldThing* thing) {
   thing->mass_kg = row.At("mass_kg").Number();
   if (!(thing->mass_kg >= kMassMin_kg && thing->mass_kg <= kMassMax_kg)) {
@@ -82,7 +84,8 @@ void ReadMass(const JsonReader& row, WorldThing* thing) {
   }
 }
 
-// Reads what a thing that can be moved or painted has: its mass, or that it is not solid.
+// Reads whether a thing is solid.  Reads the mass of a solid thing that can move.  Checks that a
+// thing that is not solid is paint on the floor.
 void ReadMatter(const JsonReader& row, WorldThing* thing) {
   if (row.Has("solid")) thing->is_solid = row.At("solid").Truth();
   if (thing->is_solid) {
@@ -158,8 +161,8 @@ void ReadRamp(const JsonReader& row, WorldThing thing, std::vector<WorldThing>* 
   things->push_back(thing);
 }
 
-// Adds a box for each step, from the height of the start to its tread.  The stairs rise from
-// `start_m` along their own x.
+// Adds a box for each step, from the height of `start_m` up to the tread of the step.  The stairs
+// rise from `start_m` along their own x.
 void ReadStairs(const JsonReader& row, WorldThing thing, std::vector<WorldThing>* things) {
   row.AllowOnly(
       {"shape", "name", "colour", "reflectance", "size_m", "steps", "start_m", "yaw_deg"});
@@ -215,8 +218,8 @@ void ReadHeightField(const JsonReader& row, WorldThing thing, std::vector<WorldT
   things->push_back(thing);
 }
 
-// Fails unless the things from `first` on are so small and so near that sums of doubles are exact
-// enough.
+// Fails if one of the things from `first` on is larger, or further away, than kPlaceMax_m.  For
+// such things sums of doubles are not exact enough.
 void CheckPlaces(const JsonReader& row, const std::vector<WorldThing>& things, size_t first) {
   for (size_t i = first; i < things.size(); ++i) {
     const WorldThing& thing = things[i];
@@ -274,7 +277,8 @@ void ReadBoxes(const JsonReader& root, std::vector<WorldThing>* things) {
   }
 }
 
-// Reads the direction from which light comes, and its share that comes from everywhere.
+// Reads the direction from which the light comes, and the share of the light that comes from all
+// directions.
 void ReadLight(const JsonReader& row, World* world) {
   row.AllowOnly({"direction_deg", "ambient"});
   if (row.Has("ambient")) world->ambient = row.At("ambient").NumberWithin(0, 1);
@@ -291,7 +295,8 @@ void ReadLight(const JsonReader& row, World* world) {
                              DetCos(elevation) * DetSin(azimuth), DetSin(elevation));
 }
 
-// Reads what a camera and a distance sensor notice of the floor and the light.
+// Reads the floor's colour and reflectance and the light.  Cameras and distance sensors notice
+// them.
 void ReadLooks(const JsonReader& root, World* world) {
   if (root.Has("floor_colour")) world->floor_colour = ColourOf(root.At("floor_colour"));
   if (root.Has("floor_reflectance"))

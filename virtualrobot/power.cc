@@ -16,10 +16,10 @@
 namespace openr_host {
 namespace {
 
-constexpr int kZeroCelsius = 2731;       // in 0.1 K
+constexpr int kZeroCelsius = 2731;       // 0 degrees Celsius in units of 0.1 K
 constexpr word kFullCapacityMah = 2000;  // our choice
 constexpr word kVoltageMv = 7400;        // two lithium cells; our choice
-constexpr int kChargingMa = 1000;        // on the charging station; our choice
+constexpr int kChargingMa = 1000;        // charging current on the charging station; our choice
 constexpr int kCurrentMaxMa = 32767;     // largest current that OPowerStatus can tell
 
 // Returns whether `filter` asks to be notified of the change from `before` to `now`.
@@ -49,7 +49,7 @@ Power::Power(System* system, Battery battery) : system_(system), battery_(batter
 word Power::RemainingCapacity() const {
   const int64_t time_us = system_->now_us() - capacity_since_us_;
   if (!charging_) {
-    // The time in which the usual current would have drained the battery as far.
+    // The time in which the usual current would have drawn the same charge from the battery.
     const int64_t drained_us = time_us + extra_ma_us_ / Energy::kUsualMa;
     return static_cast<word>(battery_.PercentAt(std::max<int64_t>(drained_us, 0)));
   }
@@ -85,7 +85,7 @@ OPowerStatus Power::Status() const {
 }
 
 void Power::SetMotorPower(bool on) {
-  if (pause_ && on) return;  // the pause button has cut motor power for good
+  if (pause_ && on) return;  // motor power that the pause button has cut stays off
   motor_power_ = on;
   NotifyChange();
 }
@@ -105,8 +105,8 @@ void Power::SetCapacity(int percent) {
 }
 
 void Power::SetCharging(bool on) {
-  SetCapacity(RemainingCapacity());  // stores the present capacity, because it changes at another
-                                     // speed from now on
+  // Stores the present capacity, because the capacity changes at another speed from now on.
+  SetCapacity(RemainingCapacity());
   charging_ = on;
   NotifyChange();
 }
@@ -159,7 +159,7 @@ void Power::NotifyChange() {
     if (!Asks(watcher.filter, before, now)) continue;
     OwnedMessage message =
         system_->NewMessage(ObjectIdOf(watcher.entry.GetOID()), watcher.entry.GetSelector());
-    // clears the padding, too, because the hash includes it
+    // clears the padding, too, because the hash of the message includes the padding
     std::memset(message->payload, 0, sizeof(OPowerStatusMessage));
     auto& payload = *reinterpret_cast<OPowerStatusMessage*>(message->payload);
     payload.msgType = omsgPOWER_STATUS;

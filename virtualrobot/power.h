@@ -27,7 +27,7 @@ class Power {
   void PressPause();
 
   // Sets the remaining capacity, 0 to 100 percent of a full battery.  A battery that drains goes on
-  // draining from there.
+  // draining from this capacity.
   void SetCapacity(int percent);
 
   // Puts the robot on its charging station, or takes it away.  On the station the battery gains 1 %
@@ -48,7 +48,7 @@ class Power {
 
   // The load of the battery in a frame of 8 ms.
   struct Load {
-    int current_ma = 1300;  // drawn from the battery, beside what the charging station gives
+    int current_ma = 1300;  // drawn from the battery; without the charging current
     int battery_c = 30;     // temperature of the battery
     bool over_current = false, over_temperature = false;
     bool operator==(const Load&) const = default;
@@ -92,7 +92,8 @@ class Power {
 
   Battery battery_;  // state at the time capacity_since_us_
   int64_t capacity_since_us_ = 0;
-  int64_t extra_ma_us_ = 0;  // charge that was drawn since then, less that of the usual current
+  // Charge drawn since capacity_since_us_, minus the charge that the usual current draws.
+  int64_t extra_ma_us_ = 0;
   Load load_;
   bool charging_ = false;
   bool motor_power_ = false;

@@ -131,7 +131,7 @@ const PrimitiveRequests::Row PrimitiveRequests::kRows[] = {
      0, SetSoundType},
     {oprmreqSPEAKER_GET_SOUND_TYPE, oprimitiveSPEAKER, 0,
      sizeof(OPrimitiveControl_SpeakerSoundType), GetSoundType},
-    // Do nothing for volume and tuning of MIDI sound, because MIDI sound is not played.
+    // Requests for volume and tuning of MIDI sound do nothing, because MIDI sound is not played.
     {oprmreqSPEAKER_SET_VOLUME_MIDI, oprimitiveSPEAKER, kAnySize, 0, Nothing},
     {oprmreqSPEAKER_MASTER_TUNING_MIDI, oprimitiveSPEAKER,
      sizeof(OPrimitiveControl_MasterTuningMIDI), 0, Nothing},

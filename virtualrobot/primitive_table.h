@@ -23,9 +23,9 @@ enum class PrimitiveKind { kJoint, kSensor, kLed, kPlunger, kSpeaker, kMicrophon
 struct Primitive {
   std::string locator;
   PrimitiveKind kind = PrimitiveKind::kSensor;
-  OPrimitiveType type = oprimitiveUNDEF;  // from the word behind the dash of the locator
+  OPrimitiveType type = oprimitiveUNDEF;  // type that the word behind the dash of the locator names
   int index = -1;                         // index in the RobotModel's list of this kind
-  int sensor = -1;                        // index of the element in the sensor vector; -1: none
+  int sensor = -1;     // index of the element in the sensor vector; -1: no element
   int open_count = 0;  // calls of OpenPrimitive() minus calls of ClosePrimitive(); >= 0
 
   bool opened() const { return open_count > 0; }
@@ -43,7 +43,7 @@ class PrimitiveTable {
   // Returns the primitive with this id; null when the robot has no such primitive.
   Primitive* Find(OPrimitiveID id);
 
-  // Makes all primitives as if OpenPrimitive() had never been called.
+  // Closes all primitives, as if OpenPrimitive() had never been called.
   void CloseAll();
 
   void HashState(Hasher* hasher) const;

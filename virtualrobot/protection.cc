@@ -12,8 +12,8 @@
 namespace openr_host {
 namespace {
 
-// A joint is jammed when its motor is asked for all of its drive and the joint turns more slowly
-// than this.  The number is our choice.
+// A joint is jammed when its servo demands full drive and the joint turns more slowly than this
+// speed.  The number is our choice.
 const double kJamSpeed_rad_s = Radians(5);
 
 }  // namespace

@@ -25,11 +25,13 @@ class Protection {
     std::string end;      // reason for the end of the run
   };
 
-  // Notes a frame of 8 ms, after the body has moved.  Returns the reasons that begin with it.
+  // Notes a frame of 8 ms, after the body has moved.  Returns the reasons for a shutdown that begin
+  // with this frame.
   std::vector<Reason> NoteFrame(const BodyState& body, const Energy& energy, bool charging);
 
-  // Return whether the limit is passed now.
+  // Returns whether the battery now gives more current than its limit.
   bool over_current() const { return over_current_; }
+  // Returns whether the battery is now hotter than its limit.
   bool over_temperature() const { return heat_ != Heat::kNone; }
 
   // Forgets all observations, because the robot is switched off.
@@ -41,7 +43,7 @@ class Protection {
   void FindJam(const BodyState& body, std::vector<Reason>* reasons);
 
   const RobotModel& model_;
-  // Over which limit of temperature the battery is.
+  // The temperature limit that the battery exceeds now: one holds while it charges, one otherwise.
   enum class Heat { kNone, kDischarging, kCharging };
 
   bool over_current_ = false;

@@ -11,15 +11,15 @@
 namespace openr_host {
 namespace {
 
-// Returns the random generator of the sensor noise.  Because each robot has its own generator, a
-// further robot does not change the noise of the others.
+// Returns the random generator of the sensor noise.  Each robot has a generator of its own, so a
+// further robot does not change the noise of other robots.
 Rng NoiseOf(int robot, uint64_t seed) { return {seed, fmt::format("robot{}/sensors", robot)}; }
 
 std::unique_ptr<ImageSource> SourceOf(std::unique_ptr<ImageSource> given, const RobotModel& model) {
   return given ? std::move(given) : std::make_unique<RenderedWorld>(model);
 }
 
-// Returns the random generator of the errors of noisy sensors, which a person has broken.
+// Returns the random generator for the errors of sensors that the input `break` has made noisy.
 Rng FaultNoiseOf(int robot, uint64_t seed) { return {seed, fmt::format("robot{}/faults", robot)}; }
 
 }  // namespace

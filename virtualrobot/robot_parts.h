@@ -58,19 +58,19 @@ struct RobotParts {
   // Adds a warning about the object whose handler runs now.
   void Warn(std::string text);
 
-  // Switches the devices off, and sets the state of all parts but the body, the battery, the clock,
-  // the hands and the faults as it is at a boot.  The files of speaker, microphone and camera go on
-  // where they are.
+  // Switches the devices off and sets the parts to their state at boot, except the body, the
+  // battery, the clock, the hands and the faults.  The files of speaker, microphone and camera go
+  // on at their present positions.
   void SwitchOff();
 
-  // Warms the robot up and drains its battery, after the body has moved for a frame of 8 ms.
-  // Returns the reasons for which the robot now protects itself; none while it is off.
+  // Computes the heat and the battery load of a frame of 8 ms, after the body has moved.  Returns
+  // the reasons for which the robot now shuts down to protect itself; none while the robot is off.
   std::vector<Protection::Reason> NoteFrame(bool is_on);
 
   // Makes the noise of the sensors start again from `seed`.
   void Reseed(uint64_t seed);
 
-  // Gives the sensors the noise that robot `number` of a run has, for a process that runs this one
+  // Gives the sensors the noise that robot `number` of a run has, for a process that runs only this
   // robot of a larger run.  REQUIRES: no frame has run yet.
   void TakeNoiseOf(int number);
 

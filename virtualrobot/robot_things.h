@@ -10,8 +10,8 @@
 namespace openr_host {
 
 // Returns the boxes and paws of a robot whose parts have the poses `X_WL` (Body::BodyPoses()), in
-// the colours of an ERS-210.  Parts of 2 mm or less, which have no place of their own on the real
-// robot, and those for which `is_left_out` is true are left out.  REQUIRES: `X_WL` and
+// the colours of an ERS-210.  Leaves out parts for which `is_left_out` is true, and parts of 2 mm
+// or less, because the real robot has no such parts of their own.  REQUIRES: `X_WL` and
 // `is_left_out` have one element per part.
 std::vector<WorldThing> ThingsOfRobot(const RobotModel& model,
                                       const std::vector<Eigen::Isometry3d>& X_WL,

@@ -12,13 +12,15 @@
 namespace openr_host {
 namespace {
 
-constexpr double kMicro = 1e6;    // because sensor values are in millionths of their SI unit
-constexpr int kSignalMax = 1023;  // of the 10-bit A/D converter (Level 2 Reference Guide, 4.2.2)
-constexpr double kTemperatureRangeMicroC = 100e6;  // for the noise of a faulty sensor; our choice
+constexpr double kMicro = 1e6;  // because sensor values are in millionths of their SI unit
+// Largest output of the 10-bit A/D converter (Level 2 Reference Guide, 4.2.2).
+constexpr int kSignalMax = 1023;
+// Range for the noise of a faulty sensor; our choice.
+constexpr double kTemperatureRangeMicroC = 100e6;
 constexpr double kRayMaxM = 2.0;
-// Light that comes back to a distance sensor: the reflectance of the thing, divided by the square
-// of its distance.  With less than this, the sensor sees nothing.  The data sheets of such sensors
-// promise grey paper, with a reflectance of 0.18, up to 0.8 m; docs/calibration.md.
+// Least light that a distance sensor needs to see a thing.  The light that comes back is the
+// reflectance of the thing, divided by the square of its distance.  The data sheets promise that
+// such a sensor sees grey paper, with a reflectance of 0.18, up to 0.8 m; docs/calibration.md.
 constexpr double kLightMinPerM2 = 0.18 / (0.8 * 0.8);
 
 // Converts `value` to millionths and rounds it, halves away from zero, with the same result on
@@ -109,8 +111,8 @@ slongword SensorSource::DistanceOf(const Sensor& sensor, const Body& body) {
   const Eigen::Isometry3d X_WP = body.PoseOf(static_cast<size_t>(sensor.body));
   const RayHit hit =
       body.CastRay(X_WP * sensor.place_m, X_WP.linear() * sensor.direction, kRayMaxM);
-  // A sensor of this kind measures an angle and not the strength of the light, so a dark thing
-  // reads as far as a bright one as long as the sensor sees it at all.
+  // A sensor of this kind measures an angle and not the strength of the light, so it gives the same
+  // distance for a dark and a bright thing, as long as it sees the thing at all.
   const bool is_seen = hit.reflectance >= kLightMinPerM2 * hit.distance_m * hit.distance_m;
   const double distance = is_seen ? hit.distance_m : kRayMaxM;
   const auto& table = sensor.lookup;
@@ -156,8 +158,8 @@ void SensorSource::SampleNow(const Body& body, const Devices& devices) {
       SampleJoint(i, sensor.joint, state, devices);
       continue;
     }
-    // The value is computed even when a hand holds the sensor, so that the noise of the other
-    // sensors stays the same.
+    // The value is computed even when a hand holds the sensor, because the computation takes random
+    // numbers.  So the noise of the other sensors stays the same.
     const slongword value = ValueOf(sensor, body);
     const slongword before = latest_[i].value;
     latest_[i].value = held_[i].value_or(value);

@@ -26,8 +26,8 @@ class Hasher;
 // A fault of a sensor.
 enum class SensorFaultKind {
   kStuck,  // the sensor keeps the value that it has
-  kNoisy,  // its values jump about
-  kDead,   // it reads nothing
+  kNoisy,  // the values of the sensor have random errors
+  kDead,   // the sensor gives no values
 };
 struct SensorFault {
   SensorFaultKind kind = SensorFaultKind::kDead;
@@ -38,8 +38,9 @@ class SensorSource {
  public:
   static constexpr int kFramesPerVector = 4;  // source: Level 2 Reference Guide, 3.1
 
-  // Makes the sensors of a robot.  `noise` is the random generator of their noise, `fault_noise`
-  // that of noisy sensors.  `model` and `primitives` must outlive this object.
+  // Makes the sensors of a robot.  `noise` is the random generator of their noise; `fault_noise` is
+  // the random generator of sensors with the fault kNoisy.  `model` and `primitives` must outlive
+  // this object.
   SensorSource(const RobotModel& model, const PrimitiveTable& primitives, Rng noise,
                Rng fault_noise);
 
@@ -67,15 +68,15 @@ class SensorSource {
   // Sets the temperature of the body, in degrees Celsius.
   void set_body_c(int celsius) { body_c_ = celsius; }
 
-  // Makes sensor `sensor` read `value`, in its OPEN-R unit, until Release().  REQUIRES: it is not
-  // the sensor of a joint.
+  // Makes sensor `sensor` read `value`, in its OPEN-R unit, until Release().  REQUIRES: `sensor` is
+  // not the sensor of a joint.
   void Hold(int sensor, slongword value) { held_[static_cast<size_t>(sensor)] = value; }
   void Release(int sensor) { held_[static_cast<size_t>(sensor)].reset(); }
 
-  // Makes sensor `sensor` faulty, or ends that.  The fault of a joint's sensor is in
-  // Devices::Trouble() instead, because the servo uses that sensor, too.  REQUIRES: it is not the
-  // sensor of a joint.
+  // Makes sensor `sensor` faulty until Repair().  REQUIRES: `sensor` is not the sensor of a joint;
+  // its fault is in Devices::Trouble() instead, because the servo uses that sensor, too.
   void Break(int sensor, const SensorFault& fault) { faults_[sensor] = fault; }
+  // Ends the fault of sensor `sensor`.
   void Repair(int sensor);
 
   // Returns a random number from -1 to 1, for the error of a noisy sensor.
@@ -111,7 +112,7 @@ class SensorSource {
   const RobotModel& model_;
   const PrimitiveTable& primitives_;
   Rng noise_, fault_noise_;
-  bool is_fault_noise_used_ = false;  // fault_noise_ is no longer as it was made
+  bool is_fault_noise_used_ = false;  // whether FaultNoise() was called
   std::vector<OSensorValue> latest_;
   std::vector<JointReading> readings_;          // [joint]
   std::vector<std::optional<slongword>> held_;  // [sensor]: see Hold()

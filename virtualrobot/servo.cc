@@ -38,13 +38,13 @@ void Servo::BeginFrame(const JointCommand& command, double angle_rad) {
     integral_ = 0;
     return;
   }
-  // Takes the first set point of a servo that was off as unchanged: the D part acts on the change
-  // of the set point, and such a servo has no earlier one.
+  // Takes the set point as unchanged if the servo was off.  The D part acts on the change of the
+  // set point, and a servo that was off has no earlier set point.
   const double last_rad = enabled_ ? target_rad_ : command.target_rad;
   enabled_ = true;
   target_rad_ = command.target_rad;
   target_speed_rad_s_ = (target_rad_ - last_rad) / kFrame_s;
-  if (!(gains_ == command.gains)) {  // seldom true; saves the conversion, which takes time
+  if (!(gains_ == command.gains)) {  // seldom true; conversions take time
     gains_ = command.gains;
     p_ = Effective(gains_.p, gains_.p_shift) * counts_per_rad_;
     i_ = Effective(gains_.i, gains_.i_shift) * counts_per_rad_;
@@ -91,8 +91,8 @@ TorqueLine Servo::MotorLine(double angle_rad, double speed_rad_s, double step_s)
           slope_nm_s + nm_per_count * (d_ + p_ * step_s)};
 }
 
-// Adds the torques of a hand, and of what holds a jammed joint.  Both are springs, whose force at
-// the end of the step is computed.
+// Adds the torque of a hand that turns the joint, and the torque that holds a jammed joint.  Both
+// act like springs; their force is computed for the end of the step.
 void Servo::AddTrouble(double angle_rad, double step_s, TorqueLine* line) const {
   if (trouble_->hand_rad) {
     const double stiffness_nm = settings_.hand_stiffness_nm_per_rad;

@@ -1,10 +1,10 @@
 // The position servo and the motor of one joint, without the mechanics that they move.
 //
-// Like the control law of the robot, this one works on counts of the A/D converter and demands a
-// drive in PWM counts.  The motor turns the drive into torque along a straight torque-speed line.
-// Step() returns this line, and the physics (dynamics/) solve it together with the motion of the
-// body. The torque is not computed before the step, because with so much damping such a torque
-// would make the light links unstable.
+// The servo works like the robot's own: its control law reads counts of the A/D converter and
+// demands a drive in PWM counts.  The motor turns the drive into torque along a straight
+// torque-speed line.  The slope of this line damps the joint strongly, and a torque that is
+// computed from the speed before a step would make the light links unstable.  So Step() returns the
+// whole line, and the physics (dynamics/) find the torque together with the motion of the body.
 //
 // A joint is limp when its servo is off.  docs/body.md gives the source or the reason of every
 // number here.
@@ -61,7 +61,8 @@ class Servo {
   TorqueLine LimpLine(double speed_rad_s) const;
   void AddTrouble(double angle_rad, double step_s, TorqueLine* line) const;
   double strength() const { return trouble_ == nullptr ? 1 : trouble_->strength; }
-  // Returns whether the servo does not see how its joint moves.
+  // Returns whether the servo does not see how its joint moves, because the joint's sensor is stuck
+  // or dead.
   bool is_blind() const { return trouble_ != nullptr && trouble_->sensed_rad.has_value(); }
   double Measured(double angle_rad) const {
     return trouble_ == nullptr ? angle_rad : trouble_->Measured(angle_rad);

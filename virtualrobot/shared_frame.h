@@ -1,8 +1,8 @@
 // Ends a frame of 8 ms for all robots of a world together.
 //
 // Each robot has frames of its own, as its object OVirtualRobotComm runs them.  But robots in one
-// world push each other, so their bodies must move at the same time: with the first robot whose
-// frame ends, the bodies of all of them move.
+// world push each other, so their bodies must move at the same time.  When the frame of the first
+// robot ends, the bodies of all robots move.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,9 @@ class SharedFrame {
   // Adds a robot to the world.  `robot` must outlive the last call of End().
   void Add(RobotParts* robot) { robots_.push_back(robot); }
 
-  // Ends the frame that ends at the virtual time `now_us`, unless another robot has ended it: the
-  // hands of people and the faults act, and the bodies move for 8 ms under the present set points.
+  // Ends the frame that ends at the virtual time `now_us`: the hands of people and the faults act,
+  // and the bodies move for 8 ms under the present set points.  Does nothing if another robot has
+  // ended this frame already.
   void End(int64_t now_us);
 
  private:

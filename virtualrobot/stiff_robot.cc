@@ -90,7 +90,8 @@ StiffRobot::StiffRobot(const RobotModel& model)
 StiffRobot::StiffRobot(const RobotModel& model, const std::vector<double>& angles_rad)
     : model_(model),
       angles_rad_(angles_rad),
-      // No angle equals this one, so the first Move() places all parts.
+      // Starts with infinite angles.  No angle of a joint equals such an angle, so the first Move()
+      // places all parts.
       placed_rad_(model.joints.size(), std::numeric_limits<double>::infinity()),
       X_BL_(model.bodies.size(), Isometry3d::Identity()),
       moments_(model.bodies.size(), Vector3d::Zero()),
@@ -119,7 +120,7 @@ void StiffRobot::Move() {
   }
 }
 
-// Computes what follows from the pose of part `i`.
+// Computes the moment of part `i` and its place in the hull from its pose.
 void StiffRobot::PlacePart(size_t i) {
   moments_[i] = model_.bodies[i].mass_kg * Moved(X_BL_[i], model_.bodies[i].centre_m);
   hull_.Move(static_cast<int>(i), X_BL_[i]);
@@ -131,9 +132,9 @@ Vector3d StiffRobot::CentreOfMass() const {
   return sum / mass_kg_;
 }
 
-// Returns the point that must lie above the support, the triangle of points on which the robot
-// rests, because otherwise it tips over.  This is the centre of mass.  For a model without boxes it
-// is the middle of the paws, because such a robot can rest only on its paws.
+// Returns the centre of mass.  It must lie above the support, the triangle of points on which the
+// robot rests, because otherwise the robot tips over.  For a model without boxes, returns the
+// middle of the paws, because such a robot can rest only on its paws.
 Vector3d StiffRobot::SupportedPoint() const {
   if (model_.bodies[0].has_box) return CentreOfMass();
   Vector3d sum = Vector3d::Zero();

@@ -11,8 +11,8 @@
 namespace openr_host {
 
 // Keeps everything that follows from the joint angles, and computes only the parts again that a
-// joint has moved since.  All results have the same bits as those of a StiffRobot that is made anew
-// with the same angles.
+// joint has moved since.  All results have the same bits as the results of a new StiffRobot with
+// the same angles.
 class StiffRobot {
  public:
   // Makes a robot with all joints at 0.  `model` must outlive the robot.
@@ -43,8 +43,8 @@ class StiffRobot {
   Eigen::Vector3d SupportedPoint() const;
 
   const RobotModel& model_;
-  std::vector<double> angles_rad_;  // as set
-  std::vector<double> placed_rad_;  // those of X_BL_ and hull_
+  std::vector<double> angles_rad_;  // angles that were set
+  std::vector<double> placed_rad_;  // angles for which X_BL_ and hull_ were computed
   std::vector<Eigen::Isometry3d> X_BL_;
   std::vector<Eigen::Vector3d> moments_;  // [part]: mass times centre of mass, in kg m and in B
   std::vector<bool> has_moved_;  // [part]: used by Move() only; a member to save allocations

@@ -19,8 +19,7 @@ constexpr longword kWaitFrames = 1250;  // 10 s; our choice, because no program 
 size_t BytesOf(const RCRegion& region, const RegionTable& regions) {
   if (region.Base() == nullptr) return 0;
   const size_t block = regions.SizeOf(region.MemID());
-  if (block == 0)
-    return region.Size();  // the memory is of another kind, and its size is not known here
+  if (block == 0) return region.Size();  // memory of another kind, whose size is not known here
   return std::min(region.Size(), block - std::min<size_t>(block, region.Offset()));
 }
 

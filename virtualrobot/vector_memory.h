@@ -35,7 +35,7 @@ SentVector ReadSentVector(RCRegion* region, size_t info_size, const char* kind, 
 // Returns whether the header has the id of the memory in which the vector came.  The robot finds
 // the vector by this id and answers a wrong id with oINVALID_DATA_VECTOR_ID.  When a system object
 // made the memory, any id is accepted: TCPGateway copies vectors of programs on other machines into
-// its memory, and their headers have ids of those machines.
+// its memory, and the headers of these vectors have ids of the other machines.
 bool NamesItsMemory(const SentVector& vector, System& system);
 
 // Returns the synchronisation key of the vector in `region`; ovrsynckeyUNDEF when the region is too

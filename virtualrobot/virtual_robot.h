@@ -33,9 +33,9 @@ class VirtualRobot : public RobotServices {
   Power& power() { return parts_.power; }
   const OSensorValue& sensor(int index) const { return parts_.sensors.Latest(index); }
 
-  // Virtual time from the moment at which a robot with a boot timer is switched off, or its timer
-  // has run down, to its boot.  The time that the robot needs is not known; the number is our
-  // choice, and long enough for the body to lie still.
+  // Virtual time that a robot with a boot timer needs to boot, in addition to the time of its
+  // timer.  The time that the real robot needs is not known; the number is our choice, and long
+  // enough for the body to lie still.
   static constexpr int64_t kBootUs = 3'000'000;
 
   // Returns the number of frames completed since the last boot.
@@ -53,7 +53,7 @@ class VirtualRobot : public RobotServices {
     return parts_.camera.TakePicture(parts_.frame, *parts_.body, picture);
   }
 
-  // Takes a picture of the colours that the camera's colour detection has found in this picture
+  // Takes a picture of the colours that the camera's colour detection has found in that picture
   // (see CameraDevice::TakeColours()).
   std::string TakeColours(Picture* colours) {
     return parts_.camera.TakeColours(parts_.frame, *parts_.body, colours);

@@ -37,8 +37,8 @@ OStatus OVirtualRobotComm::DoStart(const OSystemEvent&) {
 
 OStatus OVirtualRobotComm::DoDestroy(const OSystemEvent&) {
   running_ = false;
-  // Gives these regions back here: no object reads them any more, and only this object can give
-  // them back.
+  // Gives the regions of command vectors and of the image back here.  No object reads them any
+  // more, and only this object can give them back.
   queues_.clear();
   exposed_.Release();
   return oSUCCESS;
@@ -87,10 +87,10 @@ void OVirtualRobotComm::Frame() {
     SendToListeners(sensor_, robot_.sensors.MakeVector(robot_.optional));
   }
 
-  // 5.  Send the image that the camera took before, and take the next one.  No source says how long
-  // the camera reads an image out.  But BallTrackingHead, a sample of Sony, finds the angles that
-  // belong to an image in the two newest sensor vectors (robot.md, 14), which have the samples of
-  // the last 8 frames.  So we send an image 4 to 8 frames after the frame that it shows.
+  // 5.  Send the image that the camera took before, and take the next image.  No source says how
+  // long the camera reads an image out.  But BallTrackingHead, a sample of Sony, finds the angles
+  // that belong to an image in the two newest sensor vectors (robot.md, 14), which have the samples
+  // of the last 8 frames.  So we send an image 4 to 8 frames after the frame that it shows.
   if (image_->NumberOfObservers() > 0 && robot_.camera.Due(frame)) {
     if (exposed_) SendToListeners(image_, exposed_.get());
     exposed_.Release();

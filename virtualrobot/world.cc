@@ -41,7 +41,7 @@ void CutBySlab(double p, double d, double half, Inside* inside) {
   }
 }
 
-// Cuts `inside` to the part within `radius` of the origin, for a ray of any number of coordinates.
+// Cuts `inside` to the part within `radius` of the origin, for a ray with two or three coordinates.
 template <typename Vector>
 void CutByBall(const Vector& p, const Vector& d, double radius, Inside* inside) {
   const double a = d.squaredNorm(), b = p.dot(d), c = p.squaredNorm() - radius * radius;
@@ -103,7 +103,7 @@ RayHit CastRay(const World& world, const std::vector<WorldThing>& things, const 
 StartPlace StartOf(const World& world, int robot) {
   constexpr double kApart_m = 0.5;
   if (world.starts.empty()) {
-    const int steps = (robot + 1) / 2;  // to the left and to the right in turn
+    const int steps = (robot + 1) / 2;  // robots are to the left and to the right in turn
     return {.y_m = (robot % 2 == 1 ? steps : -steps) * kApart_m};
   }
   if (static_cast<size_t>(robot) >= world.starts.size()) {
@@ -125,8 +125,9 @@ void HashWorld(const World& world, Hasher* hasher) {
     hasher->AddBytes(thing.size_m.data(), 3 * sizeof(double));
     hasher->AddBytes(thing.centre_m.data(), 3 * sizeof(double));
     hasher->AddBytes(thing.R_WT.data(), 9 * sizeof(double));
-    // Adds only what differs from the default, so that worlds without it keep their hash.  Colours
-    // and light change images only, whose bytes are hashed where an object gets them.
+    // Adds only values that differ from the defaults, so that worlds with the defaults keep their
+    // hash.  Leaves out colours and light, because they change only images, and the bytes of an
+    // image are hashed when an object receives it.
     if (thing.mass_kg > 0) hasher->Add(thing.mass_kg);
     if (!thing.is_solid) hasher->Add(thing.is_solid);
     if (thing.reflectance != 1) hasher->Add(thing.reflectance);

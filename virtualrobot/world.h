@@ -43,13 +43,12 @@ struct World {
   double floor_friction = 0.6;  // Coulomb friction coefficient of floor and things, >= 0
   Eigen::Vector3d floor_colour{0.62, 0.62, 0.60};  // red, green and blue, 0 to 1
   double floor_reflectance = 1;
-  // Direction from the things to the light, a unit vector; share of the light that comes from all
-  // directions, 0 to 1.
+  // Unit vector from the things towards the light.
   Eigen::Vector3d to_light{0.48, 0.36, 0.8};
+  // Share of the light that comes from all directions, 0 to 1.
   double ambient = 0.55;
   std::vector<WorldThing> things;
-  std::vector<StartPlace> starts =
-      {};  // of the robots, in the order of their numbers; may be empty
+  std::vector<StartPlace> starts = {};  // [robot]: the place where it begins; may be empty
 };
 
 // Returns where robot `robot` of several in one world begins: at its place in World::starts.  In a
@@ -72,8 +71,9 @@ struct RayHit {
   double reflectance = 1;
 };
 
-// Sets `hit` to the first solid one of `things` that the ray from `p_W` along the unit vector
-// `direction_W` meets before `hit->distance_m`; leaves `hit` as it is if there is none.
+// Follows the ray from `p_W` along the unit vector `direction_W`, up to the distance
+// `hit->distance_m`.  Sets `hit` to the first solid thing of `things` that the ray meets.  Does not
+// change `hit` if the ray meets no solid thing.
 void MeetThings(const std::vector<WorldThing>& things, const Eigen::Vector3d& p_W,
                 const Eigen::Vector3d& direction_W, RayHit* hit);
 

@@ -10,12 +10,13 @@
 
 namespace openr_host {
 
-// What a writer does for readers that come later: nothing, or it sends them the newest sample, as
-// the quality of service "transient local" of ROS 2 has it.
+// Says what readers get that come later than a sample: nothing, or the newest sample, as with the
+// quality of service "transient local" of ROS 2.
 enum class LateReaders { kMissSamples, kGetNewest };
 
-// A writer that keeps the newest `depth` samples.  It is reliable, so that reliable and best-effort
-// readers both match it.  Writing never waits: a slow reader loses samples.
+// A writer that keeps the newest `depth` samples.  The writer is reliable, so that both reliable
+// and best-effort readers can receive its samples.  Writing never waits: a slow reader loses
+// samples.
 class Ros2Writer {
  public:
   // `name` is the ROS 2 name without the leading slash: "aibo/joint_states".  Throws

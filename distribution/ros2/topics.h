@@ -120,8 +120,8 @@ class Ros2Odometry {
 
 struct Ros2BatteryValues {
   float voltage_v = 0, current_a = 0, temperature_c = 0;
-  float capacity_ah = 0;  // of the full battery
-  float share = 0;        // what remains of it, 0 to 1
+  float capacity_ah = 0;  // capacity of the full battery
+  float share = 0;        // share of the capacity that remains, 0 to 1
   bool is_charging = false;
 };
 
@@ -135,8 +135,8 @@ class Ros2Battery {
   Ros2Writer writer_;
 };
 
-// Publishes sound as audio_common_msgs/AudioData, 16 bits a sample, mono, and what sound it is as
-// audio_common_msgs/AudioInfo on the topic `topic` + "_info".
+// Publishes sound as audio_common_msgs/AudioData, 16 bits a sample, mono.  Publishes the format of
+// the sound as audio_common_msgs/AudioInfo on the topic `topic` + "_info".
 class Ros2Sound {
  public:
   Ros2Sound(Bus* bus, const std::string& topic, int rate_hz);
@@ -147,7 +147,7 @@ class Ros2Sound {
   Ros2Writer info_;
 };
 
-// A part of diagnostics: what a thing does, with values.
+// One entry of diagnostics: the state of a thing, with values.
 struct Ros2Status {
   enum Level : uint8_t { kGood = 0, kWarning = 1, kError = 2 };
   Level level = kGood;
@@ -161,7 +161,7 @@ class Ros2Diagnostics {
  public:
   Ros2Diagnostics(Bus* bus, const std::string& topic);
   bool HasReaders() const { return writer_.HasReaders(); }
-  // `hardware` names the thing that all of `statuses` are about.
+  // `hardware` names the thing that all `statuses` describe.
   void Publish(int64_t time_us, const std::string& hardware,
                const std::vector<Ros2Status>& statuses);
 
@@ -192,11 +192,11 @@ struct Ros2JointCommand {
 };
 
 // Receives sensor_msgs/JointState as commands for joints.  Messages come from the network and may
-// have any size, so number and size are limited.
+// have any size, so the number and the size of kept messages are limited.
 class Ros2JointCommands {
  public:
   static constexpr int kWaitingMax = 32;     // limit of messages not taken yet; the oldest are lost
-  static constexpr size_t kJointsMax = 256;  // joints in a message; further ones are ignored
+  static constexpr size_t kJointsMax = 256;  // joints in a message; further joints are ignored
   static constexpr size_t kNameMax = 256;    // characters of a name; the rest is cut off
 
   Ros2JointCommands(Bus* bus, const std::string& topic);

@@ -63,8 +63,8 @@ antError antEnvMsg::Send(antStackRef target, OID& oid, int32 entry, int size) {
   sender = OidOf(t_current.object->id);
   msgSize = size;
   invocationType = ANTENVMSG_SEND;
-  // Names the entry and the object that get the answer, because the stack sends it later, as a
-  // message.
+  // Names the entry and the object that get the answer, because the stack sends the answer later,
+  // as a message.
   contInfo.oid = oid;
   contInfo.selector = static_cast<Selector>(entry);
   return AntErrorOf(t_current.system->Post(NewRequest(stack, *this)));

@@ -15,7 +15,9 @@ namespace {
 constexpr const char* kDayNames[] = {"Sun", "Mon", "Tue", "Wed", "Thu", "Fri", "Sat"};
 constexpr const char* kMonthNames[] = {"Jan", "Feb", "Mar", "Apr", "May", "Jun",
                                        "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
-constexpr int kYearMax = 9999 - otimeSTART_YEAR;  // because texts have four digits for it
+// Largest year of a proper date, counted from otimeSTART_YEAR, because the text of a date has four
+// digits for the year.
+constexpr int kYearMax = 9999 - otimeSTART_YEAR;
 
 // Returns the number of days from 2000-01-01 to the date of `t`.
 int64_t DayOf(const OCalendarTime& t) {

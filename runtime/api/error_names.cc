@@ -12,8 +12,8 @@
 
 namespace {
 
-// Names of the errors of the network stack.  In this array and those below, the index of a name is
-// the value of the error's constant.
+// Names of the errors of the network stack.  In this array and in the arrays below, the index of a
+// name is the value of the error's constant.
 constexpr const char* kAntErrors[] = {
     "ANT_SUCCESS",
     "ANT_FAIL",

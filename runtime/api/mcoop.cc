@@ -50,9 +50,8 @@ sError GetSystemTime(SystemTime* time) {
         "1000000 calls of GetSystemTime() in one handler: a busy loop holds up "
         "every object of this robot");
   }
-  // Virtual time stands still while a handler runs.  So each call adds 1 us, or a loop that waits
-  // for a certain time would never end.
-  // The robot's clock begins at its boot.
+  // Virtual time stands still while a handler runs.  So each call adds 1 us.  Otherwise a loop that
+  // waits for a certain time would never end.  The robot's clock begins at its boot.
   System& system = *t_current.system;
   const bool has_robot = object->robot < system.robot_count();
   const int64_t booted_us = has_robot ? system.robot(object->robot).booted_us : 0;

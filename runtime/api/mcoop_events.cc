@@ -1,5 +1,5 @@
-// The functions of MCOOP.h that order messages for later (events), and those that read and set
-// limits of an object.  MCOOP.h is the interface of Aperios, the robot's operating system.
+// The functions of MCOOP.h that order messages for later (events), and the functions that read and
+// set limits of an object.  MCOOP.h is the interface of Aperios, the robot's operating system.
 #include <MCOOP.h>
 
 #include "runtime/api/mcoop_limits.h"
@@ -91,8 +91,8 @@ sError GetResourceValue(sResource resource, slongword* current, slongword* max, 
     default:
       return sINVALIDRESOURCE;
   }
-  // The maximum of each limit is its current value.  This is so for the queue too, because the host
-  // has no larger maximum for the length of the queue.
+  // Sets the maximum of each limit to its current value.  This is right for the queue, too, because
+  // the host has no larger maximum for the length of the queue.
   if (max != nullptr) *max = *current;
   if (min != nullptr) *min = 1;
   return sSUCCESS;

@@ -1,4 +1,4 @@
-// The functions of namespace OPENR, but for those that make and delete vectors (vectors.cc).
+// The functions of namespace OPENR, except the functions that make and delete vectors (vectors.cc).
 // Functions about devices call the RobotServices of the robot, the interface to its simulated
 // devices.  The other functions do their work here.
 #include <OPENR/OPENRAPI.h>

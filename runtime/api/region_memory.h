@@ -23,9 +23,9 @@ inline char* NewSharedMemory(size_t bytes, MemoryRegionID* id) {
   return regions.BaseOf(*id);
 }
 
-// Deletes the region `id` for the current object.  Returns false if there is no such region.  A
-// region that was deleted before becomes a finding: the robot only returns an error, which programs
-// seldom look at.
+// Deletes the region `id` for the current object.  Returns false if there is no such region.  If
+// the region was deleted before, also adds a finding, because the robot only returns an error and
+// programs seldom check it.
 inline bool DeleteSharedMemory(MemoryRegionID id) {
   if (t_current.system->calls().DeleteRegion(id)) return true;
   if (t_current.system->regions().WasDeleted(id))

@@ -36,7 +36,10 @@ void openr_second_stack_continue(struct OpenrSecondStack* stack);
 /* Adds the warning `text` about the running object to the findings. */
 void openr_finding(const char* text);
 
-/* Adds the same warning with "did you mean" if one of the `count` known names is near to `name`. */
+/*
+ * Adds the warning `text` as openr_finding() does, and "did you mean" if one of the `count` known
+ * names is near to `name`.
+ */
 void openr_finding_of_name(const char* text, const char* name, const char* const* known, int count);
 
 #ifdef __cplusplus

@@ -19,7 +19,7 @@ namespace {
 constexpr int kRegionsOfRobot = 0x1cb;
 // The number of regions of one object above which a warning is given.  The number is our choice:
 // sample programs need two regions per service, so an object with more than 64 probably makes new
-// ones again and again.
+// regions again and again.
 constexpr int kRegionsOfObject = 64;
 
 // Returns the number of regions that the objects of `robot` own together.
@@ -81,7 +81,8 @@ OStatus NewVector(ODataType type, size_t info_size, size_t bytes, size_t count, 
 // `unknown`, because each OPENR::Delete... function has an error of its own for this case.
 OStatus DeleteVector(MemoryRegionID id, ODataType type, OStatus unknown) {
   const RegionTable& regions = t_current.system->regions();
-  if (regions.WasDeleted(id)) DeleteSharedMemory(id);  // adds the finding
+  // Adds a finding: the region is deleted twice.
+  if (regions.WasDeleted(id)) DeleteSharedMemory(id);
   if (regions.SizeOf(id) < sizeof(ODataVectorInfo)) return unknown;
   const auto* const info = reinterpret_cast<const ODataVectorInfo*>(regions.BaseOf(id));
   return info->type == type && t_current.system->calls().DeleteRegion(id) ? oSUCCESS : unknown;

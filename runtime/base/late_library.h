@@ -11,10 +11,12 @@ class LateLibrary {
  public:
   // Loads the library `file`, which stays loaded.  An error names `what`, such as "Cyclone DDS, by
   // which processes exchange data", and the Debian package `package`.  With `is_global`, libraries
-  // that are loaded later find its symbols.  Throws std::runtime_error if it cannot be loaded.
+  // that are loaded later find its symbols.  Throws std::runtime_error if the library cannot be
+  // loaded.
   LateLibrary(const char* file, const char* what, const char* package, bool is_global = false);
 
-  // Sets `*function` to the function `name`.  Throws std::runtime_error if the library has none.
+  // Sets `*function` to the function `name`.  Throws std::runtime_error if the library has no such
+  // function.
   template <typename T>
   void Find(T** function, const char* name) const {
     *function = reinterpret_cast<T*>(Address(name));

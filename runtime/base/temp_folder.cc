@@ -68,7 +68,7 @@ TempFolder::TempFolder(TempUse use) : process_(getpid()) {
   const fs::path parent = ParentFor(use);
   const std::string prefix = Prefix();
   RemoveStaleFolders(parent, prefix);
-  // Folders in memory are removed by every run, because they take memory that others need.
+  // Every run removes stale folders in memory, because they take memory that others need.
   if (parent != kMemoryFolder) RemoveStaleFolders(kMemoryFolder, prefix);
   std::string name = (parent / fmt::format("{}{}-XXXXXX", prefix, process_)).string();
   if (mkdtemp(name.data()) == nullptr) {

@@ -9,8 +9,9 @@ namespace openr_host {
 enum class TempUse {
   kAnyFiles,
   // Files that are few and small.  If the user has not named a place with TMPDIR, they are kept in
-  // memory (/dev/shm) where that has room and lets code be run.  A run makes and removes dozens of
-  // such files, which takes longer on a disk than all else at its start.
+  // memory (/dev/shm), if there is room and code in such files may be run.  A run makes and removes
+  // dozens of small files.  On a disk this takes longer than everything else at the start of the
+  // run.
   kSmallFiles,
 };
 

@@ -10,7 +10,8 @@
 namespace openr_host {
 namespace {
 
-constexpr int64_t kCostMaxUs = 10'000'000;  // our limit; more is taken for a typing error
+// Our limit; a larger number is taken for a typing error.
+constexpr int64_t kCostMaxUs = 10'000'000;
 constexpr int64_t kFrameMinUs = 1'000, kFrameMaxUs = 1'000'000;
 
 constexpr char kCostForm[] = "write: OBJECT ENTRY MICROSECONDS [+-JITTER%]";

@@ -15,7 +15,9 @@ inline constexpr int kDesignKeywordBytesMax = 127;
 
 struct DesignRecord {
   std::string keyword;  // upper and lower case differ
-  std::string path;     // as written, e.g. /MS/OPEN-R/MW/DATA/P/BOW.MTN; any case
+  // The path as the file has it, e.g. /MS/OPEN-R/MW/DATA/P/BOW.MTN; upper and lower case letters
+  // are equal.
+  std::string path;
   std::string section;  // the robot design for which the line is valid; "" for every robot
   FilePosition keyword_place;
   FilePosition path_place;

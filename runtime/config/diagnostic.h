@@ -21,7 +21,7 @@ struct FilePosition {
   std::string text;  // the line, without its end
 };
 
-// Returns the position in the same line as `place`, at `column`.
+// Returns the position at `column` in the line of `place`.
 FilePosition AtColumn(FilePosition place, int column);
 
 struct Diagnostic {

@@ -9,7 +9,7 @@
 namespace openr_host {
 namespace {
 
-// Returns the earlier record with the same path, or nullptr.  Records in sections of different
+// Returns the record in `objects` that has this path, or nullptr.  Records in sections of different
 // robot designs are not compared, because no robot reads both.
 const ObjectRecord* FindObject(const std::vector<ObjectRecord>& objects, const std::string& path,
                                const std::string& section) {

@@ -11,7 +11,9 @@
 namespace openr_host {
 
 struct ObjectRecord {
-  std::string path;     // as written, e.g. /MS/OPEN-R/MW/OBJS/MOVER.BIN; any case
+  // The path as the file has it, e.g. /MS/OPEN-R/MW/OBJS/MOVER.BIN; upper and lower case letters
+  // are equal.
+  std::string path;
   std::string section;  // the robot design for which the line is valid; "" for every robot
   FilePosition place;
 };
@@ -23,8 +25,8 @@ struct ObjectConfig {
 
 // Parses the text of OBJECT.CFG, one path per line, for one robot design ("ERS-210", or
 // kEveryDesign).  A bad line is reported and skipped; all other lines are used.  A path that is
-// listed twice (in any case) is loaded once, with a warning.  `file` is the file's name for
-// messages.
+// listed twice is loaded once, with a warning; upper and lower case count as equal.  `file` is the
+// file's name for messages.
 ObjectConfig ParseObjectConfig(const std::string& file, std::string_view text,
                                std::string_view design);
 

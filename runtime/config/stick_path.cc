@@ -12,8 +12,8 @@ namespace openr_host {
 namespace {
 
 constexpr std::string_view kRoot = "/MS/";
-constexpr size_t kBaseNameMax = 8;   // limit of a FAT file system (Programmer's Guide A.1)
-constexpr size_t kExtensionMax = 3;  // another limit of FAT
+constexpr size_t kBaseNameMax = 8;   // limit of FAT for a name (Programmer's Guide A.1)
+constexpr size_t kExtensionMax = 3;  // limit of FAT for the extension of a name
 
 bool StartsWithRoot(std::string_view path) {
   return EqualsIgnoringCase(path.substr(0, kRoot.size()), kRoot);

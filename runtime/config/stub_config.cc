@@ -58,7 +58,8 @@ class StubParser {
                   &result_.config.observers};
   bool has_object_name_ = false;
   bool in_block_comment_ = false;
-  int ignored_service_line_ = 0;  // number of the last Service line that was ignored; 0: none
+  // Number of the last Service line that was ignored; 0: no line was ignored.
+  int ignored_service_line_ = 0;
 };
 
 StubConfigResult StubParser::Parse(const std::string& file, std::string_view text) {
@@ -177,8 +178,8 @@ void StubParser::CheckWhole(const std::string& file) {
 void StubParser::CheckCount(const std::string& file, const Side& side) {
   const int found = static_cast<int>(side.services->size());
   const std::string& object = result_.config.object_name;
-  // Expects a dummy subject in an object without subjects, and a dummy observer in one without
-  // observers, because the SDK's stub needs at least one of each.
+  // Expects a dummy subject in an object without subjects, and a dummy observer in an object
+  // without observers, because the SDK's stub needs at least one of each.
   const std::string dummy =
       found > 0 ? ""
                 : fmt::format(

@@ -30,8 +30,8 @@ struct StubExtra {
   FilePosition place;
 };
 
-// The content of a stub.cfg.  Subjects are numbered from 0 in the order of the file, and observers
-// too.
+// The content of a stub.cfg.  Subjects are numbered from 0 in the order of the file.  Observers are
+// numbered from 0, too.
 struct StubConfig {
   std::string object_name;  // C++ class of the object
   std::vector<StubService> subjects;
@@ -51,10 +51,10 @@ struct StubConfigResult {
 
 // Parses the text of a stub.cfg.  A line counts if it starts, after blanks, with ObjectName,
 // NumOfOSubject or NumOfSubject, NumOfOObserver or NumOfObserver, Service or Extra, and a colon;
-// every other line is ignored, so "//", "#" and plain text are comments.  All this is as observed
-// with Sony's stubgen2.  Unlike stubgen2, this parser reports all mistakes and not only the first,
-// and warns about an ignored line that looks like a typing error.  It also reports errors that
-// otherwise the compiler would find in the stub (equal constants, impossible names).
+// every other line is ignored, so "//", "#" and plain text are comments.  Sony's stubgen2 was
+// observed to do all this.  Unlike stubgen2, this parser reports all mistakes and not only the
+// first, and warns about an ignored line that looks like a typing error.  It also reports errors
+// that otherwise the compiler would find in the stub (equal constants, impossible names).
 StubConfigResult ParseStubConfig(const std::string& file, std::string_view text);
 
 }  // namespace openr_host

@@ -131,7 +131,7 @@ std::string MakeStubHeader(const StubConfig& config, const std::string& source) 
                  body);
 }
 
-// ---- Generates <ObjectName>Stub.cc, which defines these functions and the table of entries
+// ---- Generates <ObjectName>Stub.cc, which defines the C functions and the table of entries
 
 // Returns the line of the stub that defines the entry number `index` of the kind `kind`, such as
 // "StubFuncDefine_Ready(0, Resend)".  If `function` is "", the entry does nothing: the line is

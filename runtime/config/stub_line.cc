@@ -93,8 +93,8 @@ const KeywordName* FindKeyword(std::string_view word) {
 void WarnOfNearMiss(const Piece& rest, std::string_view word, Reporter* reporter) {
   if (FindKeyword(word) != nullptr) {
     // Takes a line that begins with "Service" or "Extra" for a comment if it has neither quote nor
-    // bracket: both are words of plain English, but a Service line has a quote and an Extra line a
-    // bracket.
+    // bracket: both words may begin an English sentence, but a Service line has a quote and an
+    // Extra line has a bracket.
     const bool is_prose = (word == "Service" || word == "Extra") &&
                           rest.text.find_first_of("\"(") == std::string_view::npos;
     if (is_prose) return;

@@ -24,7 +24,7 @@ int ParseSmallNumber(std::string_view text, int max) {
 }
 
 // Stores a dotted address in `*target`.  If the value is invalid, returns false and stores nothing.
-// All functions Set...() do the same.
+// All functions Set...() treat an invalid value in this way.
 bool SetAddress(std::string_view value, std::string* target) {
   std::string_view rest = value;
   for (int part = 0; part < 4; ++part) {

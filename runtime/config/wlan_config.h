@@ -18,7 +18,8 @@ struct WlanConfig {
   std::string ip_gateway = "10.0.1.1";
   std::string essid = "AIBONET";  // up to 32 characters
   bool wep_enable = true;
-  std::string wep_key = "AIBO2";   // as written: characters, or 0x and hexadecimal digits
+  // The key as the file has it: characters, or 0x and hexadecimal digits.
+  std::string wep_key = "AIBO2";
   int ap_mode = 2;                 // 0 ad hoc demo, 1 infrastructure, 2 automatic
   int channel = 3;                 // 1..11, ad hoc only
   std::string dns_server_1;        // "" when not given

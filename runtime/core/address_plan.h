@@ -42,9 +42,9 @@ class AddressPlace {
   static constexpr size_t kCopyBytes = size_t{128} << 20;
 
   // Takes a place of the plan for object `id`.  Two places belong to each object.  The object takes
-  // the first one, unless it is still in use: by the object that this one replaces, or by an object
-  // of another System in this process.  Then the object takes the second one.  If both are in use,
-  // the object takes the free place with the highest number.
+  // the first place, unless another object still uses it: the object that it replaces, or an object
+  // of another System in this process.  Then the object takes the second place.  If both places are
+  // in use, the object takes the free place with the highest number.
   explicit AddressPlace(ObjectId id);
   ~AddressPlace();  // REQUIRES: nothing is mapped at this place any more
   AddressPlace(const AddressPlace&) = delete;

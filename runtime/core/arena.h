@@ -25,7 +25,9 @@ namespace openr_host {
 struct MemoryBudget {
   size_t limit_bytes = SIZE_MAX;
   size_t used_bytes = 0;
-  int allocations_until_failure = -1;  // for tests: 1 fails the next allocation; < 0: none fails
+  // Number of the allocation that fails, counted from now, for tests.  1: the next allocation
+  // fails; < 0: no allocation fails.
+  int allocations_until_failure = -1;
 };
 
 class Arena {

@@ -43,7 +43,7 @@ class ArithmeticWatch {
   unsigned kinds_ = 0;  // the flags that raise SIGFPE
   // The number of nested calls of functions of the SDK and the C library that are running now.
   int calls_ = 0;
-  unsigned saved_fp_ = 0;  // the image's MXCSR, kept during such a call
+  unsigned saved_fp_ = 0;  // the image's MXCSR, kept while such a function runs
 };
 
 }  // namespace openr_host

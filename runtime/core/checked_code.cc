@@ -55,7 +55,7 @@ struct ArithmeticData {
 
 struct ShiftData {
   SourcePlace place;
-  const TypeText* type;  // of the number that is shifted
+  const TypeText* type;  // type of the number that is shifted
   const TypeText* count_type;
 };
 
@@ -90,7 +90,7 @@ void Report(SourcePlace* place, const std::string& what, const char* exception) 
 }
 
 // Adds a finding about `what`, which the language leaves undefined, once for each place in the
-// source.  Images have the checks for this only after openr build --sanitize.
+// source.  Only images of openr build --sanitize have the checks for such behaviour.
 void ReportUndefined(SourcePlace* place, const std::string& what) {
   if (t_current.system == nullptr || t_current.object == nullptr) return;
   if (std::exchange(place->column, kSaid) == kSaid) return;

@@ -84,7 +84,7 @@ class CodeObject : public OObject {
     Extra extra_;
   };
 
-  // The entry for the readies of a subject, which lies in it.
+  // The entry for the readies of a subject.  The subject is a member of the entry.
   template <typename Ready>
   class ReadyEntry final : public Entry {
    public:
@@ -101,7 +101,7 @@ class CodeObject : public OObject {
     Ready ready_;
   };
 
-  // The entry for the notifications to an observer, which lies in it.
+  // The entry for the notifications to an observer.  The observer is a member of the entry.
   template <typename Notify>
   class NotifyEntry final : public Entry {
    public:
@@ -120,7 +120,7 @@ class CodeObject : public OObject {
   };
 
   Selector AddEntry(const std::string& name, std::unique_ptr<Entry> entry);
-  // Add the entries of a subject or an observer, of which the last is `entry`.
+  // Add the entries of a subject or an observer.  `entry` becomes the last of these entries.
   void AddSubjectEntries(const std::string& service, OSubject* subject,
                          std::unique_ptr<Entry> entry);
   void AddObserverEntries(const std::string& service, OObserver* observer,
@@ -158,7 +158,7 @@ class CodeHost final : public Object {
   bool Dispatch(uint32_t selector, void* payload) override;
   void HashState(Hasher* hasher) const override;
 
-  void SetCode(std::unique_ptr<CodeObject> made);  // called when the constructor has run
+  void SetCode(std::unique_ptr<CodeObject> made);  // called after the constructor of `made`
 
   std::unique_ptr<CodeObject> code;
 

@@ -31,13 +31,14 @@ const void* CallerInImage();
 std::vector<const void*> CallsInImage();
 constexpr size_t kCallsMax = 8;
 
-// Returns the name of the first of `calls` that is in a source of the object and not in a header,
-// or of the first with a name: memory is mostly allocated by inline functions of headers such as
-// <vector>, which say little.  Returns "" if no call has a name.
+// Returns the name of the first of `calls` that is in a source of the object and not in a header.
+// Memory is mostly allocated by inline functions of headers such as <vector>, which tell users
+// little.  If all calls are in headers, returns the first known name.  Returns "" if no call has a
+// name.
 std::string NameOfCalls(const std::vector<const void*>& calls);
 
 // Returns "DoStart: ", the name of the entry whose handler runs in the current object.  Returns ""
-// if none runs.
+// if no handler runs.
 std::string InHandler();
 
 // Returns ", at Talker.cc:57", the end of a finding's text, for the place of CallerInImage().

@@ -73,9 +73,9 @@ void RefuseNotification(Object* object, const Message& message);
 struct ObserverLink {
   ObserverID observer;
 
-  // The readiness of the observer for data: 1 if it is ready; 0 if it has not asserted ready yet,
-  // or not since data were last sent to it; -1 if it has deasserted ready.  Two asserts in a row
-  // count as one, as on the robot.
+  // The readiness of the observer for data: 1 if it is ready; 0 if it has not asserted ready since
+  // data were last sent to it, or never; -1 if it has deasserted ready.  Two asserts in a row count
+  // as one, as on the robot.
   int ready = 0;
   bool is_lost = false;          // the last deassert came from the runtime (kDeassertOfLost)
   bool told_deasserted = false;  // a finding about a notify after a deassert has been added
@@ -89,8 +89,9 @@ struct ObserverLink {
   size_t skip = 0;
   size_t min = 1;
   size_t max = 1;
-  size_t skipped = 0;              // notifications skipped since the last kept notification
-  int64_t waiting_since_us = -1;   // virtual time since which a notification waits; -1: none waits
+  size_t skipped = 0;  // notifications skipped since the last kept notification
+  // Virtual time since which a notification waits; -1: no notification waits.
+  int64_t waiting_since_us = -1;
   uint64_t sent = 0;               // messages sent
   int64_t sent_us = 0;             // virtual time of the last message
   std::vector<RCRegion*> pending;  // regions that were notified but not sent yet, oldest first
@@ -180,7 +181,7 @@ struct ObserverState {
   size_t min = 1;
   size_t max = 1;
 
-  // Returns this observer's record of `subject`, which is made if there is none yet.
+  // Returns this observer's record of `subject`.  Makes the record if it does not exist yet.
   Held& HeldOf(const SubjectID& subject) {
     for (Held& entry : held) {
       if (entry.subject == subject) [[likely]]

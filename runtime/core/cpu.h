@@ -64,8 +64,8 @@ class Cpu {
   // IsFreeFor(*object).
   void Begin(Object* object, uint32_t selector, int64_t cost_us, int64_t now_us);
 
-  // Returns when the running handler ends unless another handler interrupts it; INT64_MAX if none
-  // runs.
+  // Returns the time at which the running handler ends if no other handler interrupts it; INT64_MAX
+  // if no handler runs.
   int64_t EndUs() const;
 
   // Ends the running handler, whose time is over: sends the messages that it posted, and lets other
@@ -82,7 +82,7 @@ class Cpu {
   };
 
   System* const system_;
-  std::vector<Job> jobs_;  // the last job runs; those before it were interrupted
+  std::vector<Job> jobs_;  // the last job runs; the jobs before it were interrupted
   // The messages whose receiver waits for the processor, oldest first.
   std::vector<OwnedMessage> waiting_;
 };

@@ -45,7 +45,7 @@ Fiber* Dispatcher::TakeFiber() {
 
 void Dispatcher::FiberMain(void* dispatcher) { static_cast<Dispatcher*>(dispatcher)->Loop(); }
 
-// Leaves the running fiber and continues `fiber`.  Returns when another fiber continues the one
+// Leaves the running fiber and continues `fiber`.  Returns when another fiber continues the fiber
 // that was left.
 void Dispatcher::SwitchTo(Fiber* fiber) {
   Fiber* const from = running_;
@@ -91,8 +91,8 @@ void Dispatcher::Recycle() {
   if (!object->processor.is_busy && !object->handler.held.empty()) object->ReturnHeld();
 }
 
-// Calls the entry of `object` for its running message.  Whatever goes wrong there becomes a
-// finding.
+// Calls the entry of `object` for its running message.  An uncaught exception or an unknown
+// selector becomes a finding.
 [[gnu::always_inline]] inline void Dispatcher::CallEntry(Object* object) {
   Message* const message = object->handler.running.get();
   try {
@@ -129,7 +129,7 @@ void Dispatcher::Recycle() {
   t_current = {system_, object, object->is_image, is_watched ? &watch : nullptr};
   CallEntry(object);
   if (clock != nullptr) {
-    const ApiScope scope;  // without it, clock() would return the time of the robot
+    const ApiScope scope;  // without this scope, clock() would return the time of the robot
     object->handler_ns_max = std::max(object->handler_ns_max, clock() - begin_ns);
   }
   FinishHandler(object);
@@ -229,7 +229,7 @@ void Dispatcher::Loop() {
       Deliver(std::move(message));
       continue;
     }
-    // No message is due now, so the clock goes to the next message or other event.
+    // Moves the clock to the next message or other event, because no message is due now.
     const int64_t next_us = std::min(queue.NextTime(), system_->NextInstant());
     if (next_us <= limits_.time_us && next_us != INT64_MAX) {
       AdvanceTo(next_us);

@@ -21,8 +21,8 @@ struct Finding {
   std::string text;
   uint64_t count = 1;  // how often the finding was added
   // Names the cause of the finding, such as a missing object.  Findings with the same cause, for
-  // example for all lines of CONNECT.CFG that name this object, are kept as one.  If empty, only
-  // findings with the same text are kept as one.
+  // example for all lines of CONNECT.CFG that name this object, are kept as one finding.  If
+  // `cause` is empty, only findings with the same text are kept as one finding.
   std::string cause = {};
   std::string place = {};  // "CONNECT.CFG:4"; set only if there is a cause
   // The places of later findings with this cause, at most kPlacesMax.
@@ -34,7 +34,7 @@ struct Finding {
 std::string HowOften(const Finding& finding);
 
 // A list of findings in the order in which they were first added.  Findings about one object with
-// the same text, or with the same cause, are kept as one and counted.
+// the same text, or with the same cause, are kept as one finding and counted.
 class Findings {
  public:
   // The largest number of different findings that are kept; further findings are only counted.  The

@@ -35,8 +35,8 @@ char* GuardPages::MapPages(char* area, size_t bytes) {
     return pages == MAP_FAILED ? nullptr : static_cast<char*>(pages);
   }
   size_t& next = next_in_[area];
-  // Searches on from the beginning of the area after its end.  Copies that are still in use may lie
-  // there, so pages in use are skipped.
+  // Goes on at the beginning of the area when its end is reached.  Copies that are still in use may
+  // lie there, so pages in use are skipped.
   for (size_t tried = 0; tried < AddressPlace::kCopyBytes; tried += bytes) {
     if (next + bytes > AddressPlace::kCopyBytes) next = 0;
     char* const pages = area + next;

@@ -65,7 +65,7 @@ class GuardPages {
   std::map<const char*, Copy> copies_;
   std::map<char*, size_t> next_in_;  // offset of the next copy in each area
   // The pages of copies that were given back.  They are used again for copies in the same area with
-  // the same number of bytes; area and number are the key.
+  // the same number of bytes; the key is the area and the number of bytes.
   std::map<std::pair<char*, size_t>, std::vector<char*>> unused_;
 };
 

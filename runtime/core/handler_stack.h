@@ -5,7 +5,7 @@
 // Programs send bytes of their stack that they never set: padding, and members that a constructor
 // forgot.  If the runtime and the C library also used this stack, such bytes would be addresses
 // that differ from process to process.  The stack has a second use: the number of bytes written on
-// it is the stack that the object itself needs.
+// it is the size of the stack that the object itself needs.
 #pragma once
 
 #include <cstddef>

@@ -16,8 +16,8 @@ constexpr uint64_t kLowest = uint64_t{0x1100} << 32;
 constexpr uint64_t kEnd = uint64_t{1} << 47;
 
 // With AddressSanitizer and ThreadSanitizer, messages are not searched for host addresses.  These
-// tools reserve so much memory that many numbers look like addresses in it.  Also, the memory of
-// objects has no planned addresses then.
+// tools reserve so much memory that many numbers look like addresses in this memory.  And with
+// these tools the memory of objects has no planned addresses.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool kIsSearched = false;
 #else

@@ -9,11 +9,11 @@
 namespace openr_host {
 
 struct ImageFile {
-  std::string bytes;           // the shared object, decompressed
-  bool is_compressed = false;  // compressed with gzip, as the Makefiles of some programs install
-                               // images
-  bool is_for_robot = false;   // the file is a MIPS binary
-  std::string problem;         // the reason why the file cannot be loaded; "" if it can be loaded
+  std::string bytes;  // the shared object, decompressed
+  // True if the file is compressed with gzip.  The Makefiles of some programs compress the images.
+  bool is_compressed = false;
+  bool is_for_robot = false;  // the file is a MIPS binary
+  std::string problem;        // the reason why the file cannot be loaded; "" if it can be loaded
 };
 
 // Reads the file `path` and checks everything that can be checked without loading the file: whether
@@ -28,11 +28,11 @@ ImageFile CheckImage(std::string bytes);
 std::string OcfTextOf(const std::string& bytes);
 
 // Returns the name of the library of AddressSanitizer that a host image needs, such as
-// "libasan.so.8"; "" if the image was built without (openr build --sanitize).
+// "libasan.so.8"; "" if the image was not built with openr build --sanitize.
 std::string SanitizerOf(const std::string& bytes);
 
 // Returns the names of all functions that an image defines, mangled as in its table of symbols;
-// none if it was stripped.
+// none if the image was stripped.
 std::vector<std::string> FunctionsIn(const std::string& bytes);
 
 // Returns all texts of at least 8 characters in the bytes of an image, as the tool `strings` does.

@@ -279,7 +279,7 @@ void Redirection::FindImports(int64_t table, int64_t size) {
 
 // Writes a thunk and returns its address.  A thunk has two instructions: mov r11, FUNCTION; jmp
 // *WORD.  In front of all thunks lie two words with the addresses of openr_call_import and
-// openr_call_variadic_import; WORD is the one that fits the function.
+// openr_call_variadic_import; WORD is the word that fits the function.
 uint64_t Redirection::MakeThunk(const Import& import, size_t index) {
   char* const thunk = thunks_ + (index + 1) * kThunkBytes;
   const char* const word = thunks_ + (IsVariadic(NameOf(import.symbol)) ? 8 : 0);

@@ -31,9 +31,9 @@ std::string RedirectImports(char* image, char* thunks, size_t bytes);
 bool IsStackChange(uintptr_t address);
 
 // Called in a function F of the SDK with `own`, F's __builtin_return_address(0).  Returns the
-// address in the image to which F will return.  If the image has called F through a thunk, `own` is
-// not this address: it lies in the code that changes the stack.  That code has saved the address to
-// which F will return.  Without a thunk, returns `own`.
+// address in the image to which F will return.  If the image has called F through a thunk, `own`
+// lies in the code that changes the stack, and that code has saved the address in the image.
+// Without a thunk, returns `own`.
 const void* ReturnAddressInImage(const void* own);
 
 }  // namespace openr_host

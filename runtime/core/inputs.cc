@@ -70,7 +70,7 @@ std::string Inputs::Add(int robot, std::string_view line) {
   return "";
 }
 
-// Puts an input behind those of the same time and before all later ones.
+// Inserts `input` after all inputs that are due at the same time or earlier.
 void Inputs::Insert(Waiting input) {
   const auto place =
       std::upper_bound(waiting_.begin(), waiting_.end(), input.due_us,

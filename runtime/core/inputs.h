@@ -3,7 +3,7 @@
 // "press chin for 300ms" is an input: a verb, then what the verb needs.  An input takes effect at a
 // frame boundary, like all that comes from outside.  A recording stores the lines with their times,
 // so a replay gives the same lines at the same times.  The runtime defines some verbs
-// (system_verbs.h), a virtual robot defines those of its body (virtualrobot/hands.h).
+// (system_verbs.h), a virtual robot defines the verbs of its body (virtualrobot/hands.h).
 // docs/inputs.md lists all of them.
 #pragma once
 
@@ -54,8 +54,8 @@ class Inputs {
   // nothing is added.  REQUIRES: not called in a handler.
   std::string Add(int robot, std::string_view line);
 
-  // Adds the input `line` for the frame boundary at `time_us`, or the first one after it.  No
-  // listener is called.  REQUIRES: as Add(), and `time_us` is not in the past.
+  // Adds the input `line` for the frame boundary at `time_us`, or the first frame boundary after
+  // it.  No listener is called.  REQUIRES: as Add(), and `time_us` is not in the past.
   std::string AddAt(int64_t time_us, int robot, std::string_view line);
 
   // Registers a `listener` that Add() calls with each line that it accepts.

@@ -24,8 +24,8 @@
 namespace openr_host {
 namespace {
 
-// An address as the tables of this file keep it.  The search reads the memory of this process, with
-// these tables, and must not find addresses of blocks there.
+// An address as the tables of this file keep it: changed by a mask.  The search reads all memory of
+// this process, also these tables, and must not find addresses of blocks in the tables.
 class HiddenAddress {
  public:
   HiddenAddress() = default;
@@ -35,7 +35,7 @@ class HiddenAddress {
   const char* pointer() const { return reinterpret_cast<const char*>(value()); }
 
  private:
-  static constexpr uintptr_t kMask = 0xa5a5'0000'0000'0000;  // no address begins so
+  static constexpr uintptr_t kMask = 0xa5a5'0000'0000'0000;  // no address has these upper bits
   uintptr_t hidden_ = kMask;
 };
 
@@ -45,8 +45,9 @@ struct Node {
   size_t bytes = 0;
   const Object* object = nullptr;  // owner of a block or region; null: never reported
   bool is_region = false;
-  const std::vector<const void*>* calls = nullptr;  // of a block
-  const void* made_at = nullptr;                    // of a region
+  // For a block: the calls that allocated the block.
+  const std::vector<const void*>* calls = nullptr;
+  const void* made_at = nullptr;  // for a region: the instruction that made the region
   bool is_reachable = false;
 };
 
@@ -70,7 +71,8 @@ class LeakSearch {
   void ReadStacks();
   void ReadHost(const char* stack);
   void ReadAround(const char* begin, const char* end);
-  // Read memory and mark what its words name.  With `has_ids`, the ids of regions count too.
+  // Reads the memory from `begin` to `end`, and marks the nodes whose addresses are in its words.
+  // With `has_ids`, also marks the regions whose ids are in its words.
   void Read(const char* begin, const char* end, bool has_ids);
   void ReadReached();
   void MarkAddress(uintptr_t address);
@@ -108,7 +110,7 @@ void LeakSearch::CollectRegions() {
   for (const auto& object : system_->objects()) {
     if (object == nullptr || !object->is_image || object->arena == nullptr) continue;
     table.ForEachOf(object->id, [&](uint32_t id, char* base, size_t size) {
-      if (!IsPlanned(base)) return;  // in the host's heap, which is read as a whole
+      if (!IsPlanned(base)) return;  // the memory is in the host's heap, which is read as a whole
       region_of_id_[id] = HiddenAddress(base);
       nodes_.push_back({.begin = HiddenAddress(base),
                         .bytes = size,
@@ -186,8 +188,8 @@ bool LeakSearch::HasWaitingHandler() const {
   });
 }
 
-// Reads the stacks of handlers, if a handler waits.  Otherwise they hold only what handlers have
-// left there.
+// Reads the stacks of handlers, if a handler waits.  Otherwise the stacks hold only bytes that
+// earlier handlers have left.
 void LeakSearch::ReadStacks() {
   const bool has_waiting = HasWaitingHandler();
   for (const auto& [begin, bytes] : StackMemory::All()) {
@@ -217,7 +219,7 @@ bool IsOfImage(const System& system, const char* address) {
   });
 }
 
-// Reads all writable memory of this process: variables of images, and everything of the runtime.
+// Reads all writable memory of this process: variables of images, and all memory of the runtime.
 void LeakSearch::ReadHost(const char* stack) {
   std::sort(holes_.begin(), holes_.end(),
             [](const Range& a, const Range& b) { return IsLess(a.begin, b.begin); });
@@ -291,7 +293,8 @@ void LeakSearch::Report() const {
     system_->AddFindingAbout(nullptr, Severity::kNote, "no leaks of blocks or regions were found");
 }
 
-// Names objects whose heaps are not known here.
+// Adds a note about each object whose heap is not known in this process, because its leaks cannot
+// be found.
 void ReportUnknown(System* system) {
   for (const auto& object : system->objects()) {
     if (object == nullptr || !object->is_image || object->is_absent || object->arena != nullptr)

@@ -16,7 +16,7 @@ namespace openr_host {
 class System;
 
 // Adds a note for each place of an object's source at which memory was allocated that has leaked,
-// or one note that there is none.  REQUIRES: SystemOptions::find_leaks.
+// or one note that there is no leak.  REQUIRES: SystemOptions::find_leaks.
 void ReportLeaks(System* system);
 
 }  // namespace openr_host

@@ -20,8 +20,8 @@ class Schedule;
 using ObjectId = int32_t;
 constexpr ObjectId kNoObject = -1;
 
-// The classes in order of delivery: if messages are due at the same time, those of class kFrame are
-// delivered first.
+// The classes in order of delivery: if messages are due at the same time, messages of class kFrame
+// are delivered first.
 enum class MessageClass : uint8_t {
   kFrame = 0,   // begins a frame, a step of 8 ms of a robot's body
   kInput = 1,   // input from outside
@@ -46,15 +46,15 @@ struct alignas(64) Message {
   ObjectId target = kNoObject;
   uint32_t selector = 0;  // number of the receiver's entry, the function that handles the message
   uint32_t size = 0;      // bytes of payload
-  // A request has the number of the sender's reply box (requests.h), a reply that of the target's
-  // box; 0: the message is neither.
+  // In a request: the number of the sender's reply box (requests.h).  In a reply: the number of the
+  // target's reply box. 0: the message is neither.
   uint64_t reply_box = 0;
   uint64_t payload_hash = 0;  // hash of the payload; used only if `kind` is kHashed
   Message* next = nullptr;    // the next message in a list of MessageQueue
   MessageClass message_class = MessageClass::kObject;
   PayloadKind kind = PayloadKind::kBytes;
   bool is_reply = false;  // a reply goes into `reply_box` of the target and calls no entry
-  // The queue to whose pool the message goes back, set by Allocate(); null: none.
+  // The queue to whose pool the message goes back; null: the message is from no pool.
   MessageQueue* pool = nullptr;
 
   // The largest number of bytes that a message can carry.  The robot's limit is 256; an
@@ -96,15 +96,16 @@ class MessageQueue {
   // To put back several messages in their order, begin with the last of them.
   void PushFront(OwnedMessage message, int priority);
 
-  // Takes the first message that is due now, or returns null if none is due.  If there are several
-  // due messages of this class and priority, a `schedule` (schedule.h) chooses which receiver gets
-  // its first message.
+  // Takes the first message that is due now, or returns null if no message is due.  If there are
+  // several due messages of this class and priority, a `schedule` (schedule.h) chooses which
+  // receiver gets its first message.
   OwnedMessage Pop(Schedule* schedule = nullptr) { return OwnedMessage(TakeDue(schedule)); }
   bool HasDue() const { return due_count_ > 0; }
-  // Returns the message that Pop() without a schedule would take; null if none is due.
+  // Returns the message that Pop() without a schedule would take; null if no message is due.
   const Message* First() const;
 
-  // Returns the due time of the first message that is not due yet; INT64_MAX if there is none.
+  // Returns the due time of the first message that is not due yet; INT64_MAX if all queued messages
+  // are due.
   int64_t NextTime() const { return later_.empty() ? INT64_MAX : later_.front().due_us; }
 
   // Sets the queue's clock to `time_us`.  REQUIRES: !HasDue(), time_us <= NextTime(), and `time_us`
@@ -113,8 +114,8 @@ class MessageQueue {
 
   size_t size() const { return due_count_ + later_.size(); }
 
-  // Takes every queued message for which `matches` returns true.  Returns those that are due in
-  // order of delivery, then the others in no order.
+  // Takes every queued message for which `matches` returns true.  Returns first the messages that
+  // are due, in the order of delivery, then the other messages in no order.
   std::vector<OwnedMessage> TakeIf(const std::function<bool(const Message&)>& matches);
 
   // Calls `visit` for every queued message in order of delivery.
@@ -165,8 +166,8 @@ class MessageQueue {
     occupied_[level / 64] &= ~(uint64_t{1} << (level % 64));
     if (level == first_level_) first_level_ = FirstLevelFrom(level / 64);
   }
-  // Returns the first level with a message of those whose bits are in the words from `word` on;
-  // kLevels if there is none.
+  // Searches the levels whose bits are in occupied_[word] or later words.  Returns the first level
+  // that has a message, or kLevels if these levels have no message.
   uint32_t FirstLevelFrom(uint32_t word) const {
     for (; word < kLevels / 64; ++word) {
       if (occupied_[word] != 0)
@@ -183,7 +184,7 @@ class MessageQueue {
   uint64_t occupied_[kLevels / 64] = {};  // bit i is 1 if the list of level i is not empty
   uint32_t first_level_ = kLevels;  // the first level with a message; kLevels: no message is due
   std::vector<Later> later_;        // messages that are not due yet; a heap
-  Message* free_ = nullptr;         // the first free message; Message::next has the others
+  Message* free_ = nullptr;  // the first free message; Message::next links the other free messages
   // The arrays that hold the messages of the pool.
   std::vector<std::unique_ptr<Message[]>> chunks_;
   // The receivers among which ChooseTarget() lets a schedule choose.  The vector is a member so

@@ -52,7 +52,8 @@ struct HandlerState {
   // Messages that the object cannot handle yet, oldest first, because its handler waits or has the
   // processor, or because it is in its boot (ObjectManager::IsTooEarly()).
   std::vector<OwnedMessage> held;
-  Fiber* blocked = nullptr;      // the stack of the handler while it waits; null: it does not wait
+  // The stack of the handler while the handler waits; null: it does not wait.
+  Fiber* blocked = nullptr;
   uint64_t blocked_box = 0;      // the reply box for which the handler waits
   int64_t blocked_since_us = 0;  // virtual time when the wait began
   // The text that tells users what the handler waits for: "the answer of IPStack (Send)".
@@ -77,7 +78,7 @@ struct ReplyBoxes {
 // The object's use of the robot's processor, if handlers take time; see cpu.h.
 struct ProcessorState {
   bool is_busy = false;  // a handler of the object has the processor
-  // The virtual time since when a message has waited for the processor; -1: none waits.
+  // The virtual time since when a message has waited for the processor; -1: no message waits.
   int64_t starving_since_us = -1;
   struct Outgoing {
     OwnedMessage message;
@@ -132,8 +133,8 @@ class Object {
   // in the master process, for an object whose code is in a worker process.
   virtual void ReturnRegion(RCRegion*) {}
 
-  // Counts a `message` to this object that will not be delivered.  If it is a notification, gives
-  // its regions back to the subject.
+  // Counts a `message` to this object that will not be delivered.  If `message` is a notification,
+  // gives its regions back to the subject.
   virtual void HandleUndelivered(const Message& message);
 
   // Puts the held messages back at the front of the queue, because they are older than all messages
@@ -170,7 +171,8 @@ class Object {
   std::string name;  // OBJECT_NAME of the .ocf file, unique per robot
   std::string path;  // /MS/... of an image; empty for objects built in code
 
-  // Number of the objects that have had this id before.  The entries of each have other names.
+  // Number of the objects that had this id before this object.  Each of these objects has its own
+  // names of entries.
   int predecessors = 0;
 
   // Statistics for the report of the run.
@@ -195,9 +197,10 @@ class Object {
   OpenFiles files;
   ReplyBoxes boxes;
 
-  // The part of the address plan that belongs to the object, and its heap there.  Null for objects
-  // that are no images, and where addresses are not planned (address_plan.h).
+  // The part of the address plan that belongs to the object.  Null for objects that are no images,
+  // and where addresses are not planned (address_plan.h).
   std::unique_ptr<AddressPlace> place;
+  // The heap of the object, at addresses of `place`.  Null if `place` is null.
   std::unique_ptr<Arena> arena;
   std::vector<std::unique_ptr<SubjectState>> subjects;
   std::vector<std::unique_ptr<ObserverState>> observers;
@@ -207,11 +210,11 @@ class Object {
   // selector.
   std::map<uint32_t, std::string> services;
 
-  // ---- What every message reads, on two cache lines, and last, so that the members of the derived
-  // classes follow.  With thousands of objects, waiting for memory is most of the time of a
-  // message.
+  // ---- The members that every message reads.  They lie on two cache lines, and last, so that the
+  // members of the derived classes follow.  With thousands of objects, most of the time of a
+  // message is spent waiting for memory.
 
-  // The object has the entries 0 to entry_count - 1.  HasEntry() is asked about the others.
+  // The object has the entries 0 to entry_count - 1.  For all other entries, HasEntry() is called.
   alignas(64) uint32_t entry_count = 0;
   // The number of messages to the object that are not delivered yet, without replies.
   int waiting = 0;

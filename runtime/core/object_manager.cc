@@ -153,13 +153,13 @@ void ObjectManager::RunBoot(int robot, size_t findings_before) {
   system().booted_ = true;
 }
 
-// Boots `robot` again after it was off.  Loads all its images anew.
+// Boots `robot` again after it was off.  Loads all images of the robot again.
 void ObjectManager::RunBootAgain(int robot) {
   const size_t findings_before = system().findings().all().size();
   shutting_down_.erase(robot);
-  // Clears this set, because its addresses would be wrong after the boot.  The set has services of
-  // lost processes only, and a robot with objects in other processes does not boot again, so no
-  // service is lost.
+  // Clears unreported_, because its addresses would be wrong after the boot.  It has only services
+  // of lost processes, and a robot with objects in other processes does not boot again, so no
+  // service is forgotten.
   unreported_.clear();
   if (!system().LoadAgain(robot)) return;
   KeepBack(robot);
@@ -231,9 +231,9 @@ void ObjectManager::Begin(std::vector<std::unique_ptr<Object>> fresh) {
     if (no_observer) ReportUnknown(connection, connection.observer);
   }
   ReleaseEarlyMessages();
-  // Sends to each new object the readies that observers had asserted to the old one, because these
-  // observers do not know of the replacement.  A ready of an observer that is replaced too is left
-  // out: the new observer asserts ready in its own boot.
+  // Sends to each new object the readies that observers had asserted to the old object, because
+  // these observers do not know of the replacement.  A ready of an observer that is replaced too is
+  // left out: the new observer asserts ready in its own boot.
   for (auto& [id, standing] : readies) {
     std::erase_if(standing, [&](const auto& one) { return readies.contains(one.observer); });
     system().object_table().AssertAgain(id, standing);
@@ -292,8 +292,8 @@ void ObjectManager::Send(Object* object, Selector entry, OReason reason) {
 // name of a service does not tell its object for sure, so the object is searched for:
 // 1. the object whose name is the first part of the service's name,
 // 2. else the object of a registered service whose name has the same first part.
-// Returns whether that object is lost.  If neither exists, returns whether any object of the robot
-// is lost, because the service may belong to it.
+// Returns whether the object found is lost.  If neither exists, returns whether any object of the
+// robot is lost, because the service may belong to the lost object.
 bool ObjectManager::MayBeLost(int robot, const std::string& service) const {
   const std::string prefix = service.substr(0, service.find('.') + 1);
   bool has_lost = false;

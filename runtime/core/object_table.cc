@@ -17,8 +17,8 @@ namespace {
 bool IsOf(const OServiceEntry& entry, ObjectId id) { return ObjectIdOf(entry.GetOID()) == id; }
 
 // Gives up the regions that `observer` has received from the subjects for which `ends` returns
-// true.  Calls `release` with the subject's RCRegion of each, because a ready cannot give them
-// back: the observer's or the subject's object is being replaced.
+// true.  Calls `release` with the subject's RCRegion of each region.  A ready cannot give the
+// regions back, because the observer's or the subject's object is being replaced.
 void ReleaseHeld(ObserverState* observer, const std::function<bool(const SubjectID&)>& ends,
                  const std::function<void(RCRegion*)>& release) {
   for (ObserverState::Held& held : observer->held) {
@@ -84,7 +84,7 @@ class AbsentObject : public Object {
   bool Dispatch(uint32_t, void*) override { return false; }
 };
 
-// Gives `fresh` the statistics of `old`, which had its id.
+// Gives `fresh` the statistics of `old`, which had the same id.
 void PassStatistics(const Object& old, Object* fresh) {
   fresh->predecessors = old.predecessors + 1;
   fresh->message_count = old.message_count;
@@ -184,7 +184,7 @@ std::vector<OwnedMessage> ObjectTable::TakeMessagesTo(Object* object) {
   for (OwnedMessage& message : system_->queue().TakeIf(is_to_object)) {
     if (!message->is_reply) messages.push_back(std::move(message));
   }
-  // Subtracts only the messages taken so far, because those in outboxes, which are taken below,
+  // Subtracts only the messages taken so far.  The messages in outboxes, which are taken below,
   // were never counted as waiting.
   object->waiting -= static_cast<int>(messages.size());
   ASSERT(object->waiting >= 0, "{} has {} waiting messages", object->name, object->waiting);
@@ -194,8 +194,8 @@ std::vector<OwnedMessage> ObjectTable::TakeMessagesTo(Object* object) {
 }
 
 // Takes all messages to `old` out of the run, because nothing will receive them.  Returns the
-// readies that observers have given `old`: those that `old` has received, and those among these
-// messages.
+// readies that observers have sent to `old`: the readies that `old` has received, and the readies
+// among the messages taken.
 std::vector<StandingReady> ObjectTable::EndMessagesTo(Object* old) {
   std::vector<StandingReady> readies = old->StandingReadies();
   for (const OwnedMessage& message : TakeMessagesTo(old)) {
@@ -210,7 +210,7 @@ std::vector<StandingReady> ObjectTable::EndMessagesTo(Object* old) {
   return readies;
 }
 
-// Puts `fresh` in place of the object with its id.
+// Replaces the object that has the same id as `fresh` by `fresh`.
 void ObjectTable::Place(std::unique_ptr<Object> fresh) {
   const ObjectId id = fresh->id;
   Object* const old = Get(id);

@@ -30,8 +30,8 @@ class ObjectTable {
   // Adds `object` and returns it.  REQUIRES: object->id is an id that IdFor() returns now.
   Object* Adopt(std::unique_ptr<Object> object);
   // Returns the id for a new object of `robot`.  `key` is the path of the object, or its name if it
-  // has no path.  The id is that of an object with this key from before the robot was switched off,
-  // or a new one.
+  // has no path.  If an object with this key existed before the robot was switched off, returns the
+  // id of that object; otherwise returns a new id.
   ObjectId IdFor(int robot, std::string_view key) const;
   ObjectId NextId() const { return static_cast<ObjectId>(objects_.size()); }
 

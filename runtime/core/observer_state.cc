@@ -27,8 +27,8 @@ OStatus ObserverState::SendReady(const SubjectID& subject, ObjcommCommand comman
   message->size = sizeof ready;
   message->kind = PayloadKind::kReady;
   // The ready gives back the regions that this object no longer uses, that is, to which it holds no
-  // reference of its own.  A ready can give back MAX_NUM_DATA regions; the others are given back by
-  // the next ready.
+  // reference of its own.  A ready can give back MAX_NUM_DATA regions; the next ready gives back
+  // the other regions.
   RCRegion* returned[MAX_NUM_DATA];
   Held& entry = HeldOf(subject);
   for (RCRegion* region : entry.regions) {

@@ -27,11 +27,11 @@ class OffRobots {
   // Returns the virtual time at which robot number `robot` boots.  REQUIRES: Contains(robot).
   int64_t BootUs(int robot) const { return robots_.at(robot).boot_us; }
 
-  // Returns the end of the next frame of these robots; INT64_MAX if no robot is off.
+  // Returns the end of the next frame of the robots that are off; INT64_MAX if no robot is off.
   int64_t NextUs() const;
-  // Moves the bodies of these robots if a frame ends now, and posts the boot of each robot that is
-  // due to boot.  A robot is removed only when it boots (System::LoadAgain()), because the object
-  // manager may be busy.
+  // Moves the bodies of the robots that are off if a frame ends now, and posts the boot of each
+  // robot that is due to boot.  A robot is removed only when it boots (System::LoadAgain()),
+  // because the object manager may be busy.
   void DoDue();
 
   void HashState(Hasher* hasher) const;

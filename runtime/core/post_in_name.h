@@ -34,10 +34,10 @@ std::optional<ServiceEnd> FindService(const System& system, int robot, std::stri
 // Returns the names of all subjects that are connected with `observer`, the name of an observer.
 std::vector<std::string> SubjectsOf(const System& system, int robot, std::string_view observer);
 
-// Post a notification with one datum to `observer`, or a ready of `observer` to `subject`, each in
-// the name of the other end.  A notification arrives even if the observer is not ready.  Return "",
-// or the reason why nothing was posted: subject and observer are not connected, or the queue is
-// full.
+// PostNotification() posts a notification with one datum to `observer`, as if `subject` had sent
+// it. The notification arrives even if the observer is not ready.  PostReady() posts a ready to
+// `subject`, as if `observer` had sent it.  Both return "", or the reason why nothing was posted:
+// subject and observer are not connected, or the queue is full.
 std::string PostNotification(System* system, const ServiceEnd& subject, const ServiceEnd& observer,
                              std::string_view datum);
 std::string PostReady(System* system, const ServiceEnd& observer, const ServiceEnd& subject,

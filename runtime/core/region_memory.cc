@@ -31,9 +31,9 @@ bool IsSet(const std::vector<bool>& flags, size_t index) {
 }  // namespace
 
 size_t RegionMemory::OffsetOf(int size_class) {
-  // The cells of this class begin after those of all smaller classes.  One slot has cells of 64,
-  // 256, 1024 ... bytes in these classes.  The sum is that of a geometric series, and is multiplied
-  // by the number of slots.
+  // The cells of this class begin after the cells of all smaller classes.  One slot has cells of
+  // 64, 256, 1024 ... bytes in the smaller classes.  Their sum is a geometric series; it is
+  // multiplied by the number of slots.
   return (CellBytes(size_class) - CellBytes(0)) / 3 * kSlots;
 }
 

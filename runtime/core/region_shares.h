@@ -45,7 +45,8 @@ class RegionShares {
   };
 
   // Returns sSUCCESS if `self` may use `region` with the rights `info` (to read, or to read and
-  // write), otherwise an sError.  The owner has all rights; others have those that Allow() gave.
+  // write), otherwise an sError.  The owner has all rights; other objects have the rights that
+  // Allow() gave them.
   int32_t Check(ObjectId self, uint32_t region, MemoryProtectionInfo info) const;
 
   RegionTable* const regions_;

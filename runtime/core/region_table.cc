@@ -11,8 +11,8 @@
 namespace openr_host {
 namespace {
 
-// With AddressSanitizer, which reports writes beyond the end of a block itself, no known bytes
-// follow a block.
+// The number of known bytes that follow a block.  With AddressSanitizer no known bytes follow a
+// block, because AddressSanitizer itself reports writes beyond the end of a block.
 const size_t kGuardBytes = IsAddressSanitized() ? 0 : 16;
 // With AddressSanitizer, the memory of a copy that is no longer used is freed and not kept for the
 // next copy.  Then AddressSanitizer reports reads of the old copy.

@@ -53,7 +53,8 @@ class RegionTable {
 
   // Records `address`, the instruction of a program that made block `id`, for MostCommonPlace().
   void NotePlace(uint32_t id, const void* address);
-  // Returns the instruction of NotePlace(), or null.
+  // Returns the instruction that NotePlace() has recorded for block `id`; null if no instruction
+  // was recorded.
   const void* PlaceOf(uint32_t id) const;
   // Returns whether `id` named a block that was deleted.
   bool WasDeleted(uint32_t id) const;
@@ -112,7 +113,8 @@ class RegionTable {
   // Returns the number of live blocks that `owner` owns.
   int CountOf(ObjectId owner) const;
   int live_count() const { return live_count_; }
-  // Returns the number of slots with memory: live ones, and deleted ones that are still used.
+  // Returns the number of slots with memory: slots of live blocks, of pinned blocks and of idle
+  // copies.
   int used_count() const;
 
   // Calls `visit` for every live block of `owner`.
@@ -139,14 +141,15 @@ class RegionTable {
     bool is_idle = false;      // a copy that is not pinned, whose memory is kept for the next copy
   };
 
-  // Finds idle copies too.
+  // Returns the slot of block `id`, also if the block is an idle copy; null if there is no such
+  // block.
   Slot* FindMemory(uint32_t id) {
     const uint32_t index = (id & 0xffff) - 1;
     if (index >= slots_.size()) return nullptr;
     Slot& slot = slots_[index];
     return slot.generation == id >> 16 && slot.base != nullptr ? &slot : nullptr;
   }
-  // Does not find idle copies.
+  // Returns the slot of block `id`; null if there is no such block or the block is an idle copy.
   Slot* Find(uint32_t id) {
     Slot* const slot = FindMemory(id);
     return slot == nullptr || slot->is_idle ? nullptr : slot;

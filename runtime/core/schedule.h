@@ -30,7 +30,7 @@ class Schedule {
 
   // Returns the time to add to the due time of `message`, which is being posted and is due
   // `delay_us` from now.  A schedule that delays one message must also delay the later messages of
-  // the same sender to the same receiver, so that they do not overtake the first.
+  // the same sender to the same receiver, so that the later messages do not overtake it.
   virtual int64_t ExtraDelayUs(const Message& message, int64_t now_us, int64_t delay_us);
 
   // Returns whether the sender's call to post `message` shall fail, as on the robot when the queue

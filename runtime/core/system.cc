@@ -45,8 +45,9 @@ std::string RunContext() {
       system->options().seed);
 }
 
-// Makes the C library allocate the buffer of stdout now.  Otherwise it would do so at the first
-// print, on the heap of the object that prints, and the buffer would be freed with that object.
+// Makes the C library allocate the buffer of stdout now.  Otherwise the C library allocates the
+// buffer at the first print, on the heap of the object that prints, and the buffer is freed
+// together with that object.
 void AllocateStandardOutput() {
   if (__fbufsize(stdout) > 0) return;
   setvbuf(stdout, nullptr, _IOFBF, 0);

@@ -60,7 +60,7 @@ constexpr size_t kRobotMemoryBytes = size_t{32} << 20;
 
 struct SystemOptions {
   // The seed of everything that is random.  With 1, messages have the canonical order (schedule.h);
-  // with any other seed, the order is drawn from those that the robot allows.
+  // with any other seed, the order is drawn from the orders that the robot allows.
   uint64_t seed = 1;
   // If true, mistakes of programs that stop a real robot stop the robot here too.  If false, they
   // only become findings, which are lines in the report of the run.  If true, objects also receive
@@ -109,14 +109,16 @@ struct Robot {
   std::unique_ptr<RobotServices> services;  // its simulated devices (robot_services.h)
   // The object and selector of each registered service.  The key is the service's name.
   std::map<std::string, std::pair<ObjectId, uint32_t>> directory;
-  std::map<std::string, std::string> design_data;  // of DESIGNDB.CFG: keyword -> path of a file
-  std::map<std::string, ObjectId> names;           // of Register() (MCOOP.h): name -> object
+  // The lines of DESIGNDB.CFG: keyword -> path of a file.
+  std::map<std::string, std::string> design_data;
+  std::map<std::string, ObjectId> names;  // the names given to Register() (MCOOP.h): name -> object
   MemoryBudget memory;      // memory that its objects use; limited only with SystemOptions::strict
   uint64_t stick_hash = 0;  // hash of the stick's content when LoadStick() was called
   bool powered_off = false;
-  std::optional<RunEnd> end;  // the reason for the shutdown or the power-off; none: still on
-  int64_t booted_us = 0;      // virtual time of its last boot
-  int boots = 1;              // how often it has booted
+  // The reason for the shutdown or the power-off; no value while the robot is on.
+  std::optional<RunEnd> end;
+  int64_t booted_us = 0;  // virtual time of the robot's last boot
+  int boots = 1;          // number of times the robot has booted
   // Adds the robot's system objects and loads its stick once more, for a boot after a shutdown.
   // Returns false if the robot does not boot.  Null: the robot cannot boot again.
   std::function<bool()> load_again;
@@ -166,7 +168,7 @@ class System {
 
   // Posts the shutdown of one robot: DoStop of its objects, then DoDestroy, then the robot is off.
   void Shutdown(int robot, const RunEnd& why = {});
-  void Shutdown(const RunEnd& why = {});             // all robots
+  void Shutdown(const RunEnd& why = {});             // shuts down all robots
   bool booted() const { return booted_; }            // the last DoStart has returned
   bool powered_off() const { return powered_off_; }  // all robots are off for good; nothing runs
   // Switches one robot off at once, as OPENR::Fatal() does.  Messages to its objects are dropped
@@ -247,8 +249,8 @@ class System {
 
   // ---- Schedule and gate ----
   //
-  // Both are for tests and tools that explore orders of messages.  The System does not own them:
-  // they must exist as long as it delivers messages.  Null: none.
+  // A schedule and a gate are for tests and tools that explore orders of messages.  The System does
+  // not own them, so they must exist as long as the System delivers messages.  Null: there is none.
 
   // Replaces the schedule that the seed has chosen.  The schedule decides the order of messages.
   // REQUIRES: before Boot().
@@ -294,7 +296,7 @@ class System {
   uint64_t state_hash();
   uint64_t message_count() const { return trace_.count(); }
 
-  // Adds a finding about the current object, or about the system if there is none.
+  // Adds a finding about the current object, or about the system if there is no current object.
   void AddFinding(Severity severity, std::string text);
   void AddFindingAbout(const Object* object, Severity severity, std::string text);
   // Adds a finding about the stick or the configuration of a robot.
@@ -314,7 +316,8 @@ class System {
   friend class ObjectManager;
 
   // Removes the objects, services, connections and names of robot number `index`, which is off, and
-  // loads them again.  Returns false, and leaves the robot off for good, if it does not boot.
+  // loads them again.  If the robot does not boot, returns false and leaves the robot off for the
+  // rest of the run.
   bool LoadAgain(int index);
   void WaitForBoot(Robot* robot);
   void NoteWhetherAllAreOff(const RunEnd& why);
@@ -356,7 +359,7 @@ class System {
   std::vector<std::unique_ptr<Robot>> robots_;
   std::vector<Connection> connections_;
   std::unique_ptr<Dispatcher> dispatcher_;
-  std::vector<std::unique_ptr<Cpu>> cpus_;  // by robot; none without a cost model
+  std::vector<std::unique_ptr<Cpu>> cpus_;  // by index of the robot; empty without a cost model
   std::unique_ptr<SeedSchedule> seed_schedule_;
   Schedule* schedule_ = nullptr;
   Gate* gate_ = nullptr;

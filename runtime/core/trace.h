@@ -81,7 +81,7 @@ uint64_t PayloadHash(const Message& message, uint32_t* size);
 std::string PayloadBytes(const Message& message);
 
 // Returns the bytes of PayloadBytes() without a copy where they are in one piece, otherwise in
-// `*copy`.  They are valid until the message ends or `*copy` changes.
+// `*copy`.  The result is valid until the message ends or `*copy` changes.
 std::string_view PayloadView(const Message& message, std::string* copy);
 
 }  // namespace openr_host

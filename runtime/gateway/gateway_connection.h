@@ -1,8 +1,9 @@
 // The TCP connection of one service of the gateway; there is at most one at a time.
 //
 // The robot's side listens on the service's port; the host's side connects and tries again every
-// second.  Both send messages to IPStack like any object (TCPEndpointMsg.h), so IPStack records and
-// replays their input like that of all objects.  A second client is accepted and closed at once.
+// second.  Both sides send messages to IPStack like any object (TCPEndpointMsg.h), so IPStack
+// records and replays their input like the input of all objects.  A second client is accepted and
+// closed at once.
 #pragma once
 
 #include <TCPEndpointMsg.h>
@@ -51,7 +52,8 @@ class GatewayConnection {
   void Refuse(const std::string& why);
 
   void TakeAnswer(const antEnvMsg& answer);
-  // Warns if no attempt to connect has succeeded or failed yet.  Called kHintUs after an attempt.
+  // Called kHintUs after an attempt to connect.  Warns the user if the peer has neither accepted
+  // nor refused an attempt yet.
   void LookForAnswer();
 
   void HashState(Hasher* hasher) const;
@@ -76,8 +78,8 @@ class GatewayConnection {
   const int index_;
   const GatewayRecord record_;
   Owner* const owner_;
-  byte* receive_bytes_ =
-      nullptr;             // the shared buffer: first the received bytes, then those to send
+  // The shared buffer: first the received bytes, then the bytes to send.
+  byte* receive_bytes_ = nullptr;
   antModuleRef listener_;  // the endpoint that waits for the next client
   antModuleRef endpoint_;  // the endpoint of the connection, also while it is being made
   bool is_up_ = false;

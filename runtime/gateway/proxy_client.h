@@ -38,8 +38,9 @@ class ProxyClient : public GatewayChannel {
   // Queues the ProxyRequest in `payload`, the message that the running handler has received.  The
   // reply to this message is a word with an sError, then the bytes of the robot's reply.
   void Take(const void* payload, size_t size);
-  // Fails all requests if the oldest one has waited for kPatienceUs, because the others wait behind
-  // it.  The error is sTIMEOUT.  But if the connection is open, closes it, and the error is sFAIL.
+  // Fails all requests if the oldest request has waited for kPatienceUs, because the other requests
+  // wait for its answer.  The error is sTIMEOUT.  But if the connection is open, closes the
+  // connection, and the error is sFAIL.
   void Expire();
 
   void Up() override;

@@ -1,11 +1,12 @@
 // The messages that OPENR:: functions send to the system objects of the robot (binary.md, 4).  All
 // words have 32 bits, little-endian; the first word is a type.
 //
-// Only messages with a known layout are supported: those of OVirtualRobot about primitives, gains,
-// joint and sensor values and sync keys, the message of ODesignedRobot for the robot design, and
-// two messages of OPowerManager.  The layouts of these two are inferred: that of SetMotorPower from
-// the size of its message, that of GetPowerStatus from OPowerStatusMessage, which has the same
-// size.  Other messages of OPowerManager are not supported, because only their sizes are known.
+// Only messages with a known layout are supported: the messages of OVirtualRobot about primitives,
+// gains, joint and sensor values and sync keys, the message of ODesignedRobot for the robot design,
+// and two messages of OPowerManager.  The layouts of the two messages of OPowerManager are
+// inferred: the layout of SetMotorPower from the size of its message, the layout of GetPowerStatus
+// from OPowerStatusMessage, which has the same size.  Other messages of OPowerManager are not
+// supported, because only their sizes are known.
 #pragma once
 
 #include <cstddef>
@@ -54,7 +55,8 @@ inline constexpr uint32_t kStatusType = 2;       // type of a reply that is only
 inline constexpr uint32_t kOpenType = 1024;
 inline constexpr uint32_t kOpenReplyType = 1025;  // also the type of a close request
 inline constexpr uint32_t kControlType = 1027;
-inline constexpr uint32_t kPowerType = 1024;  // plus the selector; our choice, ignored on receipt
+// Plus the selector; our choice, because receivers ignore it.
+inline constexpr uint32_t kPowerType = 1024;
 
 // Returns the 32-bit word at `offset`, or 0 if the bytes end before it.
 uint32_t WordIn(const std::string& bytes, size_t offset);

@@ -131,8 +131,8 @@ class GatewayLoader {
         has_robot_file_(Text(kRobotGatewayFile).has_value()),
         config_(Read(kRobotGatewayFile, GatewaySide::kRobot)) {
     GatewayConfig other = Read(kHostGatewayFile, GatewaySide::kHost);
-    // Prefers the record of ROBOTGW.CFG to that of the other file.  The record says to which robot
-    // a program sends its OPEN-R calls; this run is a robot, so it answers calls itself.
+    // Prefers the record of ROBOTGW.CFG to the record of the other file.  The record says to which
+    // robot a program sends its OPEN-R calls; this run is a robot, so it answers calls itself.
     if (!config_.proxy) config_.proxy = std::move(other.proxy);
     std::move(other.services.begin(), other.services.end(), std::back_inserter(config_.services));
     std::move(other.diagnostics.begin(), other.diagnostics.end(),
@@ -160,7 +160,7 @@ class GatewayLoader {
     const ConnectConfig wires = ParseConnectConfig("CONNECT.CFG", text.value_or(""), Design());
     const bool is_wired = !config_.services.empty() && NamesGateway(wires);
     // Adds the gateway also if CONNECT.CFG connects one of its services, or if programs call a
-    // robot: the stick of a PC, unlike that of a robot, does not name the gateway in OBJECT.CFG.
+    // robot: a robot's stick names the gateway in OBJECT.CFG, but the stick of a PC does not.
     if (host_ == nullptr && (is_wired || CallsARobot())) {
       Add();
       if (has_robot_file_)
@@ -188,8 +188,8 @@ class GatewayLoader {
     return text ? ParseGatewayConfig(file, *text, Design(), side) : GatewayConfig();
   }
 
-  // Returns whether HOSTGW.CFG names a robot for OPEN-R calls.  The stick is then that of a PC, and
-  // the gateway is needed even if neither OBJECT.CFG nor CONNECT.CFG names it.
+  // Returns whether HOSTGW.CFG names a robot for OPEN-R calls.  If so, the stick belongs to a PC,
+  // and the gateway is needed even if neither OBJECT.CFG nor CONNECT.CFG names the gateway.
   bool CallsARobot() const { return config_.proxy && !config_.proxy->host.empty(); }
 
   static bool NamesGateway(const ConnectConfig& wires) {

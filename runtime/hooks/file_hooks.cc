@@ -2,7 +2,8 @@
 // Memory Stick.  Operations that the robot's file system does not have fail.
 //
 // A call from anywhere in the process, even in std::ifstream, reaches these definitions before
-// those of the C library.  They differ from the C library only while code of an object runs.
+// those of the C library.  These definitions differ from those of the C library only while code of
+// an object runs.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <stdarg.h>
@@ -37,7 +38,8 @@ bool HasShortNames(std::string_view path) {
   for (path.remove_prefix(std::min<size_t>(path.size(), 3)); !path.empty();) {
     path.remove_prefix(1);
     const std::string_view part = path.substr(0, path.find('/'));
-    const bool is_dots = part == "." || part == "..";  // all folders but the root have these names
+    // Every folder except the root has these entries.
+    const bool is_dots = part == "." || part == "..";
     if (!part.empty() && !is_dots && !openr_host::IsShortName(part)) return false;
     path.remove_prefix(part.size());
   }
@@ -129,7 +131,7 @@ FILE* OpenFile(const char* path, const char* mode) {
 }
 
 // Returns the optional argument `mode` of open(), or 0 if the caller has not passed it.  Callers
-// pass it only with flags that may create a file.
+// pass `mode` only with flags that may create a file.
 mode_t ModeOf(int flags, va_list arguments) {
   return (flags & (O_CREAT | O_TMPFILE)) != 0 ? va_arg(arguments, mode_t) : 0;
 }
@@ -153,8 +155,8 @@ int WithPath(Function* next, StickUse use, const char* path, Rest... rest) {
   return host.empty() ? -1 : next(host.c_str(), rest...);
 }
 
-// Removes from `status` all but kind and size, because the robot's file system reports only these
-// (Programmer's Guide, appendix A).
+// Removes everything except kind and size from `status`, because the robot's file system reports
+// only kind and size (Programmer's Guide, appendix A).
 template <typename Status>
 void AsOnRobot(Status* status) {
   const mode_t kind = S_ISDIR(status->st_mode) ? S_IFDIR : S_IFREG;
@@ -252,7 +254,7 @@ int close(int descriptor) {
   const ApiScope scope;
   if (descriptor >= STDIN_FILENO && descriptor <= STDERR_FILENO) return 0;  // console stays open
   if (ForgetDescriptor(descriptor)) return next(descriptor);
-  errno = EBADF;  // a descriptor of the host, which an object must not close
+  errno = EBADF;  // refuses, because an object must not close descriptors of the host
   return -1;
 }
 

@@ -22,10 +22,10 @@ using openr_host::t_current;
 
 namespace {
 
-constexpr size_t kEntriesMax = 682;  // readdir() of the robot returns no more entries
+constexpr size_t kEntriesMax = 682;  // readdir() of the robot returns at most this number
 
-// The folder that an object has opened: its DIR* points to this struct.  The struct is on the
-// object's heap, because it is part of the object's state.
+// A folder that an object has opened.  The DIR* that the object gets points to this struct.  The
+// struct is on the object's heap, because it is part of the object's state.
 struct Folder {
   size_t count;
   size_t next;
@@ -41,9 +41,9 @@ std::string UpperCase(std::string text) {
   return text;
 }
 
-// Returns the entries of the host's folder `path`, sorted by name, because the order in which the
-// host lists them may differ from run to run.  `name` is the path that the object has used, for
-// messages.
+// Returns the entries of the host's folder `path`, sorted by name, because the host may list the
+// entries in another order in each run.  `name` is the path that the object has used; messages to
+// the user show it.
 std::vector<Folder::Name> ReadFolder(const std::string& path, const char* name) {
   static const auto next_open = OPENR_NEXT(opendir);
   static const auto next_read = OPENR_NEXT(readdir);

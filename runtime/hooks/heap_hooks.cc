@@ -1,6 +1,6 @@
 // malloc(), free() and similar functions: code of an image allocates from the heap of its object,
-// all other code from the C library.  free() finds out from a block's address to which heap the
-// block belongs.
+// all other code from the heap of the C library. free() finds out from a block's address to which
+// heap the block belongs.
 //
 // Every caller in the process reaches these definitions before those of the C library.  Sanitizers
 // have definitions of their own; with a sanitizer, objects share the host's heap.
@@ -36,8 +36,8 @@ namespace {
 
 Arena* CurrentArena() { return openr_host::InObject() ? t_current.object->arena.get() : nullptr; }
 
-// Adds a finding that says why malloc() returns null to an object: how much memory it asked for and
-// how much it holds already.
+// Adds a finding that says why malloc() returns null to an object: how much memory the object asked
+// for and how much memory it holds already.
 void ReportNoMemory(size_t size) {
   const openr_host::ApiScope scope;  // the report itself needs memory, which the host's heap has
   const openr_host::Current& current = t_current;
@@ -123,7 +123,7 @@ void* calloc(size_t count, size_t size) {
     errno = ENOMEM;
     return nullptr;
   }
-  return FromArena(arena, bytes);  // not cleared here, because blocks of an Arena are zero
+  return FromArena(arena, bytes);  // need not be cleared, because blocks of an Arena are zero
 }
 
 void* realloc(void* block, size_t size) {

@@ -1,4 +1,5 @@
-// The common base of hooks, functions of the C library that this folder defines once more.
+// The common base of hooks.  A hook is a function of the C library that this folder defines once
+// more.
 //
 // A call from anywhere in the process reaches a hook before the function of the C library.  A hook
 // acts only while code of an image runs; otherwise it calls the C library's function. docs/hooks.md
@@ -12,8 +13,8 @@
 
 namespace openr_host {
 
-// Returns whether the caller of a hook is code of an image, a program of the robot.  Returns false
-// for code of the runtime, also while it works for an object.
+// Returns whether the caller of a hook is code of an image (a program of the robot).  Returns false
+// for code of the runtime, even while this code works for an object.
 inline bool InObject() { return t_current.image_code && t_current.object != nullptr; }
 
 // Returns the C library's function `name`, which the hook of the same name calls for callers that

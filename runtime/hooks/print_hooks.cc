@@ -1,8 +1,8 @@
 // Wraps printf(), sscanf() and the like, so that the stack that the C library uses in them is not
 // counted as stack of the object that calls them.
 //
-// These functions need more stack than all others that objects call often: up to 2 KiB on this
-// host.  The .ocf file of an object may allow only 3 KiB in all.
+// Of all functions that objects call often, these functions need the most stack: up to 2 KiB on
+// this host.  But the .ocf file of an object may allow a stack of only 3 KiB.
 #if !defined(__SANITIZE_ADDRESS__)  // AddressSanitizer defines these functions itself
 
 #include <stdarg.h>

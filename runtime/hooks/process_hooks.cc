@@ -2,7 +2,7 @@
 // library only while code of an image (a program of the robot) runs.
 //
 // exit() and abort() end the handler that runs, not the process (Programmer's Guide, appendix A).
-// The robot has no working clock but GetSystemTime(); a program that reads another clock gets
+// The only working clock of the robot is GetSystemTime().  A program that reads another clock gets
 // virtual time, so that every run is the same.
 #include <fmt/format.h>
 #include <sys/time.h>

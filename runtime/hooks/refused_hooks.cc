@@ -38,8 +38,9 @@ bool Refuses(const char* name) {
 
 }  // namespace
 
-// Defines the C library's function `name` once more.  Called by an object, it adds a finding and
-// returns `failure`; otherwise it calls the C library's function.
+// Defines the C library's function `name` once more.  If an object calls the new function, the
+// function adds a finding and returns `failure`.  For other callers, the new function calls the C
+// library's function.
 #define OPENR_REFUSE(type, name, failure, parameters, arguments) \
   extern "C" type name parameters {                              \
     static const auto next = OPENR_NEXT(name);                   \
@@ -87,8 +88,9 @@ OPENR_REFUSE(int, pipe, -1, (int* ends) noexcept, (ends))
 OPENR_REFUSE(int, socket, -1, (int domain, int type, int protocol) noexcept,
              (domain, type, protocol))
 
-// Refuses fcntl() to objects.  For other callers passes the third argument on as a pointer, even if
-// it is an int, because the calling convention passes an int in the same way.
+// Refuses fcntl() to objects.  For other callers, passes the third argument on as a pointer.  This
+// is right even if the argument is an int, because the calling convention passes both in the same
+// way.
 extern "C" int fcntl(int descriptor, int command, ...) {
   static const auto next = OPENR_NEXT(fcntl);
   va_list arguments;

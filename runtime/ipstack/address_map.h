@@ -29,8 +29,9 @@ class AddressMap {
   NetAddress ToHost(NetAddress peer);
 
   // Returns the address under which programs know the peer `host`.  This is the address that a
-  // program last used for the peer.  If no program has used one, it is the robot's address in the
-  // first pair with this address of the host.  If there is no such pair, it is `host` itself.
+  // program last used for the peer.  If no program has used an address for the peer, returns
+  // AddressPair::robot of the first pair with the host's address.  If there is no such pair,
+  // returns `host` itself.
   NetAddress FromHost(NetAddress host) const;
   uint32_t FromHost(uint32_t host) const { return FromHost(NetAddress{host, 0}).ip; }
 

@@ -1,8 +1,8 @@
 // Properties of messages to the network stack: size, name, and the fields that are hashed.
 //
 // On the robot, the reference of an endpoint contains a pointer.  Here it contains the number of
-// the endpoint's protocol instead (MakeModuleRef).  So the type of a message is known without a
-// table, and the reference holds no memory address, which would differ between runs.
+// the endpoint's protocol instead (MakeModuleRef).  So the stack knows the type of a message
+// without a table.  And the reference holds no memory address, which would differ between runs.
 #pragma once
 
 #include <antEnvMsg.h>
@@ -19,9 +19,9 @@ antModuleRef MakeModuleRef(int32_t protocol, uint32_t index);
 int32_t ProtocolOf(const antModuleRef& ref);
 
 // Returns the size of the struct of `message`.  Selector, protocol and operation of the message
-// tell which struct it is.  The size given to Send() and Call() is not trusted, because Sony's
-// samples pass the size of another struct.  For an unknown operation, returns the size of the base
-// and the error field.
+// determine the struct.  The size that a program gives to Send() or Call() is not used, because
+// Sony's samples pass the size of a wrong struct.  For an unknown operation, returns the size of
+// antEnvMsg and the error field.
 size_t AntMessageSize(const antEnvMsg& message);
 
 // Returns a name such as "TCP Listen", for messages to the user.
@@ -34,9 +34,10 @@ void SetAntError(antEnvMsg* message, int32_t error);
 // error.
 void ClearCounts(antEnvMsg* message);
 
-// Returns the XXH3 hash of `message` for the trace of a run: of the transferred bytes at `data` and
-// of the fields that have a meaning.  Memory addresses, the continuation and padding are left out,
-// because they differ from run to run.  Never returns 0, which means "no hash" in a Message.
+// Returns the XXH3 hash of `message` for the trace of a run: the hash of the transferred bytes at
+// `data` and of the fields that have a meaning.  Memory addresses, the continuation and padding are
+// left out, because they differ from run to run.  Never returns 0, which means "no hash" in a
+// Message.
 uint64_t AntMessageHash(const antEnvMsg& message, const void* data = nullptr, size_t size = 0);
 
 // The bytes that a Send message of TCP or UDP sends; the size is 0 for other messages.
@@ -46,8 +47,9 @@ struct AntData {
 };
 AntData DataToSend(const antEnvMsg& message);
 
-// The field of `message` that points into a shared buffer, or null if `message` has no such field.
-// A request sends `sent` bytes from there; its answer may write up to `received` bytes there.
+// Describes the field of `message` that points into a shared buffer; `pointer` is null if `message`
+// has no such field.  A request sends `sent` bytes from `*pointer` on; its answer may write up to
+// `received` bytes from `*pointer` on.
 struct AntBuffer {
   byte** pointer = nullptr;
   int sent = 0;

@@ -1,8 +1,8 @@
 // A DNS endpoint: answers a program's queries for names and addresses of hosts.
 //
-// The answers come from the Network: from the host's resolver or from a table.  The list of DNS
-// servers is kept only because programs set and read it.  Every answer says that the first server
-// of this list has answered.
+// The answers come from the Network, which asks the host's resolver or looks into a table.  The
+// list of DNS servers is kept only because programs set and read this list.  Every answer says that
+// the first server of the list has answered.
 #pragma once
 
 #include <DNSEndpointMsg.h>
@@ -19,7 +19,8 @@ class DnsEndpoint : public Endpoint {
  public:
   DnsEndpoint(IpStack* stack, ObjectId owner, int32_t pool_bytes);
 
-  // The largest number of addresses, and of aliases, that are kept of one answer; our choice.
+  // The largest number of addresses, and of aliases, that the endpoint keeps of one answer; our
+  // choice.
   static constexpr size_t kAddressesMax = 16;
   // The time limit for an answer, in virtual time; our choice.  After this time the query fails
   // with DNS_TRY_AGAIN.
@@ -42,8 +43,8 @@ class DnsEndpoint : public Endpoint {
   void FinishQuery(DNSEndpointError error);
   void Refuse(Operation operation, DNSEndpointError error);
 
-  // Returns the complete form of `name`, which a program has given: a name with a final dot loses
-  // the dot, any other name gets the default domain.
+  // Returns the complete form of `name`, which a program has given.  Removes a final dot; to a name
+  // without a final dot, appends the default domain.
   std::string FullName(const std::string& name) const;
 
   std::string domain_;    // the default domain; "": none

@@ -44,7 +44,8 @@ class FailingNetwork : public Network {
   const std::unique_ptr<Network> inner_;
   int left_;
   const NetError error_;
-  NetHandle failed_ = 0;  // handle of the failed command until Poll() reports the failure; 0: none
+  // Handle of the failed command until Poll() reports the failure; 0: no failed command.
+  NetHandle failed_ = 0;
 };
 
 }  // namespace openr_host

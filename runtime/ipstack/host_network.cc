@@ -78,8 +78,8 @@ NetAddress HostNetwork::ToHost(NetAddress remote, const HostPorts& ports) {
     const uint32_t ip = bound == bound_.end() ? bind_ip_ : bound->second;
     return {ip == 0 ? 0x7f000001 : ip, own};
   }
-  // Returns port 0 for ports of the robot's own address on which it does not listen, so that the
-  // connect fails and does not reach a program of the host.
+  // Returns port 0 if the robot does not listen on a port of its own address.  Then the connect
+  // fails and does not reach a program of the host.
   if (remote.ip == ip_ && !addresses_.Has(ip_)) return {remote.ip, 0};
   return addresses_.ToHost(remote);
 }
@@ -175,8 +175,8 @@ void HostNetwork::Close(NetHandle handle) {
 
 void HostNetwork::Bind(NetHandle handle, uint16_t port, bool any_port) {
   const uint32_t ip = BindIp(handle);
-  // Binds the socket to any address if the stack has chosen the port: the program is then a client,
-  // which must reach other hosts, and a socket bound to 127.0.0.1 cannot.
+  // Binds the socket to any address if the stack has chosen the port.  In this case the program is
+  // a client, which must reach other hosts; a socket bound to 127.0.0.1 cannot reach them.
   NoteBindError(ip, udp_.Bind(handle, {any_port ? 0 : ip, port}, any_port, &events_));
 }
 

@@ -29,18 +29,19 @@ namespace openr_host {
 struct HostNetworkOptions {
   uint32_t bind_ip = 0x7f000001;  // the host's address for server ports; 0: every interface
   // Fixed ports.  The key is a port of the robot, the value the host's port that it must get (0:
-  // any free port).  A port without an entry keeps its number if that is free on the host.
+  // any free port).  A port without an entry keeps its number if that number is free on the host.
   std::map<uint16_t, uint16_t> tcp_ports;
   std::map<uint16_t, uint16_t> udp_ports;
   // Pairs of an address that programs use and the host's address in its place.  If several pairs
-  // have the same address of the host, AddressMap::FromHost() decides how this address is
-  // translated back.
+  // have the same address of the host, AddressMap::FromHost() chooses the program's address for it.
   std::vector<AddressPair> addresses;
-  // Shortest time, by the clock of the host, between two looks for new connections; 0: every Poll()
-  // looks.  A run at full speed polls much more often than connections come.
+  // Shortest time, by the clock of the host, between two searches for new connections; 0: every
+  // Poll() searches.  A run at full speed polls much more often than connections come, so searching
+  // every time would waste time.
   int64_t accept_interval_ns = 0;
-  // Names that are answered from this table and not by the host's resolver, which may be slow or
-  // may not know them.
+  // Hosts by name.  Resolve() and ResolveAddress() look into this table first.  They ask the host's
+  // resolver only if the table does not have the host, because the resolver may be slow or may not
+  // know the host.
   std::map<std::string, HostInfo> names;
 };
 
@@ -106,8 +107,8 @@ class HostNetwork : public Network {
   // address of a bound socket.
   bool IsRobot(uint32_t ip) const;
   // Returns the address of the host at which the server socket `handle` must be bound.  If At() has
-  // selected an address of the robot for this socket, this is the matching address of the host, and
-  // the selection is removed.  Otherwise it is bind_ip_.
+  // selected an address of the robot for this socket, removes the selection and returns the
+  // matching address of the host.  Otherwise returns bind_ip_.
   uint32_t BindIp(NetHandle handle);
   // Adds a note for the user if binding to `ip` failed with `error` because the host has no such
   // address.

@@ -25,7 +25,7 @@ int HostPorts::Bind(uint16_t port, const std::function<int(uint16_t)>& take,
     return error;
   }
   // Tries the next numbers first, so that the user finds the port near the number that the program
-  // uses.  Takes any free port only if all of them are in use.
+  // uses.  Takes any free port only if all these numbers are in use.
   for (int next = port + 1; error == EADDRINUSE && next <= port + kNextPorts && next <= 65535;
        ++next)
     error = take(static_cast<uint16_t>(next));

@@ -1,7 +1,8 @@
 // Maps ports of the robot to ports of the host.
 //
 // A port keeps its number (54000) if that number is free on the host.  If another robot or another
-// run uses that number, the next free number is taken, unless the user asked for a certain number.
+// run uses that number, the next free number is taken.  If the user asked for a certain number, no
+// other number is taken.
 #pragma once
 
 #include <cstdint>
@@ -15,13 +16,13 @@ namespace openr_host {
 
 class HostPorts {
  public:
-  // If the port that the program wants is in use on the host, this many port numbers above it are
-  // tried, then any free port.
+  // The number of further port numbers that are tried if the port that the program wants is in use
+  // on the host.  If these ports are in use, too, any free port is taken.
   static constexpr int kNextPorts = 100;
 
   // `wished` has the fixed ports that the user asked for: key is a port of the robot, value the
-  // host's port that it must get (0: any free port).  Other ports get their own number if it is
-  // free.
+  // host's port that it must get (0: any free port).  A port without an entry keeps its number if
+  // that number is free.
   HostPorts(NetProtocol protocol, std::map<uint16_t, uint16_t> wished)
       : protocol_(protocol), wished_(std::move(wished)) {}
 
@@ -36,10 +37,11 @@ class HostPorts {
   int Bind(uint16_t port, const std::function<int(uint16_t)>& take,
            const std::function<uint16_t()>& bound, std::string* note);
 
-  // Returns the host's port for the robot's `port`, or 0 if it is not bound yet.
+  // Returns the host's port for the robot's `port`, or 0 if `port` is not bound yet.
   uint16_t HostPort(uint16_t port) const;
 
-  // Returns the robot's port that is bound to the host's port `host_port`, or 0 if there is none.
+  // Returns the robot's port that is bound to the host's port `host_port`, or 0 if no port of the
+  // robot is bound to it.
   uint16_t RobotPort(uint16_t host_port) const;
 
  private:

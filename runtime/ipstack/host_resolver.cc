@@ -28,8 +28,9 @@ NetError ErrorOf(int status) {
 NetError ResolveOnHost(const std::string& name, HostInfo* host) {
   addrinfo hints{};
   hints.ai_family = AF_INET;
-  hints.ai_socktype = SOCK_STREAM;  // asks for a single type, because each address would be listed
-                                    // once per type otherwise
+  // Asks for one socket type only, because otherwise the list contains each address once for each
+  // type.
+  hints.ai_socktype = SOCK_STREAM;
   hints.ai_flags = AI_CANONNAME;
   addrinfo* list = nullptr;
   const int status = getaddrinfo(name.c_str(), nullptr, &hints, &list);

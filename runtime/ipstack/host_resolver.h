@@ -9,9 +9,9 @@
 namespace openr_host {
 
 // Ask the host's resolver and wait for its answer.  The wait takes seconds of real time if the
-// resolver's servers do not answer.  The wait does not change the run, because virtual time stands
-// still meanwhile.  Return kNone if there was an answer; an answer without addresses means that
-// there is no such host.
+// resolver's servers do not answer.  But it does not change the run, because virtual time stands
+// still during the wait.  Return kNone if there was an answer; an answer without addresses means
+// that there is no such host.
 NetError ResolveOnHost(const std::string& name, HostInfo* host);
 NetError ResolveAddressOnHost(uint32_t ip, HostInfo* host);
 

@@ -30,7 +30,7 @@ const sockaddr* Generic(const sockaddr_in* address) {
 
 void SetOption(int fd, int level, int option) {
   const int on = 1;
-  // Ignores an error, because the socket also works without the option.
+  // Ignores an error of setsockopt(), because the socket also works without the option.
   setsockopt(fd, level, option, &on, sizeof on);
 }
 
@@ -109,8 +109,8 @@ int ConnectResult(const Fd& fd) {
 }
 
 Fd AcceptFrom(const Fd& listener, NetAddress* remote) {
-  // Calls poll() before accept(), because usually no connection waits and accept() would first
-  // create a socket.
+  // Calls poll() before accept(), because usually no connection waits.  In this case accept() costs
+  // more than poll(), because it first creates a socket.
   pollfd waiting{listener.get(), POLLIN, 0};
   if (poll(&waiting, 1, 0) == 0) {
     errno = EAGAIN;

@@ -9,7 +9,7 @@
 
 namespace openr_host {
 
-// The owner of a file descriptor, which is -1 if there is none.
+// The owner of a file descriptor; the descriptor is -1 if the Fd owns none.
 class Fd {
  public:
   Fd() = default;
@@ -44,8 +44,8 @@ int ConnectTo(const Fd& fd, NetAddress remote);             // EINPROGRESS: see 
 // being established, then 0 or an errno.
 int ConnectResult(const Fd& fd);
 
-// Accepts the next connection to `listener`.  If none waits, or on an error, returns an invalid Fd
-// and sets errno.
+// Accepts the next connection to `listener`.  If no connection waits, or on an error, returns an
+// invalid Fd and sets errno.
 Fd AcceptFrom(const Fd& listener, NetAddress* remote);
 
 // Send bytes, to the connected peer or as a datagram to `remote`.  Return the number of bytes sent,

@@ -60,7 +60,7 @@ void HostUdp::Poll(std::vector<NetworkEvent>* events) {
       any = true;
       events->push_back(std::move(event));
     }
-    // Ends the request even if fewer datagrams have arrived than it allows.
+    // Ends the request even if fewer datagrams have arrived than the request allows.
     if (any) socket.want = 0;
   }
 }

@@ -20,9 +20,9 @@ class HostUdp {
   explicit HostUdp(std::map<uint16_t, uint16_t> ports)
       : ports_(NetProtocol::kUdp, std::move(ports)) {}
 
-  // Binds `local`, an address of the host and a port of the robot.  If `any_port` is true, the port
-  // gets any free number on the host.  Returns 0 or an errno.  Like all commands of this class,
-  // appends its events to `events`.
+  // Opens a socket and binds it to `local`, which has an address of the host and a port of the
+  // robot.  If `any_port` is true, the port gets any free number on the host.  Returns 0 or an
+  // errno.  Appends the events of the command to `events`, as all commands of this class do.
   int Bind(NetHandle handle, NetAddress local, bool any_port, std::vector<NetworkEvent>* events);
   void SendTo(NetHandle handle, NetAddress remote, const void* data, size_t size,
               std::vector<NetworkEvent>* events);
@@ -36,8 +36,8 @@ class HostUdp {
  private:
   struct Socket {
     Fd fd;
-    // The largest number of datagrams that the pending ReceiveFrom() may return; 0: none is
-    // pending.
+    // The largest number of datagrams that the pending ReceiveFrom() may return; 0: no
+    // ReceiveFrom() is pending.
     size_t want = 0;
   };
 

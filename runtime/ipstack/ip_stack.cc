@@ -23,8 +23,8 @@ MemoryStick* StickOf(const Object& object) {
   return object.system->robot(object.robot).stick.get();
 }
 
-// Returns the error that answers an operation on a closed endpoint.  DNS has its own error number;
-// TCP and UDP share one.
+// Returns the error that answers an operation on a closed endpoint.  DNS has an error number of its
+// own; TCP and UDP share an error number.
 int32_t ClosedError(int32_t protocol) {
   return protocol == EndpointType_DNS ? int32_t{DNS_CONNECTION_CLOSED}
                                       : int32_t{TCP_CONNECTION_CLOSED};
@@ -70,7 +70,7 @@ IpStack::IpStack(std::shared_ptr<Network> network, IpStackOptions options)
   poll_entry_ = AddExtra("Poll", [this](void*) { PollNetwork(); });
 }
 
-IpStack::~IpStack() = default;  // destroying the network closes its sockets
+IpStack::~IpStack() = default;  // the destructor of the network closes its sockets
 
 IpStack* IpStack::OfCurrent() {
   return t_current.object == nullptr ? nullptr : Of(t_current.system, t_current.object->robot);
@@ -158,7 +158,7 @@ void IpStack::HandleStackMessage(Operation* operation) {
     switch (message.dstOperation) {
       case antEnv_Operation_InitGetParam:
         return Answer(operation, parameters_.Get(&operation->As<antEnvInitGetParamMsg>()));
-      case antEnv_Operation_InitSetParam:  // allowed to system objects only
+      case antEnv_Operation_InitSetParam:  // only system objects may set parameters
         return Answer(operation, sender != nullptr && sender->is_system
                                      ? parameters_.Set(operation->As<antEnvInitSetParamMsg>())
                                      : ANT_FAIL);
@@ -225,7 +225,7 @@ void IpStack::HandleEndpointMessage(Operation* operation) {
   const auto found = endpoints_.find(ref.index);
   if (found == endpoints_.end() || found->second->protocol() != protocol) {
     // Recognises a closed endpoint by its index: indexes are given out in order, so an unknown
-    // index that is not larger than the last one belonged to a closed endpoint.
+    // index that is not larger than the last index belonged to a closed endpoint.
     const bool was_closed = found == endpoints_.end() && ref.index != 0 && ref.index <= last_index_;
     return Answer(operation,
                   was_closed && protocol != 0 ? ClosedError(protocol) : InvalidError(protocol));
@@ -281,8 +281,8 @@ void IpStack::KeepPolling() {
   for (const auto& [index, endpoint] : endpoints_) needed = needed || endpoint->WaitsForNetwork();
   if (!needed) return;
   // Subtracts creep_us(), because the message must be due exactly at the beginning of the frame and
-  // Post() adds creep_us() to the delay.  This is 1 us while very many messages are delivered at
-  // one instant, so that time goes on.
+  // Post() adds creep_us() to the delay. creep_us() is 1 us while very many messages are delivered
+  // at one instant; it makes time go on.
   const int64_t now_us = system().now_us();
   const int64_t delay_us = kFrameUs - now_us % kFrameUs - system().dispatcher().creep_us();
   system().Post(system().NewMessage(host().id, poll_entry_), delay_us);

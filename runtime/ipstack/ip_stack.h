@@ -1,8 +1,9 @@
 // IPStack, the object through which programs use TCP, UDP and DNS.
 //
 // The name of the object is "IPStack".  Programs send messages of TCPEndpointMsg.h and similar
-// headers to it with Call() and Send() of antEnvMsg.  These functions post the messages to entries
-// that only IPStack has (EntryFor), because selectors 0 to 3 belong to DoInit to DoDestroy.
+// headers to it with Call() and Send() of antEnvMsg.  The messages name the selectors 0 to 2, but
+// on the host the selectors 0 to 3 belong to DoInit to DoDestroy.  So these functions post the
+// messages to further entries of IPStack (EntryFor).
 //
 // Time: operations that concern only the stack (creating, binding, a send that fits) are answered
 // at the instant of the request.  Input from outside enters only at multiples of kFrameUs of
@@ -36,8 +37,8 @@ struct IpStackOptions {
 
   std::string address;  // the robot's dotted address; "": ETHER_IP of the robot's WLANCONF.TXT
   Card card = Card::kPresent;
-  // Pairs of an address that programs use and the host's address in its place.  Programs may bind
-  // to AddressPair::robot of each pair, besides the robot's own address (address_config.h).
+  // Pairs of an address that programs use and the host's address that replaces it.  Programs may
+  // bind to AddressPair::robot of each pair, besides the robot's own address (address_config.h).
   std::vector<AddressPair> addresses = {};
 };
 
@@ -45,8 +46,8 @@ class IpStack : public CodeObject {
  public:
   static constexpr char kName[] = "IPStack";
 
-  // Our own limits, because the robot's are not known.  They keep a faulty program from using up
-  // the host's memory.
+  // These limits are our choice, because the robot's limits are not known.  They keep a faulty
+  // program from using up the host's memory.
   static constexpr size_t kEndpointsMax = 256;  // endpoints that exist at the same time
   static constexpr int32_t kPoolBytesMax = 4 << 20;
   // The pool of an endpoint that was created with poolSize 0.  A pool limits the bytes that an
@@ -57,9 +58,9 @@ class IpStack : public CodeObject {
   IpStack(std::shared_ptr<Network> network, IpStackOptions options);
   ~IpStack() override;
 
-  // Returns the stack of the current object's robot, or null if the robot has none.
+  // Returns the stack of the current object's robot, or null if the robot has no stack.
   static IpStack* OfCurrent();
-  // Returns the stack of `robot`, or null if the robot has none.
+  // Returns the stack of `robot`, or null if the robot has no stack.
   static IpStack* Of(System* system, int robot);
 
   // Returns the selector of IPStack's entry for `selector`.  `selector` is the documented number in
@@ -107,7 +108,7 @@ class IpStack : public CodeObject {
   void Drop(NetHandle handle, bool reset);
 
   // Returns a port of 1024 to 4999 (IPPORT_RESERVED, IPPORT_USERRESERVED) that no UDP endpoint has
-  // bound and that is not open for TCP, or 0 if there is none.
+  // bound and that is not open for TCP, or 0 if there is no such port.
   uint16_t ChoosePort();
   bool TakeUdpPort(uint16_t port) { return udp_ports_.insert(port).second; }
   void ReturnUdpPort(uint16_t port) { udp_ports_.erase(port); }
@@ -119,8 +120,8 @@ class IpStack : public CodeObject {
   // Adds a finding about the object that has sent `operation`.
   void Warn(const Operation& operation, const std::string& text);
 
-  // Adds a finding if the program has changed the buffer of a Send before the bytes were sent.
-  // This is so if `data`, which are sent now, differ from the bytes at the time of the request.
+  // Adds a finding if the program has changed the buffer of a Send before the bytes were sent: if
+  // the bytes at `data`, which are sent now, differ from the bytes at the time of the request.
   void WarnIfChanged(const Operation& operation, const void* data, size_t size);
 
   // The addresses of the DNS servers, which programs can set; common to all objects of the robot.

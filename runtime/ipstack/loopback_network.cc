@@ -166,8 +166,8 @@ void LoopbackNetwork::Drop(NetHandle handle, bool reset) {
   if (const auto found = connections_.find(handle); found != connections_.end()) {
     Connection& connection = found->second;
     if (reset) connection.link->reset = true;
-    // Passes the bytes that are not sent yet to the peer, because a host's kernel also goes on
-    // sending after a close.
+    // Passes the bytes that are not sent yet to the peer, because the kernel of a real host also
+    // sends them after a close.
     connection.peer().bytes += connection.out;
     connection.peer().ended = true;
     connection.in().gone = true;

@@ -31,8 +31,8 @@ class LoopbackHub {
   std::map<uint32_t, LoopbackNetwork*> hosts_;  // connected hosts by IP address
 };
 
-// A host, such as a robot, that is connected to a hub.  Sent data arrive at once, and the receiver
-// gets these data from its next Poll().  If a host does not read, its peer can send only
+// A host, such as a robot, that is connected to a hub.  Data that a host sends arrive at once; the
+// receiver gets the data from its next Poll().  If a host does not read, its peer can send only
 // kWindowBytes.
 class LoopbackNetwork : public Network {
  public:
@@ -102,7 +102,7 @@ class LoopbackNetwork : public Network {
   };
   struct Udp {
     uint16_t port = 0;
-    size_t want = 0;  // limit of the pending ReceiveFrom(); 0: none is pending
+    size_t want = 0;  // limit of the pending ReceiveFrom(); 0: no ReceiveFrom() is pending
     std::deque<Datagram> waiting;
   };
 

@@ -5,9 +5,9 @@
 // replayed exactly: a recording contains all results of Poll() with their virtual time, and for a
 // replay another Network ignores commands and returns the recorded results.
 //
-// Handles are small integers that the stack chooses, from 1 up.  Each is used only once, so handles
-// are the same in every run.  Ports and addresses are those of the robot.  A Network that uses
-// other ports and addresses on the host translates them.
+// Handles are small integers that the stack chooses, from 1 up.  Each handle is used only once, so
+// handles are the same in every run.  Commands and events contain the robot's ports and addresses.
+// A Network that uses other ports and addresses on the host translates them.
 #pragma once
 
 #include <cstddef>
@@ -35,7 +35,7 @@ enum class NetError : uint8_t {
   kTimeout,
   kAddressInUse,
   kBadAddress,
-  kRefused,  // no listener at that port
+  kRefused,  // nobody listens at the port
   kHostUnreachable,
   kNetworkUnreachable,
   kTooLong,
@@ -110,7 +110,7 @@ class Network {
   // certain number, so the host may use another port.
   virtual void Bind(NetHandle handle, uint16_t port, bool any_port) = 0;
   // Copies the bytes at `data` and sends them as one datagram.  A datagram that cannot be sent is
-  // lost, as in any UDP network; an event kNote may tell the user.
+  // lost, as in any UDP network; an event kNote may inform the user.
   virtual void SendTo(NetHandle handle, NetAddress remote, const void* data, size_t size) = 0;
   // Requests at most `count_max` datagrams.  The next Poll() that finds a datagram answers the
   // request: it returns all datagrams that have arrived, up to this number.  A new request replaces
@@ -138,11 +138,11 @@ class Network {
   virtual std::vector<NetworkEvent> Poll() = 0;
 
   // Called in a fork of the process, which must not use the sockets of the original process: closes
-  // the fork's copies of them, so that peers notice nothing, and forgets all handles.
+  // the fork's copies of the sockets, so that peers notice nothing, and forgets all handles.
   virtual void Forget() {}
 
-  // Returns the host's port for the robot's `port`, or 0 if there is none.  The port is for
-  // messages to the user; the run must not depend on it.
+  // Returns the host's port for the robot's `port`, or 0 if `port` has no port of the host.  The
+  // port is for messages to the user; the run must not depend on it.
   virtual uint16_t HostPort(NetProtocol protocol, uint16_t port) const = 0;
 
  private:

@@ -1,7 +1,7 @@
 // The settings of the network stack, which programs read by key with antEnvInitGetParamMsg.
 //
-// The keys are those of WLANCONF.TXT.  Only ETHER_IP, as text, is documented.  It is our choice
-// that programs can read the other keys too, flags and numbers as Int32.
+// The keys are those of WLANCONF.TXT.  Sony documents only ETHER_IP, whose value is a text.  Our
+// choice: programs can also read the other keys, and the values of flags and numbers are Int32.
 #pragma once
 
 #include <antEnvMsg.h>

@@ -1,8 +1,8 @@
-// The shared buffers: memory from which IPStack sends the data of an object, and into which it
-// writes received data.
+// The shared buffers.  IPStack sends an object's data from a shared buffer and writes received data
+// into a shared buffer.
 //
 // Each buffer is a region of the System's table.  The owner of a buffer is the object that has
-// asked for it.
+// asked for the buffer.
 #pragma once
 
 #include <antSharedBuffer.h>
@@ -25,8 +25,8 @@ class SharedBuffers {
   // all memory of the robot, so that only a faulty program reaches the limit.
   static constexpr uint64_t kBytesMax = uint64_t{64} << 20;
 
-  // Makes a buffer of `bytes` bytes.  Returns ANT_FAIL for 0 bytes, and ANT_NOMEMORY beyond the
-  // limit.
+  // Makes a buffer of `bytes` bytes.  Returns ANT_FAIL for 0 bytes, and ANT_NOMEMORY if all buffers
+  // together would be larger than kBytesMax.
   antError Create(uint32_t bytes, ObjectId owner, antSharedBuffer* buffer);
 
   // Deletes a buffer.  Returns ANT_INVALIDPTR for an unknown buffer, and ANT_FAIL while the buffer
@@ -34,7 +34,7 @@ class SharedBuffers {
   antError Destroy(const antSharedBuffer& buffer);
 
   // Map() makes a buffer usable and sets `*base` to the address of its first byte; UnMap() ends the
-  // use.  To map or unmap a buffer twice changes nothing.
+  // use.  A second call of either function for the same buffer changes nothing.
   antError Map(const antSharedBuffer& buffer, void** base);
   antError UnMap(const antSharedBuffer& buffer);
 

@@ -82,9 +82,9 @@ void TcpEndpoint::Bind(Operation operation) {
   stack_->Answer(&operation, TCP_SUCCESS);
 }
 
-// Checks whether a Bind, Listen or Connect can be executed: whether the endpoint is new, no Listen
-// or Connect is pending, and `local` is an address of the robot.  If not, answers with an error and
-// returns true.
+// Checks whether a Bind, Listen or Connect can be executed: the endpoint must be new, no Listen or
+// Connect may be pending, and `local` must be an address of the robot.  Otherwise answers with an
+// error and returns true.
 bool TcpEndpoint::RefuseOpen(const Operation& operation, const IPAddress& local) {
   TCPEndpointError error = TCP_SUCCESS;
   if (opening_) {
@@ -139,8 +139,8 @@ void TcpEndpoint::Connect(const Operation& operation) {
   state_ = State::kConnecting;
 }
 
-// Checks whether a Send or Receive can be executed: whether the connection is open and no operation
-// of the same kind is pending (`busy`).  If not, answers with an error and returns true.
+// Checks whether a Send or Receive can be executed: the connection must be open and no operation of
+// the same kind may be pending (`busy`).  Otherwise answers with an error and returns true.
 bool TcpEndpoint::RefuseTransfer(const Operation& operation, bool busy) {
   TCPEndpointError error = TCP_SUCCESS;
   switch (state_) {
@@ -321,8 +321,8 @@ void TcpEndpoint::Fail(NetError error) {
   state_ = State::kFailed;
 }
 
-// Stops waiting for a connection to the local port.  Also closes the port if the stack has chosen
-// it for this Listen, because no other endpoint listens on it.
+// Stops waiting for a connection to the local port.  If the stack has chosen the port for this
+// Listen, also closes the port, because no other endpoint listens on it.
 void TcpEndpoint::LeavePort() {
   stack_->tcp_ports().Forget(local_port_, this);
   if (own_port_) stack_->tcp_ports().Close(local_port_);

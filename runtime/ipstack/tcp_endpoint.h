@@ -19,26 +19,28 @@ class TcpEndpoint : public Endpoint {
   // time.  Our choice: a peer that keeps its side open holds the program up for 1 s only.
   static constexpr int64_t kPeerEndUs = 1'000'000;
   // The time for which Close waits for a peer that does not read the bytes that are still to be
-  // sent; virtual time.  It starts again with each byte that the peer accepts.  Our choice.
+  // sent; virtual time.  The time starts again with each byte that the peer accepts.  Our choice.
   static constexpr int64_t kUnsentUs = 60'000'000;
 
-  // The number of bytes read from the network at a time, even if a Receive asks for fewer.  A
-  // program often receives the header of a message and then its body.  With reading ahead, the body
-  // has usually been read already.  Without reading ahead, header and body would take a frame (8
-  // ms) each.
+  // The number of bytes that the endpoint reads from the network at a time, even if a Receive asks
+  // for fewer bytes.  A program often receives the header of a message and then its body.  Because
+  // the endpoint reads ahead, it has usually read the body already.  Otherwise header and body
+  // would take a frame (8 ms) each.
   static constexpr size_t kReadAheadBytes = 16384;
 
   // The robot sends more than kRobotFastBytes and at most kRobotSplitBytes in two pieces, the
-  // second up to 200 ms after the first (network.md, 4.3).  More than kRobotSendBytes is slow (BBS
-  // 254, a message of Sony's developer board).  Sends of these sizes cause a warning.
+  // second piece up to 200 ms after the first (network.md, 4.3).  A Send of more than
+  // kRobotSendBytes is slow (BBS 254, a message of Sony's developer board).  A Send of such a size
+  // causes a warning.
   static constexpr int kRobotFastBytes = 1024;
   static constexpr int kRobotSplitBytes = 3072;
   static constexpr int kRobotSendBytes = 32 * 1024;
-  // A warning is given after kRobotRow small sends, each within kRobotAcknowledgeUs after the one
-  // before, if the program has received nothing in between.  On the robot Nagle's algorithm holds
-  // the next small send back until the peer acknowledges, and the peer may delay its
-  // acknowledgement by kRobotAcknowledgeUs.  A send is small up to kRobotSmallBytes, our choice:
-  // two larger sends would not fit into the kRobotFastBytes that the robot sends at once.
+  // A warning is given after kRobotRow small sends, each within kRobotAcknowledgeUs after the
+  // previous send, if the program has received nothing in between.  On the robot Nagle's algorithm
+  // holds the next small send back until the peer acknowledges, and the peer may delay its
+  // acknowledgement by kRobotAcknowledgeUs.  A send of at most kRobotSmallBytes is small.  This
+  // limit is our choice: two larger sends do not fit into the kRobotFastBytes that the robot sends
+  // at once.
   static constexpr int kRobotSmallBytes = kRobotFastBytes / 2;
   static constexpr int kRobotRow = 3;
   static constexpr int64_t kRobotAcknowledgeUs = 200'000;
@@ -79,11 +81,11 @@ class TcpEndpoint : public Endpoint {
 
   State state_ = State::kNew;
   NetHandle socket_ = 0;
-  uint32_t local_ip_ = 0;  // the address that the program gave; 0: none
+  uint32_t local_ip_ = 0;  // the address that the program gave; 0: no address
   uint16_t local_port_ = 0;
   bool own_port_ = false;  // true if the stack has chosen local_port_ for a Listen
   NetAddress remote_;
-  NetAddress wanted_;                     // the only peer that a Listen accepts; 0: any
+  NetAddress wanted_;                     // the only peer that a Listen accepts; 0: any peer
   TCPEndpointError error_ = TCP_SUCCESS;  // the error that broke the connection
 
   std::string in_;          // bytes received and not yet delivered
@@ -91,10 +93,10 @@ class TcpEndpoint : public Endpoint {
   bool ended_ = false;      // the peer has ended the stream
   bool closed_ = false;     // both sides have ended
   int64_t unsent_ = 0;      // number of bytes given to the network that it has not accepted yet
-  uint64_t sent_hash_ = 0;  // hash of all sent bytes
+  uint64_t sent_hash_ = 0;  // hash of all bytes that were sent
   int small_row_ = 0;       // small sends since the object last received something
   int64_t last_send_us_ = 0;
-  int64_t closing_since_us_ = 0;  // time of Close, or of the last progress after it
+  int64_t closing_since_us_ = 0;  // time of Close, or of the last progress after Close
 
   std::optional<Operation> opening_;  // Listen or Connect
   std::optional<Operation> send_;

@@ -14,10 +14,11 @@ void TcpPorts::Port::Take(const NetworkEvent& event) {
 
 bool TcpPorts::Accept(uint16_t number, uint32_t ip, NetHandle socket, EventSink* endpoint) {
   const auto known = ports_.find(number);
-  if (known != ports_.end() && known->second->failed) Close(number);  // opened again below
+  // Closes a port that has failed; the code below opens the port again.
+  if (known != ports_.end() && known->second->failed) Close(number);
   std::unique_ptr<Port>& port = ports_[number];
   if (port == nullptr) {
-    if (ports_.size() > kPortsMax) {  // the new entry is counted already
+    if (ports_.size() > kPortsMax) {  // size() already counts the new entry
       ports_.erase(number);
       return false;
     }

@@ -1,8 +1,8 @@
 // The ports on which TCP endpoints listen.
 //
 // Any number of endpoints may listen on one port; connections go to these endpoints in the order of
-// their Listen messages.  The socket of a port stays open between two Listens.  So a client that
-// connects in between is not refused; the client waits until an endpoint listens again.
+// their Listen messages.  The socket of a port stays open between two Listen messages.  So a client
+// that connects in between is not refused, but waits until an endpoint listens again.
 #pragma once
 
 #include <cstddef>
@@ -21,18 +21,19 @@ class TcpPorts {
 
   static constexpr size_t kPortsMax = 64;  // limits the number of sockets on the host
 
-  // Lets `endpoint` wait for a connection to `port`, and opens the port if it is not open yet, at
-  // the address `ip` (0: the robot's own address).  `socket` becomes the handle of the connection.
+  // Lets `endpoint` wait for a connection to `port`.  If the port is not open yet, opens it at the
+  // address `ip` (0: the robot's own address).  `socket` becomes the handle of the connection.
   // Returns false if too many ports are open.
   bool Accept(uint16_t port, uint32_t ip, NetHandle socket, EventSink* endpoint);
 
-  // Removes `endpoint` from the waiting endpoints of `port`, even if it has not got a connection.
+  // Removes `endpoint` from the waiting endpoints of `port`, whether or not the endpoint has got a
+  // connection.
   void Forget(uint16_t port, const EventSink* endpoint);
 
   bool IsOpen(uint16_t port) const { return ports_.contains(port); }
 
   // Closes the socket of `port`.  Called for a port that the stack has chosen for one endpoint,
-  // when its Listen ends.
+  // when the Listen of this endpoint ends.
   void Close(uint16_t port);
   void CloseAll();
 

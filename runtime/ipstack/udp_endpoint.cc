@@ -107,14 +107,14 @@ void UdpEndpoint::ResetConnect(Operation operation) {
 NetAddress UdpEndpoint::DestinationOf(const UDPEndpointSendMsg& message) const {
   if (peer_.ip != 0) return peer_;
   const uint32_t ip = message.address.Address();
-  // Returns no destination for a broadcast, so that Send refuses it, because broadcasts failed on
-  // the robot, too (BBS 402, a message of Sony's developer board).
+  // Returns no destination for a broadcast, so that Send refuses the broadcast.  The reason:
+  // broadcasts failed on the robot, too (BBS 402, a message of Sony's developer board).
   return ip == 0xffffffffu || message.port == 0 ? NetAddress{} : NetAddress{ip, message.port};
 }
 
-// Checks whether a Send or Receive can be executed: whether the socket is bound and without error,
-// no operation of the same kind is pending (`busy`), and the `size` bytes at `buffer` lie in a
-// shared buffer.  If not, answers with an error and returns true.
+// Checks whether a Send or Receive can be executed: the socket must be bound and without error, no
+// operation of the same kind may be pending (`busy`), and the `size` bytes at `buffer` must lie in
+// a shared buffer.  Otherwise answers with an error and returns true.
 bool UdpEndpoint::RefuseTransfer(const Operation& operation, bool busy, const byte* buffer,
                                  int size) {
   UDPEndpointError error = error_;
@@ -209,8 +209,8 @@ void UdpEndpoint::FinishSend() {
   Finish(&send_, UDP_SUCCESS, data, size);
 }
 
-// After Connect only datagrams of the connected peer are delivered.  Drops the waiting datagrams of
-// other senders, up to the first datagram of the peer.  Without a connected peer, drops none.
+// Drops the waiting datagrams in front of the first datagram of the connected peer, because after
+// Connect only the peer's datagrams are delivered.  Without a connected peer, drops no datagrams.
 // Returns whether a datagram is left.
 bool UdpEndpoint::DropStrangers() {
   while (peer_.ip != 0 && !waiting_.empty() && waiting_.front().remote != peer_) {

@@ -15,7 +15,8 @@ class UdpEndpoint : public Endpoint {
  public:
   UdpEndpoint(IpStack* stack, ObjectId owner, int32_t pool_bytes);
 
-  // The largest datagram that the robot survives; it crashes at larger ones (field-notes.md, 11.7).
+  // The size of the largest datagram that the robot survives; a larger datagram crashes the robot
+  // (field-notes.md, 11.7).
   static constexpr int kRobotDatagramMax = 18'500;
   static constexpr int kDatagramMax = 65507;  // bytes that fit into an IPv4 packet
   static constexpr size_t kReadAhead = 16;    // datagrams read from the network at a time
@@ -49,12 +50,12 @@ class UdpEndpoint : public Endpoint {
               const void* data = nullptr, size_t size = 0);
 
   NetHandle socket_ = 0;   // handle of the bound socket; 0: not bound
-  uint32_t local_ip_ = 0;  // the address that the program gave; 0: any
+  uint32_t local_ip_ = 0;  // the address that the program gave; 0: any address
   uint16_t port_ = 0;
-  NetAddress peer_;  // set by Connect; ip 0: none
+  NetAddress peer_;  // the peer that Connect has set; ip 0: no peer
   // The error that ended the use of the socket; UDP_SUCCESS: the socket works.
   UDPEndpointError error_ = UDP_SUCCESS;
-  // True if a Network::ReceiveFrom() is pending, that is, not answered yet.
+  // True while a Network::ReceiveFrom() has not been answered.
   bool asked_ = false;
   std::deque<NetworkEvent> waiting_;  // received datagrams that are not delivered yet
   int64_t sent_in_frame_ = 0;         // bytes sent in this frame; the pool limits their number

@@ -91,8 +91,9 @@ SubjectID OObserver::FindSender(RCRegion* region) const {
 namespace {
 
 // Asks the subject at `entry` to add or remove this observer, as `control` says, and waits for the
-// reply.  If the subject is in the same object, calls its entry directly.  A message to the subject
-// would wait until this handler ends, while this handler waits for the reply.
+// reply.  If the subject is in the same object, calls its entry directly.  A message would never be
+// answered: the object handles it only after this handler has ended, but this handler waits for the
+// reply.
 OControlReplyMessage AskSubject(ObserverState* state, const OServiceEntry& entry,
                                 OControlMessage* control) {
   System* const system = state->system;
@@ -110,8 +111,8 @@ OControlReplyMessage AskSubject(ObserverState* state, const OServiceEntry& entry
                          : objcommCMD_REMOVEOBSERVER_SELF;
   openr_host::HandlerState::SelfReply self{&reply, sizeof reply, entry.GetSelector()};
   state->object->handler.self_reply = &self;
-  // The entry is code of the object, so it must use the object's heap and files and not the host's.
-  // For that, image_code must be set.
+  // Sets image_code, because the entry is code of the object and must use the object's heap and
+  // files, not the host's.
   t_current.image_code = state->object->is_image;
   state->object->Dispatch(entry.GetSelector(), control);
   t_current.image_code = false;
@@ -156,9 +157,9 @@ OStatus OObserver::ConnectHandler(const OConnectMessage& msg, OStatus status) {
 
 namespace {
 
-// Adds an error finding if the data of `notify` are not those that the subject sent: their hash
-// differs from the hash that was stored when they were sent.  Then the subject has written into a
-// region after NotifyObservers().  Used with SystemOptions::guard_regions.
+// Adds an error finding if the data of `notify` have changed since the subject sent them: if their
+// hash differs from the hash that was stored at that time.  In this case the subject has written
+// into a region after NotifyObservers().  Used with SystemOptions::guard_regions.
 void CheckUnchanged(ObserverState* state, const ONotifyMessage& notify) {
   const Message* const message = state->object->handler.running.get();
   uint32_t size = 0;
@@ -179,9 +180,9 @@ OStatus OObserver::NotifyHandler(const ONotifyMessage& msg, ONotifyEvent* event)
   if (!IsRunningMessage(*state_->object, PayloadKind::kNotify)) return oUNKNOWN_COMMAND;
   if (state_->system->options().guard_regions) CheckUnchanged(state_, msg);
   // Starts the count of readies anew.  The count shows how often the observer asserts ready without
-  // getting a notification, because too many such readies are probably a mistake.  A notification
-  // of any subject resets the count for all subjects, because AssertReady() without argument
-  // asserts to all of them.
+  // getting a notification; a large count is probably a mistake in the program.  A notification of
+  // any subject resets the count for all subjects, because AssertReady() without argument asserts
+  // to all of them.
   for (ObserverState::Held& each : state_->held) each.asserted = 0;
   // Records from which subject the regions came, because the next ready to that subject gives them
   // back.

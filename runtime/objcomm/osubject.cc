@@ -15,9 +15,9 @@ using namespace openr_host;
 namespace {
 
 // Calls `set` with an RCRegion, a counted reference, for `size` bytes at `offset` of the region
-// `memory`.  A program has made this shared memory with NewSharedMemoryRegion() or the like.  The
-// bytes are not copied.  Returns oINVALID_ARG if there is no such region or the bytes do not lie in
-// it.
+// `memory`.  A program has made this shared memory with NewSharedMemoryRegion() or a similar
+// function.  The bytes are not copied.  Returns oINVALID_ARG if the region does not exist or the
+// bytes do not lie in the region.
 template <typename Set>
 OStatus WithRegion(MemoryRegionID memory, size_t offset, size_t size, Set set) {
   const ApiScope scope;
@@ -85,8 +85,8 @@ size_t OSubject::GetNotifyUnitSize() const { return state_->unit_size; }
 
 OStatus OSubject::SetData(const void* buf, size_t size) {
   const ApiScope scope;
-  // Without observers, makes no region: nobody would take a reference to the region, so it would be
-  // deleted at once.
+  // Makes no region if there are no observers, because nobody would take a reference to the region
+  // and it would be deleted at once.
   if (state_->links.empty()) return oSUCCESS;
   RCRegion* const region = new RCRegion(size);
   if (region->Base() == nullptr) return oNO_MEMORY;
@@ -181,8 +181,8 @@ namespace {
 // buffer.
 size_t Remain(const SubjectState& state, const ObserverLink& link) {
   const size_t used = link.fresh.size() + link.pending.size();
-  // The buffer holds one entry less than its size, because the robot's buffer is a ring buffer,
-  // which is full with one entry less.
+  // The buffer holds one entry less than its size, because the robot's buffer is a ring buffer in
+  // which one entry always stays empty.
   const size_t room = std::max<size_t>(state.buffer_size, 1) - 1;
   return used >= room ? 0 : room - used;
 }
@@ -302,8 +302,8 @@ int OSubject::IsAnyReady() const {
 
 int OSubject::IsAllReady() const {
   for (const auto& link : state_->links) {
-    // 0 means that the observer has not asserted ready since the last notification.  An observer
-    // that has deasserted ready (-1) does not count, because it wants no data (core.md 2.2).
+    // The value 0 means that the observer has not asserted ready since the last notification.  An
+    // observer that has deasserted ready (-1) wants no data, so it does not count (core.md 2.2).
     if (link->ready == 0) return 0;
   }
   return IsAnyReady();

@@ -32,9 +32,9 @@ std::string UpperCase(std::string_view text) {
   return result;
 }
 
-// Returns the entry of `folder` whose name is `part` in any case: an exact match if there is one,
-// otherwise the first match in the order of bytes.  Returns "" if no name matches.  Sets `error` if
-// the folder may not be read.
+// Returns the entry of `folder` whose name equals `part` if upper and lower case letters count as
+// equal.  If several names match, prefers the name that is exactly `part`, then the first name in
+// the order of bytes.  Returns "" if no name matches.  Sets `error` if the folder may not be read.
 std::string FindEntry(const std::string& folder, const std::string& part, int* error) {
   if (Exists(folder + "/" + part)) return part;
   if (errno == EACCES) *error = EACCES;
@@ -76,7 +76,7 @@ std::optional<std::vector<std::string>> PartsOf(std::string_view name) {
 bool IsBelow(const std::string& path, const std::string& folder) {
   std::error_code error;
   const auto real_path = std::filesystem::canonical(path, error);
-  if (error) return true;  // a dangling link leads to no file, so to none outside
+  if (error) return true;  // a dangling link leads to no file, so not to a file outside of `folder`
   const auto real_folder = std::filesystem::canonical(folder, error);
   const auto [end, rest] =
       std::mismatch(real_folder.begin(), real_folder.end(), real_path.begin(), real_path.end());

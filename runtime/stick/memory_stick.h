@@ -1,7 +1,7 @@
 // The Memory Stick, the files that objects see under /MS.
 //
-// Names are absolute, begin with /MS/, use '/', and match in any case, as on the robot's FAT file
-// system.  No name leads to a file outside of the stick.
+// Names are absolute, begin with /MS/ and use '/'.  Upper and lower case letters are equal, as in
+// the robot's FAT file system.  No name leads to a file outside of the stick.
 #pragma once
 
 #include <cstdint>
@@ -35,22 +35,22 @@ class MemoryStick {
   // Returns the bytes of the file `name`.  Used by the runtime itself, for configuration files and
   // design data.  Returns nullopt if the file cannot be read; WhyUnread() then returns the reason.
   std::optional<std::string> ReadFile(std::string_view name);
-  // Returns the errno of a failed ReadFile() of `name`: ENOENT if there is no such file, EACCES if
-  // it may not be read.
+  // Returns the errno of a failed ReadFile() of `name`: ENOENT if the file does not exist, EACCES
+  // if the file may not be read.
   int WhyUnread(std::string_view name);
 
-  // Returns the hash of names (below /MS) and contents of all files, or 0 without files.  A replay
-  // compares this hash with the hash of the recording.  So files that may differ are left out:
-  // images and debug files, which differ from build to build, and the record of a crash in an
-  // earlier run.
+  // Returns the hash of the names (below /MS) and contents of all files, or 0 if there are no
+  // files.  A replay compares this hash with the hash of the recording.  So files that may differ
+  // are left out: images and debug files, which differ from build to build, and the record of a
+  // crash in an earlier run.
   virtual uint64_t ContentHash() = 0;
 
-  // Called before an object makes, writes, renames or removes the file `name`.  From then on the
+  // Called before an object makes, writes, renames or removes the file `name`.  After this call the
   // content of the file is part of HashState().
   void NoteWritten(std::string_view name);
 
-  // Adds a function that is called before an object changes a file or folder for the first time. It
-  // can save the file or folder as it was at the start of the run.
+  // Adds a function that is called before an object changes a file or folder for the first time.
+  // The function can save the file or folder in the state that it had at the start of the run.
   using ChangeListener = std::function<void(const Location&)>;
   void OnFirstChange(ChangeListener listener) { listeners_.push_back(std::move(listener)); }
 
@@ -84,7 +84,7 @@ class FolderStick : public MemoryStick {
   Location Locate(std::string_view name) override;
   uint64_t ContentHash() override;
   const std::string& root() const { return root_; }
-  // Makes another folder the stick, which must have the same files.
+  // Makes the folder `root` the stick.  It must have the same files as the old folder.
   void set_root(std::string root) { root_ = std::move(root); }
 
  private:

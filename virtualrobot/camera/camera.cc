@@ -163,7 +163,8 @@ void CameraDevice::FillInfos(longword frame_number, OFbkImageVectorData* vector)
 
 RCRegion* CameraDevice::MakeVector(int64_t frame, const Body& body, std::string* problem) {
   const CameraShot shot = ShotBefore(frame, body);
-  picture_.rgb.resize(PictureBytes(model_));  // only now, because most robots never take an image
+  // Resized only here, because most robots never take an image.
+  picture_.rgb.resize(PictureBytes(model_));
   *problem = source_->Capture(shot, &picture_);
   RCRegion* const region = FreeVector();
   auto* const vector = reinterpret_cast<OFbkImageVectorData*>(region->Base());

@@ -17,7 +17,8 @@ using Eigen::Vector3d;
 // Number of steps from the shadow to the lit side of a ball.
 constexpr int kSteps = 63;
 
-// Returns the first of `size` pixels whose centre lies beyond `x`; `size` if there is none.
+// Returns the first of `size` pixels whose centre lies beyond `x`; returns `size` if no centre lies
+// beyond `x`.
 int FirstBeyond(double x, double size) { return static_cast<int>(std::clamp(x + 0.5, 0.0, size)); }
 
 void PutPixel(const RgbBytes& colour, uint8_t* pixel) {
@@ -54,8 +55,8 @@ void Face::CutBy(const Vector3d& normal, double offset) {
     const double a = height(from), b = height(to);
     if (a >= 0) Add(from);
     if ((a >= 0) == (b >= 0)) continue;
-    // Computes the point always from the inside to the outside, so that two faces that share an
-    // edge get the same corner.
+    // Always computes the point from the inner to the outer end of the edge, so that two faces that
+    // share the edge get the same corner.
     Add(a >= 0 ? from + (to - from) * (a / (a - b)) : to + (from - to) * (b / (b - a)));
   }
 }
@@ -100,7 +101,7 @@ Canvas::Linear Canvas::AlongRays(const Vector3d& v) const {
 bool Canvas::MaySee(const Vector3d& centre_W, double radius_m) const {
   const Vector3d p = R_CW_ * (centre_W - p_WC_);
   if (p.x() + radius_m < kNear_m) return false;
-  // Compares with the planes through the lens and the edges of the picture.
+  // Compares the ball with the planes through the lens and the edges of the picture.
   const auto is_outside = [&](double sideways, double slope) {
     return std::fabs(sideways) - p.x() * slope > radius_m * std::sqrt(1 + slope * slope);
   };
@@ -115,7 +116,8 @@ Face Canvas::InLens(const Face& face) const {
 }
 
 void Canvas::AddEdge(const Vector2d& from, const Vector2d& to) {
-  // Goes from the upper to the lower end, so that two faces that share an edge get the same pixels.
+  // Follows the edge from its upper to its lower end, so that two faces that share the edge get the
+  // same pixels.
   const bool is_down = from.y() < to.y() || (from.y() == to.y() && from.x() < to.x());
   const Vector2d &top = is_down ? from : to, &bottom = is_down ? to : from;
   const int begin = FirstBeyond(top.y(), height_), end = FirstBeyond(bottom.y(), height_);
@@ -164,7 +166,7 @@ void Canvas::DrawPaint(Face face, const RgbBytes& colour) {
 
 void Canvas::DrawFace(Face face, const Vector3d& normal_W, const RgbBytes& colour) {
   ASSERT(face.count() >= 3 && face.count() <= Face::kCornersMax, "{} corners", face.count());
-  // The face lies in the plane n . p = height of C.
+  // The face lies in the plane n . p = height of the camera's frame C.
   const Vector3d n = R_CW_ * normal_W;
   const double height = normal_W.dot(face.corner(0) - p_WC_);
   if (!(height < 0)) return;
@@ -190,8 +192,8 @@ void Canvas::DrawFace(Face face, const Vector3d& normal_W, const RgbBytes& colou
 
 Canvas::Span Canvas::SpanOfBall(double forward, double sideways, double radius_m,
                                 double pixels_per_slope, double size) const {
-  // Seen along the other axis, the ball is a circle.  Its tangents through the lens have the slopes
-  // m that solve (sideways - m forward)^2 = radius^2 (1 + m^2).
+  // In the plane of `forward` and `sideways`, the ball is a circle.  Its tangents through the lens
+  // have the slopes m that solve (sideways - m forward)^2 = radius^2 (1 + m^2).
   const double a = forward * forward - radius_m * radius_m;
   const double root = a + sideways * sideways;
   if (forward <= radius_m || a <= 0 || root <= 0) return {0, static_cast<int>(size)};
@@ -213,7 +215,7 @@ void Canvas::DrawBall(const Vector3d& centre_W, double radius_m, const Vector3d&
   const Span rows = SpanOfBall(centre.x(), centre.z(), radius_m, height_ / (2 * slope_v_), height_);
   const Linear towards = AlongRays(centre), left = AlongRays(Vector3d::UnitY());
   const Linear up = AlongRays(Vector3d::UnitZ()), rise = AlongRays(R_CW_.col(2));
-  // The light that falls on the ball at t d is the share t light(d) - light_of_centre.
+  // At the point t d, the ball gets the share t * light(d) - light_of_centre of the light.
   const Linear light = AlongRays(to_light / radius_m);
   const double light_of_centre = to_light.dot(centre) / radius_m, per_c = 1 / c;
   const bool is_sunk = centre_W.z() < radius_m;

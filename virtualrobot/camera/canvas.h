@@ -20,8 +20,8 @@ using RgbBytes = std::array<uint8_t, 3>;
 // Returns the bytes of `colour` (red, green and blue, 0 to 1) in light of `brightness` (0 to 1).
 RgbBytes RgbOf(const Eigen::Vector3d& colour, double brightness);
 
-// A convex polygon.  Its corners are in the world W, and in the frame C of the lens once the canvas
-// has turned them.
+// A convex polygon.  Its corners are in the world frame W; the canvas converts them to the frame C
+// of the lens.
 class Face {
  public:
   static constexpr int kCornersMax = 32;
@@ -35,7 +35,7 @@ class Face {
   int count() const { return count_; }
   const Eigen::Vector3d& corner(int i) const { return corners_[static_cast<size_t>(i)]; }
 
-  // Removes the part in which normal . p + offset < 0.  Adds at most one corner.
+  // Removes the part of the face in which normal . p + offset < 0.  Adds at most one corner.
   void CutBy(const Eigen::Vector3d& normal, double offset);
 
  private:
@@ -54,7 +54,8 @@ class Canvas {
   void Begin(const CameraShot& shot, const RgbBytes& floor, const RgbBytes& background,
              Picture* picture);
 
-  // Returns whether a ball around a thing could be in the picture, so that the thing is drawn.
+  // Returns whether a ball around a thing could be in the picture.  If not, the thing need not be
+  // drawn.
   bool MaySee(const Eigen::Vector3d& centre_W, double radius_m) const;
 
   // Draws a face whose front side has the outward normal `normal_W`; its back side is not seen.
@@ -84,12 +85,12 @@ class Canvas {
 
   // Returns the linear quantity v . d, in which d is the ray through a pixel in C, with d.x = 1.
   Linear AlongRays(const Eigen::Vector3d& v) const;
-  // Computes the spans of pixels whose centres are in the face, whose corners are in C, and
-  // returns the rows that the face reaches.
+  // Stores in x_ where the face begins and ends in each row of pixels, and returns the rows that
+  // the face reaches.  REQUIRES: the corners of the face are in C.
   Span FindSpans(const Face& face);
   void AddEdge(const Eigen::Vector2d& from, const Eigen::Vector2d& to);
-  // Returns the pixels along an axis with `size` pixels whose slopes (y or z over x in C) a ball
-  // has.
+  // Returns the pixels that a ball covers along one axis of the picture, which has `size` pixels.
+  // A slope is y or z divided by x, in C; `pixels_per_slope` converts it to pixels.
   Span SpanOfBall(double forward, double sideways, double radius_m, double pixels_per_slope,
                   double size) const;
   Face InLens(const Face& face) const;

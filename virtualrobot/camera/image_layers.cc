@@ -55,7 +55,8 @@ size_t ImageLayers::BytesOfRow(OFbkImageLayer layer) const {
 
 void ImageLayers::ReadPicture(const Picture& picture, const Exposure& exposure, byte* layer_h) {
   const auto width = static_cast<size_t>(width_);
-  luminance_.resize(width * static_cast<size_t>(height_));  // the first picture makes room for all
+  // Allocates memory only for the first picture.
+  luminance_.resize(width * static_cast<size_t>(height_));
   const size_t w = width / 2;
   // Goes through squares of four pixels, because four pixels have four values of luminance but
   // share one Cr and one Cb.

@@ -1,8 +1,8 @@
 // Converts a picture to the four layers H, M, L and C of an image vector (robot.md, 11).
 //
-// Layer H has half the sensor's pixels in each direction, layer M half of those of H, and layer L
-// half of those of M.  Each of these three layers has six bands, interleaved row by row: Y
-// (luminance), Cr, Cb, LH, HL and HH.  Programs use LH, HL and HH to compute Y in twice the
+// In each direction, layer H has half the sensor's pixels, layer M has half the pixels of H, and
+// layer L has half the pixels of M.  Each of these three layers has six bands, interleaved row by
+// row: Y (luminance), Cr, Cb, LH, HL and HH.  Programs use LH, HL and HH to compute Y in twice the
 // resolution.  One pixel of a layer stands for four pixels of the picture or of the layer above,
 // where a and b lie above c and d.  LH, HL and HH are offset by 128:
 //

@@ -19,7 +19,7 @@ using Eigen::Vector3d;
 // detected as a blue goal.
 const Vector3d kBackground(0.66, 0.66, 0.65);
 
-// Flat sides by which a cylinder is drawn.
+// Number of flat sides with which a cylinder is drawn.
 constexpr int kSides = 24;
 static_assert(kSides <= Face::kCornersMax);
 
@@ -60,7 +60,7 @@ class WorldPainter {
     }
   }
 
-  // Draws the outline of a box or cylinder on the floor.
+  // Draws a box or cylinder that is paint: fills its outline on the floor.
   void DrawPaint(const WorldThing& thing) {
     Face face;
     const Vector3d half = thing.size_m / 2;
@@ -159,7 +159,7 @@ void DrawWorld(const CameraShot& shot, const World& world, const std::vector<Wor
 }
 
 RenderedWorld::RenderedWorld(const RobotModel& model) : model_(model) {
-  // A part belongs to the head if it carries the camera, or hangs on a part that does.
+  // A part belongs to the head if it carries the camera, or if its parent belongs to the head.
   for (size_t i = 0; i < model.bodies.size(); ++i) {
     const int joint = model.bodies[i].joint;
     const auto parent = joint < 0 ? -1 : model.joints[static_cast<size_t>(joint)].parent;

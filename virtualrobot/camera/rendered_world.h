@@ -23,7 +23,7 @@ class RenderedWorld : public ImageSource {
 
  private:
   const RobotModel& model_;
-  std::vector<bool> is_head_;  // per part: moves with the camera, in front of it or around it
+  std::vector<bool> is_head_;  // [part]: whether it moves with the camera, so it is not drawn
   Canvas canvas_;
 };
 

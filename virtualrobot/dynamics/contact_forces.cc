@@ -8,7 +8,8 @@
 namespace openr_host {
 namespace {
 
-// Number of times that contacts which pull are left out before the sweeps begin.
+// Largest number of attempts to solve the equations without sweeps.  After each attempt, the
+// contacts that pull are left out.
 constexpr int kOpenRounds = 3;
 
 double Length(double x, double y) { return std::sqrt(x * x + y * y); }
@@ -26,18 +27,18 @@ struct Friction {
   double x, y;
 };
 
-// Returns the impulse along the ground that follows `now`, with at most the length `max`.  `a`, `b`
-// and `c` are the contact's part of the matrix, a b over b c, and `missing` is the velocity that is
-// missing with `now`.
+// Returns the next impulse along the ground after `now`, with at most the length `max`.  `a`, `b`
+// and `c` are the contact's part of the matrix, with the rows (a, b) and (b, c).  `missing` is the
+// velocity that is still missing when the impulse is `now`.
 Friction NextFriction(const Friction& now, double a, double b, double c, const Friction& missing,
                       double max) {
   const double det = a * c - b * b;
   const Friction stick{now.x + (missing.x * c - missing.y * b) / det,
                        now.y + (missing.y * a - missing.x * b) / det};
   if (Length(stick.x, stick.y) <= max) return stick;
-  // The contact slides.  A step against the missing velocity, cut back to the cone, ends where the
-  // impulse and the velocity have one direction.  The step is as long as it may be without
-  // overshooting: 1 / the largest eigenvalue.
+  // The contact slides.  A step along the missing velocity, cut back to the cone, ends where the
+  // impulse and the missing velocity have one direction.  The length of the step is the largest
+  // without overshooting: 1 / the largest eigenvalue.
   const double half = (a - c) / 2;
   const double step = 1 / ((a + c) / 2 + Length(half, b));
   const Friction slide{now.x + step * missing.x, now.y + step * missing.y};
@@ -69,8 +70,8 @@ bool ContactForces::LiesInCone(int contact) const {
   return p[0] >= 0 && Length(p[1], p[2]) <= friction_ * p[0];
 }
 
-// Solves the equations as if all contacts stuck that do not pull.  Returns whether the result obeys
-// the law.
+// Solves the equations as if all contacts that do not pull stuck.  Returns whether the result obeys
+// the laws of all contacts.
 bool ContactForces::SolveSticking(const ContactEquations& equations) {
   closed_.resize(equations.contacts());
   for (int c = 0; c < equations.contacts(); ++c) closed_[c] = c;
@@ -86,8 +87,8 @@ bool ContactForces::SolveSticking(const ContactEquations& equations) {
   return false;
 }
 
-// Solves the rows of closed_ by Cholesky's method; all other impulses are 0.  Our own loops do it,
-// because Eigen chooses the order of its sums by the size of the processor's caches.
+// Solves the rows of closed_ by Cholesky's method; all other impulses are 0.  Uses loops of our
+// own, because Eigen chooses the order of its sums by the size of the processor's caches.
 void ContactForces::SolveOpened(const ContactEquations& equations) {
   const int n = 3 * static_cast<int>(closed_.size());
   const auto row_of = [this](int i) { return 3 * closed_[i / 3] + i % 3; };

@@ -2,19 +2,20 @@
 //
 // Each contact has three rows: along its normal, away from the ground, and along two directions of
 // the ground.  An impulse p along the rows changes the velocity along them by K p, where K is the
-// mobility of the robot plus the softness of the contacts.  With d for the change of velocity that
-// would let each contact stick and leave the ground as fast as it wants, a contact obeys one of
-// three laws:
+// mobility of the robot plus the softness of the contacts.  Let d be the wanted change of velocity:
+// after it, no contact slides, and each contact leaves the ground at the speed that corrects its
+// depth.  Then a contact obeys one of three laws:
 //
-//   It sticks: its rows of K p are those of d, and its impulse lies in the cone of friction.
-//   It slides: its row along the normal is that of d.  Its impulse lies on the border of the cone,
-//     in the direction of the velocity that is missing along the ground.
-//   It opens: its impulse is 0, and it leaves the ground faster than it wants.
+//   It sticks: its rows of K p equal those of d, and its impulse lies in the cone of friction.
+//   It slides: its row of K p along the normal equals that of d.  Its impulse lies on the border
+//     of the cone, in the direction of the velocity that is missing along the ground.
+//   It opens: its impulse is 0, and it leaves the ground faster than d demands.
 //
-// Most contacts of a robot stick.  So the equations are first solved as if all of them did, without
-// those that would pull at the ground.  When all others lie in the cone, this is the answer.
-// Otherwise it is where the sweeps begin: one contact after the other gets the impulse that its law
-// demands while the impulses of all others stay, until no impulse changes any more.
+// Most contacts of a robot stick.  So the equations are first solved as if all contacts stuck,
+// except those that would pull at the ground.  When all impulses lie in their cones, this is the
+// answer.  Otherwise sweeps begin from these impulses.  In a sweep, one contact after the other
+// gets the impulse that its law demands while all other impulses stay.  The sweeps end when no
+// impulse changes any more.
 #pragma once
 
 #include <cstddef>
@@ -35,7 +36,7 @@ class ContactEquations {
   double& At(int row, int column) { return matrix_[static_cast<size_t>(row) * rows() + column]; }
   const double* Row(int row) const { return &matrix_[static_cast<size_t>(row) * rows()]; }
 
-  // [row]: d, in m/s.
+  // [row]: the wanted change of velocity d, in m/s.
   std::vector<double> wanted;
 
  private:
@@ -47,8 +48,8 @@ class ContactForces {
   // `friction` is Coulomb's coefficient.
   explicit ContactForces(double friction) : friction_(friction) {}
 
-  // A sweep that changes no impulse by more than this, in N s, is the last one.  A standing ERS-210
-  // presses with 0.13 N s on the floor in a frame.
+  // Sweeps end after a sweep that changes no impulse by more than this, in N s.  For comparison: a
+  // standing ERS-210 presses with 0.13 N s on the floor in a frame.
   static constexpr double kTolerance_n_s = 1e-6;
   // Number of sweeps after which the impulses are taken as they are.
   static constexpr int kSweepsMax = 1000;
@@ -67,9 +68,10 @@ class ContactForces {
   double Sweep(const ContactEquations& equations);
 
   const double friction_;
-  std::vector<double> impulses_;  // [row]
-  std::vector<int> closed_;       // contacts that press if all of them stick
-  std::vector<double> factor_;    // factors of the rows of closed_
+  std::vector<double> impulses_;  // [row]: impulse along the row, in N s
+  std::vector<int> closed_;       // contacts that press if all contacts stick
+  // Cholesky factor of the part of K that belongs to closed_, row by row.
+  std::vector<double> factor_;
   int sweeps_ = 0;
 };
 

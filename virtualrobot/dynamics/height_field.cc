@@ -14,7 +14,8 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Two points of a ball with normals that differ less than this cosine are one.
+// Two points of a ball count as one when the cosine of the angle between their normals is above
+// this.
 constexpr double kSameNormal = 0.99;
 
 // A range of squares of the grid along one axis: begin to end - 1.
@@ -22,7 +23,8 @@ struct Squares {
   int begin = 0, end = 0;
 };
 
-// Returns the squares that reach between `low` and `high` along an axis with `count` points.
+// Returns the squares that overlap the range from `low` to `high` along an axis with `count`
+// points.
 Squares SquaresBetween(double low, double high, double size_m, int count) {
   const double per_m = (count - 1) / size_m, last = count - 1;
   const auto begin = static_cast<int>(std::clamp((low + size_m / 2) * per_m, 0.0, last));
@@ -38,7 +40,8 @@ Vector3d NearestOf(const Triangle& triangle, const Vector3d& p) {
   for (size_t i = 0; i < 3; ++i) {
     const Vector3d &a = triangle[i], &b = triangle[(i + 1) % 3];
     const Vector3d edge = b - a;
-    if (edge.cross(below - a).dot(normal) >= 0) continue;  // on the inner side of this edge
+    // Skips an edge if `below` is on the inner side of the edge.
+    if (edge.cross(below - a).dot(normal) >= 0) continue;
     const double share = std::clamp(edge.dot(p - a) / edge.squaredNorm(), 0.0, 1.0);
     const Vector3d on_edge = a + share * edge;
     if (!nearest || (on_edge - p).squaredNorm() < (*nearest - p).squaredNorm()) nearest = on_edge;
@@ -84,15 +87,15 @@ void TouchTriangles(const WorldThing& thing, const Vector3d& p, double radius_m,
         const double distance_m = way.norm();
         if (distance_m >= radius_m || distance_m == 0) continue;
         const Vector3d out = way / distance_m;
-        if (out.dot(NormalOf(triangle)) > 0)  // otherwise the centre is below the surface
+        if (out.dot(NormalOf(triangle)) > 0)  // ignores a triangle that has the centre below it
           found->push_back({p - radius_m * out, out, radius_m - distance_m});
       }
     }
   }
 }
 
-// Sorts `found` by depth, drops those for which `is_same` finds a deeper one, and adds up to
-// kHeightPointsMax of them, which are in T, to `points`.
+// Adds points of `found`, which are in T, to `points`: at most kHeightPointsMax, the deepest first.
+// Leaves out a point if `is_same` says that it is the same as a deeper one.
 template <typename IsSame>
 void AddDeepest(std::vector<TouchPoint> found, const WorldThing& thing, IsSame is_same,
                 std::vector<TouchPoint>* points) {
@@ -162,8 +165,8 @@ void TouchBoxOnHeights(const Vector3d& centre_W, const Matrix3d& R_WB, const Vec
       const SurfaceDistance inside =
           DistanceTo(ThingShape::kBox, size_m, R.transpose() * (point - centre));
       if (inside.distance_m >= 0) continue;
-      // Leaves out a face of the box that looks away from the surface, because through it the box
-      // would come out below.
+      // Leaves out a face of the box that looks away from the surface, because through such a face
+      // the box would leave the solid at its lower side.
       const Vector3d out = -(R * inside.out);
       if (out.z() > 0) found.push_back({point, out, -inside.distance_m});
     }

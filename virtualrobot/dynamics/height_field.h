@@ -1,5 +1,5 @@
-// Finds where balls and boxes touch a heightfield, for which ODE has a collider, but one that calls
-// libm.
+// Finds where balls and boxes touch a heightfield.  ODE's own collider for heightfields is not
+// used, because it calls libm, whose bits depend on the processor.
 #pragma once
 
 #include <Eigen/Core>

@@ -29,8 +29,8 @@ Matrix3d CrossMatrix(const Vector3d& a) {
   return m;
 }
 
-// Returns `q`, turned by the angular velocity `w_W` for `step_s` seconds.  The formula is right to
-// first order in the angle, as that of ODE.
+// Returns `q`, turned by the angular velocity `w_W` for `step_s` seconds.  Like ODE's formula, this
+// formula is exact only to first order in the angle.
 Quaterniond Turned(const Quaterniond& q, const Vector3d& w_W, double step_s) {
   const Vector3d half = 0.5 * step_s * w_W;
   const double w = q.w() - half.dot(q.vec());
@@ -83,7 +83,7 @@ Isometry3d JointTree::X_WL(int part) const {
   return X;
 }
 
-// Computes the places of all parts from those of the trunk and the angles of the hinges.
+// Computes the places of all parts from the place of the trunk and the angles of the hinges.
 void JointTree::PlaceParts() {
   now_[0].R_WL = q_WB_.toRotationMatrix();
   now_[0].centre_W = centre_W_;
@@ -130,8 +130,8 @@ void JointTree::BeginStep(const std::vector<TorqueLine>& lines, double gravity_m
   Factor();
 }
 
-// Fills the lower triangle of M + h B.  The inertia of a part and of all parts behind it is taken
-// as that of one body, because all of them move when the hinge of the part turns.
+// Fills the lower triangle of M + h B.  A part and all parts behind it are taken as one body with
+// their common inertia, because all of them move when the hinge of the part turns.
 void JointTree::FillMatrix(const std::vector<TorqueLine>& lines, double step_s) {
   for (int i = 0; i < parts(); ++i) {
     const Vector3d r = now_[i].centre_W - centre_W_;
@@ -169,9 +169,10 @@ void JointTree::FillMatrix(const std::vector<TorqueLine>& lines, double step_s) 
   }
 }
 
-// Computes the forces along the unknowns without pushes and contacts: t0 - B u - c.  First, from
-// the trunk to the leaves, the accelerations of the parts if no velocity changed; then, from the
-// leaves to the trunk, the forces that these accelerations and gravity demand.
+// Computes the forces along the unknowns without pushes and contacts: t0 - B u - c.  First finds,
+// from the trunk to the leaves, the accelerations that the parts have while no velocity along an
+// unknown changes.  Then finds, from the leaves to the trunk, the forces that these accelerations
+// and gravity demand.
 void JointTree::FindForces(const std::vector<TorqueLine>& lines, double gravity_m_s2) {
   struct Acceleration {
     Vector3d angular, centre;
@@ -211,7 +212,8 @@ void JointTree::FindForces(const std::vector<TorqueLine>& lines, double gravity_
 }
 
 // Factors the matrix into L^T D L, with L a lower triangle with ones on its diagonal.  Eliminates
-// the leaves first: then only numbers change that belong to two unknowns on one way to the trunk.
+// the leaves first, because then only those elements change whose two unknowns are on one way to
+// the trunk.
 void JointTree::Factor() {
   for (int k = Unknowns() - 1; k >= 0; --k) {
     double* const row = RowOf(k);
@@ -244,8 +246,8 @@ void JointTree::AddTorque(int part, const Vector3d& torque_W) {
   AddAlong(part, {torque_W, Vector3d::Zero()}, along_.data());
 }
 
-// Computes the inverse of L^T times `x`, for an `x` that is zero except from `unknown` to the
-// trunk.
+// Computes the inverse of L^T times `x`, for an `x` that is zero except at the unknowns from
+// `unknown` to the trunk.
 void JointTree::EliminateFrom(int unknown, double* x) const {
   for (int i = unknown; i >= 0; i = parent_[i]) {
     const double* const row = RowOf(i);
@@ -253,7 +255,8 @@ void JointTree::EliminateFrom(int unknown, double* x) const {
   }
 }
 
-// Multiplies the forces along the unknowns with the length of the step, and eliminates them.
+// Multiplies the forces along the unknowns by the length of the step, and the result by the inverse
+// of L^T.
 void JointTree::Eliminate() {
   is_eliminated_ = true;
   for (double& value : along_) value *= step_s_;
@@ -299,7 +302,7 @@ void JointTree::EndStep(const std::vector<double>& impulses) {
     const double* const row = &row_[static_cast<size_t>(r) * Unknowns()];
     for (int i = row_unknown_[r]; i >= 0; i = parent_[i]) along_[i] += row[i] * impulses[r];
   }
-  // From here on, along_ becomes the change of the velocities.
+  // Computes in along_ the changes of the velocities from the momenta.
   for (int i = 0; i < Unknowns(); ++i) {
     const double* const row = RowOf(i);
     along_[i] /= row[i];
@@ -308,7 +311,8 @@ void JointTree::EndStep(const std::vector<double>& impulses) {
   Move();
 }
 
-// Adds the change of the velocities, then moves everything with the new velocities for one step.
+// Adds the changes in along_ to the velocities, then moves all parts with the new velocities for
+// one step.
 void JointTree::Move() {
   for (int k = 0; k < 3; ++k) {
     w_W_[k] += along_[k];

@@ -8,10 +8,10 @@
 //
 // M is the inertia matrix of the tree, t0 - B u' the torque lines of the servos, c the forces that
 // the present motion and gravity demand, f pushes, J the Jacobian of the contacts and p their
-// impulses.  The matrix is zero where two parts are not on one way to the trunk.  The factors of
-// the matrix keep these zeros when the leaves of the tree are eliminated first (Featherstone,
-// "Rigid Body Dynamics Algorithms", 2008, chapters 6 and 8), so that the work grows with the number
-// of hinges and not with its third power.
+// impulses.  An element of the matrix is zero if its two parts are not on one way to the trunk.
+// The factors of the matrix keep these zeros when the leaves of the tree are eliminated first
+// (Featherstone, "Rigid Body Dynamics Algorithms", 2008, chapters 6 and 8), so that the work grows
+// with the number of hinges and not with its third power.
 //
 // Vectors are in the axes of the world W.  Moments and lines of force refer to the point O, the
 // place of the trunk's centre of mass at the beginning of the step.  All results have the same bits
@@ -27,7 +27,7 @@ namespace openr_host {
 
 class Hasher;
 
-// A rigid part and the hinge that joins it to its parent.  Places and axes are those of the part's
+// A rigid part and the hinge that joins it to its parent.  Places and axes are given in the part's
 // own frame L, which coincides with B when all angles are 0.
 struct TreePart {
   double mass_kg = 0;                                       // > 0
@@ -46,9 +46,10 @@ class JointTree {
     Eigen::Vector3d linear{0, 0, 0};
   };
 
-  // Limits of the speeds of trunk and hinges.  At the end of a step, what is faster is slowed down
-  // to them, because a step finds the forces of turning parts from the speeds at its beginning and
-  // would tear apart a robot that turns by half a turn in a step.  No robot comes near them.
+  // Limits of the speeds of trunk and hinges.  At the end of a step, higher speeds are reduced to
+  // these limits.  A step computes the forces of turning parts from the speeds at its beginning, so
+  // a robot that turns by half a turn in a step would be torn apart.  In normal motion no robot
+  // comes near the limits.
   static constexpr double kTurnMax_rad_s = 100;
   static constexpr double kSpeedMax_m_s = 50;
 
@@ -59,7 +60,7 @@ class JointTree {
   int parts() const { return static_cast<int>(parts_.size()); }
 
   // Puts the trunk and the hinges in their places, at rest.  `angles_rad` has an angle for each
-  // part; that of the trunk is not used.
+  // part; the angle of the trunk is not used.
   void Place(const Eigen::Isometry3d& X_WB, const std::vector<double>& angles_rad);
 
   // The present motion.  X_WL maps a point of the part's frame to its place in W.
@@ -67,18 +68,19 @@ class JointTree {
   const Eigen::Vector3d& centre_W(int part) const { return now_[part].centre_W; }
   Eigen::Isometry3d X_WL(int part) const;
   const Eigen::Quaterniond& q_WB() const { return q_WB_; }
-  const Eigen::Vector3d& v_W() const { return v_W_; }  // of the trunk's centre of mass
-  const Eigen::Vector3d& w_W() const { return w_W_; }  // of the trunk
+  const Eigen::Vector3d& v_W() const { return v_W_; }  // velocity of the trunk's centre of mass
+  const Eigen::Vector3d& w_W() const { return w_W_; }  // angular velocity of the trunk
   double angle_rad(int part) const { return angle_rad_[part]; }
   double speed_rad_s(int part) const { return speed_rad_s_[part]; }
 
   // Begins a step of `step_s` seconds: sets up the equation of motion without pushes and contacts,
-  // and factors its matrix.  `lines` has the torque line of the hinge of each part; that of the
+  // and factors its matrix.  `lines` has the torque line of the hinge of each part; the line of the
   // trunk is not used.
   void BeginStep(const std::vector<TorqueLine>& lines, double gravity_m_s2, double step_s);
 
-  // Add a push at the point `p_W`, in N, and a torque, in N m, to the step that has begun.
+  // Adds a push, in N, at the point `p_W` to the step that has begun.
   void AddForce(int part, const Eigen::Vector3d& force_W, const Eigen::Vector3d& p_W);
+  // Adds a torque, in N m, to the step that has begun.
   void AddTorque(int part, const Eigen::Vector3d& torque_W);
 
   // Adds a row to J: the velocity of the point `p_W` of `part` along `direction_W`.  Called after
@@ -136,8 +138,8 @@ class JointTree {
   void Move();
 
   const std::vector<TreePart> parts_;
-  std::vector<int>
-      parent_;  // [unknown]: the next unknown on the way to the trunk's first; -1: none
+  // [unknown]: the next unknown on the way to unknown 0; -1 for unknown 0 itself.
+  std::vector<int> parent_;
 
   // The state: everything that decides the future.
   Eigen::Quaterniond q_WB_ = Eigen::Quaterniond::Identity();
@@ -149,13 +151,14 @@ class JointTree {
 
   // Values of the step that has begun.
   double step_s_ = 0;
-  std::vector<Inertia> inertia_;  // [part]: of the part and all parts behind it
-  std::vector<Spatial> force_;    // [part]: likewise, what the present motion and gravity demand
-  std::vector<double> matrix_;    // lower triangle, row by row; after Factor() its factors L and D
-  std::vector<double> along_;     // [unknown]: forces; after Eliminate() momenta
+  std::vector<Inertia> inertia_;  // [part]: inertia of the part and all parts behind it
+  // [part]: force that the present motion and gravity demand from these parts.
+  std::vector<Spatial> force_;
+  std::vector<double> matrix_;  // lower triangle, row by row; after Factor() its factors L and D
+  std::vector<double> along_;   // [unknown]: forces; after Eliminate() momenta
   bool is_eliminated_ = false;
   std::vector<double> row_;         // [row][unknown]: the inverse of L^T times J^T
-  std::vector<double> row_scaled_;  // [row][unknown]: the same, divided by D
+  std::vector<double> row_scaled_;  // [row][unknown]: row_ divided by D
   std::vector<int> row_unknown_;    // [row]: the unknown of the part that the row is about
   std::vector<double> row_speed_;   // [row]: FreeSpeed()
 };

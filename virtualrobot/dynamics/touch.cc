@@ -11,8 +11,8 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// A face of a box touches the side of a cylinder if the z of its direction, in the cylinder's axes,
-// is at most this.
+// A face of a box can touch the side of a cylinder only if the z of the face's normal, in the
+// cylinder's axes, is at most this.
 constexpr double kUprightMax = 0.5;
 
 // Number of points of the rim of a cylinder's end that can touch a box.
@@ -45,8 +45,8 @@ SurfaceDistance DistanceToCylinder(const Vector3d& half, const Vector3d& p) {
   return beside > above ? SurfaceDistance{beside, level} : SurfaceDistance{above, up};
 }
 
-// Returns the point of the line from `a` to `b` that is nearest to the z axis, between the heights
-// -half and half if the line comes there.
+// Returns the point of the line from `a` to `b` that is nearest to the z axis.  If a part of the
+// line is between the heights -half and half, only this part counts.
 Vector3d NearestToAxis(const Vector3d& a, const Vector3d& b, double half) {
   const Vector3d d = b - a;
   double from = 0, to = 1;
@@ -88,9 +88,9 @@ double OverlapAlongAxis(const Vector3d& centre, const Matrix3d& R, const Vector3
   return thing.size_m.z() / 2 + reach - std::fabs(centre.z());
 }
 
-// Adds the points at which a face of the box has come into the side of the cylinder: at its middle
-// and its two ends.  If the box has come less deep into an end of the cylinder, it touches that end
-// and not the side.
+// Adds the points at which a face of the box is in the side of the cylinder.  Tests the middle and
+// the two ends of the side.  If the box is less deep in an end of the cylinder than in the side,
+// the box touches that end and not the side.
 void TouchByFaces(const Vector3d& centre, const Matrix3d& R, const Vector3d& half,
                   const WorldThing& thing, std::vector<TouchPoint>* points) {
   const double radius_m = thing.size_m.x() / 2;
@@ -106,7 +106,8 @@ void TouchByFaces(const Vector3d& centre, const Matrix3d& R, const Vector3d& hal
   }
 }
 
-// Returns point `i` of the rim of an end of a cylinder, in its axes.  `end` is -0.5 or 0.5.
+// Returns point `i` of the rim of an end of a cylinder, in the cylinder's axes.  `end` is -0.5 or
+// 0.5.
 Vector3d RimPoint(const Vector3d& size_m, double end, int i) {
   constexpr double kHalfRoot = 0.70710678118654752440;  // sine and cosine of 45 degrees
   constexpr double kX[kRimPoints] = {1, kHalfRoot, 0, -kHalfRoot, -1, -kHalfRoot, 0, kHalfRoot};
@@ -127,10 +128,10 @@ void TouchByRims(const Vector3d& centre, const Matrix3d& R, const Vector3d& half
   }
 }
 
-// Adds the points of `cylinder` that are in `thing`: of the rims of its ends, and of the line along
-// its side that faces `thing`.  The points of the side keep away from the ends, because the nearest
-// way out of an end leads along the axis.  `sign` is 1 if normals are to point out of `thing`,
-// otherwise -1.
+// Adds the points of `cylinder` that are in `thing`.  Tests points of the rims of the cylinder's
+// ends, and of the line along its side that faces `thing`.  The points of the side keep away from
+// the ends, because the nearest way out of an end leads along the axis.  `sign` is 1 if normals are
+// to point out of `thing`, otherwise -1.
 void TouchByRimsAndSide(const WorldThing& cylinder, const WorldThing& thing, double sign,
                         std::vector<TouchPoint>* points) {
   const auto test = [&](const Vector3d& p) {
@@ -151,7 +152,8 @@ void TouchByRimsAndSide(const WorldThing& cylinder, const WorldThing& thing, dou
     test(Vector3d(way.x() * scale, way.y() * scale, height * cylinder.size_m.z()));
 }
 
-// Keeps the deepest kBoxPointsMax points, the deepest first.  Equal ones keep their order.
+// Keeps the deepest kBoxPointsMax points, the deepest first.  Points of equal depth keep their
+// order.
 void KeepDeepestPoints(std::vector<TouchPoint>* points) {
   std::stable_sort(points->begin(), points->end(),
                    [](const TouchPoint& a, const TouchPoint& b) { return a.depth_m > b.depth_m; });

@@ -1,7 +1,7 @@
 // Finds where balls, boxes and cylinders touch things that ODE's colliders do not serve.
 //
-// Pairs of boxes are left to ODE (ode/contact_finder.h).  ODE's colliders for cylinders call sine
-// and cosine of libm, whose bits depend on the processor.
+// Pairs of boxes are left to ODE (ode/contact_finder.h).  ODE's colliders for cylinders are not
+// used, because they call sine and cosine of libm, whose bits depend on the processor.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,7 +12,7 @@
 namespace openr_host {
 
 struct TouchPoint {
-  Eigen::Vector3d p_W{0, 0, 0};       // the deepest point of one of the two
+  Eigen::Vector3d p_W{0, 0, 0};       // the deepest point of the shape or of the thing
   Eigen::Vector3d normal_W{0, 0, 1};  // unit vector out of the thing
   double depth_m = 0;                 // > 0
 };
@@ -23,11 +23,12 @@ struct SurfaceDistance {
   Eigen::Vector3d out{0, 0, 1};  // unit vector
 };
 
-// Returns the distance of the point `p` in the shape's own axes, with its centre as the origin.
+// Returns the distance of the point `p` from the surface of a shape.  `p` is in the shape's own
+// axes, and the centre of the shape is the origin.
 SurfaceDistance DistanceTo(ThingShape shape, const Eigen::Vector3d& size_m,
                            const Eigen::Vector3d& p);
 
-// Adds the point at which a ball touches `thing`, if it does.
+// Adds the point at which a ball touches `thing`, if the ball touches it.
 void TouchBall(const Eigen::Vector3d& centre_W, double radius_m, const WorldThing& thing,
                std::vector<TouchPoint>* points);
 

@@ -240,8 +240,8 @@ void ReadCamera(const JsonReader& camera, RobotModel* model) {
   c.fov_v_rad = Radians(fov[1]);
   if (c.width_px % 8 != 0 || c.height_px % 8 != 0)
     camera.At("pixels").Fail("{} x {} cannot be halved three times", c.width_px, c.height_px);
-  // Only compares the sizes in the file with the computed sizes, because the program computes the
-  // size of each layer from that of the layer before it.
+  // Checks that the sizes in the file are equal to the computed sizes, because the program computes
+  // the size of each layer from the size of the previous layer.
   for (const JsonReader& layer : camera.At("layers").Elements()) {
     const std::vector<double> size = layer.Numbers(2);
     c.layers.emplace_back(static_cast<int>(size[0]), static_cast<int>(size[1]));

@@ -71,7 +71,7 @@ struct Led {
   std::string locator;
   std::string type;      // "LED2", "LED3"
   std::string colour;    // "": not known
-  std::string colour_b;  // in mode B of the face lights of the ERS-7; "": as `colour`
+  std::string colour_b;  // colour in mode B of the face lights of the ERS-7; "": same as `colour`
 };
 
 // An ear.  The plunger that moves it has two positions, on and off, and no sensor.
@@ -130,10 +130,10 @@ struct Posture {
   std::vector<double> angles_rad;  // in the order of RobotModel::joints
 };
 
-// Limits at which a robot protects itself and shuts down; 0: it has no such protection.
+// Limits at which a robot protects itself and shuts down; 0: the robot has no such limit.
 struct Limits {
   int hot_c = 0;           // battery temperature while it discharges, in degrees Celsius
-  int hot_charging_c = 0;  // and while it is charged
+  int hot_charging_c = 0;  // battery temperature while it is charged
   int current_ma = 0;      // mean current of the battery over about 100 ms
   int jam_frames = 0;      // frames of 8 ms for which a joint may be jammed
 };

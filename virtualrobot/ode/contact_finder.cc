@@ -17,9 +17,9 @@ using Eigen::Vector3d;
 // contacts are enough to push it out.
 constexpr int kCornersMax = 4;
 
-// Number of contacts that ODE's box collider is asked for.  The collider finds at most eight.  When
-// asked for fewer, it chooses points by their angle with atan2 of libm, whose bits differ between
-// processors.
+// Number of contacts that ODE's box collider is asked for.  The collider finds at most eight, so we
+// ask for all.  When asked for fewer, it would choose points by their angle with atan2 of libm,
+// whose bits differ between processors.
 constexpr int kPointsMax = 8;
 
 // Makes a geometry of the size of `thing`.
@@ -125,7 +125,7 @@ const std::vector<ContactPoint>& ContactFinder::Find() {
   for (Shape& thing : things_) {
     if (thing.body != nullptr) dGeomGetAABB(thing.geom, thing.room.edges);
   }
-  // The floor is tested without rooms, so a robot that is alone in an empty world needs none.
+  // The floor is tested without rooms, so a robot that is alone in an empty world needs no rooms.
   if (!things_.empty() || robots_.size() > 1) {
     for (Robot& robot : robots_) FindRoom(&robot);
   }
@@ -136,7 +136,7 @@ const std::vector<ContactPoint>& ContactFinder::Find() {
   return points_;
 }
 
-// Finds the rooms of the robot's shapes, and the room of all of them.
+// Finds the room (enclosing box) of each shape of the robot, and the room that encloses all shapes.
 void ContactFinder::FindRoom(Robot* robot) {
   Room& all = robot->room;
   for (int i = 0; i < 6; ++i) all.edges[i] = i % 2 == 0 ? dInfinity : -dInfinity;
@@ -176,7 +176,7 @@ void ContactFinder::FindOfRobot(size_t robot) {
 }
 
 // Adds the points at which `shape`, which belongs to robot `robot`, touches things and other
-// robots.  A pair of boxes of two robots is tested for the first of them only.
+// robots.  A pair of boxes of two robots is tested only once, for the robot with the lower number.
 void ContactFinder::FindOnOthers(const Shape& shape, size_t robot) {
   for (const Shape* const thing : near_) {
     if (!shape.room.IsApartFrom(thing->room)) FindOn(shape, *thing);
@@ -231,13 +231,13 @@ void ContactFinder::FindBoxOnFloor(const Shape& box) {
   }
 }
 
-// Tests four points of the rim of each end: the lowest one, and those a quarter, a half and three
-// quarters around from it.
+// Tests four points of the rim of each end: the lowest point, and the points that follow after a
+// quarter, a half and three quarters of the rim.
 void ContactFinder::FindCylinderOnFloor(const Shape& cylinder) {
   const Vector3d centre_W = cylinder.CentreW();
   const Matrix3d R = cylinder.R_W();
   const double radius_m = cylinder.size_m.x() / 2;
-  // The z of the cylinder's own x and y says which way along the end goes down.
+  // The z parts of the cylinder's x and y axes give the direction in which an end slopes down.
   Vector3d down(-R(2, 0), -R(2, 1), 0);
   const double length = std::sqrt(down.x() * down.x() + down.y() * down.y());
   if (length > 0) {
@@ -286,8 +286,8 @@ void ContactFinder::FindByOde(const Shape& shape, const Shape& other) {
   }
 }
 
-// Adds the points at which `shape` touches the heightfield `other`.  A cylinder touches as the
-// largest box in it does.
+// Adds the points at which `shape` touches the heightfield `other`.  A cylinder is treated as the
+// largest box that fits into it.
 void ContactFinder::FindOnHeights(const Shape& shape, const Shape& other) {
   constexpr double kEdgeOfSquareInCircle = 0.70710678118654752440;
   touches_.clear();
@@ -301,8 +301,8 @@ void ContactFinder::FindOnHeights(const Shape& shape, const Shape& other) {
   AddTouches(shape, other, false);
 }
 
-// Adds the points at which `shape` touches the round thing `other`.  `swapped`: `other` is the one
-// that can move.
+// Adds the points at which `shape` touches the round thing `other`.  `swapped` says that `other` is
+// the side that can move.
 void ContactFinder::FindOnRound(const Shape& shape, const Shape& other, bool swapped) {
   touches_.clear();
   if (shape.shape == ThingShape::kBox) {

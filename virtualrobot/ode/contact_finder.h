@@ -23,8 +23,8 @@ struct ContactSide {
 };
 
 struct ContactPoint {
-  ContactSide side;   // what touches; it can move
-  ContactSide other;  // what it touches
+  ContactSide side;   // the side that can move
+  ContactSide other;  // the side that `side` touches
   int paw = -1;       // index in RobotModel::paws; -1 when no paw touches
   Eigen::Vector3d p_W{0, 0, 0};
   Eigen::Vector3d normal_W{0, 0, 1};  // unit vector out of `other`
@@ -35,7 +35,7 @@ class ContactFinder {
  public:
   // `things` are the things of the world in their present places.  `bodies` has for each thing the
   // ODE body that moves it, or null for a fixed thing.  The movable things have the trees 0, 1 and
-  // so on, in their order.  Both must outlive the finder.
+  // so on, in their order.  `things` and `bodies` must outlive the finder.
   ContactFinder(const std::vector<WorldThing>& things, const std::vector<dBodyID>& bodies);
   ~ContactFinder();
   ContactFinder(const ContactFinder&) = delete;
@@ -45,12 +45,13 @@ class ContactFinder {
   // of `model`.  `model` and `bodies` must outlive the finder.
   void AddRobot(int tree, const RobotModel& model, const std::vector<dBodyID>& bodies);
 
-  // Returns the points that touch now: those of the movable things, then those of each robot, in
-  // the order of its model.  The result is valid until the next call.
+  // Returns the points that touch now: first the points of the movable things, then the points of
+  // each robot, in the order of its model.  The result is valid until the next call.
   const std::vector<ContactPoint>& Find();
 
  private:
-  // Two corners of an upright box that encloses something: x, x, y, y, z, z, as ODE has them.
+  // A box along the axes of W that encloses a shape or a robot: its least and greatest x, then y,
+  // then z, in ODE's order.
   struct Room {
     dReal edges[6];
     bool IsApartFrom(const Room& other) const;
@@ -59,13 +60,13 @@ class ContactFinder {
   // A box or a ball of a robot, or a thing.
   struct Shape {
     ThingShape shape = ThingShape::kBox;
-    Eigen::Vector3d size_m{0, 0, 0};  // as WorldThing::size_m
+    Eigen::Vector3d size_m{0, 0, 0};  // has the meaning of WorldThing::size_m
     ContactSide side;
     int paw = -1;
     dGeomID geom = nullptr;
-    dBodyID body = nullptr;             // null: fixed
-    Eigen::Vector3d offset_m{0, 0, 0};  // from the body's centre of mass, in its axes
-    const WorldThing* thing = nullptr;  // null: part of a robot
+    dBodyID body = nullptr;             // null: the shape is fixed
+    Eigen::Vector3d offset_m{0, 0, 0};  // vector from the body's centre of mass, in the body's axes
+    const WorldThing* thing = nullptr;  // null: the shape is a part of a robot
     Room room = {};
 
     Eigen::Vector3d CentreW() const;
@@ -93,7 +94,7 @@ class ContactFinder {
   void FindOnRound(const Shape& shape, const Shape& other, bool swapped);
   void AddTouches(const Shape& shape, const Shape& other, bool swapped);
 
-  std::vector<Shape> things_;  // the solid ones
+  std::vector<Shape> things_;  // shapes of the solid things
   std::vector<Robot> robots_;
   std::vector<const Shape*> near_;  // things that the present robot may touch
   std::vector<ContactPoint> points_;

@@ -26,7 +26,7 @@ constexpr double kHandTime_s = 0.05;
 constexpr double kHandSpeed_m_s = 0.5, kHandTurn_rad_s = 2;
 constexpr double kHandForce_n = 60, kHandTorque_nm = 5;
 
-// No part of a robot is further than this from the origin of its base.
+// The largest distance of a part of a robot from the origin of the robot's base.
 constexpr double kReach_m = 0.6;
 
 // Returns how a robot lies asleep at the place `start`.
@@ -180,7 +180,7 @@ RayHit OdeBody::CastRay(const Vector3d& p_W, const Vector3d& direction_W, double
   RayHit hit = openr_host::CastRay(world(), world_->things(), p_W, direction_W, max_m);
   for (const OdeBody* const robot : world_->robots()) {
     if (robot == this) continue;
-    // Because most robots are not in the way of the ray, a ball around each one is tested first.
+    // First tests a ball around the robot, because most robots are not in the way of the ray.
     const Vector3d to_robot = robot->state_.X_WB.translation() - p_W;
     const double along_m = std::clamp(to_robot.dot(direction_W), 0.0, hit.distance_m);
     if ((to_robot - along_m * direction_W).norm() > kReach_m) continue;

@@ -81,9 +81,10 @@ class OdeBody : public Body {
   Eigen::Vector3d v_before_W_{0, 0, 0};  // velocity of B's origin at the beginning of the frame
   std::vector<dxBody*> bodies_;          // in the order of RobotModel::bodies
   std::unique_ptr<JointTree> tree_;
-  std::vector<Servo> servos_;      // in the order of RobotModel::joints
-  std::vector<TorqueLine> lines_;  // of the joint of each part; in the order of RobotModel::bodies
-  std::vector<PushForce> pushes_;  // forces that act during the next Advance()
+  std::vector<Servo> servos_;  // in the order of RobotModel::joints
+  // Lines of the joints that move the parts; order of RobotModel::bodies.
+  std::vector<TorqueLine> lines_;
+  std::vector<PushForce> pushes_;             // forces that act during the next Advance()
   std::optional<Eigen::Isometry3d> held_at_;  // the pose to which a hand pulls the base
 };
 

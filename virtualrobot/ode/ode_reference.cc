@@ -92,8 +92,8 @@ void OdeReference::Push(int part, const Vector3d& force_W, const Vector3d& p_W) 
                      p_W.z());
 }
 
-// ODE's own angle is good enough for a comparison, but its bits depend on the processor, because it
-// calls atan2 of libm.
+// Takes the angle from ODE, which calls atan2 of libm, so its bits depend on the processor.  This
+// is good enough for a comparison.
 double OdeReference::angle_rad(int joint) const {
   return start_rad_[joint] + dJointGetHingeAngle(hinges_[joint]);
 }

@@ -1,5 +1,6 @@
-// The same robot, moved by ODE's own joints and its exact solver.  A test compares OdeBody's motion
-// with it, and the bench OdeBody's time.  No run of the program uses it.
+// OdeReference: a robot that ODE's own joints and ODE's exact solver move.  A test compares the
+// motion of OdeBody with the motion of this robot, and the bench compares their times.  No run of
+// the program uses OdeReference.
 //
 // ODE knows 6 numbers for each part and holds the parts together by 5 equations for each hinge.
 // The torque line of a servo, t = t0 - b v, is the motor of its hinge: such a motor obeys
@@ -24,7 +25,7 @@ class ContactFinder;
 
 class OdeReference {
  public:
-  // Makes the robot at rest.  `model` must outlive it and have boxes, masses and torques.
+  // Makes the robot at rest.  `model` must outlive the robot and have boxes, masses and torques.
   OdeReference(const RobotModel& model, const World& world, const Eigen::Isometry3d& X_WB,
                const std::vector<double>& angles_rad);
   ~OdeReference();
@@ -41,7 +42,7 @@ class OdeReference {
   double angle_rad(int joint) const;
   double speed_rad_s(int joint) const;
   Eigen::Vector3d centre_W(int part) const;
-  Eigen::Vector3d v_W(int part) const;  // of the centre of mass
+  Eigen::Vector3d v_W(int part) const;  // velocity of the centre of mass
   Eigen::Vector3d w_W(int part) const;
 
  private:
@@ -52,7 +53,7 @@ class OdeReference {
   dxJointGroup* contacts_;
   std::vector<dxBody*> bodies_;
   std::vector<dxJoint*> hinges_;
-  std::vector<double> start_rad_;  // ODE's hinges count their angles from here
+  std::vector<double> start_rad_;  // angles at the start, from which ODE's hinges count
   std::vector<Servo> servos_;
   std::unique_ptr<ContactFinder> finder_;
 };

@@ -18,8 +18,9 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-// Largest number of contacts of a group for each of its robots, at least that of one robot.  If
-// more touch, the deepest ones count, because the work of the solver grows with their third power.
+// Largest number of contacts of a group for each robot in it; a group without robots may have as
+// many as one robot.  If there are more contacts, only the deepest count, because the work of the
+// solver grows with the third power of their number.
 constexpr size_t kContactsPerRobot = 64;
 constexpr size_t kContactsMax = 3 * kContactsPerRobot;
 
@@ -109,8 +110,8 @@ void PhysicsWorld::Step(double step_s) {
   for (OdeBody* const robot : robots_) robot->EndStep();
 }
 
-// Brakes round things that touch something: a torque against their rotation, which stops a slow one
-// and never turns it back.
+// Brakes the rotation of round things that touch something.  The torque stops a slow rotation but
+// never reverses it.
 void PhysicsWorld::BrakeRolling(const std::vector<ContactPoint>& points, double step_s) {
   for (size_t i = 0; i < movers_.size(); ++i) {
     JointTree& tree = movers_[i].tree;
@@ -126,7 +127,8 @@ void PhysicsWorld::BrakeRolling(const std::vector<ContactPoint>& points, double 
   }
 }
 
-// Adds three rows for each contact to the trees of its sides, and tells robots of their paws.
+// Adds three rows for each contact to the trees of its sides, and tells the robots which of their
+// paws touch something.
 void PhysicsWorld::AddRows(const std::vector<ContactPoint>& points) {
   rows_.clear();
   for (const ContactPoint& point : points) {
@@ -168,7 +170,7 @@ int PhysicsWorld::GroupOf(int tree) const {
   return tree;
 }
 
-// Finds the impulses of the contacts of a group.  A contact that is left out has none.
+// Finds the impulses of the contacts of a group.  A contact that is left out has no impulse.
 void PhysicsWorld::SolveGroup(const std::vector<ContactPoint>& points, int group, double step_s) {
   contacts_of_group_.clear();
   for (size_t i = 0; i < points.size(); ++i) {
@@ -215,7 +217,7 @@ void PhysicsWorld::FillEquations(const std::vector<ContactPoint>& points, double
 }
 
 // Returns by how much an impulse of 1 N s along row `b` changes the velocity along row `a`: the sum
-// over the trees that both rows know.
+// over the trees that both rows have in common.
 double PhysicsWorld::Mobility(const RowSides& a, const RowSides& b) const {
   double sum = 0;
   if (a.tree == b.tree) sum += trees_[a.tree]->Mobility(a.row, b.row);

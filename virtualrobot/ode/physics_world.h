@@ -76,8 +76,9 @@ class PhysicsWorld {
     size_t thing;  // index of World::things
     dxBody* body;
     JointTree tree;
-    // Largest torque with which its rotation is braked, and its least inertia: a smaller torque
-    // than this inertia allows never turns it back, about whatever axis it turns.
+    // The largest torque that brakes the rotation of the thing, and the least inertia of the thing.
+    // The torque is limited further by this inertia, so that it never reverses a rotation, whatever
+    // its axis.
     double brake_nm = 0, least_inertia_kg_m2 = 0;
   };
 
@@ -106,7 +107,7 @@ class PhysicsWorld {
   std::vector<dxBody*> thing_bodies_;  // in the order of World::things; null: fixed
   std::vector<Mover> movers_;
   std::vector<OdeBody*> robots_;
-  std::vector<JointTree*> trees_;  // those of movers_, then those of robots_
+  std::vector<JointTree*> trees_;  // trees of movers_, then trees of robots_
   std::unique_ptr<ContactFinder> finder_;
   bool is_awaited_ = false;
 

@@ -35,8 +35,8 @@ class Microphone {
   RCRegion* MakeVector(int64_t frame);
 
   // Sets the settings as they are at boot, and gives up the regions of all vectors.  The robot is
-  // switched off in frame `frame`, from which the source goes on when the frames begin again with
-  // 0. REQUIRES: the object that sends the vectors is the current object.
+  // switched off in frame `frame`.  After the next boot, when frames count from 0 again, the source
+  // goes on with this frame.  REQUIRES: the object that sends the vectors is the current object.
   void SwitchOff(int64_t frame);
 
   void HashState(Hasher* hasher) const;

@@ -27,8 +27,8 @@ std::string Objection(const OSoundInfo& info, const Primitive* primitive) {
   return "";
 }
 
-// Returns a text if the vector names another rate, size or number of channels than that of the
-// speaker; otherwise "".
+// Returns a text if the vector names a rate, sample size or number of channels that differs from
+// the speaker's; otherwise "".
 std::string Mismatch(const OSoundInfo& info, const SoundType& type) {
   const auto says = [](word said, int set) { return said != 0 && said != set; };
   if (!says(info.samplingRate, type.rate_hz()) &&

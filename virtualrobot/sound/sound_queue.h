@@ -72,7 +72,7 @@ class SoundQueue {
     const byte* data;  // null: silence
     int64_t samples;   // number of samples at the rate of the sink
     int bytes_per_sample;
-    int repeat;  // number of samples for the sink from each sample of the data
+    int repeat;  // number of samples of the sink that one sample of the data fills
   };
 
   // Starts the first waiting vector.  `behind_another` says that another vector ended in the same
@@ -87,7 +87,7 @@ class SoundQueue {
   RobotParts& robot_;
   std::deque<Sent> waiting_;
   VectorTurn turn_;  // tells when the first vector in waiting_ may start
-  Sent playing_;     // its region is empty when no vector plays
+  Sent playing_;     // the vector that plays; its region is empty when none plays
   int64_t start_ = 0;
   std::vector<Sound> sounds_;
   size_t sound_ = 0;      // index of the sound that plays

@@ -47,15 +47,15 @@ class Speaker {
   // in Sony's sample SoundPlay).  Returns "", or the reason why the sound could not be written.
   std::string Play(int64_t frame, const SoundFrame& samples, bool motor_power);
 
-  // Returns what was played last, with the settings applied, for listeners outside of the run.
+  // The sound that was played last, with the settings applied, for listeners outside of the run.
   struct Sound {
     int64_t frame = -1;  // frame of the run; -1: nothing was played
     SoundFrame samples{};
   };
   const Sound& newest() const { return newest_; }
 
-  // Sets the settings as they are at boot.  The robot is switched off in frame `frame`, from which
-  // the sink goes on when the frames begin again with 0.
+  // Sets the settings as they are at boot.  The robot is switched off in frame `frame`.  After the
+  // next boot, when frames count from 0 again, the sink goes on with this frame.
   void SwitchOff(int64_t frame) {
     settings_ = {};
     first_frame_ += frame;
