@@ -15,8 +15,8 @@
 #include <sstream>
 
 #include "cli/counted.h"
+#include "openr/decode/decode_message.h"
 #include "openr/inspect/breakpoints.h"
-#include "openr/inspect/decode_message.h"
 #include "openr/inspect/trace_text.h"
 #include "runtime/base/duration.h"
 #include "runtime/base/spelling.h"

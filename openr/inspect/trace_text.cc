@@ -10,7 +10,7 @@
 #include "cli/counted.h"
 #include "cli/csv_field.h"
 #include "cli/install_paths.h"
-#include "openr/inspect/decode_message.h"
+#include "openr/decode/decode_message.h"
 #include "openr/timeline/timeline_writer.h"
 #include "virtualrobot/model/robot_model.h"
 

@@ -9,6 +9,7 @@
 #include <tuple>
 #include <vector>
 
+#include "openr/decode/decode_message.h"
 #include "runtime/core/message.h"
 
 namespace openr_host {
@@ -34,7 +35,7 @@ class MessageHistory {
 
   // Limits of the history: messages of a connection, and bytes of a message.
   static constexpr size_t kMessagesMax = 20;
-  static constexpr size_t kContentMax = 16384;  // a sensor vector of any robot fits
+  static constexpr size_t kContentMax = kDecodedBytesMax;
 
   // `system` must outlive the history.
   explicit MessageHistory(System* system) : system_(*system) {}

@@ -20,7 +20,9 @@ struct DeliveredMessage {
   std::string kind;  // "notify", "ready", "not ready", "reply" or "other"
   std::string from;  // service, or object without one: "RCServer.Mover.MoverCommand.S"
   std::string to;
-  std::string entry;    // name of the receiver's handler
+  std::string entry;  // name of the receiver's handler
+  ObjectId target = kNoObject;
+  uint32_t selector = 0;
   std::string content;  // the bytes that a recording has
 };
 
