@@ -25,6 +25,10 @@ Quantity FindQuantity(const std::string& name, const RunView& view);
 // movable things.  Those of robot 0 have no "robots[0]." in front.
 std::vector<std::string> NumbersOf(const RunView& view);
 
+// Returns the names of all quantities that FindQuantity() knows in `view`, those of robot 0 without
+// "robots[0]." in front.
+std::vector<std::string> QuantitiesOf(const RunView& view);
+
 // The parts of a run of a Simulation that quantities can read.
 class SimulationView {
  public:
