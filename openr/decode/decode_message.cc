@@ -367,14 +367,33 @@ std::string DecodeReceived(const System& system, ObjectId target, uint32_t selec
                        content);
 }
 
-std::string OneLineOf(const std::string& text) {
+std::string DecodeHandled(const System& system, const Message& message) {
+  std::string content;
+  if (message.kind == PayloadKind::kNotify) {
+    // The pointers of the message may be to regions that are gone, but an id is never used again.
+    const auto& notify = *reinterpret_cast<const ONotifyMessage*>(message.payload);
+    for (int i = 0; i < notify.numOfData; ++i) {
+      const TransferedData& data = notify.data[i];
+      const char* const base = system.regions().BaseOf(data.memID);
+      if (base == nullptr || data.offset + data.size > system.regions().SizeOf(data.memID))
+        return "";
+      content.append(base + data.offset, std::min(data.size, kDecodedBytesMax));
+    }
+  } else {
+    content = ContentOf(message);
+  }
+  return DecodeReceived(system, message.target, message.is_reply ? UNDEF : message.selector,
+                        content);
+}
+
+std::string OneLineOf(const std::string& text, size_t size_max) {
   std::string line;
   for (const char c : text) {
-    if (line.size() > kDecodedLineMax) break;
+    if (line.size() > size_max) break;
     c == '\n' ? line += "; " : line += c;
   }
-  if (line.size() <= kDecodedLineMax) return line;
-  return line.substr(0, kDecodedLineMax - 3) + "...";
+  if (line.size() <= size_max) return line;
+  return line.substr(0, size_max - 3) + "...";
 }
 
 std::string_view ContentView(const Message& message, std::string* copy) {

@@ -26,16 +26,21 @@ std::string DecodeContent(const RobotModel& model, const std::string& entry,
 std::string DecodeReceived(const System& system, ObjectId target, uint32_t selector,
                            const std::string& content);
 
+// The same for a message that its receiver has begun to handle.  The receiver, or the sender of a
+// notification, may have changed or deleted the data meanwhile: they are shown as they are now, and
+// not at all if they are deleted.
+std::string DecodeHandled(const System& system, const Message& message);
+
 // Returns a text of DecodeContent() on one line: "; " is between its lines, and a text of more than
-// kDecodedLineMax characters is cut and ends with "...".
+// `size_max` characters is cut and ends with "...".  REQUIRES: size_max >= 3.
 constexpr size_t kDecodedLineMax = 120;
-std::string OneLineOf(const std::string& text);
+std::string OneLineOf(const std::string& text, size_t size_max = kDecodedLineMax);
 
 // Returns the data type in the name of a service: MoverCommand of "RCServer.Mover.MoverCommand.S".
 std::string TypeOfService(const std::string& service);
 
-// Whoever keeps content only to decode it later needs to keep this many bytes: a sensor vector of
-// any robot fits, and the pixels of an image, which are not shown, are cut off.
+// Number of bytes of content to keep for decoding it later.  A sensor vector of any robot fits, and
+// the pixels of an image, which are not shown, are cut off.
 constexpr size_t kDecodedBytesMax = 16384;
 
 // Returns the content of `message` for DecodeContent() and for recordings, without a copy where the

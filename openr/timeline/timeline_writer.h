@@ -22,6 +22,7 @@ struct HandlerSlice {
   TraceRecord record{};
   int robot = 0;  // of the object
   std::string object, entry, sender;
+  std::string said;      // what the message says, in words; "" if it is not shown
   double at_us = 0;      // when it began, on the timeline
   double length_us = 0;  // 0 if it is unknown
   Length length = Length::kUnknown;

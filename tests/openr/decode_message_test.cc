@@ -12,11 +12,14 @@
 
 #include <cstring>
 #include <memory>
+#include <new>
 #include <string>
 #include <vector>
 
 #include "Messages.h"
 #include "MoverState.h"
+#include "openr/simulation/simulation.h"
+#include "runtime/core/system.h"
 #include "runtime/ipstack/ant_message.h"
 #include "virtualrobot/model/robot_model.h"
 #include "virtualrobot/primitive_table.h"
@@ -254,6 +257,47 @@ TEST_F(DecodeMessageTest, AMessageThatOnlyWakesHasNoContent) {
   Message message;
   message.kind = PayloadKind::kHashed;
   EXPECT_EQ(ContentOf(message), "");
+}
+
+// ---- messages of a run
+
+TEST(DecodeHandledTest, AMessageThatIsHandledSaysWhatItSaidWhenItCame) {
+  SimulationOptions options;
+  options.stick = OPENR_STICK;
+  options.body = "ideal";
+  options.host_network = false;
+  options.console = [](std::string_view) {};
+  Simulation simulation(options);
+  System& system = simulation.system();
+  int vectors = 0, requests = 0, boots = 0;
+  system.trace().AddSink([&](const TraceRecord& record, const Message& message) {
+    const std::string text = DecodeHandled(system, message);
+    EXPECT_EQ(text, DecodeReceived(system, record.target, record.selector, ContentOf(message)));
+    vectors += text.starts_with("PRM:/r1/c1-Joint2:j1 ");
+    requests += text.starts_with("IPStack: ");
+    boots += text == "boot";
+  });
+  system.Boot();
+  system.RunUntil(1'000'000);
+  EXPECT_GT(vectors, 50);
+  EXPECT_GT(requests, 10);
+  EXPECT_GE(boots, 8);  // DoInit and DoStart of four objects
+}
+
+TEST(DecodeHandledTest, DataThatAreDeletedAreNotShown) {
+  SimulationOptions options;
+  options.stick = OPENR_STICK;
+  options.body = "ideal";
+  options.host_network = false;
+  options.console = [](std::string_view) {};
+  Simulation simulation(options);
+  Message message;
+  message.kind = PayloadKind::kNotify;
+  message.target = 0;
+  ONotifyMessage& notify = *new (message.payload) ONotifyMessage();
+  notify.numOfData = 1;
+  notify.data[0] = {nullptr, 4711, 0, 16};  // an id that no region has
+  EXPECT_EQ(DecodeHandled(simulation.system(), message), "");
 }
 
 }  // namespace
