@@ -27,7 +27,7 @@ set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
 # The program loads these libraries when it first needs them (runtime/base/late_library.h), which
 # dpkg-shlibdeps does not see.
 set(late_packages)
-foreach(library ddsc sndfile)
+foreach(library ddsc edit sndfile)
   find_library(OPENR_LATE_${library} ${library})
   file(REAL_PATH ${OPENR_LATE_${library}} late_file)
   execute_process(COMMAND dpkg-query --search ${late_file} OUTPUT_VARIABLE late_owner ERROR_QUIET)

@@ -8,7 +8,7 @@
 namespace openr::testing {
 
 void Expectations::Expect(MessageSpec spec, const Place& place) {
-  expected_.push_back({std::move(spec), place, "", ""});
+  expected_.push_back({std::move(spec), place, {}, {}, ""});
 }
 
 void Expectations::Disallow(MessageSpec spec, const Place& place) {
@@ -38,12 +38,13 @@ void Expectations::Compare(const SeenMessage& message) {
   for (Expected& expected : expected_) {
     if (!expected.spec.MatchesEnds(message)) continue;
     if (expected.spec.Matches(message)) {
-      expected.early = message.Text();
+      expected.early = message.Past();
       continue;
     }
     ::testing::StringMatchResultListener why;
     expected.spec.payload()->MatchAndExplain(message, &why);
-    expected.other = message.Text() + (why.str().empty() ? "" : "\n    " + why.str());
+    expected.other = message.Past();
+    expected.why_other = why.str();
   }
 }
 
@@ -63,8 +64,9 @@ void Expectations::Verify(const Report& report) {
   const std::deque<Expected> missing = std::exchange(expected_, {});
   const Expected& first = missing.front();
   std::string text = fmt::format("Expected, but it did not happen: {}", first.spec.Text());
-  if (!first.other.empty()) text += "\n  this did, with another payload: " + first.other;
-  if (!first.early.empty()) text += "\n  this did, before its turn: " + first.early;
+  if (first.other) text += "\n  this did, with another payload: " + first.other->Text();
+  if (!first.why_other.empty()) text += "\n    " + first.why_other;
+  if (first.early) text += "\n  this did, before its turn: " + first.early->Text();
   for (size_t i = 1; i < missing.size(); ++i) text += "\nand after it: " + missing[i].spec.Text();
   report(first.place, text);
 }

@@ -42,10 +42,11 @@ class Expectations {
   struct Expected {
     MessageSpec spec;
     Place place;
-    std::string early;  // last message that fits, but came before its turn
+    std::optional<SeenMessage> early;  // last message that fits, but came before its turn
     // The last message that fits except for its payload, and the reason why the payload does not
     // fit.  For the text of a failure.
-    std::string other;
+    std::optional<SeenMessage> other;
+    std::string why_other;
   };
   struct Disallowed {
     MessageSpec spec;

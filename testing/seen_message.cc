@@ -4,6 +4,7 @@
 #include <OPENR/RCRegion.h>
 #include <fmt/format.h>
 
+#include "openr/decode/decode_message.h"
 #include "runtime/base/assert.h"
 #include "runtime/core/api.h"
 #include "runtime/core/system.h"
@@ -82,8 +83,17 @@ SeenMessage::SeenMessage(const System& system, const Message& message)
 
 SeenMessage SeenMessage::Past() const {
   SeenMessage past = *this;
+  past.content_ = Content();
   past.message_ = nullptr;
   return past;
+}
+
+// Returns the beginning of the data, as far as Text() needs them.
+std::string SeenMessage::Content() const {
+  if (message_ == nullptr) return content_;
+  std::string copy;
+  return std::string(
+      openr_host::ContentView(*message_, &copy).substr(0, openr_host::kDecodedBytesMax));
 }
 
 SeenMessage::End SeenMessage::from() const {
@@ -136,6 +146,11 @@ std::string SeenMessage::Text() const {
                   ShortName(from()), ShortName(to()), entry(), size_);
   if (number_ != 0) text = fmt::format("#{} {}", number_, text);
   if (cause_ != 0) text += fmt::format(", caused by #{}", cause_);
+  // A ready has no data beyond the word that is in the text already.
+  if (kind_ == MessageKind::kReady || kind_ == MessageKind::kNotReady) return text;
+  const std::string content = openr_host::OneLineOf(openr_host::DecodeReceived(
+      *system_, target_, kind_ == MessageKind::kReply ? UNDEF : selector_, Content()));
+  if (!content.empty()) text += ": " + content;
   return text;
 }
 

@@ -31,8 +31,8 @@ class SeenMessage {
   // data_count() is called; only a copy from Past() does not need the message.
   SeenMessage(const openr_host::System& system, const openr_host::Message& message);
 
-  // Returns a copy without the data.  The copy can be used after the delivery, when the message no
-  // longer exists.
+  // Returns a copy without data(), but with the data that Text() needs.  The copy can be used after
+  // the delivery, when the message no longer exists.
   SeenMessage Past() const;
 
   uint64_t number() const { return number_; }  // 0: not numbered yet, or refused
@@ -59,11 +59,14 @@ class SeenMessage {
   // Returns the bytes of datum `i`.  REQUIRES: 0 <= i < data_count().
   std::string_view data(int i) const;
 
-  // Returns a description such as "#4711 t=1.248000 JointMover.Move -> OVirtualRobotComm.Effector
-  // notify, 5120 bytes, caused by #4702".
+  // Returns a description such as "#4711 t=1.248000 RCServer.Mover -> JointMover.Mover notify, 84
+  // bytes, caused by #4702: move neck_pan to 30.00 deg".  Data of a type that only your objects
+  // know are there as text or as numbers.
   std::string Text() const;
 
  private:
+  std::string Content() const;
+
   const openr_host::System* system_;
   const openr_host::Message* message_;
   MessageKind kind_ = MessageKind::kOther;
@@ -75,6 +78,7 @@ class SeenMessage {
   openr_host::ObjectId target_ = openr_host::kNoObject;
   uint32_t selector_ = 0;
   uint32_t size_ = 0;
+  std::string content_;  // of a copy from Past(): the beginning of the data
 };
 
 // Returns the first two parts of the service's name, "Blinker.Blink"; without a service, the

@@ -4,13 +4,17 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cctype>
 #include <charconv>
-#include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "cli/exit_code.h"
+#include "cli/prompt.h"
 #include "cli/standard_streams.h"
 #include "openr/commands/commands.h"
 #include "openr/live/live_client.h"
@@ -145,6 +149,9 @@ class RunConsole {
     return ShowInputs();
   }
 
+  // Returns the words that may follow `words` in a line, for completion.
+  std::vector<std::string> WordsAfter(const std::vector<std::string>& words);
+
  private:
   bool ChooseRobot(const std::string& number) {
     int robot = 0;
@@ -160,10 +167,40 @@ class RunConsole {
     return false;
   }
 
+  // Asks the run about the robot.
+  Json Ask(Json request) {
+    request["robot"] = robot_;
+    return client_.Ask(request);
+  }
+
+  // Returns the member `member` of each element of the array `list` in the answer to `request`.
+  std::vector<std::string> NamesIn(const Json& request, const char* list, const char* member) {
+    std::vector<std::string> names;
+    const Json answer = Ask(request);
+    if (!answer.contains(list)) return names;
+    for (const Json& each : answer.at(list)) names.push_back(each.at(member).get<std::string>());
+    return names;
+  }
+
+  // Returns the connected services of all objects: with "subjects" those that send, with
+  // "observers" those that receive.
+  std::vector<std::string> Services(const char* list) {
+    std::vector<std::string> names;
+    for (const std::string& object : NamesIn({{"do", "objects"}}, "objects", "name")) {
+      for (const std::string& name : NamesIn({{"do", "object"}, {"name", object}}, list, "service"))
+        names.push_back(name);
+    }
+    return names;
+  }
+
+  // Returns the words that the input with this usage, "press SENSOR [N%] [for DURATION]", may have.
+  // `before` are the words in front.
+  std::vector<std::string> WordsOf(const std::string& usage,
+                                   const std::vector<std::string>& before);
+
   template <typename Text>
   bool Print(Json request, Text text) {
-    request["robot"] = robot_;
-    const Json answer = client_.Ask(request);
+    const Json answer = Ask(std::move(request));
     if (answer.contains("error")) return Complain(answer.at("error").get<std::string>());
     PrintAnswer(text(answer));
     FlushAnswer();
@@ -173,6 +210,57 @@ class RunConsole {
   int robot_;
   LiveClient client_;
 };
+
+std::vector<std::string> RunConsole::WordsAfter(const std::vector<std::string>& words) {
+  const std::vector<std::string> usages = NamesIn({{"do", "inputs"}}, "inputs", "usage");
+  if (words.empty()) {
+    std::vector<std::string> verbs = {"status",   "objects", "object", "sensors", "joints",
+                                      "findings", "robot",   "help",   "quit"};
+    for (const std::string& usage : usages) verbs.push_back(usage.substr(0, usage.find(' ')));
+    return verbs;
+  }
+  if (words[0] == "object") {
+    if (words.size() > 1) return {};
+    return NamesIn({{"do", "objects"}}, "objects", "name");
+  }
+  for (const std::string& usage : usages) {
+    if (usage.substr(0, usage.find(' ')) == words[0]) return WordsOf(usage, words);
+  }
+  return {};
+}
+
+std::vector<std::string> RunConsole::WordsOf(const std::string& usage,
+                                             const std::vector<std::string>& before) {
+  std::string letters = usage;
+  for (char& c : letters) {
+    if (std::isalpha(static_cast<unsigned char>(c)) == 0) c = ' ';
+  }
+  std::istringstream stream(letters);
+  std::set<std::string> in_usage;
+  for (std::string word; stream >> word;) in_usage.insert(word);
+  in_usage.erase(usage.substr(0, usage.find(' ')));
+  in_usage.erase("or");
+  std::vector<std::string> words;
+  const auto add = [&words](const std::vector<std::string>& names) {
+    words.insert(words.end(), names.begin(), names.end());
+  };
+  for (const std::string& word : in_usage) {
+    if (word == "SENSOR") {
+      add(NamesIn({{"do", "sensors"}}, "sensors", "name"));
+    } else if (word == "JOINT") {
+      add(NamesIn({{"do", "joints"}}, "joints", "name"));
+    } else if (word == "OBSERVER") {
+      if (before.size() == 1) add(Services("observers"));
+    } else if (word == "SUBJECT") {
+      if (before.back() == "from") add(Services("subjects"));
+    } else if (word == "FAULT") {
+      add({"jammed", "weak", "unpowered", "stuck", "noisy", "dead"});
+    } else if (std::islower(static_cast<unsigned char>(word[0])) != 0) {
+      words.push_back(word);  // a word that is written as it is, such as "for"
+    }
+  }
+  return words;
+}
 
 int RunPoke(const LiveFlags& flags, const std::vector<std::string>& words) {
   RunConsole console(flags);
@@ -186,11 +274,13 @@ int RunAttach(const LiveFlags& flags) {
   const bool is_terminal = isatty(STDIN_FILENO) == 1;
   const std::string prompt = is_terminal ? flags.run + "> " : "";
   if (is_terminal) PrintAnswer("'help' lists what can be typed\n");
+  FlushAnswer();
+  PromptHistory history;
+  Prompt lines(&history, [&console](const std::vector<std::string>& words) {
+    return console.WordsAfter(words);
+  });
   bool good = true;
-  for (std::string line;;) {
-    PrintAnswer(prompt);
-    FlushAnswer();
-    if (!std::getline(std::cin, line) || line == "quit") break;
+  for (std::string line; lines.Read(prompt, &line) && line != "quit";) {
     if (!line.empty() && !console.Line(line)) good = false;
   }
   // Returns kExitWrong after an error only if the lines come from a script, because a person at a

@@ -65,8 +65,9 @@ void AddTraceCommand(CLI::App* app, int* exit_code) {
   command->add_option("--object", flags->filter.object, "Only messages from or to this object");
   command->add_option("--service", flags->filter.service,
                       "Only messages to entries with this in their name");
-  command->add_flag("--values", flags->filter.values,
-                    "With text: the content of messages of known types, with names and units");
+  command->add_flag(
+      "--values", flags->filter.values,
+      "With text and perfetto: the content of messages of known types, with names and units");
   AddDurationFlag(command, "--from", &flags->filter.from_us, "Only from this virtual time on");
   AddDurationFlag(
       command, "--until", [flags](int64_t us) { flags->filter.until_us = us; },

@@ -285,6 +285,21 @@ std::vector<std::string> NumbersOf(const RunView& view) {
   return names;
 }
 
+std::vector<std::string> QuantitiesOf(const RunView& view) {
+  std::vector<std::string> names = NumbersOf(view);
+  for (size_t i = 0; i < view.prepared->robots.size(); ++i)
+    names.push_back(i == 0 ? "standing" : fmt::format("robots[{}].standing", i));
+  for (const auto& object : view.prepared->system->objects()) {
+    for (const ObjectField& field : kOfObject)
+      names.push_back(fmt::format(
+          "{}objects.{}.{}", object->robot == 0 ? "" : fmt::format("robots[{}].", object->robot),
+          object->name, field.name));
+  }
+  for (const char* const name : {"messages", "findings.errors", "findings.warnings"})
+    names.push_back(name);
+  return names;
+}
+
 SimulationView::SimulationView(Simulation* simulation) {
   prepared_.system = &simulation->system();
   prepared_.simulation = simulation;

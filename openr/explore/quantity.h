@@ -26,6 +26,10 @@ Quantity FindQuantity(const std::string& name, const RunView& view);
 // movable things.  The names of robot 0 begin without "robots[0].".
 std::vector<std::string> NumbersOf(const RunView& view);
 
+// Returns the names of all quantities that FindQuantity() knows in `view`, those of robot 0 without
+// "robots[0]." in front.
+std::vector<std::string> QuantitiesOf(const RunView& view);
+
 // The parts of a run of a Simulation that quantities can read.
 class SimulationView {
  public:

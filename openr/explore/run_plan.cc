@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "openr/decode/decode_message.h"
 #include "openr/ending/ending.h"
 #include "openr/explore/exact_schedule.h"
 #include "openr/explore/explore_cost.h"
@@ -77,12 +78,18 @@ class PlanRun {
   }
 
  private:
+  // A delivered message, kept for the last messages of the answer.
+  struct SeenRecord {
+    TraceRecord record;
+    std::string content;  // as ContentOf() returns it, cut to kDecodedBytesMax bytes
+  };
+
   void Saw(const TraceRecord& record, const Message& message) {
     last_message_ = record.number;
     if (IsActivity(system_, message)) view_.last_activity_us = record.time_us;
     if (exact_ != nullptr) exact_->SawDelivery(message);
     if (tail_max_ == 0) return;
-    tail_.push_back(record);
+    tail_.push_back({record, ContentOf(message).substr(0, kDecodedBytesMax)});
     if (tail_.size() > tail_max_) tail_.pop_front();
   }
 
@@ -120,13 +127,16 @@ class PlanRun {
                {"text", text}};
   }
 
-  std::string Describe(const TraceRecord& record) const {
+  std::string Describe(const SeenRecord& seen) const {
+    const TraceRecord& record = seen.record;
     const Object* const sender = system_.object(record.sender);
     const Object* const target = system_.object(record.target);
-    return fmt::format("t={:.6f} s  message {} (cause {})  {} -> {}  {}",
+    const std::string content =
+        OneLineOf(DecodeReceived(system_, record.target, record.selector, seen.content));
+    return fmt::format("t={:.6f} s  message {} (cause {})  {} -> {}  {}{}{}",
                        static_cast<double>(record.time_us) * 1e-6, record.number, record.cause,
                        sender == nullptr ? "outside" : sender->name, target->name,
-                       target->EntryName(record.selector));
+                       target->EntryName(record.selector), content.empty() ? "" : ": ", content);
   }
 
   void CountFindings(Json* answer) const {
@@ -176,7 +186,7 @@ class PlanRun {
     }
     if (tail_max_ > 0) {
       answer["tail"] = Json::array();
-      for (const TraceRecord& record : tail_) answer["tail"].push_back(Describe(record));
+      for (const SeenRecord& seen : tail_) answer["tail"].push_back(Describe(seen));
     }
   }
 
@@ -192,7 +202,7 @@ class PlanRun {
   std::vector<StandingMonitor> standing_;
   RunView view_;
   uint64_t last_message_ = 0;  // number of the last delivered message
-  std::deque<TraceRecord> tail_;
+  std::deque<SeenRecord> tail_;
   Json broken_;
 };
 

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "cli/counted.h"
-#include "openr/inspect/decode_message.h"
+#include "openr/decode/decode_message.h"
 #include "openr/inspect/trace_text.h"
 #include "runtime/base/assert.h"
 

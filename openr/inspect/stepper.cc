@@ -15,8 +15,9 @@
 #include <sstream>
 
 #include "cli/counted.h"
+#include "cli/prompt.h"
+#include "openr/decode/decode_message.h"
 #include "openr/inspect/breakpoints.h"
-#include "openr/inspect/decode_message.h"
 #include "openr/inspect/trace_text.h"
 #include "runtime/base/duration.h"
 #include "runtime/base/spelling.h"
@@ -54,6 +55,7 @@ struct Shared {
   bool ends;         // the session is over
   bool differs;
   char breaks[kBreaksBytes];
+  PromptHistory history;
 };
 
 // Returns the number in `text`; nullopt if `text` is no number, or the number is too large.
@@ -64,25 +66,15 @@ std::optional<uint64_t> NumberIn(const std::string& text) {
   return number;
 }
 
-// Reads a line from standard input, byte by byte.  A buffer cannot be used: copies of the process
-// share the position in the input, but each would have a buffer of its own.  Returns false at the
-// end of the input.
-bool ReadLine(std::string* line) {
-  line->clear();
-  for (char c = 0; read(0, &c, 1) == 1;) {
-    if (c == '\n') return true;
-    line->push_back(c);
-  }
-  return !line->empty();
-}
-
 class Stepper {
  public:
   Stepper(Replayer* replayer, Shared* shared)
       : replayer_(replayer),
         view_(&replayer->simulation()),
         breaks_(replayer, &view_),
-        shared_(shared) {
+        shared_(shared),
+        prompt_(&shared->history,
+                [this](const std::vector<std::string>& words) { return WordsAfter(words); }) {
     breaks_.Load(shared_->breaks);
   }
 
@@ -91,7 +83,7 @@ class Stepper {
   void Run() {
     if (!Snapshot()) return;
     Show();
-    for (std::string line; Prompt(&line);) {
+    for (std::string line; ReadLine(&line);) {
       if (!Obey(line)) break;
     }
     Leave();
@@ -142,15 +134,14 @@ class Stepper {
     _exit(0);
   }
 
-  bool Prompt(std::string* line) {
-    if (replayer_->count() == 0) {
-      fmt::print("(start) ");
-    } else {
-      fmt::print("(message {}) ", replayer_->last().record.number);
-    }
-    std::fflush(stdout);
-    return ReadLine(line);
+  bool ReadLine(std::string* line) {
+    return prompt_.Read(replayer_->count() == 0
+                            ? "(start) "
+                            : fmt::format("(message {}) ", replayer_->last().record.number),
+                        line);
   }
+
+  std::vector<std::string> WordsAfter(const std::vector<std::string>& words);
 
   // Runs forward by `count` messages, and takes snapshots on the way.  Returns false if the replay
   // ends earlier.  Also returns false in a copy that is made later, when the user goes back to one
@@ -303,10 +294,39 @@ class Stepper {
   SimulationView view_;
   Breakpoints breaks_;
   Shared* const shared_;
+  Prompt prompt_;
   bool is_copy_ = false;
   bool went_back_ = false;
   uint64_t last_snapshot_ = 0;
 };
+
+// Returns the words that may follow `words` in a command, for completion.
+std::vector<std::string> Stepper::WordsAfter(const std::vector<std::string>& words) {
+  if (words.empty()) return kVerbs;
+  const std::string& verb = words[0];
+  const bool is_break = verb == "break" && words.size() > 1;
+  std::vector<std::string> names;
+  if (verb == "break" && words.size() == 1)
+    return {"object", "service", "state", "finding", "when"};
+  if (is_break && words.size() == 2 && (words[1] == "object" || words[1] == "state")) {
+    for (const auto& object : replayer_->system().objects()) names.push_back(object->name);
+  } else if (is_break && words.size() == 2 && words[1] == "service") {
+    for (int i = 0; i < replayer_->system().robot_count(); ++i) {
+      for (const auto& [service, entry] : replayer_->system().robot(i).directory) {
+        names.push_back(service);
+        names.push_back(TypeOfService(service));
+      }
+    }
+  } else if (is_break && words.size() == 2 && words[1] == "when") {
+    names = QuantitiesOf(view_.run());
+  } else if ((verb == "print" || verb == "p") && words.size() == 1) {
+    names = QuantitiesOf(view_.run());
+    for (const char* const what :
+         {"queue", "waiting", "objects", "joints", "findings", "hash", "message"})
+      names.push_back(what);
+  }
+  return names;
+}
 
 // Prints the values of the message that was delivered last.
 void Stepper::PrintMessage() {

@@ -15,6 +15,7 @@
 #include "cli/input_file.h"
 #include "cli/json_text.h"
 #include "cli/output_file.h"
+#include "openr/decode/decode_message.h"
 #include "openr/simulation/assemble_robot.h"
 #include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
@@ -166,7 +167,7 @@ void TraceWriter::AddMessage(const System& system, const TraceRecord& record,
     AddNames(system, record);
     named_[link] = lives;
   }
-  coder_.WriteMessage(record, payloads_ ? PayloadView(message, &payload_copy_) : std::string_view(),
+  coder_.WriteMessage(record, payloads_ ? ContentView(message, &payload_copy_) : std::string_view(),
                       link, &block_);
   FlushIfFull();
 }

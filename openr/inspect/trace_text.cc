@@ -10,7 +10,7 @@
 #include "cli/counted.h"
 #include "cli/csv_field.h"
 #include "cli/install_paths.h"
-#include "openr/inspect/decode_message.h"
+#include "openr/decode/decode_message.h"
 #include "openr/timeline/timeline_writer.h"
 #include "virtualrobot/model/robot_model.h"
 
@@ -74,6 +74,12 @@ std::string Indented(const std::string& text) {
   return indented;
 }
 
+// Returns the model that decodes the content of messages; nullopt if the content is not shown.
+std::optional<RobotModel> ModelForValues(const TraceReader& reader, const TraceFilter& filter) {
+  if (!filter.values) return {};
+  return LoadRobotModel(ModelFile(reader.header().robot));
+}
+
 }  // namespace
 
 std::string DescribeMessage(const TraceReader& reader, const TraceRecord& record) {
@@ -87,8 +93,7 @@ std::string DescribeMessage(const TraceReader& reader, const TraceRecord& record
 }
 
 void WriteTraceText(TraceReader* reader, const TraceFilter& filter, const TextSink& out) {
-  std::optional<RobotModel> model;
-  if (filter.values) model = LoadRobotModel(ModelFile(reader->header().robot));
+  const std::optional<RobotModel> model = ModelForValues(*reader, filter);
   while (reader->Peek() != nullptr) {
     const TraceEntry entry = reader->Take();
     if (entry.kind == Kind::kMessage) {
@@ -119,6 +124,7 @@ void WriteTraceCsv(TraceReader* reader, const TraceFilter& filter, const TextSin
 }
 
 void WriteTracePerfetto(TraceReader* reader, const TraceFilter& filter, const TextSink& out) {
+  const std::optional<RobotModel> model = ModelForValues(*reader, filter);
   PerfettoWriter writer(out);
   double at_us = -1;  // time at which the last slice was drawn
   while (reader->Peek() != nullptr) {
@@ -136,6 +142,8 @@ void WriteTracePerfetto(TraceReader* reader, const TraceFilter& filter, const Te
     slice.entry = reader->EntryName(record.target, record.selector);
     slice.sender = reader->ObjectName(record.sender);
     slice.at_us = at_us;
+    if (model && !entry.payload.empty())
+      slice.said = OneLineOf(DecodeContent(*model, slice.entry, entry.payload));
     writer.AddSlice(slice);
   }
   writer.Finish();

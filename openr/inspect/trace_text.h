@@ -20,7 +20,7 @@ struct TraceFilter {
   std::string service;  // part of the name of the receiver's entry (handler)
   int64_t from_us = 0;
   int64_t until_us = INT64_MAX;  // last time shown
-  bool values = false;           // true: text output has the content of messages, too
+  bool values = false;           // true: text and Perfetto have the content of messages, too
 };
 
 using TextSink = std::function<void(std::string_view)>;

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "openr/inspect/decode_message.h"
+#include "openr/decode/decode_message.h"
 #include "openr/live/live_context.h"
 #include "openr/live/live_events.h"
 #include "openr/live/message_history.h"

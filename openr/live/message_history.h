@@ -9,6 +9,7 @@
 #include <tuple>
 #include <vector>
 
+#include "openr/decode/decode_message.h"
 #include "runtime/core/message.h"
 
 namespace openr_host {
@@ -34,8 +35,8 @@ class MessageHistory {
 
   // The largest number of messages that are kept for a connection.
   static constexpr size_t kMessagesMax = 20;
-  static constexpr size_t kContentMax = 16384;  // largest number of bytes kept of a message; a
-                                                // sensor vector of any robot fits
+  // The largest number of bytes kept of a message; a sensor vector of any robot fits.
+  static constexpr size_t kContentMax = kDecodedBytesMax;
 
   // `system` must outlive the history.
   explicit MessageHistory(System* system) : system_(*system) {}

@@ -8,6 +8,7 @@
 
 #include "cli/colour.h"
 #include "cli/counted.h"
+#include "openr/decode/decode_message.h"
 #include "openr/explore/quantity.h"
 #include "openr/simulation/simulation.h"
 #include "runtime/core/api.h"
@@ -92,6 +93,7 @@ Json FindingReport(const Finding& finding) {
                  {"robot", finding.robot},
                  {"object", finding.object},
                  {"message", finding.message},
+                 {"said", finding.said},
                  {"time_s", static_cast<double>(finding.time_us) / 1e6},
                  {"count", finding.count},
                  {"text", finding.text}};
@@ -159,8 +161,11 @@ std::string DescribeFindings(Simulation* simulation, bool has_colours) {
   for (const Finding& finding : findings.all()) {
     std::string about;
     if (!finding.object.empty()) {
-      about = fmt::format("{} (message {}, t={:.3f} s): ", finding.object, finding.message,
-                          static_cast<double>(finding.time_us) / 1e6);
+      constexpr size_t kSaidMax = 60;
+      const std::string said = OneLineOf(finding.said, kSaidMax);
+      about =
+          fmt::format("{} (message {}{}, t={:.3f} s): ", finding.object, finding.message,
+                      said.empty() ? "" : ": " + said, static_cast<double>(finding.time_us) / 1e6);
     }
     const std::string word = fmt::format("{}:", SeverityName(finding.severity));
     text += fmt::format("{} {}{}{}\n", Coloured(ColourOf(finding.severity), word, has_colours),

@@ -70,8 +70,8 @@ std::vector<RunCommand> MakeRunCommands() {
         {"receiver", "text", "\"\"", "object or service of the receiver; empty: any"},
         {"entry", "text", "\"\"", "name of the receiver's handler; empty: any"},
         {"within_s", "number", nullptr, "the longest virtual time"}},
-       "time_s: number, met: flag, message: its number, cause, time_s, kind, from, to, entry; "
-       "bytes: its content"},
+       "time_s: number, met: flag, message: its number, cause, time_s, kind, from, to, entry, text "
+       "(content in words); bytes: its content"},
       {"watch",
        "Keeps messages that fit from now on.",
        {{"kind", "text", "\"\"", "as in expect"},

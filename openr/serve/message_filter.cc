@@ -69,6 +69,8 @@ DeliveredMessage Describe(const System& system, const TraceRecord& record, const
   seen.kind = KindOf(message);
   seen.from = NameOf(system, message.sender);
   seen.to = NameOf(system, message.target);
+  seen.target = record.target;
+  seen.selector = record.selector;
   const Object* const target = system.object(message.target);
   if (target != nullptr && !message.is_reply) seen.entry = target->EntryName(message.selector);
   if (message.kind == PayloadKind::kNotify) {

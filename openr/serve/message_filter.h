@@ -23,7 +23,9 @@ struct DeliveredMessage {
                      // its object
   // The receiver, in the same form as the sender in `from`.
   std::string to;
-  std::string entry;    // name of the receiver's handler
+  std::string entry;  // name of the receiver's handler
+  ObjectId target = kNoObject;
+  uint32_t selector = 0;
   std::string content;  // the content of the message, as in a recording
 };
 

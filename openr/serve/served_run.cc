@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "openr/decode/decode_message.h"
 #include "openr/rewind/saved_files.h"
 #include "openr/run/report.h"
 #include "openr/run/run_step.h"
@@ -53,7 +54,7 @@ ServedRun::ServedRun(const ServedRunOptions& options)
     const bool fits = std::any_of(filters_.begin(), filters_.end(),
                                   [&](const MessageFilter& filter) { return filter.Fits(seen); });
     if (!fits) return;
-    seen.content = PayloadBytes(message);
+    seen.content = ContentOf(message);
     Keep(std::move(seen));
   });
 }
@@ -127,7 +128,7 @@ std::optional<DeliveredMessage> ServedRun::RunUntilMessage(const MessageFilter& 
     if (found) return;
     DeliveredMessage seen = Describe(system(), record, message);
     if (!filter.Fits(seen)) return;
-    seen.content = PayloadBytes(message);
+    seen.content = ContentOf(message);
     found = std::move(seen);
   });
   for (bool goes_on = true; goes_on && !found && !system().powered_off();) {

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "openr/decode/decode_message.h"
 #include "openr/explore/property_file.h"
 #include "openr/serve/run_server.h"
 #include "openr/simulation/network_setup.h"
@@ -113,7 +114,7 @@ MessageFilter FilterOf(const nlohmann::json& request, const System& system) {
   return filter;
 }
 
-OrderedJson MessageJson(const DeliveredMessage& message) {
+OrderedJson MessageJson(const System& system, const DeliveredMessage& message) {
   return {{"number", message.number},
           {"cause", message.cause},
           {"time_s", static_cast<double>(message.time_us) / 1e6},
@@ -121,6 +122,7 @@ OrderedJson MessageJson(const DeliveredMessage& message) {
           {"from", message.from},
           {"to", message.to},
           {"entry", message.entry},
+          {"text", DecodeReceived(system, message.target, message.selector, message.content)},
           {"size", message.content.size()}};
 }
 
@@ -204,7 +206,7 @@ RunServer::Answer RunServer::DoExpect(const Request& request) {
   answer.json["met"] = message.has_value();
   answer.json["wanted"] = filter.Text();
   if (!message) return answer;
-  answer.json["message"] = MessageJson(*message);
+  answer.json["message"] = MessageJson(run_->system(), *message);
   answer.bytes = message->content;
   return answer;
 }
@@ -218,7 +220,7 @@ RunServer::Answer RunServer::DoWatched(const Request&) {
   Answer answer;
   OrderedJson messages = OrderedJson::array();
   for (const DeliveredMessage& message : run().TakeWatched()) {
-    messages.push_back(MessageJson(message));
+    messages.push_back(MessageJson(run_->system(), message));
     answer.bytes += message.content;
   }
   answer.json = {{"messages", std::move(messages)}, {"lost", run_->lost_count()}};

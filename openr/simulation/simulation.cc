@@ -11,6 +11,7 @@
 
 #include "cli/input_file.h"
 #include "cli/install_paths.h"
+#include "openr/decode/decode_message.h"
 #include "openr/simulation/cost_file.h"
 #include "openr/simulation/network_setup.h"
 #include "openr/simulation/pacing.h"
@@ -47,6 +48,7 @@ std::unique_ptr<System> MakeSystem(const SimulationOptions& options,
   system_options.find_leaks = options.find_leaks;
   system_options.console = options.console;
   system_options.log_level = options.log_level;
+  system_options.say = &DecodeHandled;
   if (options.measures) system_options.wall_clock_ns = &WallClockNs;
   system_options.measure_stacks = options.measures;
   system_options.guard_regions = options.guard_regions;

@@ -48,6 +48,7 @@ void PerfettoWriter::AddSlice(const HandlerSlice& slice) {
       {"bytes", slice.record.size},
       {"payload_hash", fmt::format("{:016x}", slice.record.payload_hash)},
       {"virtual_time_s", static_cast<double>(slice.record.time_us) / 1e6}};
+  if (!slice.said.empty()) args["said"] = slice.said;
   if (slice.length == HandlerSlice::Length::kCost) args["cost_us"] = slice.length_us;
   if (slice.length == HandlerSlice::Length::kWall) args["wall_us"] = slice.length_us;
   Emit({{"ph", "X"},

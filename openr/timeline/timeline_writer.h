@@ -22,6 +22,7 @@ struct HandlerSlice {
   TraceRecord record{};
   int robot = 0;  // number of the object's robot
   std::string object, entry, sender;
+  std::string said;      // what the message says, in words; "" if it is not shown
   double at_us = 0;      // time on the timeline when the handler began
   double length_us = 0;  // length of the slice; 0 if it is unknown
   Length length = Length::kUnknown;

@@ -139,7 +139,7 @@ class Commands:
         entry: name of the receiver's handler; empty: any.
         within_s: the longest virtual time.
         Answers time_s: number, met: flag, message: its number, cause, time_s, kind, from, to,
-        entry; bytes: its content.
+        entry, text (content in words); bytes: its content.
         """
         return self.ask("expect", {
             "kind": kind,

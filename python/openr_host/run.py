@@ -26,7 +26,12 @@ READY = "objects.JointMover.state == accepting-commands"
 
 
 class Message(NamedTuple):
-    """A message that was delivered."""
+    """A message that was delivered.
+
+    `data` are its bytes.  Messages of the network stack hold addresses, so theirs are a description.
+    `text` is the content in words, a line for each value: "move neck_pan to 30.00 deg".  Content of
+    a type that only your objects know is there as text or as numbers.
+    """
 
     number: int
     cause: int
@@ -36,10 +41,14 @@ class Message(NamedTuple):
     receiver: str
     entry: str
     data: bytes
+    text: str = ""
 
     def __repr__(self) -> str:
+        text = "; ".join(self.text.splitlines())
+        if len(text) > 120:
+            text = text[:117] + "..."
         return (f"Message(#{self.number} t={self.time_s:.6f} {self.kind} {self.sender} -> "
-                f"{self.receiver}, {len(self.data)} bytes)")
+                f"{self.receiver}, {len(self.data)} bytes{text and ': ' + text})")
 
 
 class Finding(NamedTuple):
@@ -70,7 +79,7 @@ class State:
 
 def _message(fields: Mapping[str, Any], data: bytes) -> Message:
     return Message(fields["number"], fields["cause"], fields["time_s"], fields["kind"], fields["from"],
-                   fields["to"], fields["entry"], data)
+                   fields["to"], fields["entry"], data, fields["text"])
 
 
 def _seconds(time_s: float) -> str:

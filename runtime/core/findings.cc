@@ -23,7 +23,7 @@ std::string HowOften(const Finding& finding) {
   return text + ")";
 }
 
-void Findings::Add(Finding finding) {
+Finding* Findings::Add(Finding finding) {
   for (Finding& known : all_) {
     const bool is_same_kind = known.robot == finding.robot && known.object == finding.object &&
                               known.severity == finding.severity;
@@ -32,13 +32,13 @@ void Findings::Add(Finding finding) {
     ++known.count;
     if (has_same_cause && known.also_at.size() < kPlacesMax)
       known.also_at.push_back(std::move(finding.place));
-    return;
+    return nullptr;
   }
   if (all_.size() >= kMax) {
     ++not_kept_;
-    return;
+    return nullptr;
   }
-  all_.push_back(std::move(finding));
+  return &all_.emplace_back(std::move(finding));
 }
 
 bool Findings::HasError(size_t first) const {

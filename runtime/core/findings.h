@@ -27,6 +27,8 @@ struct Finding {
   std::string place = {};  // "CONNECT.CFG:4"; set only if there is a cause
   // The places of later findings with this cause, at most kPlacesMax.
   std::vector<std::string> also_at = {};
+  // What the message with the number `message` says, in words; "" if that is not known.
+  std::string said = {};
 };
 
 // Returns " (40 times, also at CONNECT.CFG:5, CONNECT.CFG:6 and 37 more)" for the end of a
@@ -44,7 +46,8 @@ class Findings {
   // The largest number of places that one finding lists in `also_at`.
   static constexpr size_t kPlacesMax = 5;
 
-  void Add(Finding finding);
+  // Adds a finding.  Returns the kept finding if it is new, else null.
+  Finding* Add(Finding finding);
   const std::vector<Finding>& all() const { return all_; }
   // Returns whether there is an error among the findings from index `first` of all() on.
   bool HasError(size_t first = 0) const;

@@ -321,16 +321,18 @@ void System::AddFindingAboutRobot(int robot, Severity severity, std::string text
 
 void System::RecordFinding(const Object* object, Severity severity, std::string text) {
   const Object* const current = t_current.object;
+  const Message* const running = current == nullptr ? nullptr : current->handler.running.get();
   Finding finding;
   finding.severity = severity;
   finding.robot = object == nullptr ? 0 : object->robot;
   finding.object = object == nullptr ? "" : object->name;
-  finding.message = current == nullptr || current->handler.running == nullptr
-                        ? 0
-                        : current->handler.running->number;
+  finding.message = running == nullptr ? 0 : running->number;
   finding.time_us = now_us_;
   finding.text = std::move(text);
-  findings_.Add(std::move(finding));
+  // Only a new finding is worth the time, because some are added in every frame.
+  Finding* const added = findings_.Add(std::move(finding));
+  if (added != nullptr && running != nullptr && options_.say != nullptr)
+    added->said = options_.say(*this, *running);
 }
 
 std::vector<std::string> System::WhoWaits() const {

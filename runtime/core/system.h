@@ -89,6 +89,9 @@ struct SystemOptions {
   bool guard_regions = false;
   // True: the heaps of images keep where each block was allocated, for ReportLeaks() (leaks.h).
   bool find_leaks = false;
+  // Says in words what `message`, which an object handles, says; for findings.  Null: findings do
+  // not say it.
+  std::string (*say)(const System& system, const Message& message) = nullptr;
   // Makes the SystemCalls of this System, the functions that handlers call; null: LocalCalls.
   std::function<std::unique_ptr<SystemCalls>(System*)> make_calls = {};
 };
@@ -277,6 +280,7 @@ class System {
   const std::vector<std::unique_ptr<Object>>& objects() const { return table_.all(); }
 
   RegionTable& regions() { return regions_; }
+  const RegionTable& regions() const { return regions_; }
   RegionShares& region_shares() { return region_shares_; }
   GuardPages* guard_pages() { return guard_pages_.get(); }  // null: received data are not copied
   // Returns how long a frame of the robot's devices lasts in virtual time: kFrameUs, or the length

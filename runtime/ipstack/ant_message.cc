@@ -5,8 +5,10 @@
 #include <IPEndpointMsg.h>
 #include <TCPEndpointMsg.h>
 #include <UDPEndpointMsg.h>
+#include <fmt/format.h>
 
 #include <cstring>
+#include <sstream>
 #include <string_view>
 #include <type_traits>
 
@@ -266,6 +268,103 @@ void AddFields(Hasher* h, const antEnvDestroySharedBufferMsg& m) { h->Add(m.buff
 void AddFields(Hasher* h, const antEnvInitGetParamMsg& m) { AddParameter(h, m); }
 void AddFields(Hasher* h, const antEnvInitSetParamMsg& m) { AddParameter(h, m); }
 
+// ---- FieldsText() describes the fields that only some types of messages have
+
+std::string Text(const IPAddress& address) {
+  char text[16];
+  return address.GetAsString(text);
+}
+template <size_t N>
+std::string Text(const char (&text)[N]) {
+  return fmt::format("\"{}\"", std::string_view(text, strnlen(text, N)));
+}
+
+template <typename T>
+std::string FourAddresses(const T& m) {
+  return fmt::format(", from {}:{} to {}:{}", Text(m.lAddress), m.lPort, Text(m.fAddress), m.fPort);
+}
+template <typename T>
+std::string Peer(const T& m) {
+  return fmt::format(", {}:{}", Text(m.address), m.port);
+}
+template <typename T>
+std::string Servers(const T& m) {
+  std::string text;
+  for (int i = 0; i < m.nscount && i < MAXNS; ++i) text += ", " + Text(m.addrList[i]);
+  return text;
+}
+template <typename T>
+std::string Host(const T& m) {
+  std::string text = fmt::format(", {}, {}", Text(m.name), Text(m.host_address));
+  if (m.n_address > 0) text += fmt::format(", {} addresses, {} aliases", m.n_address, m.n_alias);
+  return text;
+}
+template <typename T>
+std::string Parameter(const T& m) {
+  std::string text = fmt::format(", {}", Text(m.key));
+  if (m.paramType == antEnv_InitParam_Int32) text += fmt::format(" is {}", m.value.i32);
+  if (m.paramType == antEnv_InitParam_String) text += " is " + Text(m.value.str);
+  return text;
+}
+const char* ProtocolName(int32_t protocol) {
+  switch (protocol) {
+    case EndpointType_TCP:
+      return "TCP";
+    case EndpointType_UDP:
+      return "UDP";
+    case EndpointType_DNS:
+      return "DNS";
+    case EndpointType_IP:
+      return "IP";
+    default:
+      return "unknown protocol";
+  }
+}
+
+std::string FieldsText(const antEnvMsg&) { return ""; }
+std::string FieldsText(const TCPEndpointListenMsg& m) { return FourAddresses(m); }
+std::string FieldsText(const TCPEndpointConnectMsg& m) { return FourAddresses(m); }
+std::string FieldsText(const TCPEndpointAddressMsg& m) { return FourAddresses(m); }
+std::string FieldsText(const TCPEndpointBindMsg& m) {
+  return fmt::format(", {}:{}", Text(m.lAddress), m.lPort);
+}
+std::string FieldsText(const TCPEndpointSendMsg& m) { return fmt::format(", {} bytes", m.size); }
+std::string FieldsText(const TCPEndpointReceiveMsg& m) {
+  return m.sizeMin == m.sizeMax ? fmt::format(", {} bytes", m.sizeMin)
+                                : fmt::format(", {} to {} bytes", m.sizeMin, m.sizeMax);
+}
+std::string FieldsText(const TCPEndpointCloseMsg& m) { return m.abort ? ", abort" : ""; }
+std::string FieldsText(const UDPEndpointBindMsg& m) { return Peer(m); }
+std::string FieldsText(const UDPEndpointConnectMsg& m) { return Peer(m); }
+std::string FieldsText(const UDPEndpointAddressMsg& m) { return FourAddresses(m); }
+std::string FieldsText(const UDPEndpointSendMsg& m) {
+  return fmt::format("{}, {} bytes", Peer(m), m.size);
+}
+std::string FieldsText(const UDPEndpointReceiveMsg& m) {
+  return fmt::format("{}, {} bytes", Peer(m), m.size);
+}
+std::string FieldsText(const DNSEndpointSetServerAddressesMsg& m) { return Servers(m); }
+std::string FieldsText(const DNSEndpointGetServerAddressesMsg& m) { return Servers(m); }
+std::string FieldsText(const DNSEndpointSetDefaultDomainNameMsg& m) { return ", " + Text(m.name); }
+std::string FieldsText(const DNSEndpointGetDefaultDomainNameMsg& m) { return ", " + Text(m.name); }
+std::string FieldsText(const DNSEndpointGetHostByNameMsg& m) { return Host(m); }
+std::string FieldsText(const DNSEndpointGetHostByAddrMsg& m) { return Host(m); }
+std::string FieldsText(const DNSEndpointGetAddressMsg& m) {
+  return fmt::format(", number {}, {}", m.index, Text(m.address));
+}
+std::string FieldsText(const DNSEndpointGetAliasMsg& m) {
+  return fmt::format(", number {}, {}", m.index, Text(m.name));
+}
+std::string FieldsText(const antEnvCreateEndpointMsg& m) {
+  return fmt::format(", {}, pool of {} bytes{}", ProtocolName(m.protocol), m.poolSize,
+                     m.moduleRef.IsNull() ? "" : fmt::format(", endpoint {}", m.moduleRef.index));
+}
+std::string FieldsText(const antEnvCreateSharedBufferMsg& m) {
+  return fmt::format(", {} bytes", m.size);
+}
+std::string FieldsText(const antEnvInitGetParamMsg& m) { return Parameter(m); }
+std::string FieldsText(const antEnvInitSetParamMsg& m) { return Parameter(m); }
+
 }  // namespace
 
 antModuleRef MakeModuleRef(int32_t protocol, uint32_t index) {
@@ -290,6 +389,20 @@ const char* AntMessageName(const antEnvMsg& message) {
   const char* result = "";
   Visit(message, [&](const auto&, const char* name) { result = name; });
   return result;
+}
+
+std::string AntMessageText(const antEnvMsg& message, bool is_answer) {
+  std::string text;
+  Visit(message, [&](const auto& m, const char* name) {
+    text = name;
+    if (!m.dstModule.IsNull()) text += fmt::format(", endpoint {}", m.dstModule.index);
+    text += FieldsText(m);
+    if (!is_answer) return;
+    std::ostringstream error;
+    error << m.error;
+    text += ", " + error.str();
+  });
+  return text;
 }
 
 void SetAntError(antEnvMsg* message, int32_t error) {

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
 namespace openr_host {
 
@@ -26,6 +27,12 @@ size_t AntMessageSize(const antEnvMsg& message);
 
 // Returns a name such as "TCP Listen", for messages to the user.
 const char* AntMessageName(const antEnvMsg& message);
+
+// Returns the name of `message` and the values of its fields that have a meaning, such as
+// "TCP Connect, endpoint 2, from 10.0.1.100:1024 to 10.0.1.2:54000, TCP_SUCCESS".  Memory addresses
+// are left out, because they differ from run to run.  The error is shown only with `is_answer`,
+// because a request has none.
+std::string AntMessageText(const antEnvMsg& message, bool is_answer);
 
 // Sets the error field of `message`; its position depends on the type of `message`.
 void SetAntError(antEnvMsg* message, int32_t error);

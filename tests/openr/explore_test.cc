@@ -83,7 +83,7 @@ TEST(ExploreCommandTest, ACrashNamesTheHandlerAndDoesNotEndTheProgram) {
   EXPECT_THAT(result.out, HasSubstr("OBJECT Trouble, DoStart"));
   EXPECT_THAT(result.out, HasSubstr("seed 1 breaks no-crash by t=0.000000 s: EXCEPTION SIGSEGV"));
   EXPECT_THAT(result.out, HasSubstr("  the last messages:\n"));
-  EXPECT_THAT(result.out, HasSubstr(" -> Trouble  DoStart\n"));
+  EXPECT_THAT(result.out, HasSubstr(" -> Trouble  DoStart: boot\n"));
 #endif
 }
 
@@ -95,7 +95,7 @@ TEST(ExploreCommandTest, AHandlerThatHangsIsEnded) {
   EXPECT_EQ(result.status, 1);
   EXPECT_THAT(result.out, HasSubstr("breaks handlers-return"));
   EXPECT_THAT(result.out, HasSubstr("Trouble, DoStart"));
-  EXPECT_THAT(result.out, HasSubstr(" -> Trouble  DoStart\n"));
+  EXPECT_THAT(result.out, HasSubstr(" -> Trouble  DoStart: boot\n"));
 }
 
 TEST(ExploreCommandTest, AStickThatDoesNotBootIsRefusedWithItsFindings) {

@@ -180,6 +180,7 @@ TEST(RunTest, AHandlerThatDoesNotReturnIsNamed) {
   EXPECT_TRUE(report.contains("error")) << result.out;
   EXPECT_TRUE(report.contains("state_hash")) << result.out;
   EXPECT_EQ(report["findings"].at(0)["object"], "Trouble");
+  EXPECT_EQ(report["findings"].at(0)["said"], "boot");
   EXPECT_EQ(report["findings"].at(0)["text"],
             "a handler does not return: DoStart (selector 1) has used more than 0.2 s of processor "
             "time (--handler-limit)");

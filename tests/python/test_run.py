@@ -141,6 +141,22 @@ class RunTest(unittest.TestCase):
         with self.assertRaises(openr_host.Refused):
             self.run_.inject("JointMover.Nothing", b"1")
 
+    def test_messages_say_what_they_mean(self):
+        # MoverCommand of objects/common/Messages.h: kind 7 is motor on, joint -1 is all joints.
+        on = (7).to_bytes(4, "little") + (-1).to_bytes(4, "little", signed=True) + bytes(40)
+        self.run_.inject("JointMover.Mover", on, subject="RCServer.Mover")
+        message = self.run_.expect("RCServer.Mover", "JointMover.Mover", kind="notify", within_s=0.1)
+        self.assertEqual(message.text, "motor power on")
+        self.assertRegex(repr(message), r"JointMover\.Mover\.MoverCommand\.O, 48 bytes: motor power on\)$")
+        sensors = self.run_.expect("OVirtualRobotComm.Sensor", "RCServer", kind="notify", within_s=0.1)
+        self.assertIn("\nPRM:/r1/c1/c2-Joint2:j2 0.00 deg\n", sensors.text)
+        self.assertTrue(repr(sensors).endswith("...)"))
+        self.run_.watch("", "IPStack")
+        self.run_.connect(54000)
+        self.run_.run(0.1)
+        texts = [each.text for each in self.run_.watched()]
+        self.assertTrue(any(text.startswith("IPStack: TCP ") for text in texts), texts)
+
     def test_keeps_messages_that_are_watched(self):
         self.run_.watch("OVirtualRobotComm.Sensor", "RCServer", kind="notify")
         self.run_.run(0.32)

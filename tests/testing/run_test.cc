@@ -92,10 +92,11 @@ TEST_F(RunTest, AFailureTellsTheStory) {
   in->Send(2);
   bench().RunFor(1ms);
   const std::string story = bench().Story();
-  EXPECT_THAT(story, ::testing::HasSubstr(" t=0.001000 Test1.In -> Doubler.In notify, 4 bytes\n"));
+  EXPECT_THAT(story,
+              ::testing::HasSubstr(" t=0.001000 Test1.In -> Doubler.In notify, 4 bytes: 1\n"));
   EXPECT_THAT(story, ::testing::ContainsRegex(
                          "#([0-9]+) t=0.001000 Doubler.Out -> Test2.Out notify, 4 bytes, caused by "
-                         "#[0-9]+\n"));
+                         "#[0-9]+: 2\n"));
   EXPECT_THAT(story, ::testing::HasSubstr("Who waits:\n  Doubler waits for ready"));
   EXPECT_THAT(story, ::testing::HasSubstr("since t=0.010 s"));
   EXPECT_THAT(story, ::testing::ContainsRegex(

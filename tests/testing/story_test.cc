@@ -1,4 +1,5 @@
 // What a test program says when an object brings it down, and when a test asks for what cannot be.
+#include "Messages.h"
 #include "tests/testing/doubler.h"
 
 namespace openr::testing {
@@ -6,6 +7,7 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::ExitedWithCode;
+using ::testing::Field;
 using ::testing::HasSubstr;
 
 #if !defined(__SANITIZE_ADDRESS__)  // whose own report says more
@@ -33,6 +35,24 @@ TEST(StoryTest, ABenchThatIsOffCannotRun) {
   Bench bench;
   EXPECT_NONFATAL_FAILURE(bench.RunFor(1ms), "The robot is off: Boot() the bench first");
   EXPECT_NONFATAL_FAILURE(bench.Step(), "The robot is off: Boot() the bench first");
+}
+
+TEST(StoryTest, MessagesOfKnownTypesAreInWords) {
+  Bench bench({.stick = DefaultStick(), .body = "ideal"});
+  bench.Boot();
+  ASSERT_TRUE(bench.StepTo(Notify("OVirtualRobotComm.Sensor", "RCServer.Sensor"), 1s));
+  EXPECT_THAT(bench.Story(), HasSubstr("RCServer.Sensor notify, "));
+  EXPECT_THAT(bench.Story(), HasSubstr("PRM:/r1/c1-Joint2:j1 "));
+  MoverCommand command = {};
+  command.kind = moverkindPOSITION;
+  command.joint = 1;
+  command.value = 523599;
+  ASSERT_TRUE(bench.Inject(Notify("RCServer.Mover", "JointMover.Mover"), command));
+  bench.Expect("RCServer.Mover", "JointMover.Mover",
+               Data<MoverCommand>(Field(&MoverCommand::joint, 2)));
+  ASSERT_TRUE(bench.StepTo("JointMover.Mover", 1s));
+  EXPECT_NONFATAL_FAILURE(bench.Verify(),
+                          "JointMover.Mover notify, 48 bytes: move neck_pan to 30.00 deg");
 }
 
 class RefusalTest : public DoublerTest {

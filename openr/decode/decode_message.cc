@@ -1,0 +1,415 @@
+#include "openr/decode/decode_message.h"
+
+#include <OPENR/ODataFormats.h>
+#include <OPENR/OPENRMessages.h>
+#include <OPENR/ObjcommMessages.h>
+#include <OPENR/ObjcommTypes.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstring>
+#include <map>
+#include <vector>
+
+#include "Messages.h"
+#include "MoverState.h"
+#include "runtime/api/power_text.h"
+#include "runtime/core/api.h"
+#include "runtime/core/system.h"
+#include "runtime/ipstack/ant_message.h"
+#include "virtualrobot/det_math.h"
+#include "virtualrobot/primitive_table.h"
+#include "virtualrobot/virtual_robot.h"
+
+namespace openr_host {
+namespace {
+
+// Reads a T at `offset` of `content` into `value`.  Returns false if the content is too short,
+// because it may have been cut.
+template <typename T>
+bool ReadAt(const std::string& content, size_t offset, T* value) {
+  if (offset > content.size() || content.size() - offset < sizeof(T)) return false;
+  std::memcpy(value, content.data() + offset, sizeof(T));
+  return true;
+}
+
+// Returns the text in an array of characters, which need not end with a NUL.
+template <size_t N>
+std::string TextIn(const char (&text)[N]) {
+  return std::string(text, strnlen(text, N));
+}
+
+// Converts an angle of OPEN-R, in 10^-6 rad, to degrees.
+double DegreesOf(slongword urad) { return Degrees(urad * 1e-6); }
+
+std::string LocatorOf(PrimitiveTable* table, OPrimitiveID id) {
+  const Primitive* const primitive = table->Find(id);
+  return primitive == nullptr ? fmt::format("primitive {:#x}", id) : primitive->locator;
+}
+
+// Returns one frame of the commands for a primitive as text.
+std::string CommandText(ODataType type, const OCommandValue& frame) {
+  switch (type) {
+    case odataJOINT_COMMAND:
+    case odataJOINT_COMMAND2:
+      return fmt::format("{:.2f} deg", DegreesOf(frame.value[0]));
+    case odataLED_COMMAND2: {
+      OLEDCommandValue2 led;
+      std::memcpy(&led, &frame, sizeof led);
+      return led.led == oledON ? "on" : led.led == oledOFF ? "off" : fmt::format("{}", led.led);
+    }
+    case odataLED_COMMAND3: {
+      OLEDCommandValue3 led;
+      std::memcpy(&led, &frame, sizeof led);
+      return fmt::format("intensity {}", led.intensity);
+    }
+    default:
+      return fmt::format("{}", frame.value[0]);
+  }
+}
+
+// Returns the last frame of each primitive of a command vector as text.
+std::string DecodeCommands(const RobotModel& model, const std::string& content) {
+  PrimitiveTable table(model);
+  ODataVectorInfo vector;
+  if (!ReadAt(content, 0, &vector)) return "";
+  std::string text;
+  for (longword i = 0; i < vector.numData; ++i) {
+    OCommandInfo info;
+    OCommandValue value;
+    if (!ReadAt(content, vector.infoOffset + i * sizeof info, &info) || info.numFrames == 0) break;
+    const size_t last = std::min<size_t>(info.numFrames, ocommandMAX_FRAMES) - 1;
+    if (!ReadAt(content, info.dataOffset + last * sizeof value, &value)) break;
+    text += fmt::format("{} to {} in {} frames\n", LocatorOf(&table, info.primitiveID),
+                        CommandText(info.type, value), info.numFrames);
+  }
+  return text;
+}
+
+// Returns the last frame of each element of a sensor vector as text.
+std::string DecodeSensors(const RobotModel& model, const std::string& content) {
+  PrimitiveTable table(model);
+  ODataVectorInfo vector;
+  if (!ReadAt(content, 0, &vector)) return "";
+  std::string text;
+  for (longword i = 0; i < vector.numData; ++i) {
+    OSensorFrameInfo info;
+    OSensorValue value;
+    if (!ReadAt(content, vector.infoOffset + i * sizeof info, &info) || info.numFrames == 0) break;
+    const size_t last = std::min<size_t>(info.numFrames, osensorframeMAX_FRAMES) - 1;
+    if (!ReadAt(content, info.dataOffset + last * sizeof value, &value)) break;
+    const std::string name = LocatorOf(&table, info.primitiveID);
+    text += info.type == odataJOINT_VALUE
+                ? fmt::format("{} {:.2f} deg\n", name, DegreesOf(value.value))
+                : fmt::format("{} {}\n", name, value.value);
+  }
+  return text;
+}
+
+std::string JointName(const RobotModel& model, int joint) {
+  const bool is_known = joint >= 0 && joint < static_cast<int>(model.joints.size());
+  return is_known ? model.joints[static_cast<size_t>(joint)].name : fmt::format("joint {}", joint);
+}
+
+// Returns the sounds of a sound vector as text, without their samples.
+std::string DecodeSounds(const RobotModel& model, const std::string& content) {
+  PrimitiveTable table(model);
+  ODataVectorInfo vector;
+  if (!ReadAt(content, 0, &vector)) return "";
+  std::string text;
+  for (longword i = 0; i < vector.numData; ++i) {
+    OSoundInfo info;
+    if (!ReadAt(content, vector.infoOffset + i * sizeof info, &info)) break;
+    text += fmt::format("{} {} bytes, frame {}", LocatorOf(&table, info.primitiveID), info.dataSize,
+                        info.frameNumber);
+    // Programs that play a sound may leave the format open.
+    if (info.samplingRate != 0)
+      text += fmt::format(", {} Hz, {} bits, {}", info.samplingRate, info.bitsPerSample,
+                          info.channel == osoundchannelSTEREO ? "stereo" : "mono");
+    text += "\n";
+  }
+  return text;
+}
+
+// Returns the layers of a camera image as text, without their pixels.
+std::string DecodeImages(const RobotModel&, const std::string& content) {
+  static constexpr const char* kLayers[ofbkimageNUM_LAYERS] = {"H", "M", "L", "C"};
+  ODataVectorInfo vector;
+  if (!ReadAt(content, 0, &vector)) return "";
+  std::string text;
+  for (longword i = 0; i < vector.numData && i < ofbkimageNUM_LAYERS; ++i) {
+    OFbkImageInfo info;
+    if (!ReadAt(content, vector.infoOffset + i * sizeof info, &info)) break;
+    text += fmt::format("layer {} {} x {}, {}, {} bytes, frame {}\n", kLayers[i], info.width,
+                        info.height,
+                        info.type == odataFBK_CDT     ? "colour detection"
+                        : info.type == odataFBK_YCrCb ? "YCrCb"
+                                                      : "YCrCb with high-pass filter",
+                        info.dataSize, info.frameNumber);
+  }
+  return text;
+}
+
+std::string MotorText(const RobotModel& model, Sint32 joint, const char* state) {
+  return joint == MOVER_ALL_JOINTS ? fmt::format("motor power {}", state)
+                                   : fmt::format("motor of {} {}", JointName(model, joint), state);
+}
+
+std::string MoverCommandText(const RobotModel& model, const MoverCommand& command) {
+  const std::string joint = JointName(model, command.joint);
+  const std::string file = TextIn(command.file);
+  switch (command.kind) {
+    case moverkindPOSITION:
+      return fmt::format("move {} to {:.2f} deg", joint, DegreesOf(command.value));
+    case moverkindSPEED:
+      return fmt::format("speed of {} at most {:.2f} deg/s", joint, command.value / 100.0);
+    case moverkindACCELERATION:
+      return fmt::format("acceleration of {} {:.2f} deg/s^2", joint, command.value / 100.0);
+    case moverkindTRACK:
+      return fmt::format("{} to {:.2f} deg in {} frames", joint, DegreesOf(command.value),
+                         command.frames);
+    case moverkindPLAY:
+      return fmt::format("play {}, {} times", file, command.loops) +
+             (command.keyFramesPerVector == 0
+                  ? ""
+                  : fmt::format(", {} key frames per vector", command.keyFramesPerVector));
+    case moverkindSTOP:
+      return "stop the motion";
+    case moverkindMOTOR_OFF:
+      return MotorText(model, command.joint, "off");
+    case moverkindMOTOR_ON:
+      return MotorText(model, command.joint, "on");
+    case moverkindGAINS:
+      return fmt::format("gains of {}: P {}, I {}, D {}", joint, command.gain[0], command.gain[1],
+                         command.gain[2]);
+    default:
+      return fmt::format("command {}", command.kind);
+  }
+}
+
+// A notification may have several commands.
+std::string DecodeMoverCommands(const RobotModel& model, const std::string& content) {
+  MoverCommand command;
+  std::string text;
+  for (size_t at = 0; ReadAt(content, at, &command); at += sizeof command)
+    text += MoverCommandText(model, command) + "\n";
+  return text;
+}
+
+std::string DecodeBatch(const RobotModel& model, const std::string& content) {
+  BatchMoverCommand command;
+  if (!ReadAt(content, 0, &command)) return "";
+  std::string text;
+  for (size_t i = 0; i < model.joints.size() && i < MAX_JOINTS; ++i) {
+    const BatchJoint& joint = command.joint[i];
+    const std::string goal = joint.flags & batchPOSITION_GIVEN
+                                 ? fmt::format("to {:.2f} deg", DegreesOf(joint.position))
+                                 : "stays";
+    text += fmt::format("{} {}, at most {:.2f} deg/s, {:.2f} deg/s^2{}\n", model.joints[i].name,
+                        goal, joint.speed / 100.0, joint.acceleration / 100.0,
+                        joint.flags & batchMOTOR_OFF ? ", motor off" : "");
+  }
+  return text;
+}
+
+std::string DecodeSetValue(const RobotModel& model, const std::string& content) {
+  SetValueMessage message;
+  // Reads the last message only, because a notification may have several messages and the last one
+  // is the newest.
+  if (content.size() < sizeof message ||
+      !ReadAt(content, content.size() - sizeof message, &message))
+    return "";
+  std::string text = fmt::format("state {}", MoverStateName(message.state));
+  if (message.keyFrame >= 0) text += fmt::format(", key frame {}", message.keyFrame);
+  const std::string file = TextIn(message.file);
+  if (!file.empty()) text += fmt::format(", motion {}", file);
+  if (message.isOver != 0) text += " is over";
+  if (message.motorsOff != 0) text += ", motor power off";
+  for (size_t i = 0; i < model.plungers.size() && i < 8; ++i) {
+    if (message.earMask >> i & 1)
+      text += fmt::format("\n{} {}", model.plungers[i].name, message.earOn >> i & 1 ? "on" : "off");
+  }
+  for (size_t i = 0; i < model.joints.size() && i < MAX_JOINTS; ++i) {
+    text += fmt::format("\n{}: commanded {:.2f}, measured {:.2f} deg", model.joints[i].name,
+                        DegreesOf(message.commanded[i]), DegreesOf(message.measured[i]));
+  }
+  return text;
+}
+
+std::string DecodeLedEar(const RobotModel& model, const std::string& content) {
+  LedEarState state;
+  if (!ReadAt(content, 0, &state)) return "";
+  std::string text;
+  for (size_t i = 0; i < model.leds.size() && i < 32; ++i) {
+    if (state.ledMask >> i & 1)
+      text += fmt::format("{} {}\n", model.leds[i].name, state.ledOn >> i & 1 ? "on" : "off");
+  }
+  for (size_t i = 0; i < model.plungers.size() && i < 32; ++i) {
+    if (state.earMask >> i & 1)
+      text += fmt::format("{} {}\n", model.plungers[i].name, state.earOn >> i & 1 ? "on" : "off");
+  }
+  return text;
+}
+
+std::string DecodeMainExecution(const RobotModel&, const std::string& content) {
+  MainExecutionMessage message;
+  if (!ReadAt(content, 0, &message)) return "";
+  return fmt::format("state {}", MoverStateName(message.state));
+}
+
+std::string DecodeReady(const std::string& content) {
+  int32_t words[2];
+  if (!ReadAt(content, 0, &words)) return "";
+  const char* const kind = words[0] == objcommCMD_ASSERT_READY     ? "ready (assert)"
+                           : words[0] == objcommCMD_DEASSERT_READY ? "not ready (deassert)"
+                                                                   : "ready";
+  return words[1] == 0 ? kind : fmt::format("{}, gives back {} regions", kind, words[1]);
+}
+
+// Returns the text of a message of the system to an object, or of the answer to one; "" if
+// `content` is none.  Such a message begins with its type.
+std::string DecodeSystemMessage(const std::string& content) {
+  OMessageType type;
+  if (!ReadAt(content, 0, &type)) return "";
+  OPowerStatusMessage power;
+  if (type == omsgPOWER_STATUS && content.size() == sizeof power && ReadAt(content, 0, &power))
+    return PowerSummary(power.powerStatus);
+  OStatusMessage status;
+  if (type == omsgOSTATUS && content.size() == sizeof status && ReadAt(content, 0, &status))
+    return fmt::format("status {}", status.status);
+  OReasonMessage reason;
+  if (type == omsgREASON && content.size() == sizeof reason && ReadAt(content, 0, &reason))
+    return reason.reason == oreasonBOOT       ? "boot"
+           : reason.reason == oreasonSHUTDOWN ? "shutdown"
+                                              : fmt::format("reason {}", reason.reason);
+  OConnectMessage connect;
+  if (type == omsgCONNECT && content.size() == sizeof connect && ReadAt(content, 0, &connect))
+    return fmt::format("{} {}",
+                       connect.command == oconnectcmdCONNECT ? "connect to" : "disconnect from",
+                       TextIn(connect.subName));
+  OControlMessage control;
+  if (type == omsgCONTROL_V21 && content.size() == sizeof control && ReadAt(content, 0, &control)) {
+    const bool adds = control.command == objcommCMD_ADDOBSERVER ||
+                      control.command == objcommCMD_ADDOBSERVER_SELF ||
+                      control.command == objcommCMD_ADDOBSERVER_V22;
+    return fmt::format("{} an observer of {}", adds ? "add" : "remove", TextIn(control.subName));
+  }
+  OControlReplyMessage reply;
+  if (type == omsgCONTROL_REPLY_V21 && content.size() == sizeof reply && ReadAt(content, 0, &reply))
+    return fmt::format("status {}", reply.status);
+  return "";
+}
+
+// Returns content of an unknown type as text if all of it is printable, else as 32-bit numbers.
+std::string DecodeUnknown(const std::string& content) {
+  std::string text = content.substr(0, 256);
+  while (text.ends_with('\0')) text.pop_back();
+  const auto is_printable = [](unsigned char c) { return std::isprint(c) != 0 || c == '\n'; };
+  if (!text.empty() && std::all_of(text.begin(), text.end(), is_printable))
+    return fmt::format("\"{}\"", text);
+  text.clear();
+  for (size_t i = 0; i < 16; ++i) {
+    int32_t number;
+    if (!ReadAt(content, 4 * i, &number)) break;
+    text += fmt::format("{}{}", i == 0 ? "" : " ", number);
+  }
+  return text;
+}
+
+// Returns the data type that a notification to `entry`, a service or an entry, has; "" if `entry`
+// gets no notifications.
+std::string TypeOfEntry(const std::string& entry) {
+  const size_t kind = entry.find(" (");
+  if (kind != std::string::npos && entry.substr(kind) != " (Notify)") return "";
+  return TypeOfService(entry);
+}
+
+constexpr std::string_view kStackPrefix = "IPStack: ";
+
+}  // namespace
+
+std::string TypeOfService(const std::string& service) {
+  const size_t first = service.find('.');
+  const size_t second = service.find('.', first + 1);
+  const size_t third = service.find('.', second + 1);
+  return third == std::string::npos ? "" : service.substr(second + 1, third - second - 1);
+}
+
+std::string DecodeContent(const RobotModel& model, const std::string& entry,
+                          const std::string& content) {
+  using Decode = std::string (*)(const RobotModel&, const std::string&);
+  static const std::map<std::string, Decode> known = {
+      {"OCommandVectorData", &DecodeCommands},       {"OSensorFrameVectorData", &DecodeSensors},
+      {"OSoundVectorData", &DecodeSounds},           {"OFbkImageVectorData", &DecodeImages},
+      {"MoverCommand", &DecodeMoverCommands},        {"BatchMoverCommand", &DecodeBatch},
+      {"SetValueMessage", &DecodeSetValue},          {"LedEarState", &DecodeLedEar},
+      {"MainExecutionMessage", &DecodeMainExecution}};
+  if (content.starts_with(kStackPrefix)) return content;
+  if (entry.ends_with("(Ready)")) return DecodeReady(content);
+  const std::string type = TypeOfEntry(entry);
+  const auto found = known.find(type);
+  std::string text = found != known.end() ? found->second(model, content)
+                     : type.empty()       ? DecodeSystemMessage(content)
+                                          : "";
+  while (text.ends_with('\n')) text.pop_back();
+  return text.empty() ? DecodeUnknown(content) : text;
+}
+
+std::string DecodeReceived(const System& system, ObjectId target, uint32_t selector,
+                           const std::string& content) {
+  static const RobotModel no_model{};
+  const Object* const object = system.object(target);
+  if (object == nullptr || content.empty() || object->robot >= system.robot_count()) return "";
+  const auto* const robot =
+      dynamic_cast<const VirtualRobot*>(system.robot(object->robot).services.get());
+  return DecodeContent(robot == nullptr ? no_model : robot->model(), object->EntryName(selector),
+                       content);
+}
+
+std::string DecodeHandled(const System& system, const Message& message) {
+  std::string content;
+  if (message.kind == PayloadKind::kNotify) {
+    // The pointers of the message may be to regions that are gone, but an id is never used again.
+    const auto& notify = *reinterpret_cast<const ONotifyMessage*>(message.payload);
+    for (int i = 0; i < notify.numOfData; ++i) {
+      const TransferedData& data = notify.data[i];
+      const char* const base = system.regions().BaseOf(data.memID);
+      if (base == nullptr || data.offset + data.size > system.regions().SizeOf(data.memID))
+        return "";
+      content.append(base + data.offset, std::min(data.size, kDecodedBytesMax));
+    }
+  } else {
+    content = ContentOf(message);
+  }
+  return DecodeReceived(system, message.target, message.is_reply ? UNDEF : message.selector,
+                        content);
+}
+
+std::string OneLineOf(const std::string& text, size_t size_max) {
+  std::string line;
+  for (const char c : text) {
+    if (line.size() > size_max) break;
+    c == '\n' ? line += "; " : line += c;
+  }
+  if (line.size() <= size_max) return line;
+  return line.substr(0, size_max - 3) + "...";
+}
+
+std::string_view ContentView(const Message& message, std::string* copy) {
+  if (message.kind != PayloadKind::kHashed) return PayloadView(message, copy);
+  // A message of this kind without an antEnvMsg only wakes an object whose wait has timed out.
+  if (message.size < sizeof(antEnvMsg)) return {};
+  const auto& request = *reinterpret_cast<const antEnvMsg*>(message.payload);
+  if (message.size < AntMessageSize(request)) return {};
+  *copy = kStackPrefix;
+  *copy += AntMessageText(request, ObjectIdOf(request.sender) != message.sender);
+  return *copy;
+}
+
+std::string ContentOf(const Message& message) {
+  std::string copy;
+  return std::string(ContentView(message, &copy));
+}
+
+}  // namespace openr_host
