@@ -49,11 +49,12 @@ TEST(GdbTest, PrintersShowRegionsAndVectors) {
   if (!MayDebug()) GTEST_SKIP() << "gdb is not installed, or may not debug";
   const std::string said = UnderGdb(
       "continue\ncontinue\nnext\nnext\nprint event\nprint *event.rcr_[0]\nprint "
-      "*vector\nkill\nquit\n");
+      "*vector\nprint (OPrimitiveID)vector->info[0].primitiveID\nkill\nquit\n");
   EXPECT_THAT(said, HasSubstr("notification for observer 0, 1 data"));
   EXPECT_THAT(said, HasSubstr(" references"));
   EXPECT_THAT(said, HasSubstr("OSensorFrameVectorData, 31 of "));
-  EXPECT_THAT(said, HasSubstr("[30] = primitive "));
+  EXPECT_THAT(said, HasSubstr("[0] = PRM:/r1/c1-Joint2:j1, frame "));
+  EXPECT_THAT(said, HasSubstr(" = 4096 PRM:/r1/c1-Joint2:j1\n"));
 }
 
 TEST(GdbTest, AnUnknownObjectIsRefused) {
