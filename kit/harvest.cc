@@ -214,9 +214,11 @@ class StickCompletion {
     if (built_.empty()) return;
     const fs::path folder = objects_.parent_path() / "CONF";
     WriteText(folder / "OBJECT.CFG", text);
-    if (FindEntry(folder, "CONNECT.CFG").empty()) WriteText(folder / "CONNECT.CFG", "");
+    const bool has_connections = !FindEntry(folder, "CONNECT.CFG").empty();
+    if (!has_connections) WriteText(folder / "CONNECT.CFG", "");
     harvest_.notes.push_back(
-        "there is no OBJECT.CFG; one that lists every object was written, and no connections");
+        fmt::format("there is no OBJECT.CFG; one that lists every object was written{}",
+                    has_connections ? "" : ", and a CONNECT.CFG without connections"));
   }
 
   const StickFolder& stick_;

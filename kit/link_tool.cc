@@ -17,6 +17,7 @@
 #include "kit/kit_log.h"
 #include "kit/link_command.h"
 #include "kit/sdk_tools.h"
+#include "kit/source_copies.h"
 #include "runtime/base/read_file.h"
 #include "runtime/config/ocf.h"
 
@@ -140,6 +141,14 @@ std::string Summarise(const std::string& output) {
                      fmt::join(first, ", "), names.size() > kShown ? ", ..." : "");
 }
 
+// Returns the path by which the user knows `file`: that of the original if `openr build` has made
+// `file` in a private copy of the user's folder, else `file`.
+std::string NameForUser(const std::string& file) {
+  const std::string original =
+      OriginalOf(fs::absolute(file).lexically_normal().string(), SourceCopies());
+  return original.empty() ? file : original;
+}
+
 }  // namespace
 
 int RunMkbin(const Arguments& arguments) {
@@ -150,7 +159,7 @@ int RunMkbin(const Arguments& arguments) {
   const std::optional<std::string> ocf_text = ReadFile(command.ocf);
   if (!ocf_text)
     return Refuse(fmt::format("{}: cannot be read: {}", command.ocf, std::strerror(errno)));
-  const OcfResult ocf = ParseOcf(command.ocf, *ocf_text);
+  const OcfResult ocf = ParseOcf(NameForUser(command.ocf), *ocf_text);
   std::fputs(Render(ocf.diagnostics).c_str(), stderr);
   if (!ocf.ocf) {
     LogFailure({command.ocf, "is not a good .ocf file", command.output});

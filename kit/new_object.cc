@@ -7,6 +7,7 @@
 
 #include "kit/image_match.h"
 #include "kit/new_object_text.h"
+#include "kit/source_text.h"
 #include "kit/text_files.h"
 #include "runtime/base/spelling.h"
 #include "runtime/config/ocf.h"
@@ -25,6 +26,11 @@ std::string Replaced(std::string text, const std::string& mark, const std::strin
   for (size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at))
     text.replace(at, mark.size(), value);
   return text;
+}
+
+std::string ClassName(std::string name) {
+  name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
+  return name;
 }
 
 }  // namespace
@@ -51,9 +57,19 @@ std::string WhyNoObjectName(const std::string& name) {
                      kObjectNameBytesMax);
 }
 
+std::string WhyTakenByHeaders(const std::string& name, const std::string& headers) {
+  const std::string class_name = ClassName(name);
+  for (const fs::path& file : FilesBelow(headers)) {
+    if (!HasWord(WithoutComments(ReadText(file).value_or("")), class_name)) continue;
+    return fmt::format("the OPEN-R header {} uses the name {}, so no class can have it",
+                       file.lexically_relative(headers).string(), class_name);
+  }
+  return "";
+}
+
 std::vector<NewFile> MakeNewObject(const std::string& name) {
-  std::string class_name = name, object_name = name;
-  class_name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
+  const std::string class_name = ClassName(name);
+  std::string object_name = name;
   object_name[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(name[0])));
   std::string image = ShortImageName(name);
   image.erase(image.find('.'));

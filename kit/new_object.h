@@ -14,6 +14,10 @@ struct NewFile {
 // Returns the reason why `name` cannot be the name of an object; "" if it can.
 std::string WhyNoObjectName(const std::string& name);
 
+// Returns the reason why the class of the object `name` cannot be named so because the OPEN-R
+// headers in the folder `headers` use that name; "" if they do not.
+std::string WhyTakenByHeaders(const std::string& name, const std::string& headers);
+
 // Returns the files of a folder with the object `name`: stub.cfg, sources, .ocf file, a Memory
 // Stick tree that connects the object to the robot's sensors, a Makefile for both SDKs (the robot's
 // and ours), a CMakeLists.txt, and a test with openr::testing.

@@ -37,6 +37,11 @@ OStatus VirtualRobot::OpenPrimitive(const char* locator, OPrimitiveID* id) {
   return oSUCCESS;
 }
 
+const char* VirtualRobot::LocatorOf(OPrimitiveID id) {
+  const Primitive* const primitive = parts_.primitives.Find(id);
+  return primitive == nullptr ? nullptr : primitive->locator.c_str();
+}
+
 OStatus VirtualRobot::ClosePrimitive(OPrimitiveID id) {
   Primitive* const primitive = parts_.primitives.Find(id);
   if (primitive == nullptr || !primitive->opened()) return oINVALID_PRIMITIVE_ID;

@@ -100,6 +100,7 @@ constexpr Example kExamples[] = {
     {"model", "openr model check ers210"},
     {"model check", "openr model check ers210 --json"},
     {"model measure", "openr model measure ers210 --servo steps.svg"},
+    {"model show", "openr model show ers7"},
     {"model urdf", "openr model urdf ers210 -o ers210.urdf"},
     {"stick", "openr stick host -o mystick"},
     {"stick host", "openr stick host -o mystick"},

@@ -21,6 +21,7 @@
 #include "openr/commands/common_flags.h"
 #include "openr/model/check_model.h"
 #include "openr/model/measure.h"
+#include "openr/model/show_model.h"
 #include "openr/model/urdf.h"
 
 namespace openr_host {
@@ -212,6 +213,13 @@ void AddModelCommand(CLI::App* app, int* exit_code) {
                    "File for a chart of the distance sensor: .svg or .png")
       ->check(IsWritable());
   measure->callback([flags, exit_code] { *exit_code = Measure(*flags); });
+  CLI::App* const show = command->add_subcommand(
+      "show", "Lists what a robot has: joints, sensors, lights, with limits and CPC locators");
+  show->add_option("MODEL", flags->model, "Name of a model")->required();
+  show->callback([flags, exit_code] {
+    PrintAnswer(ShowModel(LoadRobotModel(ModelFile(flags->model))));
+    *exit_code = kExitGood;
+  });
   CLI::App* const urdf = command->add_subcommand("urdf", "Exports a model as URDF");
   urdf->add_option("MODEL", flags->model, "Name of a model")->required();
   urdf->add_option("-o,--output", flags->file, "File to write (default: standard output)")

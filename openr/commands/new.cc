@@ -10,6 +10,7 @@
 #include "cli/install_paths.h"
 #include "kit/editor_files.h"
 #include "kit/new_object.h"
+#include "kit/sdk_paths.h"
 #include "kit/shell_words.h"
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
@@ -43,6 +44,8 @@ std::string NextCommands(const std::string& folder) {
 
 int New(const NewFlags& flags) {
   const std::string folder = flags.folder.empty() ? flags.name : flags.folder;
+  const std::string taken = WhyTakenByHeaders(flags.name, SdkRoot() + "/OPEN_R/include");
+  if (!taken.empty()) throw std::runtime_error(taken + "; choose another name");
   std::vector<NewFile> files = MakeNewObject(flags.name);
   const std::string prefix = std::filesystem::path(ProgramFolder()).parent_path();
   for (NewFile& file : EditorFiles({ProgramFile(), prefix, GdbPrinters()}))

@@ -10,6 +10,7 @@
 
 #include "openr/ending/code_lookup.h"
 #include "runtime/core/imported_calls.h"
+#include "runtime/core/robot_fault.h"
 #include "runtime/core/system.h"
 
 namespace openr_host {
@@ -63,6 +64,14 @@ CrashStack::CrashStack(const Object& object, const void* context) {
   size_t last_own = count_;
   while (last_own > 0 && !frames_[last_own - 1].is_own) --last_own;
   if (last_own > 0) count_ = last_own;
+  // When the runtime has announced the fault, the frames inside of the object's code are only those
+  // of the announcement.
+  if (last_own > 0 && AnnouncedFault()[0] != '\0') {
+    size_t first_own = 0;
+    while (!frames_[first_own].is_own) ++first_own;
+    for (size_t i = first_own; i < count_; ++i) frames_[i - first_own] = frames_[i];
+    count_ -= first_own;
+  }
 }
 
 void CrashStack::Add(uintptr_t address, const Object& object) {

@@ -14,7 +14,8 @@ class Object;
 // signal.  A stack may be so damaged that walking it crashes again, so the signal handler calls
 // BeginEnding() first, which prepares for a second signal.  Frames are named by file and offset,
 // not by address, so that the same crash gives the same text in each run.  Functions of the runtime
-// that called the object's handler are left out.
+// that called the object's handler are left out, and so are those that announced a fault which
+// the runtime has found itself (robot_fault.h).
 class CrashStack {
  public:
   // Walks the stack of `object`.  `context` is the third argument of the signal handler, which has

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
 
 #include "cli/process.h"
 #include "openr/run/gdb_start.h"
@@ -49,11 +52,33 @@ TEST(GdbTest, PrintersShowRegionsAndVectors) {
   if (!MayDebug()) GTEST_SKIP() << "gdb is not installed, or may not debug";
   const std::string said = UnderGdb(
       "continue\ncontinue\nnext\nnext\nprint event\nprint *event.rcr_[0]\nprint "
-      "*vector\nkill\nquit\n");
+      "*vector\nprint (OPrimitiveID)vector->info[0].primitiveID\nkill\nquit\n");
   EXPECT_THAT(said, HasSubstr("notification for observer 0, 1 data"));
   EXPECT_THAT(said, HasSubstr(" references"));
   EXPECT_THAT(said, HasSubstr("OSensorFrameVectorData, 31 of "));
-  EXPECT_THAT(said, HasSubstr("[30] = primitive "));
+  EXPECT_THAT(said, HasSubstr("[0] = PRM:/r1/c1-Joint2:j1, frame "));
+  EXPECT_THAT(said, HasSubstr(" = 4096 PRM:/r1/c1-Joint2:j1\n"));
+}
+
+// The commands of gdb in the section "Debug an object" of docs/hacking.md.
+TEST(GdbTest, TheExampleForTheObjectsOfThisTreeStopsWhereItSays) {
+  if (!MayDebug()) GTEST_SKIP() << "gdb is not installed, or may not debug";
+  std::ifstream page(std::string(OPENR_KIT_FIXTURES) + "/../../../docs/hacking.md");
+  std::vector<std::string> words = {"-q", "-batch"};
+  int commands = 0;
+  for (std::string line; std::getline(page, line);) {
+    constexpr char kPrompt[] = "    (gdb) ";
+    if (!line.starts_with(kPrompt)) continue;
+    words.insert(words.end(), {"-ex", line.substr(sizeof kPrompt - 1)});
+    ++commands;
+  }
+  ASSERT_EQ(commands, 3);
+  words.insert(words.end(), {"-ex", "bt", "-ex", "kill", "--args", OPENR_PROGRAM, "run", "--rate",
+                             "max", "--handler-limit", "0s", "--no-panel", "--rc-port", "0"});
+  const std::string said = ProgramRun(words, "/usr/bin/gdb").Finish().out;
+  EXPECT_THAT(said, HasSubstr("Breakpoint 1, JointMover::DoStart (this="));
+  EXPECT_THAT(said, HasSubstr("JointMover.cc:"));
+  EXPECT_THAT(said, HasSubstr("openr_host::Dispatcher::"));
 }
 
 TEST(GdbTest, AnUnknownObjectIsRefused) {

@@ -35,6 +35,48 @@ TEST(NewTest, ANameOfAnObjectOfTheRobotIsRefused) {
   }
 }
 
+TEST(NewTest, ANameThatTheHeadersUseIsRefused) {
+  const KitFolder folder("");
+  for (const char* name : {"WhoAmI", "OSubject", "destroy"}) {
+    const ProgramResult result = RunProgram({"new", name, folder.File("")});
+    EXPECT_EQ(result.status, 2) << name;
+    EXPECT_THAT(result.err, HasSubstr("the OPEN-R header "));
+    EXPECT_THAT(result.err, HasSubstr(", so no class can have it; choose another name"));
+    EXPECT_FALSE(std::filesystem::exists(folder.File("stub.cfg")));
+  }
+}
+
+// Words of comments are no names: "Called" begins a comment of OPENR/OObject.h.
+TEST(NewTest, AWordOfACommentCanNameAnObject) {
+  const KitFolder folder("");
+  const ProgramResult made = RunProgram({"new", "Called", folder.File("")});
+  EXPECT_EQ(made.status, 0) << made.err;
+}
+
+TEST(NewTest, AStickWithOnlyConnectionsGetsTheListOfItsObjects) {
+  const KitFolder folder("");
+  ASSERT_EQ(RunProgram({"new", "Wag", folder.File("")}).status, 0);
+  const std::string config = "MS/OPEN-R/MW/CONF/";
+  const std::string connections = folder.Read(config + "CONNECT.CFG");
+  std::filesystem::remove(folder.File(config + "OBJECT.CFG"));
+  const ProgramResult built = folder.Build();
+  ASSERT_EQ(built.status, 0) << built.err;
+  EXPECT_THAT(built.err, HasSubstr("there is no OBJECT.CFG; one that lists every object was "
+                                   "written\n"));
+  EXPECT_EQ(folder.Read(config + "CONNECT.CFG"), connections);
+  EXPECT_EQ(folder.Say(), "Wag has started\nWag hears 31 sensors\n");
+}
+
+TEST(NewTest, MessagesAboutAnOcfFileNameTheFileOfTheUser) {
+  const KitFolder folder("");
+  ASSERT_EQ(RunProgram({"new", "Wag", folder.File("")}).status, 0);
+  folder.Write("Wag/wag.ocf", "object wag 3072 16384 128 cashe tlb user\n");
+  const ProgramResult built = folder.Build();
+  EXPECT_EQ(built.status, 0) << built.err;
+  EXPECT_THAT(built.err, HasSubstr("\n" + folder.File("Wag/wag.ocf") +
+                                   ":1: warning: 'cashe' counts as 'nocache'"));
+}
+
 // Runs what `openr new` of `program` prints, line by line, where a person stands.
 void RunPrintedCommands(const std::string& program, const std::string& path) {
   const ScratchFolder scratch;

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
+#include "cli/install_paths.h"
 #include "tests/openr/program_run.h"
 #include "virtualrobot/model/robot_model.h"
 
@@ -30,6 +31,29 @@ TEST(ModelCommandTest, AllModelsStandWell) {
     EXPECT_EQ(model["paws"], 4);
     EXPECT_TRUE(model["problems"].empty());
   }
+}
+
+TEST(ModelCommandTest, ShowListsTheDevicesWithTheirLocators) {
+  const ProgramResult dog = RunProgram({"model", "show", "ers210"});
+  ASSERT_EQ(dog.status, 0) << dog.err;
+  EXPECT_EQ(dog.out.rfind("ERS-210, 1612 g, design ", 0), 0u) << dog.out;
+  const RobotModel model = LoadRobotModel(ModelFile("ers210"));
+  for (const Sensor& sensor : model.sensors) {
+    EXPECT_NE(dog.out.find(" " + sensor.locator + "\n"), std::string::npos) << sensor.locator;
+  }
+  for (const Led& led : model.leds)
+    EXPECT_NE(dog.out.find(led.locator), std::string::npos) << led.locator;
+  EXPECT_NE(dog.out.find("  neck_tilt         0   -82.0 to 43.0   -85.0 to 46.0      120.6       "
+                         "0.50  PRM:/r1/c1-Joint2:j1\n"),
+            std::string::npos)
+      << dog.out;
+  EXPECT_NE(dog.out.find("  chin                  7                  0 to 1"), std::string::npos);
+}
+
+TEST(ModelCommandTest, AnUnknownModelIsRefused) {
+  const ProgramResult result = RunProgram({"model", "show", "ers999"});
+  EXPECT_NE(result.status, 0);
+  EXPECT_NE(result.err.find("ers999"), std::string::npos) << result.err;
 }
 
 TEST(ModelCommandTest, TextSaysTheSame) {

@@ -27,6 +27,30 @@ def as_type(value, name):
         return None
 
 
+def primitive(number):
+    """Returns the CPC locator of a primitive, or its number where the program does not know it."""
+    try:
+        locator = gdb.parse_and_eval(
+            "((const char *(*)(unsigned int)) openr_locator_of)(%d)" % int(number))
+        if int(locator) != 0:
+            return locator.string()
+    except gdb.error:  # a core file has no process that could answer
+        pass
+    return "primitive %d" % int(number)
+
+
+class PrimitiveIdPrinter:
+    """OPrimitiveID: the CPC locator beside the number."""
+
+    def __init__(self, value):
+        self.value = value
+
+    def to_string(self):
+        number = int(self.value.cast(self.value.type.strip_typedefs()))
+        name = primitive(number)
+        return str(number) if name.startswith("primitive ") else "%d %s" % (number, name)
+
+
 class RegionPrinter:
     """RCRegion: id, size, references and the first bytes."""
 
@@ -86,8 +110,8 @@ class SensorVectorPrinter(VectorPrinter):
         frames = as_type(start + int(info["dataOffset"]), "int")
         # A frame has 16 bytes, and its value comes first.
         values = [str(int(frames[4 * k])) for k in range(count)]
-        return "primitive %d, frame %d: %s" % (
-            int(info["primitiveID"]), int(info["frameNumber"]), " ".join(values))
+        return "%s, frame %d: %s" % (
+            primitive(info["primitiveID"]), int(info["frameNumber"]), " ".join(values))
 
 
 class CommandVectorPrinter(VectorPrinter):
@@ -98,8 +122,8 @@ class CommandVectorPrinter(VectorPrinter):
         start = as_type(self.value.address, "char")
         frames = as_type(start + int(info["dataOffset"]), "int")
         values = [str(int(frames[2 * k])) for k in range(count)]
-        return "primitive %d, %d frames: %s" % (
-            int(info["primitiveID"]), int(info["numFrames"]), " ".join(values))
+        return "%s, %d frames: %s" % (
+            primitive(info["primitiveID"]), int(info["numFrames"]), " ".join(values))
 
 
 class NotifyPrinter:
@@ -119,6 +143,7 @@ class NotifyPrinter:
 
 
 PRINTERS = gdb.printing.RegexpCollectionPrettyPrinter("openr")
+PRINTERS.add_printer("OPrimitiveID", "^OPrimitiveID$", PrimitiveIdPrinter)
 PRINTERS.add_printer("RCRegion", "^RCRegion$", RegionPrinter)
 PRINTERS.add_printer("OSensorFrameVectorData", "^OSensorFrameVectorData$", SensorVectorPrinter)
 PRINTERS.add_printer("OCommandVectorData", "^OCommandVectorData$", CommandVectorPrinter)

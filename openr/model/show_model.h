@@ -1,0 +1,15 @@
+// What a robot has, as tables for people: openr model show.
+#pragma once
+
+#include <string>
+
+#include "virtualrobot/model/robot_model.h"
+
+namespace openr_host {
+
+// Returns tables of the joints with their limits, of the other sensors, the lights, the ears, the
+// camera, speaker and microphone, each with its CPC locator, and the names of the postures.  Joints
+// and sensors are in the order of the model; a joint's line names its element in sensor vectors.
+std::string ShowModel(const RobotModel& model);
+
+}  // namespace openr_host
