@@ -25,7 +25,9 @@ std::string ColourOf(const Led& led) {
   return fmt::format("{} or {}", led.colour, led.colour_b);
 }
 
-const char* UnitOf(SensorKind kind) {
+// Returns the unit of the values that OPEN-R reports for sensors of this kind; "" for plain
+// numbers.
+const char* OpenrUnit(SensorKind kind) {
   switch (kind) {
     case SensorKind::kJoint:
       return "10^-6 rad";
@@ -68,8 +70,8 @@ std::string SensorTable(const RobotModel& model) {
     ++count;
     const std::string range =
         sensor.has_range ? fmt::format("{} to {}", sensor.min, sensor.max) : "-";
-    rows +=
-        fmt::format(kSensorRow, sensor.short_name, i, range, UnitOf(sensor.kind), sensor.locator);
+    rows += fmt::format(kSensorRow, sensor.short_name, i, range, OpenrUnit(sensor.kind),
+                        sensor.locator);
   }
   return fmt::format("sensors besides the joints: {}\n", count) +
          fmt::format(kSensorRow, "name", "element", "values", "unit", "CPC locator") + rows;
