@@ -61,8 +61,9 @@ std::string WhyTakenByHeaders(const std::string& name, const std::string& header
   const std::string class_name = ClassName(name);
   for (const fs::path& file : FilesBelow(headers)) {
     if (!HasWord(WithoutComments(ReadText(file).value_or("")), class_name)) continue;
-    return fmt::format("the OPEN-R header {} uses the name {}, so no class can have it",
-                       file.lexically_relative(headers).string(), class_name);
+    return fmt::format(
+        "the OPEN-R header {} uses the name {}, so no class can have it; choose another name",
+        file.lexically_relative(headers).string(), class_name);
   }
   return "";
 }

@@ -42,10 +42,14 @@ std::string NextCommands(const std::string& folder) {
       below("build/stick"));
 }
 
+// Returns the reason why no new object can have the name; "" if it can.
+std::string WhyNoNewObject(const std::string& name) {
+  const std::string problem = WhyNoObjectName(name);
+  return problem.empty() ? WhyTakenByHeaders(name, SdkRoot() + "/OPEN_R/include") : problem;
+}
+
 int New(const NewFlags& flags) {
   const std::string folder = flags.folder.empty() ? flags.name : flags.folder;
-  const std::string taken = WhyTakenByHeaders(flags.name, SdkRoot() + "/OPEN_R/include");
-  if (!taken.empty()) throw std::runtime_error(taken + "; choose another name");
   std::vector<NewFile> files = MakeNewObject(flags.name);
   const std::string prefix = std::filesystem::path(ProgramFolder()).parent_path();
   for (NewFile& file : EditorFiles({ProgramFile(), prefix, GdbPrinters()}))
@@ -65,7 +69,7 @@ void AddNewCommand(CLI::App* app, int* exit_code) {
   auto flags = std::make_shared<NewFlags>();
   command->add_option("NAME", flags->name, "Of the object's class: HelloWorld")
       ->required()
-      ->check(CLI::Validator(&WhyNoObjectName, "NAME"));
+      ->check(CLI::Validator(&WhyNoNewObject, "NAME"));
   command->add_option("DIR", flags->folder, "Folder to write to (default: NAME)")
       ->check(IsFolder());
   command->callback([flags, exit_code] { *exit_code = New(*flags); });

@@ -13,7 +13,7 @@ namespace {
 // The columns of a table; the last one is a locator and has no width.
 constexpr char kJointRow[] = "  {:<11} {:>7} {:>15} {:>15} {:>10} {:>10}  {}\n";
 constexpr char kSensorRow[] = "  {:<15} {:>7} {:>23} {:<12}  {}\n";
-constexpr char kPartRow[] = "  {:<27} {:<12} {}\n";
+constexpr char kPartRow[] = "  {:<27} {:<14} {}\n";
 
 std::string DegreeRange(const Range& range) {
   return fmt::format("{:.1f} to {:.1f}", Degrees(range.min), Degrees(range.max));
