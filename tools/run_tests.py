@@ -25,7 +25,9 @@ FAILED = re.compile(r"^\[  FAILED  \] ([\w/]+\.[\w/]+)", re.MULTILINE)
 TOTALS = re.compile(r"^(\d+) passed, (\d+) failed(?:, (\d+) skipped)?$")
 LIMIT_S = 1800  # for one program: enough with sanitizers on two busy cores
 SHARDS = {"distribution_tests": 4}  # they wait for leases; ros2_run.h has 4 domains
-BUSY_SHARDS = {"kit_tests": 3}  # they compile: as one program they would be the last to end
+# As one program each of these would be the last to end: kit_tests compile, the others step physics,
+# which takes minutes with sanitizers.
+BUSY_SHARDS = {"graph_tests": 2, "kit_tests": 3, "virtualrobot_tests": 2}
 
 
 def environment(shard):
@@ -79,9 +81,7 @@ def jobs(build, pattern, quick):
     """
     waiting, found, alone = [], [], []
     gtest = [f"--gtest_filter=*{pattern}*"] if pattern else []
-    if quick:
-        return [], [(program.name, [str(program)] + gtest, {}) for program in quick_programs(build)], []
-    for program in sorted((build / "bin").glob("*_tests")):
+    for program in quick_programs(build) if quick else sorted((build / "bin").glob("*_tests")):
         command = [str(program)] + gtest
         if program.name in SHARDS:
             waiting += [(name, command, shard)
@@ -91,6 +91,8 @@ def jobs(build, pattern, quick):
                       for name, shard in parts(program.name, BUSY_SHARDS[program.name])]
         else:
             found.append((program.name, command, {}))
+    if quick:
+        return waiting, found, alone
     header_check = ROOT / "tests/runtime/include/check_headers.sh"
     if pattern in header_check.name:
         found.append((header_check.name, ["sh", str(header_check), str(ROOT / "runtime/include"),
