@@ -37,7 +37,8 @@ namespace openr_host {
 namespace {
 
 constexpr int kCrashSignals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL};
-constexpr size_t kAlternateStackBytes = 256 << 10;  // large enough to make a report on this stack
+// Size of the signal handler's stack, large enough to make a report on it.
+constexpr size_t kAlternateStackBytes = 256 << 10;
 
 // Paths of the record files; the index is the robot's number.  Null while no CrashLog exists.
 std::vector<std::string>* g_files = nullptr;
@@ -57,7 +58,7 @@ unsigned KindOf(const siginfo_t& info) {
       return kFpDivByZero;
     case FPE_FLTOVF:
       return kFpOverflow;
-    case FPE_FLTUND:  // also means a denormal operand; underflow raises no SIGFPE here
+    case FPE_FLTUND:  // comes for a denormal operand; underflow itself raises no SIGFPE here
       return kFpDenormal;
     default:
       return 0;
@@ -154,8 +155,8 @@ class RecordFile {
     if (descriptor_ >= 0 && error_ == 0) error_ = WriteAll(descriptor_, text.text());
   }
 
-  // Prints on standard error that the file was written, or the reason why not.  Returns true if it
-  // was written.
+  // Prints on standard error that the record file was written, or why it was not written.  Returns
+  // true if it was written.
   bool Tell() const {
     if (name_ == nullptr) return false;
     SignalText note;

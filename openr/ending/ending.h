@@ -17,9 +17,9 @@ class Object;
 // The reason why the process ends, as texts and data for the functions that report it.
 struct Ending {
   EndKind kind = EndKind::kCrash;
-  SignalText record;         // lines for a person to read
-  SignalText finding;        // a sentence for the report
-  Object* object = nullptr;  // the object that was running; null if none was
+  SignalText record;         // lines about the end of the process, for a person to read
+  SignalText finding;        // a sentence about the end of the process, for the report of the run
+  Object* object = nullptr;  // the object that was running; null if no object was running
   bool answered = false;     // an EndingAction has written the JSON answer; see EndingAnswer
 };
 
@@ -37,7 +37,8 @@ class EndingAction {
 
  private:
   const std::function<void(Ending* ending)> action_;
-  EndingAction* const outer_;  // registered before this one, and called after it
+  // The EndingAction that was registered before this one; it is called after this one.
+  EndingAction* const outer_;
 
   friend void RunEndingActions(Ending* ending);
 };

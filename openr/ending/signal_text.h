@@ -11,14 +11,14 @@ struct Current;
 
 class SignalText {
  public:
-  SignalText& Add(std::string_view text);  // text that does not fit is cut off
+  SignalText& Add(std::string_view text);  // appends `text`; cuts off the part that does not fit
   SignalText& AddNumber(uint64_t number, unsigned base = 10);
 
-  // Writes the text to `descriptor`.
+  // Writes the collected text to the file descriptor `descriptor`.
   void WriteTo(int descriptor) const;
 
-  // Adds `text` as a JSON string.  If `text` is too long, its end is left out; the JSON string is
-  // closed all the same.
+  // Adds `text` as a JSON string.  If `text` is too long, leaves out its end, but still closes the
+  // JSON string.
   SignalText& AddQuoted(const SignalText& text);
 
   std::string_view text() const { return {text_, size_}; }

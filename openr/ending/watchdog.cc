@@ -17,7 +17,8 @@ namespace openr_host {
 namespace {
 
 constexpr int kSignal = SIGVTALRM;
-constexpr int kTicks = 8;  // checks per time limit; a handler ends at most 1/8 of it too late
+// Number of checks per time limit; a handler is ended at most 1/8 of the limit too late.
+constexpr int kTicks = 8;
 
 timer_t g_timer;
 uint64_t g_limit_s_tenths = 0;
@@ -71,7 +72,8 @@ Watchdog::Watchdog(int64_t limit_us) : limit_us_(limit_us) {
   armed_ = StartTimer();
 }
 
-// Starts the timer of the thread.  Returns false if the system has no such timers.
+// Starts the timer of the thread that made the Watchdog.  Returns false if the operating system has
+// no such timers.
 bool Watchdog::StartTimer() const {
   sigevent event{};
   event.sigev_notify = SIGEV_THREAD_ID;

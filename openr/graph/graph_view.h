@@ -12,25 +12,26 @@ namespace openr_host {
 class System;
 
 struct GraphService {
-  std::string name;  // full name with four parts, such as "RCServer.Move.MoveCommand.S"
+  std::string
+      name;  // full name of the service, with four parts, such as "RCServer.Move.MoveCommand.S"
   bool is_subject = true;
 };
 
 struct GraphObject {
   int robot = 0;
   std::string name;
-  std::string path;   // path of the image; empty for parts of the system
+  std::string path;   // path of the object's image; empty for parts of the system
   std::string state;  // text of the last line "state: ..." that the object printed
   bool is_system = false;
-  std::vector<GraphService> services;  // sorted by name
+  std::vector<GraphService> services;  // services of the object, sorted by name
 };
 
 struct GraphConnection {
   int robot = 0;
   std::string subject, observer;  // names of services
   std::string where;              // line that makes the connection: "CONNECT.CFG:4"
-  bool connected = false;         // false: the runtime refused the line
-  uint64_t events = 0;            // number of events sent so far
+  bool connected = false;  // true: the connection was made; false: the runtime refused the line
+  uint64_t events = 0;     // number of events that were sent over the connection so far
 };
 
 struct GraphView {

@@ -1,4 +1,5 @@
-// Stands a robot up on its body with physics and measures how well it stands.
+// Checks a robot model: lets the robot stand on its body with physics, and measures how well it
+// stands.
 #pragma once
 
 #include <string>
@@ -8,7 +9,7 @@
 
 namespace openr_host {
 
-// Limits of a model that stands well (docs/body.md).
+// Limits within which a robot stands well (docs/body.md).
 inline constexpr double kPitchToleranceDeg = 1, kHeightToleranceMm = 3;
 inline constexpr double kStaticErrorMaxDeg = 2, kDriftMaxMm = 10, kDriftMaxDeg = 3;
 
@@ -23,7 +24,7 @@ struct ModelCheck {
   double stiff_pitch_deg = 0, stiff_height_mm = 0;
   // Distance that the robot moves in the following 60 s, and largest change of roll, pitch or yaw.
   double drift_60s_mm = 0, drift_60s_deg = 0;
-  std::vector<std::string> problems;  // one text for each value outside of the limits above
+  std::vector<std::string> problems;  // one text for each value outside of its limit
 };
 
 // Checks how well `model` stands.  Throws std::runtime_error if the model has no body with physics.

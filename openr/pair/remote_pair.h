@@ -30,17 +30,18 @@ struct PairOptions {
   // Whether a robot that follows goes straight to each position (TRACK) instead of within its
   // limits of speed and acceleration (MOVE).  The index is a PairSide.
   bool tracks[2] = {true, false};
-  // Whether the first robot may be silent for long, because people may pause a simulation.
+  // Whether the first robot may be silent for a long time without an error.  A simulated robot may,
+  // because people can pause a simulation.
   bool first_may_pause = false;
 };
 
-// The wish of a person: what the two robots are to do.  The person may change it at any time.
+// The wish of a person: what the two robots are to do.  It may change at any time.
 struct PairWish {
   Follow follow = Follow::kNone;
   bool follows_motions = true;  // the first robot follows key frames of the second robot's motions
 };
 
-// The state of both robots, for a person.
+// The state of both robots, to be shown to a person.
 struct PairStatus {
   Follow follow = Follow::kNone;
   std::optional<double> round_trip_ms[2];  // times from a request to its answer; index: PairSide
@@ -81,7 +82,8 @@ class PairControl {
 };
 
 // A client of both robots, to be used in one thread.  Waits for answers only in its constructor and
-// in the functions that prepare the pair.  Run() serves both robots and waits for neither.
+// in the functions that prepare the pair.  Run() serves both robots at once and does not wait for
+// answers.
 class RemotePair {
  public:
   // Connects to both robots.  Throws remote::Error if a robot cannot be reached, and
@@ -115,14 +117,14 @@ class RemotePair {
     std::string address;
     std::unique_ptr<remote::Connection> robot;
     RcInfo info;
-    int64_t heard_ms = 0;                        // time of the last packet from the robot
-    int64_t asked_ms = 0;                        // time of the last request for the round trip
+    int64_t heard_ms = 0;  // time of the last packet from this robot
+    int64_t asked_ms = 0;  // time of the last request with which the round trip was measured
     std::map<remote::RequestId, Posted> posted;  // requests without an answer yet
     std::deque<int64_t> trips_ms;                // times of the last round trips, in ms
     std::vector<int32_t> sent;                   // goals that were sent last to this robot; empty:
                                                  // none
-    uint32_t goal_frame = 0;                     // frame in which the other robot had these goals
-    int state = -1;                              // MoverState; -1: not known
+    uint32_t goal_frame = 0;  // frame in which the other robot had the goals in `sent`
+    int state = -1;           // state of the robot's JointMover (MoverState); -1: not known
     bool tracks = false;
   };
 
