@@ -36,21 +36,24 @@ class RemotePort : public ControllerPort {
   ControllerCore* core() { return &core_; }
 
   // Receives sensor values and answers until `deadline`, or until `is_ended` returns true.  Throws
-  // remote::Error, also if the robot has not answered or sent anything within the time limit.
+  // remote::Error if the connection fails, or if the robot has sent nothing within the time limit.
   void ReceiveUntil(std::chrono::steady_clock::time_point deadline,
                     const std::function<bool()>& is_ended);
 
-  // Throws the error that another function has kept, if any.
+  // Throws the connection error that another function has kept.  Does nothing if there was no
+  // error.
   void Check() const;
 
-  // Waits for the answers to all commands under way.  Throws remote::Error.
+  // Waits for the answers to all commands that the robot has not answered yet.  Throws
+  // remote::Error.
   void Finish();
 
   // Returns whether the robot stands, and so takes commands.
   bool Stands() const;
 
-  // Returns whether the core has sent the lights since the last call.  It sends them in each
-  // iteration of its loop.  Sets `*step_ms` to the time step.
+  // Returns whether the core has sent the lights since the last call of TakeStep().  The core sends
+  // the lights in each iteration of its loop, so this tells that the iteration is complete.  Sets
+  // `*step_ms` to the time step.
   bool TakeStep(int* step_ms);
 
   // Returns the frame number of the newest sensor values.
@@ -110,8 +113,8 @@ class RemotePort : public ControllerPort {
   std::unique_ptr<CameraFetcher> camera_;
   std::exception_ptr failure_;
 
-  std::optional<BatchMoverCommand> wanted_;  // the joints as the controller wants them; nullopt: no
-                                             // change
+  // Joints as the controller wants them; nullopt: it wants no change.
+  std::optional<BatchMoverCommand> wanted_;
   // Joints whose new positions the robot has refused as BUSY, with the text of the warning.
   std::vector<std::pair<int, std::string>> busy_;
   Uint32 wanted_ears_ = 0;

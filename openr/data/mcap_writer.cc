@@ -26,7 +26,8 @@ class McapFields {
     bytes_ += bytes;
     return *this;
   }
-  // Appends a length of 32 bits and the bytes: the form of strings, arrays and maps.
+  // Appends the length of `text`, a number of 32 bits, and then its bytes.  Strings, arrays and
+  // maps have this form.
   McapFields& Text(std::string_view text) {
     return U32(static_cast<uint32_t>(text.size())).Bytes(text);
   }
@@ -108,7 +109,7 @@ void McapWriter::EndChunk() {
                                                      .U64(chunk_times_.last)
                                                      .U64(chunk_.size())
                                                      .U32(Crc(0, chunk_))
-                                                     .Text("")  // no compression
+                                                     .Text("")  // the chunk is not compressed
                                                      .U64(chunk_.size())
                                                      .Bytes(chunk_));
   place.length = bytes.size();

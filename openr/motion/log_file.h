@@ -46,11 +46,12 @@ struct LogFile {
   std::vector<LogRecord> records;
 };
 
-// Returns the joints whose positions a log of `robot` has: the joints of the vendor's motion files.
+// Returns the joints whose positions a log of `robot` has: the joints that the motion files of Sony
+// have.
 std::vector<const JointConstants*> LoggedJoints(const RobotConstants& robot);
 
-// Reads the bytes of a log file.  Throws std::runtime_error "offset 48: ..." with the place and the
-// mistake if they are no log file.
+// Reads the bytes of a log file.  If the bytes are no log file, throws std::runtime_error with the
+// place and the mistake, such as "offset 48: ...".
 LogFile ParseLog(const std::string& bytes);
 
 // Returns the bytes of a log file.  REQUIRES: each record has one position for each joint of the

@@ -11,7 +11,8 @@
 namespace openr_host::render {
 
 struct Colour {
-  float r = 0.5f, g = 0.5f, b = 0.5f;  // 0 to 1, as seen on a screen (sRGB)
+  float r = 0.5f, g = 0.5f,
+        b = 0.5f;  // red, green and blue from 0 to 1, as seen on a screen (sRGB)
 };
 
 // A box with rounded edges.  It is a ball when `radius_m` is half of each edge.
@@ -24,8 +25,8 @@ struct Shape {
   // box.  If there are triangles, they are drawn instead of the box.
   std::vector<Eigen::Vector3f> triangles;
   Colour colour;
-  float gloss = 0.3f;  // from 0, dull, to 1, polished
-  bool glows = false;  // shines in its own colour, also in the shadow
+  float gloss = 0.3f;  // from 0 (dull) to 1 (polished)
+  bool glows = false;  // the shape shines in its own colour, also in the shadow
 };
 
 struct Camera {
@@ -34,7 +35,7 @@ struct Camera {
   Eigen::Vector3d up{0, 0, 1};  // direction that is up in the picture; must not be parallel to the
                                 // line of sight
   double fov_rad = 0.5;         // angle of view from the bottom to the top of the picture
-  double shadow_reach_m = 0.4;  // distance from `target_W` up to which there are shadows
+  double shadow_reach_m = 0.4;  // shadows are drawn only up to this distance from `target_W`
 };
 
 struct Scene {
