@@ -8,9 +8,9 @@ namespace {
 
 using Value = OptionInfo::Value;
 
-// The beginning of the script.  It finds out which command stands before the word to complete.
-// BashCompletion() puts the names of all commands between kBegin and kAfterCommands.  The words
-// after `help` are completed like a command: `help run` as `run`.
+// The beginning of the completion script.  It finds out which command stands before the word to
+// complete.  BashCompletion() puts the names of all commands between kBegin and kAfterCommands.
+// The words after `help` are completed as if `help` were not there: `help run` like `run`.
 constexpr char kBegin[] = R"(# Completion of openr for bash; made by: openr completion bash
 _openr() {
   local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD-1]} path=openr i

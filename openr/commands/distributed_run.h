@@ -54,8 +54,8 @@ class DistributedRun {
   // `plan`.
   void Begin(Simulation* simulation, RunPlan* plan);
 
-  // Sends the last status of the run to openr top, and closes the link to ROS 2.  The link then
-  // prints how many messages for the user it has left out.
+  // Sends the last status of the run to openr top, and closes the link to ROS 2. When the link is
+  // closed, it prints how many messages for the user it has left out.
   void RunIsOver();
 
   // Adds warnings to the run's report about messages that were not delivered because a worker
@@ -79,9 +79,9 @@ class DistributedRun {
   const bool is_free_;
   const Ros2Flags ros2_flags_;
   const std::unique_ptr<WorkerGroup> workers_;  // null: all objects are in this process
-  std::unique_ptr<Bus> own_bus_;                // null: DDS is not used, or the workers have the
-                                                // Bus
-  Bus* bus_ = nullptr;                          // null: DDS is not used
+  // The connection to DDS of this process; null: DDS is not used, or `workers_` has the connection.
+  std::unique_ptr<Bus> own_bus_;
+  Bus* bus_ = nullptr;  // the connection to DDS that is used; null: DDS is not used
   std::unique_ptr<Ros2Link> ros2_;
   std::unique_ptr<Monitor> monitor_;
 };

@@ -1,4 +1,4 @@
-// The command openr model: checks how a robot model stands, and exports it.
+// The command openr model: checks how well a robot model stands, and exports the model.
 #include <fmt/format.h>
 #include <unistd.h>
 

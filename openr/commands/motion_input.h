@@ -1,4 +1,4 @@
-// Motion files and charts on the command line, for several commands.
+// Reads motion files and names of charts from the command line, for several commands.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -29,7 +29,7 @@ struct LiveFlags {
   int robot = 0;
 };
 
-// Returns one line for each input that the robot knows.
+// Returns the text of the answer to "inputs": one line for each input that the robot knows.
 std::string InputsText(const Json& answer) {
   std::string text;
   for (const Json& input : answer.at("inputs")) {
@@ -167,7 +167,8 @@ class RunConsole {
     return false;
   }
 
-  // Asks the run about the robot.
+  // Sends `request` to the run, as a request about the robot of this console, and returns the
+  // answer.
   Json Ask(Json request) {
     request["robot"] = robot_;
     return client_.Ask(request);

@@ -15,7 +15,8 @@
 
 namespace openr_host {
 
-// Throws CLI::ValidationError if a flag of the user does not go with --jobs, with the reason.
+// Throws CLI::ValidationError, with the reason, if the user has given a flag that cannot be used
+// together with --jobs.
 void RefuseFlagsBesideJobs(const RunFlags& flags);
 
 // Runs each robot in a copy of this process (fork), with a System for this robot only.  The images
@@ -27,8 +28,8 @@ class RobotJobs {
   // REQUIRES: flags.jobs > 0; RefuseFlagsBesideJobs() has accepted the flags.
   explicit RobotJobs(const RunFlags& flags);
 
-  // Runs the robots, prints a summary on standard error, and returns the report.  After Ctrl-C the
-  // robots that run are paused, and no others are started.
+  // Runs the robots, prints a summary on standard error, and returns the report.  Ctrl-C pauses the
+  // robots that run; no other robot is started then.
   nlohmann::ordered_json Run();
 
  private:

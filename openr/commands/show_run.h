@@ -1,4 +1,5 @@
-// Shows a known run, a recording or a failing run, on the panel.
+// Shows a run that is already known on the panel: a recording, or a failing run that openr explore
+// has found.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +18,7 @@ namespace openr_host {
 class KnownRun;
 
 struct ShowOptions {
-  std::string name;            // name of the run in the list of the page
+  std::string name;            // name of the run in the list that the panel shows
   uint16_t panel_port = 8210;  // port of the panel; if it is taken, the next free one
   double rate = 1;             // virtual seconds per second; 0: as fast as possible
 };
