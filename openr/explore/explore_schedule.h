@@ -64,14 +64,14 @@ class ExploreSchedule : public Schedule {
 
   const std::vector<Deviation>& deviations() const { return deviations_; }
   // Sets a log that gets a copy of each deviation, so that another process can read the deviations
-  // after a crash of this one; null means no log.
+  // after a crash of this process.  Null means that there is no log.
   void set_log(DeviationLog* log) { log_ = log; }
 
  protected:
-  // Make one choice.  `spot` says where in the run the choice is.  The field of `spot` for the
-  // result is not set yet: `object` for PickOf(), `us` for the other functions.  PickOf() returns
-  // the index of the chosen candidate, PickFrame() a frame number, the other functions a time.  The
-  // result 0 is always the canonical choice.
+  // These functions make one choice.  `spot` says where in the run the choice is.  The field of
+  // `spot` for the result is not set yet: `object` for PickOf(), `us` for the other functions.
+  // PickOf() returns the index of the chosen candidate, PickFrame() a frame number, the other
+  // functions a time.  The result 0 is always the canonical choice.
   virtual size_t PickOf(const Deviation& spot, const std::vector<ObjectId>& candidates) = 0;
   virtual int64_t PickDelayUs(const Deviation& spot, bool from_network) = 0;
   virtual int64_t PickCostUs(const Deviation& spot, int64_t range_us) = 0;
@@ -103,9 +103,11 @@ class ExploreSchedule : public Schedule {
   std::map<std::tuple<ObjectId, ObjectId, uint32_t>, Stream> streams_;
   // The number of calls of CostJitterUs() so far, by object and selector of the handler.
   std::map<std::pair<ObjectId, uint32_t>, uint64_t> calls_;
-  std::vector<int64_t> last_due_us_;  // time at which the last message arrives, by receiver
-                                      // (without messages from the network)
-  std::vector<int8_t> is_network_;  // by object: 1 if it is the IPStack, else 0; -1: not known yet
+  // For each receiver, the time at which the last message to it arrives.  Messages from the network
+  // do not count.
+  std::vector<int64_t> last_due_us_;
+  // For each object: 1 if the object is the IPStack, else 0; -1: not known yet.
+  std::vector<int8_t> is_network_;
   std::vector<Deviation> deviations_;
   DeviationLog* log_ = nullptr;
 };
@@ -128,8 +130,8 @@ class RandomSchedule : public ExploreSchedule {
  private:
   bool Happens(Rng* rng, double rate) { return rate > 0 && rng->NextDouble() < rate; }
 
-  // Generators for each kind of choice, so that the choices of one kind do not depend on how many
-  // choices of another kind were drawn before.
+  // Random generators, one for each kind of choice.  So the choices of one kind do not depend on
+  // how many choices of another kind were drawn before.
   Rng order_, delay_, cost_, frame_, fault_;
   double start_rate_ = 0, tie_rate_ = 0, delay_rate_ = 0, network_rate_ = 0, cost_rate_ = 0,
          frame_rate_ = 0;

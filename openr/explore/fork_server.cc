@@ -102,7 +102,7 @@ void ForkServer::RunInCopy(const Json& plan, int answer) {
   }
   WriteAll(answer, JsonText(result));
   std::fflush(nullptr);
-  _exit(0);  // ends without the destructors of the objects above, which would only cost time
+  _exit(0);  // ends without destructors of objects, which would only cost time
 }
 
 Json ForkServer::Run(const Json& plan) {

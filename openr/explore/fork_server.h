@@ -13,8 +13,8 @@
 namespace openr_host {
 
 struct ForkLimits {
-  int64_t handler_us = 2'000'000;  // limit for the processor time of a handler
-  int wall_s = 120;  // limit for the real time of a run; only a run that hangs is so long
+  int64_t handler_us = 2'000'000;  // most processor time that a handler may use
+  int wall_s = 120;  // most real time that a run may take; only a run that hangs needs so long
 };
 
 class ForkServer {

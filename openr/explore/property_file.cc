@@ -158,7 +158,7 @@ class RuleProperty : public Property {
   const PropertyRule rule_;
   Quantity quantity_;
   Value last_;
-  bool has_been_ = false;  // kEventually: the comparison was true at least once
+  bool has_been_ = false;  // used by kEventually: true if the comparison was true at least once
   bool was_looked_at_ = false;
 };
 
@@ -220,7 +220,7 @@ std::vector<std::unique_ptr<Property>> MakeProperties(const std::string& file,
   CheckNames(rules, &diagnostics);
   if (!diagnostics.empty()) {
     std::string problems = Render(diagnostics);
-    problems.pop_back();  // removes the last newline
+    problems.pop_back();  // removes the newline at the end of the last problem
     throw std::runtime_error(problems);
   }
   if (rules.empty()) throw std::runtime_error(fmt::format("{}: has no property", file));

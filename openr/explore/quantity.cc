@@ -37,9 +37,9 @@ constexpr ObjectField kOfObject[] = {
     {"queue_max",
      [](const Object& object) -> Value { return static_cast<double>(object.waiting_max); }}};
 
-// Returns the quantity `field` of an object.  Looks the object up at each reading, because a boot
-// of the robot or a new load of its image replaces the object.  If a boot has not loaded the object
-// again, its state is "absent", and its numbers are NaN.
+// Returns the quantity `field` of an object.  Looks the object up at each reading, because the
+// object is replaced when the robot boots or when the object's image is loaded again.  If a boot
+// has not loaded the object again, its state is "absent", and its numbers are NaN.
 Quantity OfObject(int robot, const std::string& object_name, const std::string& field) {
   std::vector<std::string> known;
   for (const ObjectField& each : kOfObject) known.push_back(each.name);
@@ -53,8 +53,8 @@ Quantity OfObject(int robot, const std::string& object_name, const std::string& 
   };
 }
 
-// Returns the quantity `name`.  `name` has the name of an object and of a field of the object, such
-// as "JointMover.state".
+// Returns the quantity `name`, which is a field of an object.  `name` has the name of the object
+// and the name of the field, such as "JointMover.state".
 Quantity FindInObjects(const System& system, int robot, const std::string& name) {
   const size_t dot = name.rfind('.');
   if (dot == kNone)
@@ -69,8 +69,8 @@ Quantity FindInObjects(const System& system, int robot, const std::string& name)
   Unknown(fmt::format("object of robot {}", robot), object_name, known);
 }
 
-// Returns the index of a joint.  `name` is the joint's name in the model, such as "LF_j1", or its
-// locator, which is its name in OPEN-R.
+// Returns the index of a joint in the model.  `name` is the joint's name in the model, such as
+// "LF_j1", or its locator, which is the joint's name in OPEN-R.
 size_t JointOf(const RobotModel& model, const std::string& name) {
   int joint = model.FindJoint(name);
   if (joint < 0) joint = model.FindJointByLocator(name);

@@ -1,4 +1,5 @@
-// Makes the network of a robot: sockets of this computer, or none.
+// Makes the network of a robot.  It uses sockets of this computer, or reaches nothing outside the
+// simulation.
 #pragma once
 
 #include <cstdint>
@@ -19,13 +20,15 @@ class Network;
 // computer uses in its place.
 std::unique_ptr<Network> MakeHostNetwork(int rc_port, std::vector<AddressPair> addresses);
 
-// Returns the reason why the remote control cannot listen on port `rc_port`; "" if it can.
+// Returns the reason why the remote control cannot listen on the port `rc_port` of this computer;
+// "" if it can listen.
 std::string WhyNoPort(int rc_port);
 
 // Returns a network without sockets: other programs cannot reach the robot.
 std::unique_ptr<Network> MakeLonelyNetwork();
 
-// Returns the port of this computer for the remote control; 0 while no object listens on it.
+// Returns the port of this computer on which the robot's remote control listens; 0 while no object
+// listens.
 uint16_t HostPortOfRemoteControl(const IpStack& network);
 
 }  // namespace openr_host
