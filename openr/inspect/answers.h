@@ -25,17 +25,18 @@ struct AnswerDifference {
   std::vector<std::string> now, then;
 };
 
-// Returns the difference between `now`, the content of a message in the replay, and `then`, its
-// recorded content of the same size.  `entry` is the name of the receiver's entry, which names the
-// type of the content.
+// Returns the difference between `now`, the content of a message in the replay, and `then`, the
+// recorded content of the same message.  Both have the same size.  `entry` is the name of the
+// receiver's entry, which tells the type of the content.
 AnswerDifference CompareAnswer(const RobotModel& model, const std::string& entry,
                                const std::string& now, const std::string& then);
 
-// Replaces the content of `message`, which is about to be delivered, by the recorded content
-// `bytes` of the same size.  REQUIRES: `message` is a notification or has plain bytes.
+// Replaces the content of `message` by the recorded content `bytes` of the same size, before the
+// message is delivered.  REQUIRES: `message` is a notification or has plain bytes.
 void PutContent(const Message& message, const std::string& bytes);
 
-// Returns lines about the difference for people.
+// Describes `difference`, the difference between a message and its recording, in lines of text for
+// a human reader.
 std::string DescribeAnswer(const AnswerDifference& difference);
 
 }  // namespace openr_host

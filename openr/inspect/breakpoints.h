@@ -27,9 +27,9 @@ class Breakpoints {
   size_t size() const { return all_.size(); }
   const std::string& text(size_t number) const { return all_[number - 1].text; }
 
-  // Prepares for letting the replay run on.  A "when" breakpoint whose condition holds now would
-  // stop the replay again at the next message, so Hit() ignores it until its condition has been
-  // false once.
+  // Must be called before the replay runs on.  A "when" breakpoint whose condition holds now would
+  // stop the replay again at the next message, so Hit() ignores this breakpoint until its condition
+  // has been false once.
   void Arm();
   // Tests all breakpoints after the replay has delivered a message.  Returns the number, counted
   // from 1, of the first breakpoint that stops the replay here; 0 if the replay goes on.
@@ -38,7 +38,8 @@ class Breakpoints {
   // Returns all breakpoints as text, one per line.  Called when the user goes back, because another
   // process then continues the session and needs the breakpoints.
   std::string Save() const;
-  // Replaces all breakpoints by those in `text`, which Save() has returned in the process before.
+  // Replaces all breakpoints by the breakpoints in `text`, which Save() has returned in the process
+  // before.
   void Load(const std::string& text);
 
  private:

@@ -19,7 +19,7 @@ struct TraceFilter {
   std::string object;   // sender or receiver, by name
   std::string service;  // part of the name of the receiver's entry (handler)
   int64_t from_us = 0;
-  int64_t until_us = INT64_MAX;  // last time shown
+  int64_t until_us = INT64_MAX;  // largest time of a message that is shown
   bool values = false;           // true: text and Perfetto have the content of messages, too
 };
 

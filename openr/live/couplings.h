@@ -1,4 +1,5 @@
-// Couplings: the robots of this run that clients control together with a second robot.
+// Couplings: the robots of this run that clients control together with a second robot, which may be
+// a real robot.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +22,8 @@ class Couplings {
  public:
   Couplings(RunClock* clock, Rewind* rewind) : clock_(clock), rewind_(rewind) {}
 
-  // Answers the request "couple" of the client with this number (docs/inputs.md).
+  // Answers the request "couple" (docs/inputs.md), which the client with the number `client` has
+  // sent.
   nlohmann::ordered_json Answer(uint64_t client, const nlohmann::json& request);
 
   // Ends the couplings of a client whose connection has ended.

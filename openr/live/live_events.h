@@ -13,10 +13,11 @@
 
 namespace openr_host {
 
-// The part of the events that a client has got already.
+// The events that a client has got already.
 struct EventCursor {
   uint64_t console_lines = 0;
-  bool has_console = false;  // whether the client got the lines from before it watched
+  // Whether the client has got the lines that were printed before it began to watch.
+  bool has_console = false;
   uint64_t findings = UINT64_MAX;
   std::map<std::string, uint64_t> versions;  // key: name of the event; value: version of the run in
                                              // the last event of this name

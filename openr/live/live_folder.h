@@ -18,13 +18,13 @@ struct LiveRun {
 // folder.
 std::string LiveFolder();
 
-// Returns the path of the socket of this process: "FOLDER/NAME.PROCESS".  Replaces other characters
-// in `name` than letters, digits, '_' and '-' by '_', and cuts the name to 40 characters, because
-// the path of a socket can have 107 at most.
+// Returns the path of the socket of this process: "FOLDER/NAME.PROCESS".  Keeps letters, digits,
+// '_' and '-' of `name`, and replaces all other characters by '_'.  Cuts the name to 40 characters,
+// because the path of a socket can have at most 107.
 std::string LiveSocketPath(const std::string& name);
 
 // Returns the runs of this user that go on, sorted by name.  Removes the sockets of processes that
-// have ended, because a killed process could not remove its own.
+// have ended, because a killed process could not remove its own socket.
 std::vector<LiveRun> LiveRuns();
 
 // Returns the run with the name or the process id `wanted`.  Throws std::runtime_error with the

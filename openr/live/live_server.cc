@@ -105,8 +105,8 @@ bool LiveServer::AnswerLines(Client* client) {
   return client->received.size() <= kRequestMax;
 }
 
-// Answers a request.  If the answer depends on the client, makes the answer here; otherwise calls
-// answer_.
+// Returns the answer to a request.  If the answer depends on the client, makes it here; otherwise
+// calls answer_.
 nlohmann::ordered_json LiveServer::AnswerTo(Client* client, const nlohmann::json& request) {
   if (request.at("do") == "watch") return BeginWatch(client, request);
   if (request.at("do") == "couple" && couplings_ != nullptr)
@@ -114,8 +114,7 @@ nlohmann::ordered_json LiveServer::AnswerTo(Client* client, const nlohmann::json
   return answer_(request);
 }
 
-// Answers the request "watch".  From now on `client` gets the events that the request names, and no
-// others.
+// Answers the request "watch".  From now on `client` gets only the events that the request names.
 nlohmann::ordered_json LiveServer::BeginWatch(Client* client, const nlohmann::json& request) {
   if (events_ == nullptr) throw std::runtime_error("there is nothing to watch here");
   const int period_ms = std::clamp(request.value("period_ms", kPeriodMs), kPeriodMs, 1000);
