@@ -41,8 +41,8 @@ class RunClock {
 
   // Makes the run go on as fast as possible to the virtual time `time_us`, and pauses it there.
   void GoTo(int64_t time_us);
-  // Returns the virtual time at which GoTo() will pause the run; INT64_MAX: GoTo() is not in
-  // progress.
+  // Returns the virtual time at which GoTo() will pause the run; INT64_MAX: no such time is
+  // set.
   int64_t goal_us() const { return goal_us_; }
 
   // Sets `step` to the step that `name` means: "frame", "message" or "vector".  Returns false for

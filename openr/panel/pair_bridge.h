@@ -28,17 +28,17 @@ class PairBridge {
   PairBridge(const PairBridge&) = delete;
   PairBridge& operator=(const PairBridge&) = delete;
 
-  // Changes what the robots do, as `request` says.  Throws std::runtime_error if a value in it is
-  // not allowed.
+  // Changes what the two robots do, as `request` says.  Throws std::runtime_error if a value in
+  // `request` is not allowed.
   void Set(const nlohmann::json& request);
 
-  // Returns whether the connection has failed or was lost.
+  // Returns whether the connection of the two robots could not be made or was lost.
   bool is_over() const;
 
-  // Returns whether any bridge of this process has a thread.
+  // Returns whether the thread of any PairBridge of this process still runs.
   static bool HasThreads();
 
-  struct Work;  // data that the thread and the bridge share
+  struct Work;  // data that the bridge shares with its thread
 
  private:
   const std::shared_ptr<Work> work_;

@@ -14,13 +14,13 @@ namespace {
 // Time between two requests that ask whether the picture is ready.
 constexpr std::chrono::milliseconds kPictureWait{20};
 
-// The payload of CAMERA_PART.
+// The payload of the request CAMERA_PART, which asks for one part of a picture.
 struct PartNumber {
   int part;
   void Write(RcWriter* out) const { out->U16(static_cast<Uint32>(part)); }
 };
 
-// The payload of an answer to CAMERA_PART.
+// The payload of an answer to CAMERA_PART: one part of a picture.
 struct PicturePart {
   RcPicturePart head;
   std::string bytes;

@@ -30,7 +30,8 @@ NetworkEvent EventOf(NetworkEvent::Kind kind, NetHandle handle) {
 void JointClient::Want(const std::map<int, JointTarget>& targets) {
   for (const auto& [joint, target] : targets) {
     JointTarget& wanted = wanted_[joint];
-    const double speed_rad_s = wanted.speed_rad_s;  // kept if the new target has no limit
+    // Keeps the old limit if the new target has no limit.
+    const double speed_rad_s = wanted.speed_rad_s;
     wanted = target;
     if (target.speed_rad_s <= 0) wanted.speed_rad_s = speed_rad_s;
   }
@@ -126,7 +127,7 @@ void JointClient::Request(int command, int joint, double value) {
   writer.U16(RC_HEADER_SIZE + 5);
   writer.U8(RC_VERSION);
   writer.U8(static_cast<Uint32>(command));
-  writer.U16(0);  // tag of the request; not needed, because answers come in order
+  writer.U16(0);  // the tag is not needed, because answers come in order
   writer.U8(static_cast<Uint32>(joint));
   writer.S32(static_cast<Sint32>(std::lround(value * kCentidegPerRad)));
   out_.append(reinterpret_cast<const char*>(bytes), static_cast<size_t>(writer.Size()));
