@@ -90,9 +90,8 @@ bool Connection::RobotGoesOn() const {
     Connection(address_, options_, true).Request(rcINFO);
     return true;
   } catch (const Error& error) {
-    // Then the robot goes on, but has all the clients that it can serve.
+    // Returns true for a refusal: the robot goes on, but has all the clients that it can serve.
     return error.code() == ErrorCode::kRefused;
-    // it can
   }
 }
 
