@@ -33,8 +33,8 @@ struct Panel {
 struct Chart {
   std::string title;
   std::string subtitle;
-  std::string x_label, y_label;  // texts at the axes, with units
-  int columns = 3;               // >= 1
+  std::string x_label, y_label;  // texts at the two axes of each plot, with units
+  int columns = 3;               // number of panels in a row; >= 1
   double y_span_min = 4;         // smallest span of a vertical axis, so that small noise does not
                                  // fill the plot
   double plot_width = 320, plot_height = 128;  // size of a panel's plot, in points
@@ -43,8 +43,9 @@ struct Chart {
 
 enum class FileType { kSvg, kPng };
 
-// The type of openr_draw_chart(), which the program finds in libopenr_chart.so by its name.  The
-// function sets `bytes` to the content of the file, or `error` to the error.
+// The type of the function openr_draw_chart(), which the program finds by its name in
+// libopenr_chart.so.  The function sets `bytes` to the content of the chart's file.  If that fails,
+// it sets `error` to the error.
 using DrawChartFunction = void(const Chart& chart, FileType type, std::string* bytes,
                                std::string* error);
 constexpr char kDrawChartName[] = "openr_draw_chart";
@@ -53,7 +54,7 @@ constexpr char kDrawChartName[] = "openr_draw_chart";
 // written.  Charts are written to .svg and .png files.
 std::string WhyNoChartName(const std::string& file);
 
-// Draws the chart and writes it to `file`.  Returns "" or the error.  The first call loads
+// Draws the chart and writes it to `file`.  Returns "", or the error.  The first call loads
 // libopenr_chart.so and Cairo.
 std::string WriteChart(const Chart& chart, const std::string& file);
 

@@ -22,7 +22,7 @@ constexpr double kTitleRoom = 22;  // height above each plot, for the title of i
 constexpr double kHeadRoom = 76;   // height above the first row of panels
 constexpr double kAxisLabelRoom = 22;
 constexpr double kFootRoom = 52;   // height below the last row of panels
-constexpr double kPngScale = 1.5;  // pixels per unit
+constexpr double kPngScale = 1.5;  // pixels per unit of a picture in a PNG file
 constexpr double kPi = 3.14159265358979323846;
 
 struct Rgb {
@@ -41,7 +41,7 @@ struct Span {
   double low, high;
 };
 
-// The values at an axis that get a number: `first`, `first` + `step`, ...
+// The values at an axis beside which a number is drawn: `first`, `first` + `step`, ...
 struct Ticks {
   double first, step;
   int decimals;

@@ -63,8 +63,8 @@ std::string NoSuchCommand(const CLI::App& parent, const std::string& word) {
 
 bool IsFlag(const std::string& word) { return word.starts_with('-'); }
 
-// Returns whether `command`, the last command on the command line, lacks the command that must
-// follow it.  A missing option is a different error.
+// Returns whether the last command on the command line, `command`, lacks the subcommand that must
+// follow it.  A missing option does not count, because it is a different error.
 bool NeedsCommand(const CLI::App& command) {
   const auto is_missing = [](const CLI::Option* o) { return o->get_required() && o->count() == 0; };
   const auto options = command.get_options();

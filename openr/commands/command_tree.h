@@ -16,8 +16,8 @@ namespace openr_host {
 struct OptionInfo {
   enum class Value {
     kNone,    // a flag without a value
-    kText,    // a number, a duration, a name
-    kChoice,  // one of `choices`
+    kText,    // any other value, such as a number, a duration or a name
+    kChoice,  // one of the words in `choices`
     kFile,
     kFolder,
   };

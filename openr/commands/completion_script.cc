@@ -86,7 +86,7 @@ void AddValues(const CommandInfo& command, std::string* script) {
 }
 
 // Adds a case to the script for each command.  The case has the words that may come next, then '|',
-// then the flags, and says whether file or folder names may come next.
+// then the flags of the command.  It also says whether file or folder names may come next.
 void AddWords(const CommandInfo& command, std::string* script) {
   std::vector<std::string> words, flags;
   for (const CommandInfo& below : command.commands) words.push_back(below.name);

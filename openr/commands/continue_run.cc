@@ -63,8 +63,8 @@ class ContinuedRun {
     for (BranchNetwork* const network : networks_) network->GoOn();
   }
 
-  // Drops the events of the network that were logged so far, because only a run that can be rewound
-  // needs them.
+  // Drops the events of the network that the log has.  Only a run that can be rewound needs them,
+  // so they would only use memory here.
   void ForgetEvents() { log_.DropBefore(log_.end()); }
 
   // Completes the recording of the run.  Returns "", or the error that happened while the recording

@@ -70,7 +70,7 @@ class DistributedRun {
   // and the times of its handlers.  Does nothing without workers.
   void Describe(nlohmann::ordered_json* report) const;
 
-  // Ends the worker processes.
+  // Ends the worker processes that run objects of this run.
   void EndProcesses();
 
  private:
@@ -78,7 +78,8 @@ class DistributedRun {
 
   const bool is_free_;
   const Ros2Flags ros2_flags_;
-  const std::unique_ptr<WorkerGroup> workers_;  // null: all objects are in this process
+  // The worker processes; null: all objects are in this process.
+  const std::unique_ptr<WorkerGroup> workers_;
   // The connection to DDS of this process; null: DDS is not used, or `workers_` has the connection.
   std::unique_ptr<Bus> own_bus_;
   Bus* bus_ = nullptr;  // the connection to DDS that is used; null: DDS is not used

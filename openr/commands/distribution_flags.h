@@ -33,8 +33,9 @@ struct PlacementFlags {
   BusOptions bus;
   int64_t wait_us = 60'000'000;
   int restarts = 0;
-  std::vector<const CLI::Option*> of_processes;  // flags without effect in a run of one process
-  std::vector<const CLI::Option*> of_dds;        // flags without effect in a run without DDS
+  // Flags that have no effect if the run has only one process.
+  std::vector<const CLI::Option*> of_processes;
+  std::vector<const CLI::Option*> of_dds;  // flags that have no effect if the run does not use DDS
 };
 
 // Adds the flags for runs in several processes: --place, --placement, --isolate, --wrap,

@@ -179,7 +179,8 @@ Vary VaryOf(const std::vector<std::string>& names) {
 // Without a file, the output is discarded.
 class SharedConsole {
  public:
-  // Opens `file`; "" means no file.  Throws std::runtime_error when the file cannot be written.
+  // Opens `file` for the output of objects; "" means that the output is discarded.  Throws
+  // std::runtime_error when the file cannot be written.
   explicit SharedConsole(const std::string& file) : file_(file) {
     if (file.empty()) return;
     std::string problem;
@@ -286,7 +287,8 @@ std::string Summary(const Json& result, const ExploreFlags& flags) {
 bool WriteFailure(const Json& result, const ExploreFlags& flags) {
   if (flags.file.empty()) return true;
   if (!result.contains("failure")) {
-    RemoveFile(flags.file);  // an old file would look like the result of this exploration
+    // Removes an old file, which would look like the result of this exploration.
+    RemoveFile(flags.file);
     return true;
   }
   const Json schedule = ScheduleToJson(flags.stick, result["failure"]);

@@ -35,7 +35,7 @@ struct JoinFlags {
   int64_t wait_us = 60'000'000;
   int64_t handler_limit_us = 10'000'000;
   pid_t parent = 0;       // process id of the run that has started this worker; 0: none
-  std::string crash_log;  // file for crash records of a worker with a parent
+  std::string crash_log;  // file to which a worker with a parent writes crash records
 };
 
 std::string WhyNoStick(const std::string& folder) {
@@ -209,7 +209,7 @@ int JoinInChild(const JoinFlags& flags, bool is_known, pid_t* child) {
   if (*child < 0) throw std::runtime_error(fmt::format("fork: {}", strerror(errno)));
   if (*child == 0) exit(JoinHere(flags, is_known));
   g_child = *child;
-  if (g_ended_by != 0) kill(*child, SIGTERM);  // the signal came before g_child was set
+  if (g_ended_by != 0) kill(*child, SIGTERM);  // then the signal came before g_child was set
   const int status = WaitForEnd(*child);
   g_child = 0;
   return status;

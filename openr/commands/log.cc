@@ -38,14 +38,15 @@ struct LogFlags {
   // The files to read.  Only the command `compare` uses `other`; "" means that it compares two
   // groups of `file`.
   std::string file, other;
-  std::string motion;              // motion file of the log; "": the user has named none
-  std::string group, other_group;  // groups of the two sides of compare; "": chosen by the content
-                                   // of the log
-  std::string output;              // file for the chart; "": no chart
+  std::string motion;  // motion file of the log; "": the user has named none
+  // Names of the groups of values on the two sides of a comparison; "": the content of the log
+  // decides.
+  std::string group, other_group;
+  std::string output;  // file for the chart; "": no chart
   bool json = false;
 };
 
-// A log with the times at which its records were made.
+// A log of a motion, with the times at which its records were made.
 struct TimedLog {
   std::string name;
   LogFile log;
@@ -242,7 +243,8 @@ Comparison CompareWithin(const LogFlags& flags) {
 void WarnIfMotionsDiffer(const TimedLog& first, const TimedLog& second) {
   const std::vector<const JointConstants*> joints = LoggedJoints(*first.log.robot);
   const size_t count = std::min(first.log.records.size(), second.log.records.size());
-  // Leaves out the first record, because the robot got its commanded positions before the motion.
+  // Leaves out the first record of each log, because the robot got the commanded positions in it
+  // before the motion.
   for (size_t i = 1; i < count; ++i) {
     const LogRecord& a = first.log.records[i];
     const LogRecord& b = second.log.records[i];

@@ -141,7 +141,7 @@ bool Check(const std::string& name, MtnFlags* flags) {
   return good;
 }
 
-// Prints one line for each key frame: time, attitude and joints.
+// Prints one line for each key frame of a motion: its time, attitude and joint angles.
 bool Dump(const std::string& name, MtnFlags*) {
   MtnFile motion;
   std::string problem;

@@ -60,7 +60,7 @@ void ThrowIfAny(const std::string& problem) {
 
 struct FromCsvFlags {
   std::string file, output;
-  std::string like;  // motion file from which to take the names; "": none
+  std::string like;  // motion file whose names are used; "": none
   std::optional<std::string> name, creator, label;
 };
 

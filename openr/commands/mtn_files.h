@@ -5,7 +5,7 @@
 
 namespace openr_host {
 
-// Add the commands plot, from-csv and oda to the command openr mtn.
+// These functions add the commands plot, from-csv and oda to the command openr mtn.
 void AddMtnPlotCommand(CLI::App* mtn, int* exit_code);
 void AddMtnFromCsvCommand(CLI::App* mtn, int* exit_code);
 void AddMtnOdaCommand(CLI::App* mtn, int* exit_code);

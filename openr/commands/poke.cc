@@ -183,8 +183,8 @@ class RunConsole {
     return names;
   }
 
-  // Returns the connected services of all objects: with "subjects" those that send, with
-  // "observers" those that receive.
+  // Returns the connected services of all objects.  If `list` is "subjects", returns the services
+  // that send; if it is "observers", returns the services that receive.
   std::vector<std::string> Services(const char* list) {
     std::vector<std::string> names;
     for (const std::string& object : NamesIn({{"do", "objects"}}, "objects", "name")) {
@@ -194,8 +194,9 @@ class RunConsole {
     return names;
   }
 
-  // Returns the words that the input with this usage, "press SENSOR [N%] [for DURATION]", may have.
-  // `before` are the words in front.
+  // Returns the words that may come next in an input.  `usage` describes the input, such as "press
+  // SENSOR [N%] [for DURATION]".  `before` are the words of the input that the user has typed
+  // already.
   std::vector<std::string> WordsOf(const std::string& usage,
                                    const std::vector<std::string>& before);
 
@@ -257,7 +258,7 @@ std::vector<std::string> RunConsole::WordsOf(const std::string& usage,
     } else if (word == "FAULT") {
       add({"jammed", "weak", "unpowered", "stuck", "noisy", "dead"});
     } else if (std::islower(static_cast<unsigned char>(word[0])) != 0) {
-      words.push_back(word);  // a word that is written as it is, such as "for"
+      words.push_back(word);  // a word that the user types exactly so, such as "for"
     }
   }
   return words;

@@ -43,8 +43,8 @@ struct RcFlags {
   std::string output;
   std::vector<std::string> goals;  // joints and their wanted positions, such as "neck_pan=30"
   std::string stream;              // name of the stream to print: "sensors" or "keyframes"
-  int count = 0;                   // number of events to print; 0: until Ctrl-C
-  std::vector<int> gains;          // gains P, I and D; empty: only show the present gains
+  int count = 0;           // number of events that are printed; 0: prints events until Ctrl-C
+  std::vector<int> gains;  // new gains P, I and D; empty: only shows the present gains
 };
 
 // A function that carries out a command of openr rc: it sends requests to `robot` and prints the

@@ -25,7 +25,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int64_t kFollowVectorUs = 32'000;  // a sensor vector has 4 frames of 8 ms
+// Duration of a sensor vector, which has 4 frames of 8 ms.
+constexpr int64_t kFollowVectorUs = 32'000;
 constexpr int64_t kFollowPeriodMaxUs = 10'000'000;
 // Number of statuses after which a report is printed.  This makes one report a second, because
 // RemotePair tells its status every 200 ms.

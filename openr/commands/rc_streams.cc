@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int64_t kVectorUs = 32'000;  // a sensor vector has 4 frames of 8 ms
+constexpr int64_t kVectorUs = 32'000;  // duration of a sensor vector, which has 4 frames of 8 ms
 constexpr int kPeriodMax = 65532;      // largest period in frames: the largest multiple of 4 that
                                        // fits into 16 bits
 

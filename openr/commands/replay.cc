@@ -134,7 +134,7 @@ void RunToTheEnd(Replayer* replayer, const ReplayFlags& flags) {
   replayer->RunUntil(flags.until_us.value_or(INT64_MAX));
 }
 
-// Shows the recording on the panel.
+// Shows the recorded run on the panel.  Returns the exit code.
 int Show(const ReplayFlags& flags) {
   ShowOptions show = flags.show;
   show.name = std::filesystem::path(flags.replay.file).filename();

@@ -45,7 +45,7 @@ constexpr size_t kFindingsPrinted = 20;
 struct RunningCopy {
   int robot = 0;
   ProcessCopy process;
-  std::string said;  // the part of the report that the copy has sent so far
+  std::string said;  // the part of its report that the copy has sent so far
 };
 
 // Reads the data that `copy` has sent, and does not wait for more data.  Returns false when `copy`
@@ -83,7 +83,7 @@ Json LostReport(const std::string& model, int status) {
           {"findings", Json::array({finding})}};
 }
 
-// A finding, with all robots that have it.
+// A finding, and all robots that have it.
 struct SharedFinding {
   std::string severity, text;  // `text` begins with the name of the object
   std::vector<int> robots;
@@ -315,7 +315,8 @@ Json RobotJobs::Merge(double wall_time_s) {
   uint64_t messages = 0;
   const Json* last = nullptr;  // the report of the robot that ended last
   for (size_t i = 0; i < reports_.size(); ++i) {
-    if (reports_[i].is_null()) continue;  // the robot was not started before Ctrl-C
+    // Leaves out a robot that was not started, because Ctrl-C came first.
+    if (reports_[i].is_null()) continue;
     const Json& report = reports_[i];
     if (last == nullptr || report["virtual_time_s"] >= (*last)["virtual_time_s"]) last = &report;
     Json robot = report["robots"][0];

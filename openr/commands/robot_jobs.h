@@ -25,7 +25,8 @@ void RefuseFlagsBesideJobs(const RunFlags& flags);
 // except for their reports.
 class RobotJobs {
  public:
-  // REQUIRES: flags.jobs > 0; RefuseFlagsBesideJobs() has accepted the flags.
+  // Prepares the runs that the flags describe.  REQUIRES: flags.jobs > 0; RefuseFlagsBesideJobs()
+  // has accepted the flags.
   explicit RobotJobs(const RunFlags& flags);
 
   // Runs the robots, prints a summary on standard error, and returns the report.  Ctrl-C pauses the
@@ -47,7 +48,7 @@ class RobotJobs {
   const RunStick stick_;
   Console console_;
   InterruptCounter interrupts_;
-  int robot_ = -1;    // the robot that this copy of the process runs; -1: this is no copy
+  int robot_ = -1;    // number of the robot that this copy of the process runs; -1: this is no copy
   std::string line_;  // text that the objects of this robot have printed after their last whole
                       // line
   Simulation simulation_;

@@ -180,8 +180,8 @@ class CommandedRun {
   InterruptCounter interrupts_;
   EventScript events_;
   Recorder recorder_;
-  std::unique_ptr<DataLog> data_log_;   // null: no --log-data
-  std::unique_ptr<Timeline> timeline_;  // null: no --timeline
+  std::unique_ptr<DataLog> data_log_;   // log of --log-data; null: the flag was not given
+  std::unique_ptr<Timeline> timeline_;  // timeline of --timeline; null: the flag was not given
   DistributedRun distribution_;
   Rewind rewind_;
   const SimulationOptions options_;
@@ -191,7 +191,7 @@ class CommandedRun {
   MessageHistory history_;
   LiveEvents live_events_;
   const LiveContext live_context_;
-  bool is_silent_ = false;     // this process is a copy of the run, which prints nothing
+  bool is_silent_ = false;     // true: this process is a copy of the run, so it prints nothing
   bool is_assembled_ = false;  // `simulation_` has been assembled
   bool boots_ = false;
   RunFacts facts_;
@@ -235,8 +235,8 @@ SimulationOptions CommandedRun::Options() {
     return rewind_.Follow(robot, std::move(inner));
   };
   if (records()) recorder_.Listen(&options);
-  // DistributedRun::Enter() adds the network client of ROS 2 after the recorder has added itself,
-  // because the recorder must see the commands of ROS 2 as input.
+  // Enters the network client of ROS 2 after the recorder has added itself to `options`, because
+  // the recorder must see the commands of ROS 2 as input.
   distribution_.Enter(&options, plan_.say);
   return options;
 }

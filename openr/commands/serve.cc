@@ -36,8 +36,8 @@ int RunServe() {
   server.reset();
   if (!is_copy) return exit_code;
   std::fflush(nullptr);
-  // Ends without exit handlers.  The exit handler of Mesa would wait for threads of Mesa, which a
-  // copy of a process that has drawn a picture does not have.
+  // Ends the process without exit handlers.  The exit handler of Mesa would wait for threads of
+  // Mesa, and a copy of a process that has drawn a picture does not have these threads.
   _exit(exit_code);
 }
 

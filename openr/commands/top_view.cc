@@ -18,8 +18,8 @@ using Run = RunsHeard::Run;
 // A run that is silent for longer than this is shown as silent.  Each run sends its status once a
 // second.
 constexpr double kSilent_s = 3;
-constexpr double kEnded_s = 10;   // an ended run is shown for this time
-constexpr size_t kStateMax = 40;  // most characters of a state in the table
+constexpr double kEnded_s = 10;   // time for which a run is shown after its end
+constexpr size_t kStateMax = 40;  // most characters of an object's state in the table
 
 // The process in which an object runs, and the host of this process.
 struct ProcessHost {
@@ -107,7 +107,7 @@ Widths WidthsFor(const std::vector<Row>& rows, size_t columns) {
 }
 
 std::string Table(const std::vector<Row>& rows, size_t columns) {
-  // Columns of words are aligned left, columns of numbers right.
+  // Aligns columns of words left and columns of numbers right.
   constexpr Column kLeft[] = {kObject, kProcess, kHost, kState};
   const Widths widths = WidthsFor(rows, columns);
   std::string text;
@@ -262,7 +262,7 @@ std::string OnScreen(const std::string& text, size_t rows, size_t columns) {
     lines.resize(rows - 1);
     lines.push_back(fmt::format("... {}", Counted(left_out, "more line")).substr(0, columns));
   }
-  std::string screen;  // text that clears each line to its end, and the rest of the screen
+  std::string screen;  // the page; it clears each line to its end, and the rest of the screen
   for (const std::string& line : lines) screen += (screen.empty() ? "" : "\r\n") + line + "\x1b[K";
   return screen + "\x1b[J";
 }

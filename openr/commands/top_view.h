@@ -17,7 +17,7 @@ class RunsHeard {
  public:
   struct Run {
     RunStatus status;
-    double heard_s = 0;  // time of the last status, by this process's clock
+    double heard_s = 0;  // time at which the last status came, by this process's clock
   };
 
   void Take(const std::vector<RunStatus>& news, double now_s);

@@ -68,7 +68,7 @@ class Session {
                                                // last iteration
 };
 
-// Waits until the robot stands, because the main() of a controller on the robot begins then, too.
+// Waits until the robot stands.  On the robot, the main() of a controller also begins only then.
 // Returns false when Ctrl-C ends the program before.
 bool Session::WaitForStanding() {
   const auto is_ended = [this] { return g_stops != 0 || port_.Stands(); };
@@ -136,8 +136,8 @@ int Session::End() {
   return status_;
 }
 
-// Returns a text with the mean duration of iterations on the robot's clock, which may run slower or
-// faster than this computer's.
+// Returns a text with the mean duration of iterations on the robot's clock.  This clock may run
+// slower or faster than the clock of this computer.
 std::string Session::RobotTime() const {
   const auto count = static_cast<double>(clock_.iterations());
   if (count == 0 || last_frame_ <= first_frame_) return "";

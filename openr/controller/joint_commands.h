@@ -14,7 +14,7 @@ namespace openr_host {
 struct RobotCommand {
   openr::remote::Call call;
   std::string what;  // description of the request, such as "a position of neck_pan"
-  int joint = -1;    // the joint whose position the request sets; -1: another request
+  int joint = -1;    // the joint whose position the request sets; -1: it sets something else
 };
 
 // Compares the buffer of a controller with the values that were sent before.  Unchanged values are

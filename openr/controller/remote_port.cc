@@ -21,7 +21,8 @@ namespace remote = openr::remote;
 using Clock = std::chrono::steady_clock;
 
 constexpr int kFrameMs = 8;
-constexpr std::chrono::milliseconds kSlice{50};  // longest wait, so that Ctrl-C is noticed soon
+// Longest wait for packets, so that Ctrl-C is noticed soon.
+constexpr std::chrono::milliseconds kSlice{50};
 // Largest number of events that are taken before answers are read.
 constexpr int kEventsAtOnce = 64;
 // Number of different frame numbers: after the largest one follows 0 (docs/remote-control.md).
@@ -197,7 +198,7 @@ void RemotePort::TakeAnswers(bool waits) {
       const std::string why = fmt::format("{} was refused: {}", command.what, answers[i].error);
       if (answers[i].status == rcerrorBUSY && command.joint >= 0) {
         busy_.emplace_back(command.joint,
-                           why);  // the next sensor values tell whether a motion plays
+                           why);  // then the next sensor values tell whether a motion plays
       } else {
         WarnOfRefusal(why);
       }
@@ -265,7 +266,7 @@ void RemotePort::SendMover(const MoverCommand& command) {
   const auto play = [&] {
     robot_.PlayMotion(playing_, command.loops, command.keyFramesPerVector);
     play_frame_ = robot_.frame();
-    state_ = moverPREPARE_MTN;  // until sensor values give the real state
+    state_ = moverPREPARE_MTN;  // until sensor values give the real state of JointMover
   };
   if (Guarded(play, &refusal)) return;
   Say(fmt::format("mtn_play: {} was refused: {}", playing_, refusal));

@@ -48,7 +48,7 @@ class RemotePort : public ControllerPort {
   // remote::Error.
   void Finish();
 
-  // Returns whether the robot stands, and so takes commands.
+  // Returns whether the robot stands.  Only a robot that stands takes commands.
   bool Stands() const;
 
   // Returns whether the core has sent the lights since the last call of TakeStep().  The core sends
@@ -115,7 +115,7 @@ class RemotePort : public ControllerPort {
 
   // Joints as the controller wants them; nullopt: it wants no change.
   std::optional<BatchMoverCommand> wanted_;
-  // Joints whose new positions the robot has refused as BUSY, with the text of the warning.
+  // Joints whose new positions the robot has refused as BUSY, and the text of the warning for each.
   std::vector<std::pair<int, std::string>> busy_;
   Uint32 wanted_ears_ = 0;
   Uint32 sent_leds_ = 0;  // the lights that were commanded last; at first all lights are off
@@ -125,7 +125,7 @@ class RemotePort : public ControllerPort {
   std::string playing_;      // file of the motion that plays for the controller; "": none
   uint32_t play_frame_ = 0;  // frame number in the answer to MTN_PLAY for this motion
   int step_ms_ = 0;          // time step of the lights sent last; 0: none sent since TakeStep()
-  int rounded_ms_ = 0;       // the time step whose rounding was reported last
+  int rounded_ms_ = 0;       // the rounded time step about which the user was told last
   bool is_continued_ = false;
   std::chrono::steady_clock::time_point heard_{};   // time of the last event or answer
   std::chrono::steady_clock::time_point warned_{};  // time of the last WarnOfRefusal()

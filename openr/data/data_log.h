@@ -14,7 +14,7 @@ class Simulation;
 
 struct DataLogOptions {
   std::string file;  // path of the log; it ends in .csv or .mcap
-  // MCAP: the least virtual time between two pictures of a camera; 0: no pictures.
+  // The least virtual time between two pictures of a camera in an MCAP file; 0: no pictures.
   int64_t image_distance_us = 200'000;
 };
 
@@ -34,8 +34,8 @@ class DataLog {
   virtual std::string Finish() = 0;
 };
 
-// Creates the file, and a log that writes the quantities of `simulation` to it.  Throws
-// std::runtime_error when the file cannot be created or another run is writing to it.
+// Creates the file of the log.  Returns a log that writes the quantities of `simulation` to it.
+// Throws std::runtime_error when the file cannot be created or another run is writing to it.
 std::unique_ptr<DataLog> MakeDataLog(const DataLogOptions& options, Simulation* simulation);
 
 }  // namespace openr_host

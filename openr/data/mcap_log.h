@@ -26,11 +26,11 @@ class McapLog : public DataLog {
   struct Values {
     uint16_t channel = 0;
     std::vector<std::string> keys;  // names of the members of a message, written as JSON
-    std::vector<size_t> columns;    // for each member, the index of its quantity in columns_
+    std::vector<size_t> columns;    // index in columns_ of the quantity of each member
   };
   struct CameraTopic {
     uint16_t channel = 0;
-    int64_t last_us = -1;  // time of the last picture; -1: none yet
+    int64_t last_us = -1;  // time of this camera's last picture; -1: no picture yet
     bool is_broken = false;
   };
 

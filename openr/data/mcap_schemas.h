@@ -7,10 +7,10 @@
 
 namespace openr_host {
 
-extern const char kLogSchema[];    // foxglove.Log
-extern const char kPosesSchema[];  // foxglove.FrameTransforms
-extern const char kSceneSchema[];  // foxglove.SceneUpdate
-extern const char kImageSchema[];  // foxglove.CompressedImage
+extern const char kLogSchema[];    // schema of foxglove.Log
+extern const char kPosesSchema[];  // schema of foxglove.FrameTransforms
+extern const char kSceneSchema[];  // schema of foxglove.SceneUpdate
+extern const char kImageSchema[];  // schema of foxglove.CompressedImage
 
 // Levels of a message of the type foxglove.Log.
 constexpr int kLogInfo = 2, kLogWarning = 3, kLogError = 4;

@@ -18,7 +18,7 @@ constexpr int kLevelMax = 32;
 // Thrown when a record should be longer than the rest of the file, because the file was cut off.
 struct FileIsCut {};
 
-// Reads the fields of a record.
+// Reads the fields of a record of an MCAP file, one after the other.
 class RecordFields {
  public:
   explicit RecordFields(std::string_view bytes) : bytes_(bytes) {}
@@ -102,7 +102,7 @@ class McapReader {
 
   void ReadChunk(RecordFields* record) {
     if (depth_ > 0) Refuse("has a chunk within a chunk, which the format forbids");
-    record->Take(8 + 8 + 8);  // skips two times and a size, which are not needed
+    record->Take(8 + 8 + 8);  // skips two times and a size, because they are not needed
     const uint32_t crc = record->U32();
     const std::string_view compression = record->Text();
     if (!compression.empty()) {

@@ -14,8 +14,8 @@ uint32_t Crc(uint32_t crc, std::string_view bytes) {
       crc32_z(crc, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()));
 }
 
-// Builds the fields of a record as the section "Serialization" of the MCAP specification describes
-// them.
+// Builds the fields of a record in the form that the section "Serialization" of the MCAP
+// specification describes.
 class McapFields {
  public:
   McapFields& U8(uint8_t value) { return Number(value, 1); }
@@ -178,7 +178,7 @@ void McapWriter::Finish() {
   add_group(McapOp::kChannel, channels_);
   add_group(McapOp::kStatistics, Statistics());
   add_group(McapOp::kChunkIndex, chunk_indexes);
-  // The checksum covers the summary and the first two fields of the footer.
+  // Computes the checksum over the summary and the first two fields of the footer.
   McapFields footer;
   footer.U8(static_cast<uint8_t>(McapOp::kFooter)).U64(8 + 8 + 4);
   footer.U64(summary_start).U64(summary_start + summary.size());

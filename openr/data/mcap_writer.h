@@ -43,13 +43,13 @@ class McapWriter {
   // Writes the beginning of the file.  `library` names the program that writes it.
   McapWriter(std::string_view library, Sink sink);
 
-  // Adds a schema: a JSON schema with a name.  Returns its number.
+  // Adds a JSON schema with the name `name`.  Returns the number of the schema.
   uint16_t AddSchema(std::string_view name, std::string_view json_schema);
   // Adds a channel to the file: messages in JSON that have the schema with the number `schema`.
   // Returns the number of the channel.
   uint16_t AddChannel(std::string_view topic, uint16_t schema);
 
-  // Adds a message.  Messages may come in any order of time.
+  // Adds a message to the channel `channel`.  Messages may come in any order of time.
   void Add(uint16_t channel, int64_t time_us, std::string_view json);
 
   // Writes a chunk with the messages that were added since the last chunk.
@@ -72,14 +72,14 @@ class McapWriter {
     std::vector<std::pair<uint16_t, uint64_t>> indexes;  // channel, and offset of the index of its
                                                          // messages
     uint64_t indexes_length = 0;
-    uint64_t size = 0;  // bytes of the records in the chunk
+    uint64_t size = 0;  // number of bytes of the records in the chunk
   };
 
   void Write(std::string_view bytes);
   std::string Statistics() const;
 
   const Sink sink_;
-  uint64_t offset_ = 0;             // bytes written so far
+  uint64_t offset_ = 0;             // number of bytes written so far
   uint32_t crc_ = 0;                // checksum of all bytes written so far
   std::string schemas_, channels_;  // records of all schemas and channels, for the summary
   uint16_t schema_count_ = 0;

@@ -21,7 +21,7 @@ constexpr size_t kPanelsMax = 60;
 
 // A group of quantities whose curves share one panel for each joint.
 struct AngleGroup {
-  const char* begin;  // beginning of the names of the quantities in the group
+  const char* begin;  // prefix of the names of the quantities in the group
   Look look;
   const char* label;
 };
@@ -48,7 +48,7 @@ std::string PanelOf(const std::string& name) {
 // A unit, and the smallest span of an axis that shows quantities in this unit.  The smallest span
 // keeps small noise from filling a panel.
 struct QuantityUnit {
-  const char* ending;  // ending of the names of quantities with this unit
+  const char* ending;  // end of the names of all quantities with this unit
   const char* text;
   double span_min;
 };

@@ -42,7 +42,7 @@ constexpr size_t kAlternateStackBytes = 256 << 10;
 
 // Paths of the record files; the index is the robot's number.  Null while no CrashLog exists.
 std::vector<std::string>* g_files = nullptr;
-bool g_adds = false;  // true: a record is added to its file; false: it replaces the file
+bool g_adds = false;  // true: a record is added to the end of its file; false: it replaces the file
 // The text that follows the name of the record file in the error finding about a crash.  Without a
 // value, the finding does not name the file.  Null while no CrashLog exists.
 std::optional<std::string>* g_place = nullptr;
@@ -249,7 +249,8 @@ void UseAlternateStack(bool on) {
 // `report`.  The report's first line is "==123==ERROR: AddressSanitizer: heap-use-after-free on
 // address ...", of which the kind of the error is kept.
 void OnSanitizerReport(const char* report) {
-  if (t_current.object == nullptr) return;  // AddressSanitizer ends the process
+  // Returns, because AddressSanitizer then ends the process.
+  if (t_current.object == nullptr) return;
   static constexpr char kBegin[] = "AddressSanitizer: ";
   const char* const begin = std::strstr(report, kBegin);
   if (begin == nullptr) return;

@@ -64,8 +64,8 @@ CrashStack::CrashStack(const Object& object, const void* context) {
   size_t last_own = count_;
   while (last_own > 0 && !frames_[last_own - 1].is_own) --last_own;
   if (last_own > 0) count_ = last_own;
-  // When the runtime has announced the fault, the frames inside of the object's code are only those
-  // of the announcement.
+  // Drops the innermost frames, up to the first frame of the object's code, when the runtime has
+  // announced the fault.  These frames belong only to the announcement.
   if (last_own > 0 && AnnouncedFault()[0] != '\0') {
     size_t first_own = 0;
     while (!frames_[first_own].is_own) ++first_own;

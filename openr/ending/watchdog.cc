@@ -23,7 +23,7 @@ constexpr int kTicks = 8;
 timer_t g_timer;
 uint64_t g_limit_s_tenths = 0;
 uint64_t g_message = 0;  // number of the message whose handler ran at the last check
-int g_seen = 0;          // number of checks in a row at which this handler still ran
+int g_seen = 0;          // number of checks in a row at which the handler of g_message still ran
 
 void EndTheHandler() {
   Ending ending;

@@ -59,7 +59,7 @@ class ExploreSchedule : public Schedule {
   // at 0 during the run, which on a real robot happens only after 24.8 days.
   int64_t FirstFrame(int robot, int64_t frames);
 
-  // Returns the faults that `robots` robots get in a run of `for_us`, in order of time.
+  // Returns the faults that `robots` robots get in a run of the length `for_us`, in order of time.
   std::vector<Deviation> Faults(int robots, int64_t for_us);
 
   const std::vector<Deviation>& deviations() const { return deviations_; }
@@ -77,8 +77,8 @@ class ExploreSchedule : public Schedule {
   virtual int64_t PickCostUs(const Deviation& spot, int64_t range_us) = 0;
   virtual int64_t PickFrame(const Deviation& spot, int64_t frames) = 0;
   virtual std::vector<Deviation> PickFaults(int /*robots*/, int64_t /*for_us*/) { return {}; }
-  // Called for every message when it is posted, that is, sent.  Derived classes override this
-  // function if their choices depend on sender and receiver.
+  // Called for every message when it is posted, that is, sent.  Derived classes override it if
+  // their choices depend on the senders and receivers of messages.
   virtual void SawPost(const Message&) {}
 
   const System& system() const { return system_; }
@@ -95,7 +95,7 @@ class ExploreSchedule : public Schedule {
   const System& system_;
   uint64_t start_count_ = 0;
   int64_t tie_time_us_ = -1;
-  uint64_t tie_count_ = 0;  // number of ties so far at the time tie_time_us_
+  uint64_t tie_count_ = 0;  // number of ties so far at the virtual time tie_time_us_
   // The number of messages so far from one sender to one handler of one receiver, because
   // deviations name a message by this number.  For messages from the network, also the time when
   // the last message reaches the receiver, because the next message must not overtake it.  The key

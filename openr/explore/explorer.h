@@ -16,11 +16,11 @@ struct ExplorePlan {
   RunOptions run;
   ForkLimits limits;
   uint64_t first_seed = 1;
-  uint64_t runs = 100;        // number of seeds; for a search, the largest number of runs
-  int jobs = 1;               // number of child processes that make runs at the same time
-  bool reduce = true;         // for a search: true tries only one of several orders with equal
-                              // results
-  bool stop_at_first = true;  // stop at the first seed that breaks a property
+  uint64_t runs = 100;  // number of seeds; in a search, the largest number of runs
+  int jobs = 1;         // number of child processes that make runs at the same time
+  // For a search.  True: of several orders with equal results, tries only one.
+  bool reduce = true;
+  bool stop_at_first = true;  // true: stops at the first seed that breaks a property
   int shorten_runs = 2000;    // most runs that are made to shorten a failure; 0: no shortening
   // A function that is called after each run with the number of runs so far, to show progress; may
   // be empty.  Runs that only shorten a failure do not count.

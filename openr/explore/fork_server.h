@@ -19,8 +19,9 @@ struct ForkLimits {
 
 class ForkServer {
  public:
-  // REQUIRES: System::Boot() has not been called for the prepared run, because every copy calls it;
-  // the process has one thread, because fork() copies no other thread.
+  // Makes a server for the run `prepared`.  REQUIRES: System::Boot() has not been called for this
+  // run, because every copy calls it; the process has one thread, because fork() copies no other
+  // thread.
   ForkServer(PreparedRun prepared, RunOptions options, ForkLimits limits);
   ~ForkServer();
   ForkServer(const ForkServer&) = delete;

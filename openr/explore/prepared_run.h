@@ -16,9 +16,10 @@ class ExploreSchedule;
 
 struct PreparedRun {
   System* system = nullptr;
-  Simulation* simulation = nullptr;   // null: the objects were not loaded from a stick
-  std::vector<VirtualRobot*> robots;  // empty: the objects have no simulated body
-  ExploredCost* cost = nullptr;       // null: handlers take no time
+  // The simulation; null: the objects were not loaded from a stick.
+  Simulation* simulation = nullptr;
+  std::vector<VirtualRobot*> robots;  // the robots; empty: the objects have no simulated body
+  ExploredCost* cost = nullptr;       // the costs of handlers; null: handlers take no time
   std::shared_ptr<void> owner;        // keeps the system, the robots and the costs alive
   std::string problem;                // reason why the run cannot start; "": the run can start
 };

@@ -26,7 +26,7 @@ using When = PropertyRule::When;
 const std::vector<std::string> kWhens = {"always", "eventually", "finally"};
 const std::vector<std::string> kOps = {"==", "!=", "<=", ">=", "<", ">"};
 
-// Reads one line of a property file, word by word from left to right.
+// Reads the parts of one line of a property file, word by word from left to right.
 class LineReader {
  public:
   LineReader(const RecordLine& line, std::vector<Diagnostic>* diagnostics)

@@ -82,14 +82,15 @@ size_t JointOf(const RobotModel& model, const std::string& name) {
   return static_cast<size_t>(joint);
 }
 
-// Returns the quantity for the angle of a joint of the body, in degrees.
+// Returns the quantity "joint": the angle of a joint of the simulated body, in degrees.
 Quantity FindJoint(const RobotModel& model, size_t robot, const std::string& name) {
   return [robot, index = JointOf(model, name)](const RunView& view) -> Value {
     return Degrees(view.prepared->robots[robot]->body().state().joints[index].angle_rad);
   };
 }
 
-// Returns the quantity for the set point of a joint, in degrees; NaN before the first command.
+// Returns the quantity "command": the set point of a joint, in degrees; NaN before the first
+// command.
 Quantity FindCommand(const RobotModel& model, size_t robot, const std::string& name) {
   return [robot, index = JointOf(model, name)](const RunView& view) -> Value {
     const JointDevice& joint = view.prepared->robots[robot]->devices().joints[index];
@@ -98,7 +99,7 @@ Quantity FindCommand(const RobotModel& model, size_t robot, const std::string& n
   };
 }
 
-// Returns the quantity for the angle that the sensor of a joint measures, in degrees.
+// Returns the quantity "measured": the angle that the sensor of a joint measures, in degrees.
 Quantity FindMeasured(const RobotModel& model, size_t robot, const std::string& name) {
   const int sensor = model.joints[JointOf(model, name)].sensor;
   if (sensor < 0) throw std::runtime_error(fmt::format("joint '{}' has no sensor", name));
@@ -107,8 +108,8 @@ Quantity FindMeasured(const RobotModel& model, size_t robot, const std::string& 
   };
 }
 
-// Returns the quantity for the value of a sensor, in OPEN-R's unit.  `name` is the sensor's short
-// name, such as "chin", or its locator, which is its name in OPEN-R.
+// Returns the quantity "sensor": the value of a sensor in OPEN-R's unit.  `name` is the sensor's
+// short name, such as "chin", or its locator, which is the sensor's name in OPEN-R.
 Quantity FindSensor(const RobotModel& model, size_t robot, const std::string& name) {
   const std::vector<int> found = model.SensorsNamed(name);
   if (found.size() != 1) {
@@ -126,7 +127,7 @@ Quantity FindSensor(const RobotModel& model, size_t robot, const std::string& na
 Eigen::Vector3d HeadingOf(const BodyState& state) {
   const Eigen::Vector3d x = state.X_WB.linear().col(0);
   const double length = std::sqrt(x.x() * x.x() + x.y() * x.y());
-  if (length < 1e-9) return {1, 0, 0};  // the robot looks straight up or down
+  if (length < 1e-9) return {1, 0, 0};  // then the robot looks straight up or down
   return {x.x() / length, x.y() / length, 0};
 }
 

@@ -14,10 +14,10 @@ namespace openr_host {
 
 struct RobotModel;
 
-// A message of the compared object whose bytes differ from the recorded bytes.
+// A message that the compared object has sent, and whose bytes differ from the recorded bytes.
 struct AnswerDifference {
   TraceRecord record{};         // describes the message in the replay
-  std::string receiver, entry;  // name of the receiver, and of its entry (handler)
+  std::string receiver, entry;  // names of the receiver and of its entry (handler)
   size_t first = 0;             // index of the first byte that differs
   size_t count = 0;             // number of bytes that differ
   // Values that differ, as text: `now` in the replay, `then` in the recording.  Both are empty if

@@ -46,12 +46,12 @@ class Breakpoints {
   struct Break {
     std::string text;
     std::optional<PropertyRule> rule;  // condition of a breakpoint "when"
-    Quantity quantity;                 // the quantity of `rule`
+    Quantity quantity;                 // the quantity that `rule` compares
     bool held = false;
   };
 
   Break Read(const std::string& text) const;
-  // Throws std::runtime_error if no object has this name.
+  // Throws std::runtime_error if no object has the name `name`.
   void CheckObject(const std::string& name) const;
   // Throws std::runtime_error if no entry (handler for messages) of any object has `part` in its
   // name.

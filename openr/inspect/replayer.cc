@@ -251,7 +251,8 @@ void Replayer::Compare(const TraceRecord& record, const Message& message) {
   SkipNames();
   const TraceEntry* const next = reader_.Peek();
   if (next == nullptr || next->kind == Kind::kEnd) {
-    at_end_ = true;  // the recording ends before the last message of this instant
+    // The recording ends before the last message of this instant, so the replay ends, too.
+    at_end_ = true;
     return;
   }
   if (next->kind == Kind::kLoss) return EndAtLoss();
@@ -314,8 +315,8 @@ bool Replayer::ApplyInput() {
     if (next->time_us <= system().now_us() || system().powered_off()) CompareEnd(reader_.Take());
     return false;
   }
-  // Leaves messages and network input in the recording, because other functions take them:
-  // Compare() when a message is delivered, SayNetwork() when a robot polls its network.
+  // Leaves messages and network input to other functions: Compare() takes a message when it is
+  // delivered, SayNetwork() takes network input when a robot polls its network.
   if (next->kind == Kind::kMessage || next->kind == Kind::kNetwork) return false;
   if (next->time_us > system().now_us()) return false;
   if (next->kind == Kind::kLoss) {

@@ -71,14 +71,16 @@ class Replayer : public KnownRun {
   // Returns the messages of the object ReplayOptions::only that differ from the recorded messages.
   const std::vector<AnswerDifference>& answer_differences() const { return answer_differences_; }
 
-  uint64_t count() const { return count_; }  // number of messages that were equal to the recording
+  // Number of messages so far that were equal to the recording.
+  uint64_t count() const { return count_; }
   // Returns how many messages the recording has up to and including the message with the number
   // `number`; nullopt if it has no such message.  The count is not the number, because messages are
   // numbered when they are posted and recorded when they are delivered.
   std::optional<uint64_t> CountUpTo(uint64_t number) const;
   bool at_end() const { return at_end_; }
-  // Returns a text if the replay has ended early, because a worker process of the recorded run was
-  // lost (crashed or answered no more) and a replay cannot repeat what followed; otherwise "".
+  // Returns a text if the replay has ended early; otherwise "".  It ends early where a worker
+  // process of the recorded run was lost (crashed or answered no more), because a replay cannot
+  // repeat what followed.
   const std::string& loss() const { return loss_; }
 
   // Returns a text about the first difference between the replay and the recording: message, time,
@@ -106,12 +108,13 @@ class Replayer : public KnownRun {
 
   const std::string file_;
   TraceReader reader_;
-  TempFolder folder_;                           // holds the copy of the Memory Stick
-  PreparedRun prepared_;                        // owns the run if the recording has a schedule;
-                                                // else empty
-  std::unique_ptr<ExploreSchedule> schedule_;   // schedule of the recording; null: the seed decides
-                                                // the order of messages
-  std::unique_ptr<Simulation> own_simulation_;  // null if the recording has a schedule
+  TempFolder folder_;                          // holds the copy of the Memory Stick
+  PreparedRun prepared_;                       // owns the run if the recording has a schedule;
+                                               // else empty
+  std::unique_ptr<ExploreSchedule> schedule_;  // schedule of the recording; null: the seed decides
+                                               // the order of messages
+  // Null: the recording has a schedule, so prepared_ has the simulation.
+  std::unique_ptr<Simulation> own_simulation_;
   Simulation* simulation_ = nullptr;
   std::string only_;
   uint64_t answer_count_ = 0;

@@ -51,8 +51,8 @@ const std::vector<std::string> kVerbs = {"step",   "back",   "goto",  "run",  "b
 struct Shared {
   bool went_back;    // a copy of the process has ended because the session goes back
   uint64_t target;   // number of messages after which going back ends
-  int64_t until_us;  // virtual time to run to after going back; 0: none
-  bool ends;         // the session is over
+  int64_t until_us;  // virtual time up to which the session runs after going back; 0: none
+  bool ends;         // true: the session is over
   bool differs;
   char breaks[kBreaksBytes];
   PromptHistory history;

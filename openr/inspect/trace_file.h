@@ -33,11 +33,11 @@ constexpr uint32_t kOldestTraceVersion = 2;
 
 // The options that, together with the recorded input, determine everything in a run.
 struct TraceHeader {
-  std::string program;  // version of openr
-  std::string stick;    // folder of the stick, as the user wrote it
+  std::string program;  // version of openr that has made the recording
+  std::string stick;    // folder of the Memory Stick, as the user wrote it
   uint64_t stick_hash = 0;
   std::string robot, body, world;
-  std::string cost;                    // cost file; "": handlers take no time
+  std::string cost;                    // the cost file; "": handlers take no time
   std::string battery;                 // value of --battery, see ParseBattery()
   std::string microphone;              // sound file that the robot hears; "": none
   std::string images;                  // value of --images, see OpenImages()
@@ -140,7 +140,7 @@ class TraceCoder {
   uint64_t number_ = 0;
   int64_t time_us_ = 0;
   std::map<std::pair<int32_t, size_t>, LastPayload> last_;  // key: sender and size
-  uint64_t kept_ = 0;  // bytes of all payloads in last_ that were read
+  uint64_t kept_ = 0;  // number of bytes of all payloads in last_ that were read
   std::vector<Link> links_;
   // The numbers of the links; used only for writing.  Nothing depends on the order of the links in
   // this map, so it is not sorted.
@@ -220,9 +220,10 @@ class TraceReader {
 
   const TraceHeader& header() const { return header_; }
 
-  // Returns the next entry without removing it; null at the end of the readable part.
+  // Returns the next entry, which stays in the file; null at the end of the readable part of the
+  // file.
   const TraceEntry* Peek();
-  // Returns the next entry and removes it, so that Peek() returns the one behind it.  REQUIRES:
+  // Takes the next entry and returns it.  Peek() then returns the entry behind it.  REQUIRES:
   // Peek() is not null.
   TraceEntry Take();
 
@@ -240,8 +241,8 @@ class TraceReader {
   std::string ObjectName(int32_t id) const;
   std::string EntryName(int32_t id, uint32_t selector) const;
   int RobotOf(int32_t id) const;
-  // Returns how the run ended (a word of EndName()) and the reason as text.  Both are empty if the
-  // recording does not have them, or has not been read up to them.
+  // Returns how the run ended, as a word of EndName() and a text with the reason.  Both are empty
+  // if the recording does not have them, or if it has not been read so far.
   const std::pair<std::string, std::string>& ended() const { return why_ended_; }
   // Explains why no message matches a filter: returns an error such as "there is no object
   // 'JointMvoer'; did you mean ...", or "" if the recording has the object and the service.  An

@@ -24,7 +24,7 @@ class ConsoleLog {
   // line, keeps this part of the line until the rest comes.
   void Add(int64_t time_us, std::string_view text);
 
-  // Returns how many lines were added since the start of the run.
+  // Returns how many lines were added to the log since the start of the run.
   uint64_t count() const { return count_; }
   // Returns the last lines that were added.  The newest line has the number count() - 1.
   const std::deque<Line>& lines() const { return lines_; }

@@ -29,7 +29,7 @@ class Couplings {
   // Ends the couplings of a client whose connection has ended.
   void End(uint64_t client);
 
-  // Forgets all couplings.  Called in a fork of the process, which chooses its own rate.
+  // Forgets all couplings.  Called in a fork of the process, because the fork chooses its own rate.
   void Forget();
 
  private:
@@ -45,7 +45,7 @@ class Couplings {
   RunClock* const clock_;
   Rewind* const rewind_;
   std::vector<Coupling> all_;
-  bool is_paced_ = false;   // a coupling has switched the run to real time
+  bool is_paced_ = false;   // true: a coupling has switched the run to real time
   double rate_before_ = 1;  // rate of the run before the couplings
 };
 

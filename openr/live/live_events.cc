@@ -113,7 +113,7 @@ std::string LiveEvents::Line(std::string_view name, EventCursor* cursor) {
     return line(FindingsJson(context_));
   }
   uint64_t& shown = cursor->versions[std::string(name)];
-  // Adds 1, because version 0 in the cursor means that the client has got no event yet.
+  // Adds 1, because a client that has got no event yet has version 0 in its cursor.
   if (const uint64_t version = Version() + 1; std::exchange(shown, version) == version) return "";
   if (name == "pose") return begin + "," + PoseText(context_.simulation) + "}";
   return line(name == "values" ? ValuesJson(context_.simulation) : Graph());
@@ -238,7 +238,7 @@ Json LiveEvents::Graph() {
 Json LiveEvents::Log(EventCursor* cursor) {
   const ConsoleLog& console = *context_.console;
   const size_t kept = console.lines().size();
-  const uint64_t first = console.count() - kept;  // number of the oldest line that is kept
+  const uint64_t first = console.count() - kept;  // number of the oldest line in the log
   if (!std::exchange(cursor->has_console, true))
     cursor->console_lines = console.count() - std::min(kept, kFirstLines);
   Json lines = Json::array();

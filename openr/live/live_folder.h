@@ -8,7 +8,7 @@ namespace openr_host {
 
 // A run of this user that goes on, and that openr poke and openr attach can reach by its socket.
 struct LiveRun {
-  std::string name;    // --run-name, or the last part of the stick's path
+  std::string name;    // value of --run-name, or the last part of the stick's path
   int process = 0;     // process id of openr run
   std::string socket;  // path of the run's socket
 };

@@ -46,7 +46,7 @@ void LiveServer::Open() {
   };
   if (path_.size() >= sizeof address.sun_path) fail("the path is too long for a socket");
   std::memcpy(address.sun_path, path_.c_str(), path_.size() + 1);
-  unlink(path_.c_str());  // an earlier process with the same id may have left the socket
+  unlink(path_.c_str());  // removes a socket that an earlier process with the same id may have left
   listener_ = socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
   if (listener_ < 0 ||
       bind(listener_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 ||
@@ -135,7 +135,8 @@ nlohmann::ordered_json LiveServer::BeginWatch(Client* client, const nlohmann::js
   return {{"watching", !client->watches.empty()}};
 }
 
-// Tells `events_` whether any client watches the event "graph".
+// Tells `events_` whether any client watches the event "graph", so that messages are kept only
+// then.
 void LiveServer::TellWatchedEvents() {
   if (events_ == nullptr) return;
   const auto is_graph = [](const Watch& watch) {

@@ -30,7 +30,7 @@ class LiveServer {
   // Most clients at a time; enough for the 16 pages of the panel.
   static constexpr size_t kClientsMax = 32;
 
-  // Type of the function that makes the answer to a request (AnswerLive() in a run).
+  // The type of the function that returns the answer to a request; in a run it is AnswerLive().
   using Answer = std::function<nlohmann::ordered_json(const nlohmann::json& request)>;
 
   // Makes the socket of this run.  `events`, which must outlive the server, makes the events; null:
@@ -62,7 +62,7 @@ class LiveServer {
   bool is_watched() const;
 
  private:
-  // An event that a client watches.
+  // An event that a client watches, and the times between such events.
   struct Watch {
     size_t kind;          // index of LiveEvents::Kinds()
     int64_t interval_ns;  // least time between two events of this kind
@@ -70,7 +70,7 @@ class LiveServer {
   };
 
   struct Client {
-    uint64_t number;  // two clients of this run never have the same number
+    uint64_t number;  // number of the client; no other client of this run ever has it
     int descriptor;
     std::string received;  // the first bytes of a request that is not complete yet
     std::string to_send;   // answers that the socket has not taken yet

@@ -45,7 +45,7 @@ class MessageHistory {
   MessageHistory(const MessageHistory&) = delete;
   MessageHistory& operator=(const MessageHistory&) = delete;
 
-  // Begins the recording of messages.
+  // Begins the recording of messages for the history.
   void Begin();
   // Ends the recording of messages, and forgets the recorded messages.
   void End();
@@ -54,7 +54,8 @@ class MessageHistory {
   // call of Begin().
   uint64_t CountOf(int robot, const std::string& subject, const std::string& observer) const;
   // Returns the last messages between the service `subject` and the service `observer` of a robot,
-  // the newest first.  Both are full names: "RCServer.Mover.MoverCommand.S".
+  // the newest message first.  Both services are given by their full names, such as
+  // "RCServer.Mover.MoverCommand.S".
   std::vector<Entry> LastOf(int robot, const std::string& subject,
                             const std::string& observer) const;
 

@@ -15,11 +15,11 @@ inline constexpr double kStaticErrorMaxDeg = 2, kDriftMaxMm = 10, kDriftMaxDeg =
 
 struct ModelCheck {
   double total_mass_g = 0;
-  // Largest distance of a joint from its set point, 2 s after standing up.
+  // Largest distance between the angle of a joint and its set point, 2 s after standing up.
   double static_error_deg_max = 0;
   // Attitude of the base frame and its height over the floor, 2 s after standing up.
   double roll_deg = 0, pitch_deg = 0, height_mm = 0;
-  int paws = 0;  // number of paws on the floor
+  int paws = 0;  // number of paws that touch the floor
   // Pitch and height of a stiff robot with the same set points, computed from kinematics alone.
   double stiff_pitch_deg = 0, stiff_height_mm = 0;
   // Distance that the robot moves in the following 60 s, and largest change of roll, pitch or yaw.

@@ -67,8 +67,8 @@ StepResponse MeasureStep(const RobotModel& model, size_t j, double step_deg) {
   return response;
 }
 
-// Returns the index of the first distance sensor whose place on the body is known; -1 if there is
-// none.
+// Returns the index of the first distance sensor whose place on the body is known; -1 if no such
+// sensor exists.
 int DistanceSensorOf(const RobotModel& model) {
   for (size_t i = 0; i < model.sensors.size(); ++i) {
     const Sensor& sensor = model.sensors[i];

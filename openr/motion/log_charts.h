@@ -18,7 +18,7 @@ chart::Chart ChartOf(const LogFile& log, const std::vector<double>& times_ms,
 // The positions of one motion in a comparison, and the label of its curves.
 struct ComparedSide {
   JointTraces traces;
-  std::string label;  // text in the legend
+  std::string label;  // name of the motion in the legend
 };
 
 // Two motions to compare, A and B.

@@ -22,7 +22,8 @@ constexpr double kLagToleranceMs = 0.01;
 // neighbours of the point.
 class Curve {
  public:
-  // REQUIRES: two or more points, and rising times.
+  // Makes a curve through the points (time, value).  REQUIRES: two or more points, and rising
+  // times.
   Curve(const std::vector<double>& times, const std::vector<double>& values)
       : times_(times), values_(values), slopes_(times.size()) {
     const size_t last = times.size() - 1;

@@ -36,8 +36,8 @@ struct JointDifference {
   // The lag; nullopt when the joint moves by less than kMovesDeg, when fewer than kSamplesMin
   // records are left for the comparison, or when the best shift is the largest that was tried.
   std::optional<double> lag_ms;
-  std::optional<double> gain;               // nullopt when lag_ms is nullopt
-  std::optional<double> rms_after_lag_deg;  // like rms_deg, with B shifted by the lag
+  std::optional<double> gain;  // gain of the motion in B; nullopt when lag_ms is nullopt
+  std::optional<double> rms_after_lag_deg;  // the same as rms_deg, but with B shifted by the lag
 };
 
 constexpr double kMovesDeg = 1;

@@ -28,12 +28,13 @@ namespace openr_host {
 // The measured or the simulated values of a record.
 struct LogValues {
   std::vector<int16_t> positions_cdeg;
-  std::array<uint16_t, RC_LOG_PAWS> paws{};  // left fore, left hind, right fore, right hind
+  // Contact of each paw: left fore, left hind, right fore, right hind.
+  std::array<uint16_t, RC_LOG_PAWS> paws{};
   bool operator==(const LogValues&) const = default;
 };
 
 struct LogRecord {
-  int key_frame = 0;  // 0 to 32767
+  int key_frame = 0;  // number of the key frame, 0 to 32767
   std::vector<int16_t> commanded_cdeg;
   std::optional<LogValues> measured;   // values of the real robot
   std::optional<LogValues> simulated;  // values of the simulated robot

@@ -26,10 +26,10 @@ constexpr size_t kPostedMax = 16;
 // The time of silence after which a robot gets no more positions.  When it goes on, all positions
 // that were sent during its silence would be old.
 constexpr int64_t kSilentMs = 500;
-constexpr size_t kTripsMax = 32;   // number of round trips that are kept; the shortest one counts
-                                   // as the time of the network
-constexpr int kEventsMax = 100;    // events that are taken from one robot before the other robot's
-                                   // turn
+constexpr size_t kTripsMax = 32;  // number of round trips that are kept; the shortest one counts
+                                  // as the time of the network
+// Largest number of events that are taken from one robot before it is the other robot's turn.
+constexpr int kEventsMax = 100;
 constexpr int32_t kChangeMin = 5;  // smaller changes of a goal, in 0.01 degree, are not sent
 constexpr uint32_t kFramesPerTurn = 0x0ffffff1;  // number of frames after which frame numbers begin
                                                  // again with 0
@@ -40,7 +40,7 @@ constexpr uint32_t kTrackStepMax = 400;
 
 PairSide OtherOf(PairSide side) { return side == kFirst ? kSecond : kFirst; }
 
-// Returns a request that sets a value of the joint `index`.
+// Returns a request that sets a value of the joint `index`; `command` says which value.
 remote::Call JointCall(int command, size_t index, int32_t value) {
   uint8_t bytes[8];
   RcWriter writer(bytes, sizeof bytes);

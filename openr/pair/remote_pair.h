@@ -22,11 +22,15 @@ namespace remote = openr::remote;
 // any other robot.
 enum PairSide { kFirst = 0, kSecond = 1 };
 
-enum class Follow { kNone, kFirst, kSecond };  // which robot follows the other one
+enum class Follow {
+  kNone,
+  kFirst,
+  kSecond
+};  // the robot that follows the other robot, or no robot
 
 struct PairOptions {
   int timeout_ms = 3000;
-  int period = RC_FRAMES_PER_VECTOR;  // frames between two sensor values
+  int period = RC_FRAMES_PER_VECTOR;  // number of frames between two sensor values
   // Whether a robot that follows goes straight to each position (TRACK) instead of within its
   // limits of speed and acceleration (MOVE).  The index is a PairSide.
   bool tracks[2] = {true, false};
@@ -47,9 +51,9 @@ struct PairStatus {
   std::optional<double> round_trip_ms[2];  // times from a request to its answer; index: PairSide
   std::optional<int64_t> lag_ms;           // the lag that LagMeter has measured; nullopt while
                                            // nothing moves
-  std::string state[2];                    // states of both JointMovers; "": not known
-  std::vector<int32_t> joints[2];          // measured positions, in 0.01 degree
-  std::string motion;                      // file of the motion that the second robot plays
+  std::string state[2];                    // state of each robot's JointMover; "": not known
+  std::vector<int32_t> joints[2];  // measured positions of each robot's joints, in 0.01 degree
+  std::string motion;              // file of the motion that the second robot plays
   int key_frame = -1;
   uint64_t key_frames = 0;  // number of key frames that were sent to the first robot
   std::string refusal[2];   // reason why a robot has refused the last positions; "": it has taken
@@ -86,7 +90,7 @@ class PairControl {
 // answers.
 class RemotePair {
  public:
-  // Connects to both robots.  Throws remote::Error if a robot cannot be reached, and
+  // Connects to both robots.  Throws remote::Error if a robot cannot be reached.  Throws
   // std::runtime_error with the difference if the robots have different joints.
   RemotePair(const remote::Address& first, const remote::Address& second,
              const PairOptions& options);
@@ -95,8 +99,8 @@ class RemotePair {
   const std::vector<RcDescription>& joints() const { return joints_; }
   const RcInfo& info(PairSide side) const { return sides_[side].info; }
 
-  // Sets the first robot's limits of speed and acceleration to those of the second robot, and
-  // returns them.
+  // Sets the limits of speed and acceleration of the first robot to those of the second robot.
+  // Returns these limits.
   std::vector<RcJointState> CopyLimits();
   // Switches lights and ears of both robots off.
   void ResetLights();

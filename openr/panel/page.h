@@ -86,7 +86,7 @@ class Page : public WebPage {
   // The first bytes of a message that is not complete yet.
   std::string received_;
   PageQueue queue_;
-  bool is_amid_message_ = false;  // a part of a message has come, but not its last part
+  bool is_amid_message_ = false;  // true: a part of a message has come, but not its last part
   bool is_closing_ = false;       // true: no message is queued or obeyed any more
   // The code and the reason with which the server closes the page when the message that is coming
   // has ended.

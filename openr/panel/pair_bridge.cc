@@ -18,7 +18,7 @@
 
 namespace openr_host {
 
-// The data that the thread and the bridge share.
+// The data that the bridge and its thread share.
 struct PairBridge::Work {
   Work(const LiveRun& in_run, size_t in_robot, const remote::Address& in_second,
        nlohmann::json in_id, std::shared_ptr<Outbox> in_outbox)
@@ -120,7 +120,7 @@ OrderedJson StatusJson(const PairBridge::Work& work, const PairStatus& status) {
 // time and cannot be rewound.
 class Coupling {
  public:
-  // Throws std::runtime_error if the run refuses the coupling.
+  // Begins the coupling.  Throws std::runtime_error if the run refuses it.
   explicit Coupling(const PairBridge::Work& work) : live_(work.run, kRunTimeoutMs), work_(work) {
     const OrderedJson answer = Ask(work.second.Text());
     if (answer.contains("error")) throw std::runtime_error(answer["error"].get<std::string>());

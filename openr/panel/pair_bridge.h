@@ -16,14 +16,14 @@ class PairControl;
 // and events "pair", into an outbox.
 class PairBridge {
  public:
-  // The most threads of all bridges of this process together.
+  // The largest number of threads that all bridges of this process together may have.
   static constexpr int kThreadsMax = 16;
 
-  // `request` has the address of the second robot.  Throws std::runtime_error if the address is
-  // missing, or if there are too many threads.
+  // Makes the bridge and its thread.  `request` has the address of the second robot.  Throws
+  // std::runtime_error if the address is missing, or if there are too many threads.
   PairBridge(const LiveRun& run, size_t robot, const nlohmann::json& request,
              std::shared_ptr<Outbox> outbox);
-  // Makes the thread disconnect both robots, and does not wait for it.
+  // Makes the thread disconnect both robots, and does not wait until it has done so.
   ~PairBridge();
   PairBridge(const PairBridge&) = delete;
   PairBridge& operator=(const PairBridge&) = delete;

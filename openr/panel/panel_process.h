@@ -16,7 +16,7 @@ class PanelProcess {
   // Starts the server of the panel for the run `run` (such as "default.123"), on the first free
   // port from `port` on.  Prints a warning if the server cannot be started.
   PanelProcess(const std::string& run, uint16_t port);
-  // Makes the server end, and does not wait for it.
+  // Makes the server end, and does not wait until it has ended.
   ~PanelProcess();
   PanelProcess(const PanelProcess&) = delete;
   PanelProcess& operator=(const PanelProcess&) = delete;

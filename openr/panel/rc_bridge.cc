@@ -42,7 +42,7 @@ struct RcBridge::Queue {
   struct Call {
     nlohmann::json request;
     size_t size;
-    std::string joint_value;  // names call and joint if the call sets a value of a joint; else ""
+    std::string joint_value;  // if the call sets a value of a joint, names call and joint; else ""
     std::vector<nlohmann::json> ids;
   };
 

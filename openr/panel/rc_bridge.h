@@ -19,12 +19,12 @@ class RcBridge {
   // The most bytes of calls that may wait.  If more bytes come, their calls are answered with an
   // error.
   static constexpr size_t kBytesMax = size_t{16} << 20;
-  // The most threads of all bridges of this process together.
+  // The largest number of threads that all bridges of this process together may have.
   static constexpr int kThreadsMax = 64;
 
   // Makes the bridge and its thread.  Throws std::runtime_error if there are too many threads.
   RcBridge(RcCalls::FindAddress find_address, std::shared_ptr<Outbox> outbox);
-  // Makes the thread end after its present call, and does not wait for it.
+  // Makes the thread end after its present call, and does not wait until it has ended.
   ~RcBridge();
   RcBridge(const RcBridge&) = delete;
   RcBridge& operator=(const RcBridge&) = delete;

@@ -63,7 +63,8 @@ class RcCalls {
   remote::Connection* Robot();
   using Setter = double (remote::Connection::*)(int joint, double value);
   Json JointValue(Setter setter, const Request& request, const char* member);
-  // Returns the index of the device that `request` names, and reads "on" into `*is_on`.
+  // Returns the index of the light or ear that `request` names.  Sets `*is_on` to the member "on"
+  // of the request.
   int Switch(RcDeviceKind kind, const Request& request, bool* is_on);
   std::string FreeName();
   Json PlayAndDelete(const Request& request);

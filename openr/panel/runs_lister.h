@@ -13,7 +13,8 @@ namespace openr_host {
 // does not answer and the server must not wait for it.
 class RunsLister {
  public:
-  // `own` is the run ("default.123") that has started this server; "" if a user started it.
+  // Makes a lister.  `own` is the run, such as "default.123", that has started this server; "" if a
+  // user started it.
   explicit RunsLister(std::string own);
   RunsLister(const RunsLister&) = delete;
   RunsLister& operator=(const RunsLister&) = delete;

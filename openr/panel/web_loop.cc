@@ -182,7 +182,8 @@ class LwsLoop : public WebLoop {
 
   void Serve(int connection) override {
     setsockopt(connection, SOL_SOCKET, SO_SNDBUF, &kSendBufferSize, sizeof kSendBufferSize);
-    lws_adopt_socket_vhost(vhost_, connection);  // closes the descriptor after an error
+    // If that fails, this function closes the descriptor.
+    lws_adopt_socket_vhost(vhost_, connection);
   }
 
   Watched Watch(int descriptor, WebDescriptor* handler) override {
@@ -278,7 +279,7 @@ class LwsLoop : public WebLoop {
 
   WebService* const service_;
   const std::string protocol_;
-  std::array<lws_protocols, 4> protocols_{};  // the last entry is the end of the list
+  std::array<lws_protocols, 4> protocols_{};  // the last entry stays empty and ends the list
   lws_context* context_ = nullptr;
   lws_vhost* vhost_ = nullptr;
   StopTimer stop_timer_{{}, this};

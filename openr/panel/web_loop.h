@@ -21,7 +21,7 @@ struct WebRequest {
   std::string host;      // header Host; "" if the request has none
   std::string origin;    // header Origin; "" if the request has none
   std::string protocol;  // header Sec-WebSocket-Protocol; "" if the request has none
-  std::string run;       // value of "run=" in the query
+  std::string run;       // value of "run=" in the query of the URL; "" if there is none
 };
 
 // An answer to a request of HTTP.  Its bytes are the content of `file`; if `file` is "", they are
@@ -31,10 +31,11 @@ struct WebAnswer {
   std::string type = "text/plain; charset=utf-8";
   std::string text = {};
   std::string file = {};
-  std::vector<std::pair<std::string, std::string>> headers = {};  // names in lower case
+  // Names and values of headers; names in lower case.
+  std::vector<std::pair<std::string, std::string>> headers = {};
 };
 
-// The socket of a page.
+// The connection to a page: the socket of a WebSocket, through which the server sends.
 class WebConnection {
  public:
   // Makes the loop call WebPage::Next() as soon as the socket can take bytes.
@@ -65,8 +66,8 @@ class WebDescriptor {
  public:
   // Called when the descriptor can be read.  Returns false if the descriptor must be closed.
   virtual bool OnReadable() = 0;
-  // Called after WebLoop::WantWrite() when the descriptor can be written.  Returns false
-  // if it must be closed.
+  // Called after WebLoop::WantWrite(), when the descriptor can be written.  Returns false if the
+  // descriptor must be closed.
   virtual bool OnWritable() { return true; }
   // Called once after the loop has closed the descriptor, unless Forget() was called before.
   virtual void OnClosed() = 0;
@@ -84,7 +85,7 @@ class WebService {
   // Called when a WebSocket was opened.  `connection` exists as long as the page that this function
   // returns.
   virtual std::unique_ptr<WebPage> Open(const WebRequest& request, WebConnection* connection) = 0;
-  // Called in the thread of the loop after WebLoop::Wake().
+  // Called in the thread of the loop after a thread has called WebLoop::Wake().
   virtual void OnWake() = 0;
 
  protected:
@@ -112,7 +113,7 @@ class WebLoop {
   // Watches a descriptor and calls `handler` for it.  The loop owns the descriptor from now on.
   virtual Watched Watch(int descriptor, WebDescriptor* handler) = 0;
   virtual void WantWrite(Watched watched) = 0;
-  // Closes the descriptor soon.  Its handler is not called any more.
+  // Closes a watched descriptor soon.  The descriptor's handler is not called any more.
   virtual void Forget(Watched watched) = 0;
 };
 

@@ -10,7 +10,8 @@
 namespace openr::remote {
 namespace {
 
-// Returns the version of the protocol for a request: the first version that has the command.
+// Returns the version of the protocol that a request must have: the first version that knows the
+// command.
 int VersionFor(int command) {
   switch (command) {
     case rcINFO:
@@ -39,7 +40,7 @@ Bytes MakePacket(int command, RequestId id, const Bytes& payload, int version = 
   return packet;
 }
 
-// Makes the answer from the packet that `framer` found last.
+// Makes the answer from the packet that `framer` has found last.
 Answer AnswerFrom(const RcAnswerHeader& header, const RcFramer& framer) {
   const int begin = RC_ANSWER_HEADER_SIZE - RC_HEADER_SIZE;
   Answer answer;

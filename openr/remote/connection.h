@@ -33,10 +33,10 @@ class TcpStream;
 
 // Structs for requests and answers of the protocol.  Client and robot share these structs; their
 // headers describe units and order.
-using Info = RcInfo;                // design of the robot and what it does now
-using Description = RcDescription;  // a device: its names, and the limits of a joint or the kind of
-                                    // a sensor
-using JointState = RcJointState;    // units: 0.01 degree, 0.01 degree/s, 0.01 degree/s^2
+using Info = RcInfo;  // describes the design of the robot and what the robot does now
+// Describes a device: its names, and the limits of a joint or the kind of a sensor.
+using Description = RcDescription;
+using JointState = RcJointState;  // its units are 0.01 degree, 0.01 degree/s and 0.01 degree/s^2
 using Gains = RcGains;
 using Power = RcPower;
 using Sensors = RcSensors;
@@ -51,35 +51,35 @@ struct Options {
   std::chrono::milliseconds timeout{3000};
 };
 
-// The number of a request that was sent.  Never 0.
+// The number of a request that was sent.  It is never 0.
 using RequestId = uint16_t;
 
-// The answer to a request.
+// The answer of the robot to a request.
 struct Answer {
   uint32_t frame =
       0xffffffff;     // frame of 8 ms of the robot's newest sensor values; 0xffffffff: none
   int status = rcOK;  // result of the request, an RcStatus
   std::string error;  // the robot's error text if the status is not rcOK
-  Bytes payload;      // empty if the status is not rcOK
+  Bytes payload;      // payload of the answer; empty if the status is not rcOK
 };
 
 // A request that is sent in a batch.  `payload` has no header.
 struct Call {
-  int command;  // RcCommand
+  int command;  // number of the command, an RcCommand
   Bytes payload;
 };
 
 // A packet of a stream.  The robot sends these packets without further requests.
 struct Event {
-  RequestId subscription = 0;  // result of Subscribe()
+  RequestId subscription = 0;  // id of the subscription, which Subscribe() has returned
   uint32_t frame = 0;
-  int stream = 0;    // RcStream
+  int stream = 0;    // kind of the stream, an RcStream
   int left_out = 0;  // number of values that were left out after the event before
   Bytes values;      // values of Sensors or SetValues; see Read()
 };
 
-// Called during a transfer with the number of bytes that were transferred, and the size of the
-// file.  The first call has 0 bytes.
+// A function that is called during a transfer with two numbers: the bytes that were transferred,
+// and the size of the file.  The first call has 0 bytes.
 using Progress = std::function<void(size_t done, size_t size)>;
 
 // A TCP connection to a robot.  The caller owns it and uses it in one thread at a time.
@@ -128,7 +128,7 @@ class Connection {
   // Returns a request of Move(), SetSpeed() or SetAcceleration(), to be sent with Send() or
   // Batch(). `command` is rcMOVE, rcSPEED or rcACCEL.
   static Call JointCall(RcCommand command, int joint, double value);
-  // Returns the value in an answer to JointCall().
+  // Returns the value that is now in force, from the answer to a request of JointCall().
   double InForce(const Answer& answer) const;
 
   void SetLed(int led, bool on);

@@ -11,7 +11,7 @@ enum class ErrorCode {
   kAddress,      // the text is no address, or no host has the name in it
   kUnreachable,  // no connection: no program listens at the address, or none answers in time
   kTimeout,      // connected, but the robot has not answered or taken bytes in time
-  kLost,         // the connection has ended
+  kLost,         // the connection to the robot has ended
   kProtocol,     // the bytes that arrived do not follow the protocol of the remote control
   kRefused,      // the robot refuses the request; status() and text() say why
   kNoDevice,     // the robot has no device with this name
@@ -33,7 +33,9 @@ class Error : public std::runtime_error {
   const std::string& advice() const { return advice_; }
   // Returns the RcStatus (RemoteProtocol.h) of a refusal; 0 (rcOK) if the robot has not refused.
   int status() const { return status_; }
-  uint32_t frame() const { return frame_; }  // frame number in the robot's refusal
+  uint32_t frame() const {
+    return frame_;
+  }  // frame number in the answer by which the robot refused
 
   // Returns whether the connection can still be used after this error.  If it cannot, the caller
   // must make a new connection.

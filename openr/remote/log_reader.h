@@ -13,7 +13,7 @@ class Connection;
 // throw the errors of Connection.
 class LogReader {
  public:
-  // `connection` must outlive the reader.
+  // Makes a reader for the robot of `connection`, which must outlive the reader.
   explicit LogReader(Connection* connection) : connection_(connection) {}
 
   // Skips the records that the robot has made before this call.

@@ -10,7 +10,7 @@ namespace openr::remote {
 // row: a row of Y, then of Cr, of Cb and of three more bands, then the next row of each band.
 // Layer C has one band, the detected colours.
 struct Picture {
-  uint32_t frame = 0;  // frame of 8 ms in which the picture was taken
+  uint32_t frame = 0;  // number of the frame of 8 ms in which the picture was taken
   int layer = 0;       // number of the layer: 0 H, 1 M, 2 L, 3 C
   int bands = 0;
   int width = 0;  // width in pixels

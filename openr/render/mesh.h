@@ -9,7 +9,7 @@ namespace openr_host::render {
 
 struct Vertex {
   Eigen::Vector3f position;
-  Eigen::Vector3f normal;  // unit length
+  Eigen::Vector3f normal;  // direction of the surface at this vertex, of unit length
 };
 
 struct Mesh {

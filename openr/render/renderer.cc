@@ -38,7 +38,8 @@ class OffScreen {
   OffScreen(const OffScreen&) = delete;
   OffScreen& operator=(const OffScreen&) = delete;
 
-  const std::vector<uint8_t>& pixels() const { return pixels_; }  // RGBA, the bottom row first
+  // Four bytes per pixel (RGBA), the bottom row first.
+  const std::vector<uint8_t>& pixels() const { return pixels_; }
 
  private:
   std::vector<uint8_t> pixels_;

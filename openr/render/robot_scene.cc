@@ -14,7 +14,8 @@ namespace {
 struct ViewPlace {
   const char* name;
   View view;
-  Eigen::Vector3d from;  // vector from the target to the camera, in m; x is forward
+  // Vector from the target to the camera, in m; x is the robot's forward direction.
+  Eigen::Vector3d from;
 };
 
 const ViewPlace* Places(size_t* count) {

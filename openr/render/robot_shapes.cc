@@ -68,7 +68,7 @@ struct LightPlace {
   const char* name;
   const char* body;
   double x, y, z;
-  double width, height;  // mm
+  double width, height;  // size of the light, in mm
 };
 constexpr LightPlace kLights[] = {
     {"Eye light (lower left)", "head", 146.8, 11, 101, 9, 3.5},
@@ -327,7 +327,7 @@ std::vector<Shape> ShapesOfWorld(const World& world) {
     shape.X_WS.translation() = thing.centre_m;
     shape.size_m = thing.size_m;
     const double shortest_m = thing.size_m.minCoeff();
-    // Draws a sphere as a box whose edges are as round as possible.
+    // Gives the box of a sphere edges that are as round as possible, so that it looks like a ball.
     shape.radius_m =
         thing.shape == ThingShape::kSphere ? shortest_m / 2 : std::min(0.004, 0.2 * shortest_m);
     shape.is_cylinder = thing.shape == ThingShape::kCylinder;

@@ -12,7 +12,7 @@
 
 namespace openr_host {
 
-// A shape that is fixed to part `body` of a robot.
+// A shape that is fixed to the part number `body` of a robot.
 struct RobotShape {
   int body = 0;  // index of RobotModel::bodies
   // The shape; its pose `shape.X_WS` is the pose in the part, not in the world.  For an ear, it is

@@ -15,7 +15,7 @@ namespace openr_host {
 // An input to a run: an input line, or the events that the network of a robot returned.
 struct LoggedInput {
   int robot = 0;
-  // An input line, such as "press chin".
+  // The input line, such as "press chin"; "" if this is not an input line.
   std::string line;
   // The virtual time when the line was added.
   int64_t time_us = 0;
@@ -37,7 +37,7 @@ class InputLog {
   uint64_t end() const { return first_ + inputs_.size(); }
   // Returns the inputs from the number `begin` on.  REQUIRES: these inputs were not dropped.
   std::vector<LoggedInput> From(uint64_t begin) const;
-  // Drops the inputs before number `begin`.
+  // Drops the inputs whose numbers are below `begin`.
   void DropBefore(uint64_t begin);
 
   // Returns whether the inputs in the log have together more than kBytesMax bytes.

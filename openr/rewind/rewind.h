@@ -38,10 +38,10 @@ class Network;
 class Simulation;
 class System;
 
-// The run to rewind, and functions of the program that Rewind calls.
+// The run that can be rewound, and functions of the program that Rewind calls.
 struct RewindParts {
   Simulation* simulation = nullptr;
-  std::string why_not;  // the reason why this run cannot be rewound; "": it can be
+  std::string why_not;  // the reason why this run cannot be rewound; "": it can be rewound
   // The replay, if this run replays a recording or a known run; a view or a branch then asks the
   // replay to go on.  Null: a view repeats the logged inputs of this run.
   KnownRun* known = nullptr;
@@ -136,7 +136,7 @@ class Rewind {
   std::string Show(Checkpoint* checkpoint, const nlohmann::json& target);
   Checkpoint* LastBefore(int64_t time_us, uint64_t messages);
 
-  // Functions that run in the process of a checkpoint or of a view.
+  // These functions run in the process of a checkpoint or of a view.
   void Wait(int socket, const SavedStick& stick, ProcessFiles* files);
   bool RunView(int socket, const SavedStick& stick, ProcessFiles* files,
                const nlohmann::json& request);

@@ -37,7 +37,7 @@ class SavedStick {
     bool is_folder = false;
     std::optional<std::string> content;  // content of the file; nullopt: the file did not exist
   };
-  std::map<std::string, Saved> files_;  // key: path below the folder of the stick
+  std::map<std::string, Saved> files_;  // the saved files; key: path below the folder of the stick
 };
 
 // Returns the files that objects have written on `stick`, with their present content.
@@ -47,7 +47,7 @@ SavedStick SaveWrittenFiles(FolderStick* stick);
 // out standard input, output and error.
 class ProcessFiles {
  public:
-  // Notes the files that this process has open now.
+  // Remembers the files that this process has open now.
   ProcessFiles();
 
   // Opens each of the remembered files again, so that a fork does not share them with the original

@@ -10,7 +10,8 @@
 namespace openr_host {
 namespace {
 
-constexpr NetAddress kRemote = {0x7f000001, 1};  // the client's address; no other client has port 1
+// Address of this client; no other client has port 1.
+constexpr NetAddress kRemote = {0x7f000001, 1};
 
 constexpr double kCentidegPerRad = 100 * Degrees(1);
 // Largest position that is sent, one turn in either direction: a larger number might not fit into a

@@ -27,7 +27,7 @@ struct JointTarget {
 
 class JointClient : public PassingNetwork {
  public:
-  // Type of the function that is called, with the reason, when the robot refuses a target.
+  // The type of a function that is called, with the reason, when the robot refuses a target.
   using Refused = std::function<void(const std::string& why)>;
   JointClient(std::unique_ptr<Network> inner, Refused refused)
       : PassingNetwork(std::move(inner)), refused_(std::move(refused)) {}
@@ -71,7 +71,7 @@ class JointClient : public PassingNetwork {
   size_t wants_ = 0;    // most bytes that the robot's waiting Receive() takes; 0: no Receive()
                         // waits
   bool is_closing_ = false;
-  bool is_broken_ = false;  // the robot has sent something that is no valid answer
+  bool is_broken_ = false;  // true: the robot has sent something that is no valid answer
   RcFramer framer_;
 };
 

@@ -180,7 +180,7 @@ void RobotTopics::PublishFaults() {
   faults_.Publish(text);
 }
 
-// Publishes where the body is and how it moves.  The values come from the simulation, because the
+// Publishes the place of the body and its speed.  The values come from the simulation, because the
 // robot has no sensor for them.
 void RobotTopics::PublishMotion(int64_t time_us) {
   const BodyState& body = robot_->body().state();

@@ -58,7 +58,7 @@ class Ros2Link {
   Ros2Link(const Ros2Link&) = delete;
   Ros2Link& operator=(const Ros2Link&) = delete;
 
-  // Begins to publish.  Called when the simulation has been made.
+  // Begins to publish the clock and the sensors.  Called when the simulation has been made.
   void Begin(Simulation* simulation);
   // Publishes clock and sensors, and passes to the robots the commands and inputs that ROS 2 has
   // sent.  Called after each frame of 8 ms.

@@ -7,7 +7,7 @@ namespace openr_host {
 // The possible effects of the signal SIGHUP, which comes when the terminal of this process is
 // closed.
 enum class HangUp {
-  kEnds,     // ends the process, as is the signal's default
+  kEnds,     // the signal ends the process, which is its default action
   kCounts,   // is counted like Ctrl-C
   kIgnored,  // has no effect, because the run ends by itself
 };

@@ -250,7 +250,7 @@ bool Runner::Run() {
     if (plan_.live != nullptr) plan_.live->Serve();
     const int64_t before_us = system.now_us();
     if (!WaitWhilePaused(&pacer)) GoOn(&pacer);
-    // Does not end the frame if a step over a message has stopped within it.
+    // Does not end the frame if a step to a message has stopped inside of the frame.
     const bool is_within_frame = system.now_us() < NextStopAfter(before_us);
     if (!is_within_frame || system.powered_off()) AfterFrame();
     // A branch restarts the pacer, because the pacer still counts from the checkpoint's moment.
@@ -264,7 +264,7 @@ bool Runner::Run() {
   return good_;
 }
 
-// Adds the findings that are known only at the end of the run, and completes its files.
+// Adds the findings that are known only at the end of the run, and completes the files of the run.
 void Runner::Finish() {
   System& system = simulation_->system();
   // Reports objects that wait for something that cannot come, for example for an observer that

@@ -79,7 +79,7 @@ class Runner {
   // The facts about a robot that were printed last, so that only changes are printed.
   struct Announced {
     uint16_t port = 0;    // port of its remote control; 0: none
-    int boots = 1;        // number of boots
+    int boots = 1;        // number of boots of the robot
     bool is_off = false;  // true: the robot was off and waited for its boot timer
   };
 
@@ -116,9 +116,10 @@ class Runner {
   int64_t last_activity_us_ = 0;
   int64_t paused_us_ = -1;  // virtual time when the pause button was pressed; -1: not pressed
   bool shutdown_posted_ = false;
-  bool is_new_branch_ = false;  // this process has just become a run of its own (Rewind)
+  bool is_new_branch_ = false;  // true: this process has just become a run of its own (Rewind)
   bool good_ = true;
-  int64_t begin_ns_ = 0;  // clock of this computer at the start; 0: not running
+  // Time at the start of the run by the clock of this computer; 0: not running.
+  int64_t begin_ns_ = 0;
   // Before and after the run, the duration of the run.  During the run, the negative of the time
   // for drawing pictures.
   int64_t wall_time_ns_ = 0;

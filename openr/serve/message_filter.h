@@ -18,12 +18,12 @@ struct DeliveredMessage {
   uint64_t number = 0;
   uint64_t cause = 0;
   int64_t time_us = 0;
-  std::string kind;  // "notify", "ready", "not ready", "reply" or "other"
+  std::string kind;  // kind of the message: "notify", "ready", "not ready", "reply" or "other"
   std::string from;  // the sender's service, "RCServer.Mover.MoverCommand.S", or else the name of
                      // its object
   // The receiver, in the same form as the sender in `from`.
   std::string to;
-  std::string entry;  // name of the receiver's handler
+  std::string entry;  // name of the receiver's handler for the message
   ObjectId target = kNoObject;
   uint32_t selector = 0;
   std::string content;  // content of the message, as in a recording

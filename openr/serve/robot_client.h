@@ -27,10 +27,11 @@ class RobotClients {
   int Connect(const System& system, int robot, uint16_t port);
 
   struct State {
-    bool is_open = false;    // the robot has accepted the connection, and not ended it
-    bool has_ended = false;  // the robot has ended the connection, or it has failed
-    std::string problem;     // the reason why the connection failed; "": it has not failed
-    size_t waiting = 0;      // bytes that have arrived and that Take() has not returned yet
+    bool is_open = false;  // true: the robot has accepted the connection, and has not ended it
+    // True: the robot has ended the connection, or the connection has failed.
+    bool has_ended = false;
+    std::string problem;  // the reason why the connection failed; "": it has not failed
+    size_t waiting = 0;   // number of bytes that have arrived and that Take() has not returned yet
   };
   // StateOf(), Send(), Take() and Close() throw std::runtime_error if the connection does not
   // exist.

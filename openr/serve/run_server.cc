@@ -63,7 +63,8 @@ int RunServer::Serve() {
 
 // Serves one request.  Returns false if the other end of the pipe is closed.
 bool RunServer::ServeOne() {
-  while (waitpid(-1, nullptr, WNOHANG) > 0) {  // removes zombies: forks that have ended
+  // Removes zombies, that is, forks of this process that have ended.
+  while (waitpid(-1, nullptr, WNOHANG) > 0) {
   }
   std::string text, bytes;
   Answer answer;

@@ -37,8 +37,8 @@ bool IsImageFolder(const std::string& images);
 std::unique_ptr<ImageSource> OpenImages(const std::string& images);
 
 struct RobotEquipment {
-  std::shared_ptr<MemoryStick> stick;  // null: the robot has no stick
-  std::unique_ptr<Body> body;          // null: the robot has no body and no OVirtualRobotComm
+  std::shared_ptr<MemoryStick> stick;  // the Memory Stick; null: the robot has no stick
+  std::unique_ptr<Body> body;  // the body; null: the robot has no body and no OVirtualRobotComm
   VirtualRobotOptions devices;
   // Makes the network of the robot whose number in the System is `robot`.
   std::function<std::unique_ptr<Network>(int robot)> make_network;
@@ -47,7 +47,7 @@ struct RobotEquipment {
 
 struct AssembledRobot {
   int number = 0;                    // the robot's number in the System
-  VirtualRobot* virtual_robot = {};  // null: the robot has no body
+  VirtualRobot* virtual_robot = {};  // devices of the robot; null: the robot has no body
   IpStack* ip_stack = {};
   std::shared_ptr<Network> network;
   IpStackOptions ip_stack_options;

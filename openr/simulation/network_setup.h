@@ -24,7 +24,7 @@ std::unique_ptr<Network> MakeHostNetwork(int rc_port, std::vector<AddressPair> a
 // "" if it can listen.
 std::string WhyNoPort(int rc_port);
 
-// Returns a network without sockets: other programs cannot reach the robot.
+// Returns a network without sockets, so that other programs cannot reach the robot.
 std::unique_ptr<Network> MakeLonelyNetwork();
 
 // Returns the port of this computer on which the robot's remote control listens; 0 while no object

@@ -8,7 +8,7 @@ namespace openr_host {
 
 class Pacer {
  public:
-  // `rate` is virtual seconds per real second; 0: as fast as possible.
+  // Makes a pacer.  `rate` is virtual seconds per real second; 0: as fast as possible.
   explicit Pacer(double rate) : rate_(rate) {}
 
   double rate() const { return rate_; }

@@ -35,7 +35,7 @@ struct SimulationOptions {
   std::vector<std::string> more_sticks;
   std::string robot = "ers210";  // name of the robot model
   std::string world;             // the world file; "": a flat floor
-  std::string body = "ode";      // kind of body: "ode" (with physics) or "ideal"
+  std::string body = "ode";      // kind of the robots' bodies: "ode" (with physics) or "ideal"
   int robots = 1;                // number of robots; several robots can only read their sticks
   bool together = false;         // whether all robots are in one world; "ode" only
   uint64_t seed = 1;
@@ -50,11 +50,11 @@ struct SimulationOptions {
   std::string battery = "drain";  // battery of each robot; see ParseBattery()
   // Whether objects may write to the stick.  With several robots they never may.
   bool writable_stick = true;
-  bool measures = true;             // measures handler times and stacks for the report
-  bool guard_regions = false;       // see SystemOptions
-  std::string cost_file;            // see LoadCostFile()
+  bool measures = true;             // true: measures handler times and stacks for the report
+  bool guard_regions = false;       // see SystemOptions::guard_regions
+  std::string cost_file;            // name of a cost file; see LoadCostFile()
   std::shared_ptr<CostModel> cost;  // costs to use instead of cost_file; null: cost_file is used
-  uint32_t log_level = 3;           // see SystemOptions
+  uint32_t log_level = 3;           // see SystemOptions::log_level
   bool host_network = true;         // false: the robots cannot reach other programs
   // The port of this computer for the first robot's remote control; 0: any free port; -1: the
   // robot's own port or, if that is taken, the next free one.

@@ -12,18 +12,18 @@
 
 namespace openr_host {
 
-// A handler that has run.
+// A handler that has run, as a slice of the timeline.
 struct HandlerSlice {
   enum class Length {
     kUnknown,  // not known, because a recording does not say how long a handler took
     kCost,     // processor time of the robot, from the cost file
-    kWall,     // time of this computer
+    kWall,     // time by the clock of this computer
   };
   TraceRecord record{};
   int robot = 0;  // number of the robot that has the object
   std::string object, entry, sender;
   std::string said;      // what the message says, in words; "" if it is not shown
-  double at_us = 0;      // time on the timeline when the handler began
+  double at_us = 0;      // time on the timeline at which the handler began
   double length_us = 0;  // length of the slice; 0 if it is unknown
   Length length = Length::kUnknown;
 };
