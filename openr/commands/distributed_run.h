@@ -33,10 +33,10 @@ class DistributedRun {
 
   bool has_processes() const { return workers_ != nullptr; }
 
-  // Adds two things to `options`, from which the simulation is made later.  The first are functions
-  // that make stand-ins: objects that pass messages on to the objects in the workers.  The second,
-  // with --ros2, is a JointClient in each robot's network, which sends the robot the commands of
-  // ROS 2.  `say` prints messages about ROS 2 for the user.
+  // Changes `options`, from which the simulation is made later.  Adds functions that make
+  // stand-ins: objects that pass messages on to the objects in the workers.  With --ros2, also adds
+  // a JointClient to each robot's network; it sends the robot the commands of ROS 2. `say` prints
+  // messages about ROS 2 for the user.
   void Enter(SimulationOptions* options, const Ros2Link::Say& say);
 
   // Throws std::runtime_error if the flags --place, --placement or --isolate name an object that

@@ -1,4 +1,4 @@
-// The parts of the command openr mtn that write files.
+// The subcommands of openr mtn that write files: plot, from-csv and oda.
 #pragma once
 
 #include <CLI/CLI.hpp>

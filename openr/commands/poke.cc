@@ -1,4 +1,5 @@
-// The commands openr poke and openr attach: inputs for a run that goes on, and its console.
+// The commands openr poke and openr attach: they send inputs to a run that goes on, and attach
+// shows a console of this run.
 #include <fmt/format.h>
 #include <unistd.h>
 

@@ -1,4 +1,4 @@
-// The actions of `openr rc` that take packets of the robot's streams.
+// The actions of `openr rc` that print the packets which the robot sends as streams.
 #include <fmt/format.h>
 
 #include <algorithm>

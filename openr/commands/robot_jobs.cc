@@ -89,8 +89,8 @@ struct SharedFinding {
   std::vector<int> robots;
 };
 
-// Prints the first kFindingsPrinted findings, errors first.  Equal findings of several robots are
-// printed as one line.  Otherwise a finding of all robots would hide the finding of a single robot.
+// Prints the first kFindingsPrinted findings, errors first.  Prints equal findings of several
+// robots as one line, because they would otherwise hide the finding of a single robot.
 void PrintFindings(const Json& findings) {
   std::vector<SharedFinding> shared;
   std::map<std::pair<std::string, std::string>, size_t> places;  // key: severity and text; value:

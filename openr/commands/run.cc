@@ -335,9 +335,9 @@ void CommandedRun::BeginDataLog() {
 // Boots the robots and runs the simulation to its end.  Returns false after printing an error.
 bool CommandedRun::RunToTheEnd() {
   const EndingAnswer answer(flags_.json ? StandardOutput() : -1, flags_.report_file);
-  // Gives `place` a value for a run on the default stick, so that the finding about a crash names
-  // the record's file: its folder is not known to users.  The value is "", because no text needs to
-  // follow the file's name.
+  // Gives `place` a value for a run on the default stick, because the finding about a crash must
+  // then name the record's file: users do not know the folder of this file.  The value is "",
+  // because no text needs to follow the file's name.
   std::optional<std::string> place;
   if (stick_.is_default()) place = "";
   const CrashLog crash_log(

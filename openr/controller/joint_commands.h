@@ -26,9 +26,10 @@ class JointCommands {
   // position, the largest speed, and the default acceleration.
   explicit JointCommands(const RobotConstants* robot);
 
-  // Returns the requests that bring the robot to `now`, and marks their values as sent.  The order
-  // is positions, speeds, accelerations (Hohl 2004, 4.2.3); motors are switched with the positions.
-  // The robot refuses positions while a motion plays (`is_playing`), so a later call returns them.
+  // Returns the requests that bring the robot to the state `now`, and marks their values as sent.
+  // The order is positions, speeds, accelerations (Hohl 2004, 4.2.3); motors are switched with the
+  // positions.  Returns no positions while a motion plays (`is_playing`), because the robot would
+  // refuse them; a later call returns them.
   std::vector<RobotCommand> Changes(const BatchMoverCommand& now, bool is_playing);
 
   // Marks the position of a joint as not sent, because the robot has refused it.  So a later call

@@ -25,10 +25,10 @@ namespace openr_host {
 // throw nothing.  They keep an error of the connection, and Check() throws it.
 class RemotePort : public ControllerPort {
  public:
-  // Subscribes to the sensor values.  `folder` is the controller's folder.  `on_step` makes an
-  // iteration of the loop while the controller waits in robot_step().  If the program has to end,
-  // `on_step` does not return.  Throws remote::Error; throws std::runtime_error if the design of
-  // the robot is unknown.
+  // Connects to the robot and subscribes to its sensor values.  `folder` is the controller's
+  // folder.  `on_step` makes an iteration of the loop while the controller waits in robot_step().
+  // If the program has to end, `on_step` does not return.  Throws remote::Error; throws
+  // std::runtime_error if the design of the robot is unknown.
   RemotePort(const openr::remote::Address& address, openr::remote::Options options,
              std::string folder, std::function<void()> on_step);
   ~RemotePort() override;

@@ -199,8 +199,8 @@ class ChartMaker {
   }
 
   // Converts the values of a sensor to SI units if they are large.  OPEN-R gives most values in
-  // 10^-6 of an SI unit, so these are large.  The states 0 and 1 of switches and the counts of a
-  // converter are small, and stay as they are.
+  // 10^-6 of an SI unit, and such values are large numbers.  The states 0 and 1 of switches and the
+  // counts of a converter are small numbers, so they are not converted.
   static void ConvertToSi(chart::Panel* panel) {
     std::vector<double>& values = panel->curves.front().y;
     const bool is_micro = std::any_of(values.begin(), values.end(),

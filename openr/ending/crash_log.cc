@@ -245,9 +245,10 @@ void UseAlternateStack(bool on) {
   sigaltstack(&stack, nullptr);
 }
 
-// Ends the run after AddressSanitizer, which is in images of openr build --sanitize, has printed
-// `report`.  The report's first line is "==123==ERROR: AddressSanitizer: heap-use-after-free on
-// address ...", of which the kind of the error is kept.
+// Ends the run after AddressSanitizer has printed `report`.  AddressSanitizer is in images of openr
+// build --sanitize.  The report's first line is "==123==ERROR: AddressSanitizer:
+// heap-use-after-free on address ...".  Only the kind of the error in this line is kept, here
+// heap-use-after-free.
 void OnSanitizerReport(const char* report) {
   // Returns, because AddressSanitizer then ends the process.
   if (t_current.object == nullptr) return;

@@ -28,9 +28,9 @@ class SignalText {
   size_t size_ = 0;
 };
 
-// Adds a description of the object and the object's handler that run on this thread: "JointMover,
-// NotifyMover (selector 7), message 4711, t=1248000 us".  Returns false, and adds nothing, if no
-// object runs.
+// Adds a description of the object, and of the object's handler, that run on this thread, such as
+// "JointMover, NotifyMover (selector 7), message 4711, t=1248000 us".  Returns false, and adds
+// nothing, if no object runs.
 bool AddCurrentHandler(SignalText* text);
 
 // Adds less than AddCurrentHandler(): only the name and the number (selector) of the object's

@@ -54,9 +54,9 @@ class ExploreSchedule : public Schedule {
   // cost file.  The difference lies between -range_us and range_us.
   int64_t CostJitterUs(const Object& object, uint32_t selector, int64_t range_us);
 
-  // Returns the number that the first frame (8 ms) of `robot` has, in a run of `frames` frames.
-  // Without exploration it is 0.  A number near the largest one makes the frame counter begin again
-  // at 0 during the run, which on a real robot happens only after 24.8 days.
+  // Returns the number of the first frame (8 ms) of `robot` in a run of `frames` frames.  Without
+  // exploration it is 0. A number near the largest frame number makes the frame counter begin again
+  // at 0 during the run; on a real robot this happens only after 24.8 days.
   int64_t FirstFrame(int robot, int64_t frames);
 
   // Returns the faults that `robots` robots get in a run of the length `for_us`, in order of time.
@@ -140,9 +140,9 @@ class RandomSchedule : public ExploreSchedule {
   ObjectId slow_ = kNoObject;  // object whose messages are often delayed
 };
 
-// Repeats the deviations of a list, and makes the canonical choice everywhere else.  A deviation
-// whose place does not occur in the run is ignored: if some deviations of a run were left out of
-// the list, the run may not come to the places of the others.
+// Repeats the deviations of a list, and makes the canonical choice everywhere else.  Ignores a
+// deviation whose place does not occur in the run.  This happens if some deviations of a run were
+// left out of the list, because the run may then not come to the places of the other deviations.
 class ScriptedSchedule : public ExploreSchedule {
  public:
   ScriptedSchedule(const System& system, const std::vector<Deviation>& script);

@@ -50,8 +50,8 @@ nlohmann::ordered_json VerifySeeds(const ExplorePlan& plan);
 nlohmann::ordered_json SearchOrders(const ExplorePlan& plan);
 
 // Makes one run with the deviations `script`, which come from a schedule file.  `seed` is the seed
-// in that file; the random numbers of the simulation follow from it.  Returns the answer of
-// RunPlan(), with the last messages of the run.
+// in this file; it decides the random numbers of the simulation.  Returns the answer of RunPlan(),
+// with the last messages of the run.
 nlohmann::ordered_json ReplayDeviations(const ExplorePlan& plan,
                                         const nlohmann::ordered_json& script, uint64_t seed);
 

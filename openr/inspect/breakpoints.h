@@ -11,10 +11,10 @@
 
 namespace openr_host {
 
-// The breakpoints of a session of openr replay --step.  Each is a text: "object JointMover",
-// "service Effector", "state JointMover accepting-commands", "when robots[0].pitch_deg > 10",
-// "finding".  As text the breakpoints can be passed to another process, in which the session
-// continues after going back (stepper.h).
+// The breakpoints of a session of openr replay --step.  Each breakpoint is a text: "object
+// JointMover", "service Effector", "state JointMover accepting-commands", "when robots[0].pitch_deg
+// > 10", "finding".  As texts they can be passed to another process, in which the session continues
+// after going back (stepper.h).
 class Breakpoints {
  public:
   Breakpoints(Replayer* replayer, const SimulationView* view) : replayer_(replayer), view_(view) {}

@@ -21,11 +21,11 @@ class Recorder {
   // the simulation is made with `options`.
   void Listen(SimulationOptions* options);
 
-  // Begins the file.  `stick` is the folder in which a replay finds the files of the Memory Stick
-  // (RunStick::name()).  `schedule` is TraceHeader::schedule.  `is_free` says that the run is
-  // free-running and cannot be replayed. Throws std::runtime_error when the file cannot be created
-  // or another run is writing to it. REQUIRES: System::Boot() has not been called; `simulation` was
-  // made with `options`.
+  // Begins the file of the recording.  `stick` is the folder in which a replay finds the files of
+  // the Memory Stick (RunStick::name()).  `schedule` is the order of messages as in
+  // TraceHeader::schedule.  `is_free` says that the run is free-running and cannot be replayed.
+  // Throws std::runtime_error when the file cannot be created or another run is writing to it.
+  // REQUIRES: System::Boot() has not been called; `simulation` was made with `options`.
   void Begin(Simulation* simulation, const SimulationOptions& options, const std::string& stick,
              bool is_free = false, const std::string& schedule = "");
 

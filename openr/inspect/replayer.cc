@@ -301,9 +301,10 @@ void Replayer::CompareEnd(const TraceEntry& end) {
   }
 }
 
-// Applies the next recorded input, such as "press pause", if its time has come.  Returns whether
-// input was applied.  At the end of the recording, compares the hashes of this run's messages and
-// state with the recorded ones instead.  Where a worker process was lost, ends the replay instead.
+// Applies the next recorded input, such as "press pause", if its time has come.  Returns whether it
+// has applied an input.  At the end of the recording, instead compares the hashes of this run's
+// messages and state with the recorded hashes.  Where a worker process was lost, instead ends the
+// replay.
 bool Replayer::ApplyInput() {
   SkipNames();
   const TraceEntry* const next = reader_.Peek();
@@ -368,8 +369,8 @@ bool Replayer::Step() {
   system().RunOne(std::max(next_us, system().now_us()));
   if (!difference_.empty()) return false;
   if (count_ != before || at_end_) return true;
-  // Checks whether the replay has missed a message, because RunOne() has delivered none up to the
-  // time of the next entry.  If this entry is input, the next Step() applies it.  If it is a
+  // Checks whether the replay has missed a message: RunOne() has delivered no message up to the
+  // time of the next entry.  If this entry is input, the next Step() applies it.  If the entry is a
   // message, the replay differs from the recording.
   const TraceEntry* const next = reader_.Peek();
   if (next == nullptr || next->kind != Kind::kMessage) return true;

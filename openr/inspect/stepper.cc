@@ -157,9 +157,9 @@ class Stepper {
       view_.Sample();
       if (replayer_->count() - last_snapshot_ >= kSnapshotMessages) {
         if (!Snapshot()) _exit(0);
-        // Stops here if this process is a new copy, made because the user goes back to a snapshot
-        // that was taken here.  The new copy returns from Snapshot(), too, but the command that
-        // called Forward() was over long before.
+        // Stops here if this process is a new copy, which was made because the user goes back to a
+        // snapshot.  The new copy also returns from Snapshot(), but the command that called
+        // Forward() at the time of the snapshot is over.
         if (went_back_) return false;
       }
     }

@@ -205,9 +205,9 @@ class TraceWriter {
   std::map<int32_t, int> objects_;  // key: id of an object; value: Object::predecessors when the
                                     // object's name was written
   std::set<std::pair<int32_t, uint32_t>> entries_;
-  // The Lives of each link; the index is the number of the link.  While they do not change,
-  // AddMessage() need not look up names: it does so only for the first message of a link, and after
-  // an object was replaced.
+  // The Lives of each link; the index is the number of the link.  AddMessage() must look up names
+  // only when the Lives of a link have changed: for the first message of the link, and after an
+  // object was replaced.
   std::vector<Lives> named_;
   std::string payload_copy_;
 };
@@ -244,9 +244,9 @@ class TraceReader {
   // Returns how the run ended, as a word of EndName() and a text with the reason.  Both are empty
   // if the recording does not have them, or if it has not been read so far.
   const std::pair<std::string, std::string>& ended() const { return why_ended_; }
-  // Explains why no message matches a filter: returns an error such as "there is no object
-  // 'JointMvoer'; did you mean ...", or "" if the recording has the object and the service.  An
-  // empty name is no filter.  Called at the end of the file, when all names have been read.
+  // Returns an error that explains why no message matches a filter, such as "there is no object
+  // 'JointMvoer'; did you mean ...".  Returns "" if the recording has the object and the service.
+  // An empty name is no filter.  Called at the end of the file, when all names have been read.
   std::string WhyNothing(const std::string& object, const std::string& service) const;
 
  private:

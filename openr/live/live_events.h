@@ -1,5 +1,4 @@
-// The events of a run: lines that the run sends to a client that watches it, without further
-// requests.
+// The events of a run: lines that the run sends by itself to a client that watches the run.
 #pragma once
 
 #include <cstdint>

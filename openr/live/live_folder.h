@@ -13,9 +13,9 @@ struct LiveRun {
   std::string socket;  // path of the run's socket
 };
 
-// Returns the folder of the sockets, which only this user can enter.  Makes the folder if it is
-// missing.  Throws std::runtime_error if that is not possible, or if other users can enter the
-// folder.
+// Returns the folder of the sockets of all runs of this user.  Only this user can enter it.  Makes
+// the folder if it is missing.  Throws std::runtime_error if the folder cannot be made, or if other
+// users can enter it.
 std::string LiveFolder();
 
 // Returns the path of the socket of this process: "FOLDER/NAME.PROCESS".  Keeps letters, digits,

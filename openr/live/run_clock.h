@@ -1,4 +1,4 @@
-// RunClock: the rate of a run, its pause, and the steps that a paused run has still to make.
+// RunClock: keeps the rate of a run, its pause, and the steps that a paused run has still to make.
 //
 // The clock decides only when a run goes on, never what happens in it.  So changes of the clock are
 // not part of a recording.

@@ -56,9 +56,9 @@ int LagMeter::LiveliestJoint(int64_t from_ms) const {
   return liveliest;
 }
 
-// Returns the misfit of the follower's positions since `from_ms` to the leader's positions `lag_ms`
-// earlier: the variance of their difference, divided by the variance of the leader's positions.  A
-// constant difference is no misfit.
+// Returns how badly the follower's positions since `from_ms` fit the leader's positions `lag_ms`
+// earlier: the variance of the difference of the positions, divided by the variance of the leader's
+// positions.  A constant difference counts as a perfect fit.
 double LagMeter::Misfit(int joint, int64_t lag_ms, int64_t from_ms) const {
   const auto j = static_cast<size_t>(joint);
   double n = 0, sum = 0, squares = 0, leader_sum = 0, leader_squares = 0;

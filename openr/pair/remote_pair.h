@@ -105,9 +105,9 @@ class RemotePair {
   // Switches lights and ears of both robots off.
   void ResetLights();
 
-  // Serves both robots until `control` ends the pair.  Calls `tell` with the status several times a
-  // second.  Throws remote::Error when a connection is lost; its text begins with the address of
-  // the robot.
+  // Serves both robots until `control` ends the pair.  Calls `tell` with the status of the pair
+  // several times a second.  Throws remote::Error when a connection is lost; the text of the error
+  // begins with the address of the robot.
   void Run(PairControl* control, const std::function<void(const PairStatus&)>& tell);
 
  private:

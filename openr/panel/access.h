@@ -1,4 +1,4 @@
-// Access: decides which requests and WebSockets the panel's server refuses.
+// Access: decides which requests and WebSockets the server of the panel refuses.
 #pragma once
 
 #include <cstdint>

@@ -47,9 +47,9 @@ class Page : public WebPage {
   void Join(const LiveRun& run);
 
   // Tells the page that its run has ended, or why it has no run, and closes the page.  If a part of
-  // a message of the page has come, waits for the rest of the message first: when a socket is
-  // closed with unread bytes in it, the kernel of the other side throws away what it has received,
-  // and the page would not see the reason.
+  // a message from the page has come, first waits for the rest of this message.  If the server
+  // closed a socket with unread bytes, the kernel on the page's side would throw away what it has
+  // received, and the page would not see the reason.
   void End(int code, const std::string& why);
 
   // Sends to the page the answers that threads have put into the outbox.

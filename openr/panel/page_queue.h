@@ -1,4 +1,4 @@
-// PageQueue, the messages that wait until the socket of one page takes them.
+// PageQueue: keeps the messages that wait until the socket of one page takes them.
 #pragma once
 
 #include <deque>

@@ -12,8 +12,8 @@ namespace openr_host {
 class PairControl;
 
 // Connects both robots and serves them in a thread of its own, because a robot may not answer
-// (docs/panel-server.md, "Both dogs").  Puts the answer to the request that has made the bridge,
-// and events "pair", into an outbox.
+// (docs/panel-server.md, "Both dogs").  Puts events "pair" into an outbox, and also the answer to
+// the request that has made the bridge.
 class PairBridge {
  public:
   // The largest number of threads that all bridges of this process together may have.

@@ -11,9 +11,9 @@ struct PanelOptions {
   // The run for pages that name no run.  It is given by its name, its process id or both; "": no
   // run.
   std::string run;
-  // Descriptor of a pipe.  The server ends when the pipe is closed; -1: the server ends with SIGINT
-  // or SIGTERM.  The server of a run prints its address on standard error, and then writes nothing
-  // more to it.
+  // Descriptor of a pipe.  The server ends when the other end of the pipe is closed; -1: the server
+  // ends with SIGINT or SIGTERM.  The server of a run prints its address on standard error, and
+  // then writes nothing more to standard error.
   int run_pipe = -1;
 };
 

@@ -28,9 +28,9 @@ struct PictureRequest {
 std::string ParsePictureRequest(std::string_view text, PictureRequest* plan);
 
 // Writes a picture of the robot in its present state to the file of `plan`.  `company` are the
-// robots in the same world; the robot itself may be among them.  The first picture of
-// another view than View::kCamera loads libopenr_render.so and the graphics library Mesa.  Returns
-// "" or the error.
+// robots in the same world; the robot itself may be among them.  The first picture with another
+// view than View::kCamera loads libopenr_render.so and the graphics library Mesa.  Returns "" or
+// the error.
 std::string TakePicture(const PictureRequest& plan, VirtualRobot* robot,
                         const std::vector<VirtualRobot*>& company);
 

@@ -28,8 +28,8 @@ class BranchNetwork : public PassingNetwork {
       : PassingNetwork(std::move(inner)), robot_(robot), log_(*log) {}
 
   // Repeats `inputs`, which are all for this robot: each call of Poll() returns the events that the
-  // call of the same number returned in the original run.  Nothing is sent any more.  REQUIRES:
-  // Forget() was called.
+  // call with the same number returned in the original run.  From now on nothing is sent.
+  // REQUIRES: Forget() was called.
   void Repeat(std::deque<LoggedInput> inputs);
   // Repeats events: each call of Poll() returns the events that the function `say` gives for it,
   // such as the events of a recording.

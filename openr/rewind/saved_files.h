@@ -63,9 +63,9 @@ class ProcessFiles {
   // Throws std::system_error.
   std::vector<std::string> KeepCopies();
 
-  // Finds the copy that OpenAgain() has made of the written file `path`, moves it to `target`, and
-  // makes the fork go on with writing there; with `target` "" it goes on with the copy.  Returns
-  // the path of the file that is written from now on.  Throws std::runtime_error or
+  // Finds the copy that OpenAgain() has made of the written file `path`, and moves it to `target`.
+  // The fork then goes on writing to `target`; if `target` is "", it goes on writing to the copy.
+  // Returns the path of the file that is written from now on.  Throws std::runtime_error or
   // std::system_error.
   std::string MoveCopy(const std::string& path, const std::string& target);
 

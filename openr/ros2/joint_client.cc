@@ -107,9 +107,9 @@ void JointClient::Forget() {
   framer_.Reset();
 }
 
-// Connects this client to the remote control.  The robot waits for clients with Accept().  This
-// function reports in `events` that the oldest waiting Accept() has a connection, and removes that
-// Accept() from the real network.  Returns false if no Accept() waits.
+// Connects this client to the robot's remote control.  The remote control waits for clients with
+// Accept().  This function reports in `events` that the oldest waiting Accept() has a connection,
+// and removes this Accept() from the real network.  Returns false if no Accept() waits.
 bool JointClient::TakePlace(std::vector<NetworkEvent>* events) {
   if (listener_ == 0 || accepts_.empty()) return false;
   const NetHandle handle = accepts_.front();

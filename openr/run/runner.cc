@@ -207,9 +207,9 @@ void Runner::RunFreely(int64_t stop_us, Pacer* pacer) {
   }
 }
 
-// If the run is paused, makes the step that a user has asked for, or waits a moment for one.
-// Returns false if the run is not paused.  After the pause button of the robot was pressed, no run
-// is paused, because the user wants the run to end.
+// If the run is paused, makes the step that a user has asked for, or waits a moment for such a
+// request.  Returns false if the run is not paused.  After the pause button of the robot was
+// pressed, the run is never paused, because the user wants it to end.
 bool Runner::WaitWhilePaused(Pacer* pacer) {
   if (plan_.clock == nullptr || !plan_.clock->paused() || paused_us_ >= 0) return false;
   constexpr int kWaitMs = 50;  // longest time for which Ctrl-C and typed text may go unnoticed

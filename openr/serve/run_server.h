@@ -1,5 +1,5 @@
-// RunServer: the other end of the Python module openr_host.  It makes one run and does what the
-// commands on a pipe say (command_table.h), until the pipe is closed.
+// RunServer: the other end of the pipe of the Python module openr_host.  It makes one run and does
+// what the commands on the pipe say (command_table.h), until the pipe is closed.
 #pragma once
 
 #include <cstdint>

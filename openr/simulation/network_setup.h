@@ -15,9 +15,9 @@ class IpStack;
 class Network;
 
 // Returns a network that uses sockets of this computer.  `rc_port` is the port for the remote
-// control; 0: any free port; -1: the robot's own port or, if that is taken, the next free one.
-// Each pair in `addresses` names an address that the robot's programs use and the address that this
-// computer uses in its place.
+// control; 0: any free port; -1: the robot's own port or, if that is taken, the next free port.
+// Each pair in `addresses` has an address that the robot's programs use, and the address that this
+// computer uses instead.
 std::unique_ptr<Network> MakeHostNetwork(int rc_port, std::vector<AddressPair> addresses);
 
 // Returns the reason why the remote control cannot listen on the port `rc_port` of this computer;

@@ -28,10 +28,11 @@ class StandingMonitor {
   // once per frame of 8 ms.
   void Sample(const BodyState& state, int64_t now_us);
 
-  // Returns whether the robot stands: all paws touch something, height and attitude over the plane
-  // through the paws are near those of the posture, the plane is no steeper than kSlopeMaxRad, and
-  // the trunk has been slower than kSpeedMaxMs for kCalmUs.  Without this last condition, a robot
-  // that only passes through the posture while it moves would count as standing.
+  // Returns whether the robot stands.  It stands if all paws touch something, its height and
+  // attitude over the plane through the paws are near the height and attitude of the posture, this
+  // plane is no steeper than kSlopeMaxRad, and the trunk has been slower than kSpeedMaxMs for
+  // kCalmUs.  Without this last condition, a robot that only passes through the posture while it
+  // moves would count as standing.
   bool standing() const;
 
  private:
