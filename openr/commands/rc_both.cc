@@ -32,7 +32,7 @@ constexpr int64_t kFollowPeriodMaxUs = 10'000'000;
 // RemotePair tells its status every 200 ms.
 constexpr int kStatusesPerReport = 5;
 
-// One of the two robots, with the result of the action at this robot.
+// A robot of a pair, with the result of the action at this robot.
 struct Partner {
   std::string address;
   std::unique_ptr<remote::Connection> connection;

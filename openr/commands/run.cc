@@ -145,7 +145,7 @@ std::unique_ptr<PanelProcess> StartPanel(const RunFlags& flags, const LiveServer
   return std::make_unique<PanelProcess>(socket.filename(), flags.panel_port);
 }
 
-// One run of `openr run`, from the flags of the user to the report.
+// A run of `openr run`, from the flags of the user to the report.
 class CommandedRun {
  public:
   explicit CommandedRun(const RunFlags& flags);

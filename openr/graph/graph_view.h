@@ -12,8 +12,8 @@ namespace openr_host {
 class System;
 
 struct GraphService {
-  std::string
-      name;  // full name of the service, with four parts, such as "RCServer.Move.MoveCommand.S"
+  // Full name of the service, with four parts, such as "RCServer.Move.MoveCommand.S".
+  std::string name;
   bool is_subject = true;
 };
 

@@ -22,11 +22,8 @@ namespace remote = openr::remote;
 // any other robot.
 enum PairSide { kFirst = 0, kSecond = 1 };
 
-enum class Follow {
-  kNone,
-  kFirst,
-  kSecond
-};  // the robot that follows the other robot, or no robot
+// The robot of a pair that follows the other robot, or no robot.
+enum class Follow { kNone, kFirst, kSecond };
 
 struct PairOptions {
   int timeout_ms = 3000;

@@ -33,9 +33,8 @@ class Error : public std::runtime_error {
   const std::string& advice() const { return advice_; }
   // Returns the RcStatus (RemoteProtocol.h) of a refusal; 0 (rcOK) if the robot has not refused.
   int status() const { return status_; }
-  uint32_t frame() const {
-    return frame_;
-  }  // frame number in the answer by which the robot refused
+  // Returns the frame number in the answer by which the robot refused.
+  uint32_t frame() const { return frame_; }
 
   // Returns whether the connection can still be used after this error.  If it cannot, the caller
   // must make a new connection.

@@ -11,8 +11,8 @@
 namespace openr_host::render {
 
 struct Colour {
-  float r = 0.5f, g = 0.5f,
-        b = 0.5f;  // red, green and blue from 0 to 1, as seen on a screen (sRGB)
+  // Red, green and blue, each from 0 to 1, as seen on a screen (sRGB).
+  float r = 0.5f, g = 0.5f, b = 0.5f;
 };
 
 // A box with rounded edges.  It is a ball when `radius_m` is half of each edge.

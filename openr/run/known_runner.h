@@ -18,8 +18,8 @@ struct KnownRunnerParts {
   RunClock* clock = nullptr;
   Rewind* rewind = nullptr;
   const InterruptCounter* interrupts = nullptr;
-  std::function<void(const std::string& line)>
-      say;  // a function that prints a message for the user
+  // A function that prints a message for the user.
+  std::function<void(const std::string& line)> say;
 };
 
 // Runs a known run until Ctrl-C, and returns the exit code.  At the end of the recorded time the

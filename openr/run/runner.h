@@ -40,8 +40,8 @@ struct RunPlan {
   RunClock* clock = nullptr;      // rate and pause that clients choose; null:
                                   // the run always has `rate`
   Rewind* rewind = nullptr;       // goes back to earlier moments; null: the run cannot be rewound
-  std::function<void(const std::string& line)>
-      say;                       // a function that prints a message for the user
+  // A function that prints a message for the user.
+  std::function<void(const std::string& line)> say;
   Recorder* recorder = nullptr;  // records lost processes; null: none
   // A function for a free run, in which virtual time goes on while handlers run in worker
   // processes; null in other runs.  It waits at most `timeout_us` for results of these handlers and
@@ -110,8 +110,8 @@ class Runner {
   const InterruptCounter* const interrupts_;
   std::vector<StandingMonitor> standing_;
   std::vector<bool> taken_;  // for each picture: true if it was taken
-  std::vector<Announced>
-      announced_;  // facts about each robot; the index is the number of the robot
+  // The facts about each robot; the index is the number of the robot.
+  std::vector<Announced> announced_;
   int activity_sink_ = 0;
   int64_t last_activity_us_ = 0;
   int64_t paused_us_ = -1;  // virtual time when the pause button was pressed; -1: not pressed
