@@ -1,4 +1,5 @@
-// Chart: a picture with curves, described as plain data.  Its panels stand in rows and columns.
+// Chart: a picture with curves, described as plain data.  The panels of the picture stand in rows
+// and columns.
 #pragma once
 
 #include <string>
@@ -19,40 +20,41 @@ struct Curve {
   Look look = Look::kFirst;
   std::string label;         // text in the legend, where all curves with the same label share one
                              // entry
-  std::vector<double> x, y;  // coordinates of the points; x rises
+  std::vector<double> x, y;  // coordinates of the points of the curve; x rises
 };
 
 struct Panel {
   std::string title;
-  std::string note;  // short text to the right of the title
+  std::string note;  // short text to the right of the panel's title
   std::vector<Curve> curves;
-  double y_span_min = 0;  // smallest span of the vertical axis; 0: as Chart::y_span_min
+  double y_span_min = 0;  // smallest span of this panel's vertical axis; 0: uses Chart::y_span_min
 };
 
 struct Chart {
   std::string title;
   std::string subtitle;
-  std::string x_label, y_label;  // texts at the axes, with units
-  int columns = 3;               // >= 1
+  std::string x_label, y_label;  // texts at the two axes of each plot, with units
+  int columns = 3;               // number of panels in a row; >= 1
   double y_span_min = 4;         // smallest span of a vertical axis, so that small noise does not
                                  // fill the plot
   double plot_width = 320, plot_height = 128;  // size of a panel's plot, in points
-  std::vector<Panel> panels;  // the panels of the first row, then those of the second row, ...
+  std::vector<Panel> panels;                   // the panels of the picture, row by row
 };
 
 enum class FileType { kSvg, kPng };
 
-// The type of openr_draw_chart(), which the program finds in libopenr_chart.so by its name.  The
-// function sets `bytes` to the content of the file, or `error` to the error.
+// The type of the function openr_draw_chart(), which the program finds by its name in
+// libopenr_chart.so.  The function sets `bytes` to the content of the chart's file.  If that fails,
+// it sets `error` to the error.
 using DrawChartFunction = void(const Chart& chart, FileType type, std::string* bytes,
                                std::string* error);
 constexpr char kDrawChartName[] = "openr_draw_chart";
 
-// Returns the reason why a chart cannot be written to a file of the name `file`; "" if it can.
-// Charts are written to .svg and .png files.
+// Returns the reason why a chart cannot be written to a file of the name `file`; "" if it can be
+// written.  Charts are written to .svg and .png files.
 std::string WhyNoChartName(const std::string& file);
 
-// Draws the chart and writes it to `file`.  Returns "" or the error.  The first call loads
+// Draws the chart and writes it to `file`.  Returns "", or the error.  The first call loads
 // libopenr_chart.so and Cairo.
 std::string WriteChart(const Chart& chart, const std::string& file);
 

@@ -22,7 +22,7 @@ constexpr double kTitleRoom = 22;  // height above each plot, for the title of i
 constexpr double kHeadRoom = 76;   // height above the first row of panels
 constexpr double kAxisLabelRoom = 22;
 constexpr double kFootRoom = 52;   // height below the last row of panels
-constexpr double kPngScale = 1.5;  // pixels per unit
+constexpr double kPngScale = 1.5;  // pixels per unit of a picture in a PNG file
 constexpr double kPi = 3.14159265358979323846;
 
 struct Rgb {
@@ -41,13 +41,14 @@ struct Span {
   double low, high;
 };
 
-// The values at an axis that get a number: `first`, `first` + `step`, ...
+// The values at an axis beside which a number is drawn: `first`, `first` + `step`, ...
 struct Ticks {
   double first, step;
   int decimals;
 };
 
-// Returns ticks at multiples of 1, 2 or 5 times a power of ten, at most `count` of them.
+// Returns ticks for an axis with the values `span`: multiples of 1, 2 or 5 times a power of ten, at
+// most `count` of them.
 Ticks TicksOf(const Span& span, int count) {
   const double rough = (span.high - span.low) / count;
   const double power = std::pow(10, std::floor(std::log10(rough)));
@@ -66,7 +67,7 @@ void Widen(const std::vector<double>& values, Span* span) {
   }
 }
 
-// Replaces all bytes but printable ASCII by '?', because Cairo refuses text that is not UTF-8, and
+// Replaces all bytes except printable ASCII by '?'.  Cairo refuses text that is not UTF-8, and
 // names in motion files may have any bytes.
 std::string Printable(std::string text) {
   for (char& c : text) {
@@ -133,8 +134,8 @@ class Painter {
             chart_.plot_width, chart_.plot_height};
   }
 
-  // Returns the range of a panel's vertical axis: the range of its values, and some space above and
-  // below.
+  // Returns the range of a panel's vertical axis: the range of the panel's values, with some space
+  // above and below.
   Span YSpanOf(const Panel& panel) const {
     Span span{1e300, -1e300};
     for (const Curve& curve : panel.curves) Widen(curve.y, &span);
@@ -270,7 +271,7 @@ class Painter {
     return extents.x_advance;
   }
 
-  // Returns the text; replaces its middle by dots if the text is wider than `room`.
+  // Returns `text`; if it is wider than `room`, replaces its middle by dots.
   std::string Shortened(const std::string& text, double size, bool is_bold, double room) {
     std::string shortened = text;
     for (size_t left_out = 1;
@@ -288,7 +289,7 @@ class Painter {
   }
 
   // Writes a text whose base line begins at x, y.  With `anchor` 0.5 the middle of the text is at
-  // x, with 1 its end.
+  // x; with `anchor` 1 its end is at x.
   void Text(double x, double y, const std::string& text, double size, bool is_bold,
             const Rgb& colour, double anchor = 0) {
     const double width = WidthOfText(text, size, is_bold);

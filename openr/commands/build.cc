@@ -1,4 +1,4 @@
-// The command openr build: builds a folder of OPEN-R programs for the host.
+// The command openr build: builds a folder of OPEN-R programs so that they run on the host.
 #include <memory>
 
 #include "kit/build_folder.h"

@@ -1,4 +1,4 @@
-// The command openr check: checks a program and its stick without running it.
+// The command openr check: checks a program and its Memory Stick without running the program.
 #include "kit/check.h"
 
 #include <fmt/format.h>
@@ -24,8 +24,8 @@ struct CheckFlags {
   bool json = false;
 };
 
-// Returns the locators, such as "PRM:/r4/c1-Joint2:j1", of the devices of all robots.  A controller
-// gives one of these to robot_get_device().
+// Returns the locators of the devices of all robots, such as "PRM:/r4/c1-Joint2:j1".  A controller
+// gives such a locator to robot_get_device().
 std::vector<std::string> AllLocators() {
   std::vector<std::string> locators;
   for (const char* robot : {"ers210", "ers220", "ers7"}) {

@@ -10,8 +10,8 @@ struct Example {
   const char* line;
 };
 
-// The examples of all commands.  A test reads each line as openr would, but does not do the work of
-// the command.  So each word, flag and value must be right.
+// The examples of all commands.  A test parses each line as openr would, but does not do the work
+// of the command.  So each word, flag and value must be right.
 constexpr Example kExamples[] = {
     {"", "openr run                         # the default stick, in real time, with the panel"},
     {"", "openr new Greeter                 # an object of your own; it prints how to go on"},

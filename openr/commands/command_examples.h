@@ -10,9 +10,9 @@ class App;
 
 namespace openr_host {
 
-// Returns the examples of a command, each a line for a shell.  `path` names the command without
-// "openr", such as "rc mtn play"; "" is the program itself.  Returns an empty list if the command
-// has no examples.
+// Returns the examples of a command; each example is a line for a shell.  `path` names the command
+// without "openr", such as "rc mtn play"; "" is the program itself.  Returns an empty list if the
+// command has no examples.
 std::vector<std::string> ExamplesOf(const std::string& path);
 
 // Adds the examples to the help of `app`, the whole program, and of all commands in it.

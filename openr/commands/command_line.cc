@@ -63,8 +63,8 @@ std::string NoSuchCommand(const CLI::App& parent, const std::string& word) {
 
 bool IsFlag(const std::string& word) { return word.starts_with('-'); }
 
-// Returns whether `command`, the last command on the command line, lacks the command that must
-// follow it.  A missing option is a different error.
+// Returns whether the last command on the command line, `command`, lacks the subcommand that must
+// follow it.  A missing option does not count, because it is a different error.
 bool NeedsCommand(const CLI::App& command) {
   const auto is_missing = [](const CLI::Option* o) { return o->get_required() && o->count() == 0; };
   const auto options = command.get_options();
@@ -93,8 +93,8 @@ void PrintHelp(const CLI::App& app, const std::vector<std::string>& words) {
   }
   const std::string path = PathOf(*about);
   const std::string name = path.empty() ? app.get_name() : app.get_name() + " " + path;
-  // Makes the text directly, because CLI11's help() would describe the command that was called,
-  // which is `help`.
+  // Makes the help text directly.  CLI11's help() would describe the command that the user called,
+  // and that command is `help`.
   PrintAnswer(ForTerminal(app.get_formatter()->make_help(about, name, CLI::AppFormatMode::Normal)));
 }
 

@@ -14,8 +14,8 @@ std::string ExplainCommandLine(const CLI::App& app, const CLI::ParseError& error
 // terminal.
 std::string ForTerminal(const std::string& help);
 
-// Returns the words to type for help about the command on the command line, such as "openr help
-// run".
+// Returns the words that the user must type to get help about the command on the command line, such
+// as "openr help run".
 std::string HelpWords(const CLI::App& app);
 
 }  // namespace openr_host

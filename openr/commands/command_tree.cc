@@ -8,8 +8,8 @@ namespace openr_host {
 namespace {
 
 // Returns the words in the first braces of `type`, which is CLI11's text for an option with a list
-// of values: "TEXT:{ers210,ers220}" or "{basic->BASIC,...} OR {BASIC,...}".  Returns none if `type`
-// has no braces.
+// of values: "TEXT:{ers210,ers220}" or "{basic->BASIC,...} OR {BASIC,...}".  Returns an empty list
+// if `type` has no braces.
 std::vector<std::string> ChoicesIn(const std::string& type) {
   const size_t begin = type.find('{'), end = type.find('}', begin);
   std::vector<std::string> choices;
@@ -35,8 +35,8 @@ OptionInfo::Value ValueOf(const std::string& type, const std::string& name) {
   return Value::kText;
 }
 
-// Returns the name of an option's value in the help: "FILE" if `type` is "TEXT:FILE", "INT" if it
-// is "INT:INT in [1 - 9]".
+// Returns the name that the help shows for an option's value: "FILE" if `type` is "TEXT:FILE",
+// "INT" if `type` is "INT:INT in [1 - 9]".
 std::string ValueName(const std::string& type, OptionInfo::Value value) {
   if (value == OptionInfo::Value::kFile) return "FILE";
   if (value == OptionInfo::Value::kFolder) return "FOLDER";
@@ -69,8 +69,8 @@ CommandInfo DescribeCommand(const CLI::App& app, const std::string& above) {
   info.path = above.empty() ? info.name : above + " " + info.name;
   info.description = app.get_description();
   info.footer = app.get_footer();
-  // Leaves out options without a group.  They are hidden, because only openr gives them, to
-  // programs that it starts.
+  // Leaves out options without a group.  They are hidden from users, because only openr gives these
+  // options, to programs that it starts.
   const auto is_shown = [](const CLI::Option* option) { return !option->get_group().empty(); };
   for (const CLI::Option* const option : app.get_options(is_shown))
     (option->get_positional() ? info.positionals : info.options).push_back(DescribeOption(*option));

@@ -1,5 +1,5 @@
-// The description of all commands as data.  The manual pages and the completion script are made of
-// it.
+// The description of all commands as data.  The manual pages and the completion script are made
+// from this description.
 #pragma once
 
 #include <string>
@@ -11,21 +11,23 @@ class App;
 
 namespace openr_host {
 
-// A flag, or a positional: a word without a flag, whose place in the command line gives its
-// meaning.
+// A flag or a positional.  A positional is a word without a flag; its place in the command line
+// gives its meaning.
 struct OptionInfo {
   enum class Value {
     kNone,    // a flag without a value
-    kText,    // a number, a duration, a name
-    kChoice,  // one of `choices`
+    kText,    // any other value, such as a number, a duration or a name
+    kChoice,  // one of the words in `choices`
     kFile,
     kFolder,
   };
 
-  std::vector<std::string> names;  // "-o", "--output"; for a positional, the one name that help
-                                   // shows
+  // Names of the flag, such as "-o" and "--output".  A positional has only one name, which help
+  // shows.
+  std::vector<std::string> names;
   Value value = Value::kNone;
-  std::string value_name;  // "FILE"; "": the option has no value
+  // Name of the value in the help, such as "FILE"; "": the option has no value.
+  std::string value_name;
   std::vector<std::string> choices;
   std::string default_value;  // default value that help shows; "": none
   std::string description;
@@ -35,7 +37,7 @@ struct OptionInfo {
 
 struct CommandInfo {
   std::string path;  // the words that call the command, such as "openr rc mtn play"
-  std::string name;  // the last of these words, such as "play"
+  std::string name;  // the last word of `path`, such as "play"
   std::string description;
   std::string footer;  // the last part of the help: the examples, and lists of words
   std::vector<OptionInfo> positionals;

@@ -21,12 +21,13 @@ void AddRobotsFlags(CLI::App* command, SimulationOptions* options);
 // Throws CLI::ValidationError if flags about several robots do not fit together.
 void CheckRobots(const SimulationOptions& options);
 
-// Adds --battery, a flag of commands that run robots.
+// Adds --battery, a flag of all commands that run robots.
 void AddBatteryFlag(CLI::App* command, SimulationOptions* options);
-// Adds --cost, a flag of commands that run robots.
+// Adds --cost, a flag of all commands that run robots.
 void AddCostFlag(CLI::App* command, SimulationOptions* options);
 
-// Adds --images, the source of the pictures that the cameras of the robots see.
+// Adds the flag --images to `command`.  It names the source of the pictures that the cameras of the
+// robots see.
 void AddImagesFlag(CLI::App* command, SimulationOptions* options);
 
 // Adds a flag that takes a duration such as "20s".  If the user gives the flag, `take` is called
@@ -35,7 +36,8 @@ CLI::Option* AddDurationFlag(CLI::App* command, const std::string& name,
                              const std::function<void(int64_t us)>& take,
                              const std::string& description);
 
-// Adds a flag that stores a duration in `*us`.  The value that `*us` has now is the flag's default.
+// Adds a flag that stores a duration in `*us`.  The default of the flag is the value that `*us` has
+// when this function is called.
 CLI::Option* AddDurationFlag(CLI::App* command, const std::string& name, int64_t* us,
                              const std::string& description);
 
@@ -51,8 +53,8 @@ CLI::Validator IsCount();
 CLI::Validator IsWritable();
 
 // Returns a check of the flag `flag`: it refuses files that cannot be read, with the error "FLAG
-// FILE: reason".  For a folder the reason says what to give instead: a file of this `kind`, such as
-// "placement file", with this `extension`, such as ".cfg".
+// FILE: reason".  If the user names a folder, the reason says what to give instead: a file of this
+// `kind`, such as "placement file", with this `extension`, such as ".cfg".
 CLI::Validator IsReadable(const std::string& flag, const std::string& kind,
                           const std::string& extension);
 CLI::Validator IsReadable(const std::string& flag, const InputKind& kind);

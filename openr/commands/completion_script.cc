@@ -8,9 +8,9 @@ namespace {
 
 using Value = OptionInfo::Value;
 
-// The beginning of the script.  It finds out which command stands before the word to complete.
-// BashCompletion() puts the names of all commands between kBegin and kAfterCommands.  The words
-// after `help` are completed like a command: `help run` as `run`.
+// The beginning of the completion script.  It finds out which command stands before the word to
+// complete.  BashCompletion() puts the names of all commands between kBegin and kAfterCommands.
+// The words after `help` are completed as if `help` were not there: `help run` like `run`.
 constexpr char kBegin[] = R"(# Completion of openr for bash; made by: openr completion bash
 _openr() {
   local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD-1]} path=openr i
@@ -86,7 +86,7 @@ void AddValues(const CommandInfo& command, std::string* script) {
 }
 
 // Adds a case to the script for each command.  The case has the words that may come next, then '|',
-// then the flags, and says whether file or folder names may come next.
+// then the flags of the command.  It also says whether file or folder names may come next.
 void AddWords(const CommandInfo& command, std::string* script) {
   std::vector<std::string> words, flags;
   for (const CommandInfo& below : command.commands) words.push_back(below.name);

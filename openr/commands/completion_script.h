@@ -7,8 +7,8 @@
 
 namespace openr_host {
 
-// Returns a script for bash that completes commands, flags, and values of flags: the words of a
-// list, files, folders.
+// Returns a script for bash that completes commands, flags, and the values of flags.  Such a value
+// is a word of a list, a file or a folder.
 std::string BashCompletion(const CommandInfo& program);
 
 }  // namespace openr_host

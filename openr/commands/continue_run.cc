@@ -57,17 +57,18 @@ class ContinuedRun {
   Simulation& simulation() { return replayer_->simulation(); }
   ConsoleLog* console() { return &console_; }
 
-  // Opens the ports of the robots.  From now on the run is live.
+  // Opens the ports of the robots on the network.  From now on the run is live.
   void GoLive() {
     replayer_->Leave();
     for (BranchNetwork* const network : networks_) network->GoOn();
   }
 
-  // Drops the events of the network that were logged so far, because only a run that can be rewound
-  // needs them.
+  // Drops the events of the network that the log has.  Only a run that can be rewound needs them,
+  // so they would only use memory here.
   void ForgetEvents() { log_.DropBefore(log_.end()); }
 
-  // Completes the recording.  Returns "" or the error in writing it.
+  // Completes the recording of the run.  Returns "", or the error that happened while the recording
+  // was written.
   std::string Finish() {
     return recorder_ == nullptr ? "" : recorder_->Finish(&simulation().system());
   }
@@ -87,7 +88,7 @@ class ContinuedRun {
     if (recorder_ != nullptr) recorder_->Listen(simulation);
   }
 
-  // Returns the folder of the stick that the replay has copied.
+  // Returns the folder of the Memory Stick whose copy the replay uses.
   std::string StickName() const {
     if (!options_.replay.stick.empty()) return options_.replay.stick;
     return TraceReader(options_.replay.file).header().stick;
@@ -118,8 +119,9 @@ class ContinuedRun {
   const ContinueOptions& options_;
   ConsoleLog console_;
   InputLog log_;
-  std::vector<BranchNetwork*> networks_;  // index: number of the robot
-  std::unique_ptr<Recorder> recorder_;    // null: the run is not recorded
+  // The network of each robot; the index is the number of the robot.
+  std::vector<BranchNetwork*> networks_;
+  std::unique_ptr<Recorder> recorder_;  // null: the run is not recorded
   std::unique_ptr<Replayer> replayer_;
 };
 

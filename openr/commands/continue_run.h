@@ -12,7 +12,7 @@ namespace openr_host {
 struct ContinueOptions {
   ReplayOptions replay;
   int64_t at_us = 0;              // the moment of the recording from which the run goes on
-  std::string record_file;        // recording of the whole new run; "": none
+  std::string record_file;        // file for a recording of the whole new run; "": none
   std::optional<int64_t> for_us;  // time for which the run goes on; nullopt: until the robot is off
   double rate = 1;                // virtual seconds per second; 0: as fast as possible
   bool panel = false;

@@ -29,8 +29,8 @@ struct ControllerFlags {
   bool for_robot = false;
   std::string name;
   std::string folder;
-  std::string source;   // folder or file of the controller to run
-  std::string address;  // address of the robot
+  std::string source;   // folder or file with the source of the controller
+  std::string address;  // address of the robot that the controller commands
   int64_t timeout_us = 3'000'000;
 };
 
@@ -79,7 +79,8 @@ CLI::Validator IsRemoteAddress() {
   return CLI::Validator(problem, "");
 }
 
-// Loads `library`, which then stays loaded until the process ends, and returns its function `name`.
+// Loads the shared library `library` and returns its function `name`.  The library stays loaded
+// until the process ends.
 template <typename Function>
 Function* Load(const std::string& library, const char* name) {
   void* const handle = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
@@ -88,18 +89,20 @@ Function* Load(const std::string& library, const char* name) {
   throw std::runtime_error(fmt::format("{}; build openr again", dlerror()));
 }
 
-// Builds the controller as a library and loads it into this process.
+// Builds the controller as a shared library, loads it into this process, and returns a function
+// that calls its main().  Returns null if the build fails.
 int (*LoadController(const ControllerFlags& flags))() {
-  const TempFolder folder;  // the folder is deleted when this function returns; Linux lets a loaded
-                            // file be deleted
+  // The folder is deleted when this function returns.  The library in it stays loaded, because
+  // Linux lets a loaded file be deleted.
+  const TempFolder folder;
   const std::string library = folder.path() + "/controller.so";
   if (!BuildControllerLibrary({flags.source, ControllerLibrary(), library})) return nullptr;
   return Load<int()>(library, kControllerMainName);
 }
 
 int Run(const ControllerFlags& flags) {
-  // Loads our own library first.  The controller's library names it without a folder, so the
-  // dynamic linker can only use the copy that is already loaded.
+  // Loads our own library before the controller's library.  The controller's library names ours
+  // without a folder, so the dynamic linker can only use a copy that is already loaded.
   auto* const run = Load<RunController>(ControllerLibrary(), kRunControllerName);
   auto* const controller_main = LoadController(flags);
   if (controller_main == nullptr) return kExitWrong;

@@ -1,4 +1,4 @@
-// The command openr coverage: shows which lines of the user's objects runs have executed.
+// The command openr coverage: shows which lines of the user's objects were executed in runs.
 #include "kit/coverage.h"
 
 #include <memory>

@@ -33,10 +33,10 @@ class DistributedRun {
 
   bool has_processes() const { return workers_ != nullptr; }
 
-  // Adds two things to `options`, from which the simulation is made later.  The first are functions
-  // that make stand-ins: objects that pass messages on to the objects in the workers.  The second,
-  // with --ros2, is a JointClient in each robot's network, which sends the robot the commands of
-  // ROS 2.  `say` prints messages about ROS 2 for the user.
+  // Changes `options`, from which the simulation is made later.  Adds functions that make
+  // stand-ins: objects that pass messages on to the objects in the workers.  With --ros2, also adds
+  // a JointClient to each robot's network; it sends the robot the commands of ROS 2. `say` prints
+  // messages about ROS 2 for the user.
   void Enter(SimulationOptions* options, const Ros2Link::Say& say);
 
   // Throws std::runtime_error if the flags --place, --placement or --isolate name an object that
@@ -54,8 +54,8 @@ class DistributedRun {
   // `plan`.
   void Begin(Simulation* simulation, RunPlan* plan);
 
-  // Sends the last status of the run to openr top, and closes the link to ROS 2.  The link then
-  // prints how many messages for the user it has left out.
+  // Sends the last status of the run to openr top, and closes the link to ROS 2. When the link is
+  // closed, it prints how many messages for the user it has left out.
   void RunIsOver();
 
   // Adds warnings to the run's report about messages that were not delivered because a worker
@@ -70,7 +70,7 @@ class DistributedRun {
   // and the times of its handlers.  Does nothing without workers.
   void Describe(nlohmann::ordered_json* report) const;
 
-  // Ends the worker processes.
+  // Ends the worker processes that run objects of this run.
   void EndProcesses();
 
  private:
@@ -78,10 +78,11 @@ class DistributedRun {
 
   const bool is_free_;
   const Ros2Flags ros2_flags_;
-  const std::unique_ptr<WorkerGroup> workers_;  // null: all objects are in this process
-  std::unique_ptr<Bus> own_bus_;                // null: DDS is not used, or the workers have the
-                                                // Bus
-  Bus* bus_ = nullptr;                          // null: DDS is not used
+  // The worker processes; null: all objects are in this process.
+  const std::unique_ptr<WorkerGroup> workers_;
+  // The connection to DDS of this process; null: DDS is not used, or `workers_` has the connection.
+  std::unique_ptr<Bus> own_bus_;
+  Bus* bus_ = nullptr;  // the connection to DDS that is used; null: DDS is not used
   std::unique_ptr<Ros2Link> ros2_;
   std::unique_ptr<Monitor> monitor_;
 };

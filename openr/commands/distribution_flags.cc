@@ -35,8 +35,8 @@ void AddBusFlags(CLI::App* command, BusOptions* bus) {
   command
       ->add_option("--dds-config", bus->config_file,
                    "File with settings of Cyclone DDS that are added (security)")
-      // Refuses a folder, because Cyclone DDS would take it for an empty file, and the run would
-      // lack the protection that the user wants.
+      // Refuses a folder as the value of --dds-config.  Cyclone DDS would take the folder for an
+      // empty file, and the run would lack the protection that the user wants.
       ->check(IsReadable("--dds-config", "file with settings of Cyclone DDS", ".xml"));
   // Checks that the file of --dds-config is for the DDS domain of --dds-domain, because Cyclone DDS
   // silently ignores settings for another domain.  The check needs both flags, so it runs after all

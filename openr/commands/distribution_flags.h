@@ -1,4 +1,4 @@
-// Flags of runs with several processes, which openr run, openr join and openr top have.
+// Flags for runs with several processes; openr run, openr join and openr top have them.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -23,17 +23,19 @@ void AddBusFlags(CLI::App* command, BusOptions* bus);
 CLI::Validator IsNameOf(const std::string& what);
 
 struct PlacementFlags {
-  std::vector<std::string> places;  // each "OBJECT=PROCESS"
+  std::vector<std::string> places;  // values of --place, each "OBJECT=PROCESS"
   std::string file;
-  std::vector<std::string> isolated;  // names of objects, each for a process of its own
+  std::vector<std::string> isolated;  // names of objects, each of which gets a process of its own
   std::string wrapper;                // command that starts workers, such as "gdb --args"
   bool is_free = false;
-  bool is_monitored = false;  // the run sends its status to openr top, also if it has no workers
+  // True: the run sends its status to openr top, even if it has no workers.
+  bool is_monitored = false;
   BusOptions bus;
   int64_t wait_us = 60'000'000;
   int restarts = 0;
-  std::vector<const CLI::Option*> of_processes;  // flags without effect in a run of one process
-  std::vector<const CLI::Option*> of_dds;        // flags without effect in a run without DDS
+  // Flags that have no effect if the run has only one process.
+  std::vector<const CLI::Option*> of_processes;
+  std::vector<const CLI::Option*> of_dds;  // flags that have no effect if the run does not use DDS
 };
 
 // Adds the flags for runs in several processes: --place, --placement, --isolate, --wrap,
@@ -48,7 +50,7 @@ void RefuseIdleFlags(const PlacementFlags& flags, bool has_processes, bool has_d
 // Values of the flags --ros2 and --ros2-namespace.
 struct Ros2Flags {
   bool is_on = false;
-  std::string space = "aibo";  // first part of the names of all topics
+  std::string space = "aibo";  // first part of the names of all ROS 2 topics
 };
 void AddRos2Flags(CLI::App* command, Ros2Flags* flags);
 

@@ -68,9 +68,10 @@ struct ExploreFlags {
   std::string record_file;
 };
 
-// Checks `name`, a value of --property.  Throws CLI::ParseError if it is a file that cannot be
-// read; else returns "".  A value with a space is itself the text of a property.  A value without a
-// space but with a dot or a slash is a file, because the names of built-in properties have neither.
+// Checks `name`, a value of --property.  A value with a space is itself the text of a property.  A
+// value without a space but with a dot or a slash is a file, because the names of built-in
+// properties have no dot and no slash.  Throws CLI::ParseError if the value is a file that cannot
+// be read; else returns "".
 std::string CheckProperty(const std::string& name) {
   const bool is_line = name.find(' ') != std::string::npos;
   if (is_line || name.find_first_of("./") == std::string::npos) return "";
@@ -174,11 +175,12 @@ Vary VaryOf(const std::vector<std::string>& names) {
   return vary;
 }
 
-// The file to which the objects of all runs print, in all processes of the exploration.  Without a
-// file, this output is discarded.
+// The file to which the objects of all runs print.  All processes of the exploration write to it.
+// Without a file, the output is discarded.
 class SharedConsole {
  public:
-  // Opens `file`; "" means no file.  Throws std::runtime_error when the file cannot be written.
+  // Opens `file` for the output of objects; "" means that the output is discarded.  Throws
+  // std::runtime_error when the file cannot be written.
   explicit SharedConsole(const std::string& file) : file_(file) {
     if (file.empty()) return;
     std::string problem;
@@ -202,8 +204,8 @@ class SharedConsole {
     *error_ = WriteAll(descriptor_, text);
   }
 
-  // Returns "FILE: cannot be written: reason" if a write has failed in this process or in any child
-  // process, which all share `error_`; else "".
+  // Returns "FILE: cannot be written: reason" if a write has failed in this process or in a child
+  // process; else "".  All these processes share `error_`.
   std::string Problem() const {
     return descriptor_ < 0 || *error_ == 0 ? "" : WhyNotWritten(file_, *error_);
   }
@@ -214,8 +216,8 @@ class SharedConsole {
   int* error_ = nullptr;  // errno of the first failed write; shared by all processes
 };
 
-// Returns `exit_code`.  If the file of the objects' output could not be written, prints an error
-// and returns 1.
+// Returns `exit_code`.  If the output of the objects could not be written to its file, prints an
+// error and returns 1.
 int WithConsole(int exit_code, const SharedConsole& console) {
   const std::string problem = console.Problem();
   if (problem.empty()) return exit_code;
@@ -279,12 +281,14 @@ std::string Summary(const Json& result, const ExploreFlags& flags) {
   return text;
 }
 
-// Writes the run in `result` that broke a property to the file of -o, from which openr explore
-// --replay repeats this run.  Does nothing without -o.  Returns false after printing an error.
+// Writes the run in `result` that broke a property to the file that the flag -o names.  `openr
+// explore --replay` can repeat the run from this file.  Does nothing without -o.  Returns false
+// after printing an error.
 bool WriteFailure(const Json& result, const ExploreFlags& flags) {
   if (flags.file.empty()) return true;
   if (!result.contains("failure")) {
-    RemoveFile(flags.file);  // an old file would look like the result of this exploration
+    // Removes an old file, which would look like the result of this exploration.
+    RemoveFile(flags.file);
     return true;
   }
   const Json schedule = ScheduleToJson(flags.stick, result["failure"]);
@@ -301,7 +305,8 @@ void Tell(const Json& result, const std::string& text, bool as_json) {
   fmt::print(as_json ? stderr : stdout, "{}", text);
 }
 
-// Shows the run of a schedule file on the panel.  `answer` is the answer of ReplayDeviations().
+// Shows the failing run of a schedule file on the panel.  `answer` is the answer of
+// ReplayDeviations().
 int ShowFailure(const ExploreFlags& flags, const ExploredStick& stick, uint64_t seed,
                 const Json& deviations, const Json& answer) {
   ShowOptions show = flags.show;

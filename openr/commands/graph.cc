@@ -1,4 +1,5 @@
-// The command openr graph: shows objects, services and connections of a stick.
+// The command openr graph: shows the objects of a Memory Stick, their services and their
+// connections.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -53,7 +54,7 @@ void Write(const std::string& text, const std::string& name) {
 
 int Graph(GraphFlags flags) {
   const Console console("");
-  flags.simulation.console = [](std::string_view) {};  // discards what objects print
+  flags.simulation.console = [](std::string_view) {};  // discards the text that objects print
   flags.simulation.host_network = false;
   const RunStick stick(flags.simulation.stick, true);
   flags.simulation.stick = stick.folder();

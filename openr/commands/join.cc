@@ -35,7 +35,7 @@ struct JoinFlags {
   int64_t wait_us = 60'000'000;
   int64_t handler_limit_us = 10'000'000;
   pid_t parent = 0;       // process id of the run that has started this worker; 0: none
-  std::string crash_log;  // file for crash records of a worker with a parent
+  std::string crash_log;  // file to which a worker with a parent writes crash records
 };
 
 std::string WhyNoStick(const std::string& folder) {
@@ -47,11 +47,11 @@ std::string WhyNoStick(const std::string& folder) {
 constexpr int kRefused = 3;  // the run refuses this version or stick; a restart cannot help
 constexpr int kOffline = 4;  // the worker threw an exception, usually without a network
 
-// Makes this process end with `parent`, the run that has started it, even if that run crashes.
-// Ignores Ctrl-C and a closing terminal, because the run handles them.
+// Makes this process end when `parent` ends, the run that has started it, even if that run crashes.
+// Ignores Ctrl-C and the closing of the terminal, because the run handles both.
 void BecomeChild(pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (kill(parent, 0) != 0) _exit(kExitWrong);  // the run has ended already
+  if (kill(parent, 0) != 0) _exit(kExitWrong);  // the run `parent` has ended already
   ::signal(SIGINT, SIG_IGN);
   ::signal(SIGHUP, SIG_IGN);
 }
@@ -93,7 +93,7 @@ void HandleEndSignals(int flags) {
   _exit(128 + g_ended_by);
 }
 
-// If `is_on`, discards all output to standard error while the SilencedErrors exists.  Used when a
+// Discards all output to standard error while the SilencedErrors exists, if `is_on`.  Used when a
 // worker without a network tries again, because Cyclone DDS would print the same errors each time.
 class SilencedErrors {
  public:
@@ -120,10 +120,10 @@ struct Outcome {
   bool is_refused = false;
 };
 
-// Runs a worker until the run or the user ends it.  When Work() returns, the run has been told that
-// the worker leaves.  Throws an exception if the worker cannot be made, usually because there is no
-// network.  `is_known` says that an earlier worker failed for the same reason; then the errors that
-// DDS prints are discarded, because the user knows them.
+// Runs a worker until the run or the user ends it.  When Work() returns, the worker has told the
+// run that it leaves.  Throws an exception if the worker cannot be made, usually because there is
+// no network.  `is_known` says that an earlier worker failed for the same reason; then the errors
+// that DDS prints are discarded, because the user knows them.
 Outcome Work(const WorkerOptions& options, bool is_known) {
   std::optional<Worker> worker;
   {
@@ -139,10 +139,10 @@ Outcome Work(const WorkerOptions& options, bool is_known) {
   return {problem, worker->is_refused()};
 }
 
-// Copies the default stick of this host to a temporary folder, which objects may change, and
-// returns the folder; "" when that is not possible.  The worker uses this folder if the run is on
-// another host and its stick has the same files.  `stick` gets the RunStick, whose destructor
-// removes the folder.
+// Copies the default Memory Stick of this host to a temporary folder, because objects may change
+// files on it.  Returns the folder; "" when the copy cannot be made.  The worker uses this folder
+// if the run is on another host and its stick has the same files.  `stick` gets the RunStick, whose
+// destructor removes the folder.
 std::string OwnStick(std::optional<RunStick>* stick) {
   try {
     return stick->emplace("", true).folder();
@@ -189,9 +189,9 @@ int Join(JoinFlags flags, bool is_known = false) {
   return outcome.is_refused ? kRefused : kExitWrong;
 }
 
-// Runs a worker in a child process, which the kernel kills when the parent process ends.  Returns
-// the exit code, which is kOffline after an exception.  If `is_known`, an earlier worker has
-// printed the same error already, so it is not printed again.
+// Runs a worker in this child process.  The kernel kills the process when its parent process ends.
+// Returns the exit code, which is kOffline after an exception.  If `is_known`, an earlier worker
+// has printed the same error already, so it is not printed again.
 int JoinHere(const JoinFlags& flags, bool is_known) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   try {
@@ -202,14 +202,14 @@ int JoinHere(const JoinFlags& flags, bool is_known) {
   }
 }
 
-// Runs JoinHere() in a child process and waits for its end.  Returns the status of waitpid().  Sets
-// `*child` to the child's process id, which the caller prints.
+// Runs JoinHere() in a child process and waits until this process ends.  Returns the status that
+// waitpid() gives.  Sets `*child` to the child's process id, which the caller prints.
 int JoinInChild(const JoinFlags& flags, bool is_known, pid_t* child) {
   *child = fork();
   if (*child < 0) throw std::runtime_error(fmt::format("fork: {}", strerror(errno)));
   if (*child == 0) exit(JoinHere(flags, is_known));
   g_child = *child;
-  if (g_ended_by != 0) kill(*child, SIGTERM);  // the signal came before g_child was set
+  if (g_ended_by != 0) kill(*child, SIGTERM);  // then the signal came before g_child was set
   const int status = WaitForEnd(*child);
   g_child = 0;
   return status;
@@ -265,7 +265,8 @@ void AddJoinCommand(CLI::App* app, int* exit_code) {
   command->add_flag("--restart", flags->restarts,
                     "Come again, with objects as at the beginning, when it ends before the run is "
                     "over: by a crash, or because the run cannot be reached");
-  command->add_option("--child-of", flags->parent)->group("");  // given by openr run, not by users
+  // A flag that openr run gives, not users.
+  command->add_option("--child-of", flags->parent)->group("");
   command->add_option("--crash-log", flags->crash_log)->group("");
   command->add_option("--session", flags->worker.session)->group("");
   AddBusFlags(command, &flags->worker.bus);

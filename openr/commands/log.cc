@@ -38,14 +38,15 @@ struct LogFlags {
   // The files to read.  Only the command `compare` uses `other`; "" means that it compares two
   // groups of `file`.
   std::string file, other;
-  std::string motion;              // motion file of the log; "": the user has named none
-  std::string group, other_group;  // groups of the two sides of compare; "": chosen by the content
-                                   // of the log
-  std::string output;              // chart to write; "": no chart
+  std::string motion;  // motion file of the log; "": the user has named none
+  // Names of the groups of values on the two sides of a comparison; "": the content of the log
+  // decides.
+  std::string group, other_group;
+  std::string output;  // file for the chart; "": no chart
   bool json = false;
 };
 
-// A log with the times at which its records were made.
+// A log of a motion, with the times at which its records were made.
 struct TimedLog {
   std::string name;
   LogFile log;
@@ -90,8 +91,8 @@ int CountOf(const LogFile& log, LogGroup group) {
   return count;
 }
 
-// Returns the name of the log's case in Hohl 2004, section 3.3.6.  The numbers of records with
-// measured and with simulated values decide.
+// Returns the name of the kind of log, as Hohl 2004 uses it in section 3.3.6. The kind depends on
+// the numbers of records with measured and with simulated values.
 const char* CaseOf(int measured, int simulated) {
   if (measured > 0 && simulated > 0) return "synchronised play-back";
   if (measured > 0) return "play-back on the robot";
@@ -140,8 +141,8 @@ const std::optional<LogValues>* ValuesOf(const LogRecord& record, LogGroup group
   return group == LogGroup::kMeasured ? &record.measured : &record.simulated;
 }
 
-// Prints the columns of one group: the joints, and for measured and simulated groups the paws.  The
-// fields of a record without this group are empty.
+// Prints the columns of one group of values: the joints, and for measured and simulated values also
+// the paws.  If the record does not have this group, prints empty fields.
 void PrintFields(const LogRecord& record, LogGroup group) {
   const std::optional<LogValues>* const values = ValuesOf(record, group);
   const size_t joints = record.commanded_cdeg.size();
@@ -191,8 +192,9 @@ void LogPlot(const LogFlags& flags) {
   WriteChartFile(ChartOf(timed.log, timed.times_ms, timed.name), flags.output);
 }
 
-// Returns the group of one side of a comparison: the group that the flag names.  Without the flag,
-// the values of the real robot if the log has them, else the simulated values.
+// Returns the group of values for one side of a comparison.  This is the group that the flag names.
+// Without the flag, it is the values of the real robot if the log has them, else the simulated
+// values.
 LogGroup GroupOf(const std::string& flag, const LogFile& log) {
   for (const LogGroup group : kGroups) {
     if (flag == NameOf(group)) return group;
@@ -200,8 +202,9 @@ LogGroup GroupOf(const std::string& flag, const LogFile& log) {
   return CountOf(log, LogGroup::kMeasured) > 0 ? LogGroup::kMeasured : LogGroup::kSimulated;
 }
 
-// Returns the second group of a comparison within one log: the group that the flag names.  Without
-// the flag, the simulated values if the log has them, else the values of the real robot.
+// Returns the second group of values for a comparison within one log.  This is the group that the
+// flag names.  Without the flag, it is the simulated values if the log has them, else the values of
+// the real robot.
 LogGroup OtherGroupOf(const std::string& flag, const LogFile& log) {
   if (!flag.empty()) return GroupOf(flag, log);
   return CountOf(log, LogGroup::kSimulated) > 0 ? LogGroup::kSimulated : LogGroup::kMeasured;
@@ -215,8 +218,9 @@ ComparedSide SideOf(const TimedLog& timed, LogGroup group, const std::string& la
   return side;
 }
 
-// Compares two groups of one log: in a synchronised log the values of both robots, in any other log
-// the values of the robot with the commanded positions.
+// Compares two groups of values of one log.  A synchronised log has the values of two robots, and
+// these are compared.  In any other log the values of the robot are compared with the commanded
+// positions.
 Comparison CompareWithin(const LogFlags& flags) {
   const TimedLog timed = ReadTimedLog(flags.file, flags.motion);
   const bool both =
@@ -234,12 +238,13 @@ Comparison CompareWithin(const LogFlags& flags) {
   return comparison;
 }
 
-// Prints a warning if two logs seem to be of different motions.  This is no error, because similar
-// motions can be compared as well.
+// Prints a warning if two logs seem to be of different motions.  This is only a warning, because
+// similar motions can be compared as well.
 void WarnIfMotionsDiffer(const TimedLog& first, const TimedLog& second) {
   const std::vector<const JointConstants*> joints = LoggedJoints(*first.log.robot);
   const size_t count = std::min(first.log.records.size(), second.log.records.size());
-  // Leaves out the first record, because the robot got its commanded positions before the motion.
+  // Leaves out the first record of each log, because the robot got the commanded positions in it
+  // before the motion.
   for (size_t i = 1; i < count; ++i) {
     const LogRecord& a = first.log.records[i];
     const LogRecord& b = second.log.records[i];
@@ -256,7 +261,7 @@ void WarnIfMotionsDiffer(const TimedLog& first, const TimedLog& second) {
   }
 }
 
-// Returns the name of the file with the name of its folder.
+// Returns the name of a file with the name of its folder in front.
 std::string WithFolder(const std::string& file) {
   const std::filesystem::path path = std::filesystem::absolute(file);
   return (path.parent_path().filename() / path.filename()).string();
@@ -273,7 +278,7 @@ Comparison CompareFiles(const LogFlags& flags) {
   WarnIfMotionsDiffer(first, second);
   const LogGroup group = GroupOf(flags.group, first.log);
   const LogGroup other_group = GroupOf(flags.other_group, second.log);
-  // Adds the folders to the labels if both files have the same name.
+  // Adds the folders to the labels of the curves if both files have the same name.
   const bool same = first.name == second.name;
   const std::string name = same ? WithFolder(flags.file) : first.name;
   const std::string other_name = same ? WithFolder(flags.other) : second.name;
@@ -334,8 +339,8 @@ void LogCompare(const LogFlags& flags) {
 
 using LogAction = void (*)(const LogFlags& flags);
 
-// Runs `action`.  Prints an error of it on standard error and, with --json, also as JSON on
-// standard output.
+// Runs `action`.  If it throws an error, prints the error on standard error and, with --json, also
+// as JSON on standard output.
 int PerformLog(LogAction action, const LogFlags& flags) {
   try {
     action(flags);

@@ -102,7 +102,8 @@ std::string UpperCase(std::string text) {
   return text;
 }
 
-// Adds a section for each subcommand of `command`, and for their subcommands.
+// Adds a section to the manual page for each subcommand of `command`, and for the subcommands of
+// those.
 void AddBelow(const CommandInfo& command, std::string* page) {
   for (const CommandInfo& below : command.commands) {
     *page += ".SS " + Plain(below.path) + "\n" + Synopsis(below) + ".PP\n" +

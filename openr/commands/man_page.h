@@ -13,7 +13,7 @@ namespace openr_host {
 std::string ManPage(const CommandInfo& program, const CommandInfo& command,
                     const std::string& version);
 
-// Returns the name of the file of a page: "openr-run.1".
+// Returns the name of the file for the manual page of a command, such as "openr-run.1".
 std::string ManPageFile(const CommandInfo& command);
 
 }  // namespace openr_host

@@ -1,4 +1,4 @@
-// The command openr model: checks how a robot model stands, and exports it.
+// The command openr model: checks how well a robot model stands, and exports the model.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -171,7 +171,8 @@ chart::Chart ChartOf(const RobotModel& model, const std::vector<DistanceReading>
   return chart;
 }
 
-// Writes the chart to `file`, unless that is "".  Throws std::runtime_error.
+// Writes the chart to `file`; does nothing if `file` is "".  Throws std::runtime_error if the file
+// cannot be written.
 void Draw(const chart::Chart& chart, const std::string& file) {
   if (file.empty()) return;
   const std::string problem = WriteChart(chart, file);

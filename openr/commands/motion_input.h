@@ -1,4 +1,4 @@
-// Motion files and charts on the command line, for several commands.
+// Reads motion files and names of charts from the command line, for several commands.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -8,12 +8,12 @@
 
 namespace openr_host {
 
-// Reads a motion file.  Throws std::runtime_error "FILE: reason" if the file cannot be read or is
-// no motion.
+// Reads the motion file `file`.  Throws std::runtime_error "FILE: reason" if the file cannot be
+// read or is no motion.
 MtnFile ReadMotion(const std::string& file);
 
-// Adds the option -o for the chart to write.  The option refuses names that do not end in .svg or
-// .png, and files that cannot be written.
+// Adds the option -o, which names the file for a chart.  The option refuses names that do not end
+// in .svg or .png, and files that cannot be written.
 CLI::Option* AddChartOption(CLI::App* command, std::string* file);
 
 }  // namespace openr_host

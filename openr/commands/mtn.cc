@@ -1,4 +1,5 @@
-// The command openr mtn: shows the content of motion files, and whether a robot can play them.
+// The command openr mtn: shows the content of motion files, and whether a robot can play these
+// motions.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -140,7 +141,7 @@ bool Check(const std::string& name, MtnFlags* flags) {
   return good;
 }
 
-// Prints one line for each key frame: time, attitude and joints.
+// Prints one line for each key frame of a motion: its time, attitude and joint angles.
 bool Dump(const std::string& name, MtnFlags*) {
   MtnFile motion;
   std::string problem;
@@ -154,7 +155,7 @@ bool Dump(const std::string& name, MtnFlags*) {
 
 using ForFile = bool (*)(const std::string& name, MtnFlags* flags);
 
-// Prints the answers as JSON: the answer itself for one file, a list for several files.
+// Prints the answers as JSON: for one file its answer, for several files a list of answers.
 void PrintAnswers(const Json& answers) {
   const Json& document = answers.size() == 1 ? answers[0] : answers;
   fmt::print("{}\n", document.dump(-1, ' ', false, Json::error_handler_t::replace));

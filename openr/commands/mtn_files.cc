@@ -31,7 +31,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Makes `command` run `action`.  Errors of `action` are printed and make the exit status 1.
+// Makes `command` run `action` when the user calls the command.  An error of `action` is printed,
+// and makes the exit status 1.
 void OnCall(CLI::App* command, int* exit_code, std::function<void()> action) {
   command->callback([exit_code, action = std::move(action)] {
     try {
@@ -59,13 +60,13 @@ void ThrowIfAny(const std::string& problem) {
 
 struct FromCsvFlags {
   std::string file, output;
-  std::string like;  // motion file from which to take the names; "": none
+  std::string like;  // motion file whose names are used; "": none
   std::optional<std::string> name, creator, label;
 };
 
-// Sets the names of `motion`.  A name comes from its flag, else from the motion file of --like,
-// else it has a default: the name of the table's file, and the creator and design label of our own
-// motions.
+// Sets the names of `motion`.  Each name is taken from its flag; without the flag, from the motion
+// file of --like; without this file, it has a default.  The defaults are the name of the table's
+// file, and the creator and design label of our own motions.
 void SetNames(const FromCsvFlags& flags, MotionFile* motion) {
   motion->name = std::filesystem::path(flags.file).stem().string();
   if (!flags.like.empty()) {
@@ -110,8 +111,8 @@ std::vector<OdaMember> MembersOf(const std::string& file, const std::string& byt
   }
 }
 
-// Replaces all bytes of `name` but printable ASCII by '?'.  A container file may come from
-// anywhere, and control bytes in it must not reach the terminal.
+// Replaces all bytes of `name` except printable ASCII by '?'.  A container file may come from
+// anywhere, so control bytes in its names must not reach the terminal.
 std::string Printable(std::string name) {
   for (char& c : name) {
     if (c < ' ' || c > '~') c = '?';
@@ -141,8 +142,8 @@ void UnpackOda(const OdaFlags& flags) {
   const std::vector<OdaMember> members = MembersOf(flags.file, bytes);
   const std::filesystem::path folder = flags.folder;
   for (const OdaMember& member : members) {
-    // Refuses a symbolic link even with --overwrite, because writing would follow it out of the
-    // folder.
+    // Refuses to write over a symbolic link, even with --overwrite, because the link may lead to a
+    // file outside of the folder.
     std::error_code error;
     if (flags.overwrites && !std::filesystem::is_symlink(folder / member.file, error)) continue;
     if (std::filesystem::symlink_status(folder / member.file, error).type() ==

@@ -23,8 +23,8 @@ struct NewFlags {
   std::string folder;
 };
 
-// Returns the commands that a user needs next.  The user can paste them into a shell in the current
-// folder.
+// Returns the commands that a user needs after openr new.  The user can paste them into a shell in
+// the current folder.
 std::string NextCommands(const std::string& folder) {
   const std::string openr = ShellWord(ProgramCall());
   const std::string prefix = std::filesystem::path(ProgramFolder()).parent_path();

@@ -1,4 +1,4 @@
-// The command openr panel: the server of the page with which people watch and drive a run.
+// The command openr panel: serves the web page with which people watch and drive a run.
 #include "openr/panel/panel.h"
 
 #include <fmt/format.h>

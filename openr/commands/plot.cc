@@ -32,7 +32,8 @@
 namespace openr_host {
 namespace {
 
-constexpr int64_t kHandlerLimitUs = 10'000'000;  // the limit that openr replay has, too
+// Longest processor time of a handler; openr replay has the same limit.
+constexpr int64_t kHandlerLimitUs = 10'000'000;
 
 struct PlotFlags {
   std::string file, stick, motion, output;
@@ -49,7 +50,7 @@ std::string BytesOf(const std::string& file) {
   return *bytes;
 }
 
-// Replays the recording and returns its values.
+// Replays the recording and returns the values of its quantities over time.
 Table TableOfRecording(const PlotFlags& flags) {
   const EndingAnswer answer(-1);
   const CrashLog crash_log({});
@@ -69,7 +70,7 @@ Table TableOfRecording(const PlotFlags& flags) {
   return table;
 }
 
-// Returns the values of a log of a motion (AIBO_1.1).
+// Returns the values in a log of a motion (AIBO_1.1) over time.
 Table TableOfMotionLog(const PlotFlags& flags, const std::string& bytes) {
   const LogFile log = ParseLog(bytes);
   const std::vector<double> times_ms =
@@ -91,7 +92,7 @@ Table TableOfMotionLog(const PlotFlags& flags, const std::string& bytes) {
   return table;
 }
 
-// Reads the file.  Its first bytes say of which format it is.
+// Reads the file as a table.  The first bytes of the file tell its format.
 Table ReadTable(const PlotFlags& flags) {
   const std::string bytes = BytesOf(flags.file);
   if (bytes.starts_with(kMcapMagic)) return ReadMcapTable(flags.file, bytes);
@@ -104,7 +105,7 @@ Table ReadTable(const PlotFlags& flags) {
   }
 }
 
-// Splits names that are joined by commas.
+// Splits each of `words` at commas and returns the names between the commas.
 std::vector<std::string> NamesIn(const std::vector<std::string>& words) {
   std::vector<std::string> names;
   for (const std::string& word : words) {

@@ -1,4 +1,5 @@
-// The commands openr poke and openr attach: inputs for a run that goes on, and its console.
+// The commands openr poke and openr attach: they send inputs to a run that goes on, and attach
+// shows a console of this run.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -29,7 +30,7 @@ struct LiveFlags {
   int robot = 0;
 };
 
-// Returns one line for each input that the robot knows.
+// Returns the text of the answer to "inputs": one line for each input that the robot knows.
 std::string InputsText(const Json& answer) {
   std::string text;
   for (const Json& input : answer.at("inputs")) {
@@ -167,7 +168,8 @@ class RunConsole {
     return false;
   }
 
-  // Asks the run about the robot.
+  // Sends `request` to the run, as a request about the robot of this console, and returns the
+  // answer.
   Json Ask(Json request) {
     request["robot"] = robot_;
     return client_.Ask(request);
@@ -182,8 +184,8 @@ class RunConsole {
     return names;
   }
 
-  // Returns the connected services of all objects: with "subjects" those that send, with
-  // "observers" those that receive.
+  // Returns the connected services of all objects.  If `list` is "subjects", returns the services
+  // that send; if it is "observers", returns the services that receive.
   std::vector<std::string> Services(const char* list) {
     std::vector<std::string> names;
     for (const std::string& object : NamesIn({{"do", "objects"}}, "objects", "name")) {
@@ -193,8 +195,9 @@ class RunConsole {
     return names;
   }
 
-  // Returns the words that the input with this usage, "press SENSOR [N%] [for DURATION]", may have.
-  // `before` are the words in front.
+  // Returns the words that may come next in an input.  `usage` describes the input, such as "press
+  // SENSOR [N%] [for DURATION]".  `before` are the words of the input that the user has typed
+  // already.
   std::vector<std::string> WordsOf(const std::string& usage,
                                    const std::vector<std::string>& before);
 
@@ -256,7 +259,7 @@ std::vector<std::string> RunConsole::WordsOf(const std::string& usage,
     } else if (word == "FAULT") {
       add({"jammed", "weak", "unpowered", "stuck", "noisy", "dead"});
     } else if (std::islower(static_cast<unsigned char>(word[0])) != 0) {
-      words.push_back(word);  // a word that is written as it is, such as "for"
+      words.push_back(word);  // a word that the user types exactly so, such as "for"
     }
   }
   return words;

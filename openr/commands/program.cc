@@ -57,7 +57,7 @@ void TellFailure(const std::string& why, bool as_json) {
   std::printf("%s\n", nlohmann::json{{"error", why}}.dump(-1, ' ', false, replace).c_str());
 }
 
-// Prints the help or the version, which CLI11 reports as an `error` with exit code 0.
+// Prints the help or the version.  CLI11 reports a request for them as an `error` with exit code 0.
 int PrintAskedFor(const CLI::App& app, const CLI::ParseError& error) {
   std::ostringstream text;
   const int exit_code = app.exit(error, text, text);
@@ -72,8 +72,8 @@ int PrintAskedFor(const CLI::App& app, const CLI::ParseError& error) {
 
 }  // namespace
 
-// Describes only the command `wanted` if it can, because describing all commands takes a fifth of
-// the start of the program.
+// Describes only the command `wanted` if possible, because to describe all commands takes a fifth
+// of the time in which the program starts.
 void DescribeProgram(CLI::App* app, int* exit_code, std::string_view wanted) {
   app->name("openr");
   app->require_subcommand(1);
@@ -107,7 +107,8 @@ int RunProgram(int argc, char** argv) {
     TellFailure(Explain(error), as_json);
     return kExitWrong;
   } catch (const std::system_error& error) {
-    if (std::ferror(stdout) != 0) {  // fmt::print() has thrown, because stdout cannot be written
+    // Fmt::print() has thrown because standard output cannot be written.
+    if (std::ferror(stdout) != 0) {
       NoteLostAnswer(error.code().value());
     } else {
       TellFailure(error.what(), as_json);

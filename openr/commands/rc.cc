@@ -1,4 +1,4 @@
-// The command openr rc: the remote control on the command line.
+// The command openr rc: controls a running robot from the command line (remote control).
 #include <fmt/format.h>
 
 #include <cmath>
@@ -27,8 +27,8 @@ remote::Address AddressOf(const RcFlags& flags) {
 }
 
 int Perform(const RcFlags& flags, const RcAction& action) {
-  // With --with, performs the action at each robot separately.  With --log, performs only one
-  // action, because one log has the records of both robots.
+  // With --with, performs the action at each of the two robots separately.  With --log, performs
+  // only one action, because the log has the records of both robots.
   if (!flags.with.empty() && flags.log.empty()) {
     AddressOf(flags);
     return PerformAtBoth(flags, action);
@@ -89,7 +89,7 @@ CLI::Validator KeyFramesPerVector() {
   return CLI::Validator(problem, "");
 }
 
-// Throws if a command cannot be carried out at two robots at the same time.
+// Throws CLI::ValidationError if `command` cannot be carried out at two robots at the same time.
 void CheckForBoth(const RcFlags& flags, const std::string& command) {
   static const std::set<std::string> one_robot = {"stream", "log",    "camera",   "upload",
                                                   "delete", "reboot", "download", "shutdown"};
@@ -100,8 +100,8 @@ void CheckForBoth(const RcFlags& flags, const std::string& command) {
                                fmt::format("'{}' is for one robot; call it for each", command));
 }
 
-// Adds the commands of openr rc.  The commands store their flags in one RcFlags, because HOST,
-// --timeout and --json belong to all of them.
+// Adds the commands of openr rc to the command line.  They store their flags in one RcFlags,
+// because HOST, --timeout and --json belong to all commands of openr rc.
 class RcCommands {
  public:
   RcCommands(CLI::App* app, int* exit_code)

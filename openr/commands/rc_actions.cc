@@ -26,8 +26,8 @@ void Say(const RcFlags& flags, uint32_t frame, const Json& json, const std::stri
   PrintRcAnswer(flags.json, frame, json, text);
 }
 
-// Time between two requests for the log, short because the robot keeps only the records of the last
-// 8 s of its own time.
+// Time between two requests for the records of the log.  It is short, because the robot keeps only
+// the records of the last 8 s of its own time.
 constexpr useconds_t kLogPollUs = 5'000;
 
 void WriteLog(const RcFlags& flags, const remote::LogReader& log) {
@@ -42,7 +42,7 @@ void WriteLog(const RcFlags& flags, const remote::LogReader& log) {
       text);
 }
 
-// A device of the robot: its index in requests, and its name for messages.
+// A device of the robot: its index in requests to the robot, and its name for messages to the user.
 struct Device {
   int index;
   std::string name;

@@ -19,35 +19,36 @@ namespace remote = openr::remote;
 
 struct RcFlags {
   std::string address;
-  std::string with;    // address of a second robot; "": none
+  std::string with;    // address of a second robot; "": there is only one robot
   bool track = false;  // whether a robot that follows another one ignores its limits of speed and
                        // acceleration
   int64_t timeout_us = 3'000'000;
   bool json = false;
-  std::string device;  // name, title, locator or number of a device
+  std::string device;  // the device that the user has named, by its name, title, locator or number
   double value = 0;
-  std::string state;  // "on" or "off"
+  std::string state;  // wanted state of a light or an ear: "on" or "off"
   bool watch = false;
   int64_t every_us = 500'000;
   int64_t stream_us = 32'000;
   std::string file;
   int loops = 1;
   int key_frames = 0;
-  std::string layer = "m";         // layer of the camera's picture: "h", "m", "l" or "c"
-  bool raw = false;                // whether to write the bytes of the layer exactly as the robot
-                                   // sends them
-  std::string log;                 // file on this host for the log of a motion; "": no log
-  bool simulated = false;          // whether the log's values are those of a simulated robot
-  std::string output;              // file on this host for a download; "": the same name as on the
-                                   // stick
-  std::vector<std::string> goals;  // joints with positions: "neck_pan=30"
-  std::string stream;              // "sensors" or "keyframes"
-  int count = 0;                   // number of events to print; 0: until Ctrl-C
-  std::vector<int> gains;          // gains P, I and D; empty: only show the present gains
+  std::string layer = "m";  // layer of the camera's picture: "h", "m", "l" or "c"
+  bool raw = false;         // whether to write the bytes of the layer exactly as the robot
+                            // sends them
+  std::string log;          // file on this host to which the log of a motion is written; "": no log
+  bool simulated = false;   // whether the log's values are those of a simulated robot
+  // File on this host to which a download is written; "": it gets the name of the file on the
+  // stick.
+  std::string output;
+  std::vector<std::string> goals;  // joints and their wanted positions, such as "neck_pan=30"
+  std::string stream;              // name of the stream to print: "sensors" or "keyframes"
+  int count = 0;           // number of events that are printed; 0: prints events until Ctrl-C
+  std::vector<int> gains;  // new gains P, I and D; empty: only shows the present gains
 };
 
-// A function that sends requests to `robot` and prints the answers to standard output.  Throws
-// remote::Error.
+// A function that carries out a command of openr rc: it sends requests to `robot` and prints the
+// answers to standard output.  Throws remote::Error.
 using RcAction = std::function<void(remote::Connection* robot, const RcFlags& flags)>;
 
 void RcInfoAction(remote::Connection* robot, const RcFlags& flags);
@@ -56,25 +57,25 @@ void RcSensorsAction(remote::Connection* robot, const RcFlags& flags);
 void RcPlayAction(remote::Connection* robot, const RcFlags& flags);
 void RcStopAction(remote::Connection* robot, const RcFlags& flags);
 
-// Actions for several joints, and for their motors (rc_joints.cc).
+// Actions of openr rc for several joints, and for their motors (rc_joints.cc).
 void RcPoseAction(remote::Connection* robot, const RcFlags& flags);
 void RcMotorAction(remote::Connection* robot, const RcFlags& flags);
 void RcGainsAction(remote::Connection* robot, const RcFlags& flags);
 void RcPowerAction(remote::Connection* robot, const RcFlags& flags);
 
-// Plays a motion on two robots (rc_play_with.cc).
+// Plays a motion on two robots at the same time (rc_play_with.cc).
 void RcPlayWithAction(remote::Connection* robot, const RcFlags& flags);
 // Converts the bytes of a log to the bytes of a simulated robot's log (rc_play_with.cc).
 std::string SimulatedLog(const std::string& bytes);
 
-// Fetches a picture of the camera (rc_camera.cc).
+// Fetches a picture from the robot's camera (rc_camera.cc).
 void RcCameraAction(remote::Connection* robot, const RcFlags& flags);
 
 // Actions that receive events, which the robot sends without further requests (rc_streams.cc).
 void RcStreamAction(remote::Connection* robot, const RcFlags& flags);
 void RcLogAction(remote::Connection* robot, const RcFlags& flags);
 
-// Actions for files of the robot's stick, and for the end of the run (rc_files.cc).
+// Actions of openr rc for files of the robot's stick, and for the end of the run (rc_files.cc).
 void RcListAction(remote::Connection* robot, const RcFlags& flags);
 void RcUploadMotionAction(remote::Connection* robot, const RcFlags& flags);
 void RcUploadControllerAction(remote::Connection* robot, const RcFlags& flags);
@@ -83,12 +84,12 @@ void RcDeleteAction(remote::Connection* robot, const RcFlags& flags);
 void RcRebootAction(remote::Connection* robot, const RcFlags& flags);
 void RcShutdownAction(remote::Connection* robot, const RcFlags& flags);
 
-// Returns the action that sends `command`, which is rcMOVE, rcSPEED or rcACCEL.  `unit` is the unit
-// of the value, for the printed answer.
+// Returns the action that sends `command` to a joint; it is rcMOVE, rcSPEED or rcACCEL.  `unit` is
+// the unit of the value, for the printed answer.
 RcAction RcJointAction(RcCommand command, const std::string& unit);
 
-// Returns the action that sends `command`, which is rcLED or rcEAR, to switch a light on or off or
-// to move an ear, which has two positions.
+// Returns the action that sends `command`.  With rcLED the action switches a light on or off.  With
+// rcEAR it moves an ear, which has two positions.
 RcAction RcLightAction(RcCommand command);
 
 }  // namespace openr_host

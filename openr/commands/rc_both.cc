@@ -25,12 +25,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int64_t kFollowVectorUs = 32'000;  // a sensor vector has 4 frames of 8 ms
+// Duration of a sensor vector, which has 4 frames of 8 ms.
+constexpr int64_t kFollowVectorUs = 32'000;
 constexpr int64_t kFollowPeriodMaxUs = 10'000'000;
-constexpr int kStatusesPerReport = 5;  // one report a second, because RemotePair tells its status
-                                       // every 200 ms
+// Number of statuses after which a report is printed.  This makes one report a second, because
+// RemotePair tells its status every 200 ms.
+constexpr int kStatusesPerReport = 5;
 
-// One of the two robots, with the result of the action at this robot.
+// A robot of a pair, with the result of the action at this robot.
 struct Partner {
   std::string address;
   std::unique_ptr<remote::Connection> connection;
@@ -60,7 +62,7 @@ std::string Milliseconds(const std::optional<double>& value) {
   return value ? fmt::format("{:.0f} ms", *value) : "unknown";
 }
 
-// Prints one line about two robots when one follows the other.
+// Prints one line about two robots of which one follows the other.
 void PrintFollowing(const RcFlags& flags, const std::vector<RcDescription>& joints,
                     const PairStatus& status) {
   const auto &mine = status.joints[kFirst], &other = status.joints[kSecond];

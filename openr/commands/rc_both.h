@@ -5,12 +5,13 @@
 
 namespace openr_host {
 
-// Connects to both robots, flags.address and flags.with.  Then carries out `action` at both at the
-// same time.  Returns the exit code.  Throws the exceptions of remote::Connection.
+// Connects to the two robots whose addresses are flags.address and flags.with.  Then carries out
+// `action` at both at the same time.  Returns the exit code.  Throws the exceptions of
+// remote::Connection.
 int PerformAtBoth(const RcFlags& flags, const RcAction& action);
 
-// Makes the robot flags.address follow the robot flags.with, until Ctrl-C or after flags.count
-// reports.
+// Makes the robot flags.address follow the robot flags.with.  Ends at Ctrl-C or after flags.count
+// reports.  Returns the exit code.
 int FollowRobot(const RcFlags& flags);
 
 }  // namespace openr_host

@@ -1,4 +1,4 @@
-// The action of `openr rc camera`.
+// The action of `openr rc camera`, which fetches a picture from the robot's camera.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>

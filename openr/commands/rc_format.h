@@ -1,4 +1,4 @@
-// Formats answers of the remote control for people and as JSON.
+// Formats answers of the remote control as text for people and as JSON.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,8 @@ std::string FrameText(uint32_t frame);
 // the robot has no sensor values yet.
 nlohmann::ordered_json FrameJson(uint32_t frame);
 
-// A label for answers: while it exists, answers that its thread prints begin with the address of
-// their robot.
+// A label for answers.  While it exists, each answer that its thread prints begins with the address
+// of the robot that has sent it.
 class RcRobotLabel {
  public:
   explicit RcRobotLabel(const std::string& address);

@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// A joint and the position to which it is to move.
+// A joint, and the position to which the user wants to move it.
 struct JointGoal {
   std::string joint;
   double degrees = 0;

@@ -20,15 +20,16 @@
 namespace openr_host {
 namespace {
 
-// Time between two requests for the logs; the same as kLogPollUs for the log of one robot.
+// Time between two requests for the logs of the two robots.  It is the same as kLogPollUs, which is
+// for the log of one robot.
 constexpr useconds_t kBothPollUs = 5'000;
 
 remote::PlayAnswer Play(remote::Connection* robot, const RcFlags& flags) {
   return robot->PlayMotion(flags.file, flags.loops, flags.key_frames);
 }
 
-// Plays on both robots.  If the other robot refuses or cannot be reached, stops the first robot, so
-// that no robot plays alone.
+// Plays the motion on both robots.  If the other robot refuses the motion or cannot be reached,
+// stops the first robot, so that no robot plays alone.  Returns the answer of the first robot.
 remote::PlayAnswer PlayBoth(remote::Connection* robot, remote::Connection* other,
                             const RcFlags& flags) {
   const remote::PlayAnswer answer = Play(robot, flags);
@@ -48,8 +49,7 @@ void TakeBoth(remote::LogReader* log, remote::LogReader* other) {
     const int state = log->Take();
     plays = other->Take() != moverACCEPTING_COMMANDS || state != moverACCEPTING_COMMANDS;
   }
-  log->Take();  // fetches the last key frames, which may have been recorded before the state
-                // changed
+  log->Take();  // fetches the key frames that were recorded just before the state changed
   other->Take();
 }
 

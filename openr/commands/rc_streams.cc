@@ -1,4 +1,4 @@
-// The actions of `openr rc` that take packets of the robot's streams.
+// The actions of `openr rc` that print the packets which the robot sends as streams.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,18 +14,18 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int64_t kVectorUs = 32'000;  // a sensor vector has 4 frames of 8 ms
+constexpr int64_t kVectorUs = 32'000;  // duration of a sensor vector, which has 4 frames of 8 ms
 constexpr int kPeriodMax = 65532;      // largest period in frames: the largest multiple of 4 that
                                        // fits into 16 bits
 
-// Returns the period for `every_us` in frames, rounded up to whole sensor vectors.
+// Returns the number of frames in the time `every_us`, rounded up to whole sensor vectors.
 int PeriodOf(int64_t every_us) {
   const int64_t vectors = (every_us + kVectorUs - 1) / kVectorUs;
   return static_cast<int>(
       std::min<int64_t>(std::max<int64_t>(vectors, 1) * RC_FRAMES_PER_VECTOR, kPeriodMax));
 }
 
-// Formats SetValues, the reports of JointMover, with the names of the joints.
+// Formats the reports of JointMover (SetValues), with the names of the joints.
 class SetValueFormat {
  public:
   explicit SetValueFormat(remote::Connection* robot) : joints_(robot->Devices(rcdeviceJOINT)) {}
@@ -63,7 +63,7 @@ class SetValueFormat {
   const std::vector<remote::Description> joints_;
 };
 
-// Prints an event, with the number of events that the client has missed before it.
+// Prints an event, and how many events before it the client has missed.
 void PrintEvent(const RcFlags& flags, const remote::Event& event, Json json, std::string text) {
   if (event.left_out > 0) text += fmt::format("\n  {} left out before", event.left_out);
   json["left_out"] = event.left_out;

@@ -40,16 +40,18 @@ struct ReplayFlags {
   ShowOptions show;
   std::optional<int64_t> continue_at_us;
   ContinueOptions go_on;
-  DataLogOptions data_log;  // `file` in it is "" if no log of data is wanted
+  // Options of --log-data; `data_log.file` is "" if the user wants no log of data.
+  DataLogOptions data_log;
   std::string timeline_file;
-  int64_t handler_limit_us = 10'000'000;  // openr run has the same default
+  // Longest processor time of a handler; openr run has the same default.
+  int64_t handler_limit_us = 10'000'000;
 };
 
 nlohmann::ordered_json TextOrNull(const std::string& text) {
   return text.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(text);
 }
 
-// Prints the messages of the object of --only that differ from the recorded messages.
+// Prints the messages in which the object of --only now differs from the recording.
 void PrintAnswers(const Replayer& replayer, const ReplayFlags& flags) {
   if (flags.replay.only.empty()) return;
   for (const AnswerDifference& difference : replayer.answer_differences())
@@ -117,7 +119,8 @@ int Finish(Replayer* replayer, const ReplayFlags& flags) {
   return equal && problems.empty() ? kExitGood : kExitWrong;
 }
 
-// Replays up to --until, or to the end, and shows the progress on a terminal.
+// Replays until the time of --until, or to the end of the recording.  Shows the progress on a
+// terminal.
 void RunToTheEnd(Replayer* replayer, const ReplayFlags& flags) {
   constexpr int64_t kSliceUs = 200'000, kSecondUs = 1'000'000;
   const int64_t length_us = std::min(flags.until_us.value_or(INT64_MAX), replayer->length_us());
@@ -131,7 +134,7 @@ void RunToTheEnd(Replayer* replayer, const ReplayFlags& flags) {
   replayer->RunUntil(flags.until_us.value_or(INT64_MAX));
 }
 
-// Shows the recording on the panel.
+// Shows the recorded run on the panel.  Returns the exit code.
 int Show(const ReplayFlags& flags) {
   ShowOptions show = flags.show;
   show.name = std::filesystem::path(flags.replay.file).filename();

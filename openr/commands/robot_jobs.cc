@@ -37,18 +37,19 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kInterruptMs = 200;        // longest wait for data of the copies, so that Ctrl-C is
-                                         // noticed soon
-constexpr size_t kFindingsPrinted = 20;  // the report has all findings
+constexpr int kInterruptMs = 200;  // longest wait for data of the copies, so that Ctrl-C is
+                                   // noticed soon
+// Most findings that are printed; the report has all findings.
+constexpr size_t kFindingsPrinted = 20;
 
 struct RunningCopy {
   int robot = 0;
   ProcessCopy process;
-  std::string said;  // the part of the report that the copy has sent so far
+  std::string said;  // the part of its report that the copy has sent so far
 };
 
-// Reads data that `copy` has sent; does not wait for more of it.  Returns false when `copy` has
-// ended.
+// Reads the data that `copy` has sent, and does not wait for more data.  Returns false when `copy`
+// has ended.
 bool ReadSome(RunningCopy* copy) {
   char buffer[65536];
   const ssize_t size = read(copy->process.answers, buffer, sizeof buffer);
@@ -82,14 +83,14 @@ Json LostReport(const std::string& model, int status) {
           {"findings", Json::array({finding})}};
 }
 
-// A finding, with all robots that have it.
+// A finding, and all robots that have it.
 struct SharedFinding {
   std::string severity, text;  // `text` begins with the name of the object
   std::vector<int> robots;
 };
 
-// Prints the first kFindingsPrinted findings, errors first.  Equal findings of several robots are
-// printed as one line.  Otherwise a finding of all robots would hide the finding of a single robot.
+// Prints the first kFindingsPrinted findings, errors first.  Prints equal findings of several
+// robots as one line, because they would otherwise hide the finding of a single robot.
 void PrintFindings(const Json& findings) {
   std::vector<SharedFinding> shared;
   std::map<std::pair<std::string, std::string>, size_t> places;  // key: severity and text; value:
@@ -183,8 +184,8 @@ SimulationOptions RobotJobs::Options() {
   return options;
 }
 
-// Prints whole lines, each with the number of its robot in front, because the lines of several
-// robots mix on the console.
+// Prints the whole lines of `text`, each with the number of its robot in front, because the lines
+// of several robots mix on the console.
 void RobotJobs::Print(std::string_view text) {
   if (robot_ < 0) return console_.Print(text);
   line_ += text;
@@ -194,7 +195,8 @@ void RobotJobs::Print(std::string_view text) {
   }
 }
 
-// Runs robot `robot` to its end and sends its report through `answer`.
+// Runs the robot number `robot` to the end of its run, and writes its report to the descriptor
+// `answer`.
 void RobotJobs::RunInCopy(int robot, int answer) {
   robot_ = robot;
   prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -235,8 +237,9 @@ void RobotJobs::Take(int robot, const std::string& said, int status) {
   reports_[static_cast<size_t>(robot)] = std::move(report);
 }
 
-// Starts the process of `robot`.  Blocks the signals of Ctrl-C until the copy has been made: only
-// this process may count a Ctrl-C, and it then passes it on to its copies.
+// Starts the process of `robot`.  Blocks the signals of Ctrl-C until the copy of the process has
+// been made.  Only the original process may count a Ctrl-C; it then passes the Ctrl-C on to its
+// copies.
 ProcessCopy RobotJobs::Start(int robot) {
   sigset_t signals, before;
   sigemptyset(&signals);
@@ -281,7 +284,7 @@ void RobotJobs::RunAll() {
     std::vector<pollfd> wanted;
     for (const RunningCopy& copy : running) wanted.push_back({copy.process.answers, POLLIN, 0});
     if (poll(wanted.data(), wanted.size(), kInterruptMs) <= 0) continue;
-    for (size_t i = running.size(); i-- > 0;) {  // backwards, because elements are erased
+    for (size_t i = running.size(); i-- > 0;) {  // goes backwards, because the loop erases elements
       if (wanted[i].revents == 0 || ReadSome(&running[i])) continue;
       close(running[i].process.answers);
       Take(running[i].robot, running[i].said, WaitForEnd(running[i].process.pid));
@@ -291,7 +294,8 @@ void RobotJobs::RunAll() {
   }
 }
 
-// Returns the report of robots that do not boot, which is the same for all of them.
+// Returns one report that stands for all robots when they do not boot, because the report would be
+// the same for each of them.
 Json RobotJobs::ReportOfNoBoot() {
   simulation_.system().NoteRunEnd(
       {EndKind::kNoBoot, simulation_.loaded()
@@ -303,7 +307,7 @@ Json RobotJobs::ReportOfNoBoot() {
   return MakeReport(&simulation_, facts);
 }
 
-// Combines the reports of all robots to one report.
+// Combines the reports of all robots into one report.
 Json RobotJobs::Merge(double wall_time_s) {
   Json merged = {{"virtual_time_s", 0.0}};
   Json robots = Json::array(), objects = Json::array(), findings = Json::array();
@@ -311,7 +315,8 @@ Json RobotJobs::Merge(double wall_time_s) {
   uint64_t messages = 0;
   const Json* last = nullptr;  // the report of the robot that ended last
   for (size_t i = 0; i < reports_.size(); ++i) {
-    if (reports_[i].is_null()) continue;  // the robot was not started before Ctrl-C
+    // Leaves out a robot that was not started, because Ctrl-C came first.
+    if (reports_[i].is_null()) continue;
     const Json& report = reports_[i];
     if (last == nullptr || report["virtual_time_s"] >= (*last)["virtual_time_s"]) last = &report;
     Json robot = report["robots"][0];

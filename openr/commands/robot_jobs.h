@@ -15,7 +15,8 @@
 
 namespace openr_host {
 
-// Throws CLI::ValidationError if a flag of the user does not go with --jobs, with the reason.
+// Throws CLI::ValidationError, with the reason, if the user has given a flag that cannot be used
+// together with --jobs.
 void RefuseFlagsBesideJobs(const RunFlags& flags);
 
 // Runs each robot in a copy of this process (fork), with a System for this robot only.  The images
@@ -24,11 +25,12 @@ void RefuseFlagsBesideJobs(const RunFlags& flags);
 // except for their reports.
 class RobotJobs {
  public:
-  // REQUIRES: flags.jobs > 0; RefuseFlagsBesideJobs() has accepted the flags.
+  // Prepares the runs that the flags describe.  REQUIRES: flags.jobs > 0; RefuseFlagsBesideJobs()
+  // has accepted the flags.
   explicit RobotJobs(const RunFlags& flags);
 
-  // Runs the robots, prints a summary on standard error, and returns the report.  After Ctrl-C the
-  // robots that run are paused, and no others are started.
+  // Runs the robots, prints a summary on standard error, and returns the report.  Ctrl-C pauses the
+  // robots that run; no other robot is started then.
   nlohmann::ordered_json Run();
 
  private:
@@ -46,7 +48,7 @@ class RobotJobs {
   const RunStick stick_;
   Console console_;
   InterruptCounter interrupts_;
-  int robot_ = -1;    // the robot that this copy of the process runs; -1: this is no copy
+  int robot_ = -1;    // number of the robot that this copy of the process runs; -1: this is no copy
   std::string line_;  // text that the objects of this robot have printed after their last whole
                       // line
   Simulation simulation_;

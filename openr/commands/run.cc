@@ -53,7 +53,7 @@
 namespace openr_host {
 namespace {
 
-// Prints `problem`, unless it is "".  Returns whether it is "".
+// Prints `problem` as an error, unless it is "".  Returns true if `problem` is "".
 bool IsGood(const std::string& problem) {
   if (!problem.empty()) fmt::print(stderr, "openr: {}\n", problem);
   return problem.empty();
@@ -91,7 +91,7 @@ std::string Summary(const nlohmann::ordered_json& report, const std::optional<Ru
 }
 
 // Writes the report when an object ends the run, by a crash or by a handler that does not return.
-// The report has the present state of the run and, as "error", the record of the crash.
+// The report has the present state of the run, and the record of the crash as its member "error".
 void ReportTheEnding(Ending* ending, Simulation* simulation, DistributedRun* distribution,
                      const RunFacts& facts, const RunFlags& flags) {
   {
@@ -136,8 +136,8 @@ std::unique_ptr<LiveServer> MakeLiveServer(const LiveContext& context, const std
   }
 }
 
-// Starts the server of the panel, which reaches the run through its socket, `live`.  Returns null
-// if the run has no panel.
+// Starts the server of the panel.  The server reaches the run through the socket of `live`.
+// Returns null if the run has no panel.
 std::unique_ptr<PanelProcess> StartPanel(const RunFlags& flags, const LiveServer* live,
                                          const std::string& name) {
   if (live == nullptr || !WantsPanel(flags)) return nullptr;
@@ -145,7 +145,7 @@ std::unique_ptr<PanelProcess> StartPanel(const RunFlags& flags, const LiveServer
   return std::make_unique<PanelProcess>(socket.filename(), flags.panel_port);
 }
 
-// A run of `openr run`, from the flags to the report.
+// A run of `openr run`, from the flags of the user to the report.
 class CommandedRun {
  public:
   explicit CommandedRun(const RunFlags& flags);
@@ -159,8 +159,8 @@ class CommandedRun {
   std::string LiveName() const;
   std::string WhyNotRewound() const;
   void BeginRewind(LiveServer* live, Runner* runner, Watchdog* watchdog);
-  // Returns the stream on which a line shows how far the run is.  Returns -1, for no such line, if
-  // nobody knows when the run ends, or if a program reads the output.
+  // Returns the file descriptor on which a line shows the progress of the run.  Returns -1, so that
+  // no line is shown, if it is not known when the run ends, or if a program reads the output.
   int ProgressStream() const { return plan_.for_us && !flags_.json ? STDERR_FILENO : -1; }
   uint64_t VirtualSeconds() const {
     return static_cast<uint64_t>(plan_.for_us.value_or(0) / 1'000'000);
@@ -180,8 +180,8 @@ class CommandedRun {
   InterruptCounter interrupts_;
   EventScript events_;
   Recorder recorder_;
-  std::unique_ptr<DataLog> data_log_;   // null: no --log-data
-  std::unique_ptr<Timeline> timeline_;  // null: no --timeline
+  std::unique_ptr<DataLog> data_log_;   // log of --log-data; null: the flag was not given
+  std::unique_ptr<Timeline> timeline_;  // timeline of --timeline; null: the flag was not given
   DistributedRun distribution_;
   Rewind rewind_;
   const SimulationOptions options_;
@@ -191,8 +191,8 @@ class CommandedRun {
   MessageHistory history_;
   LiveEvents live_events_;
   const LiveContext live_context_;
-  bool is_silent_ = false;     // this process is a copy of the run, which prints nothing
-  bool is_assembled_ = false;  // `simulation_` has been made
+  bool is_silent_ = false;     // true: this process is a copy of the run, so it prints nothing
+  bool is_assembled_ = false;  // `simulation_` has been assembled
   bool boots_ = false;
   RunFacts facts_;
 };
@@ -219,8 +219,8 @@ CommandedRun::CommandedRun(const RunFlags& flags)
     throw CLI::ValidationError("--events", problem);
 }
 
-// Returns the options of the simulation: those from the flags, with the console, the recorder and
-// the connections of `distribution_`.
+// Returns the options with which the simulation is made: the options from the flags, with the
+// console, the recorder and the connections of `distribution_` added.
 SimulationOptions CommandedRun::Options() {
   SimulationOptions options = flags_.simulation;
   options.stick = stick_.folder();
@@ -235,8 +235,8 @@ SimulationOptions CommandedRun::Options() {
     return rewind_.Follow(robot, std::move(inner));
   };
   if (records()) recorder_.Listen(&options);
-  // DistributedRun::Enter() adds the network client of ROS 2 after the recorder has added itself,
-  // because the recorder must see the commands of ROS 2 as input.
+  // Enters the network client of ROS 2 after the recorder has added itself to `options`, because
+  // the recorder must see the commands of ROS 2 as input.
   distribution_.Enter(&options, plan_.say);
   return options;
 }
@@ -248,8 +248,9 @@ int CommandedRun::Run() {
   boots_ = simulation_.loaded() && !is_refused && distribution_.Connect(&simulation_);
   bool good = boots_;
   if (!boots_) NoteThatItDoesNotBoot(is_refused);
-  // Sets `boots_` after a Ctrl-C while the run waited for its workers.  It is not known whether the
-  // robot would have booted, and the program would otherwise print that the robot does not boot.
+  // Sets `boots_` to true after a Ctrl-C while the run waited for its workers.  Nobody knows
+  // whether the robot would have booted, so the program must not print that the robot does not
+  // boot.
   if (!boots_ && interrupts_.count() > 0) boots_ = true;
   if (good) {
     good = RunToTheEnd();
@@ -287,7 +288,7 @@ std::string CommandedRun::WhyNotRewound() const {
   return "";
 }
 
-// Sets the run up so that its clients can go back to earlier moments.
+// Sets up the run so that clients of its server can go back to earlier moments.
 void CommandedRun::BeginRewind(LiveServer* live, Runner* runner, Watchdog* watchdog) {
   RewindParts parts;
   parts.simulation = &simulation_;
@@ -317,7 +318,8 @@ void CommandedRun::BeginRewind(LiveServer* live, Runner* runner, Watchdog* watch
   rewind_.Begin(std::move(parts));
 }
 
-// Creates the files of --log-data and --timeline.  The run then adds to them after each frame.
+// Creates the files of --log-data and --timeline.  The run then adds its data to these files after
+// each frame.
 void CommandedRun::BeginDataLog() {
   if (!flags_.data_log.file.empty()) data_log_ = MakeDataLog(flags_.data_log, &simulation_);
   if (!flags_.timeline_file.empty())
@@ -333,9 +335,9 @@ void CommandedRun::BeginDataLog() {
 // Boots the robots and runs the simulation to its end.  Returns false after printing an error.
 bool CommandedRun::RunToTheEnd() {
   const EndingAnswer answer(flags_.json ? StandardOutput() : -1, flags_.report_file);
-  // Gives `place` a value for a run on the default stick, so that the finding about a crash names
-  // the record's file: its folder is not known to users.  The value is "", because no text needs to
-  // follow the file's name.
+  // Gives `place` a value for a run on the default stick, because the finding about a crash must
+  // then name the record's file: users do not know the folder of this file.  The value is "",
+  // because no text needs to follow the file's name.
   std::optional<std::string> place;
   if (stick_.is_default()) place = "";
   const CrashLog crash_log(
@@ -382,8 +384,8 @@ bool CommandedRun::RunToTheEnd() {
   return good;
 }
 
-// Writes the report, with facts that workers send, and then ends the worker processes.  Returns
-// false after printing an error.
+// Writes the report of the run, with the facts that workers send, and then ends the worker
+// processes.  Returns false after printing an error.
 bool CommandedRun::Report() {
   distribution_.ReportLosses();
   const bool is_stopped = system().end() && system().end()->kind == EndKind::kStrict;
@@ -419,7 +421,7 @@ void AddRunCommand(CLI::App* app, int* exit_code) {
   auto flags = std::make_shared<RunFlags>();
   DescribeRunFlags(command, flags.get());
   command->callback([command, flags, exit_code] {
-    // Runs robots with processes of their own at full speed, because nobody can watch them on a
+    // Chooses full speed for robots with processes of their own, because nobody can watch them on a
     // panel.
     if (flags->jobs > 0 && command->count("--rate") == 0) flags->rate = "max";
     if (!flags->gdb.empty()) StartUnderGdb(flags->gdb, flags->simulation.stick);

@@ -178,7 +178,8 @@ std::vector<PictureRequest> PictureRequests(const RunFlags& flags) {
   return plans;
 }
 
-// Throws if two flags name the same file, because each would overwrite the output of the other.
+// Throws CLI::ValidationError if two flags name the same file, because each would overwrite the
+// output of the other.
 void CheckThatFilesDiffer(const RunFlags& flags) {
   std::vector<std::pair<std::string, std::string>> named = {
       {"--report", flags.report_file},       {"--record", flags.record_file},
@@ -190,7 +191,7 @@ void CheckThatFilesDiffer(const RunFlags& flags) {
   std::map<std::string, std::string> flag_of;
   for (const auto& [flag, file] : named) {
     if (file.empty() || file == "-" || file == "/dev/null") continue;
-    std::error_code error;  // set for a stream such as /dev/stdout, which is no file
+    std::error_code error;  // this error is set for a stream such as /dev/stdout, which is no file
     const std::string real = std::filesystem::weakly_canonical(file, error);
     const auto [first, is_new] = flag_of.emplace(error ? file : real, flag);
     if (!is_new) {
@@ -200,7 +201,8 @@ void CheckThatFilesDiffer(const RunFlags& flags) {
   }
 }
 
-// Throws if other output than the JSON object of --json would go to standard output.
+// Throws CLI::ValidationError if a flag sends other output to standard output than the JSON object
+// of --json.
 void CheckStandardOutput(const RunFlags& flags) {
   if (!flags.json) return;
   const std::pair<const char*, const std::string&> named[] = {

@@ -24,19 +24,20 @@ struct RunFlags {
   std::string rate = "1";
   std::string report_file;
   std::string record_file;
-  DataLogOptions data_log;  // `file` in it is "" if no log of data is wanted
+  // Options of --log-data; `data_log.file` is "" if the user wants no log of data.
+  DataLogOptions data_log;
   std::string timeline_file;
   bool no_payloads = false;
   bool json = false;
-  bool panel = false;     // --panel
-  bool no_panel = false;  // --no-panel
+  bool panel = false;     // value of the flag --panel
+  bool no_panel = false;  // value of the flag --no-panel
   uint16_t panel_port = 8210;
   std::string log = "info";
   std::string console_file;
   std::string stdin_file;
   std::string events_file;
-  int jobs = 0;     // value of --jobs; 0: all robots are in one System of this process
-  std::string gdb;  // object of --gdb; "": no debugger
+  int jobs = 0;     // value of --jobs; 0: no --jobs, all robots are in one System of this process
+  std::string gdb;  // value of --gdb, the name of an object; "": no debugger
   int64_t handler_limit_us = 10'000'000;
   std::vector<std::string> snapshots;
   std::vector<std::string> snapshot_files;
@@ -46,7 +47,7 @@ struct RunFlags {
 // line is read.
 void DescribeRunFlags(CLI::App* command, RunFlags* flags);
 
-// Adds --log-data, --log-images and --timeline, which run and replay have.
+// Adds the flags --log-data, --log-images and --timeline, which openr run and openr replay have.
 void AddDataLogFlags(CLI::App* command, DataLogOptions* options, std::string* timeline);
 
 // Returns whether the run has a panel.  The flags --panel and --no-panel decide.  Without them, the

@@ -1,5 +1,5 @@
-// The command openr serve: a run that another program drives through a pipe, as the Python module
-// openr_host does.
+// The command openr serve: executes a run for another program, which sends requests through a pipe.
+// The Python module openr_host uses it.
 #include <fmt/format.h>
 #include <signal.h>
 #include <unistd.h>
@@ -25,10 +25,10 @@ int RunServe() {
   // Ignores Ctrl-C, because the program that drives the run decides what Ctrl-C in its terminal
   // means.
   signal(SIGINT, SIG_IGN);
-  // Makes Mesa draw pictures without threads of its own, because a forked copy of the process has
-  // no such threads.
+  // Makes Mesa draw pictures without threads of its own.  The process is forked, and the fork would
+  // not have these threads.
   setenv("LP_NUM_THREADS", "0", 0);
-  const Console console("");  // keeps the text that objects print away from the answers
+  const Console console("");  // keeps the text that objects print out of the answers
   RequestPipe pipe(STDIN_FILENO, StandardOutput());
   auto server = std::make_unique<RunServer>(&pipe);
   const int exit_code = server->Serve();
@@ -36,8 +36,8 @@ int RunServe() {
   server.reset();
   if (!is_copy) return exit_code;
   std::fflush(nullptr);
-  // Ends without exit handlers.  The exit handler of Mesa would wait for threads of Mesa, which a
-  // copy of a process that has drawn a picture does not have.
+  // Ends the process without exit handlers.  The exit handler of Mesa would wait for threads of
+  // Mesa, and a copy of a process that has drawn a picture does not have these threads.
   _exit(exit_code);
 }
 

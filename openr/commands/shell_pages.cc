@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Writes one page to `folder`, or throws std::runtime_error.
+// Writes the manual page of one command to `folder`.  Throws std::runtime_error if that fails.
 void WritePage(const CommandInfo& program, const CommandInfo& command, const fs::path& folder) {
   const std::string problem =
       WriteFile(folder / ManPageFile(command), ManPage(program, command, OPENR_VERSION));

@@ -42,8 +42,8 @@ int ShowRun(const MakeKnownRun& make, const ShowOptions& options) {
         "what it needs");
   InterruptCounter interrupts;
   ConsoleLog console;
-  KnownRun* run_made = nullptr;  // the run; null while it is made, when its images may already
-                                 // print
+  // The run.  It is null while the run is made, when its images may already print.
+  KnownRun* run_made = nullptr;
   const std::unique_ptr<KnownRun> run = make([&](std::string_view text) {
     console.Add(run_made == nullptr ? 0 : run_made->simulation().system().now_us(), text);
   });

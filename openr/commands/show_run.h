@@ -1,4 +1,5 @@
-// Shows a known run, a recording or a failing run, on the panel.
+// Shows a run that is already known on the panel: a recording, or a failing run that openr explore
+// has found.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +18,8 @@ namespace openr_host {
 class KnownRun;
 
 struct ShowOptions {
-  std::string name;            // name of the run in the list of the page
-  uint16_t panel_port = 8210;  // port of the panel; if it is taken, the next free one
+  std::string name;            // name of the run in the list that the panel shows
+  uint16_t panel_port = 8210;  // port of the panel; if it is taken, the next free port is used
   double rate = 1;             // virtual seconds per second; 0: as fast as possible
 };
 
@@ -26,7 +27,8 @@ struct ShowOptions {
 // flag `panel`.
 void AddShowFlags(CLI::App* command, CLI::Option* panel, ShowOptions* options);
 
-// Type of a function that assembles a run and makes its objects print to `console`.
+// The type of a function that assembles a run whose objects print to `console`, and returns the
+// run.
 using MakeKnownRun =
     std::function<std::unique_ptr<KnownRun>(const std::function<void(std::string_view)>& console)>;
 

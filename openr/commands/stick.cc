@@ -1,4 +1,5 @@
-// The command openr stick: makes and checks a Memory Stick tree, for the robot or for the host.
+// The command openr stick: makes and checks the folders of a Memory Stick, for the robot or for the
+// host.
 #include <map>
 #include <memory>
 

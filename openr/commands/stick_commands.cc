@@ -31,7 +31,7 @@ namespace {
 
 struct WlanFlags {
   WlanConfig config;
-  bool is_given = false;  // at least one setting was given by a flag
+  bool is_given = false;  // true: the user has given at least one setting by a flag
 };
 
 void SetByFlag(const std::string& flag, const std::string& key, const std::string& value,
@@ -68,7 +68,8 @@ void AddWlanFlags(CLI::App* command, WlanFlags* flags) {
       ->check(CLI::IsMember({"infrastructure", "adhoc", "automatic"}));
 }
 
-// Asks the questions on the terminal, or takes the answers from a pipe, one a line.
+// Asks for all settings on the terminal.  If standard input is a pipe, reads the answers from it,
+// one in each line.
 void AskAll(WlanConfig* config) {
   fmt::print(stderr, "An empty answer takes the value in brackets.\n");
   const auto ask = [](const std::string& question,
@@ -86,7 +87,7 @@ void AskAll(WlanConfig* config) {
       "as well: openr help stick wlan");
 }
 
-// Prints the warnings about the settings on standard error.
+// Prints warnings about wireless settings that make no sense on standard error.
 void TellSense(const std::string& file, const std::string& text) {
   fmt::print(stderr, "{}", Render(CheckWlanSense(file, ParseWlanConfig(file, text))));
 }

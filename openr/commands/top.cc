@@ -20,7 +20,7 @@
 namespace openr_host {
 namespace {
 
-constexpr int64_t kSliceUs = 50'000;      // longest wait, so that Ctrl-C is noticed soon
+constexpr int64_t kSliceUs = 50'000;      // longest wait for data, so that Ctrl-C is noticed soon
 constexpr int64_t kOthersUs = 1'500'000;  // time that --once listens; each run sends its status
                                           // once a second
 
@@ -37,7 +37,7 @@ class Top {
   explicit Top(const TopFlags& flags)
       : flags_(flags), bus_(flags.bus), reader_(&bus_), on_screen_(isatty(STDOUT_FILENO) == 1) {}
 
-  // Prints one table after another until Ctrl-C.
+  // Prints the table of runs again and again until Ctrl-C.
   int Watch() {
     for (int64_t next_us = flags_.interval_us; interrupts_.count() == 0;
          next_us += flags_.interval_us) {

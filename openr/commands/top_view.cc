@@ -15,12 +15,13 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Run = RunsHeard::Run;
 
-constexpr double kSilent_s = 3;   // a run that is silent for longer is shown as silent; each run
-                                  // sends its status once a second
-constexpr double kEnded_s = 10;   // an ended run is shown for this time
-constexpr size_t kStateMax = 40;  // most characters of a state in the table
+// A run that is silent for longer than this is shown as silent.  Each run sends its status once a
+// second.
+constexpr double kSilent_s = 3;
+constexpr double kEnded_s = 10;   // time for which a run is shown after its end
+constexpr size_t kStateMax = 40;  // most characters of an object's state in the table
 
-// The process in which an object runs.
+// The process in which an object runs, and the host of this process.
 struct ProcessHost {
   std::string process;
   std::string host;
@@ -58,7 +59,8 @@ enum Column {
 };
 constexpr size_t kColumns = kState + 1;
 using Row = std::array<std::string, kColumns>;
-using Widths = std::array<size_t, kColumns>;  // characters of each column; 0: left out
+// Number of characters in each column; 0: the column is left out.
+using Widths = std::array<size_t, kColumns>;
 
 Row RowOf(const RunStatus& run, const RunStatus::Object& object, bool has_robots) {
   const ProcessHost place = HostOf(run, object);
@@ -83,9 +85,10 @@ size_t LineWidth(const Widths& widths) {
   return sum;
 }
 
-// Returns the width of each column, so that a row has at most `columns` characters.  First shortens
-// the state, the last column.  Then leaves out columns in the order of kGoes, the least important
-// first, until the row is short enough.  At last gives the rest of the space to the state.
+// Returns the width of each column, so that a row of the table has at most `columns` characters.
+// First shortens the state, the last column.  Then leaves out columns in the order of kGoes, the
+// least important first, until the row is short enough.  At last gives the rest of the space to the
+// state.
 Widths WidthsFor(const std::vector<Row>& rows, size_t columns) {
   constexpr size_t kStateMin = 12;
   constexpr Column kGoes[] = {kPriority, kPid, kHost, kP99, kMean, kDrops, kProcess};
@@ -104,7 +107,7 @@ Widths WidthsFor(const std::vector<Row>& rows, size_t columns) {
 }
 
 std::string Table(const std::vector<Row>& rows, size_t columns) {
-  // Columns of words are aligned left, columns of numbers right.
+  // Aligns columns of words left and columns of numbers right.
   constexpr Column kLeft[] = {kObject, kProcess, kHost, kState};
   const Widths widths = WidthsFor(rows, columns);
   std::string text;
@@ -122,8 +125,8 @@ std::string Table(const std::vector<Row>& rows, size_t columns) {
   return text;
 }
 
-// Breaks `line` at spaces into lines of at most `columns` characters.  Indents all lines but the
-// first.
+// Breaks `line` at spaces into lines of at most `columns` characters.  Indents all of these
+// lines except the first.
 std::string Fold(const std::string& line, size_t columns) {
   constexpr size_t kIndent = 4;
   if (columns <= 2 * kIndent || line.size() <= columns) return line + "\n";
@@ -259,7 +262,7 @@ std::string OnScreen(const std::string& text, size_t rows, size_t columns) {
     lines.resize(rows - 1);
     lines.push_back(fmt::format("... {}", Counted(left_out, "more line")).substr(0, columns));
   }
-  std::string screen;  // text that clears each line to its end, and the rest of the screen
+  std::string screen;  // the page; it clears each line to its end, and the rest of the screen
   for (const std::string& line : lines) screen += (screen.empty() ? "" : "\r\n") + line + "\x1b[K";
   return screen + "\x1b[J";
 }

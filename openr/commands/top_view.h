@@ -17,32 +17,34 @@ class RunsHeard {
  public:
   struct Run {
     RunStatus status;
-    double heard_s = 0;  // time of the last status, by this process's clock
+    double heard_s = 0;  // time at which the last status came, by this process's clock
   };
 
   void Take(const std::vector<RunStatus>& news, double now_s);
 
-  // Removes the runs that ended more than 10 s ago.  Until then the table shows how they ended.
+  // Removes the runs that ended more than 10 s ago.  Until then the table shows how these runs
+  // ended.
   void Forget(double now_s);
 
   bool empty() const { return runs_.empty(); }
   std::vector<Run> All() const;
 
  private:
-  using Key = std::tuple<std::string, std::string, int64_t>;  // name, host, process id
+  using Key = std::tuple<std::string, std::string, int64_t>;  // name, host and process id of a run
   std::map<Key, Run> runs_;
 };
 
-// Returns the table of the runs.  If it is wider than `columns` characters, its least important
-// columns are left out, and lines that are not part of the columns are wrapped.  0: no limit.
+// Returns the table of the runs as text.  If the table is wider than `columns` characters, leaves
+// out its least important columns and wraps lines that are not part of the columns. 0 means no
+// limit.
 std::string TopText(const std::vector<RunsHeard::Run>& runs, double now_s, size_t columns = 0);
 
-// Returns {"runs": [...]}, with one object for each run.
+// Returns the JSON {"runs": [...]}, with one object for each run.
 nlohmann::ordered_json TopJson(const std::vector<RunsHeard::Run>& runs, double now_s);
 
-// Returns `text` as a page for a terminal whose cursor is at the top left: at most `rows` lines of
-// `columns` characters; if lines are left out, the last line says how many.  Each line clears the
-// rest of its row, because the page is printed over the page before.
+// Returns `text` as a page for a terminal whose cursor is at the top left.  The page has at most
+// `rows` lines of `columns` characters; if lines are left out, the last line says how many.  Each
+// line clears the rest of its row, because the page is printed over the page before.
 std::string OnScreen(const std::string& text, size_t rows, size_t columns);
 
 }  // namespace openr_host

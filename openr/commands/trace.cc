@@ -1,4 +1,4 @@
-// The command openr trace: shows a recorded run.
+// The command openr trace: shows the messages and inputs of a recorded run.
 #include <fmt/format.h>
 
 #include <cstdio>

@@ -10,8 +10,8 @@
 
 namespace openr_host {
 
-// Fetches in a thread with a connection of its own, because a picture has 153 packets and commands
-// must not wait for them.
+// Fetches pictures in a thread with a connection of its own.  A picture has 153 packets, and
+// commands must not wait for them.
 class CameraFetcher {
  public:
   CameraFetcher(const openr::remote::Address& address, openr::remote::Options options);
@@ -34,7 +34,7 @@ class CameraFetcher {
   const openr::remote::Options options_;
   std::atomic<bool> is_ended_ = false;
   std::mutex mutex_;
-  std::string picture_;  // the newest picture; "" after Take() has returned it
+  std::string picture_;  // the newest picture; "" if Take() has already returned it
   std::string problem_;
   std::thread thread_;
 };

@@ -20,8 +20,9 @@ using Clock = std::chrono::steady_clock;
 
 volatile sig_atomic_t g_stops = 0;  // number of the signal that ends the controller; 0: none
 
-// Ends the process at once at a second signal, because a controller may never return.  Ignores a
-// second signal within one second, because the program `timeout` sends two.
+// Asks the controller to end at the first signal.  Ends the process at once at a second signal,
+// because a controller may never return.  Ignores a second signal that comes within one second,
+// because the program `timeout` sends two.
 void OnStop(int signal_number) {
   static volatile int64_t first_ms = 0;
   if (g_stops == 0) {
@@ -40,7 +41,7 @@ void CatchStop() {
   sigaction(SIGTERM, &action, nullptr);
 }
 
-// A controller from the start of its main() to its end.
+// A run of a controller, from the start of its main() to its end.
 class Session {
  public:
   explicit Session(const ControllerRun& run)
@@ -67,7 +68,7 @@ class Session {
                                                // last iteration
 };
 
-// Waits until the robot stands, because the main() of a controller on the robot begins then, too.
+// Waits until the robot stands.  On the robot, the main() of a controller also begins only then.
 // Returns false when Ctrl-C ends the program before.
 bool Session::WaitForStanding() {
   const auto is_ended = [this] { return g_stops != 0 || port_.Stands(); };
@@ -77,7 +78,8 @@ bool Session::WaitForStanding() {
   return g_stops == 0;
 }
 
-// Waits for the end of the present iteration.  Returns false when the program ends.
+// Waits until the present iteration of the controller's loop ends.  Returns false when the program
+// ends.
 bool Session::WaitForNextStep() {
   try {
     port_.Check();
@@ -102,8 +104,8 @@ bool Session::WaitForNextStep() {
   }
 }
 
-// Makes an iteration while main() of the controller waits in robot_step().  Ends the process here
-// when the program is to end, because main() cannot be left.
+// Makes an iteration of the loop while main() of the controller waits in robot_step().  When the
+// program is to end, ends the process here, because main() cannot be left.
 void Session::StepInMain() {
   port_.core()->LedReady();
   if (!WaitForNextStep()) std::exit(End());
@@ -118,7 +120,8 @@ int Session::Run() {
   return End();
 }
 
-// Ends the controller, and waits until the robot has answered all commands.
+// Ends the controller, and waits until the robot has answered all commands.  Returns the exit
+// status.
 int Session::End() {
   port_.core()->Die();
   SetControllerCore(nullptr);
@@ -133,8 +136,8 @@ int Session::End() {
   return status_;
 }
 
-// Returns a text with the mean duration of iterations on the robot's clock, which may run slower or
-// faster than this computer's.
+// Returns a text with the mean duration of iterations on the robot's clock.  This clock may run
+// slower or faster than the clock of this computer.
 std::string Session::RobotTime() const {
   const auto count = static_cast<double>(clock_.iterations());
   if (count == 0 || last_frame_ <= first_frame_) return "";

@@ -10,11 +10,11 @@
 
 namespace openr_host {
 
-// A request to the robot, and its description for messages.
+// A request to the robot, and a description of the request for messages to the user.
 struct RobotCommand {
   openr::remote::Call call;
   std::string what;  // description of the request, such as "a position of neck_pan"
-  int joint = -1;    // the joint whose position the request sets; -1: another request
+  int joint = -1;    // the joint whose position the request sets; -1: it sets something else
 };
 
 // Compares the buffer of a controller with the values that were sent before.  Unchanged values are
@@ -22,21 +22,24 @@ struct RobotCommand {
 // Values are compared in the units of the protocol, such as 0.01 degree.
 class JointCommands {
  public:
-  // Begins with the values that JointMover has before its first command (Messages.h): no position
-  // was commanded, the speed is the largest, and the acceleration is the default.
+  // Begins with the values that JointMover has before its first command (Messages.h): no commanded
+  // position, the largest speed, and the default acceleration.
   explicit JointCommands(const RobotConstants* robot);
 
-  // Returns the requests that bring the robot to `now`, and marks their values as sent.  The order
-  // is positions, speeds, accelerations (Hohl 2004, 4.2.3); motors are switched with the positions.
-  // The robot refuses positions while a motion plays (`is_playing`), so a later call returns them.
+  // Returns the requests that bring the robot to the state `now`, and marks their values as sent.
+  // The order is positions, speeds, accelerations (Hohl 2004, 4.2.3); motors are switched with the
+  // positions.  Returns no positions while a motion plays (`is_playing`), because the robot would
+  // refuse them; a later call returns them.
   std::vector<RobotCommand> Changes(const BatchMoverCommand& now, bool is_playing);
 
-  // Marks the position of a joint as not sent, because the robot has refused it.
+  // Marks the position of a joint as not sent, because the robot has refused it.  So a later call
+  // of Changes() returns it again.
   void Forget(int joint) { sent_[static_cast<size_t>(joint)].position.reset(); }
 
  private:
   struct Sent {
-    std::optional<Sint32> position;  // in 0.01 degree; nullopt: no position was sent
+    // The position that was sent last, in 0.01 degree; nullopt: no position was sent.
+    std::optional<Sint32> position;
     Sint32 speed;
     Sint32 acceleration;
     bool is_off = false;

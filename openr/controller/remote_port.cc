@@ -21,13 +21,15 @@ namespace remote = openr::remote;
 using Clock = std::chrono::steady_clock;
 
 constexpr int kFrameMs = 8;
-constexpr std::chrono::milliseconds kSlice{50};  // longest wait, so that Ctrl-C is noticed soon
-constexpr int kEventsAtOnce = 64;                // events that are taken before answers are looked
-                                                 // at
+// Longest wait for packets, so that Ctrl-C is noticed soon.
+constexpr std::chrono::milliseconds kSlice{50};
+// Largest number of events that are taken before answers are read.
+constexpr int kEventsAtOnce = 64;
 // Number of different frame numbers: after the largest one follows 0 (docs/remote-control.md).
 constexpr uint32_t kFramesMax = 0x0ffffff1;
 
-// Returns whether `frame` is after `other`.
+// Returns whether the frame number `frame` is later than `other`.  Frame numbers begin again at 0
+// after the largest one.
 bool IsAfter(uint32_t frame, uint32_t other) {
   const uint32_t difference = (frame + kFramesMax - other % kFramesMax) % kFramesMax;
   return difference > 0 && difference < kFramesMax / 2;
@@ -75,8 +77,8 @@ bool RemotePort::TakeStep(int* step_ms) {
   return *step_ms > 0;
 }
 
-// Calls `function`, which asks the robot for something.  If that fails, returns false and sets
-// `*refusal` to the reason.  Keeps an error of the connection for Check().
+// Calls `function`, which asks the robot for something.  If the call fails, returns false and sets
+// `*refusal` to the reason.  If the connection has failed, keeps the error for Check().
 template <typename Function>
 bool RemotePort::Guarded(const Function& function, std::string* refusal) {
   if (failure_) {
@@ -98,7 +100,8 @@ bool RemotePort::Guarded(const Function& function, std::string* refusal) {
 // ---- Events from the robot
 
 void RemotePort::ReceiveUntil(Clock::time_point deadline, const std::function<bool()>& is_ended) {
-  // Receives at least once, because a controller that is always late must get values, too.
+  // Receives at least once, even after the deadline, because a controller that is always late must
+  // get values, too.
   do {
     auto event = robot_.NextEvent(std::min(deadline, Clock::now() + kSlice));
     for (int i = 0; i < kEventsAtOnce && event; ++i) {
@@ -143,7 +146,7 @@ void RemotePort::TakeSensors(const remote::Sensors& sensors, uint32_t frame) {
   if (!playing_.empty()) TellMotion(key_frame, state_ == moverACCEPTING_COMMANDS && key_frame < 0);
   for (const auto& [joint, why] : busy_) {
     if (state_ > moverACCEPTING_COMMANDS) {
-      joints_.Forget(joint);  // a motion plays; the position is sent after it
+      joints_.Forget(joint);  // sends the position again later, because a motion plays now
     } else {
       WarnOfRefusal(why);
     }
@@ -195,7 +198,7 @@ void RemotePort::TakeAnswers(bool waits) {
       const std::string why = fmt::format("{} was refused: {}", command.what, answers[i].error);
       if (answers[i].status == rcerrorBUSY && command.joint >= 0) {
         busy_.emplace_back(command.joint,
-                           why);  // the next sensor values tell whether a motion plays
+                           why);  // then the next sensor values tell whether a motion plays
       } else {
         WarnOfRefusal(why);
       }
@@ -203,7 +206,7 @@ void RemotePort::TakeAnswers(bool waits) {
   }
 }
 
-// Warns at most once a second, because a controller may command in each iteration.
+// Warns at most once a second, because a controller may give a refused command in each iteration.
 void RemotePort::WarnOfRefusal(const std::string& text) {
   const Clock::time_point now = Clock::now();
   if (warned_ != Clock::time_point{} && now - warned_ < std::chrono::seconds(1)) return;
@@ -219,7 +222,8 @@ void RemotePort::Finish() {
 // ---- Commands
 
 // Sends all changes of an iteration.  ControllerCore sends joints, ears and lights in this order,
-// and the lights in every iteration, so this is the last call of the iteration.
+// and sends the lights in every iteration.  So the call of SendLeds() is the last one of the
+// iteration.
 void RemotePort::SendLeds(Uint32 on, int frames) {
   step_ms_ = frames * kFrameMs;
   std::vector<RobotCommand> commands;
@@ -254,14 +258,15 @@ void RemotePort::Send(const std::vector<RobotCommand>& commands) {
   }
 }
 
-// Plays a motion.  If the robot refuses the motion, reports it as over at once.
+// Plays a motion.  If the robot refuses the motion, tells the controller at once that the motion is
+// over.
 void RemotePort::SendMover(const MoverCommand& command) {
   playing_ = command.file;
   std::string refusal;
   const auto play = [&] {
     robot_.PlayMotion(playing_, command.loops, command.keyFramesPerVector);
     play_frame_ = robot_.frame();
-    state_ = moverPREPARE_MTN;  // until sensor values give the real state
+    state_ = moverPREPARE_MTN;  // until sensor values give the real state of JointMover
   };
   if (Guarded(play, &refusal)) return;
   Say(fmt::format("mtn_play: {} was refused: {}", playing_, refusal));
@@ -280,7 +285,8 @@ bool RemotePort::ReadFile(const std::string& path, std::vector<Uint8>* bytes, st
       error);
 }
 
-// Returns the path of a motion file in the controller's folder; "" if there is none.
+// Returns the path of the motion file `name` in the controller's folder; "" if the folder has no
+// such file.
 std::string RemotePort::LocalMotion(const std::string& name) const {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder_, error)) {

@@ -25,10 +25,10 @@ namespace openr_host {
 // throw nothing.  They keep an error of the connection, and Check() throws it.
 class RemotePort : public ControllerPort {
  public:
-  // Subscribes to the sensor values.  `folder` is the controller's folder.  `on_step` makes an
-  // iteration of the loop while the controller waits in robot_step().  If the program has to end,
-  // `on_step` does not return.  Throws remote::Error; throws std::runtime_error if the design of
-  // the robot is unknown.
+  // Connects to the robot and subscribes to its sensor values.  `folder` is the controller's
+  // folder.  `on_step` makes an iteration of the loop while the controller waits in robot_step().
+  // If the program has to end, `on_step` does not return.  Throws remote::Error; throws
+  // std::runtime_error if the design of the robot is unknown.
   RemotePort(const openr::remote::Address& address, openr::remote::Options options,
              std::string folder, std::function<void()> on_step);
   ~RemotePort() override;
@@ -36,21 +36,24 @@ class RemotePort : public ControllerPort {
   ControllerCore* core() { return &core_; }
 
   // Receives sensor values and answers until `deadline`, or until `is_ended` returns true.  Throws
-  // remote::Error, also if the robot has not answered or sent anything within the time limit.
+  // remote::Error if the connection fails, or if the robot has sent nothing within the time limit.
   void ReceiveUntil(std::chrono::steady_clock::time_point deadline,
                     const std::function<bool()>& is_ended);
 
-  // Throws the error that another function has kept, if any.
+  // Throws the connection error that another function has kept.  Does nothing if there was no
+  // error.
   void Check() const;
 
-  // Waits for the answers to all commands under way.  Throws remote::Error.
+  // Waits for the answers to all commands that the robot has not answered yet.  Throws
+  // remote::Error.
   void Finish();
 
-  // Returns whether the robot stands, and so takes commands.
+  // Returns whether the robot stands.  Only a robot that stands takes commands.
   bool Stands() const;
 
-  // Returns whether the core has sent the lights since the last call.  It sends them in each
-  // iteration of its loop.  Sets `*step_ms` to the time step.
+  // Returns whether the core has sent the lights since the last call of TakeStep().  The core sends
+  // the lights in each iteration of its loop, so this tells that the iteration is complete.  Sets
+  // `*step_ms` to the time step.
   bool TakeStep(int* step_ms);
 
   // Returns the frame number of the newest sensor values.
@@ -110,9 +113,9 @@ class RemotePort : public ControllerPort {
   std::unique_ptr<CameraFetcher> camera_;
   std::exception_ptr failure_;
 
-  std::optional<BatchMoverCommand> wanted_;  // the joints as the controller wants them; nullopt: no
-                                             // change
-  // Joints whose new positions the robot has refused as BUSY, with the text of the warning.
+  // Joints as the controller wants them; nullopt: it wants no change.
+  std::optional<BatchMoverCommand> wanted_;
+  // Joints whose new positions the robot has refused as BUSY, and the text of the warning for each.
   std::vector<std::pair<int, std::string>> busy_;
   Uint32 wanted_ears_ = 0;
   Uint32 sent_leds_ = 0;  // the lights that were commanded last; at first all lights are off
@@ -122,7 +125,7 @@ class RemotePort : public ControllerPort {
   std::string playing_;      // file of the motion that plays for the controller; "": none
   uint32_t play_frame_ = 0;  // frame number in the answer to MTN_PLAY for this motion
   int step_ms_ = 0;          // time step of the lights sent last; 0: none sent since TakeStep()
-  int rounded_ms_ = 0;       // the time step whose rounding was reported last
+  int rounded_ms_ = 0;       // the rounded time step about which the user was told last
   bool is_continued_ = false;
   std::chrono::steady_clock::time_point heard_{};   // time of the last event or answer
   std::chrono::steady_clock::time_point warned_{};  // time of the last WarnOfRefusal()

@@ -7,8 +7,8 @@
 
 namespace openr_host {
 
-// Computes when the next iteration is to begin, and measures the duration of iterations.  The
-// caller passes in the present time.
+// Computes when the next iteration of the controller's loop is to begin, and measures the duration
+// of iterations.  The caller passes in the present time.
 class StepClock {
  public:
   using Time = std::chrono::steady_clock::time_point;
@@ -17,17 +17,17 @@ class StepClock {
   // The largest delay with which an iteration still counts as on time: a frame of the robot.
   static constexpr std::chrono::milliseconds kLate{8};
 
-  // Returns when the next iteration is to begin: `step` after the planned time of the present
-  // iteration.  Called at the end of an iteration, which asks for `step`.  The first call takes
-  // `now` for the time at which the first iteration has begun.
+  // Returns the time at which the next iteration is to begin: `step` after the planned beginning of
+  // the present iteration.  Called at the end of an iteration.  The first call takes `now` for the
+  // time at which the first iteration has begun.
   Time Next(Time now, Duration step);
 
-  // Returns a warning if the next iteration, which begins now, begins more than kLate after the
-  // time that Next() returned; else "".  Warns at most once a second.  A late iteration does not
-  // make the next ones shorter: they are planned from `now` on.
+  // Begins the next iteration at the time `now`.  Returns a warning if this is more than kLate
+  // after the time that Next() has returned; else "".  Warns at most once a second.  A late
+  // iteration does not make the next ones shorter: they are planned from `now` on.
   std::string Begin(Time now);
 
-  int64_t iterations() const { return iterations_; }  // iterations that have ended
+  int64_t iterations() const { return iterations_; }  // number of iterations that have ended
 
   // Describes the time steps that were asked for and achieved: "640 iterations in 41.0 s; asked for
   // were 64 ms each, achieved 64.1 ms on average, 71 ms at most".

@@ -1,4 +1,5 @@
-// Columns: the quantities of a run that are logged, each with a name and a function to read it.
+// Columns: the quantities of a run that are written to a log, each with a name and a function to
+// read it.
 #pragma once
 
 #include <string>
@@ -13,10 +14,11 @@ struct Column {
   Quantity read;
 };
 
-// Returns the columns of all quantities that are numbers.
+// Returns a column for each quantity of the run that is a number.
 std::vector<Column> ColumnsOf(const RunView& view);
 
-// Appends a number with nine digits at most; "" for NaN, which means that there is no value.
+// Appends a number with at most nine digits to `text`.  Appends nothing for NaN, because NaN means
+// that there is no value.
 void AppendNumber(double value, std::string* text);
 
 }  // namespace openr_host

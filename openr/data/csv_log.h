@@ -24,7 +24,7 @@ class CsvLog : public DataLog {
   SimulationView view_;
   const std::vector<Column> columns_;
   GrowingFile file_;
-  int64_t last_us_ = -1;    // time of the last line
+  int64_t last_us_ = -1;    // time of the last line that was added
   int64_t written_us_ = 0;  // time of the last line that is in the file
   std::string lines_;       // lines that are not in the file yet
 };

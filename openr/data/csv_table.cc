@@ -18,8 +18,8 @@ struct TimeColumn {
 };
 constexpr TimeColumn kTimeColumns[] = {{"time_s", 1}, {"time_ms", 1e-3}, {"time_us", 1e-6}};
 
-// Splits a line into fields.  A field in quotes may have commas, and two quotes in it stand for one
-// quote.
+// Splits a line into fields.  A field in quotes may have commas.  Two quotes in such a field stand
+// for one quote.
 std::vector<std::string> FieldsOf(std::string_view line) {
   std::vector<std::string> fields(1);
   bool is_quoted = false;
@@ -39,7 +39,7 @@ std::vector<std::string> FieldsOf(std::string_view line) {
   return fields;
 }
 
-// Returns the number in `text`; NaN if it is empty; nullopt if it is no number.
+// Returns the number in `text`; NaN if `text` is empty; nullopt if `text` is no number.
 std::optional<double> NumberOfField(const std::string& text) {
   if (text.empty()) return std::numeric_limits<double>::quiet_NaN();
   double number = 0;
@@ -67,14 +67,15 @@ class CsvReader {
 
  private:
   struct Values {
-    bool is_text = false;  // true: a field is not a number, so the column is left out
+    // True: the column has a field that is not a number, so the column is left out.
+    bool is_text = false;
     bool has_number = false;
     Series series;
   };
 
-  // Sets `line` to the next line.  Returns false at the end of the file.  Also returns false if the
-  // last line has no newline at its end: the program that wrote the file was killed, so the line
-  // may not be complete.
+  // Sets `line` to the next line of the file.  Returns false at the end of the file.  Also returns
+  // false if the last line has no newline at its end: then the program that wrote the file was
+  // killed, and the line may not be complete.
   bool NextLine(std::string* line) {
     if (rest_.empty()) return false;
     const size_t end = rest_.find('\n');
@@ -154,7 +155,7 @@ class CsvReader {
   int number_ = 0;  // number of the last line that was read
   std::vector<std::string> names_;
   size_t time_ = 0;    // index of the column with the time
-  double factor_ = 1;  // converts the time to seconds
+  double factor_ = 1;  // factor that converts the values of the time column to seconds
   std::vector<Values> columns_;
   std::string note_;
 };

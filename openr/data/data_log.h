@@ -1,7 +1,7 @@
 // DataLog: writes the quantities of a run to a file while the run goes on (--log-data).
 //
-// A line of a CSV file, or a message of an MCAP file, is written after each frame of 8 ms.  Its
-// values are those of NumbersOf() (openr/explore/quantity.h), under the same names.
+// A line of a CSV file, or a message of an MCAP file, is written after each frame of 8 ms.  It has
+// the values that NumbersOf() (openr/explore/quantity.h) returns, under the same names.
 #pragma once
 
 #include <cstdint>
@@ -13,28 +13,29 @@ namespace openr_host {
 class Simulation;
 
 struct DataLogOptions {
-  std::string file;  // its name ends in .csv or .mcap
-  // MCAP: the least virtual time between two pictures of a camera; 0: no pictures.
+  std::string file;  // path of the log; it ends in .csv or .mcap
+  // The least virtual time between two pictures of a camera in an MCAP file; 0: no pictures.
   int64_t image_distance_us = 200'000;
 };
 
-// Returns the reason why `file` is no name of a log; "" if it is one.
+// Returns the reason why `file` cannot be the name of a log of data; "" if it can.
 std::string WhyNoDataLogName(const std::string& file);
 
 class DataLog {
  public:
   virtual ~DataLog() = default;
 
-  // Adds the values of the frame that has just ended.  A second call in the same frame adds
-  // nothing.
+  // Adds the values of the frame that has just ended to the log.  A second call in the same frame
+  // adds nothing.
   virtual void Sample() = 0;
 
-  // Completes the file.  Returns "", or the error in writing it.  Further calls do nothing.
+  // Completes the file.  Returns "", or the error that happened while the file was written.
+  // Further calls do nothing.
   virtual std::string Finish() = 0;
 };
 
-// Creates the file, and a log that writes the quantities of `simulation` to it.  Throws
-// std::runtime_error when the file cannot be created or another run is writing to it.
+// Creates the file of the log.  Returns a log that writes the quantities of `simulation` to it.
+// Throws std::runtime_error when the file cannot be created or another run is writing to it.
 std::unique_ptr<DataLog> MakeDataLog(const DataLogOptions& options, Simulation* simulation);
 
 }  // namespace openr_host

@@ -18,20 +18,21 @@
 namespace openr_host {
 namespace {
 
-constexpr int64_t kChunkUs = 1'000'000;      // longest virtual time between two chunks of messages
-constexpr size_t kChunkBytes = 1 << 20;      // size at which a chunk is written earlier
-constexpr int64_t kPoseDistanceUs = 32'000;  // least virtual time between two poses
+// Longest virtual time between the ends of two chunks of messages.
+constexpr int64_t kChunkUs = 1'000'000;
+constexpr size_t kChunkBytes = 1 << 20;      // number of bytes at which a chunk ends earlier
+constexpr int64_t kPoseDistanceUs = 32'000;  // least virtual time between two messages with poses
 // The largest number of characters of a finding's or an input's text.
 constexpr size_t kTextMax = 2000;
 
-// The place of a quantity in the file: a robot, a topic, and the members of its messages.
+// The place of a quantity in the file: a robot, a topic, and a member of the topic's messages.
 struct QuantityPlace {
   size_t robot = 0;
   std::string topic, key;
 };
 
-// Splits the name of a quantity: "robots[1].joint.LF_j1" is "LF_j1" of topic "joint".  Names
-// without a group are of topic "base".
+// Splits the name of a quantity into its parts: "robots[1].joint.LF_j1" is the member "LF_j1" of
+// the topic "joint" of robot 1. A name without a group belongs to the topic "base".
 QuantityPlace PlaceOfQuantity(const std::string& name) {
   QuantityPlace place;
   std::string rest = name;
@@ -66,7 +67,8 @@ McapLog::McapLog(const DataLogOptions& options, Simulation* simulation)
   });
 }
 
-// Returns the first part of the names of a robot's topics.  ROS 2 topics begin with the same name.
+// Returns the first part of the names of a robot's topics, such as "/aibo".  The robot's topics in
+// ROS 2 begin with the same name.
 std::string McapLog::Space(size_t robot) const {
   return simulation_->robots().size() == 1 ? "/aibo" : fmt::format("/aibo{}", robot);
 }
@@ -88,7 +90,7 @@ void McapLog::AddValueTopics() {
   }
 }
 
-// Adds the topics of poses, shapes and pictures, and the shapes themselves.
+// Adds the topics of poses, shapes and pictures to the file, and the message with the shapes.
 void McapLog::AddScene() {
   poses_ = writer_.AddChannel("/tf", writer_.AddSchema("foxglove.FrameTransforms", kPosesSchema));
   const uint16_t scene = writer_.AddSchema("foxglove.SceneUpdate", kSceneSchema);
@@ -121,7 +123,7 @@ void McapLog::AddValues(int64_t now_us) {
     text = "{" + TimestampText(now_us);
     for (size_t i = 0; i < values.keys.size(); ++i) {
       const double value = std::get<double>(columns_[values.columns[i]].read(view_.run()));
-      if (std::isnan(value)) continue;  // JSON has no such number; the member is left out
+      if (std::isnan(value)) continue;  // leaves the member out, because JSON has no NaN
       text += "," + values.keys[i] + ":";
       AppendNumber(value, &text);
     }
@@ -137,7 +139,7 @@ void McapLog::AddPoses(int64_t now_us) {
     const std::vector<Eigen::Isometry3d> poses = robot->body().BodyPoses();
     for (size_t i = 0; i < poses.size(); ++i)
       AppendTransform(now_us, space + "/" + robot->model().bodies[i].name, poses[i], &text);
-    // Adds the things of a world once, because several robots together in one world see the same
+    // Adds the things of a world only once, because several robots in one world see the same
     // things.
     if (simulation_->is_together() && number > 1) continue;
     for (const WorldThing& thing : robot->body().MovableThings()) {

@@ -22,15 +22,15 @@ class McapLog : public DataLog {
   std::string Finish() override;
 
  private:
-  // A topic with the values of one robot in one group of quantities, such as "joint".
+  // A topic of the file: the values of one robot in one group of quantities, such as "joint".
   struct Values {
     uint16_t channel = 0;
-    std::vector<std::string> keys;  // names of the members of a message, as JSON
-    std::vector<size_t> columns;    // for each member, the index of its quantity in columns_
+    std::vector<std::string> keys;  // names of the members of a message, written as JSON
+    std::vector<size_t> columns;    // index in columns_ of the quantity of each member
   };
   struct CameraTopic {
     uint16_t channel = 0;
-    int64_t last_us = -1;  // time of the last picture; -1: none yet
+    int64_t last_us = -1;  // time of this camera's last picture; -1: no picture yet
     bool is_broken = false;
   };
 
@@ -51,11 +51,12 @@ class McapLog : public DataLog {
   GrowingFile file_;
   McapWriter writer_;
   std::vector<Values> values_;
-  std::vector<CameraTopic> cameras_;  // index: number of the robot
+  // The camera topic of each robot; the index is the number of the robot.
+  std::vector<CameraTopic> cameras_;
   uint16_t poses_ = 0, findings_ = 0, inputs_ = 0;
-  size_t finding_count_ = 0;  // number of findings in the file
-  int64_t last_us_ = -1;      // time of the last values
-  int64_t chunk_us_ = 0;      // time of the last chunk's end
+  size_t finding_count_ = 0;  // number of findings that the file already has
+  int64_t last_us_ = -1;      // time of the last values that were written
+  int64_t chunk_us_ = 0;      // time at which the last chunk ended
   Picture picture_;
   bool is_finished_ = false;
 };

@@ -7,16 +7,16 @@
 
 namespace openr_host {
 
-extern const char kLogSchema[];    // foxglove.Log
-extern const char kPosesSchema[];  // foxglove.FrameTransforms
-extern const char kSceneSchema[];  // foxglove.SceneUpdate
-extern const char kImageSchema[];  // foxglove.CompressedImage
+extern const char kLogSchema[];    // schema of foxglove.Log
+extern const char kPosesSchema[];  // schema of foxglove.FrameTransforms
+extern const char kSceneSchema[];  // schema of foxglove.SceneUpdate
+extern const char kImageSchema[];  // schema of foxglove.CompressedImage
 
-// Levels of foxglove.Log.
+// Levels of a message of the type foxglove.Log.
 constexpr int kLogInfo = 2, kLogWarning = 3, kLogError = 4;
 
-// Returns the schema of a topic with values.  `keys` are the names of the members of its messages,
-// as JSON.
+// Returns the schema of a topic with values.  `keys` are the names of the members of the topic's
+// messages, written as JSON.
 std::string ValueSchema(const std::string& topic, const std::vector<std::string>& keys);
 
 }  // namespace openr_host

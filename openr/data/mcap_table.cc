@@ -12,13 +12,13 @@
 namespace openr_host {
 namespace {
 
-constexpr int kLevelMax = 32;  // largest depth of objects within objects in a message; the messages
-                               // of openr have depth 1
+// Largest depth of nested objects in a message; messages of openr have depth 1.
+constexpr int kLevelMax = 32;
 
-// Thrown when a record is longer than the rest of the file.
+// Thrown when a record should be longer than the rest of the file, because the file was cut off.
 struct FileIsCut {};
 
-// Reads the fields of a record.
+// Reads the fields of a record of an MCAP file, one after the other.
 class RecordFields {
  public:
   explicit RecordFields(std::string_view bytes) : bytes_(bytes) {}
@@ -48,9 +48,9 @@ class RecordFields {
   size_t at_ = 0;
 };
 
-// Returns the first part of the names of a topic's quantities; a member's name follows it.  It is
-// "joint." for "/aibo/joint", "robots[1].joint." for "/aibo1/joint", and "" for "/aibo/base".  For
-// a topic of another program, it is the name of the topic and a dot.
+// Returns the first part of the names of the quantities in a topic; the name of a member follows
+// it.  It is "joint." for the topic "/aibo/joint", "robots[1].joint." for "/aibo1/joint", and ""
+// for "/aibo/base".  For a topic of another program, it is the name of the topic and a dot.
 std::string QuantityOfTopic(const std::string& topic) {
   const size_t slash = topic.find('/', 1);
   if (!topic.starts_with("/aibo") || slash == std::string::npos) return topic + ".";
@@ -102,7 +102,7 @@ class McapReader {
 
   void ReadChunk(RecordFields* record) {
     if (depth_ > 0) Refuse("has a chunk within a chunk, which the format forbids");
-    record->Take(8 + 8 + 8);  // skips two times and a size, which are not needed
+    record->Take(8 + 8 + 8);  // skips two times and a size, because they are not needed
     const uint32_t crc = record->U32();
     const std::string_view compression = record->Text();
     if (!compression.empty()) {
@@ -123,7 +123,8 @@ class McapReader {
     --depth_;
   }
 
-  // Throws an error that names the place of the present record.
+  // Throws std::runtime_error with the name of the file, the place of the present record, and the
+  // text `why`.
   [[noreturn]] void Refuse(const std::string& why) const {
     throw std::runtime_error(
         fmt::format("{}: the record at byte {} {}", file_, good_ + kMcapMagic.size(), why));
@@ -138,7 +139,7 @@ class McapReader {
     const uint16_t number = record->U16();
     const std::string schema = schemas_[record->U16()];
     const std::string topic(record->Text());
-    // Skips topics of texts, poses and pictures, because they have no quantities.
+    // Skips the topics of texts, poses and pictures, because they have no numbers to draw.
     const bool is_skipped = record->Text() != "json" || schema.starts_with("foxglove.");
     topics_[number] = is_skipped ? "" : topic;
   }
@@ -153,7 +154,8 @@ class McapReader {
     if (json.is_object()) AddMembers(QuantityOfTopic(topic), time_s, json, 1);
   }
 
-  // Adds the numbers of a JSON object, and of objects in it.  `level` is 1 for a whole message.
+  // Adds the numbers of a JSON object, and of the objects inside it, to the table.  `level` is 1
+  // for a whole message.
   void AddMembers(const std::string& name, double time_s, const nlohmann::json& json, int level) {
     if (level > kLevelMax)
       Refuse(fmt::format("has objects within objects, more than {} deep", kLevelMax));
@@ -172,7 +174,7 @@ class McapReader {
   Table table_;
   std::map<std::string, size_t> places_;  // key: name of a quantity; value: index in table_.series
   std::map<uint16_t, std::string> schemas_, topics_;
-  size_t good_ = 0;  // place of the present record that is not in a chunk
+  size_t good_ = 0;  // place in the file of the present record, or of the chunk that has it
   int depth_ = 0;    // 1 while the records of a chunk are read, else 0
   bool is_over_ = false;
 };

@@ -14,8 +14,8 @@ uint32_t Crc(uint32_t crc, std::string_view bytes) {
       crc32_z(crc, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()));
 }
 
-// Builds the fields of a record as the section "Serialization" of the MCAP specification describes
-// them.
+// Builds the fields of a record in the form that the section "Serialization" of the MCAP
+// specification describes.
 class McapFields {
  public:
   McapFields& U8(uint8_t value) { return Number(value, 1); }
@@ -26,7 +26,8 @@ class McapFields {
     bytes_ += bytes;
     return *this;
   }
-  // Appends a length of 32 bits and the bytes: the form of strings, arrays and maps.
+  // Appends the length of `text`, a number of 32 bits, and then its bytes.  Strings, arrays and
+  // maps have this form.
   McapFields& Text(std::string_view text) {
     return U32(static_cast<uint32_t>(text.size())).Bytes(text);
   }
@@ -108,7 +109,7 @@ void McapWriter::EndChunk() {
                                                      .U64(chunk_times_.last)
                                                      .U64(chunk_.size())
                                                      .U32(Crc(0, chunk_))
-                                                     .Text("")  // no compression
+                                                     .Text("")  // the chunk is not compressed
                                                      .U64(chunk_.size())
                                                      .Bytes(chunk_));
   place.length = bytes.size();
@@ -177,7 +178,7 @@ void McapWriter::Finish() {
   add_group(McapOp::kChannel, channels_);
   add_group(McapOp::kStatistics, Statistics());
   add_group(McapOp::kChunkIndex, chunk_indexes);
-  // The checksum covers the summary and the first two fields of the footer.
+  // Computes the checksum over the summary and the first two fields of the footer.
   McapFields footer;
   footer.U8(static_cast<uint8_t>(McapOp::kFooter)).U64(8 + 8 + 4);
   footer.U64(summary_start).U64(summary_start + summary.size());

@@ -1,9 +1,10 @@
 // McapWriter: writes MCAP, the open container format for timestamped messages that Foxglove and
 // PlotJuggler read (mcap.dev/spec).
 //
-// Messages are collected in chunks without compression.  Each chunk is written whole, with an index
-// of its messages, so the file of a program that was killed can be used up to its last chunk.  The
-// summary at the end of the file lets readers find a moment without reading the whole file.
+// Messages are collected in chunks without compression.  Each chunk is written as a whole, with an
+// index of its messages.  So the file of a program that was killed can still be used up to its last
+// chunk.  The summary at the end of the file lets readers find a moment without reading the whole
+// file.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +32,7 @@ enum class McapOp : uint8_t {
   kDataEnd = 0x0f,
 };
 
-// The bytes with which a file begins and ends.
+// The bytes with which an MCAP file begins and ends.
 constexpr std::string_view kMcapMagic("\x89MCAP0\r\n", 8);
 
 class McapWriter {
@@ -42,16 +43,16 @@ class McapWriter {
   // Writes the beginning of the file.  `library` names the program that writes it.
   McapWriter(std::string_view library, Sink sink);
 
-  // Adds a schema: a JSON schema with a name.  Returns its number.
+  // Adds a JSON schema with the name `name`.  Returns the number of the schema.
   uint16_t AddSchema(std::string_view name, std::string_view json_schema);
-  // Adds a channel, whose messages are JSON and have this schema.  Returns the number of the
-  // channel.
+  // Adds a channel to the file: messages in JSON that have the schema with the number `schema`.
+  // Returns the number of the channel.
   uint16_t AddChannel(std::string_view topic, uint16_t schema);
 
-  // Adds a message.  Messages may come in any order of time.
+  // Adds a message to the channel `channel`.  Messages may come in any order of time.
   void Add(uint16_t channel, int64_t time_us, std::string_view json);
 
-  // Writes the messages that were added since the last chunk, as a chunk.
+  // Writes a chunk with the messages that were added since the last chunk.
   void EndChunk();
   size_t chunk_bytes() const { return chunk_.size(); }
 
@@ -71,21 +72,22 @@ class McapWriter {
     std::vector<std::pair<uint16_t, uint64_t>> indexes;  // channel, and offset of the index of its
                                                          // messages
     uint64_t indexes_length = 0;
-    uint64_t size = 0;  // bytes of the records in the chunk
+    uint64_t size = 0;  // number of bytes of the records in the chunk
   };
 
   void Write(std::string_view bytes);
   std::string Statistics() const;
 
   const Sink sink_;
-  uint64_t offset_ = 0;             // bytes written so far
+  uint64_t offset_ = 0;             // number of bytes written so far
   uint32_t crc_ = 0;                // checksum of all bytes written so far
   std::string schemas_, channels_;  // records of all schemas and channels, for the summary
   uint16_t schema_count_ = 0;
-  std::vector<uint64_t> message_counts_;  // index: channel
+  std::vector<uint64_t> message_counts_;  // number of messages in each channel
   std::string chunk_;                     // records of the present chunk
   Times chunk_times_, times_;
-  // Key: channel; value: time and place in the chunk of each message.
+  // The messages of the present chunk.  The key is the channel; the value has the time of each
+  // message and its place in the chunk.
   std::map<uint16_t, std::vector<std::pair<uint64_t, uint64_t>>> in_chunk_;
   std::vector<ChunkPlace> chunks_;
 };

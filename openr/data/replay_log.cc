@@ -27,7 +27,8 @@ std::string LogReplay(Replayer* replayer, const DataLogOptions& options,
     replayer->RunUntil(std::min(frame_end_us, until_us));
     if (timeline != nullptr) timeline->Rest();
     if (log != nullptr && system.now_us() == frame_end_us) log->Sample();
-    if (system.now_us() == before_us) break;  // all robots are off
+    // Ends the loop, because time stands still when all robots are off.
+    if (system.now_us() == before_us) break;
   }
   return finish();
 }

@@ -10,8 +10,9 @@ namespace openr_host {
 
 class Replayer;
 
-// Replays up to `until_us`, and writes a log of data if `options.file` is not "", and a timeline if
-// `timeline` is not "".  Returns "", or the error in writing a file.  Throws as MakeDataLog() does.
+// Replays a recording up to `until_us`.  Writes a log of data if `options.file` is not "", and a
+// timeline if `timeline` is not "".  Returns "", or the error that happened while a file was
+// written.  Throws as MakeDataLog() does.
 std::string LogReplay(Replayer* replayer, const DataLogOptions& options,
                       const std::string& timeline, int64_t until_us);
 

@@ -22,7 +22,7 @@ Json PoseJson(const Eigen::Isometry3d& pose) {
           {"orientation", {{"x", q.x()}, {"y", q.y()}, {"z", q.z()}, {"w", q.w()}}}};
 }
 
-// Returns an entity of a scene that has no shapes yet.
+// Returns an entity of foxglove.SceneUpdate that has no shapes yet.
 Json EmptyEntity(const std::string& frame, const std::string& id) {
   Json entity = {{"timestamp", {{"sec", 0}, {"nsec", 0}}},
                  {"frame_id", frame},
@@ -35,7 +35,8 @@ Json EmptyEntity(const std::string& frame, const std::string& id) {
   return entity;
 }
 
-// Adds `shape` to `entity`.  `pose` is its pose in the frame of the entity.
+// Adds `shape` to the JSON of an entity.  `pose` is the pose of the shape in the frame of the
+// entity.
 void AddShape(const render::Shape& shape, const Eigen::Isometry3d& pose, Json* entity) {
   const auto part = [](float level) { return static_cast<double>(level); };
   Json json = {{"pose", PoseJson(pose)},
@@ -55,7 +56,7 @@ void AddShape(const render::Shape& shape, const Eigen::Isometry3d& pose, Json* e
     json["bottom_scale"] = json["top_scale"] = 1;
     (*entity)["cylinders"].push_back(json);
   } else {
-    // Shows a box whose edges are as round as possible as a ball.
+    // Writes a box as a ball if its edges are as round as possible, because such a box is a ball.
     const bool is_ball = 2 * shape.radius_m >= shape.size_m.maxCoeff();
     (*entity)[is_ball ? "spheres" : "cubes"].push_back(json);
   }

@@ -9,7 +9,7 @@ namespace openr_host {
 
 // The values of one quantity, in order of time.
 struct Series {
-  std::string name;  // such as "joint.LF_j1"
+  std::string name;  // name of the quantity, such as "joint.LF_j1"
   std::vector<double> time_s, values;
 };
 
@@ -22,7 +22,8 @@ struct Table {
 // time_ms or time_us.  `bytes` is the content of `file`, whose name is used in error messages.
 // Throws std::runtime_error "FILE:LINE: what is wrong".
 Table ReadCsvTable(const std::string& file, std::string_view bytes);
-// Reads an MCAP file without compression, as ReadCsvTable() does.
+// Reads a table from an MCAP file without compression.  `file` and `bytes` are the same as for
+// ReadCsvTable().
 Table ReadMcapTable(const std::string& file, std::string_view bytes);
 
 }  // namespace openr_host

@@ -19,9 +19,9 @@ using chart::Look;
 constexpr size_t kNowhere = std::string::npos;
 constexpr size_t kPanelsMax = 60;
 
-// A group of quantities that share the panel of a joint.
+// A group of quantities whose curves share one panel for each joint.
 struct AngleGroup {
-  const char* begin;  // beginning of the names of the quantities in the group
+  const char* begin;  // prefix of the names of the quantities in the group
   Look look;
   const char* label;
 };
@@ -37,7 +37,7 @@ const AngleGroup* AngleGroupOf(const std::string& name) {
   return nullptr;
 }
 
-// Returns the title of the panel for the quantity `name`: the name without its group.
+// Returns the title of the panel for the quantity `name`: the name without the prefix of its group.
 std::string PanelOf(const std::string& name) {
   const AngleGroup* const group = AngleGroupOf(name);
   if (group == nullptr) return name;
@@ -45,10 +45,10 @@ std::string PanelOf(const std::string& name) {
   return panel.erase(panel.find(group->begin), std::string(group->begin).size());
 }
 
-// A unit of quantities, and the smallest span of an axis with this unit.  The span keeps small
-// noise from filling a panel.
+// A unit, and the smallest span of an axis that shows quantities in this unit.  The smallest span
+// keeps small noise from filling a panel.
 struct QuantityUnit {
-  const char* ending;  // ending of the names of quantities with this unit
+  const char* ending;  // end of the names of all quantities with this unit
   const char* text;
   double span_min;
 };
@@ -66,9 +66,9 @@ QuantityUnit UnitOfQuantity(const std::string& name) {
   return kNoUnit;
 }
 
-// Returns the part of `series` in the time that `request` asks for.  If it has more than
-// `points_max` points, divides the time into intervals and keeps only the lowest and the highest
-// point of each interval.  So no peak is lost.
+// Returns the part of `series` in the time that `request` asks for, as a curve.  If this part has
+// more than `points_max` points, divides the time into intervals and keeps only the lowest and the
+// highest point of each interval.  So no peak is lost.
 Curve CurveOf(const Series& series, const PlotRequest& request, size_t points_max) {
   Curve curve;
   for (size_t i = 0; i < series.values.size(); ++i) {
@@ -118,7 +118,7 @@ class ChartMaker {
   }
 
  private:
-  // A panel and the quantities in it.
+  // A panel, and the quantities that are drawn in it.
   struct Chosen {
     std::string title;
     std::vector<const Series*> series;
@@ -171,7 +171,7 @@ class ChartMaker {
     }
   }
 
-  // Makes the plots larger if there are at most four panels.
+  // Makes the plots larger if the chart has at most four panels.
   void LayOut() {
     if (panels_.size() > 4) return;
     chart_.columns = 1;
@@ -186,7 +186,7 @@ class ChartMaker {
       panel.curves.push_back(
           CurveOf(*series, request_, static_cast<size_t>(4 * chart_.plot_width)));
       const AngleGroup* const group = AngleGroupOf(series->name);
-      // Gives no legend entry to a quantity whose whole name is the title of its panel.
+      // Adds no legend entry for a quantity whose whole name is the title of its panel.
       if (group == nullptr || chosen.title == series->name) continue;
       panel.curves.back().look = group->look;
       panel.curves.back().label = group->label;
@@ -199,8 +199,8 @@ class ChartMaker {
   }
 
   // Converts the values of a sensor to SI units if they are large.  OPEN-R gives most values in
-  // 10^-6 of an SI unit, so these are large.  The states 0 and 1 of switches and the counts of a
-  // converter are small, and stay as they are.
+  // 10^-6 of an SI unit, and such values are large numbers.  The states 0 and 1 of switches and the
+  // counts of a converter are small numbers, so they are not converted.
   static void ConvertToSi(chart::Panel* panel) {
     std::vector<double>& values = panel->curves.front().y;
     const bool is_micro = std::any_of(values.begin(), values.end(),

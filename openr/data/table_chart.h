@@ -17,10 +17,10 @@ struct PlotRequest {
   std::string title, subtitle;
 };
 
-// Returns the chart.  A joint has three angles: commanded, measured, and the angle of the body.
-// They share a panel, unless the request has the whole name of one of them.  Throws
-// std::runtime_error when the table has no quantity with a wanted name, or no values in the wanted
-// time.
+// Returns the chart of the quantities that `request` asks for.  A joint has three angles: the
+// commanded angle, the measured angle, and the angle of the body.  They share a panel, unless the
+// request has the whole name of one of them.  Throws std::runtime_error when the table has no
+// quantity with a wanted name, or no values in the wanted time.
 chart::Chart ChartOf(const Table& table, const PlotRequest& request);
 
 }  // namespace openr_host

@@ -25,8 +25,8 @@
 namespace openr_host {
 namespace {
 
-// Reads a T at `offset` of `content` into `value`.  Returns false if the content is too short,
-// because it may have been cut.
+// Reads a value of the type T at `offset` of `content` into `value`.  Returns false if the content
+// is too short, because the content may have been cut.
 template <typename T>
 bool ReadAt(const std::string& content, size_t offset, T* value) {
   if (offset > content.size() || content.size() - offset < sizeof(T)) return false;
@@ -34,7 +34,8 @@ bool ReadAt(const std::string& content, size_t offset, T* value) {
   return true;
 }
 
-// Returns the text in an array of characters, which need not end with a NUL.
+// Returns the text in an array of characters.  The text ends at the first NUL or at the end of the
+// array.
 template <size_t N>
 std::string TextIn(const char (&text)[N]) {
   return std::string(text, strnlen(text, N));
@@ -123,7 +124,8 @@ std::string DecodeSounds(const RobotModel& model, const std::string& content) {
     if (!ReadAt(content, vector.infoOffset + i * sizeof info, &info)) break;
     text += fmt::format("{} {} bytes, frame {}", LocatorOf(&table, info.primitiveID), info.dataSize,
                         info.frameNumber);
-    // Programs that play a sound may leave the format open.
+    // Leaves the format out if the sampling rate is 0, because programs that play a sound may leave
+    // it open.
     if (info.samplingRate != 0)
       text += fmt::format(", {} Hz, {} bits, {}", info.samplingRate, info.bitsPerSample,
                           info.channel == osoundchannelSTEREO ? "stereo" : "mono");
@@ -188,7 +190,8 @@ std::string MoverCommandText(const RobotModel& model, const MoverCommand& comman
   }
 }
 
-// A notification may have several commands.
+// Returns the commands in `content`, which are of the type MoverCommand, as text.  A notification
+// may have several commands.
 std::string DecodeMoverCommands(const RobotModel& model, const std::string& content) {
   MoverCommand command;
   std::string text;
@@ -267,8 +270,8 @@ std::string DecodeReady(const std::string& content) {
   return words[1] == 0 ? kind : fmt::format("{}, gives back {} regions", kind, words[1]);
 }
 
-// Returns the text of a message of the system to an object, or of the answer to one; "" if
-// `content` is none.  Such a message begins with its type.
+// Returns as text a message that the system has sent to an object, or the answer to such a message.
+// Returns "" if `content` is no such message.  These messages begin with their type.
 std::string DecodeSystemMessage(const std::string& content) {
   OMessageType type;
   if (!ReadAt(content, 0, &type)) return "";
@@ -301,7 +304,8 @@ std::string DecodeSystemMessage(const std::string& content) {
   return "";
 }
 
-// Returns content of an unknown type as text if all of it is printable, else as 32-bit numbers.
+// Returns content of an unknown type.  Returns it as text if all of it is printable, else as 32-bit
+// numbers.
 std::string DecodeUnknown(const std::string& content) {
   std::string text = content.substr(0, 256);
   while (text.ends_with('\0')) text.pop_back();
@@ -317,8 +321,8 @@ std::string DecodeUnknown(const std::string& content) {
   return text;
 }
 
-// Returns the data type that a notification to `entry`, a service or an entry, has; "" if `entry`
-// gets no notifications.
+// Returns the type of the data in a notification to `entry`, which is a service or an entry; "" if
+// `entry` gets no notifications.
 std::string TypeOfEntry(const std::string& entry) {
   const size_t kind = entry.find(" (");
   if (kind != std::string::npos && entry.substr(kind) != " (Notify)") return "";
@@ -370,7 +374,8 @@ std::string DecodeReceived(const System& system, ObjectId target, uint32_t selec
 std::string DecodeHandled(const System& system, const Message& message) {
   std::string content;
   if (message.kind == PayloadKind::kNotify) {
-    // The pointers of the message may be to regions that are gone, but an id is never used again.
+    // Looks regions up by their ids.  The pointers of the message may lead to regions that do not
+    // exist any more, but an id is never used again.
     const auto& notify = *reinterpret_cast<const ONotifyMessage*>(message.payload);
     for (int i = 0; i < notify.numOfData; ++i) {
       const TransferedData& data = notify.data[i];
@@ -398,7 +403,8 @@ std::string OneLineOf(const std::string& text, size_t size_max) {
 
 std::string_view ContentView(const Message& message, std::string* copy) {
   if (message.kind != PayloadKind::kHashed) return PayloadView(message, copy);
-  // A message of this kind without an antEnvMsg only wakes an object whose wait has timed out.
+  // Returns early for a message without an antEnvMsg, because it only wakes an object whose wait
+  // has timed out.
   if (message.size < sizeof(antEnvMsg)) return {};
   const auto& request = *reinterpret_cast<const antEnvMsg*>(message.payload);
   if (message.size < AntMessageSize(request)) return {};

@@ -15,7 +15,7 @@ namespace {
 
 using Session = std::unique_ptr<Dwfl, decltype(&dwfl_end)>;
 
-// The load address that we tell libdwfl for the file.  Any address will do, because instructions
+// The load address that we tell libdwfl for the file.  Any address is good, because instructions
 // are looked up by their distance from this address.
 constexpr GElf_Addr kBase = 0x10000;
 
@@ -43,8 +43,9 @@ CodeLookup LookUpCode(const char* file, uintptr_t offset) {
   // Removes the current object, so that malloc() and fopen() use the heap and the files of the
   // host, not those of the object that has crashed.
   const CurrentScope scope(nullptr, nullptr);
-  // Makes libdwfl search debug information only beside the file, not in the folders of installed
-  // debug packages, because such packages would change the output of a run from machine to machine.
+  // Makes libdwfl search debug information only beside the image file.  It must not search the
+  // folders of installed debug packages, because the output of a run would then differ from machine
+  // to machine.
   static char only_beside[] = ":.";
   static char* path = static_cast<char*>(only_beside);
   static const Dwfl_Callbacks kCallbacks = {.find_elf = nullptr,

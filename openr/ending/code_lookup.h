@@ -8,10 +8,10 @@
 namespace openr_host {
 
 // The function and the source line that a machine instruction belongs to.  A field is "" if the
-// debug information does not tell it.
+// debug information does not have it.
 struct CodeLookup {
-  std::string function;  // "Trouble::DoStart(OSystemEvent const&)"
-  std::string line;      // "Trouble.cc:57"
+  std::string function;  // name of the function, such as "Trouble::DoStart(OSystemEvent const&)"
+  std::string line;      // file and line, such as "Trouble.cc:57"
 };
 
 // Looks up the instruction at `offset` bytes from the address at which the ELF file `file` is

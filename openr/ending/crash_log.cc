@@ -37,11 +37,12 @@ namespace openr_host {
 namespace {
 
 constexpr int kCrashSignals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL};
-constexpr size_t kAlternateStackBytes = 256 << 10;  // large enough to make a report on this stack
+// Size of the signal handler's stack, large enough to make a report on it.
+constexpr size_t kAlternateStackBytes = 256 << 10;
 
 // Paths of the record files; the index is the robot's number.  Null while no CrashLog exists.
 std::vector<std::string>* g_files = nullptr;
-bool g_adds = false;  // true: a record is added to its file; false: it replaces the file
+bool g_adds = false;  // true: a record is added to the end of its file; false: it replaces the file
 // The text that follows the name of the record file in the error finding about a crash.  Without a
 // value, the finding does not name the file.  Null while no CrashLog exists.
 std::optional<std::string>* g_place = nullptr;
@@ -57,7 +58,7 @@ unsigned KindOf(const siginfo_t& info) {
       return kFpDivByZero;
     case FPE_FLTOVF:
       return kFpOverflow;
-    case FPE_FLTUND:  // also means a denormal operand; underflow raises no SIGFPE here
+    case FPE_FLTUND:  // comes for a denormal operand; underflow itself raises no SIGFPE here
       return kFpDenormal;
     default:
       return 0;
@@ -154,8 +155,8 @@ class RecordFile {
     if (descriptor_ >= 0 && error_ == 0) error_ = WriteAll(descriptor_, text.text());
   }
 
-  // Prints on standard error that the file was written, or the reason why not.  Returns true if it
-  // was written.
+  // Prints on standard error that the record file was written, or why it was not written.  Returns
+  // true if it was written.
   bool Tell() const {
     if (name_ == nullptr) return false;
     SignalText note;
@@ -244,11 +245,13 @@ void UseAlternateStack(bool on) {
   sigaltstack(&stack, nullptr);
 }
 
-// Ends the run after AddressSanitizer, which is in images of openr build --sanitize, has printed
-// `report`.  The report's first line is "==123==ERROR: AddressSanitizer: heap-use-after-free on
-// address ...", of which the kind of the error is kept.
+// Ends the run after AddressSanitizer has printed `report`.  AddressSanitizer is in images of openr
+// build --sanitize.  The report's first line is "==123==ERROR: AddressSanitizer:
+// heap-use-after-free on address ...".  Only the kind of the error in this line is kept, here
+// heap-use-after-free.
 void OnSanitizerReport(const char* report) {
-  if (t_current.object == nullptr) return;  // AddressSanitizer ends the process
+  // Returns, because AddressSanitizer then ends the process.
+  if (t_current.object == nullptr) return;
   static constexpr char kBegin[] = "AddressSanitizer: ";
   const char* const begin = std::strstr(report, kBegin);
   if (begin == nullptr) return;

@@ -25,7 +25,7 @@ struct Walk {
   uintptr_t* addresses;
   size_t max;
   size_t count = 0;
-  bool is_outside = false;  // the walk has passed the frames of the signal handler
+  bool is_outside = false;  // true when the walk has passed the frames of the signal handler
 };
 
 _Unwind_Reason_Code Take(_Unwind_Context* context, void* data) {
@@ -64,8 +64,8 @@ CrashStack::CrashStack(const Object& object, const void* context) {
   size_t last_own = count_;
   while (last_own > 0 && !frames_[last_own - 1].is_own) --last_own;
   if (last_own > 0) count_ = last_own;
-  // When the runtime has announced the fault, the frames inside of the object's code are only those
-  // of the announcement.
+  // Drops the innermost frames, up to the first frame of the object's code, when the runtime has
+  // announced the fault.  These frames belong only to the announcement.
   if (last_own > 0 && AnnouncedFault()[0] != '\0') {
     size_t first_own = 0;
     while (!frames_[first_own].is_own) ++first_own;

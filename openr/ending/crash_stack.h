@@ -1,4 +1,4 @@
-// The call stack of an object at a crash, as text for people.
+// The call stack of an object at a crash, as text for a human reader.
 #pragma once
 
 #include <cstddef>
@@ -22,12 +22,12 @@ class CrashStack {
   // the processor's registers at the signal.
   CrashStack(const Object& object, const void* context);
 
-  // Adds "STACK" and one line per frame, the innermost frame first: "  #0 TROUBLE.BIN+0x1234
-  // Trouble::Go() (Trouble.cc:57)".
+  // Adds to `text` the word "STACK" and one line per frame, the innermost frame first, such as
+  // "  #0 TROUBLE.BIN+0x1234 Trouble::Go() (Trouble.cc:57)".
   void AddTo(SignalText* text) const;
 
-  // Adds the innermost frame of the object's own code: ", at TROUBLE.BIN+0x1234 Trouble::Go()
-  // (Trouble.cc:57)".  Adds nothing if no frame is of the object's own code.
+  // Adds to `text` the innermost frame of the object's own code, such as ", at TROUBLE.BIN+0x1234
+  // Trouble::Go() (Trouble.cc:57)".  Adds nothing if no frame is of the object's own code.
   void AddPlace(SignalText* text) const;
 
   // Returns the address of the innermost frame of the object's own code; null if no frame is of the
@@ -39,9 +39,10 @@ class CrashStack {
 
   struct Frame {
     uintptr_t address = 0;
-    const char* file = nullptr;  // null: the address is in no loaded file
+    // The loaded file that has the address of this frame; null: no file has it.
+    const char* file = nullptr;
     uintptr_t offset = 0;
-    bool is_own = false;  // the code is in the object's image
+    bool is_own = false;  // true if the code of this frame is in the object's image
   };
 
   void Add(uintptr_t address, const Object& object);

@@ -17,10 +17,10 @@ class Object;
 // The reason why the process ends, as texts and data for the functions that report it.
 struct Ending {
   EndKind kind = EndKind::kCrash;
-  SignalText record;         // lines for a person to read
-  SignalText finding;        // a sentence for the report
-  Object* object = nullptr;  // the object that was running; null if none was
-  bool answered = false;     // an EndingAction has written the JSON answer; see EndingAnswer
+  SignalText record;         // lines about the end of the process, for a person to read
+  SignalText finding;        // a sentence about the end of the process, for the report of the run
+  Object* object = nullptr;  // the object that was running; null if no object was running
+  bool answered = false;     // true: an EndingAction has written the JSON answer; see EndingAnswer
 };
 
 RunEnd EndOf(const Ending& ending);
@@ -37,7 +37,8 @@ class EndingAction {
 
  private:
   const std::function<void(Ending* ending)> action_;
-  EndingAction* const outer_;  // registered before this one, and called after it
+  // The EndingAction that was registered before this one; it is called after this one.
+  EndingAction* const outer_;
 
   friend void RunEndingActions(Ending* ending);
 };
@@ -62,8 +63,9 @@ class EndingAnswer {
 // The first of two steps by which a signal handler ends the process.  Writes out what objects have
 // printed so far, and prepares for further signals that come while the process ends.
 void BeginEnding(Ending* ending);
-// The second step.  Calls the functions that EndingActions have registered, writes the JSON report
-// of the run where EndingAnswer says, and does not return.
+// The second of two steps by which a signal handler ends the process.  Calls the functions that
+// EndingActions have registered, writes the JSON report of the run to the places that EndingAnswer
+// knows, and does not return.
 [[noreturn]] void FinishEnding();
 
 }  // namespace openr_host

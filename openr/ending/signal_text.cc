@@ -47,8 +47,8 @@ SignalText& SignalText::AddQuoted(const SignalText& text) {
   std::string_view rest = text.text();
   while (rest.ends_with('\n')) rest.remove_suffix(1);
   Add("\"");
-  // Number of bytes that must be free to add a character: those of the longest escaped character
-  // and of the closing quote.
+  // Number of bytes that must be free before a character is added: room for the longest escaped
+  // character and for the closing quote.
   constexpr size_t kTail = sizeof "\\n\"" - 1;
   for (const char c : rest) {
     if (size_ + kTail > sizeof text_) break;
@@ -86,7 +86,7 @@ bool AddCurrentHandler(SignalText* text) {
   return true;
 }
 
-// Writes the JSON in pieces, because each SignalText has a fixed size.
+// Writes the JSON in several SignalTexts, because each SignalText has a fixed size.
 void WriteEndingAsJson(const SignalText& record, const SignalText& finding, const char* ended_by,
                        const Current& current, int descriptor) {
   if (descriptor < 0) return;

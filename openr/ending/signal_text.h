@@ -11,14 +11,14 @@ struct Current;
 
 class SignalText {
  public:
-  SignalText& Add(std::string_view text);  // text that does not fit is cut off
+  SignalText& Add(std::string_view text);  // appends `text`; cuts off the part that does not fit
   SignalText& AddNumber(uint64_t number, unsigned base = 10);
 
-  // Writes the text to `descriptor`.
+  // Writes the collected text to the file descriptor `descriptor`.
   void WriteTo(int descriptor) const;
 
-  // Adds `text` as a JSON string.  If `text` is too long, its end is left out; the JSON string is
-  // closed all the same.
+  // Adds `text` as a JSON string.  If `text` is too long, leaves out its end, but still closes the
+  // JSON string.
   SignalText& AddQuoted(const SignalText& text);
 
   std::string_view text() const { return {text_, size_}; }
@@ -28,9 +28,9 @@ class SignalText {
   size_t size_ = 0;
 };
 
-// Adds a description of the object and the object's handler that run on this thread: "JointMover,
-// NotifyMover (selector 7), message 4711, t=1248000 us".  Returns false, and adds nothing, if no
-// object runs.
+// Adds a description of the object, and of the object's handler, that run on this thread, such as
+// "JointMover, NotifyMover (selector 7), message 4711, t=1248000 us".  Returns false, and adds
+// nothing, if no object runs.
 bool AddCurrentHandler(SignalText* text);
 
 // Adds less than AddCurrentHandler(): only the name and the number (selector) of the object's

@@ -17,12 +17,13 @@ namespace openr_host {
 namespace {
 
 constexpr int kSignal = SIGVTALRM;
-constexpr int kTicks = 8;  // checks per time limit; a handler ends at most 1/8 of it too late
+// Number of checks per time limit; a handler is ended at most 1/8 of the limit too late.
+constexpr int kTicks = 8;
 
 timer_t g_timer;
 uint64_t g_limit_s_tenths = 0;
 uint64_t g_message = 0;  // number of the message whose handler ran at the last check
-int g_seen = 0;          // number of checks in a row at which this handler still ran
+int g_seen = 0;          // number of checks in a row at which the handler of g_message still ran
 
 void EndTheHandler() {
   Ending ending;
@@ -71,7 +72,8 @@ Watchdog::Watchdog(int64_t limit_us) : limit_us_(limit_us) {
   armed_ = StartTimer();
 }
 
-// Starts the timer of the thread.  Returns false if the system has no such timers.
+// Starts the timer of the thread that made the Watchdog.  Returns false if the operating system has
+// no such timers.
 bool Watchdog::StartTimer() const {
   sigevent event{};
   event.sigev_notify = SIGEV_THREAD_ID;

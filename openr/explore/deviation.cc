@@ -19,7 +19,8 @@ using Kind = Deviation::Kind;
 
 constexpr const char* kKindNames[] = {"start", "tie", "delay", "cost", "frame", "fault"};
 
-// Sets `field` of `json` to the name of object `id`, and "robot" to the number of its robot.
+// Sets the member `field` of `json` to the name of the object `id`, and the member "robot" to the
+// number of its robot.
 void PutObject(const System& system, ObjectId id, const char* field, Json* json) {
   const Object* const object = system.object(id);
   (*json)["robot"] = object->robot;

@@ -3,8 +3,8 @@
 // and a scripted schedule repeats them.
 //
 // A place is named by facts that stay the same when other deviations are removed: an instant, a
-// receiver, the n-th message from one object to another.  Therefore a search can remove single
-// deviations from a list, and a person can read the list.
+// receiver, or the number of a message from one object to another.  Therefore a search can remove
+// single deviations from a list, and a person can read the list.
 #pragma once
 
 #include <cstdint>
@@ -27,9 +27,10 @@ struct Deviation {
     kFault,  // at time_us robot number `selector` gets the nth fault, FaultLine() of number `us`
   };
   Kind kind = Kind::kTie;
-  int64_t time_us = 0;  // virtual time; part of the place of a kTie; in kDelay and kCost only to
-                        // inform people
-  uint64_t nth = 0;     // counted from 0
+  // Virtual time of the deviation.  For a kTie it is a part of the place; for kDelay and kCost it
+  // only informs people.
+  int64_t time_us = 0;
+  uint64_t nth = 0;  // counted from 0
   ObjectId object = kNoObject;
   ObjectId sender = kNoObject;
   uint32_t selector = 0;
@@ -48,8 +49,8 @@ struct Deviation {
 nlohmann::ordered_json DeviationToJson(const Deviation& deviation, const System& system);
 
 // Converts one line of a schedule file to a deviation.  Throws std::runtime_error if a field is
-// missing or an object does not exist.  The fields "entry" and "line" are for people and are not
-// read.
+// missing or an object does not exist.  Does not read the fields "entry" and "line", because they
+// are only for people.
 Deviation DeviationFromJson(const nlohmann::ordered_json& json, const System& system);
 
 }  // namespace openr_host

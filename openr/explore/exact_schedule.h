@@ -97,7 +97,7 @@ class ExactSchedule : public ExploreSchedule {
 
   const bool reduce_;
   std::vector<size_t> choices_;
-  SleepSet next_sleep_;  // sleep set to use at the last of choices_
+  SleepSet next_sleep_;  // SleepSet at the last choice of choices_
   SleepSet sleep_;
   std::vector<Node> nodes_;
   bool is_cut_ = false;
@@ -108,7 +108,7 @@ class ExactSchedule : public ExploreSchedule {
   // candidate, so that no choice was made, its delivery becomes the current one when the message is
   // delivered.
   bool has_event_ = false;
-  bool is_begun_ = false;  // the message of this delivery has been delivered
+  bool is_begun_ = false;  // true when the message of the current delivery has been delivered
   ObjectId event_target_ = kNoObject;
   size_t event_node_ = kNone;
   Touched touched_;

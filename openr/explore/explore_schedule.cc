@@ -11,17 +11,17 @@
 namespace openr_host {
 namespace {
 
-// Largest delays of messages inside the robot; each seed uses one of the three.  The largest is
-// realistic: on a real robot the longest gap between two sensor vectors was almost 188 ms instead
-// of the usual 32 ms, so a vector was about 150 ms late (docs/exploring.md).  The smaller delays
-// disturb a run less.
+// Largest delays of messages inside the robot; each seed uses one of these three.  The largest
+// delay is realistic: on a real robot the longest gap between two sensor vectors was almost 188 ms
+// instead of the usual 32 ms, so a vector was about 150 ms late (docs/exploring.md).  The smaller
+// delays disturb a run less.
 constexpr int64_t kDelayMaxUs[] = {2'000, 20'000, 150'000};
 
 // Largest delay of messages from the network, in frames of 8 ms: 200 ms.  On the robot under load,
 // received data reached an object in steps of about 200 ms (field-notes.md, 11.6).
 constexpr int64_t kNetworkFramesMax = 25;
 
-// Number of different faults that a seed chooses from; our choice.
+// Number of different faults from which a seed chooses.  No document gives it; it is our choice.
 constexpr uint64_t kFaultNumbers = 1'000'000;
 
 }  // namespace
@@ -176,9 +176,9 @@ int64_t RandomSchedule::PickCostUs(const Deviation&, int64_t range_us) {
   return static_cast<int64_t>(cost_.NextBelow(static_cast<uint64_t>(2 * range_us + 1))) - range_us;
 }
 
-// Picks the number of the robot's first frame: 0, or one so large that the frame counter starts
-// again at 0 within the run of `frames` frames.  A real robot comes to the end of the counter only
-// after weeks, so this case is seldom tested.
+// Picks the number of the robot's first frame: 0, or so large a number that the frame counter
+// begins again at 0 within the run of `frames` frames.  A real robot comes to the end of the
+// counter only after weeks, so this case is seldom tested there.
 int64_t RandomSchedule::PickFrame(const Deviation&, int64_t frames) {
   if (frames <= 1 || !Happens(&frame_, frame_rate_)) return 0;
   return int64_t{oframeMAX_NUMBER} -

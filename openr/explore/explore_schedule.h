@@ -54,31 +54,31 @@ class ExploreSchedule : public Schedule {
   // cost file.  The difference lies between -range_us and range_us.
   int64_t CostJitterUs(const Object& object, uint32_t selector, int64_t range_us);
 
-  // Returns the number that the first frame (8 ms) of `robot` has, in a run of `frames` frames.
-  // Without exploration it is 0.  A number near the largest one makes the frame counter begin again
-  // at 0 during the run, which on a real robot happens only after 24.8 days.
+  // Returns the number of the first frame (8 ms) of `robot` in a run of `frames` frames.  Without
+  // exploration it is 0. A number near the largest frame number makes the frame counter begin again
+  // at 0 during the run; on a real robot this happens only after 24.8 days.
   int64_t FirstFrame(int robot, int64_t frames);
 
-  // Returns the faults that `robots` robots get in a run of `for_us`, in order of time.
+  // Returns the faults that `robots` robots get in a run of the length `for_us`, in order of time.
   std::vector<Deviation> Faults(int robots, int64_t for_us);
 
   const std::vector<Deviation>& deviations() const { return deviations_; }
   // Sets a log that gets a copy of each deviation, so that another process can read the deviations
-  // after a crash of this one; null means no log.
+  // after a crash of this process.  Null means that there is no log.
   void set_log(DeviationLog* log) { log_ = log; }
 
  protected:
-  // Make one choice.  `spot` says where in the run the choice is.  The field of `spot` for the
-  // result is not set yet: `object` for PickOf(), `us` for the other functions.  PickOf() returns
-  // the index of the chosen candidate, PickFrame() a frame number, the other functions a time.  The
-  // result 0 is always the canonical choice.
+  // These functions make one choice.  `spot` says where in the run the choice is.  The field of
+  // `spot` for the result is not set yet: `object` for PickOf(), `us` for the other functions.
+  // PickOf() returns the index of the chosen candidate, PickFrame() a frame number, the other
+  // functions a time.  The result 0 is always the canonical choice.
   virtual size_t PickOf(const Deviation& spot, const std::vector<ObjectId>& candidates) = 0;
   virtual int64_t PickDelayUs(const Deviation& spot, bool from_network) = 0;
   virtual int64_t PickCostUs(const Deviation& spot, int64_t range_us) = 0;
   virtual int64_t PickFrame(const Deviation& spot, int64_t frames) = 0;
   virtual std::vector<Deviation> PickFaults(int /*robots*/, int64_t /*for_us*/) { return {}; }
-  // Called for every message when it is posted, that is, sent.  Derived classes override this
-  // function if their choices depend on sender and receiver.
+  // Called for every message when it is posted, that is, sent.  Derived classes override it if
+  // their choices depend on the senders and receivers of messages.
   virtual void SawPost(const Message&) {}
 
   const System& system() const { return system_; }
@@ -95,7 +95,7 @@ class ExploreSchedule : public Schedule {
   const System& system_;
   uint64_t start_count_ = 0;
   int64_t tie_time_us_ = -1;
-  uint64_t tie_count_ = 0;  // number of ties so far at the time tie_time_us_
+  uint64_t tie_count_ = 0;  // number of ties so far at the virtual time tie_time_us_
   // The number of messages so far from one sender to one handler of one receiver, because
   // deviations name a message by this number.  For messages from the network, also the time when
   // the last message reaches the receiver, because the next message must not overtake it.  The key
@@ -103,9 +103,11 @@ class ExploreSchedule : public Schedule {
   std::map<std::tuple<ObjectId, ObjectId, uint32_t>, Stream> streams_;
   // The number of calls of CostJitterUs() so far, by object and selector of the handler.
   std::map<std::pair<ObjectId, uint32_t>, uint64_t> calls_;
-  std::vector<int64_t> last_due_us_;  // time at which the last message arrives, by receiver
-                                      // (without messages from the network)
-  std::vector<int8_t> is_network_;  // by object: 1 if it is the IPStack, else 0; -1: not known yet
+  // For each receiver, the time at which the last message to it arrives.  Messages from the network
+  // do not count.
+  std::vector<int64_t> last_due_us_;
+  // For each object: 1 if the object is the IPStack, else 0; -1: not known yet.
+  std::vector<int8_t> is_network_;
   std::vector<Deviation> deviations_;
   DeviationLog* log_ = nullptr;
 };
@@ -128,8 +130,8 @@ class RandomSchedule : public ExploreSchedule {
  private:
   bool Happens(Rng* rng, double rate) { return rate > 0 && rng->NextDouble() < rate; }
 
-  // Generators for each kind of choice, so that the choices of one kind do not depend on how many
-  // choices of another kind were drawn before.
+  // Random generators, one for each kind of choice.  So the choices of one kind do not depend on
+  // how many choices of another kind were drawn before.
   Rng order_, delay_, cost_, frame_, fault_;
   double start_rate_ = 0, tie_rate_ = 0, delay_rate_ = 0, network_rate_ = 0, cost_rate_ = 0,
          frame_rate_ = 0;
@@ -138,9 +140,9 @@ class RandomSchedule : public ExploreSchedule {
   ObjectId slow_ = kNoObject;  // object whose messages are often delayed
 };
 
-// Repeats the deviations of a list, and makes the canonical choice everywhere else.  A deviation
-// whose place does not occur in the run is ignored: if some deviations of a run were left out of
-// the list, the run may not come to the places of the others.
+// Repeats the deviations of a list, and makes the canonical choice everywhere else.  Ignores a
+// deviation whose place does not occur in the run.  This happens if some deviations of a run were
+// left out of the list, because the run may then not come to the places of the other deviations.
 class ScriptedSchedule : public ExploreSchedule {
  public:
   ScriptedSchedule(const System& system, const std::vector<Deviation>& script);

@@ -16,14 +16,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr size_t kTail = 12;        // number of last messages shown in a failure
-constexpr size_t kSeedsNamed = 10;  // number of seeds with differences that a result names
+constexpr size_t kTail = 12;        // number of last messages that the report of a failure shows
+constexpr size_t kSeedsNamed = 10;  // most seeds with differences that a result names
 
 bool IsBroken(const Json& answer) { return !answer.at("broken").is_null(); }
 
-// Passes the answers of runs on in the order of their numbers.  An answer that comes early is kept
-// until all answers before it have come.  So the result does not depend on how fast each process
-// is.
+// Passes the answers of runs on in the order of the numbers of the runs.  Keeps an answer that
+// comes early until all answers before it have come.  So the result does not depend on the speed of
+// each process.
 class InOrder {
  public:
   explicit InOrder(std::function<void(const Json&)> take) : take_(std::move(take)) {}
@@ -43,12 +43,13 @@ class InOrder {
   std::map<size_t, Json> early_;
 };
 
-// The combined result of many runs.
+// The combined result of many runs of an exploration.
 class Sum {
  public:
   explicit Sum(const ExplorePlan& plan) : plan_(plan) {}
 
-  // Returns false when plan_ asks to stop at the first broken property and one was found.
+  // Returns whether more runs are wanted.  Returns false when plan_ asks to stop at the first
+  // broken property and a run has broken one.
   bool wants_more() const { return !(plan_.stop_at_first && first_broken_); }
 
   void Add(const Json& answer) {
@@ -79,7 +80,7 @@ class Sum {
  private:
   const ExplorePlan& plan_;
   uint64_t runs_ = 0, broken_ = 0, messages_ = 0;
-  std::map<std::string, uint64_t> ended_by_;  // number of runs for each reason of their end
+  std::map<std::string, uint64_t> ended_by_;  // number of runs that ended for each reason
   Hasher digest_;
   std::optional<Json> first_broken_;
 };

@@ -16,12 +16,12 @@ struct ExplorePlan {
   RunOptions run;
   ForkLimits limits;
   uint64_t first_seed = 1;
-  uint64_t runs = 100;        // number of seeds; for a search, the largest number of runs
-  int jobs = 1;               // number of child processes that make runs
-  bool reduce = true;         // for a search: true tries only one of several orders with equal
-                              // results
-  bool stop_at_first = true;  // stop at the first seed that breaks a property
-  int shorten_runs = 2000;    // the most runs for shortening a failure; 0: no shortening
+  uint64_t runs = 100;  // number of seeds; in a search, the largest number of runs
+  int jobs = 1;         // number of child processes that make runs at the same time
+  // For a search.  True: of several orders with equal results, tries only one.
+  bool reduce = true;
+  bool stop_at_first = true;  // true: stops at the first seed that breaks a property
+  int shorten_runs = 2000;    // most runs that are made to shorten a failure; 0: no shortening
   // A function that is called after each run with the number of runs so far, to show progress; may
   // be empty.  Runs that only shorten a failure do not count.
   std::function<void(uint64_t runs)> progress;
@@ -50,8 +50,8 @@ nlohmann::ordered_json VerifySeeds(const ExplorePlan& plan);
 nlohmann::ordered_json SearchOrders(const ExplorePlan& plan);
 
 // Makes one run with the deviations `script`, which come from a schedule file.  `seed` is the seed
-// in that file; the random numbers of the simulation follow from it.  Returns the answer of
-// RunPlan(), with the last messages of the run.
+// in this file; it decides the random numbers of the simulation.  Returns the answer of RunPlan(),
+// with the last messages of the run.
 nlohmann::ordered_json ReplayDeviations(const ExplorePlan& plan,
                                         const nlohmann::ordered_json& script, uint64_t seed);
 

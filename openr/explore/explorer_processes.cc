@@ -31,7 +31,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr char kReady[] = "ready";
-constexpr int64_t kOddSliceUs = 50'021;  // time slice of second runs; no multiple of a frame
+constexpr int64_t kOddSliceUs = 50'021;  // time slice of second runs; not a multiple of a frame
 
 void SilenceOutput() {
   const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
@@ -41,7 +41,8 @@ void SilenceOutput() {
   close(nowhere);
 }
 
-// Sends `line` to the process at the other end of `channel`.  Returns false if that end is closed.
+// Sends `line` to the process at the other end of `channel`.  Returns false if the other end is
+// closed.
 bool Send(int channel, const std::string& line) {
   for (size_t done = 0; done < line.size();) {
     const ssize_t size = send(channel, line.data() + done, line.size() - done, MSG_NOSIGNAL);
@@ -52,8 +53,8 @@ bool Send(int channel, const std::string& line) {
   return true;
 }
 
-// Takes all free blocks of the heap that begin before `end`, and never gives them back.  Large
-// blocks are taken first, because malloc() would cut small ones out of them.
+// Takes all free blocks of the heap that begin before `end`, and never gives them back.  Takes
+// large blocks first, because otherwise malloc() would cut small blocks out of them.
 void UseUpFreeBlocks(const void* end) {
   constexpr size_t kLargest = 1 << 20, kSmall = 1024, kStep = 16;
   constexpr int kBlocksMax = 100'000;
@@ -76,7 +77,7 @@ void MoveMemory() {
   // lies behind the hole, so later blocks have other addresses than in other processes.
   const void* const heap_end = sbrk(13 * 4096 + 16);
   if (heap_end == reinterpret_cast<void*>(-1))
-    return;  // sbrk() has failed, so the heap stays where it is
+    return;  // then sbrk() has failed, so the heap stays where it is
   static void* volatile hole = malloc(4099);
   (void)hole;
   UseUpFreeBlocks(heap_end);
@@ -101,8 +102,8 @@ class PlanServer {
     Json again = {{"seed", plan.at("seed")}, {"slice_us", kOddSliceUs}, {"blind", true}};
     if (answer.contains("time_us")) again["until_us"] = answer["time_us"];
     const bool differs = !AreEqual(answer, elsewhere_->RunOne(again));
-    // Makes a third run with the addresses of the first run.  It shows whether only the addresses
-    // of the second run made the difference.
+    // Makes a third run, with the addresses of the first run.  It shows whether the first two runs
+    // differ only because of the addresses.
     const bool differs_here = differs && !AreEqual(answer, server_.Run(again));
     answer["differs"] = differs_here;
     answer["depends_on_addresses"] = differs && !differs_here;

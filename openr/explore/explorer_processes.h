@@ -55,12 +55,13 @@ class ExplorerProcesses {
     pid_t pid = -1;
     int channel = -1;
     bool is_busy = false;
-    size_t number = 0;  // number of the plan that it runs
-    std::string heard;  // received part of the next line
+    size_t number = 0;  // number of the plan that the child process runs now
+    std::string heard;  // received part of the child's next line
   };
-  struct Job;  // options of a child process
+  struct Job;  // options with which a child process works
   void Start(const Job& job);
-  // Reads what `child` has sent, without waiting.  Returns the next line if it is complete.
+  // Reads the bytes that `child` has sent, and does not wait for more.  Returns the next line if it
+  // is complete, else nullopt.
   std::optional<std::string> ReadLine(Child* child);
   std::string WaitForLine(Child* child);
 

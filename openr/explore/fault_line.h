@@ -1,4 +1,4 @@
-// Faults that seeds of an exploration may give to a robot, as inputs.
+// Faults that an exploration may give to a robot, written as inputs.
 #pragma once
 
 #include <cstdint>

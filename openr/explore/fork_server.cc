@@ -29,8 +29,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Appends all data from `descriptor` to `text`, up to the end of the data.  Returns false if
-// nothing comes for `wall_s` seconds.
+// Appends all data from `descriptor` to `text`, until no more data can come.  Returns false if no
+// data come for `wall_s` seconds.
 bool ReadAll(int descriptor, int wall_s, std::string* text) {
   for (;;) {
     pollfd wanted = {descriptor, POLLIN, 0};
@@ -102,7 +102,7 @@ void ForkServer::RunInCopy(const Json& plan, int answer) {
   }
   WriteAll(answer, JsonText(result));
   std::fflush(nullptr);
-  _exit(0);  // ends without the destructors of the objects above, which would only cost time
+  _exit(0);  // ends without destructors of objects, which would only cost time
 }
 
 Json ForkServer::Run(const Json& plan) {

@@ -13,14 +13,15 @@
 namespace openr_host {
 
 struct ForkLimits {
-  int64_t handler_us = 2'000'000;  // limit for the processor time of a handler
-  int wall_s = 120;  // limit for the real time of a run; only a run that hangs is so long
+  int64_t handler_us = 2'000'000;  // most processor time that a handler may use
+  int wall_s = 120;  // most real time that a run may take; only a run that hangs needs so long
 };
 
 class ForkServer {
  public:
-  // REQUIRES: System::Boot() has not been called for the prepared run, because every copy calls it;
-  // the process has one thread, because fork() copies no other thread.
+  // Makes a server for the run `prepared`.  REQUIRES: System::Boot() has not been called for this
+  // run, because every copy calls it; the process has one thread, because fork() copies no other
+  // thread.
   ForkServer(PreparedRun prepared, RunOptions options, ForkLimits limits);
   ~ForkServer();
   ForkServer(const ForkServer&) = delete;

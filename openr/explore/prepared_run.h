@@ -16,20 +16,21 @@ class ExploreSchedule;
 
 struct PreparedRun {
   System* system = nullptr;
-  Simulation* simulation = nullptr;   // null: the objects were not loaded from a stick
-  std::vector<VirtualRobot*> robots;  // empty: the objects have no simulated body
-  ExploredCost* cost = nullptr;       // null: handlers take no time
-  std::shared_ptr<void> owner;        // keeps the system, the robots and the cost alive
-  std::string problem;                // the reason why the run cannot start; "": it can
+  // The simulation; null: the objects were not loaded from a stick.
+  Simulation* simulation = nullptr;
+  std::vector<VirtualRobot*> robots;  // the robots; empty: the objects have no simulated body
+  ExploredCost* cost = nullptr;       // the costs of handlers; null: handlers take no time
+  std::shared_ptr<void> owner;        // keeps the system, the robots and the costs alive
+  std::string problem;                // reason why the run cannot start; "": the run can start
 };
 
 // A function that assembles the same run each time it is called.  Each child process of the
 // explorer calls it once.
 using PrepareRun = std::function<PreparedRun()>;
 
-// Makes `schedule`, which must exist as long as the run, choose all orders and delays that the
-// robot leaves open, in a run of at most `for_us`.  The random numbers of the simulation follow
-// from `seed`.
+// Makes the schedule `schedule` choose all orders and delays that the robot leaves open, in a run
+// of at most `for_us`.  `schedule` must exist as long as the run.  The random numbers of the
+// simulation follow from `seed`.
 void SetSchedule(PreparedRun* prepared, uint64_t seed, ExploreSchedule* schedule, int64_t for_us);
 
 // Assembles a run of the objects on a Memory Stick, on a robot with a simulated body.  The objects

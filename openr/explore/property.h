@@ -1,6 +1,6 @@
 // Properties: conditions that must hold in every run of an exploration.
 //
-// PropertyTable() has the built-in properties; property_file.h reads others from files.
+// PropertyTable() has the built-in properties; property_file.h reads further properties from files.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,8 @@ namespace openr_host {
 // The parts of a run that properties can read.
 struct RunView {
   const PreparedRun* prepared = nullptr;
-  const std::vector<StandingMonitor>* standing = nullptr;  // a monitor for each robot
+  // A monitor for each robot, which tells whether the robot stands.
+  const std::vector<StandingMonitor>* standing = nullptr;
   int64_t last_activity_us = 0;  // time of the last activity of an object (activity.h)
 };
 
@@ -45,9 +46,9 @@ struct PropertyEntry {
   std::unique_ptr<Property> (*make)();
 };
 
-// Returns the built-in properties, without no-crash and handlers-return, which every run must keep.
-// A run that breaks no-crash or handlers-return ends its process, so the process cannot check these
-// two.  ForkServer::Run() reports them.
+// Returns the built-in properties, except no-crash and handlers-return, which every run must keep.
+// A run that breaks no-crash or handlers-return ends its process, so this process cannot check
+// these two properties.  ForkServer::Run() reports them.
 const std::vector<PropertyEntry>& PropertyTable();
 inline constexpr char kNoCrash[] = "no-crash";
 inline constexpr char kHandlersReturn[] = "handlers-return";
@@ -57,14 +58,14 @@ inline constexpr char kHandlersReturn[] = "handlers-return";
 // ending.h).
 const char* PropertyOfEnding(std::string_view record);
 
-// The properties to check in every run.  Each name is the name of a built-in property or of a
+// The properties that are checked in every run.  Each name is one of these: a built-in property, a
 // property file, "default" for all default properties, or a line in the format of a property file
 // ("finally objects.B.state == done").
 struct PropertyChoice {
   std::vector<std::string> names = {"default"};
 
-  // Makes the properties.  Throws std::runtime_error when a name is not known or a property file
-  // has an error.
+  // Makes the chosen properties and returns them.  Throws std::runtime_error when a name is not
+  // known or a property file has an error.
   std::vector<std::unique_ptr<Property>> Make() const;
 };
 

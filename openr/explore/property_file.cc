@@ -26,7 +26,7 @@ using When = PropertyRule::When;
 const std::vector<std::string> kWhens = {"always", "eventually", "finally"};
 const std::vector<std::string> kOps = {"==", "!=", "<=", ">=", "<", ">"};
 
-// Reads one line of a property file, word by word from left to right.
+// Reads the parts of one line of a property file, word by word from left to right.
 class LineReader {
  public:
   LineReader(const RecordLine& line, std::vector<Diagnostic>* diagnostics)
@@ -158,7 +158,7 @@ class RuleProperty : public Property {
   const PropertyRule rule_;
   Quantity quantity_;
   Value last_;
-  bool has_been_ = false;  // kEventually: the comparison was true at least once
+  bool has_been_ = false;  // used by kEventually: true if the comparison was true at least once
   bool was_looked_at_ = false;
 };
 
@@ -220,7 +220,7 @@ std::vector<std::unique_ptr<Property>> MakeProperties(const std::string& file,
   CheckNames(rules, &diagnostics);
   if (!diagnostics.empty()) {
     std::string problems = Render(diagnostics);
-    problems.pop_back();  // removes the last newline
+    problems.pop_back();  // removes the newline at the end of the last problem
     throw std::runtime_error(problems);
   }
   if (rules.empty()) throw std::runtime_error(fmt::format("{}: has no property", file));

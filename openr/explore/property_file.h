@@ -28,15 +28,15 @@ struct PropertyRule {
   std::string name;
   When when = When::kAlways;
   int64_t from_us = 0;
-  int64_t within_us = -1;  // the time D of `within D`; -1: no limit
+  int64_t within_us = -1;  // the time D of `within D`, in us; -1: no limit
   std::string quantity;
   std::string op;
-  std::string value;   // the rest of the line after OP
+  std::string value;  // the text with which the quantity is compared: the rest of the line after OP
   FilePosition place;  // place of QUANTITY in the file, for error messages
 };
 
-// Reads `text`, the content of the property file `file`, and returns one PropertyRule for each
-// property.  A wrong line is reported in `diagnostics` and skipped.
+// Reads `text`, the content of the property file `file`.  Returns one PropertyRule for each
+// property.  Skips a line with an error, and reports the error in `diagnostics`.
 std::vector<PropertyRule> ParseProperties(const std::string& file, std::string_view text,
                                           std::vector<Diagnostic>* diagnostics);
 
@@ -46,8 +46,9 @@ std::vector<PropertyRule> ParseProperties(const std::string& file, std::string_v
 bool Compares(const std::variant<double, std::string>& actual, const std::string& op,
               const std::string& expected);
 
-// Return the properties that the text `text`, or the file `path`, describes.  Both functions throw
-// std::runtime_error with the texts of all errors.  `file` is the name of the text in these errors.
+// Both functions return the properties that a text describes: `text`, or the content of the file
+// `path`.  Both throw std::runtime_error with the texts of all errors.  `file` is the name of
+// `text` in these errors.
 std::vector<std::unique_ptr<Property>> MakeProperties(const std::string& file,
                                                       std::string_view text);
 std::vector<std::unique_ptr<Property>> LoadPropertyFile(const std::string& path);

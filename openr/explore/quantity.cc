@@ -37,9 +37,9 @@ constexpr ObjectField kOfObject[] = {
     {"queue_max",
      [](const Object& object) -> Value { return static_cast<double>(object.waiting_max); }}};
 
-// Returns the quantity `field` of an object.  Looks the object up at each reading, because a boot
-// of the robot or a new load of its image replaces the object.  If a boot has not loaded the object
-// again, its state is "absent", and its numbers are NaN.
+// Returns the quantity `field` of an object.  Looks the object up at each reading, because the
+// object is replaced when the robot boots or when the object's image is loaded again.  If a boot
+// has not loaded the object again, its state is "absent", and its numbers are NaN.
 Quantity OfObject(int robot, const std::string& object_name, const std::string& field) {
   std::vector<std::string> known;
   for (const ObjectField& each : kOfObject) known.push_back(each.name);
@@ -53,8 +53,8 @@ Quantity OfObject(int robot, const std::string& object_name, const std::string& 
   };
 }
 
-// Returns the quantity `name`.  `name` has the name of an object and of a field of the object, such
-// as "JointMover.state".
+// Returns the quantity `name`, which is a field of an object.  `name` has the name of the object
+// and the name of the field, such as "JointMover.state".
 Quantity FindInObjects(const System& system, int robot, const std::string& name) {
   const size_t dot = name.rfind('.');
   if (dot == kNone)
@@ -69,8 +69,8 @@ Quantity FindInObjects(const System& system, int robot, const std::string& name)
   Unknown(fmt::format("object of robot {}", robot), object_name, known);
 }
 
-// Returns the index of a joint.  `name` is the joint's name in the model, such as "LF_j1", or its
-// locator, which is its name in OPEN-R.
+// Returns the index of a joint in the model.  `name` is the joint's name in the model, such as
+// "LF_j1", or its locator, which is the joint's name in OPEN-R.
 size_t JointOf(const RobotModel& model, const std::string& name) {
   int joint = model.FindJoint(name);
   if (joint < 0) joint = model.FindJointByLocator(name);
@@ -82,14 +82,15 @@ size_t JointOf(const RobotModel& model, const std::string& name) {
   return static_cast<size_t>(joint);
 }
 
-// Returns the quantity for the angle of a joint of the body, in degrees.
+// Returns the quantity "joint": the angle of a joint of the simulated body, in degrees.
 Quantity FindJoint(const RobotModel& model, size_t robot, const std::string& name) {
   return [robot, index = JointOf(model, name)](const RunView& view) -> Value {
     return Degrees(view.prepared->robots[robot]->body().state().joints[index].angle_rad);
   };
 }
 
-// Returns the quantity for the set point of a joint, in degrees; NaN before the first command.
+// Returns the quantity "command": the set point of a joint, in degrees; NaN before the first
+// command.
 Quantity FindCommand(const RobotModel& model, size_t robot, const std::string& name) {
   return [robot, index = JointOf(model, name)](const RunView& view) -> Value {
     const JointDevice& joint = view.prepared->robots[robot]->devices().joints[index];
@@ -98,7 +99,7 @@ Quantity FindCommand(const RobotModel& model, size_t robot, const std::string& n
   };
 }
 
-// Returns the quantity for the angle that the sensor of a joint measures, in degrees.
+// Returns the quantity "measured": the angle that the sensor of a joint measures, in degrees.
 Quantity FindMeasured(const RobotModel& model, size_t robot, const std::string& name) {
   const int sensor = model.joints[JointOf(model, name)].sensor;
   if (sensor < 0) throw std::runtime_error(fmt::format("joint '{}' has no sensor", name));
@@ -107,8 +108,8 @@ Quantity FindMeasured(const RobotModel& model, size_t robot, const std::string& 
   };
 }
 
-// Returns the quantity for the value of a sensor, in OPEN-R's unit.  `name` is the sensor's short
-// name, such as "chin", or its locator, which is its name in OPEN-R.
+// Returns the quantity "sensor": the value of a sensor in OPEN-R's unit.  `name` is the sensor's
+// short name, such as "chin", or its locator, which is the sensor's name in OPEN-R.
 Quantity FindSensor(const RobotModel& model, size_t robot, const std::string& name) {
   const std::vector<int> found = model.SensorsNamed(name);
   if (found.size() != 1) {
@@ -126,7 +127,7 @@ Quantity FindSensor(const RobotModel& model, size_t robot, const std::string& na
 Eigen::Vector3d HeadingOf(const BodyState& state) {
   const Eigen::Vector3d x = state.X_WB.linear().col(0);
   const double length = std::sqrt(x.x() * x.x() + x.y() * x.y());
-  if (length < 1e-9) return {1, 0, 0};  // the robot looks straight up or down
+  if (length < 1e-9) return {1, 0, 0};  // then the robot looks straight up or down
   return {x.x() / length, x.y() / length, 0};
 }
 

@@ -1,5 +1,5 @@
-// Quantities: values of a run, such as the state of an object or the angle of a joint, that
-// property files can name.
+// Quantities: values of a run that have names, such as the state of an object or the angle of a
+// joint.  Property files can use these names.
 #pragma once
 
 #include <cstdint>
@@ -22,24 +22,25 @@ using Quantity = std::function<Value(const RunView&)>;
 // numbers are NaN.
 Quantity FindQuantity(const std::string& name, const RunView& view);
 
-// Returns the names of all quantities of robots that are numbers: base, battery, joints, sensors,
-// movable things.  The names of robot 0 begin without "robots[0].".
+// Returns the names of all quantities of robots that are numbers: those of the base, the battery,
+// the joints, the sensors and the movable things.  The names for robot 0 have no "robots[0]." in
+// front.
 std::vector<std::string> NumbersOf(const RunView& view);
 
-// Returns the names of all quantities that FindQuantity() knows in `view`, those of robot 0 without
-// "robots[0]." in front.
+// Returns the names of all quantities that FindQuantity() knows in `view`.  The names for robot 0
+// have no "robots[0]." in front.
 std::vector<std::string> QuantitiesOf(const RunView& view);
 
 // The parts of a run of a Simulation that quantities can read.
 class SimulationView {
  public:
   explicit SimulationView(Simulation* simulation);
-  SimulationView(const SimulationView&) = delete;  // a copy would refer to the members of the
-                                                   // original
+  // Not copied, because a copy would refer to the members of the original.
+  SimulationView(const SimulationView&) = delete;
   SimulationView& operator=(const SimulationView&) = delete;
 
   // Finds out whether each robot stands.  Does this only for the first call in a frame of 8 ms,
-  // since a StandingMonitor takes one sample per frame.
+  // because a StandingMonitor takes one sample per frame.
   void Sample();
   const RunView& run() const { return run_; }
 

@@ -50,8 +50,8 @@ class PlanRun {
     schedule_->set_log(log);
   }
 
-  // Returns the answer for a run in which an object has ended the process, by a crash or by a
-  // handler that does not return.
+  // Returns the answer for a run in which an object has ended the process: it has crashed, or its
+  // handler has not returned.
   Json AnswerForEnding(const Ending& ending) {
     std::string_view text = ending.record.text();
     while (text.ends_with('\n')) text.remove_suffix(1);
@@ -78,10 +78,10 @@ class PlanRun {
   }
 
  private:
-  // A delivered message, kept for the last messages of the answer.
+  // A delivered message.  The last such messages become a part of the answer.
   struct SeenRecord {
     TraceRecord record;
-    std::string content;  // as ContentOf() returns it, cut to kDecodedBytesMax bytes
+    std::string content;  // content of the message, from ContentOf(), cut to kDecodedBytesMax bytes
   };
 
   void Saw(const TraceRecord& record, const Message& message) {
@@ -201,7 +201,7 @@ class PlanRun {
   std::vector<std::unique_ptr<Property>> properties_;
   std::vector<StandingMonitor> standing_;
   RunView view_;
-  uint64_t last_message_ = 0;  // number of the last delivered message
+  uint64_t last_message_ = 0;  // number of the message that was delivered last
   std::deque<SeenRecord> tail_;
   Json broken_;
 };

@@ -15,8 +15,7 @@
 
 namespace openr_host {
 
-// The stick and the options of an exploration.  The seed and the order of messages are not part of
-// it.
+// The stick and the options of an exploration, without the seed and the order of messages.
 struct ExploredStick {
   // The options of the exploration.  A schedule file keeps only stick, robot, world, body, robots,
   // strict, guard_regions, cost_file and battery of these options.
@@ -35,12 +34,12 @@ struct ScheduleFile {
   std::string text;
 };
 
-// Reads a schedule file.  Its list "deviations" is put into `deviations`.  Throws
-// std::runtime_error with the name of the file and the error.
+// Reads a schedule file.  Puts its list "deviations" into `deviations`, and returns the rest.  If
+// the file has an error, throws std::runtime_error with the name of the file and the error.
 ScheduleFile ReadScheduleFile(const std::string& path, nlohmann::ordered_json* deviations);
 
-// Returns the failure as a text for people: property, time, text, the deviations and the last
-// messages.
+// Returns a text about a failure for a human reader: the property, the time, the text, the
+// deviations and the last messages.
 std::string DescribeFailure(const nlohmann::ordered_json& failure);
 
 }  // namespace openr_host

@@ -17,12 +17,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// A choice in the last run.  An element of stack_ has the candidates of the choice, and notes the
-// candidates that have been explored.
+// A choice in the last run.  Such an element of stack_ has the candidates of the choice, and notes
+// the candidates that have been explored.
 struct Frame {
   std::vector<ObjectId> candidates;
-  SleepSet sleep;  // deliveries that need not be tried at this choice
-  SleepSet done;   // explored candidates, with the objects that each concerns
+  SleepSet sleep;  // deliveries that sleep at this choice, so they need not be tried
+  SleepSet done;   // candidates that were explored, with the objects that each concerns
   size_t current = 0;
   Touched touched;  // objects that the current candidate's delivery concerns
 };
@@ -135,7 +135,7 @@ class Search {
   ExplorerProcesses& pool_;
   std::vector<Frame> stack_;
   uint64_t runs_ = 0, orders_ = 0, cut_ = 0, broken_ = 0;
-  std::map<std::string, uint64_t> ended_by_;  // number of orders for each reason of their end
+  std::map<std::string, uint64_t> ended_by_;  // number of orders whose run ended for each reason
   size_t choices_max_ = 0;
   std::string stopped_;
   std::optional<Json> failure_;

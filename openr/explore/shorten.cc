@@ -32,7 +32,8 @@ class Shortener {
   void MakeSmaller() {
     for (size_t i = 0; i < script_.size(); ++i) {
       if (!script_[i].contains("us")) continue;
-      // Leaves faults and first frames alone, because their "us" is a number and not a time.
+      // Does not make "us" smaller in faults and first frames, because there "us" is a number and
+      // not a time.
       if (script_[i]["kind"] == "frame" || script_[i]["kind"] == "fault") continue;
       while (left_ > 0 && std::abs(script_[i]["us"].get<int64_t>()) > 1) {
         Json smaller = script_;
@@ -54,7 +55,7 @@ class Shortener {
         if (i < begin || i >= end) rest.push_back(script_[i]);
       }
       if (Try(std::move(rest))) {
-        any = true;  // the rest of the list has moved to `begin`, so `begin` stays
+        any = true;  // the rest of the list has moved to `begin`, so `begin` does not change
       } else {
         begin = end;
       }

@@ -12,32 +12,33 @@ namespace openr_host {
 class System;
 
 struct GraphService {
-  std::string name;  // full name with four parts, such as "RCServer.Move.MoveCommand.S"
+  // Full name of the service, with four parts, such as "RCServer.Move.MoveCommand.S".
+  std::string name;
   bool is_subject = true;
 };
 
 struct GraphObject {
   int robot = 0;
   std::string name;
-  std::string path;   // path of the image; empty for parts of the system
+  std::string path;   // path of the object's image; empty for parts of the system
   std::string state;  // text of the last line "state: ..." that the object printed
   bool is_system = false;
-  std::vector<GraphService> services;  // sorted by name
+  std::vector<GraphService> services;  // services of the object, sorted by name
 };
 
 struct GraphConnection {
   int robot = 0;
-  std::string subject, observer;  // names of services
-  std::string where;              // line that makes the connection: "CONNECT.CFG:4"
-  bool connected = false;         // false: the runtime refused the line
-  uint64_t events = 0;            // number of events sent so far
+  std::string subject, observer;  // names of the two connected services
+  std::string where;              // line that makes the connection, such as "CONNECT.CFG:4"
+  bool connected = false;  // true: the connection was made; false: the runtime refused the line
+  uint64_t events = 0;     // number of events that were sent over the connection so far
 };
 
 struct GraphView {
   double virtual_time_s = 0;
   std::vector<GraphObject> objects;          // all objects of the stick, and the system objects
                                              // that have services
-  std::vector<GraphConnection> connections;  // in the order of CONNECT.CFG
+  std::vector<GraphConnection> connections;  // all connections, in the order of CONNECT.CFG
 };
 
 // Returns the objects, services and connections of `system`.  REQUIRES: the system has booted,
@@ -46,7 +47,7 @@ GraphView CollectGraph(System* system);
 
 nlohmann::ordered_json GraphToJson(const GraphView& graph);
 
-// Returns the graph as a drawing in the language of Graphviz.
+// Returns the drawing of a graph as text in the language of Graphviz.
 std::string GraphToDot(const GraphView& graph);
 
 }  // namespace openr_host

@@ -1,7 +1,7 @@
-// Answers: the messages that one object sends in a replay, compared with the recorded ones.
+// Answers: the messages that one object sends in a replay, compared with the recorded messages.
 //
-// The messages that arrive at other objects get the recorded bytes, so the other objects do what
-// they did in the recorded run.  Otherwise one different answer would change everything after it.
+// The other objects get the recorded bytes of these messages, so that they do what they did in the
+// recorded run.  Otherwise one different answer would change everything after it.
 #pragma once
 
 #include <cstdint>
@@ -14,10 +14,10 @@ namespace openr_host {
 
 struct RobotModel;
 
-// A message of the compared object whose bytes differ from the recorded bytes.
+// A message that the compared object has sent, and whose bytes differ from the recorded bytes.
 struct AnswerDifference {
   TraceRecord record{};         // describes the message in the replay
-  std::string receiver, entry;  // name of the receiver, and of its entry (handler)
+  std::string receiver, entry;  // names of the receiver and of its entry (handler)
   size_t first = 0;             // index of the first byte that differs
   size_t count = 0;             // number of bytes that differ
   // Values that differ, as text: `now` in the replay, `then` in the recording.  Both are empty if
@@ -25,17 +25,18 @@ struct AnswerDifference {
   std::vector<std::string> now, then;
 };
 
-// Returns the difference between `now`, the content of a message in the replay, and `then`, its
-// recorded content of the same size.  `entry` is the name of the receiver's entry, which names the
-// type of the content.
+// Returns the difference between `now`, the content of a message in the replay, and `then`, the
+// recorded content of the same message.  Both have the same size.  `entry` is the name of the
+// receiver's entry, which tells the type of the content.
 AnswerDifference CompareAnswer(const RobotModel& model, const std::string& entry,
                                const std::string& now, const std::string& then);
 
-// Replaces the content of `message`, which is about to be delivered, by the recorded content
-// `bytes` of the same size.  REQUIRES: `message` is a notification or has plain bytes.
+// Replaces the content of `message` by the recorded content `bytes` of the same size, before the
+// message is delivered.  REQUIRES: `message` is a notification or has plain bytes.
 void PutContent(const Message& message, const std::string& bytes);
 
-// Returns lines about the difference for people.
+// Describes `difference`, the difference between a message and its recording, in lines of text for
+// a human reader.
 std::string DescribeAnswer(const AnswerDifference& difference);
 
 }  // namespace openr_host

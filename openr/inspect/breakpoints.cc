@@ -62,8 +62,9 @@ void Breakpoints::CheckObject(const std::string& name) const {
   throw std::runtime_error(fmt::format("there is no object '{}'{}", name, DidYouMean(name, known)));
 }
 
-// Throws if no entry (handler for messages) of any object has `part` in its name.  Accepts every
-// `part` while some object has no names yet, because entries get their names during the boot.
+// Throws std::runtime_error if no entry (handler for messages) of any object has `part` in its
+// name.  Accepts every `part` while some object has no names of entries yet, because entries get
+// their names during the boot.
 void Breakpoints::CheckService(const std::string& part) const {
   for (const auto& object : replayer_->system().objects()) {
     if (object == nullptr) continue;

@@ -11,10 +11,10 @@
 
 namespace openr_host {
 
-// The breakpoints of a session of openr replay --step.  Each is a text: "object JointMover",
-// "service Effector", "state JointMover accepting-commands", "when robots[0].pitch_deg > 10",
-// "finding".  As text the breakpoints can be passed to another process, in which the session
-// continues after going back (stepper.h).
+// The breakpoints of a session of openr replay --step.  Each breakpoint is a text: "object
+// JointMover", "service Effector", "state JointMover accepting-commands", "when robots[0].pitch_deg
+// > 10", "finding".  As texts they can be passed to another process, in which the session continues
+// after going back (stepper.h).
 class Breakpoints {
  public:
   Breakpoints(Replayer* replayer, const SimulationView* view) : replayer_(replayer), view_(view) {}
@@ -27,9 +27,9 @@ class Breakpoints {
   size_t size() const { return all_.size(); }
   const std::string& text(size_t number) const { return all_[number - 1].text; }
 
-  // Prepares for letting the replay run on.  A "when" breakpoint whose condition holds now would
-  // stop the replay again at the next message, so Hit() ignores it until its condition has been
-  // false once.
+  // Must be called before the replay runs on.  A "when" breakpoint whose condition holds now would
+  // stop the replay again at the next message, so Hit() ignores this breakpoint until its condition
+  // has been false once.
   void Arm();
   // Tests all breakpoints after the replay has delivered a message.  Returns the number, counted
   // from 1, of the first breakpoint that stops the replay here; 0 if the replay goes on.
@@ -38,19 +38,20 @@ class Breakpoints {
   // Returns all breakpoints as text, one per line.  Called when the user goes back, because another
   // process then continues the session and needs the breakpoints.
   std::string Save() const;
-  // Replaces all breakpoints by those in `text`, which Save() has returned in the process before.
+  // Replaces all breakpoints by the breakpoints in `text`, which Save() has returned in the process
+  // before.
   void Load(const std::string& text);
 
  private:
   struct Break {
     std::string text;
     std::optional<PropertyRule> rule;  // condition of a breakpoint "when"
-    Quantity quantity;                 // the quantity of `rule`
+    Quantity quantity;                 // the quantity that `rule` compares
     bool held = false;
   };
 
   Break Read(const std::string& text) const;
-  // Throws std::runtime_error if no object has this name.
+  // Throws std::runtime_error if no object has the name `name`.
   void CheckObject(const std::string& name) const;
   // Throws std::runtime_error if no entry (handler for messages) of any object has `part` in its
   // name.

@@ -4,7 +4,8 @@
 
 namespace openr_host {
 
-// At least doubles the room.  So the bytes are copied seldom, although they grow often.
+// Makes the room at least twice as large.  So the bytes are copied seldom, although room is often
+// needed.
 void ByteWriter::Grow(size_t count) { bytes_.resize(std::max(2 * bytes_.size(), size_ + count)); }
 
 void ByteWriter::Text(std::string_view text) {

@@ -18,15 +18,15 @@ class ByteWriter {
   void U8(uint8_t value) { Fixed(value, 1); }
   void U32(uint32_t value) { Fixed(value, 4); }
   void U64(uint64_t value) { Fixed(value, 8); }
-  // Writes a number with seven bits per byte, the lowest bits first, so that small numbers take few
-  // bytes.
+  // Writes a number with seven of its bits in each byte, the lowest bits first.  So small numbers
+  // take few bytes.
   void Varint(uint64_t value) { SetEnd(PutVarint(value, Room(kVarintBytesMax))); }
   void Zigzag(int64_t value) { Varint(Folded(value)); }
   void Text(std::string_view text);  // writes the length, then the bytes of the text
 
   // Returns a pointer to room for `count` bytes behind the bytes written so far.  The caller writes
-  // there, and then passes the end of its bytes to SetEnd().  So the room is checked only once for
-  // many numbers.
+  // bytes to this room, and then passes the end of its bytes to SetEnd().  So the room is checked
+  // only once for many numbers.
   char* Room(size_t count) {
     if (count > bytes_.size() - size_) Grow(count);
     return bytes_.data() + size_;

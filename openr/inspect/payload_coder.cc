@@ -18,16 +18,16 @@ constexpr size_t kWord = 4;
 constexpr size_t kWords = kPayloadBlock / kWord;
 constexpr size_t kMaskBytes = kWords / 8;
 
-// Compares two blocks.  Returns a bit for each word, which is 1 if the word differs.  The lowest
-// bit is for the first word.
+// Compares two blocks of bytes.  Returns a bit for each word of the blocks, which is 1 if the word
+// differs.  The lowest bit is for the first word.
 uint32_t ChangedWords(const char* now, const char* last) {
 #if defined(__SSE2__)
   const auto equal = [now, last](size_t at) {
     return _mm_cmpeq_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(now + at)),
                            _mm_loadu_si128(reinterpret_cast<const __m128i*>(last + at)));
   };
-  // The result of a comparison is 32 bits for each word.  Each further step halves it: to 16 bits,
-  // to 8 bits, and at last to one bit.
+  // The result of a comparison has 32 bits for each word.  Each further step halves the number of
+  // bits: to 16, to 8, and at last to one.
   const __m128i first = _mm_packs_epi32(equal(0), equal(16));
   const __m128i second = _mm_packs_epi32(equal(32), equal(48));
   return static_cast<uint32_t>(_mm_movemask_epi8(_mm_packs_epi16(first, second))) ^ 0xffffu;
@@ -39,8 +39,8 @@ uint32_t ChangedWords(const char* now, const char* last) {
 #endif
 }
 
-// Writes `mask`, and the words of `now` whose bits are set in it, to `out`.  Returns the end of the
-// written bytes.
+// Writes to `out` the bits of `mask`, and the words of `now` whose bits are set in `mask`.  Returns
+// the end of the written bytes.
 char* PutWords(uint32_t mask, const char* now, char* out) {
   *out++ = static_cast<char>(mask);
   *out++ = static_cast<char>(mask >> 8);

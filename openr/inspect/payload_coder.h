@@ -1,5 +1,5 @@
-// Writes the content of messages for a recording.  Only words that differ from the last message of
-// the same sender and size are written. docs/trace-format.md describes the layout.
+// Writes the content of messages for a recording.  Writes only words that differ from the last
+// message of the same sender and size. docs/trace-format.md describes the layout.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace openr_host {
 
-// The number of bytes that one step compares.
+// The number of bytes that are compared in one step.
 constexpr size_t kPayloadBlock = 64;
 
 // The payload, that is the content, of the last message of one sender and one size.  Zeros fill it
@@ -28,11 +28,11 @@ class LastPayload {
   void Write(std::string_view now, ByteWriter* out);
 
   // Reads a payload that Write() has written, and makes it the last payload.  Throws
-  // std::runtime_error when the bytes are damaged.
+  // std::runtime_error when the read bytes are damaged.
   void Read(ByteReader* in);
 
-  // Reads a payload as Read() does, in the form before version 5 of the format: pieces of equal and
-  // of different bytes.
+  // Reads a payload as Read() does, but in the form that was used before version 5 of the format:
+  // pieces of bytes that equal the last payload, and pieces of bytes that differ from it.
   void ReadPieces(ByteReader* in);
 
  private:

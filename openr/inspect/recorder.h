@@ -15,28 +15,28 @@ class Recorder {
  public:
   Recorder(std::string file, bool payloads) : file_(std::move(file)), payloads_(payloads) {}
 
-  // Makes `options` put a recording network in front of each robot's network.  If `options` already
-  // puts other networks there, the recording network comes before them.  It passes all calls on,
-  // and gives this recorder all events from outside.  Must be called before the simulation is made
-  // with `options`.
+  // Changes `options` so that a recording network stands in front of each robot's network.  If
+  // `options` already puts other networks there, the recording network comes before them.  It
+  // passes all calls on, and gives this recorder all events from outside.  Must be called before
+  // the simulation is made with `options`.
   void Listen(SimulationOptions* options);
 
-  // Begins the file.  `stick` is the folder in which a replay finds the files of the Memory Stick
-  // (RunStick::name()).  `schedule` is TraceHeader::schedule.  `is_free` says that the run is
-  // free-running and cannot be replayed. Throws std::runtime_error when the file cannot be created
-  // or another run is writing to it. REQUIRES: System::Boot() has not been called; `simulation` was
-  // made with `options`.
+  // Begins the file of the recording.  `stick` is the folder in which a replay finds the files of
+  // the Memory Stick (RunStick::name()).  `schedule` is the order of messages as in
+  // TraceHeader::schedule.  `is_free` says that the run is free-running and cannot be replayed.
+  // Throws std::runtime_error when the file cannot be created or another run is writing to it.
+  // REQUIRES: System::Boot() has not been called; `simulation` was made with `options`.
   void Begin(Simulation* simulation, const SimulationOptions& options, const std::string& stick,
              bool is_free = false, const std::string& schedule = "");
 
-  // Adds entries of an older recording, which this run continues: the content that files of the
-  // Memory Stick had at its beginning.
+  // Adds entries of an older recording, because this run continues that recording.  The entries
+  // have the content that files of the Memory Stick had at the beginning of the older recording.
   void AddStick(const std::vector<TraceEntry>& entries);
 
   void NoteLoss(const std::string& process, int64_t time_us) { writer_->AddLoss(process, time_us); }
 
   // Writes the end of the recording, with the hashes that a replay compares with its own.  Returns
-  // "", or the error in writing the file.
+  // "", or the error that happened while the file was written.
   std::string Finish(System* system) { return writer_->Finish(system); }
 
  private:

@@ -70,8 +70,8 @@ std::string Replayer::StickOfThen(const std::string& now, const std::vector<Trac
   return stick;
 }
 
-// Makes the simulation.  If the recording has a schedule, the simulation delivers messages in its
-// order.
+// Makes the simulation of the replay.  If the recording has a schedule, the simulation delivers
+// messages in the order of this schedule.
 void Replayer::MakeRun(SimulationOptions options) {
   const std::string& text = reader_.header().schedule;
   if (text.empty()) {
@@ -99,7 +99,7 @@ Replayer::Replayer(const ReplayOptions& replay)
         "handlers ended; openr trace shows what happened",
         file_));
   }
-  std::vector<TraceEntry> changes;  // recorded changes of the stick
+  std::vector<TraceEntry> changes;  // recorded changes of the Memory Stick
   for (TraceReader reader(file_); reader.Peek() != nullptr;) {
     TraceEntry entry = reader.Take();
     const int64_t time_us = entry.kind == Kind::kMessage ? entry.record.time_us : entry.time_us;
@@ -203,7 +203,8 @@ bool Replayer::IsAnswer(const TraceRecord& record) const {
   return sender != nullptr && sender->name == only_;
 }
 
-// Compares a message of the object `only_`, and gives it the recorded bytes.
+// Compares a message of the object `only_` with the recording, and then gives the message the
+// recorded bytes.
 void Replayer::CompareAnswerOf(const Message& message, const TraceRecord& record) {
   ++answer_count_;
   const std::string now = PayloadBytes(message);
@@ -225,8 +226,8 @@ void Replayer::ComparePayload(const TraceEntry& recorded, const Message& message
   if (!reader_.header().payloads) return;
   const std::string now = ContentOf(message);
   const std::string& then = recorded.payload;
-  // A message of the network stack has a description as its content, which recordings of older
-  // programs lack; its hash is compared in place of it.
+  // Compares the descriptions that messages of the network stack have as their content.  Recordings
+  // of older programs have no descriptions, so for them the hash is compared instead.
   if (message.kind == PayloadKind::kHashed) {
     if (!then.empty() && now != then)
       Differ(recorded, fmt::format("is '{}' now, '{}' when recorded", now, then));
@@ -250,7 +251,8 @@ void Replayer::Compare(const TraceRecord& record, const Message& message) {
   SkipNames();
   const TraceEntry* const next = reader_.Peek();
   if (next == nullptr || next->kind == Kind::kEnd) {
-    at_end_ = true;  // the recording ends before the last message of this instant
+    // The recording ends before the last message of this instant, so the replay ends, too.
+    at_end_ = true;
     return;
   }
   if (next->kind == Kind::kLoss) return EndAtLoss();
@@ -299,9 +301,10 @@ void Replayer::CompareEnd(const TraceEntry& end) {
   }
 }
 
-// Applies the next recorded input, such as "press pause", if its time has come.  Returns whether
-// input was applied.  At the end of the recording, compares the hashes of this run's messages and
-// state with the recorded ones instead.  Where a worker process was lost, ends the replay instead.
+// Applies the next recorded input, such as "press pause", if its time has come.  Returns whether it
+// has applied an input.  At the end of the recording, instead compares the hashes of this run's
+// messages and state with the recorded hashes.  Where a worker process was lost, instead ends the
+// replay.
 bool Replayer::ApplyInput() {
   SkipNames();
   const TraceEntry* const next = reader_.Peek();
@@ -313,8 +316,8 @@ bool Replayer::ApplyInput() {
     if (next->time_us <= system().now_us() || system().powered_off()) CompareEnd(reader_.Take());
     return false;
   }
-  // Leaves messages and network input in the recording, because other functions take them:
-  // Compare() when a message is delivered, SayNetwork() when a robot polls its network.
+  // Leaves messages and network input to other functions: Compare() takes a message when it is
+  // delivered, SayNetwork() takes network input when a robot polls its network.
   if (next->kind == Kind::kMessage || next->kind == Kind::kNetwork) return false;
   if (next->time_us > system().now_us()) return false;
   if (next->kind == Kind::kLoss) {
@@ -366,8 +369,8 @@ bool Replayer::Step() {
   system().RunOne(std::max(next_us, system().now_us()));
   if (!difference_.empty()) return false;
   if (count_ != before || at_end_) return true;
-  // Checks whether the replay has missed a message, because RunOne() has delivered none up to the
-  // time of the next entry.  If this entry is input, the next Step() applies it.  If it is a
+  // Checks whether the replay has missed a message: RunOne() has delivered no message up to the
+  // time of the next entry.  If this entry is input, the next Step() applies it.  If the entry is a
   // message, the replay differs from the recording.
   const TraceEntry* const next = reader_.Peek();
   if (next == nullptr || next->kind != Kind::kMessage) return true;
@@ -377,7 +380,7 @@ bool Replayer::Step() {
 }
 
 void Replayer::RunOne(int64_t time_us) {
-  // Applies inputs first, because the time of the entry behind them may be later than `time_us`.
+  // Applies inputs first, because the next entry after them may be later than `time_us`.
   while (ApplyInput()) {
   }
   if (!WhyOver().empty()) return;
@@ -385,7 +388,7 @@ void Replayer::RunOne(int64_t time_us) {
   if (next_us <= time_us || next_us == INT64_MAX) {
     Step();
   } else {
-    system().RunUntil(time_us);  // no entry is recorded up to this time
+    system().RunUntil(time_us);  // the recording has no entry up to this time
   }
 }
 

@@ -23,12 +23,14 @@ struct ReplayOptions {
   std::string file;
   std::string stick;  // folder of the Memory Stick; "": the folder that the recording names
   std::function<void(std::string_view)> console;
-  // The name of an object whose answers are compared, see answers.h; "": everything is compared,
-  // and the replay ends at the first difference.
+  // The name of an object whose messages are compared with the recording, see answers.h.  "" means
+  // that all messages are compared, and that the replay ends at the first difference.
   std::string only = {};
-  // Changes the options of the simulation before it is made; null: the options are not changed.
+  // A function that changes the options of the simulation before the simulation is made; null: the
+  // options are not changed.
   std::function<void(SimulationOptions*)> prepare = {};
-  // Called before the boot with the recorded changes of the Memory Stick; may be null.
+  // A function that is called before the boot, with the recorded changes of the Memory Stick; may
+  // be null.
   std::function<void(Simulation*, const SimulationOptions&, const std::vector<TraceEntry>& changes)>
       begin = {};
 };
@@ -58,28 +60,31 @@ class Replayer : public KnownRun {
 
   // Returns the entry of the recording for the last message that was compared.
   const TraceEntry& last() const { return last_; }
-  // Returns the time of the next message or input in the recording; INT64_MAX at its end.
+  // Returns the time of the next message or input in the recording; INT64_MAX at the end of the
+  // recording.
   int64_t NextTimeUs();
   // Ends the comparison with the recording.  The run can then go on without the recording.
   void Leave() { at_end_ = true; }
 
   // Returns how many messages of the object ReplayOptions::only were compared.
   uint64_t answer_count() const { return answer_count_; }
-  // Returns the messages of this object that differ from the recorded ones.
+  // Returns the messages of the object ReplayOptions::only that differ from the recorded messages.
   const std::vector<AnswerDifference>& answer_differences() const { return answer_differences_; }
 
-  uint64_t count() const { return count_; }  // number of messages that were equal to the recording
+  // Number of messages so far that were equal to the recording.
+  uint64_t count() const { return count_; }
   // Returns how many messages the recording has up to and including the message with the number
   // `number`; nullopt if it has no such message.  The count is not the number, because messages are
   // numbered when they are posted and recorded when they are delivered.
   std::optional<uint64_t> CountUpTo(uint64_t number) const;
   bool at_end() const { return at_end_; }
-  // Returns a text if the replay has ended early, because a worker process of the recorded run was
-  // lost (crashed or answered no more) and a replay cannot repeat what followed; otherwise "".
+  // Returns a text if the replay has ended early; otherwise "".  It ends early where a worker
+  // process of the recorded run was lost (crashed or answered no more), because a replay cannot
+  // repeat what followed.
   const std::string& loss() const { return loss_; }
 
-  // Returns a text about the first difference from the recording: message, time, sender, receiver,
-  // entry, and what differs.  Returns "" while no difference was found.
+  // Returns a text about the first difference between the replay and the recording: message, time,
+  // sender, receiver, entry, and what differs.  Returns "" while no difference was found.
   const std::string& difference() const { return difference_; }
   // Returns texts about damaged places of the recording that have been found so far.
   const std::vector<std::string>& problems() const { return reader_.problems(); }
@@ -103,12 +108,13 @@ class Replayer : public KnownRun {
 
   const std::string file_;
   TraceReader reader_;
-  TempFolder folder_;                           // holds the copy of the Memory Stick
-  PreparedRun prepared_;                        // owns the run if the recording has a schedule;
-                                                // else empty
-  std::unique_ptr<ExploreSchedule> schedule_;   // schedule of the recording; null: the seed decides
-                                                // the order of messages
-  std::unique_ptr<Simulation> own_simulation_;  // null if the recording has a schedule
+  TempFolder folder_;                          // holds the copy of the Memory Stick
+  PreparedRun prepared_;                       // owns the run if the recording has a schedule;
+                                               // else empty
+  std::unique_ptr<ExploreSchedule> schedule_;  // schedule of the recording; null: the seed decides
+                                               // the order of messages
+  // Null: the recording has a schedule, so prepared_ has the simulation.
+  std::unique_ptr<Simulation> own_simulation_;
   Simulation* simulation_ = nullptr;
   std::string only_;
   uint64_t answer_count_ = 0;

@@ -49,16 +49,17 @@ const std::vector<std::string> kVerbs = {"step",   "back",   "goto",  "run",  "b
 // (stepper.h describes these processes).  A process that ends writes here what the waiting process
 // of an earlier snapshot has to do next.
 struct Shared {
-  bool went_back;    // a copy has ended because the session goes back
+  bool went_back;    // a copy of the process has ended because the session goes back
   uint64_t target;   // number of messages after which going back ends
-  int64_t until_us;  // virtual time to run to after going back; 0: none
-  bool ends;         // the session is over
+  int64_t until_us;  // virtual time up to which the session runs after going back; 0: none
+  bool ends;         // true: the session is over
   bool differs;
   char breaks[kBreaksBytes];
   PromptHistory history;
 };
 
-// Returns the number in `text`; nullopt if `text` is no number, or the number is too large.
+// Returns the number that `text` has; nullopt if `text` is no number, or if the number is too
+// large.
 std::optional<uint64_t> NumberIn(const std::string& text) {
   uint64_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -78,8 +79,8 @@ class Stepper {
     breaks_.Load(shared_->breaks);
   }
 
-  // Runs the session.  Returns when the session is over, and only in the first process, because all
-  // copies of it end with _exit().
+  // Runs the session of openr replay --step.  Returns when the session is over.  Returns only in
+  // the first process, because all copies of it end with _exit().
   void Run() {
     if (!Snapshot()) return;
     Show();
@@ -114,7 +115,8 @@ class Stepper {
         shared_->ends = shared_->differs = true;
       }
       if (shared_->ends) return false;
-      if (shared_->target < here && is_copy_) _exit(0);  // the target is before this snapshot
+      // Ends this copy, because the target is before its snapshot.
+      if (shared_->target < here && is_copy_) _exit(0);
     }
   }
 
@@ -155,9 +157,9 @@ class Stepper {
       view_.Sample();
       if (replayer_->count() - last_snapshot_ >= kSnapshotMessages) {
         if (!Snapshot()) _exit(0);
-        // Stops here if this process is a new copy, made because the user goes back to a snapshot
-        // that was taken here.  The new copy returns from Snapshot(), too, but the command that
-        // called Forward() was over long before.
+        // Stops here if this process is a new copy, which was made because the user goes back to a
+        // snapshot.  The new copy also returns from Snapshot(), but the command that called
+        // Forward() at the time of the snapshot is over.
         if (went_back_) return false;
       }
     }
@@ -261,7 +263,7 @@ class Stepper {
     return true;
   }
 
-  // Handles the command `line`.  Returns false if it ends the session ("quit").
+  // Handles the command `line`.  Returns false if the command ends the session ("quit").
   bool Obey(const std::string& line) {
     went_back_ = false;
     std::istringstream words(line);
@@ -300,7 +302,7 @@ class Stepper {
   uint64_t last_snapshot_ = 0;
 };
 
-// Returns the words that may follow `words` in a command, for completion.
+// Returns the words that may follow `words` in a command of the session, for completion.
 std::vector<std::string> Stepper::WordsAfter(const std::vector<std::string>& words) {
   if (words.empty()) return kVerbs;
   const std::string& verb = words[0];
@@ -328,7 +330,7 @@ std::vector<std::string> Stepper::WordsAfter(const std::vector<std::string>& wor
   return names;
 }
 
-// Prints the values of the message that was delivered last.
+// Prints the values in the message that was delivered last.
 void Stepper::PrintMessage() {
   const TraceEntry& last = replayer_->last();
   if (replayer_->count() == 0) {

@@ -1,4 +1,4 @@
-// The command openr replay --step: steps through a replay forward and back.
+// The command openr replay --step: lets the user step through a replay, forward and back.
 #pragma once
 
 #include "openr/inspect/replayer.h"

@@ -10,8 +10,9 @@ namespace {
 // Largest payload that is read from a file.  No region of this size fits into the robot's memory,
 // so a larger size means that the file is damaged.
 constexpr uint64_t kPayloadMax = 64 << 20;
-// The most bytes of last payloads that a reader keeps.  Without a limit, a damaged file of some
-// hundred bytes could make it use all memory, because bytes that are equal take no room in a file.
+// The most bytes of last payloads that a reader keeps.  A limit is needed, because a payload that
+// equals the one before takes no room in the file: a damaged file of some hundred bytes could make
+// the reader use all memory.
 constexpr uint64_t kKeptMax = 512 << 20;
 
 void WriteEvent(const NetworkEvent& event, ByteWriter* out) {
@@ -126,8 +127,8 @@ void TraceCoder::ReadMessage(bool is_old, ByteReader* in, TraceEntry* entry) {
   if (!is_old) ReadLink(in, &record);
   record.number = number_ + static_cast<uint64_t>(in->Zigzag());
   record.cause = record.number - static_cast<uint64_t>(in->Zigzag());
-  // Adds unsigned numbers, because a damaged file may have any numbers, and a signed sum could
-  // overflow.
+  // Adds the times as unsigned numbers.  A damaged file may have any numbers, and a sum of signed
+  // numbers could overflow.
   record.time_us =
       static_cast<int64_t>(static_cast<uint64_t>(time_us_) + static_cast<uint64_t>(in->Zigzag()));
   if (is_old) {
@@ -158,7 +159,7 @@ void TraceCoder::Write(const TraceEntry& entry, ByteWriter* out) {
       out->Text(entry.name);
       return;
     case TraceEntry::Kind::kMessage:
-      return;  // WriteMessage() has written the message already
+      return;  // returns, because WriteMessage() has written the message already
     case TraceEntry::Kind::kNetwork:
       out->Varint(static_cast<uint64_t>(entry.robot));
       out->Varint(entry.events.size());

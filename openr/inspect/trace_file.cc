@@ -30,7 +30,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kMagic = "OPENRTRC";
 constexpr size_t kBlockBytes = 64 << 10;
-constexpr size_t kBlockHead = 4 + 8;  // size and checksum of the block
+// Bytes before the content of a block: its size and its checksum.
+constexpr size_t kBlockHead = 4 + 8;
 
 std::string HeaderText(const TraceHeader& h) {
   Json json = {{"program", h.program},
@@ -71,7 +72,8 @@ TraceHeader HeaderOf(std::string_view text) {
   json.at("robots").get_to(h.robots);
   json.at("seed").get_to(h.seed);
   json.at("microphone").get_to(h.microphone);
-  // "" stands for the test pattern in older recordings, whose cameras saw nothing else.
+  // Takes the test pattern for "".  Older recordings have "", and their cameras saw only the test
+  // pattern.
   json.at("images").get_to(h.images);
   if (h.images.empty()) h.images = kImagesOfPattern;
   json.at("strict").get_to(h.strict);
@@ -258,7 +260,7 @@ TraceReader::TraceReader(const std::string& file) : file_(file) {
   coder_.emplace(header_.payloads);
 }
 
-// Returns the part of an error text that names the place of the problem in the run by the last
+// Returns the part of an error text that says where in the run the problem is.  It names the last
 // message read: "after message 500 (t=1.248000 s, Controller -> JointMover "...")".
 std::string TraceReader::AfterWhat() const {
   if (last_.number == 0) return "before the first message";

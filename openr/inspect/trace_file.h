@@ -1,7 +1,7 @@
 // The file of a recorded run: the options of the run, all input from outside, and every message.
 //
-// docs/trace-format.md describes the layout.  A file is a header and blocks, each with a checksum.
-// So the file of a run that was killed can be used up to its last whole block.
+// docs/trace-format.md describes the layout.  A file is a header and blocks; each block has a
+// checksum.  So the file of a run that was killed can be used up to its last whole block.
 #pragma once
 
 #include <cstdint>
@@ -25,33 +25,34 @@ class System;
 struct RunEnd;
 
 constexpr uint32_t kTraceVersion = 5;
-// The oldest version that can be read.  Version 2 has no kEnded.  Versions 2 and 3 have kOldPause,
-// kOldShutdown and kOldConsole in place of kInput.  Versions 2 to 4 have kOldMessage in place of
-// kMessage.  The old kinds are read as the new ones.
+// The oldest version of the format that can be read.  Version 2 has no kEnded.  Versions 2 and 3
+// have kOldPause, kOldShutdown and kOldConsole in place of kInput.  Versions 2 to 4 have
+// kOldMessage in place of kMessage.  Entries of the old kinds are converted to the new kinds when
+// they are read.
 constexpr uint32_t kOldestTraceVersion = 2;
 
-// The options that determine a run, together with the recorded input.
+// The options that, together with the recorded input, determine everything in a run.
 struct TraceHeader {
-  std::string program;  // version of openr
-  std::string stick;    // folder of the stick, as the user wrote it
+  std::string program;  // version of openr that has made the recording
+  std::string stick;    // folder of the Memory Stick, as the user wrote it
   uint64_t stick_hash = 0;
   std::string robot, body, world;
-  std::string cost;                    // cost file; "": handlers take no time
+  std::string cost;                    // the cost file; "": handlers take no time
   std::string battery;                 // value of --battery, see ParseBattery()
-  std::string microphone;              // sound file; "": none
+  std::string microphone;              // sound file that the robot hears; "": none
   std::string images;                  // value of --images, see OpenImages()
   std::vector<std::string> addresses;  // arguments of --ip, such as "10.0.1.2=127.0.0.1"
   int robots = 1;
-  bool together = false;                 // all robots are in one world
-  std::vector<std::string> more_sticks;  // as SimulationOptions::more_sticks
+  bool together = false;                 // true: all robots are in one world
+  std::vector<std::string> more_sticks;  // further sticks, see SimulationOptions::more_sticks
   std::vector<uint64_t> more_stick_hashes;
   uint64_t seed = 1;
   bool strict = false;
-  bool is_free = false;  // the run was free-running and cannot be replayed
+  bool is_free = false;  // true: the run was free-running and cannot be replayed
   // The order of messages of a failing run of openr explore, as JSON: seed, for_us, guard and
   // deviations.  "": the order that the seed chooses.
   std::string schedule;
-  bool payloads = true;  // the bytes of messages are recorded, not only their hashes
+  bool payloads = true;  // true: the bytes of messages are recorded; false: only their hashes
 };
 
 struct TraceEntry {
@@ -96,8 +97,9 @@ class TraceCoder {
   void Write(const TraceEntry& entry, ByteWriter* out);
   TraceEntry Read(ByteReader* in);
 
-  // Returns the number of the message's link: the messages of one sender to one entry of one
-  // receiver.  Links are numbered from 0 in the order in which they are asked for.
+  // Returns the number of a message's link.  A link is the path of all messages from one sender to
+  // one entry of one receiver.  Links are numbered from 0 in the order in which this function is
+  // first called for them.
   uint32_t LinkOf(const TraceRecord& record);
 
   // Writes an entry kMessage.  REQUIRES: `number_of_link` is LinkOf(record), and a message of each
@@ -126,8 +128,9 @@ class TraceCoder {
     }
   };
 
-  // Returns the last payload of this sender and size.  Only bytes that differ from it are written.
-  // This makes the file small, because an object's messages often resemble each other.
+  // Returns the last payload of the sender `sender` with the size `size`.  Only bytes that differ
+  // from the last payload are written.  This makes the file small, because an object's messages
+  // often resemble each other.
   LastPayload& LastOf(int32_t sender, size_t size);
   void ReadMessage(bool is_old, ByteReader* in, TraceEntry* entry);
   void ReadLink(ByteReader* in, TraceRecord* record);
@@ -137,18 +140,18 @@ class TraceCoder {
   uint64_t number_ = 0;
   int64_t time_us_ = 0;
   std::map<std::pair<int32_t, size_t>, LastPayload> last_;  // key: sender and size
-  uint64_t kept_ = 0;  // bytes of all payloads in last_ that were read
+  uint64_t kept_ = 0;  // number of bytes of all payloads in last_ that were read
   std::vector<Link> links_;
-  // The numbers of the links; used only when writing.  Nothing depends on the order of this map, so
-  // it need not be sorted.
+  // The numbers of the links; used only for writing.  Nothing depends on the order of the links in
+  // this map, so it is not sorted.
   std::unordered_map<LinkKey, uint32_t, LinkHash> link_numbers_;
   uint32_t defined_links_ = 0;  // number of links whose first message was written
 };
 
 class TraceWriter {
  public:
-  // Creates `file`.  Throws std::runtime_error when the file cannot be created, or when another
-  // process is writing to it.
+  // Creates the file `file` for a recording.  Throws std::runtime_error when the file cannot be
+  // created, or when another process is writing to it.
   TraceWriter(const std::string& file, const TraceHeader& header);
   ~TraceWriter();
   TraceWriter(const TraceWriter&) = delete;
@@ -170,12 +173,13 @@ class TraceWriter {
   // and handlers in the entry.
   void AddEntry(const TraceEntry& entry) { Add(entry); }
 
-  // Writes the added entries to the file.  May be called in a signal handler that ends the process.
+  // Writes the entries that were added so far to the file.  May be called in a signal handler that
+  // ends the process.
   void Flush();
 
   // Adds the reason why the run ended and the last entry, kEnd.  This entry has the hashes of the
-  // run's messages and state, with which a replay compares its own.  Then writes everything to the
-  // file.  Returns "", or the error in writing it.
+  // run's messages and state, with which a replay compares its own hashes.  Then writes everything
+  // to the file.  Returns "", or the error that happened while the file was written.
   std::string Finish(System* system);
 
  private:
@@ -201,29 +205,30 @@ class TraceWriter {
   std::map<int32_t, int> objects_;  // key: id of an object; value: Object::predecessors when the
                                     // object's name was written
   std::set<std::pair<int32_t, uint32_t>> entries_;
-  // The Lives of each link; the index is the number of the link.  While they do not change,
-  // AddMessage() need not look up names: it does so only for the first message of a link, and after
-  // an object was replaced.
+  // The Lives of each link; the index is the number of the link.  AddMessage() must look up names
+  // only when the Lives of a link have changed: for the first message of the link, and after an
+  // object was replaced.
   std::vector<Lives> named_;
   std::string payload_copy_;
 };
 
 class TraceReader {
  public:
-  // Opens `file`.  Throws std::runtime_error when it is no trace file or has a version that cannot
-  // be read.
+  // Opens the recording `file`.  Throws std::runtime_error when the file is no trace file or has a
+  // version that cannot be read.
   explicit TraceReader(const std::string& file);
 
   const TraceHeader& header() const { return header_; }
 
-  // Returns the next entry without removing it; null at the end of the readable part.
+  // Returns the next entry, which stays in the file; null at the end of the readable part of the
+  // file.
   const TraceEntry* Peek();
-  // Returns the next entry and removes it, so that Peek() returns the one behind it.  REQUIRES:
+  // Takes the next entry and returns it.  Peek() then returns the entry behind it.  REQUIRES:
   // Peek() is not null.
   TraceEntry Take();
 
-  // Returns texts about damaged or missing places that have been found so far: "FILE: block 3 at
-  // offset 4711: ...".
+  // Returns texts about damaged or missing places of the file that have been found so far, such as
+  // "FILE: block 3 at offset 4711: ...".
   const std::vector<std::string>& problems() const { return problems_; }
 
   // Returns "FILE: the recording does not say how the run ended: ..." if the file is not damaged
@@ -236,12 +241,12 @@ class TraceReader {
   std::string ObjectName(int32_t id) const;
   std::string EntryName(int32_t id, uint32_t selector) const;
   int RobotOf(int32_t id) const;
-  // Returns how the run ended (a word of EndName()) and the reason as text.  Both are empty if the
-  // recording does not have them, or has not been read up to them.
+  // Returns how the run ended, as a word of EndName() and a text with the reason.  Both are empty
+  // if the recording does not have them, or if it has not been read so far.
   const std::pair<std::string, std::string>& ended() const { return why_ended_; }
-  // Explains why no message matches a filter: returns an error such as "there is no object
-  // 'JointMvoer'; did you mean ...", or "" if the recording has the object and the service.  An
-  // empty name is no filter.  Called at the end of the file, when all names have been read.
+  // Returns an error that explains why no message matches a filter, such as "there is no object
+  // 'JointMvoer'; did you mean ...".  Returns "" if the recording has the object and the service.
+  // An empty name is no filter.  Called at the end of the file, when all names have been read.
   std::string WhyNothing(const std::string& object, const std::string& service) const;
 
  private:
@@ -254,7 +259,7 @@ class TraceReader {
   std::string bytes_;
   size_t at_ = 0;
   int block_count_ = 0;
-  size_t block_size_ = 0;  // size of the last block that was read
+  size_t block_size_ = 0;  // number of bytes in the last block that was read
   TraceHeader header_;
   std::optional<TraceCoder> coder_;
   std::optional<ByteReader> block_;

@@ -66,7 +66,7 @@ std::string DescribeInput(const TraceEntry& entry) {
   }
 }
 
-// Returns the lines of `text`, each behind eight blanks.
+// Returns the lines of `text`, each with eight blanks in front.
 std::string Indented(const std::string& text) {
   std::string indented;
   std::istringstream lines(text);
@@ -74,7 +74,8 @@ std::string Indented(const std::string& text) {
   return indented;
 }
 
-// Returns the model that decodes the content of messages; nullopt if the content is not shown.
+// Returns the robot model that is needed to decode the content of messages; nullopt if the content
+// is not shown.
 std::optional<RobotModel> ModelForValues(const TraceReader& reader, const TraceFilter& filter) {
   if (!filter.values) return {};
   return LoadRobotModel(ModelFile(reader.header().robot));
@@ -126,7 +127,7 @@ void WriteTraceCsv(TraceReader* reader, const TraceFilter& filter, const TextSin
 void WriteTracePerfetto(TraceReader* reader, const TraceFilter& filter, const TextSink& out) {
   const std::optional<RobotModel> model = ModelForValues(*reader, filter);
   PerfettoWriter writer(out);
-  double at_us = -1;  // time at which the last slice was drawn
+  double at_us = -1;  // time at which the last slice begins in the drawing
   while (reader->Peek() != nullptr) {
     const TraceEntry entry = reader->Take();
     const TraceRecord& record = entry.record;

@@ -17,9 +17,9 @@ inline double Seconds(int64_t time_us) { return static_cast<double>(time_us) / 1
 // matches all messages.
 struct TraceFilter {
   std::string object;   // sender or receiver, by name
-  std::string service;  // part of the name of the receiver's entry (handler)
+  std::string service;  // part of the name of the receiver's entry (handler of a message)
   int64_t from_us = 0;
-  int64_t until_us = INT64_MAX;  // last time shown
+  int64_t until_us = INT64_MAX;  // largest time of a message that is shown
   bool values = false;           // true: text and Perfetto have the content of messages, too
 };
 

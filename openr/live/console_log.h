@@ -17,16 +17,16 @@ class ConsoleLog {
 
   // The largest number of lines that the log keeps.
   static constexpr size_t kLinesMax = 1000;
-  // The largest number of characters that it keeps of a line.
+  // The largest number of characters that the log keeps of a line.
   static constexpr size_t kLineMax = 2000;
 
-  // Adds text that was printed at the virtual time `time_us`.  Keeps the first part of a line until
-  // the end of the line comes.
+  // Adds text that was printed at the virtual time `time_us`.  If the text ends in the middle of a
+  // line, keeps this part of the line until the rest comes.
   void Add(int64_t time_us, std::string_view text);
 
-  // Returns how many lines were added since the start of the run.
+  // Returns how many lines were added to the log since the start of the run.
   uint64_t count() const { return count_; }
-  // Returns the last lines.  The newest line has the number count() - 1.
+  // Returns the last lines that were added.  The newest line has the number count() - 1.
   const std::deque<Line>& lines() const { return lines_; }
 
  private:

@@ -27,7 +27,8 @@ nlohmann::ordered_json Couplings::Answer(uint64_t client, const nlohmann::json& 
   return {{"coupled", !with.empty()}, {"rate", clock_->rate()}};
 }
 
-// Begins the coupling.  Returns "" or the reason why it is refused.
+// Begins the coupling of a robot of this run with a second robot.  Returns "", or the reason why
+// the coupling is refused.
 std::string Couplings::Begin(const Coupling& coupling) {
   if (coupling.with.size() > kAddressMax) return "the address is too long";
   if (rewind_->shows_past()) {
@@ -60,8 +61,8 @@ void Couplings::Update() {
       all_.empty()
           ? ""
           : fmt::format("the robot at {} is connected, and cannot go back with it", all_[0].with));
-  // Changes the rate only if the first coupling has begun or the last one has ended, and never a
-  // fixed rate.
+  // Changes the rate only if the first coupling has begun or the last one has ended.  Never changes
+  // a rate that is fixed.
   if (all_.empty() == !is_paced_ || clock_->is_fixed()) return;
   is_paced_ = !all_.empty();
   if (is_paced_) {

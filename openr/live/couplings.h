@@ -1,4 +1,5 @@
-// Couplings: the robots of this run that clients control together with a second robot.
+// Couplings: the robots of this run that clients control together with a second robot, which may be
+// a real robot.
 #pragma once
 
 #include <cstdint>
@@ -21,13 +22,14 @@ class Couplings {
  public:
   Couplings(RunClock* clock, Rewind* rewind) : clock_(clock), rewind_(rewind) {}
 
-  // Answers the request "couple" of the client with this number (docs/inputs.md).
+  // Answers the request "couple" (docs/inputs.md), which the client with the number `client` has
+  // sent.
   nlohmann::ordered_json Answer(uint64_t client, const nlohmann::json& request);
 
   // Ends the couplings of a client whose connection has ended.
   void End(uint64_t client);
 
-  // Forgets all couplings.  Called in a fork of the process, which chooses its own rate.
+  // Forgets all couplings.  Called in a fork of the process, because the fork chooses its own rate.
   void Forget();
 
  private:
@@ -43,7 +45,7 @@ class Couplings {
   RunClock* const clock_;
   Rewind* const rewind_;
   std::vector<Coupling> all_;
-  bool is_paced_ = false;   // a coupling has switched the run to real time
+  bool is_paced_ = false;   // true: a coupling has switched the run to real time
   double rate_before_ = 1;  // rate of the run before the couplings
 };
 

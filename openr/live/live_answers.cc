@@ -104,7 +104,7 @@ Json AnswerObjects(const Asked& asked) {
   return {{"time_s", TimeOf(asked)}, {"objects", objects}};
 }
 
-// Returns the name of the service to which `entry`, a handler of the object `id`, belongs:
+// Returns the name of the service to which `entry`, a handler of the object `id`, belongs, such as
 // "RCServer.Move.MoveCommand.S".  Returns "(gone)" if the object does not exist any more.
 std::string ServiceAt(const System& system, const OServiceEntry& entry, ObjectId id) {
   const Object* const object = system.object(id);
@@ -157,8 +157,8 @@ Json AnswerObject(const Asked& asked) {
           {"findings", findings}};
 }
 
-// Returns the robot with the number in the member "robot" of the request (0 without it); null if
-// the simulation has no such robot.
+// Returns the robot whose number the request has in its member "robot"; robot 0 if this member is
+// missing.  Returns null if the simulation has no such robot.
 const VirtualRobot* RobotOf(const Asked& asked) {
   const auto& robots = asked.simulation()->robots();
   const int robot = asked.robot();
@@ -209,7 +209,7 @@ constexpr double kRateMin = 0.001, kRateMax = 1000;
 
 int64_t InUs(double time_s) { return static_cast<int64_t>(std::llround(time_s * 1e6)); }
 
-// Makes a known run go on to a later moment.
+// Makes a known run, such as a replay, go on to the later moment `time_us`.
 Json GoTo(const Asked& asked, int64_t time_us) {
   const KnownRun* const known = asked.context.known;
   if (known == nullptr) return Error("only a recording can go on to a given moment");
@@ -273,8 +273,8 @@ Json AnswerCamera(const Asked& asked) {
           {"png", Base64(png)}};
 }
 
-// Returns an event of the run at the present moment.  The process of a view uses this request to
-// get events of the moment that it shows.
+// Returns an event of the run at the present moment.  Used by the process that shows a past moment,
+// to get the events of that moment.
 Json AnswerEvent(const Asked& asked) {
   const auto name = asked.request.at("name").get<std::string>();
   const auto& kinds = LiveEvents::Kinds();
@@ -315,7 +315,7 @@ Json AnswerHashes(const Asked& asked) {
           {"state_hash", fmt::format("{:016x}", asked.system().state_hash())}};
 }
 
-// Answers a request about the earlier moment that the run shows now.
+// Answers a request while the run shows an earlier moment.  The request is about this moment.
 Json AnswerInPast(const Asked& asked, const std::string& name) {
   Rewind* const rewind = asked.context.rewind;
   if (name == "input")
@@ -344,7 +344,7 @@ Json AnswerInPast(const Asked& asked, const std::string& name) {
   return problem.empty() ? asked.context.events->Clock() : Error(problem);
 }
 
-// Returns the first 64 bytes of `content`, or fewer, as hexadecimal digits.
+// Returns the first 64 bytes of `content` as hexadecimal digits; all bytes if there are fewer.
 std::string HexOf(const std::string& content) {
   std::string hex;
   for (const char c : content.substr(0, 64)) hex += fmt::format("{:02x}", static_cast<uint8_t>(c));

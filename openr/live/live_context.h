@@ -17,7 +17,7 @@ struct LiveContext {
   ConsoleLog* console;
   MessageHistory* history;
   LiveEvents* events;
-  Rewind* rewind;             // makes the run go back to earlier moments
+  Rewind* rewind;             // the rewind of this run, which goes back to earlier moments
   KnownRun* known = nullptr;  // the replay, if this run repeats a recording or another known run;
                               // null: clients can change this run
 };

@@ -23,12 +23,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int64_t kMs = 1'000'000;  // nanoseconds
+constexpr int64_t kMs = 1'000'000;  // a millisecond in nanoseconds
 
 // The least virtual time over which messages are counted to compute a rate.
 constexpr int64_t kRateUs = 500'000;
 
-// The largest number of earlier lines that a client gets when it begins to watch.
+// The largest number of earlier lines that a client gets when it begins to watch the event "log".
 constexpr size_t kFirstLines = 200;
 
 double InSeconds(int64_t time_us) { return static_cast<double>(time_us) / 1e6; }
@@ -83,8 +83,8 @@ const std::vector<LiveEvents::Kind>& LiveEvents::Kinds() {
   return kinds;
 }
 
-// Returns a number that grows whenever the run goes on.  An equal number means that nothing has
-// changed.
+// Returns a number that grows whenever the run goes on.  If the number is the same as before,
+// nothing in the run has changed.
 uint64_t LiveEvents::Version() const {
   System& system = context_.simulation->system();
   return system.message_count() + static_cast<uint64_t>(system.now_us());
@@ -113,17 +113,17 @@ std::string LiveEvents::Line(std::string_view name, EventCursor* cursor) {
     return line(FindingsJson(context_));
   }
   uint64_t& shown = cursor->versions[std::string(name)];
-  // Adds 1, because version 0 in the cursor means that the client has got no event yet.
+  // Adds 1, because a client that has got no event yet has version 0 in its cursor.
   if (const uint64_t version = Version() + 1; std::exchange(shown, version) == version) return "";
   if (name == "pose") return begin + "," + PoseText(context_.simulation) + "}";
   return line(name == "values" ? ValuesJson(context_.simulation) : Graph());
 }
 
-// Returns the event `name` of the earlier moment that is shown.  The process of the view makes the
-// event.  Never returns events "log", because the client has got the lines already.
+// Returns the event `name` of the earlier moment that is shown.  The process that shows this moment
+// makes the event.  Returns "" for the event "log", because the client has got the lines already.
 std::string LiveEvents::LineOfPast(std::string_view name, EventCursor* cursor) {
   if (name == "log") return "";
-  // Resets the cursor, so that the present sends all findings again after the view has ended.
+  // Resets the cursor, so that the client gets all findings again when the present is shown again.
   if (name == "findings") cursor->findings = UINT64_MAX;
   const Rewind& rewind = *context_.rewind;
   // Sets the highest bit, so that the version differs from all versions of the present: virtual
@@ -234,11 +234,11 @@ Json LiveEvents::Graph() {
           {"connections", ConnectionsJson()}};
 }
 
-// Returns the lines that were printed since the last call for `cursor`.
+// Returns the lines that objects have printed since the last call with this `cursor`.
 Json LiveEvents::Log(EventCursor* cursor) {
   const ConsoleLog& console = *context_.console;
   const size_t kept = console.lines().size();
-  const uint64_t first = console.count() - kept;  // number of the oldest line that is kept
+  const uint64_t first = console.count() - kept;  // number of the oldest line in the log
   if (!std::exchange(cursor->has_console, true))
     cursor->console_lines = console.count() - std::min(kept, kFirstLines);
   Json lines = Json::array();

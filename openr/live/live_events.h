@@ -1,5 +1,4 @@
-// The events of a run: lines that the run sends to a client that watches it, without further
-// requests.
+// The events of a run: lines that the run sends by itself to a client that watches the run.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +12,11 @@
 
 namespace openr_host {
 
-// The part of the events that a client has got already.
+// The events that a client has got already.
 struct EventCursor {
   uint64_t console_lines = 0;
-  bool has_console = false;  // whether the client got the lines from before it watched
+  // Whether the client has got the lines that were printed before it began to watch.
+  bool has_console = false;
   uint64_t findings = UINT64_MAX;
   std::map<std::string, uint64_t> versions;  // key: name of the event; value: version of the run in
                                              // the last event of this name

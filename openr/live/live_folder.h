@@ -8,23 +8,23 @@ namespace openr_host {
 
 // A run of this user that goes on, and that openr poke and openr attach can reach by its socket.
 struct LiveRun {
-  std::string name;    // --run-name, or the last part of the stick's path
+  std::string name;    // value of --run-name, or the last part of the stick's path
   int process = 0;     // process id of openr run
   std::string socket;  // path of the run's socket
 };
 
-// Returns the folder of the sockets, which only this user can enter.  Makes the folder if it is
-// missing.  Throws std::runtime_error if that is not possible, or if other users can enter the
-// folder.
+// Returns the folder of the sockets of all runs of this user.  Only this user can enter it.  Makes
+// the folder if it is missing.  Throws std::runtime_error if the folder cannot be made, or if other
+// users can enter it.
 std::string LiveFolder();
 
-// Returns the path of the socket of this process: "FOLDER/NAME.PROCESS".  Replaces other characters
-// in `name` than letters, digits, '_' and '-' by '_', and cuts the name to 40 characters, because
-// the path of a socket can have 107 at most.
+// Returns the path of the socket of this process: "FOLDER/NAME.PROCESS".  Keeps letters, digits,
+// '_' and '-' of `name`, and replaces all other characters by '_'.  Cuts the name to 40 characters,
+// because the path of a socket can have at most 107.
 std::string LiveSocketPath(const std::string& name);
 
 // Returns the runs of this user that go on, sorted by name.  Removes the sockets of processes that
-// have ended, because a killed process could not remove its own.
+// have ended, because a killed process could not remove its own socket.
 std::vector<LiveRun> LiveRuns();
 
 // Returns the run with the name or the process id `wanted`.  Throws std::runtime_error with the

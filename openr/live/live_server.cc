@@ -46,7 +46,7 @@ void LiveServer::Open() {
   };
   if (path_.size() >= sizeof address.sun_path) fail("the path is too long for a socket");
   std::memcpy(address.sun_path, path_.c_str(), path_.size() + 1);
-  unlink(path_.c_str());  // an earlier process with the same id may have left the socket
+  unlink(path_.c_str());  // removes a socket that an earlier process with the same id may have left
   listener_ = socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
   if (listener_ < 0 ||
       bind(listener_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 ||
@@ -105,8 +105,8 @@ bool LiveServer::AnswerLines(Client* client) {
   return client->received.size() <= kRequestMax;
 }
 
-// Answers a request.  If the answer depends on the client, makes the answer here; otherwise calls
-// answer_.
+// Returns the answer to a request.  If the answer depends on the client, makes it here; otherwise
+// calls answer_.
 nlohmann::ordered_json LiveServer::AnswerTo(Client* client, const nlohmann::json& request) {
   if (request.at("do") == "watch") return BeginWatch(client, request);
   if (request.at("do") == "couple" && couplings_ != nullptr)
@@ -114,8 +114,7 @@ nlohmann::ordered_json LiveServer::AnswerTo(Client* client, const nlohmann::json
   return answer_(request);
 }
 
-// Answers the request "watch".  From now on `client` gets the events that the request names, and no
-// others.
+// Answers the request "watch".  From now on `client` gets only the events that the request names.
 nlohmann::ordered_json LiveServer::BeginWatch(Client* client, const nlohmann::json& request) {
   if (events_ == nullptr) throw std::runtime_error("there is nothing to watch here");
   const int period_ms = std::clamp(request.value("period_ms", kPeriodMs), kPeriodMs, 1000);
@@ -136,7 +135,8 @@ nlohmann::ordered_json LiveServer::BeginWatch(Client* client, const nlohmann::js
   return {{"watching", !client->watches.empty()}};
 }
 
-// Tells `events_` whether any client watches the event "graph".
+// Tells `events_` whether any client watches the event "graph", so that messages are kept only
+// then.
 void LiveServer::TellWatchedEvents() {
   if (events_ == nullptr) return;
   const auto is_graph = [](const Watch& watch) {

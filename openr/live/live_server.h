@@ -22,14 +22,15 @@ class Couplings;
 
 class LiveServer {
  public:
-  // Limits, so that no client can make the run use much memory.  A client beyond a limit is closed.
-  // The first limit is the bytes of a request.
+  // Limits, so that no client can make the run use much memory.  The server closes a client that
+  // exceeds a limit.  This limit is the number of bytes of a request.
   static constexpr size_t kRequestMax = size_t{64} << 10;
-  // The bytes of answers that a client has not taken yet.
+  // The largest number of bytes of answers that a client has not taken yet.
   static constexpr size_t kAnswersMax = size_t{4} << 20;
-  static constexpr size_t kClientsMax = 32;  // enough for the 16 pages of the panel
+  // Most clients at a time; enough for the 16 pages of the panel.
+  static constexpr size_t kClientsMax = 32;
 
-  // Type of the function that makes the answer to a request (AnswerLive() in a run).
+  // The type of the function that returns the answer to a request; in a run it is AnswerLive().
   using Answer = std::function<nlohmann::ordered_json(const nlohmann::json& request)>;
 
   // Makes the socket of this run.  `events`, which must outlive the server, makes the events; null:
@@ -37,31 +38,31 @@ class LiveServer {
   // refused.  Throws std::runtime_error if the socket cannot be made.
   LiveServer(const std::string& name, Answer answer, LiveEvents* events,
              Couplings* couplings = nullptr);
-  // Removes the socket.
+  // Closes the server and removes its socket.
   ~LiveServer();
   LiveServer(const LiveServer&) = delete;
   LiveServer& operator=(const LiveServer&) = delete;
 
-  // Serves the clients, without waiting.  Does so at most every 2 ms of wall time, because a run at
-  // full speed calls this function every few microseconds.
+  // Serves the clients without waiting for them.  Does so at most every 2 ms of wall time, because
+  // a run at full speed calls this function every few microseconds.
   void Serve();
 
   // Serves the clients like Serve(), but first waits until a client sends something, or for
   // `timeout_ms`.  A run that is paused calls this function.
   void WaitAndServe(int timeout_ms);
 
-  // Closes the sockets in this fork of the process.  The original process and its clients do not
-  // notice.
+  // Closes the sockets in this fork of the process.  The server and the clients of the original
+  // process do not notice.
   void Forget();
   // Makes a new socket for this fork of the process, which is a run of its own from now on.  Throws
   // std::runtime_error if that is not possible.  REQUIRES: Forget() was called.
   void OpenAgain();
 
-  // Returns whether a client watches the run.
+  // Returns whether any client watches the run.
   bool is_watched() const;
 
  private:
-  // An event that a client watches.
+  // An event that a client watches, and the times between such events.
   struct Watch {
     size_t kind;          // index of LiveEvents::Kinds()
     int64_t interval_ns;  // least time between two events of this kind
@@ -69,7 +70,7 @@ class LiveServer {
   };
 
   struct Client {
-    uint64_t number;  // two clients of this run never have the same number
+    uint64_t number;  // number of the client; no other client of this run ever has it
     int descriptor;
     std::string received;  // the first bytes of a request that is not complete yet
     std::string to_send;   // answers that the socket has not taken yet
@@ -94,10 +95,11 @@ class LiveServer {
   LiveEvents* const events_;
   Couplings* const couplings_;
   std::string path_;
-  int process_ = 0;  // id of the process that has made the socket; a fork must not remove it
+  // Id of the process that made the socket, because a fork must not remove the socket.
+  int process_ = 0;
   int listener_ = -1;
   int64_t next_ns_ = 0;
-  uint64_t client_count_ = 0;  // clients that have connected so far
+  uint64_t client_count_ = 0;  // number of clients that have connected so far
   std::vector<Client> clients_;
 };
 

@@ -19,7 +19,7 @@ class Object;
 struct Message;
 struct TraceRecord;
 
-// Returns the name of the service to which the entry `selector` of `object` belongs:
+// Returns the name of the service to which the entry `selector` of `object` belongs, such as
 // "RCServer.Move.MoveCommand.S".
 std::string ServiceOfEntry(const Object& object, uint32_t selector);
 
@@ -29,31 +29,33 @@ class MessageHistory {
     uint64_t number;
     int64_t time_us;
     bool is_ready;        // true: a ready of the observer; false: a notification of the subject
-    uint32_t size;        // bytes of the whole content
+    uint32_t size;        // number of bytes of the whole content
     std::string content;  // the content as in a recording, cut to kContentMax bytes
   };
 
   // The largest number of messages that are kept for a connection.
   static constexpr size_t kMessagesMax = 20;
-  // The largest number of bytes kept of a message; a sensor vector of any robot fits.
+  // The largest number of bytes that are kept of a message.  A sensor vector of any robot has fewer
+  // bytes.
   static constexpr size_t kContentMax = kDecodedBytesMax;
 
-  // `system` must outlive the history.
+  // Makes a history of the messages in `system`, which must outlive the history.
   explicit MessageHistory(System* system) : system_(*system) {}
   ~MessageHistory();
   MessageHistory(const MessageHistory&) = delete;
   MessageHistory& operator=(const MessageHistory&) = delete;
 
-  // Begins the recording of messages.
+  // Begins the recording of messages for the history.
   void Begin();
-  // Ends the recording of messages, and forgets all of them.
+  // Ends the recording of messages, and forgets the recorded messages.
   void End();
 
-  // Returns the number of messages that both ends of a connection have sent each other since
-  // Begin().
+  // Returns the number of messages that both ends of a connection have sent to each other since the
+  // call of Begin().
   uint64_t CountOf(int robot, const std::string& subject, const std::string& observer) const;
   // Returns the last messages between the service `subject` and the service `observer` of a robot,
-  // the newest first.  Both are full names: "RCServer.Mover.MoverCommand.S".
+  // the newest message first.  Both services are given by their full names, such as
+  // "RCServer.Mover.MoverCommand.S".
   std::vector<Entry> LastOf(int robot, const std::string& subject,
                             const std::string& observer) const;
 
@@ -62,7 +64,7 @@ class MessageHistory {
   using Ends = std::tuple<ObjectId, uint32_t, ObjectId, uint32_t>;
 
   struct ConnectionMessages {
-    std::string subject;  // names of both services
+    std::string subject;  // names of the two services of the connection
     std::string observer;
     int loads = -1;  // number of times that objects with these two ids had been loaded when the
                      // services were named

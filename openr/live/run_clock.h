@@ -1,4 +1,4 @@
-// RunClock: the rate of a run, its pause, and the steps that a paused run has still to make.
+// RunClock: keeps the rate of a run, its pause, and the steps that a paused run has still to make.
 //
 // The clock decides only when a run goes on, never what happens in it.  So changes of the clock are
 // not part of a recording.
@@ -11,11 +11,11 @@ namespace openr_host {
 
 class RunClock {
  public:
-  // A step of a paused run: to the end of the frame of 8 ms, over the next message, or over the
-  // next message with sensor values.
+  // A step of a paused run.  The run goes on to the end of the frame of 8 ms, over the next
+  // message, or over the next message with sensor values.
   enum class Step { kNone, kFrame, kMessage, kVector };
 
-  // The largest number of steps that may wait.
+  // The largest number of steps that the run has still to make.
   static constexpr int kStepsMax = 1000;
 
   // `rate` is virtual seconds per second of the computer's clock; 0: as fast as possible.
@@ -32,15 +32,17 @@ class RunClock {
   void Pause();
   void GoOn();
 
-  // Pauses the run, and makes it go on for `count` steps.  If steps of another kind wait, replaces
-  // them.
+  // Pauses the run, and makes it go on for `count` steps of the kind `step`.  If steps of another
+  // kind wait, replaces them.
   void AddSteps(Step step, int count);
-  // Removes one of the waiting steps and returns it; kNone if none waits.
+  // Removes one of the steps that the run has still to make, and returns it; kNone if no step is
+  // left.
   Step TakeStep();
 
   // Makes the run go on as fast as possible to the virtual time `time_us`, and pauses it there.
   void GoTo(int64_t time_us);
-  // Returns the time that GoTo() has set; INT64_MAX: none.
+  // Returns the virtual time at which GoTo() will pause the run; INT64_MAX: no such time is
+  // set.
   int64_t goal_us() const { return goal_us_; }
 
   // Sets `step` to the step that `name` means: "frame", "message" or "vector".  Returns false for

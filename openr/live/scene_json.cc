@@ -19,12 +19,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Returns `value` rounded to four decimals, so that lines are short.
+// Returns `value` rounded to four decimals, so that the lines with these values are short.
 double Rounded(double value) { return std::round(value * 1e4) / 1e4; }
 
 Json JsonOf(const Eigen::Vector3d& v) { return Json::array({v.x(), v.y(), v.z()}); }
 
-// Returns a pose as seven numbers: x, y, z in metres, and w, x, y, z of the quaternion.
+// Returns a pose as seven numbers: x, y and z in metres, then w, x, y and z of the quaternion.
 Json JsonOf(const Eigen::Isometry3d& pose) {
   const Eigen::Vector3d p = pose.translation();
   const Eigen::Quaterniond q(pose.linear());
@@ -107,7 +107,7 @@ const char* UnitOf(SensorKind kind) {
   }
 }
 
-// Returns whether a person can press `sensor` with the input "press".
+// Returns whether the input "press" can press `sensor`.
 bool IsPressed(const Sensor& sensor) {
   return sensor.kind == SensorKind::kSwitch || sensor.kind == SensorKind::kForce ||
          sensor.kind == SensorKind::kRaw;
@@ -152,7 +152,8 @@ void AppendPose(const Eigen::Isometry3d& pose, std::string* text) {
                  p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z());
 }
 
-// Returns the values of `robot`.  `number` is its number in `system`.
+// Returns the present values of the joints, sensors and other parts of `robot`.  `number` is the
+// number of the robot in `system`.
 Json ValuesOf(System* system, int number, VirtualRobot* robot) {
   const RobotModel& model = robot->model();
   const bool is_off = system->robot(number).powered_off;
@@ -200,7 +201,7 @@ Json SceneJson(const Simulation& simulation) {
     robots.push_back(RobotJson(simulation.model()));
   for (const render::Shape& shape : ShapesOfWorld(simulation.world()))
     shapes.push_back(JsonOf(shape));
-  // Numbers the movable things in the same order as the events `pose`.
+  // Numbers the things that can move in the same order as in the events "pose".
   int movable = 0;
   const std::vector<WorldThing>& things = simulation.world().things;
   for (size_t i = 0; i < things.size(); ++i) {

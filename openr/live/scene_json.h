@@ -17,7 +17,7 @@ nlohmann::ordered_json SceneJson(const Simulation& simulation);
 // "time_s" and "robots" of a JSON object.
 std::string PoseText(Simulation* simulation);
 
-// Returns the present values of joints, sensors and battery of the robots.
+// Returns the present values of joints, sensors and battery of all robots.
 nlohmann::ordered_json ValuesJson(Simulation* simulation);
 
 }  // namespace openr_host

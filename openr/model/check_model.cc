@@ -17,7 +17,8 @@ using Eigen::Vector3d;
 
 Vector3d RpyDegrees(const Eigen::Isometry3d& X_WB) { return RpyOf(X_WB.linear()) * Degrees(1.0); }
 
-// Adds a problem to `check` if `value` is larger than `max`.
+// Adds a problem to `check` if `value` is larger than `max`.  `what` names the value in the text of
+// the problem.
 void Limit(const char* what, double value, double max, const char* unit, ModelCheck* check) {
   if (value <= max) return;
   check->problems.push_back(

@@ -1,4 +1,5 @@
-// Stands a robot up on its body with physics and measures how well it stands.
+// Checks a robot model: lets the robot stand on its body with physics, and measures how well it
+// stands.
 #pragma once
 
 #include <string>
@@ -8,22 +9,22 @@
 
 namespace openr_host {
 
-// Limits of a model that stands well (docs/body.md).
+// Limits within which a robot stands well (docs/body.md).
 inline constexpr double kPitchToleranceDeg = 1, kHeightToleranceMm = 3;
 inline constexpr double kStaticErrorMaxDeg = 2, kDriftMaxMm = 10, kDriftMaxDeg = 3;
 
 struct ModelCheck {
   double total_mass_g = 0;
-  // Largest distance of a joint from its set point, 2 s after standing up.
+  // Largest distance between the angle of a joint and its set point, 2 s after standing up.
   double static_error_deg_max = 0;
   // Attitude of the base frame and its height over the floor, 2 s after standing up.
   double roll_deg = 0, pitch_deg = 0, height_mm = 0;
-  int paws = 0;  // number of paws on the floor
+  int paws = 0;  // number of paws that touch the floor
   // Pitch and height of a stiff robot with the same set points, computed from kinematics alone.
   double stiff_pitch_deg = 0, stiff_height_mm = 0;
   // Distance that the robot moves in the following 60 s, and largest change of roll, pitch or yaw.
   double drift_60s_mm = 0, drift_60s_deg = 0;
-  std::vector<std::string> problems;  // one text for each value outside of the limits above
+  std::vector<std::string> problems;  // one text for each value outside of its limit
 };
 
 // Checks how well `model` stands.  Throws std::runtime_error if the model has no body with physics.

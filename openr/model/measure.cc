@@ -16,7 +16,7 @@ namespace {
 constexpr double kStep_s = 0.8;
 constexpr int kSamples = 200;
 
-// A standing robot in the air, whose feet touch nothing.
+// A robot that is held in the air in its standing posture, so that its feet touch nothing.
 struct HangingRobot {
   explicit HangingRobot(const RobotModel& model)
       : body(MakeOdeBody(model, World())), mover(model, body.get()), devices(model), energy(model) {
@@ -67,8 +67,8 @@ StepResponse MeasureStep(const RobotModel& model, size_t j, double step_deg) {
   return response;
 }
 
-// Returns the index of the first distance sensor whose place on the body is known; -1 if there is
-// none.
+// Returns the index of the first distance sensor whose place on the body is known; -1 if no such
+// sensor exists.
 int DistanceSensorOf(const RobotModel& model) {
   for (size_t i = 0; i < model.sensors.size(); ++i) {
     const Sensor& sensor = model.sensors[i];
@@ -77,7 +77,7 @@ int DistanceSensorOf(const RobotModel& model) {
   return -1;
 }
 
-// Makes a robot that stands still, in `world`.
+// Makes a robot that stands in `world` and does not move.
 std::unique_ptr<Body> StandingStatue(const RobotModel& model, const World& world) {
   std::unique_ptr<Body> body = MakeIdealBody(model, world);
   BodyMover mover(model, body.get());

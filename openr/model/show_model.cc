@@ -10,7 +10,7 @@
 namespace openr_host {
 namespace {
 
-// The columns of a table; the last one is a locator and has no width.
+// Formats for the rows of the tables.  The last column is a locator and has no width.
 constexpr char kJointRow[] = "  {:<11} {:>7} {:>15} {:>15} {:>10} {:>10}  {}\n";
 constexpr char kSensorRow[] = "  {:<15} {:>7} {:>23} {:<12}  {}\n";
 constexpr char kPartRow[] = "  {:<27} {:<14} {}\n";

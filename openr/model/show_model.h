@@ -1,4 +1,4 @@
-// What a robot has, as tables for people: openr model show.
+// Shows what a robot model has, as tables for people: openr model show.
 #pragma once
 
 #include <string>

@@ -12,7 +12,8 @@ using Eigen::Vector3d;
 
 std::string Triple(const Vector3d& v) { return fmt::format("{} {} {}", v.x(), v.y(), v.z()); }
 
-// Returns the origin of the part's link in the base frame B, when all angles are 0.
+// Returns the origin of the link of the part number `part`, in the base frame B, when all angles
+// are 0.
 Vector3d OriginOf(const RobotModel& model, int part) {
   const int joint = model.bodies[part].joint;
   return joint < 0 ? Vector3d(0, 0, 0) : model.joints[joint].anchor_m;
@@ -70,7 +71,7 @@ void AddJoint(const RobotModel& model, const JointModel& joint, std::string* out
                  joint.speed_rad_s.max);
 }
 
-// Adds a frame without mass that is fixed to a part.
+// Adds a frame without mass that is fixed to the part `parent`.
 void AddFrame(const std::string& parent, const std::string& name, const std::string& place,
               std::string* out) {
   fmt::format_to(std::back_inserter(*out),

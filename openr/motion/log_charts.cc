@@ -33,8 +33,8 @@ Look LookOf(LogGroup group) {
   return group == LogGroup::kMeasured ? Look::kFirst : Look::kSecond;
 }
 
-// Returns the name of the joint with this locator, of a robot of any design.  Returns the locator
-// if no design has such a joint.
+// Returns the name of the joint that has this locator on a robot of any design.  Returns the
+// locator itself if no design has such a joint.
 std::string NameOfJoint(const std::string& locator) {
   for (const char* const design : {"ERS-210", "ERS-7"}) {
     const RobotConstants* const robot = FindRobot(design);

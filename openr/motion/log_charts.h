@@ -10,14 +10,15 @@
 
 namespace openr_host {
 
-// Returns the chart of all groups of a log.  `times_ms` are the times of its records.
+// Returns the chart of all groups of positions in a log.  `times_ms` are the times of the log's
+// records.
 chart::Chart ChartOf(const LogFile& log, const std::vector<double>& times_ms,
                      const std::string& title);
 
-// The positions and the label of a motion in a comparison.
+// The positions of one motion in a comparison, and the label of its curves.
 struct ComparedSide {
   JointTraces traces;
-  std::string label;  // text in the legend
+  std::string label;  // name of the motion in the legend
 };
 
 // Two motions to compare, A and B.
@@ -30,7 +31,7 @@ struct Comparison {
   std::vector<JointDifference> differences;
 };
 
-// Returns the chart of a comparison, with lag and error of each joint.
+// Returns the chart of a comparison of two motions, with the lag and the error of each joint.
 chart::Chart ChartOf(const Comparison& comparison);
 
 // Returns the chart of a motion file: the position of each joint over time, with marks at the key

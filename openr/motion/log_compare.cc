@@ -12,16 +12,18 @@ namespace openr_host {
 namespace {
 
 constexpr double kDegPerCdeg = 0.01;
-constexpr double kShiftStepMs = 4;  // distance between the shifts that the first search tries
-constexpr double kNearMs = 16;      // the largest distance of a shift in the second search from the
-                                    // result of the first
+// Time between two neighbouring shifts that the first search tries.
+constexpr double kShiftStepMs = 4;
+// Largest distance of the second search's shifts from the first result.
+constexpr double kNearMs = 16;
 constexpr double kLagToleranceMs = 0.01;
 
-// A cubic curve through points.  Its slope at a point is that of the line through both neighbours
-// of the point.
+// A cubic curve through points.  Its slope at a point is the slope of the line through both
+// neighbours of the point.
 class Curve {
  public:
-  // REQUIRES: two or more points, and rising times.
+  // Makes a curve through the points (time, value).  REQUIRES: two or more points, and rising
+  // times.
   Curve(const std::vector<double>& times, const std::vector<double>& values)
       : times_(times), values_(values), slopes_(times.size()) {
     const size_t last = times.size() - 1;
@@ -84,10 +86,10 @@ bool Moves(const std::vector<double>& deg) {
 }
 
 // Finds the lag of one joint in two searches.  Each search uses the same records for all its
-// shifts, so that the number of records has no influence.  A record can be used if no shift moves
-// it out of the time of B.  The first search tries large shifts, so it has to leave out many
-// records.  The second search tries only shifts near the result of the first one, so it uses nearly
-// all records.
+// shifts, so that the number of records does not influence the result.  A record can be used only
+// if no shift moves it out of the time of B.  The first search tries large shifts, so it has to
+// leave out many records.  The second search tries only shifts near the result of the first one, so
+// it uses nearly all records.
 class LagSearch {
  public:
   LagSearch(const JointTraces& a, const JointTraces& b, size_t joint)
@@ -117,7 +119,7 @@ class LagSearch {
   }
 
  private:
-  // Takes the records of A that stay inside the time of B with any shift up to `margin_ms`.
+  // Takes the records of A whose times stay inside the time of B with any shift up to `margin_ms`.
   void TakeRecords(double margin_ms) {
     times_.clear();
     a_deg_.clear();
@@ -129,8 +131,8 @@ class LagSearch {
     }
   }
 
-  // Returns the shift between both limits with the least unexplained variance.  Uses golden-section
-  // search: each step keeps 0.618 of the interval.
+  // Returns the shift between `low_ms` and `high_ms` with the least unexplained variance.  Uses
+  // golden-section search: each step keeps 0.618 of the interval.
   double Minimum(double low_ms, double high_ms) const {
     constexpr double kGolden = 0.6180339887498949;
     while (high_ms - low_ms > kLagToleranceMs) {

@@ -11,7 +11,7 @@ namespace openr_host {
 
 enum class LogGroup { kCommanded, kMeasured, kSimulated };
 
-const char* NameOf(LogGroup group);  // such as "commanded"
+const char* NameOf(LogGroup group);  // returns the name of a group, such as "commanded"
 
 // The positions of all joints over time.
 struct JointTraces {
@@ -19,16 +19,16 @@ struct JointTraces {
   std::vector<std::vector<double>> deg;  // positions in degrees: [joint][time]
 };
 
-// Returns the positions of a group with the times of their records.  Leaves out records that do not
-// have this group.  `times_ms` has the time of each record of `log` (log_times.h).
+// Returns the positions of the group `group` with the times of their records.  Leaves out records
+// that do not have this group.  `times_ms` has the time of each record of `log` (log_times.h).
 JointTraces TracesOf(const LogFile& log, const std::vector<double>& times_ms, LogGroup group);
 
 // The difference between a joint's motion in B and its motion in A.
 //
-// The lag is the shift of time with which both motions fit best, whatever their offset and gain:
-// the position in B at the time t + lag is about offset + gain * the position in A at the time t.
-// Positions between records are interpolated by cubic curves, so the lag need not be a multiple of
-// the time between key frames.
+// The lag is the shift of time with which both motions fit best; their offset and gain do not
+// matter: the position in B at the time t + lag is about offset + gain * the position in A at the
+// time t.  Positions between records are interpolated by cubic curves, so the lag need not be a
+// multiple of the time between key frames.
 struct JointDifference {
   double mean_deg = 0;  // mean of B - A
   double max_deg = 0;   // largest |B - A|
@@ -36,8 +36,8 @@ struct JointDifference {
   // The lag; nullopt when the joint moves by less than kMovesDeg, when fewer than kSamplesMin
   // records are left for the comparison, or when the best shift is the largest that was tried.
   std::optional<double> lag_ms;
-  std::optional<double> gain;               // nullopt when lag_ms is nullopt
-  std::optional<double> rms_after_lag_deg;  // like rms_deg, with B shifted by the lag
+  std::optional<double> gain;  // gain of the motion in B; nullopt when lag_ms is nullopt
+  std::optional<double> rms_after_lag_deg;  // the same as rms_deg, but with B shifted by the lag
 };
 
 constexpr double kMovesDeg = 1;
@@ -45,11 +45,12 @@ constexpr double kLagMaxMs = 320;  // the largest shift that is tried; for a sho
                                    // its length
 constexpr int kSamplesMin = 8;
 
-// Compares B with A, joint by joint, over the time that both cover.  REQUIRES: both have the same
-// number of joints.  Throws std::runtime_error when they cover no common time.
+// Compares motion B with motion A, joint by joint, over the time that both cover.  REQUIRES: A and
+// B have the same number of joints.  Throws std::runtime_error when A and B cover no common time.
 std::vector<JointDifference> CompareTraces(const JointTraces& a, const JointTraces& b);
 
-// Returns the value as text with this number of decimals.  A value that rounds to 0 has no sign.
+// Returns `value` as text with this number of decimals.  A value that rounds to 0 has no minus
+// sign.
 std::string Rounded(double value, int decimals);
 
 }  // namespace openr_host

@@ -123,7 +123,7 @@ std::vector<const JointConstants*> LoggedJoints(const RobotConstants& robot) {
 }
 
 // Tries each design of robot, because the file does not name its robot.  At most one design fits:
-// with a wrong number of joints, the counts of values would be read at wrong places.
+// with a wrong number of joints, the reader takes wrong bytes for the counts of values.
 LogFile ParseLog(const std::string& bytes) {
   std::string problem;
   for (const char* const design : {"ERS-210", "ERS-7"}) {
@@ -134,8 +134,9 @@ LogFile ParseLog(const std::string& bytes) {
       return log;
     } catch (const std::runtime_error& error) {
       if (problem.empty())
-        problem = error.what();  // keeps the error for the ERS-210, which comes
-                                 // first and whose format the report describes
+        // Keeps the error for the ERS-210.  This design comes first, and Hohl 2004 describes its
+        // format.
+        problem = error.what();
     }
   }
   throw std::runtime_error(problem);

@@ -28,12 +28,13 @@ namespace openr_host {
 // The measured or the simulated values of a record.
 struct LogValues {
   std::vector<int16_t> positions_cdeg;
-  std::array<uint16_t, RC_LOG_PAWS> paws{};  // left fore, left hind, right fore, right hind
+  // Contact of each paw: left fore, left hind, right fore, right hind.
+  std::array<uint16_t, RC_LOG_PAWS> paws{};
   bool operator==(const LogValues&) const = default;
 };
 
 struct LogRecord {
-  int key_frame = 0;  // 0 to 32767
+  int key_frame = 0;  // number of the key frame, 0 to 32767
   std::vector<int16_t> commanded_cdeg;
   std::optional<LogValues> measured;   // values of the real robot
   std::optional<LogValues> simulated;  // values of the simulated robot
@@ -46,11 +47,12 @@ struct LogFile {
   std::vector<LogRecord> records;
 };
 
-// Returns the joints whose positions a log of `robot` has: the joints of the vendor's motion files.
+// Returns the joints whose positions a log of `robot` has: the joints that the motion files of Sony
+// have.
 std::vector<const JointConstants*> LoggedJoints(const RobotConstants& robot);
 
-// Reads the bytes of a log file.  Throws std::runtime_error "offset 48: ..." with the place and the
-// mistake if they are no log file.
+// Reads the bytes of a log file.  If the bytes are no log file, throws std::runtime_error with the
+// place and the mistake, such as "offset 48: ...".
 LogFile ParseLog(const std::string& bytes);
 
 // Returns the bytes of a log file.  REQUIRES: each record has one position for each joint of the

@@ -9,7 +9,8 @@
 namespace openr_host {
 namespace {
 
-// Throws if the records `i` of both logs are not from the same moment of the same motion.
+// Throws std::runtime_error if the records number `i` of both logs are not from the same moment of
+// the same motion.
 void RequireSameMoment(const LogFile& real, const LogFile& other, size_t i) {
   const LogRecord& a = real.records[i];
   const LogRecord& b = other.records[i];

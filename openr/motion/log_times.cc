@@ -13,7 +13,7 @@ namespace {
 constexpr double kPlayedFrameMs = 8;
 
 // Plays `motion` as the robot does, and makes a record at the end of each command vector.  Returns
-// the times of the records, up to the first record whose key frame differs from that in the log.
+// the times of these records, up to the first record whose key frame is not the same as in the log.
 std::vector<double> PlayTimes(const LogFile& log, const MtnFile& motion, int per_vector) {
   MtnPlayer player;
   // Plays more loops than there are records, so that the end of the log ends the play-back.
@@ -21,7 +21,7 @@ std::vector<double> PlayTimes(const LogFile& log, const MtnFile& motion, int per
   std::vector<double> times_ms;
   int frames = 0;
   for (const LogRecord& record : log.records) {
-    // Makes the first record at the key frame with which the motion begins.
+    // Makes the first record at once, at the key frame with which the motion begins.
     const int wanted = times_ms.empty() ? 0 : player.FramesOfNextVector();
     if (wanted == 0 && !times_ms.empty()) break;
     for (int f = 0; f < wanted; ++f) player.NextFrame();
@@ -36,7 +36,7 @@ std::vector<double> PlayTimes(const LogFile& log, const MtnFile& motion, int per
 
 std::vector<double> TimesOf(const LogFile& log) {
   std::vector<double> times_ms;
-  int loop_begin = 0;  // number of key frames in all loops before this one
+  int loop_begin = 0;  // number of key frames in all loops before the present one
   for (size_t i = 0; i < log.records.size(); ++i) {
     const int now = log.records[i].key_frame;
     const int before = i > 0 ? log.records[i - 1].key_frame : -1;
@@ -46,8 +46,8 @@ std::vector<double> TimesOf(const LogFile& log) {
           "(--motion FILE.MTN), which has their number",
           i, now));
     }
-    // Refuses another key frame 0 in the log: only a motion begins with it, because a further loop
-    // begins with the gap before its second key frame.
+    // Refuses a second key frame 0 in the log.  Only the beginning of a motion has key frame 0,
+    // because a further loop begins with the gap before its second key frame.
     if (i > 0 && now == 0) {
       throw std::runtime_error(
           fmt::format("record {}: another motion begins; a log to be read has one motion", i));
@@ -59,8 +59,8 @@ std::vector<double> TimesOf(const LogFile& log) {
 }
 
 std::vector<double> TimesOf(const LogFile& log, const MtnFile& motion) {
-  // Returns early for a motion of one key frame, because it has no gap to play and its log has one
-  // record.
+  // Returns early for a motion with only one key frame: it has no gap to play, so its log has only
+  // one record.
   if (motion.NumKeyFrames() < 2 && log.records.size() < 2)
     return std::vector<double>(log.records.size(), 0.0);
   size_t most = 0;  // largest number of records that agree with a play-back of `motion`

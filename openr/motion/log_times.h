@@ -8,16 +8,18 @@
 
 namespace openr_host {
 
-// Both functions return the time of each record, in ms after the first key frame of the motion.
-// They throw std::runtime_error with the reason when the times cannot be known.
+// Both functions TimesOf() return the time of each record of a log, in ms after the first key frame
+// of the motion.  They throw std::runtime_error with the reason when the times cannot be known.
 
-// Assumes that key frames are 16 ms apart, as in a motion without interpolated frames.  A key frame
-// with a smaller number than the one before belongs to the next loop of the motion.  Refuses a log
-// in which a key frame repeats, because its motion has interpolated frames.
+// Returns the time of each record of `log`, in ms.  Assumes that key frames are 16 ms apart, as in
+// a motion without interpolated frames.  A key frame with a smaller number than the one before
+// belongs to the next loop of the motion.  Refuses a log in which a key frame repeats, because its
+// motion has interpolated frames.
 std::vector<double> TimesOf(const LogFile& log);
 
-// Plays `motion`, the motion of the log, to find when each record was made.  Tries all numbers of
-// key frames per command vector, and uses the one that gives the key frames of the log.
+// Returns the time of each record of `log`, in ms.  Plays `motion`, the motion of the log, to find
+// when each record was made.  Tries all numbers of key frames per command vector, and uses the
+// number that gives the key frames of the log.
 std::vector<double> TimesOf(const LogFile& log, const MtnFile& motion);
 
 }  // namespace openr_host

@@ -45,7 +45,8 @@ class CsvReader {
   }
 
  private:
-  // Reads the next line that is not empty into fields_.  Returns false at the end of the text.
+  // Reads the next line of the text that is not empty into fields_.  Returns false at the end of
+  // the text.
   bool NextLine() {
     while (!text_.empty()) {
       const size_t end = std::min(text_.find('\n'), text_.size());
@@ -82,7 +83,8 @@ class CsvReader {
         fmt::format("line {}: {} joints, must be 1 to {}", line_, joints, MTN_MAX_JOINTS));
   }
 
-  // Reads the fields of a line as a key frame and adds it to the motion.  Returns its time.
+  // Reads the fields of a line as a key frame and adds the key frame to the motion.  Returns the
+  // time of the key frame.
   int ReadKeyFrame(int last_ms) {
     if (fields_.size() != kFirstJoint + motion_.locators.size()) {
       throw std::runtime_error(fmt::format("line {}: has {} fields, the first line has {}", line_,
@@ -107,7 +109,8 @@ class CsvReader {
     return 0;
   }
 
-  // Returns the number of interpolated frames between two key frames.
+  // Returns the number of interpolated frames between two key frames at the times `last_ms` and
+  // `time_ms`.
   int GapOf(int last_ms, int time_ms) const {
     const int gap_ms = time_ms - last_ms;
     if (gap_ms < MTN_FRAME_MS || gap_ms % MTN_FRAME_MS != 0) {
@@ -161,7 +164,7 @@ class CsvReader {
                                          fields_[column].substr(0, 80), why));
   }
 
-  std::string_view text_;  // the text that was not read yet
+  std::string_view text_;  // the part of the text that was not read yet
   int line_ = 0;           // number of the line in fields_, from 1
   std::vector<std::string_view> fields_;
   MotionFile motion_;

@@ -3,8 +3,9 @@
 //
 // The first line has the names of the columns: key_frame, time_ms, roll_deg, pitch_deg, yaw_deg,
 // then the locators of the joints.  Each further line is a key frame.  Angles are in degrees with
-// five decimals, which keep every micro-radian of the file.  Ears, which have two positions, are 0
-// or 1.  The values do not include the names in the file (motion, creator, design label).
+// five decimals, so that every micro-radian of the file is kept.  Ears have two positions, so their
+// values are 0 or 1. The text does not have the names that are in the file (motion, creator, design
+// label).
 #pragma once
 
 #include <string>
@@ -14,15 +15,15 @@
 
 namespace openr_host {
 
-// Returns whether `locator` names an ear, which has two positions instead of an angle: 0 is one
-// position, any other value the other.
+// Returns whether `locator` names an ear.  An ear has two positions instead of an angle: 0 is one
+// position, any other value is the other position.
 bool HasTwoPositions(const std::string& locator);
 
 std::string CsvOf(const MtnFile& motion);
 
-// Reads a motion from text in the format of CsvOf().  Throws std::runtime_error "line 4, column
-// time_ms: ..." with the mistake if the format is wrong, or if a value does not fit into a motion
-// file.
+// Reads a motion from text in the format that CsvOf() writes.  Throws std::runtime_error with the
+// mistake, such as "line 4, column time_ms: ...", if the format is wrong, or if a value does not
+// fit into a motion file.
 MotionFile ParseMotionCsv(const std::string& text);
 
 }  // namespace openr_host

@@ -13,7 +13,7 @@ class MtnSection {
  public:
   explicit MtnSection(uint32_t number) {
     U32(number);
-    U32(0);  // place of the size, which Finish() fills in
+    U32(0);  // placeholder for the size of the section, which Finish() fills in
   }
   void U8(uint32_t value) { bytes_.push_back(static_cast<uint8_t>(value)); }
   void U16(uint32_t value) {

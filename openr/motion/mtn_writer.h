@@ -11,9 +11,10 @@ namespace openr_host {
 struct KeyFrame {
   int interpolation = 0;  // number of interpolated frames before this key frame; unused in the
                           // first key frame
-  // Roll, pitch and yaw of the body; pitch is positive with the nose up.  Players ignore them.
+  // Roll, pitch and yaw of the body; pitch is positive with the nose up.  Programs that play the
+  // motion ignore these angles.
   std::array<int32_t, 3> attitude_urad{};
-  std::vector<int32_t> angles_urad;  // in the order of MotionFile::locators
+  std::vector<int32_t> angles_urad;  // angles of the joints, in the order of MotionFile::locators
 };
 
 struct MotionFile {

@@ -10,10 +10,10 @@
 namespace openr_host {
 namespace {
 
-constexpr size_t kOdaHead = 64;    // bytes before the directory
-constexpr size_t kOdaEntry = 144;  // bytes of a directory entry
-constexpr size_t kOdaName = 128;   // bytes of the name in an entry
-constexpr size_t kStemMax = 8;     // characters of a file name before its extension
+constexpr size_t kOdaHead = 64;    // number of bytes in the file before the directory
+constexpr size_t kOdaEntry = 144;  // number of bytes of a directory entry
+constexpr size_t kOdaName = 128;   // number of bytes of the name in a directory entry
+constexpr size_t kStemMax = 8;     // most characters of a file name before its extension
 
 uint32_t U32At(std::string_view bytes, size_t at) {
   uint32_t value = 0;
@@ -26,7 +26,7 @@ uint32_t U32At(std::string_view bytes, size_t at) {
   throw std::runtime_error(fmt::format("offset {}: {}", at, why));
 }
 
-// Returns the text up to the first zero byte.
+// Returns the text in `padded` up to the first zero byte.
 std::string TextOf(std::string_view padded) {
   return std::string(padded.substr(0, padded.find('\0')));
 }
@@ -44,8 +44,8 @@ std::string ExtensionOf(const OdaMember& member) {
   return "BIN";
 }
 
-// Returns the name with only its letters, digits and underscores, so that it is valid on a Memory
-// Stick and leads to no other folder.
+// Returns `name` with only its letters, digits and underscores.  So it is valid on a Memory Stick,
+// and cannot lead to another folder.
 std::string StemOf(const std::string& name) {
   std::string stem;
   for (const char c : name.substr(0, kStemMax)) {
@@ -56,7 +56,8 @@ std::string StemOf(const std::string& name) {
   return stem.empty() ? "_" : stem;
 }
 
-// Returns a file name that is not in `taken`; puts a number at its end if necessary.
+// Returns a file name for the member that is not in `taken`, and adds it to `taken`.  Puts a number
+// at the end of the name if necessary.
 std::string NewName(const OdaMember& member, std::set<std::string>* taken) {
   const std::string stem = StemOf(member.name), extension = ExtensionOf(member);
   std::string file = stem + "." + extension;

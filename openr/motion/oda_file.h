@@ -16,12 +16,12 @@ struct OdaMember {
   std::string_view bytes;  // content, a part of the container's bytes
 };
 
-// The largest number of members of a container that is read.  Containers of the robots' software
-// have up to some hundred members.
+// The largest number of members that a container may have, or it is refused.  Containers of the
+// robots' software have at most some hundred members.
 constexpr size_t kOdaMembersMax = 4096;
 
-// Returns the members of a container, in its order.  `bytes` must outlive them.  Throws
-// std::runtime_error "offset 8: ..." with the mistake if the bytes are no container.
+// Returns the members of a container, in its order.  `bytes` must outlive the members.  If the
+// bytes are no container, throws std::runtime_error with the mistake, such as "offset 8: ...".
 std::vector<OdaMember> ReadOda(std::string_view bytes);
 
 }  // namespace openr_host

@@ -36,7 +36,8 @@ void LagMeter::Clear() {
   follower_.clear();
 }
 
-// Returns the joint of the leader that has moved most since `from_ms`; -1 if none has moved enough.
+// Returns the joint of the leader that has moved most since `from_ms`; -1 if no joint has moved
+// enough.
 int LagMeter::LiveliestJoint(int64_t from_ms) const {
   int liveliest = -1;
   int64_t range_max = kRangeMin - 1;
@@ -55,9 +56,9 @@ int LagMeter::LiveliestJoint(int64_t from_ms) const {
   return liveliest;
 }
 
-// Returns the misfit of the follower's positions since `from_ms` to the leader's positions `lag_ms`
-// earlier: the variance of their difference, divided by the variance of the leader's positions.  A
-// constant difference is no misfit.
+// Returns how badly the follower's positions since `from_ms` fit the leader's positions `lag_ms`
+// earlier: the variance of the difference of the positions, divided by the variance of the leader's
+// positions.  A constant difference counts as a perfect fit.
 double LagMeter::Misfit(int joint, int64_t lag_ms, int64_t from_ms) const {
   const auto j = static_cast<size_t>(joint);
   double n = 0, sum = 0, squares = 0, leader_sum = 0, leader_squares = 0;
@@ -93,7 +94,8 @@ std::optional<int64_t> LagMeter::LagMs() const {
     misfits.push_back(Misfit(joint, lag_ms, from_ms));
   const double best = *std::min_element(misfits.begin(), misfits.end());
   if (best > kMisfitMax) return std::nullopt;
-  // Takes the first good minimum, because a periodic movement fits again one period later.
+  // Takes the first good minimum of the misfit.  A periodic movement fits again one period later,
+  // so a later minimum would be a wrong lag.
   size_t at = 0;
   while (misfits[at] > best + kNearBest) ++at;
   while (at + 1 < misfits.size() && misfits[at + 1] < misfits[at]) ++at;

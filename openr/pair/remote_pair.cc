@@ -23,13 +23,13 @@ constexpr int64_t kRoundTripMs = 500;  // time between two measurements of the r
 // The largest number of requests that one robot has not answered yet.  While a robot has so many,
 // no positions are sent to it, because newer positions follow.
 constexpr size_t kPostedMax = 16;
-// A robot that has been silent for longer gets no more positions.  When it goes on, all positions
+// The time of silence after which a robot gets no more positions.  When it goes on, all positions
 // that were sent during its silence would be old.
 constexpr int64_t kSilentMs = 500;
-constexpr size_t kTripsMax = 32;   // number of round trips that are kept; the shortest one counts
-                                   // as the time of the network
-constexpr int kEventsMax = 100;    // events that are taken from one robot before the other robot's
-                                   // turn
+constexpr size_t kTripsMax = 32;  // number of round trips that are kept; the shortest one counts
+                                  // as the time of the network
+// Largest number of events that are taken from one robot before it is the other robot's turn.
+constexpr int kEventsMax = 100;
 constexpr int32_t kChangeMin = 5;  // smaller changes of a goal, in 0.01 degree, are not sent
 constexpr uint32_t kFramesPerTurn = 0x0ffffff1;  // number of frames after which frame numbers begin
                                                  // again with 0
@@ -40,7 +40,7 @@ constexpr uint32_t kTrackStepMax = 400;
 
 PairSide OtherOf(PairSide side) { return side == kFirst ? kSecond : kFirst; }
 
-// Returns a request that sets a value of the joint `index`.
+// Returns a request that sets a value of the joint `index`; `command` says which value.
 remote::Call JointCall(int command, size_t index, int32_t value) {
   uint8_t bytes[8];
   RcWriter writer(bytes, sizeof bytes);
@@ -135,8 +135,8 @@ void RemotePair::CheckJoints(const remote::Address& first, const remote::Address
   }
 }
 
-// Sends any number of requests in batches.  Throws std::runtime_error for the first request that a
-// robot refuses.
+// Sends any number of requests to one robot, in batches.  Throws std::runtime_error for the first
+// request that the robot refuses.
 std::vector<remote::Answer> RemotePair::SetAll(PairSide side,
                                                const std::vector<remote::Call>& calls) {
   std::vector<remote::Answer> all;
@@ -205,7 +205,7 @@ void RemotePair::Run(PairControl* control, const std::function<void(const PairSt
   }
 }
 
-// Waits until a robot has sent something, or until the wish has changed.
+// Waits until a robot has sent something, or until the person's wish has changed.
 void RemotePair::Wait(const PairControl& control) {
   pollfd waited[] = {{sides_[kFirst].robot->descriptor(), POLLIN, 0},
                      {sides_[kSecond].robot->descriptor(), POLLIN, 0},
@@ -247,7 +247,7 @@ void RemotePair::TakeEvent(PairSide side, const remote::Event& event) {
   }
 }
 
-// Takes all answers of a robot that have arrived.
+// Takes all answers that have arrived from the robot `side`.
 void RemotePair::TakeAnswers(PairSide side) {
   auto& posted = sides_[side].posted;
   for (auto next = posted.begin(); next != posted.end();) {
@@ -272,15 +272,16 @@ void RemotePair::TakeAnswer(PairSide side, const remote::Answer& answer, const P
   for (const remote::Answer& each : own.robot->ReadBatch(answer, posted.calls)) {
     if (each.status == rcOK) continue;
     status_.refusal[side] = each.error;
-    // Uses MOVE from now on, because a robot with an earlier version does not know TRACK.
+    // Uses MOVE from now on instead of TRACK, because a robot with an earlier version does not know
+    // TRACK.
     if (each.status == rcerrorUNKNOWN_COMMAND) own.tracks = false;
-    own.sent.clear();  // so that all positions are sent again
+    own.sent.clear();  // forgets the goals that were sent, so that all positions are sent again
     return;
   }
 }
 
-// Returns the time at which a packet that has just arrived was sent.  Takes half of the shortest
-// round trip for the way of the packet, because longer round trips include waiting.
+// Returns the time at which the robot sent a packet that has just arrived.  Takes half of the
+// shortest round trip as the travel time of the packet, because longer round trips include waiting.
 int64_t RemotePair::SentMs(PairSide side) const {
   const std::deque<int64_t>& trips = sides_[side].trips_ms;
   return trips.empty() ? now_ms_ : now_ms_ - *std::min_element(trips.begin(), trips.end()) / 2;
@@ -339,8 +340,8 @@ bool RemotePair::Lead(PairSide leader, uint32_t frame, const std::vector<int32_t
     if (!is_first && std::abs(int64_t{goals[i]} - follower.sent[i]) < kChangeMin) continue;
     const auto way =
         static_cast<uint32_t>(i < measured.size() ? std::abs(int64_t{goals[i]} - measured[i]) : 0);
-    // Allows one frame more than has passed, so that the joint does not stop before the next goal
-    // comes.
+    // Gives the joint one frame more than the frames that have passed, so that it does not stop
+    // before the next goal comes.
     const uint32_t frames =
         std::clamp(std::max(is_first ? kTrackFramesMax : passed + 1, way / kTrackStepMax),
                    kTrackFramesMin, kTrackFramesMax);
@@ -355,7 +356,7 @@ bool RemotePair::Lead(PairSide leader, uint32_t frame, const std::vector<int32_t
   return true;
 }
 
-// Asks a robot for its state from time to time.  The time until the answer is the round trip.
+// Asks a robot for its state from time to time.  The time until its answer comes is the round trip.
 void RemotePair::MeasureRoundTrip(PairSide side) {
   Side& own = sides_[side];
   if (!own.posted.empty() || now_ms_ - own.asked_ms < kRoundTripMs) return;

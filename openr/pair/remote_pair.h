@@ -22,33 +22,35 @@ namespace remote = openr::remote;
 // any other robot.
 enum PairSide { kFirst = 0, kSecond = 1 };
 
-enum class Follow { kNone, kFirst, kSecond };  // which robot follows the other one
+// The robot of a pair that follows the other robot, or no robot.
+enum class Follow { kNone, kFirst, kSecond };
 
 struct PairOptions {
   int timeout_ms = 3000;
-  int period = RC_FRAMES_PER_VECTOR;  // frames between two sensor values
+  int period = RC_FRAMES_PER_VECTOR;  // number of frames between two sensor values
   // Whether a robot that follows goes straight to each position (TRACK) instead of within its
   // limits of speed and acceleration (MOVE).  The index is a PairSide.
   bool tracks[2] = {true, false};
-  // Whether the first robot may be silent for long, because people may pause a simulation.
+  // Whether the first robot may be silent for a long time without an error.  A simulated robot may,
+  // because people can pause a simulation.
   bool first_may_pause = false;
 };
 
-// The wish of a person: what the two robots are to do.  The person may change it at any time.
+// The wish of a person: what the two robots are to do.  It may change at any time.
 struct PairWish {
   Follow follow = Follow::kNone;
   bool follows_motions = true;  // the first robot follows key frames of the second robot's motions
 };
 
-// The state of both robots, for a person.
+// The state of both robots, to be shown to a person.
 struct PairStatus {
   Follow follow = Follow::kNone;
   std::optional<double> round_trip_ms[2];  // times from a request to its answer; index: PairSide
   std::optional<int64_t> lag_ms;           // the lag that LagMeter has measured; nullopt while
                                            // nothing moves
-  std::string state[2];                    // states of both JointMovers; "": not known
-  std::vector<int32_t> joints[2];          // measured positions, in 0.01 degree
-  std::string motion;                      // file of the motion that the second robot plays
+  std::string state[2];                    // state of each robot's JointMover; "": not known
+  std::vector<int32_t> joints[2];  // measured positions of each robot's joints, in 0.01 degree
+  std::string motion;              // file of the motion that the second robot plays
   int key_frame = -1;
   uint64_t key_frames = 0;  // number of key frames that were sent to the first robot
   std::string refusal[2];   // reason why a robot has refused the last positions; "": it has taken
@@ -81,10 +83,11 @@ class PairControl {
 };
 
 // A client of both robots, to be used in one thread.  Waits for answers only in its constructor and
-// in the functions that prepare the pair.  Run() serves both robots and waits for neither.
+// in the functions that prepare the pair.  Run() serves both robots at once and does not wait for
+// answers.
 class RemotePair {
  public:
-  // Connects to both robots.  Throws remote::Error if a robot cannot be reached, and
+  // Connects to both robots.  Throws remote::Error if a robot cannot be reached.  Throws
   // std::runtime_error with the difference if the robots have different joints.
   RemotePair(const remote::Address& first, const remote::Address& second,
              const PairOptions& options);
@@ -93,15 +96,15 @@ class RemotePair {
   const std::vector<RcDescription>& joints() const { return joints_; }
   const RcInfo& info(PairSide side) const { return sides_[side].info; }
 
-  // Sets the first robot's limits of speed and acceleration to those of the second robot, and
-  // returns them.
+  // Sets the limits of speed and acceleration of the first robot to those of the second robot.
+  // Returns these limits.
   std::vector<RcJointState> CopyLimits();
   // Switches lights and ears of both robots off.
   void ResetLights();
 
-  // Serves both robots until `control` ends the pair.  Calls `tell` with the status several times a
-  // second.  Throws remote::Error when a connection is lost; its text begins with the address of
-  // the robot.
+  // Serves both robots until `control` ends the pair.  Calls `tell` with the status of the pair
+  // several times a second.  Throws remote::Error when a connection is lost; the text of the error
+  // begins with the address of the robot.
   void Run(PairControl* control, const std::function<void(const PairStatus&)>& tell);
 
  private:
@@ -115,14 +118,14 @@ class RemotePair {
     std::string address;
     std::unique_ptr<remote::Connection> robot;
     RcInfo info;
-    int64_t heard_ms = 0;                        // time of the last packet from the robot
-    int64_t asked_ms = 0;                        // time of the last request for the round trip
+    int64_t heard_ms = 0;  // time of the last packet from this robot
+    int64_t asked_ms = 0;  // time of the last request with which the round trip was measured
     std::map<remote::RequestId, Posted> posted;  // requests without an answer yet
     std::deque<int64_t> trips_ms;                // times of the last round trips, in ms
     std::vector<int32_t> sent;                   // goals that were sent last to this robot; empty:
                                                  // none
-    uint32_t goal_frame = 0;                     // frame in which the other robot had these goals
-    int state = -1;                              // MoverState; -1: not known
+    uint32_t goal_frame = 0;  // frame in which the other robot had the goals in `sent`
+    int state = -1;           // state of the robot's JointMover (MoverState); -1: not known
     bool tracks = false;
   };
 

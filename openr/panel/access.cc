@@ -21,7 +21,8 @@ std::string NewToken() {
 }
 
 bool IsSameSecret(std::string_view a, std::string_view b) {
-  if (a.size() != b.size()) return false;  // returns early, because the length is no secret
+  // Returns early, because the length of a token is no secret.
+  if (a.size() != b.size()) return false;
   // Declares `difference` volatile, so that the compiler does not end the loop at the first
   // difference.
   volatile unsigned char difference = 0;

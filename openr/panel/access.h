@@ -1,4 +1,4 @@
-// Access: decides which requests and WebSockets the panel's server refuses.
+// Access: decides which requests and WebSockets the server of the panel refuses.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@ namespace openr_host {
 // Returns a new random token: 128 bits as 32 hexadecimal digits.
 std::string NewToken();
 
-// Returns whether the texts are equal.  The time of the comparison does not depend on the place of
-// the first difference, so nobody can find a token digit by digit.
+// Returns whether the texts `a` and `b` are equal.  The time of the comparison does not depend on
+// the place of the first difference, so nobody can find a token digit by digit.
 bool IsSameSecret(std::string_view a, std::string_view b);
 
 class Access {
@@ -22,13 +22,13 @@ class Access {
 
   // Returns the WebSocket subprotocol by which a page shows that it knows the token.
   std::string protocol() const { return "openr." + token_; }
-  // Returns the address to open in a browser.
+  // Returns the address of the panel, with the token, to open in a browser.
   std::string Url() const;
 
-  // Returns the reason why a request for a file is refused; "" if it is not.  Checks the header
+  // Returns the reason why a request for a file is refused; "" if it is allowed.  Checks the header
   // Host, because a foreign host name can be made to lead to this computer (DNS rebinding).
   std::string WhyNoFile(const WebRequest& request) const;
-  // Returns the reason why a request for a WebSocket is refused; "" if it is not.  The request
+  // Returns the reason why a request for a WebSocket is refused; "" if it is allowed.  The request
   // needs the token.  Checks the header Origin, in which a browser names the site that makes the
   // request; other programs send no such header.
   std::string WhyNoSocket(const WebRequest& request) const;

@@ -17,7 +17,7 @@ namespace openr_host {
 namespace {
 
 constexpr int kPortTimeoutMs = 3000;
-constexpr size_t kEndpointMax = 260;  // longest host name with a port
+constexpr size_t kEndpointMax = 260;  // largest length of a host name with a port
 
 // Returns whether `host` is a loopback address of this computer, 127.x.y.z.
 bool IsLoopback(const std::string& host) {

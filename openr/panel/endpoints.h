@@ -1,4 +1,5 @@
-// Addresses of the remote controls that pages use, of robots of a run and of all other robots.
+// Addresses of the remote controls that pages use: those of robots of a run, and those of all other
+// robots.
 #pragma once
 
 #include <string>
@@ -11,15 +12,15 @@ namespace openr_host {
 
 namespace remote = openr::remote;
 
-// Returns the address in `text`, "HOST:PORT", which a page has sent.  Throws std::runtime_error if
-// `text` is no address.
+// Returns the address in `text`, which has the form "HOST:PORT" and comes from a page.  Throws
+// std::runtime_error if `text` is no address.
 remote::Address ParseEndpoint(const std::string& text);
 
 // Asks `run` for the ports of the remote control, one port for each robot.  A port is 0 if the
 // robot does not listen yet.  Throws std::runtime_error if the run does not answer.
 std::vector<int> RemotePorts(const LiveRun& run);
 
-// Returns the address of the remote control of a robot of `run`.
+// Returns the address of the remote control of the robot number `robot` of `run`.
 remote::Address AddressInRun(const LiveRun& run, size_t robot);
 
 // Throws std::runtime_error if `address` is the address of a robot of `run`.

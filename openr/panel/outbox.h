@@ -13,7 +13,7 @@ namespace openr_host {
 // thread.
 class Outbox {
  public:
-  // `wake` makes the event loop look into the outbox.
+  // Makes an outbox.  The function `wake` makes the event loop look into it.
   explicit Outbox(std::function<void()> wake) : wake_(std::move(wake)) {}
 
   void Add(std::string text) {
@@ -36,7 +36,8 @@ class Outbox {
 
  private:
   std::mutex mutex_;
-  std::function<void()> wake_;  // null: the outbox is closed
+  // Makes the event loop look into the outbox; null: the outbox is closed.
+  std::function<void()> wake_;
   std::vector<std::string> texts_;
 };
 

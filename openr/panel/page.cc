@@ -88,8 +88,8 @@ void Page::Queue(std::string text) {
   if (queue_.Add(std::move(text))) {
     connection_->WantSend();
   } else {
-    // Closes the socket at once, because the page reads nothing and so would not read the reason
-    // either.
+    // Closes the socket at once, without a reason.  The page reads nothing, so it would not read
+    // the reason either.
     is_closing_ = true;
     connection_->Abort();
   }
@@ -135,8 +135,8 @@ void Page::Obey(const std::string& text) {
 void Page::PassOn(const std::string& text, const nlohmann::json& request) {
   if (link_ == nullptr) return Refuse(request, "this page has no run; the request runs lists them");
   std::string line = text;
-  // Replaces line ends by spaces, which mean the same in JSON, because the run takes each line as a
-  // request of its own.
+  // Replaces line ends by spaces, which mean the same in JSON.  The run takes each line as a
+  // request of its own, so this request must be one line.
   std::replace(line.begin(), line.end(), '\n', ' ');
   if (!link_->Send(line)) connection_->SetReading(false);
 }

@@ -43,16 +43,16 @@ class Page : public WebPage {
   Page(WebLoop* loop, WebConnection* connection, RunsLister* runs);
   ~Page() override;
 
-  // Connects the page to a run.  Tells the page if that is not possible.
+  // Connects the page to the run `run`.  If that is not possible, tells the page why.
   void Join(const LiveRun& run);
 
   // Tells the page that its run has ended, or why it has no run, and closes the page.  If a part of
-  // a message of the page has come, waits for the rest of the message first: when a socket is
-  // closed with unread bytes in it, the kernel of the other side throws away what it has received,
-  // and the page would not see the reason.
+  // a message from the page has come, first waits for the rest of this message.  If the server
+  // closed a socket with unread bytes, the kernel on the page's side would throw away what it has
+  // received, and the page would not see the reason.
   void End(int code, const std::string& why);
 
-  // Sends the answers that threads have put into the outbox.
+  // Sends to the page the answers that threads have put into the outbox.
   void Collect();
 
   // Closes all connections of the page.  Called before the loop ends, because the page is destroyed
@@ -77,22 +77,25 @@ class Page : public WebPage {
   RunsLister* const runs_;
   const std::shared_ptr<Outbox> outbox_;
   std::optional<LiveRun> run_;
-  std::unique_ptr<RunLink> link_;                             // null: the page has no run
-  std::map<std::string, std::unique_ptr<RcBridge>> bridges_;  // key: "HOST:PORT", or "run N" for
-                                                              // robot N of the run
-  std::map<size_t, std::unique_ptr<PairBridge>> pairs_;       // key: number of the robot in the run
-  // the first bytes of a message that is not complete yet
+  std::unique_ptr<RunLink> link_;  // the connection to the run; null: the page has no run
+  // The robots whose remote control the page uses.  The key is "HOST:PORT", or "run N" for robot N
+  // of the run.
+  std::map<std::string, std::unique_ptr<RcBridge>> bridges_;
+  // Key: number of the run's robot that has a second robot.
+  std::map<size_t, std::unique_ptr<PairBridge>> pairs_;
+  // The first bytes of a message that is not complete yet.
   std::string received_;
   PageQueue queue_;
-  bool is_amid_message_ = false;  // a part of a message has come, but not its last part
-  bool is_closing_ = false;       // no message is queued or obeyed any more
-  // Code and reason of a close that waits for the end of the message that is coming.
+  bool is_amid_message_ = false;  // true: a part of a message has come, but not its last part
+  bool is_closing_ = false;       // true: no message is queued or obeyed any more
+  // The code and the reason with which the server closes the page when the message that is coming
+  // has ended.
   struct Ending {
     int code;
     std::string why;
   };
   std::optional<Ending> ending_;
-  size_t dropped_ = 0;  // bytes that were dropped of the message that is coming
+  size_t dropped_ = 0;  // number of bytes that were dropped of the message that is coming
 };
 
 }  // namespace openr_host

@@ -5,8 +5,8 @@
 namespace openr_host {
 namespace {
 
-// Returns the name of the event in `text` if the event shows a state; "" if it does not.  Does not
-// parse the line, because a run writes the member "event" first.
+// Returns the name of the event in the line `text` if the event shows a state; "" if it does not.
+// Does not parse the line as JSON, because a run writes the member "event" first.
 std::string_view StateIn(std::string_view text) {
   constexpr std::string_view kBegin = "{\"event\":\"";
   if (!text.starts_with(kBegin)) return "";

@@ -1,4 +1,4 @@
-// PageQueue, the messages that wait until the socket of one page takes them.
+// PageQueue: keeps the messages that wait until the socket of one page takes them.
 #pragma once
 
 #include <deque>
@@ -9,16 +9,16 @@ namespace openr_host {
 
 class PageQueue {
  public:
-  // The most bytes of messages that may wait.  A page with more is closed.
+  // The most bytes of messages that may wait.  The server closes a page for which more bytes wait.
   static constexpr size_t kBytesMax = size_t{8} << 20;
 
   // Adds a message.  An event that shows a state ("pose", "values", "graph") replaces the waiting
-  // event of its name, so that a slow page skips old states instead of falling behind.  If more
-  // than kBytesMax bytes wait, drops all events that show a state.  Returns false if that is not
-  // enough.
+  // event of the same name, so that a slow page skips old states instead of falling behind.  If
+  // more than kBytesMax bytes wait, drops all events that show a state.  Returns false if more than
+  // kBytesMax bytes wait even then.
   bool Add(std::string text);
 
-  // Removes the oldest message and returns it; "" if there is none.
+  // Removes the oldest message and returns it; "" if no message waits.
   std::string Next();
 
   bool empty() const { return waiting_.empty(); }

@@ -18,7 +18,7 @@
 
 namespace openr_host {
 
-// The data that the thread and the bridge share.
+// The data that the bridge and its thread share.
 struct PairBridge::Work {
   Work(const LiveRun& in_run, size_t in_robot, const remote::Address& in_second,
        nlohmann::json in_id, std::shared_ptr<Outbox> in_outbox)
@@ -50,7 +50,7 @@ constexpr size_t kKnownMax = 1000;
 
 std::atomic<int> g_pair_threads = 0;
 
-// Returns whether this server connects this robot of the run with a second robot for the first
+// Returns whether this server connects this robot of the run with this second robot for the first
 // time.
 bool IsFirstTime(const PairBridge::Work& work) {
   static std::mutex mutex;
@@ -116,17 +116,18 @@ OrderedJson StatusJson(const PairBridge::Work& work, const PairStatus& status) {
   return event;
 }
 
-// A coupling: while it exists, the run goes on in real time and cannot be rewound.
+// A coupling of a robot of the run with a second robot.  While it exists, the run goes on in real
+// time and cannot be rewound.
 class Coupling {
  public:
-  // Throws std::runtime_error if the run refuses the coupling.
+  // Begins the coupling.  Throws std::runtime_error if the run refuses it.
   explicit Coupling(const PairBridge::Work& work) : live_(work.run, kRunTimeoutMs), work_(work) {
     const OrderedJson answer = Ask(work.second.Text());
     if (answer.contains("error")) throw std::runtime_error(answer["error"].get<std::string>());
   }
   ~Coupling() {
     try {
-      Ask("");  // makes the page see the old rate at once
+      Ask("");  // ends the coupling, so that the page sees the old rate at once
     } catch (const std::exception&) {
       // Ignores the error: either the run has ended, or it ends the coupling when it sees that the
       // connection is closed.
@@ -144,7 +145,7 @@ class Coupling {
   const PairBridge::Work& work_;
 };
 
-// Prepares the pair as Hohl 2004, section 3.3.1 describes, and returns the answer for the page.
+// Prepares both robots as Hohl 2004, section 3.3.1 describes, and returns the answer for the page.
 OrderedJson Prepare(const PairBridge::Work& work, RemotePair* pair) {
   OrderedJson joints = OrderedJson::array();
   const std::vector<RcJointState> limits = pair->CopyLimits();
@@ -170,8 +171,8 @@ void SendAnswer(const PairBridge::Work& work, OrderedJson answer) {
 }
 
 // Connects both robots and serves them until the connection ends.  Returns the reason why the
-// connection was lost; "" if a page ended it, or if the page knows already why it could not be
-// made.
+// connection was lost.  Returns "" if a page ended the connection, or if the page already knows why
+// the connection could not be made.
 std::string ServePair(PairBridge::Work* work) {
   bool is_connected = false;
   try {

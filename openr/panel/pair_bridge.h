@@ -12,33 +12,33 @@ namespace openr_host {
 class PairControl;
 
 // Connects both robots and serves them in a thread of its own, because a robot may not answer
-// (docs/panel-server.md, "Both dogs").  Puts the answer to the request that has made the bridge,
-// and events "pair", into an outbox.
+// (docs/panel-server.md, "Both dogs").  Puts events "pair" into an outbox, and also the answer to
+// the request that has made the bridge.
 class PairBridge {
  public:
-  // The most threads of all bridges of this process together.
+  // The largest number of threads that all bridges of this process together may have.
   static constexpr int kThreadsMax = 16;
 
-  // `request` has the address of the second robot.  Throws std::runtime_error if the address is
-  // missing, or if there are too many threads.
+  // Makes the bridge and its thread.  `request` has the address of the second robot.  Throws
+  // std::runtime_error if the address is missing, or if there are too many threads.
   PairBridge(const LiveRun& run, size_t robot, const nlohmann::json& request,
              std::shared_ptr<Outbox> outbox);
-  // Makes the thread disconnect both robots, and does not wait for it.
+  // Makes the thread disconnect both robots, and does not wait until it has done so.
   ~PairBridge();
   PairBridge(const PairBridge&) = delete;
   PairBridge& operator=(const PairBridge&) = delete;
 
-  // Changes what the robots do, as `request` says.  Throws std::runtime_error if a value in it is
-  // not allowed.
+  // Changes what the two robots do, as `request` says.  Throws std::runtime_error if a value in
+  // `request` is not allowed.
   void Set(const nlohmann::json& request);
 
-  // Returns whether the connection has failed or was lost.
+  // Returns whether the connection of the two robots could not be made or was lost.
   bool is_over() const;
 
-  // Returns whether any bridge of this process has a thread.
+  // Returns whether the thread of any PairBridge of this process still runs.
   static bool HasThreads();
 
-  struct Work;  // data that the thread and the bridge share
+  struct Work;  // data that the bridge shares with its thread
 
  private:
   const std::shared_ptr<Work> work_;

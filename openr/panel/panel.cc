@@ -34,9 +34,10 @@ namespace openr_host {
 namespace {
 
 constexpr size_t kPagesMax = 16;
-// The most ports to try, beginning with the port that the user wants.
+// The largest number of ports that are tried, beginning with the port that the user wants.
 constexpr int kPortsMax = 100;
-// The time in which pages can receive the message that the run has ended.
+// The time that the server waits before it ends, so that pages can receive the message that the run
+// has ended.
 constexpr int kFarewellMs = 300;
 
 constexpr char kNoPage[] =
@@ -79,8 +80,8 @@ int Listen(uint16_t* port) {
                   kPortsMax, first));
 }
 
-// Returns the run that `wanted` names by NAME.PROCESS, a name or a process id.  "" names the only
-// run that goes on, if there is just one.
+// Returns the run that `wanted` names by NAME.PROCESS, by its name or by its process id.  If
+// `wanted` is "", returns the only run that goes on, or nullopt if several runs or none go on.
 std::optional<LiveRun> FindRun(const std::string& wanted) {
   const std::vector<LiveRun> runs = LiveRuns();
   if (wanted.empty()) return runs.size() == 1 ? std::optional(runs[0]) : std::nullopt;
@@ -109,7 +110,7 @@ class Listener final : public WebDescriptor {
   const std::function<void()> on_closed_;
 };
 
-// Loads libopenr_panel.so and makes the loop.
+// Loads the library libopenr_panel.so and returns the event loop that it makes.
 std::unique_ptr<WebLoop> LoadLoop(WebService* service, const std::string& protocol) {
   const std::string library = PanelLibrary();
   void* const handle = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
@@ -229,8 +230,8 @@ WebAnswer Panel::WithHeaders(WebAnswer answer) const {
   const auto add = [&answer](const char* name, const std::string& value) {
     answer.headers.emplace_back(name, value);
   };
-  // Allows data: and blob: for pictures and inline styles, because pages make pictures and plots
-  // themselves and set styles of elements.
+  // Allows data: and blob: for pictures, because pages make pictures and plots themselves.  Allows
+  // inline styles, because pages set styles of elements.
   add("content-security-policy",
       fmt::format("default-src 'self'; connect-src 'self' ws://127.0.0.1:{0} ws://localhost:{0}; "
                   "img-src 'self' data: blob:; font-src 'self' data:; worker-src 'self' blob:; "
@@ -319,8 +320,8 @@ void PrintAddress(const std::string& url, bool is_of_run) {
   }
   const std::string text = "openr: " + line;
   [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text.data(), text.size());
-  // Replaces standard error by /dev/null, because a program that reads the output of the run waits
-  // until all processes have closed it.
+  // Replaces standard error by /dev/null.  A program that reads the output of the run waits until
+  // all processes have closed this output, and the server must not keep it waiting.
   const int nowhere = open("/dev/null", O_RDWR | O_CLOEXEC);
   if (nowhere < 0) return;
   dup2(nowhere, STDERR_FILENO);

@@ -18,11 +18,11 @@
 namespace openr_host {
 namespace {
 
-// Number of the descriptor of the pipe in the server's process.
+// Number of the pipe's descriptor in the process of the server.
 constexpr int kPipeInServer = 3;
 
-// Makes this process the server, and does not return.  Calls only functions that are allowed after
-// fork().
+// Makes this process the server of the panel, and does not return.  Calls only functions that are
+// allowed after fork().
 [[noreturn]] void BecomeServer(const char* program, int pipe, char* const* arguments) {
   setsid();  // keeps Ctrl-C in the terminal of the run, and the end of the terminal, away from the
              // server
@@ -32,8 +32,8 @@ constexpr int kPipeInServer = 3;
   const int nowhere = open("/dev/null", O_RDWR);
   dup2(nowhere, STDIN_FILENO);
   dup2(nowhere, STDOUT_FILENO);
-  // Clears the close-on-exec flag.  A descriptor that dup2() makes has no such flag, but dup2()
-  // does nothing if both descriptors are equal.
+  // Clears the close-on-exec flag of the pipe.  If the pipe already has the wanted number, dup2()
+  // does nothing and so does not clear this flag.
   if (pipe == kPipeInServer) {
     fcntl(pipe, F_SETFD, 0);
   } else {
@@ -65,8 +65,8 @@ PanelProcess::PanelProcess(const std::string& run, uint16_t port) {
   const std::string program = ProgramFile();
   const pid_t child = fork();
   if (child == 0) {
-    // Forks again and ends, so that the server is no child of the run: the run need not wait for
-    // its end, and no zombie is left.
+    // Forks again and ends, so that the server is not a child of the run.  So the run need not wait
+    // for the end of the server, and no zombie is left.
     if (fork() == 0) {
       close(ends[1]);
       BecomeServer(program.c_str(), ends[0], arguments.data());

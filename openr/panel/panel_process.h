@@ -13,10 +13,10 @@ namespace openr_host {
 // of the run.  So the server goes on when the run goes on in a fork.
 class PanelProcess {
  public:
-  // Starts the server of the run `run` ("default.123"), on the first free port from `port` on.
-  // Prints a warning if that is not possible.
+  // Starts the server of the panel for the run `run` (such as "default.123"), on the first free
+  // port from `port` on.  Prints a warning if the server cannot be started.
   PanelProcess(const std::string& run, uint16_t port);
-  // Makes the server end, and does not wait for it.
+  // Makes the server end, and does not wait until it has ended.
   ~PanelProcess();
   PanelProcess(const PanelProcess&) = delete;
   PanelProcess& operator=(const PanelProcess&) = delete;
@@ -25,7 +25,7 @@ class PanelProcess {
   int pipe_ = -1;
 };
 
-// Returns whether the built page and the library that serves it are installed.
+// Returns whether the panel is installed: the built page and the library that serves it.
 bool HasPanel();
 
 }  // namespace openr_host

@@ -19,8 +19,8 @@ namespace {
 
 std::atomic<int> g_bridge_threads = 0;
 
-// Returns the name of the joint's value that a command sets, the same text for all commands that
-// set the same value.
+// Returns the name of the value that a command sets for a joint.  Commands that set the same value
+// give the same name.
 std::string JointValueOf(const nlohmann::json& request) {
   const std::string call = request.value("call", "");
   if (call != "move" && call != "speed" && call != "accel") return "";
@@ -42,7 +42,7 @@ struct RcBridge::Queue {
   struct Call {
     nlohmann::json request;
     size_t size;
-    std::string joint_value;  // names call and joint if the call sets a value of a joint; else ""
+    std::string joint_value;  // if the call sets a value of a joint, names call and joint; else ""
     std::vector<nlohmann::json> ids;
   };
 
@@ -52,7 +52,7 @@ struct RcBridge::Queue {
   size_t bytes = 0;
   bool is_ended = false;
 
-  // Waits for a call.  Returns false when the bridge does not exist any more.
+  // Waits for a call and takes it.  Returns false when the bridge does not exist any more.
   bool Take(Call* call) {
     std::unique_lock lock(mutex);
     changed.wait(lock, [this] { return is_ended || !calls.empty(); });

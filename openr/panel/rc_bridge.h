@@ -14,16 +14,17 @@ namespace openr_host {
 // for the robot.  Answers and events go into an outbox.
 class RcBridge {
  public:
-  // The most calls that may wait.  Any further call is answered with an error.
+  // The most calls that may wait.  If more calls come, they are answered with an error.
   static constexpr size_t kCallsMax = 64;
-  // The most bytes of calls that may wait, with the same answer to further calls.
+  // The most bytes of calls that may wait.  If more bytes come, their calls are answered with an
+  // error.
   static constexpr size_t kBytesMax = size_t{16} << 20;
-  // The most threads of all bridges of this process together.
+  // The largest number of threads that all bridges of this process together may have.
   static constexpr int kThreadsMax = 64;
 
-  // Throws std::runtime_error if there are too many threads.
+  // Makes the bridge and its thread.  Throws std::runtime_error if there are too many threads.
   RcBridge(RcCalls::FindAddress find_address, std::shared_ptr<Outbox> outbox);
-  // Makes the thread end after its present call, and does not wait for it.
+  // Makes the thread end after its present call, and does not wait until it has ended.
   ~RcBridge();
   RcBridge(const RcBridge&) = delete;
   RcBridge& operator=(const RcBridge&) = delete;
@@ -32,10 +33,10 @@ class RcBridge {
   // command for the same value: the older command is not sent, and both get the same answer.
   void Add(nlohmann::json request, size_t size);
 
-  // Returns whether any bridge of this process has a thread.
+  // Returns whether the thread of any RcBridge of this process still runs.
   static bool HasThreads();
 
-  struct Queue;  // data that the thread and the bridge share
+  struct Queue;  // data that the bridge shares with its thread
 
  private:
   const std::shared_ptr<Outbox> outbox_;

@@ -23,13 +23,13 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double kCdegPerDeg = 100;
-constexpr double kValueMax = 1e6;  // degrees; a larger value in 0.01 degree would not fit into 32
-                                   // bits
+// Largest value in degrees.  A larger value in 0.01 degree would not fit into 32 bits.
+constexpr double kValueMax = 1e6;
 
 double Degrees(Sint32 value_cdeg) { return value_cdeg / kCdegPerDeg; }
 
-// Returns the member of a request as text, also if it is a number, because a page may name a device
-// by name or by number.
+// Returns the member `member` of a request as text, even if it is a number, because a page may name
+// a device by its name or by its number.
 std::string TextOf(const nlohmann::json& request, const char* member) {
   const nlohmann::json& value = request.at(member);
   return value.is_number_integer() ? std::to_string(value.get<int64_t>())

@@ -17,14 +17,16 @@ namespace openr_host {
 
 namespace remote = openr::remote;
 
-// A client of the remote control.  Connects at the first call, and at the next call after the
-// connection was lost.  Waits for each answer, so it must be used in a thread of its own.
+// A client of a robot's remote control.  Connects at the first call, and again at the next call
+// after the connection was lost.  Waits for each answer, so it must be used in a thread of its own.
 class RcCalls {
  public:
   using Json = nlohmann::ordered_json;
-  // Finds the address of the robot.  Throws std::runtime_error if the robot has none.
+  // A function that finds the address of the robot.  Throws std::runtime_error if the robot has no
+  // address.
   using FindAddress = std::function<remote::Address()>;
-  // Called during an upload with two numbers of bytes: those that the robot has taken, and all.
+  // A function that is called during an upload with two numbers: the bytes that the robot has
+  // taken, and all bytes.
   using Progress = remote::Progress;
 
   explicit RcCalls(FindAddress find_address);
@@ -57,18 +59,19 @@ class RcCalls {
   Json Sensors(const Request& request, const Progress& progress);
   Json Power(const Request& request, const Progress& progress);
 
-  // Returns the connection to the robot, and connects first if necessary.
+  // Returns the connection to the robot.  Makes the connection first if there is none.
   remote::Connection* Robot();
   using Setter = double (remote::Connection::*)(int joint, double value);
   Json JointValue(Setter setter, const Request& request, const char* member);
-  // Returns the index of the device that `request` names, and reads "on" into `*is_on`.
+  // Returns the index of the light or ear that `request` names.  Sets `*is_on` to the member "on"
+  // of the request.
   int Switch(RcDeviceKind kind, const Request& request, bool* is_on);
   std::string FreeName();
   Json PlayAndDelete(const Request& request);
   void Disconnect();
 
   const FindAddress find_address_;
-  std::unique_ptr<remote::Connection> robot_;  // null: not connected
+  std::unique_ptr<remote::Connection> robot_;  // the connection to the robot; null: not connected
   std::unique_ptr<remote::SensorFormat> sensors_;
 };
 

@@ -55,8 +55,8 @@ bool RunLink::Send(const std::string& line) {
 
 bool RunLink::OnReadable() {
   char buffer[64 << 10];
-  // Limits the reads of one call, because a run that writes all the time must not keep the loop
-  // from its other pages.
+  // Limits the number of reads in one call.  A run that writes all the time must not keep the event
+  // loop from serving other pages.
   constexpr int kReadsMax = 8;
   for (int i = 0; i < kReadsMax; ++i) {
     const ssize_t count = recv(descriptor_, buffer, sizeof buffer, 0);
@@ -92,7 +92,7 @@ bool RunLink::OnWritable() {
 
 void RunLink::OnClosed() {
   watched_ = nullptr;
-  const auto end = owner_.end;  // copied, because the owner may delete this link in the call
+  const auto end = owner_.end;  // a copy, because the owner may delete this link in the call
   end(has_answered_ ? name_ + " has ended"
                     : name_ + " has ended, or serves as many clients as it can (32)");
 }

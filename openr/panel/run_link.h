@@ -11,27 +11,29 @@ namespace openr_host {
 
 class RunLink final : public WebDescriptor {
  public:
-  // The most bytes that may wait until the run takes them.  If more wait, the page should not be
-  // read.
+  // The most bytes of lines that may wait until the run takes them.  If more bytes wait, the server
+  // should stop reading from the page.
   static constexpr size_t kWaitingMax = size_t{256} << 10;
   // The most bytes that a line from the run may have.
   static constexpr size_t kLineMax = size_t{8} << 20;
 
   struct Owner {
     std::function<void(std::string line)> take_line;
-    // Called once when the connection is lost.  The owner may delete the link.
+    // A function that is called once when the connection is lost.  The owner of the link may delete
+    // the link in it.
     std::function<void(const std::string& why)> end;
-    // Called when fewer than kWaitingMax bytes wait again.
+    // A function that is called when fewer than kWaitingMax bytes wait again.
     std::function<void()> resume;
   };
 
-  // Begins to connect, and does not wait.  Throws std::runtime_error if that is not possible.
+  // Begins to connect to the run, and does not wait.  Throws std::runtime_error if the connection
+  // cannot be begun.
   RunLink(WebLoop* loop, const LiveRun& run, Owner owner);
   ~RunLink();
   RunLink(const RunLink&) = delete;
   RunLink& operator=(const RunLink&) = delete;
 
-  // Sends a line to the run.  Returns false if the page should send no more until resume() is
+  // Sends a line to the run.  Returns false if the page should send no more lines until resume() is
   // called.
   bool Send(const std::string& line);
 

@@ -22,7 +22,8 @@ constexpr size_t kQuestionsMax = 64;
 
 std::atomic<int> g_lister_threads = 0;
 
-// Returns the description of a run for pages.  A run that does not answer has no model and no time.
+// Returns the description of a run for pages.  If the run does not answer, the description has no
+// model and no time.
 Json DescribeRun(const LiveRun& run) {
   Json json = {{"name", run.name},
                {"process", run.process},
@@ -66,7 +67,7 @@ struct RunsLister::Questions {
   const std::string own;
   std::mutex mutex;
   std::vector<Question> waiting;
-  bool is_answering = false;  // a thread executes AnswerAll()
+  bool is_answering = false;  // true while a thread executes AnswerAll()
 
   void AnswerAll() {
     for (;;) {

@@ -9,19 +9,21 @@
 
 namespace openr_host {
 
-// Asks all runs of this user for their state.  Does so in a thread, because a stopped run does not
-// answer.
+// Asks all runs of this user for their state.  Asks in a thread of its own, because a stopped run
+// does not answer and the server must not wait for it.
 class RunsLister {
  public:
-  // `own` is the run ("default.123") that has started this server; "" if a user started it.
+  // Makes a lister.  `own` is the run, such as "default.123", that has started this server; "" if a
+  // user started it.
   explicit RunsLister(std::string own);
   RunsLister(const RunsLister&) = delete;
   RunsLister& operator=(const RunsLister&) = delete;
 
-  // Collects the states of all runs, and puts them into the outbox as the answer to request `id`.
+  // Collects the states of all runs, and puts them into `outbox` as the answer to the request with
+  // the id `id`.
   void Ask(std::shared_ptr<Outbox> outbox, nlohmann::json id);
 
-  // Returns whether any lister of this process has a thread.
+  // Returns whether the thread of any RunsLister of this process still runs.
   static bool HasThreads();
 
  private:

@@ -29,7 +29,8 @@ std::string FindStaticFile(const std::string& folder, const std::string& url_pat
   if (url_path.ends_with('/')) file /= "index.html";
   std::error_code error;
   if (!fs::is_regular_file(file, error)) return "";
-  // Compares real paths, because a symbolic link in the folder may lead out of it.
+  // Compares real paths, because a symbolic link in the folder may lead to a file outside of the
+  // folder.
   const fs::path real = fs::canonical(file, error);
   const fs::path real_folder = error ? fs::path() : fs::canonical(folder, error);
   return !error && IsBelow(real, real_folder) ? real.string() : "";

@@ -12,9 +12,9 @@
 namespace openr_host {
 namespace {
 
-// Size in bytes of the socket's buffer for a page, which the kernel doubles.  The size is small
-// because newer values cannot replace what is in the buffer: a slow page should get fewer poses,
-// not late ones.
+// Size in bytes of the socket's buffer for a page; the kernel doubles it.  The size is small
+// because newer values cannot replace the values in this buffer, and a slow page should get fewer
+// poses, not late ones.
 constexpr int kSendBufferSize = 128 << 10;
 constexpr size_t kReceivePartMax = size_t{64} << 10;
 constexpr size_t kHeadersMax = size_t{8} << 10;
@@ -47,7 +47,7 @@ class LwsConnection : public WebConnection {
       return 0;
     }
     if (!close_code_) return 0;
-    // Cuts the reason, because it may have 123 bytes at most (RFC 6455, section 5.5).
+    // Cuts the reason, because RFC 6455, section 5.5, allows at most 123 bytes.
     std::string why = close_why_.substr(0, 120);
     lws_close_reason(wsi_, static_cast<lws_close_status>(*close_code_),
                      reinterpret_cast<unsigned char*>(why.data()), why.size());
@@ -61,7 +61,7 @@ class LwsConnection : public WebConnection {
   std::string close_why_;
 };
 
-// Data of one WebSocket.
+// The data that belong to one WebSocket.
 struct Session {
   explicit Session(lws* wsi) : connection(wsi) {}
   LwsConnection connection;
@@ -97,7 +97,8 @@ WebRequest RequestOf(lws* wsi) {
   return request;
 }
 
-// Adds the headers of `answer` at `*at`.  Returns false if there is no room for them.
+// Adds the headers of `answer` at `*at`, and moves `*at` behind them.  Returns false if there is no
+// room for the headers.
 bool AddHeaders(lws* wsi, const WebAnswer& answer, unsigned char** at, unsigned char* end) {
   for (const auto& [name, value] : answer.headers) {
     const std::string title = name + ":";
@@ -181,7 +182,8 @@ class LwsLoop : public WebLoop {
 
   void Serve(int connection) override {
     setsockopt(connection, SOL_SOCKET, SO_SNDBUF, &kSendBufferSize, sizeof kSendBufferSize);
-    lws_adopt_socket_vhost(vhost_, connection);  // closes the descriptor after an error
+    // If that fails, this function closes the descriptor.
+    lws_adopt_socket_vhost(vhost_, connection);
   }
 
   Watched Watch(int descriptor, WebDescriptor* handler) override {
@@ -215,7 +217,8 @@ class LwsLoop : public WebLoop {
       case LWS_CALLBACK_HTTP:
         return SendAnswer(wsi, LoopOf(wsi)->service_->Answer(RequestOf(wsi)));
       case LWS_CALLBACK_HTTP_CONFIRM_UPGRADE: {
-        // Refuses all upgrades but WebSockets, because an upgrade to HTTP/2 would avoid our checks.
+        // Refuses all upgrades except those to WebSockets, because an upgrade to HTTP/2 would avoid
+        // our checks.
         if (std::strcmp(static_cast<const char*>(in), "websocket") != 0) return -1;
         const auto refusal = LoopOf(wsi)->service_->Refuse(RequestOf(wsi));
         if (refusal == nullptr) return 0;
@@ -276,7 +279,7 @@ class LwsLoop : public WebLoop {
 
   WebService* const service_;
   const std::string protocol_;
-  std::array<lws_protocols, 4> protocols_{};  // the last entry is the end of the list
+  std::array<lws_protocols, 4> protocols_{};  // the last entry stays empty and ends the list
   lws_context* context_ = nullptr;
   lws_vhost* vhost_ = nullptr;
   StopTimer stop_timer_{{}, this};

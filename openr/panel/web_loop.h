@@ -17,32 +17,34 @@ namespace openr_host {
 // A request of HTTP.  A WebSocket begins with such a request, too.
 struct WebRequest {
   bool is_get = false;
-  std::string path;      // "/index.html": decoded and without the query
+  std::string path;      // path in the URL, such as "/index.html", decoded and without the query
   std::string host;      // header Host; "" if the request has none
   std::string origin;    // header Origin; "" if the request has none
   std::string protocol;  // header Sec-WebSocket-Protocol; "" if the request has none
-  std::string run;       // value of "run=" in the query
+  std::string run;       // value of "run=" in the query of the URL; "" if there is none
 };
 
-// An answer to a request of HTTP: the bytes of `file` or, if `file` is "", those of `text`.
+// An answer to a request of HTTP.  Its bytes are the content of `file`; if `file` is "", they are
+// `text`.
 struct WebAnswer {
   int status = 200;
   std::string type = "text/plain; charset=utf-8";
   std::string text = {};
   std::string file = {};
-  std::vector<std::pair<std::string, std::string>> headers = {};  // names in lower case
+  // Names and values of headers; names in lower case.
+  std::vector<std::pair<std::string, std::string>> headers = {};
 };
 
-// The socket of a page.
+// The connection to a page: the socket of a WebSocket, through which the server sends.
 class WebConnection {
  public:
-  // Makes the loop call WebPage::Next() as soon as the socket takes bytes.
+  // Makes the loop call WebPage::Next() as soon as the socket can take bytes.
   virtual void WantSend() = 0;
   // Closes the WebSocket with `code` and `why` (RFC 6455, section 7.4) when Next() returns "".
   virtual void CloseWhenSent(int code, const std::string& why) = 0;
   // Closes the socket at once, and sends no reason to the page.
   virtual void Abort() = 0;
-  // Stops or resumes reading from the page.
+  // Stops reading from the page, or begins again (`is_on`).
   virtual void SetReading(bool is_on) = 0;
 
  protected:
@@ -62,10 +64,10 @@ class WebPage {
 // A descriptor that the loop watches.
 class WebDescriptor {
  public:
-  // Called when the descriptor can be read.  Returns false if it must be closed.
+  // Called when the descriptor can be read.  Returns false if the descriptor must be closed.
   virtual bool OnReadable() = 0;
-  // Called after WebLoop::WantWrite() when the descriptor can be written.  Returns false
-  // if it must be closed.
+  // Called after WebLoop::WantWrite(), when the descriptor can be written.  Returns false if the
+  // descriptor must be closed.
   virtual bool OnWritable() { return true; }
   // Called once after the loop has closed the descriptor, unless Forget() was called before.
   virtual void OnClosed() = 0;
@@ -74,16 +76,16 @@ class WebDescriptor {
   ~WebDescriptor() = default;
 };
 
-// The functions of the program that the loop calls.
+// The functions of the server that the loop calls.
 class WebService {
  public:
   virtual WebAnswer Answer(const WebRequest& request) = 0;
-  // Returns the answer that refuses a WebSocket; null if it may be opened.
+  // Returns an answer that refuses a WebSocket; null if the WebSocket may be opened.
   virtual std::unique_ptr<WebAnswer> Refuse(const WebRequest& request) = 0;
   // Called when a WebSocket was opened.  `connection` exists as long as the page that this function
   // returns.
   virtual std::unique_ptr<WebPage> Open(const WebRequest& request, WebConnection* connection) = 0;
-  // Called in the thread of the loop after WebLoop::Wake().
+  // Called in the thread of the loop after a thread has called WebLoop::Wake().
   virtual void OnWake() = 0;
 
  protected:
@@ -94,7 +96,7 @@ class WebLoop {
  public:
   virtual ~WebLoop() = default;
 
-  // Serves until Stop() is called.
+  // Serves pages until Stop() is called.
   virtual void Run() = 0;
   virtual void Stop() = 0;
   // Calls Stop() after `ms` milliseconds.
@@ -106,12 +108,12 @@ class WebLoop {
   // Serves HTTP on an accepted connection.  The loop owns the descriptor from now on.
   virtual void Serve(int connection) = 0;
 
-  // A descriptor that the loop watches; null after an error.
+  // Names a descriptor that the loop watches; null after an error.
   using Watched = void*;
-  // Watches a descriptor, which the loop owns from now on.
+  // Watches a descriptor and calls `handler` for it.  The loop owns the descriptor from now on.
   virtual Watched Watch(int descriptor, WebDescriptor* handler) = 0;
   virtual void WantWrite(Watched watched) = 0;
-  // Closes the descriptor soon.  Its handler is not called any more.
+  // Closes a watched descriptor soon.  The descriptor's handler is not called any more.
   virtual void Forget(Watched watched) = 0;
 };
 

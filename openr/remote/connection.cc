@@ -1,4 +1,4 @@
-// Connection: packets, requests and events.
+// The part of Connection that handles packets, requests and events.
 #include "openr/remote/connection.h"
 
 #include <fmt/format.h>
@@ -10,7 +10,8 @@
 namespace openr::remote {
 namespace {
 
-// Returns the version of the protocol for a request: the first version that has the command.
+// Returns the version of the protocol that a request must have: the first version that knows the
+// command.
 int VersionFor(int command) {
   switch (command) {
     case rcINFO:
@@ -39,7 +40,7 @@ Bytes MakePacket(int command, RequestId id, const Bytes& payload, int version = 
   return packet;
 }
 
-// Makes the answer from the packet that `framer` found last.
+// Makes the answer from the packet that `framer` has found last.
 Answer AnswerFrom(const RcAnswerHeader& header, const RcFramer& framer) {
   const int begin = RC_ANSWER_HEADER_SIZE - RC_HEADER_SIZE;
   Answer answer;
@@ -81,16 +82,17 @@ void Connection::ThrowSilent() const {
         "end another client");
 }
 
-// Returns whether the robot answers on a new connection.  Called when this connection was lost, so
-// that the error can say whether only the connection or the whole run has ended.
+// Returns whether the robot answers on a new connection.  Called when this connection was lost: if
+// the robot answers, only this connection has ended and not the whole run, and the error text says
+// so.
 bool Connection::RobotGoesOn() const {
   if (is_probe_) return false;
   try {
     Connection(address_, options_, true).Request(rcINFO);
     return true;
   } catch (const Error& error) {
-    return error.code() == ErrorCode::kRefused;  // the robot goes on, but serves as many clients as
-                                                 // it can
+    // Returns true for a refusal: the robot goes on, but has all the clients that it can serve.
+    return error.code() == ErrorCode::kRefused;
   }
 }
 
@@ -147,8 +149,8 @@ bool Connection::ReceivePacket(Clock::time_point deadline) {
   }
 }
 
-// Stores the packet that was received last: adds an event to those that NextEvent() will return,
-// and stores an answer with its request.
+// Stores the packet that was received last.  An event is added to the events that NextEvent() will
+// return; an answer is stored with its request.
 void Connection::TakePacket() {
   RcAnswerHeader header;
   if (!header.Read(framer_)) ThrowMalformed();
@@ -163,8 +165,9 @@ void Connection::TakeAnswer(const RcAnswerHeader& header) {
   const auto found = pending_.find(header.header.tag);
   if (found == pending_.end()) {
     Answer answer = AnswerFrom(header, framer_);
-    // Throws, because an error without a request is no answer: the robot has received bytes that
-    // are no packet, or serves as many clients as it can.
+    // Throws an exception for an answer that belongs to no request.  The robot sends such an error
+    // when it has received bytes that are no packet, or when it has all the clients that it can
+    // serve.
     if (answer.status != rcOK) throw Error(answer.status, answer.frame, answer.error);
     ThrowMalformed();
   }
@@ -184,7 +187,7 @@ void Connection::KeepEvent(const RcAnswerHeader& header) {
   if (events_.size() == kEventsMax) events_.pop_front();
   events_.push_back({header.header.tag, header.frame, head.stream, head.leftOut,
                      Bytes(in.Rest(), in.Rest() + in.RestSize())});
-  // allows the robot to send the next events
+  // Tells the robot that the event has arrived.  The robot may then send the next events.
   SendBytes(MakePacket(rcEVENT, header.header.tag, {}));
 }
 
@@ -209,7 +212,8 @@ bool Connection::IsAnswered(RequestId id) {
 Answer Connection::WaitForAny(RequestId id) {
   const Clock::time_point deadline = Clock::now() + options_.timeout;
   while (!pending_.at(id).answer) {
-    // Looks at the clock even if packets arrive, because these may be events only, and no answer.
+    // Looks at the clock even if packets arrive, because all of them may be events, so that the
+    // answer never comes.
     if (Clock::now() > deadline || !ReceivePacket(deadline)) ThrowSilent();
     TakePacket();
   }

@@ -31,12 +31,12 @@ namespace openr::remote {
 
 class TcpStream;
 
-// Structs of requests and answers.  Client and robot share these structs of the protocol; their
+// Structs for requests and answers of the protocol.  Client and robot share these structs; their
 // headers describe units and order.
-using Info = RcInfo;                // design of the robot and what it does now
-using Description = RcDescription;  // a device: its names, and the limits of a joint or the kind of
-                                    // a sensor
-using JointState = RcJointState;    // units: 0.01 degree, 0.01 degree/s, 0.01 degree/s^2
+using Info = RcInfo;  // describes the design of the robot and what the robot does now
+// Describes a device: its names, and the limits of a joint or the kind of a sensor.
+using Description = RcDescription;
+using JointState = RcJointState;  // its units are 0.01 degree, 0.01 degree/s and 0.01 degree/s^2
 using Gains = RcGains;
 using Power = RcPower;
 using Sensors = RcSensors;
@@ -51,35 +51,35 @@ struct Options {
   std::chrono::milliseconds timeout{3000};
 };
 
-// The number of a request that was sent.  Never 0.
+// The number of a request that was sent.  It is never 0.
 using RequestId = uint16_t;
 
-// The answer to a request.
+// The answer of the robot to a request.
 struct Answer {
   uint32_t frame =
       0xffffffff;     // frame of 8 ms of the robot's newest sensor values; 0xffffffff: none
   int status = rcOK;  // result of the request, an RcStatus
   std::string error;  // the robot's error text if the status is not rcOK
-  Bytes payload;      // empty if the status is not rcOK
+  Bytes payload;      // payload of the answer; empty if the status is not rcOK
 };
 
-// A request for a batch.  `payload` has no header.
+// A request that is sent in a batch.  `payload` has no header.
 struct Call {
-  int command;  // RcCommand
+  int command;  // number of the command, an RcCommand
   Bytes payload;
 };
 
 // A packet of a stream.  The robot sends these packets without further requests.
 struct Event {
-  RequestId subscription = 0;  // result of Subscribe()
+  RequestId subscription = 0;  // id of the subscription, which Subscribe() has returned
   uint32_t frame = 0;
-  int stream = 0;    // RcStream
-  int left_out = 0;  // number of values that were not sent since the event before
+  int stream = 0;    // kind of the stream, an RcStream
+  int left_out = 0;  // number of values that were left out after the event before
   Bytes values;      // values of Sensors or SetValues; see Read()
 };
 
-// Called during a transfer with the number of bytes that were transferred, and the size of the
-// file.  The first call has 0 bytes.
+// A function that is called during a transfer with two numbers: the bytes that were transferred,
+// and the size of the file.  The first call has 0 bytes.
 using Progress = std::function<void(size_t done, size_t size)>;
 
 // A TCP connection to a robot.  The caller owns it and uses it in one thread at a time.
@@ -98,15 +98,15 @@ class Connection {
 
   const Address& address() const { return address_; }
 
-  // Returns the frame number in the newest answer that one of the functions below has waited for.
+  // Returns the frame number in the newest answer for which a function of this class has waited.
   uint32_t frame() const { return frame_; }
 
-  // ---- Devices: indices are those of the robot's model, from 0.
+  // ---- Devices: an index is the number of a device in the robot's model, from 0.
 
   Info GetInfo();
 
-  // Returns all devices of a kind.  Asks the robot only in the first call; the result never
-  // changes.
+  // Returns all devices of the kind `kind`.  Asks the robot only in the first call, because its
+  // devices never change.
   const std::vector<Description>& Devices(RcDeviceKind kind);
 
   // Returns the index of a device.  `name` is its short name ("LF_j1"), title ("Left fore leg J1"),
@@ -118,9 +118,9 @@ class Connection {
 
   JointState GetJoint(int joint);
 
-  // Each function returns the value that is now in force: the value asked for, or the joint's limit
-  // if the value is beyond it.  They return before the joint has moved.  Values beyond 10^6 count
-  // as 10^6.  REQUIRES: the value is a number.
+  // Move(), SetSpeed() and SetAcceleration() return the value that is now in force: the wanted
+  // value, or the joint's limit if the wanted value is beyond it.  They return before the joint has
+  // moved.  Values beyond 10^6 count as 10^6. REQUIRES: the value is a number.
   double Move(int joint, double degrees);
   double SetSpeed(int joint, double degrees_per_s);
   double SetAcceleration(int joint, double degrees_per_s2);
@@ -128,7 +128,7 @@ class Connection {
   // Returns a request of Move(), SetSpeed() or SetAcceleration(), to be sent with Send() or
   // Batch(). `command` is rcMOVE, rcSPEED or rcACCEL.
   static Call JointCall(RcCommand command, int joint, double value);
-  // Returns the value in an answer to JointCall().
+  // Returns the value that is now in force, from the answer to a request of JointCall().
   double InForce(const Answer& answer) const;
 
   void SetLed(int led, bool on);
@@ -146,8 +146,8 @@ class Connection {
   Sensors GetSensors();
   Power GetPower();
 
-  // Asks for a picture and waits for it, at most for the time limit of the options.  `layer` is 0
-  // for H, 1 for M, 2 for L, 3 for C.
+  // Asks for a picture and waits for the picture, at most for the time limit of the options.
+  // `layer` is 0 for H, 1 for M, 2 for L, 3 for C.
   Picture TakePicture(int layer);
 
   // ---- Motions and files of the stick.  `name` is a file name of 8+3 characters: "WALK.MTN".
@@ -157,7 +157,8 @@ class Connection {
   PlayAnswer PlayMotion(const std::string& name, int loops = 1, int key_frames_per_vector = 0);
   void StopMotion();
 
-  std::vector<ListEntry> ListMotions();  // sorted by name; sizes in bytes
+  // Returns the motion files, sorted by name, with sizes in bytes.
+  std::vector<ListEntry> ListMotions();
 
   // Uploads a file to the stick; replaces a file of the same name.  The robot checks the content.
   // If the robot refuses the file or the connection ends, the old file stays.
@@ -181,18 +182,18 @@ class Connection {
   void Unsubscribe(RcStream stream);
 
   // Waits for the next event, as long as the robot answers.  If no event comes within the time
-  // limit of the options, sends INFO to test that the robot still answers.  Throws if it does not.
-  // Keeps the newest kEventsMax events that arrive while another function waits.
+  // limit of the options, sends INFO to test that the robot still answers, and throws Error if it
+  // does not.  While another function waits, keeps the newest kEventsMax events that arrive.
   Event NextEvent();
-  // Returns the next event; nullopt if none arrives until `deadline`.  Receives bytes that have
-  // arrived already even if `deadline` is in the past.
+  // Returns the next event; nullopt if no event arrives until `deadline`.  If `deadline` is in the
+  // past, still receives bytes that have arrived already.
   std::optional<Event> NextEvent(std::chrono::steady_clock::time_point deadline);
   static constexpr size_t kEventsMax = 1000;
 
   // ---- Single requests of any kind, and several requests without waiting
 
-  // Sends a request and waits for its answer.  `version` is the version of the protocol; 0: the
-  // first version that has the command.
+  // Sends a request, waits for its answer and returns the answer.  `version` is the version of the
+  // protocol; 0: the first version that has the command.
   Answer Request(int command, const Bytes& payload = {}, int version = 0);
 
   // Sends a request and returns at once.  The caller must pass the id once to Wait(), WaitForAny()
@@ -202,15 +203,17 @@ class Connection {
   RequestId Send(int command, const Bytes& payload = {}, int version = 0);
   static constexpr size_t kInFlight = 32;
 
-  // Returns whether the answer has arrived, so that Wait() returns at once.  Throws Error
-  // (kTimeout) if the request was sent longer ago than the time limit of the options.
+  // Returns whether the answer to the request `id` has arrived, so that Wait() returns at once.
+  // Throws Error (kTimeout) if the request was sent longer ago than the time limit of the options.
   bool IsAnswered(RequestId id);
-  Answer Wait(RequestId id);        // throws Error (kRefused) if the robot refuses
-  Answer WaitForAny(RequestId id);  // returns a refusal as well
-  void Drop(RequestId id);          // drops the answer when it arrives
+  Answer Wait(RequestId id);  // returns the answer; throws Error (kRefused) if the robot refuses
+  // Like Wait(), but also returns the answer of a robot that refuses.
+  Answer WaitForAny(RequestId id);
+  void Drop(RequestId id);  // makes the answer be thrown away when it arrives
 
-  // Sends a request for each payload without waiting in between, so that many requests take few
-  // round trips.  If requests are refused, throws the first refusal after all answers have arrived.
+  // Sends a request for each payload without waiting for answers in between, so that many requests
+  // take few round trips.  If the robot refuses requests, throws the first refusal after all
+  // answers have arrived.
   std::vector<Answer> RequestAll(int command, const std::vector<Bytes>& payloads);
 
   // Sends up to RC_MAX_BATCH requests in one packet, which the robot carries out in the same frame.
@@ -218,21 +221,23 @@ class Connection {
   // batch.
   std::vector<Answer> Batch(const std::vector<Call>& calls);
   RequestId SendBatch(const std::vector<Call>& calls);
-  // Waits for the answer to SendBatch() and returns the answers in it.  `count` is the number of
-  // calls in the batch.
+  // Waits for the answer to SendBatch() and returns the answers to the single calls in it.  `count`
+  // is the number of calls in the batch.
   std::vector<Answer> WaitForBatch(RequestId id, size_t count);
 
   // ---- For programs that serve several robots in one thread
 
   // Returns the socket, for poll().  REQUIRES: the caller uses it with poll() only.
   int descriptor() const;
-  // Returns the answer if a function above has received it, and forgets the request then.  Does not
-  // wait and does not receive; NextEvent() with a deadline in the past receives.
+  // Returns the answer to the request `id` if it has been received, and then forgets the request;
+  // else nullopt.  Does not wait and does not receive; NextEvent() with a deadline in the past
+  // receives.
   std::optional<Answer> TakeAnswer(RequestId id);
-  // Returns the answers in the answer to SendBatch().  `count` is the number of its calls.
+  // Returns the answers to the single calls of a batch.  `answer` is the answer to SendBatch(),
+  // `count` the number of calls in the batch.
   std::vector<Answer> ReadBatch(const Answer& answer, size_t count) const;
 
-  // Makes the payload of a request from a struct of the protocol.
+  // Makes the payload of a request from `payload`, a struct of the protocol.
   template <typename Payload>
   static Bytes BytesOf(const Payload& payload) {
     uint8_t bytes[RC_MAX_PACKET];
@@ -285,7 +290,7 @@ class Connection {
 
   const Address address_;
   const Options options_;
-  const bool is_probe_;  // this connection was made by RobotGoesOn(), to test the robot
+  const bool is_probe_;  // true: RobotGoesOn() has made this connection to test the robot
   std::unique_ptr<TcpStream> stream_;
   RcFramer framer_;
   RequestId last_id_ = 0;

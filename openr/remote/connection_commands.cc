@@ -1,4 +1,4 @@
-// Connection: devices, joints, lights, sensors, motions, the end of the run.
+// The part of Connection for devices, joints, lights, sensors, motions, and the end of the run.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,8 +10,8 @@ namespace openr::remote {
 namespace {
 
 constexpr double kCdegPerDegree = 100;
-constexpr double kValueMax = 1e6;  // degrees; larger values in 0.01 degree might not fit into 32
-                                   // bits
+// Largest value in degrees.  Larger values in 0.01 degree might not fit into 32 bits.
+constexpr double kValueMax = 1e6;
 
 }  // namespace
 
@@ -19,8 +19,8 @@ constexpr double kValueMax = 1e6;  // degrees; larger values in 0.01 degree migh
 
 Info Connection::GetInfo() {
   const Answer answer = WaitForAny(Send(rcINFO, {}, RC_VERSION_FILES));
-  // Asks with version 1 of the protocol if the robot serves no later version; its answer has fewer
-  // fields.
+  // Asks again with version 1 of the protocol if the robot knows no later version.  The answer to
+  // version 1 has fewer fields.
   if (answer.status == rcerrorVERSION) return Read<Info>(Request(rcINFO));
   if (answer.status != rcOK) throw Error(answer.status, answer.frame, answer.error);
   return Read<Info>(answer);

@@ -1,4 +1,4 @@
-// Connection: files of the robot's Memory Stick.
+// The part of Connection for files of the robot's Memory Stick.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ Bytes UploadPart(const std::string& bytes, size_t offset) {
   return part;
 }
 
-// The payload of MTN_LIST.
+// The payload of the request MTN_LIST, which asks for a list of motion files.
 struct FirstIndex {
   size_t first;
   void Write(RcWriter* out) const { out->U16(static_cast<Uint32>(first)); }

@@ -5,7 +5,8 @@
 namespace openr::remote {
 namespace {
 
-// Returns what a client can do about a refusal; "" if the robot's text says it already.
+// Returns an advice to the user after the robot has refused a request; "" if the robot's text gives
+// the advice already.
 std::string AdviceFor(int status) {
   switch (status) {
     case rcerrorVERSION:

@@ -8,10 +8,10 @@
 namespace openr::remote {
 
 enum class ErrorCode {
-  kAddress,      // the text is no address, or no host has this name
-  kUnreachable,  // no connection: no program listens there, or none answers in time
+  kAddress,      // the text is no address, or no host has the name in it
+  kUnreachable,  // no connection: no program listens at the address, or none answers in time
   kTimeout,      // connected, but the robot has not answered or taken bytes in time
-  kLost,         // the connection has ended
+  kLost,         // the connection to the robot has ended
   kProtocol,     // the bytes that arrived do not follow the protocol of the remote control
   kRefused,      // the robot refuses the request; status() and text() say why
   kNoDevice,     // the robot has no device with this name
@@ -23,20 +23,21 @@ enum class ErrorCode {
 class Error : public std::runtime_error {
  public:
   Error(ErrorCode code, const std::string& text, const std::string& advice = "");
-  // An error of kind kRefused: `status` is a RcStatus, `frame` the frame of the answer, `text` the
-  // robot's own words.
+  // Makes an error of the kind kRefused.  `status` is an RcStatus, `frame` the frame number in the
+  // answer, `text` the robot's own words.
   Error(int status, uint32_t frame, const std::string& text);
 
   ErrorCode code() const { return code_; }
-  const std::string& text() const { return text_; }  // the error
-  // Returns what the user can do against the error; "" if text() says it.
+  const std::string& text() const { return text_; }  // description of the error
+  // Returns what the user can do to avoid the error; "" if text() says it already.
   const std::string& advice() const { return advice_; }
   // Returns the RcStatus (RemoteProtocol.h) of a refusal; 0 (rcOK) if the robot has not refused.
   int status() const { return status_; }
-  uint32_t frame() const { return frame_; }  // frame number in the robot's refusal
+  // Returns the frame number in the answer by which the robot refused.
+  uint32_t frame() const { return frame_; }
 
-  // Returns whether the connection can still be used after this error.  If not, the caller must
-  // make a new connection.
+  // Returns whether the connection can still be used after this error.  If it cannot, the caller
+  // must make a new connection.
   bool LeavesConnection() const;
 
  private:

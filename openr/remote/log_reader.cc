@@ -6,13 +6,13 @@
 namespace openr::remote {
 namespace {
 
-// The payload of LOG.
+// The payload of the request LOG, which asks for records of a motion's log.
 struct RecordNumber {
   uint32_t number;
   void Write(RcWriter* out) const { out->U32(number); }
 };
 
-// The payload of an answer to LOG.
+// The payload of the answer to LOG: some records of a motion's log.
 struct LogPart {
   RcLogHead head;
   std::string records;

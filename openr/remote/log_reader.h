@@ -13,24 +13,24 @@ class Connection;
 // throw the errors of Connection.
 class LogReader {
  public:
-  // `connection` must outlive the reader.
+  // Makes a reader for the robot of `connection`, which must outlive the reader.
   explicit LogReader(Connection* connection) : connection_(connection) {}
 
   // Skips the records that the robot has made before this call.
   void SkipOld();
 
   // Reads the records that the robot has made since the last call.  Returns the state of JointMover
-  // (MoverState) after the last of them.
+  // (MoverState) after the last of these records.
   int Take();
 
-  // Returns the bytes of a log file (Hohl 2004, table 3.9): the header and all records that were
-  // read.
+  // Returns the bytes of a log file (Hohl 2004, table 3.9): the header, and all records that were
+  // read from the robot.
   std::string File() const;
 
   int count() const { return count_; }  // number of records that were read
   // Returns the number of records that the robot has dropped before they were read.
   uint32_t lost() const { return lost_; }
-  uint32_t frame() const { return frame_; }  // frame number of the last answer
+  uint32_t frame() const { return frame_; }  // frame number in the robot's last answer
 
  private:
   Connection* const connection_;

@@ -14,13 +14,13 @@ namespace {
 // Time between two requests that ask whether the picture is ready.
 constexpr std::chrono::milliseconds kPictureWait{20};
 
-// The payload of CAMERA_PART.
+// The payload of the request CAMERA_PART, which asks for one part of a picture.
 struct PartNumber {
   int part;
   void Write(RcWriter* out) const { out->U16(static_cast<Uint32>(part)); }
 };
 
-// The payload of an answer to CAMERA_PART.
+// The payload of an answer to CAMERA_PART: one part of a picture.
 struct PicturePart {
   RcPicturePart head;
   std::string bytes;
@@ -81,7 +81,7 @@ std::string Picture::Rgb() const {
                            row_size * static_cast<size_t>(row * bands + 1);
     const auto* const cb = cr + row_size;
     for (size_t x = 0; x < row_size; ++x) {
-      const int red = cr[x] - 128;  // R - Y and B - Y (robot.md 11.2)
+      const int red = cr[x] - 128;  // Cr is R - Y and Cb is B - Y, both plus 128 (robot.md 11.2)
       const int blue = cb[x] - 128;
       pixels += Clipped(y[x] + red);
       pixels += Clipped(y[x] - (131 * red + 49 * blue) / 256);

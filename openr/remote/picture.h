@@ -1,4 +1,4 @@
-// Picture, a picture of the robot's camera.
+// Picture, a picture that the robot's camera has taken.
 #pragma once
 
 #include <cstdint>
@@ -6,14 +6,14 @@
 
 namespace openr::remote {
 
-// A layer of a picture.  Layers H, M and L have six bands, interleaved row by row: a row of Y, of
-// Cr, of Cb and of three more bands, then the next row of each.  Layer C has one band, the detected
-// colours.
+// A picture in one of the camera's layers.  Layers H, M and L have six bands, interleaved row by
+// row: a row of Y, then of Cr, of Cb and of three more bands, then the next row of each band.
+// Layer C has one band, the detected colours.
 struct Picture {
-  uint32_t frame = 0;  // frame of 8 ms in which the picture was taken
-  int layer = 0;       // 0 H, 1 M, 2 L, 3 C
+  uint32_t frame = 0;  // number of the frame of 8 ms in which the picture was taken
+  int layer = 0;       // number of the layer: 0 H, 1 M, 2 L, 3 C
   int bands = 0;
-  int width = 0;  // pixels
+  int width = 0;  // width in pixels
   int height = 0;
   std::string bytes;
 
@@ -21,8 +21,8 @@ struct Picture {
   // std::runtime_error if the picture is of layer C, which has no colours, or if bytes are missing.
   std::string Rgb() const;
 
-  // Returns the picture as a file: .ppm (P6), or .pgm (P5) for layer C.  Throws std::runtime_error
-  // if bytes are missing.
+  // Returns the picture as the bytes of a file: .ppm (P6), or .pgm (P5) for layer C.  Throws
+  // std::runtime_error if bytes are missing.
   std::string File() const;
 };
 

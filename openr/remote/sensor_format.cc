@@ -35,7 +35,7 @@ UnitOfKind UnitOf(const RcDescription& sensor) {
   return found == std::end(kUnits) ? UnitOfKind{kind, "", 1} : *found;
 }
 
-// Returns a JSON object that has each value under its name.
+// Returns a JSON object that has each of `values` as a member with the sensor's name.
 Json Values(const std::vector<RcDescription>& names, const std::vector<Sint32>& values) {
   Json json = Json::object();
   for (size_t i = 0; i < std::min(names.size(), values.size()); ++i) {

@@ -15,8 +15,8 @@ class Connection;
 // Returns "starting" if RCServer, the robot's remote control, does not know the state yet.
 std::string StateName(int state);
 
-// Returns the unit in which SensorFormat shows values of the sensor: "N", "m", "degree C", "m/s^2";
-// "" for a switch and for A/D counts.
+// Returns the unit in which SensorFormat shows values of `sensor`: "N", "m", "degree C" or "m/s^2".
+// Returns "" for a switch and for counts of a converter (A/D).
 std::string SensorUnit(const RcDescription& sensor);
 
 // Formats sensor values with the names and units of the robot's sensors.

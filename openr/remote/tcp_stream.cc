@@ -66,14 +66,16 @@ TcpStream::~TcpStream() { close(socket_); }
 
 bool TcpStream::WaitFor(short events, Clock::time_point deadline) const {
   for (;;) {
-    // Rounds up, because a wait of 0 ms would be tried again and again until the deadline.
+    // Rounds the time up.  If 0.5 ms became 0 ms, poll() would be called again and again until the
+    // deadline.
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now());
     const auto left_ms = std::clamp<int64_t>(left.count(), 0, 1'000'000'000);
     pollfd wanted{socket_, events, 0};
     const int ready = poll(&wanted, 1, static_cast<int>(left_ms));
     if (ready > 0) return true;
     if (ready == 0 && left_ms < 1'000'000'000) return false;
-    if (ready < 0 && errno != EINTR) return true;  // the next call on the socket finds the error
+    // Then the next call on the socket finds the error.
+    if (ready < 0 && errno != EINTR) return true;
   }
 }
 

@@ -13,10 +13,10 @@ namespace openr::remote {
 
 using Clock = std::chrono::steady_clock;
 
-// A TCP connection.  Its functions wait until a given time at most.
+// A TCP connection.  Its functions wait at most until a deadline.
 class TcpStream {
  public:
-  // Connects within `timeout`.  Throws Error (kAddress, kUnreachable).
+  // Connects to `address` within `timeout`.  Throws Error (kAddress, kUnreachable).
   TcpStream(const Address& address, std::chrono::milliseconds timeout);
   ~TcpStream();
   TcpStream(const TcpStream&) = delete;
@@ -24,22 +24,22 @@ class TcpStream {
 
   enum class Result { kGood, kTimeout, kLost };
 
-  // Sends all bytes; gives up at `deadline`.
+  // Sends all of `bytes`; gives up at `deadline`.
   Result Send(const uint8_t* bytes, size_t size, Clock::time_point deadline);
 
-  // Waits for bytes and reads up to `capacity` of them.  `*count` gets their number.  With a
-  // deadline in the past, reads only what has arrived already.
+  // Waits for bytes and reads up to `capacity` of them.  Sets `*count` to the number of bytes read.
+  // With a deadline in the past, reads only the bytes that have arrived already.
   Result Receive(uint8_t* bytes, size_t capacity, Clock::time_point deadline, size_t* count);
 
-  // Returns the reason of the loss after a function has returned kLost.
+  // Returns the reason why the connection was lost.  Called after a function has returned kLost.
   const std::string& why_lost() const { return why_lost_; }
   int descriptor() const { return socket_; }
 
  private:
   bool WaitFor(short events, Clock::time_point deadline) const;
-  int WaitForConnection(Clock::time_point deadline) const;  // returns 0 or an errno
-  // Stores the reason of the loss for why_lost(), and returns kLost.  `error` is an errno; 0: the
-  // other end has closed the connection.
+  int WaitForConnection(Clock::time_point deadline) const;  // returns 0, or an errno after an error
+  // Stores the reason why the connection was lost, for why_lost(), and returns kLost.  `error` is
+  // an errno; 0: the other end has closed the connection.
   Result Lost(int error);
 
   int socket_ = -1;

@@ -31,7 +31,7 @@ class GlProgram {
   GLuint program_ = 0;
 };
 
-// A square texture that holds the distance to the nearest surface at each pixel.  After Bind(),
+// A square texture in which each pixel holds the distance of the nearest surface.  After Bind(),
 // OpenGL draws into this texture until something else is bound.
 class DepthTarget {
  public:

@@ -63,8 +63,8 @@ Mesh RoundedBox(const Eigen::Vector3f& size, float radius, int steps) {
   return mesh;
 }
 
-// Adds two triangles for each side face, and at each of the two ends one triangle for each side
-// face.
+// Makes two triangles for each side face of the cylinder, and one more triangle per side face at
+// each of the two ends.
 Mesh Cylinder(const Eigen::Vector3f& size, int sides) {
   Mesh mesh;
   const Eigen::Vector3f half = 0.5f * size;

@@ -9,12 +9,13 @@ namespace openr_host::render {
 
 struct Vertex {
   Eigen::Vector3f position;
-  Eigen::Vector3f normal;  // unit length
+  Eigen::Vector3f normal;  // direction of the surface at this vertex, of unit length
 };
 
 struct Mesh {
   std::vector<Vertex> vertices;
-  std::vector<uint32_t> triangles;  // three indices each; counterclockwise, seen from outside
+  // Three indices of `vertices` per triangle; counterclockwise, seen from outside.
+  std::vector<uint32_t> triangles;
 };
 
 // Returns a box whose centre is the origin.  `radius` is the radius of its edges, at most half of
@@ -25,7 +26,7 @@ Mesh RoundedBox(const Eigen::Vector3f& size, float radius, int steps);
 // number of its side faces, at least 3.
 Mesh Cylinder(const Eigen::Vector3f& size, int sides);
 
-// Returns the flat triangles with these corners, three for each.
+// Returns a mesh of flat triangles; each three points of `corners` are the corners of one triangle.
 Mesh Surface(const std::vector<Eigen::Vector3f>& corners);
 
 }  // namespace openr_host::render

@@ -97,8 +97,9 @@ std::string TakePicture(const PictureRequest& plan, VirtualRobot* robot,
   World world = robot->body().world();
   const size_t things = world.things.size();
   world.things = robot->body().Surroundings();
-  world.things.resize(things);  // drops the boxes of other robots, because robots are drawn with
-                                // their own shapes
+  // Removes the boxes that stand for the other robots in this world, because these robots are drawn
+  // with their own shapes.
+  world.things.resize(things);
   std::vector<RobotLook> looks = {LookOf(*robot)};
   for (const VirtualRobot* const other : company) {
     if (other != robot) looks.push_back(LookOf(*other));

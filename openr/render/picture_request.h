@@ -14,7 +14,7 @@ namespace openr_host {
 class VirtualRobot;
 
 struct PictureRequest {
-  int64_t time_us = -1;  // virtual time; -1: the end of the run
+  int64_t time_us = -1;  // virtual time at which the picture is taken; -1: at the end of the run
   View view = View::kIso;
   int robot = 0;
   int width_px = 1280;  // width of the picture; not used by View::kCamera
@@ -23,14 +23,14 @@ struct PictureRequest {
   std::string file;
 };
 
-// Reads a text such as "t=5s,view=side,size=1280x720,robot=0".  Each part may be left out; t=end is
-// the end of the run.  Returns "" or the error.
+// Reads a picture request from a text such as "t=5s,view=side,size=1280x720,robot=0".  Each part
+// may be left out; t=end is the end of the run.  Returns "" or the error.
 std::string ParsePictureRequest(std::string_view text, PictureRequest* plan);
 
 // Writes a picture of the robot in its present state to the file of `plan`.  `company` are the
-// robots in the same world; the robot itself may be among them.  The first picture of
-// another view than View::kCamera loads libopenr_render.so and the graphics library Mesa.  Returns
-// "" or the error.
+// robots in the same world; the robot itself may be among them.  The first picture with another
+// view than View::kCamera loads libopenr_render.so and the graphics library Mesa.  Returns "" or
+// the error.
 std::string TakePicture(const PictureRequest& plan, VirtualRobot* robot,
                         const std::vector<VirtualRobot*>& company);
 

@@ -15,7 +15,7 @@ namespace openr_host::render {
 namespace {
 
 constexpr int kOversample = 3;  // drawn pixels per pixel of the picture, in each direction
-constexpr int kEdgeSteps = 8;   // segments of a quarter circle at the edges of shapes
+constexpr int kEdgeSteps = 8;   // number of segments in a quarter circle at the edges of shapes
 constexpr int kCylinderSides = 48;
 constexpr int kShadowPixels = 2048;
 constexpr double kFloorHalfM = 6;
@@ -38,7 +38,8 @@ class OffScreen {
   OffScreen(const OffScreen&) = delete;
   OffScreen& operator=(const OffScreen&) = delete;
 
-  const std::vector<uint8_t>& pixels() const { return pixels_; }  // RGBA, the bottom row first
+  // Four bytes per pixel (RGBA), the bottom row first.
+  const std::vector<uint8_t>& pixels() const { return pixels_; }
 
  private:
   std::vector<uint8_t> pixels_;

@@ -14,7 +14,8 @@ namespace {
 struct ViewPlace {
   const char* name;
   View view;
-  Eigen::Vector3d from;  // vector from the target to the camera, in m; x is forward
+  // Vector from the target to the camera, in m; x is the robot's forward direction.
+  Eigen::Vector3d from;
 };
 
 const ViewPlace* Places(size_t* count) {
@@ -44,7 +45,8 @@ render::Camera CameraFor(const RobotLook& look, View view) {
   return camera;
 }
 
-// Returns a camera that sees all robots and things, from the side of the world's -y.
+// Returns a camera that sees all robots and things.  It looks from the side of the world where y is
+// negative.
 render::Camera CameraOverWorld(const std::vector<RobotLook>& looks, const World& world) {
   constexpr double kRobot_m = 0.25, kReachMax_m = 6;  // things further away than kReachMax_m are
                                                       // left out
@@ -62,7 +64,8 @@ render::Camera CameraOverWorld(const std::vector<RobotLook>& looks, const World&
   render::Camera camera;
   camera.fov_rad = 0.5;
   camera.target_W = Eigen::Vector3d(seen.center().x(), seen.center().y(), 0);
-  // Scales the extent along x by 9/16, because the picture is wider than high in this ratio.
+  // Multiplies the extent along x by 9/16, because a picture of 16:9 shows more of the width than
+  // of the height.
   const double reach_m = std::max(seen.sizes().x() * 9 / 16, seen.sizes().y()) / 2;
   camera.shadow_reach_m = seen.sizes().maxCoeff() / 2 + kRobot_m;
   camera.p_W =
@@ -109,7 +112,7 @@ RobotLook LookOf(const VirtualRobot& robot) {
 
 namespace {
 
-// Returns the colour `share` of the way from `dark` to `bright`.
+// Returns the colour between `dark` and `bright`: `share` 0 gives `dark`, `share` 1 gives `bright`.
 render::Colour Between(const render::Colour& dark, const render::Colour& bright, float share) {
   const auto mix = [share](float a, float b) { return a + (b - a) * share; };
   return {mix(dark.r, bright.r), mix(dark.g, bright.g), mix(dark.b, bright.b)};

@@ -24,9 +24,10 @@ Eigen::Isometry3d At(const Eigen::Vector3d& place_m) {
   return Eigen::Isometry3d(Eigen::Translation3d(place_m));
 }
 
-// Adds the parts as boxes with rounded edges, instead of the plain boxes that physics uses.  Leaves
-// out parts of 2 mm or less: the plates of 1 mm by which the model represents the joints J1 of the
-// legs.  They lie inside the box of the trunk, so a picture does not need them.
+// Adds the parts of the robot as boxes with rounded edges; physics uses plain boxes instead.
+// Leaves out parts that are at most 2 mm thick: the plates of 1 mm by which the model represents
+// the joints J1 of the legs.  They lie inside the box of the trunk, so a picture does not need
+// them.
 void AddParts(const RobotModel& model, std::vector<RobotShape>* shapes) {
   for (size_t i = 0; i < model.bodies.size(); ++i) {
     const BodyPart& part = model.bodies[i];
@@ -60,14 +61,14 @@ Colour LightColour(const std::string& name) {
   return {1.0f, 1.0f, 0.85f};
 }
 
-// The place of a light, when all joints are at 0 degrees.  The lights of the three models have
-// different names.  No document gives these places: those of the ERS-210 are estimated from
-// photographs, and those of the others are chosen by the names of the lights.
+// The place of a light, when all joints are at 0 degrees.  The lights of the three robot models
+// have different names.  No document gives these places: the places on the ERS-210 are estimated
+// from photographs, and the places on the other models are chosen by the names of the lights.
 struct LightPlace {
   const char* name;
   const char* body;
   double x, y, z;
-  double width, height;  // mm
+  double width, height;  // size of the light, in mm
 };
 constexpr LightPlace kLights[] = {
     {"Eye light (lower left)", "head", 146.8, 11, 101, 9, 3.5},
@@ -79,7 +80,7 @@ constexpr LightPlace kLights[] = {
     {"Mode indicator", "head", 146.0, 0, 121, 5, 3},
     {"Tail light (blue)", "tail_tilt", -141.5, 4.5, 56.3, 6, 6},
     {"Tail light (orange)", "tail_tilt", -141.5, -4.5, 56.3, 6, 6},
-    // ERS-7
+    // The lights of the ERS-7.
     {"Face light 1", "head", 144, 6, 100, 6, 4},
     {"Face light 2", "head", 144, -6, 100, 6, 4},
     {"Face light 3", "head", 144, 14, 103, 6, 4},
@@ -106,7 +107,7 @@ constexpr LightPlace kLights[] = {
     {"Back light (middle, white)", "body", -7.5, -6, 48, 8, 3},
     {"Back light (rear, color)", "body", -41.5, 6, 48, 8, 3},
     {"Back light (rear, white)", "body", -41.5, -6, 48, 8, 3},
-    // ERS-220
+    // The lights of the ERS-220.
     {"Face side light (front left)", "head", 130, 34, 109, 3, 4},
     {"Face side light (center left)", "head", 118, 34, 109, 3, 4},
     {"Face side light (back left)", "head", 106, 34, 109, 3, 4},
@@ -179,8 +180,8 @@ void AddFace(const RobotModel& model, std::vector<RobotShape>* shapes) {
   shapes->push_back(nose);
 }
 
-// Adds the end piece behind the trunk of a robot without tail joints, the ERS-220, whose overall
-// length is 276 mm.  It carries the tail lights.
+// Adds the end piece behind the trunk of a robot without tail joints.  Only the ERS-220 has no tail
+// joints; its overall length is 276 mm.  The end piece carries the tail lights.
 void AddEndPiece(const RobotModel& model, std::vector<RobotShape>* shapes) {
   const int body = model.FindBody("body");
   if (body < 0 || model.FindBody("tail_tilt") >= 0) return;
@@ -194,7 +195,7 @@ void AddEndPiece(const RobotModel& model, std::vector<RobotShape>* shapes) {
   shapes->push_back(added);
 }
 
-// Angle by which an ear leans back when its plunger is at 0.
+// Angle by which an ear leans back when its plunger is at angle 0.
 constexpr double kEarLean_rad = -0.35;
 
 // Adds the ears, which are the plungers of the model.  An ear has two positions: when it is off it
@@ -251,9 +252,9 @@ void AddHinges(const RobotModel& model, std::vector<RobotShape>* shapes) {
   }
 }
 
-// The place of a touch sensor on the surface of the box of a part: `x`, `y` and `z` are fractions
-// of the box's edges, from its centre.  No document gives the places, so they are estimated from
-// photographs.
+// The place of a touch sensor on the surface of the box of a part.  `x`, `y` and `z` count from the
+// centre of the box, as fractions of its edges.  No document gives the places, so they are
+// estimated from photographs.
 struct TouchPlace {
   const char* sensor;
   const char* body;
@@ -314,8 +315,8 @@ std::optional<Colour> FloorColour(const World& world) {
 }
 
 std::vector<Shape> ShapesOfWorld(const World& world) {
-  constexpr double kPaintTop_m = 0.004;  // height of the uppermost paint; too small to look like a
-                                         // step
+  // Height of the uppermost paint; too small to be seen as a step.
+  constexpr double kPaintTop_m = 0.004;
   const auto is_paint = [](const WorldThing& thing) { return !thing.is_solid; };
   const auto paints = std::count_if(world.things.begin(), world.things.end(), is_paint);
   double paint_height_m = 0;
@@ -326,7 +327,7 @@ std::vector<Shape> ShapesOfWorld(const World& world) {
     shape.X_WS.translation() = thing.centre_m;
     shape.size_m = thing.size_m;
     const double shortest_m = thing.size_m.minCoeff();
-    // Draws a sphere as a box whose edges are as round as possible.
+    // Gives the box of a sphere edges that are as round as possible, so that it looks like a ball.
     shape.radius_m =
         thing.shape == ThingShape::kSphere ? shortest_m / 2 : std::min(0.004, 0.2 * shortest_m);
     shape.is_cylinder = thing.shape == ThingShape::kCylinder;

@@ -12,18 +12,19 @@
 
 namespace openr_host {
 
-// A shape that is fixed to part `body` of a robot.
+// A shape that is fixed to the part number `body` of a robot.
 struct RobotShape {
   int body = 0;  // index of RobotModel::bodies
-  // `shape.X_WS` is the pose in the part, not in the world.  For an ear, this is the pose at angle
-  // 0. For a light, the colour is that of the light when it is off.
+  // The shape; its pose `shape.X_WS` is the pose in the part, not in the world.  For an ear, it is
+  // the pose when the ear's angle is 0. For a light, the colour is the colour of the light when it
+  // is off.
   render::Shape shape;
   int led = -1;           // for a light: index of RobotModel::leds, otherwise -1
   render::Colour glow;    // for a light: its colour when it is on
   render::Colour glow_b;  // for a light of the ERS-7's face: its colour in mode B
   int ear = -1;           // for an ear: index of RobotModel::plungers, otherwise -1
-  // For an ear: a point of its axis, in the coordinates of the part.  The direction of the axis is
-  // -y.
+  // For an ear: a point of the axis about which the ear turns, in the coordinates of the part.  The
+  // direction of the axis is -y.
   Eigen::Vector3d pivot{0, 0, 0};
   std::string touch;  // the short name of the touch sensor under the shape; "": none
 };
@@ -35,11 +36,11 @@ std::vector<RobotShape> ShapesOfRobot(const RobotModel& model);
 // turned by `angle_rad`.  Other shapes do not move in their part.
 Eigen::Isometry3d PlaceInPart(const RobotShape& shape, double angle_rad);
 
-// Returns the shapes of the things in `world`; their X_WS is the pose in the world.  Paint is a
-// thin plate; later paint reaches higher, so that it covers earlier paint.
+// Returns the shapes of the things in `world`, with their poses in the world.  Paint is a thin
+// plate.  Each paint is higher than the paints before it in the world, so that it covers them.
 std::vector<render::Shape> ShapesOfWorld(const World& world);
 
-// Returns the colour of the floor, if the world file gives one.
+// Returns the colour of the floor; nullopt if the world file gives no colour.
 std::optional<render::Colour> FloorColour(const World& world);
 
 }  // namespace openr_host

@@ -11,30 +11,31 @@
 namespace openr_host::render {
 
 struct Colour {
-  float r = 0.5f, g = 0.5f, b = 0.5f;  // 0 to 1, as seen on a screen (sRGB)
+  // Red, green and blue, each from 0 to 1, as seen on a screen (sRGB).
+  float r = 0.5f, g = 0.5f, b = 0.5f;
 };
 
 // A box with rounded edges.  It is a ball when `radius_m` is half of each edge.
 struct Shape {
   Eigen::Isometry3d X_WS = Eigen::Isometry3d::Identity();  // centre and axes of the box in W
-  Eigen::Vector3d size_m{0, 0, 0};                         // lengths of the edges
+  Eigen::Vector3d size_m{0, 0, 0};                         // lengths of the box's edges
   double radius_m = 0;       // radius of the edges; at most half of the shortest edge is used
   bool is_cylinder = false;  // a cylinder along z fills the box; its edges are sharp
   // Three corners for each triangle of a surface, counterclockwise from outside, in the axes of the
   // box.  If there are triangles, they are drawn instead of the box.
   std::vector<Eigen::Vector3f> triangles;
   Colour colour;
-  float gloss = 0.3f;  // from 0, dull, to 1, polished
-  bool glows = false;  // shines in its own colour, also in the shadow
+  float gloss = 0.3f;  // from 0 (dull) to 1 (polished)
+  bool glows = false;  // the shape shines in its own colour, also in the shadow
 };
 
 struct Camera {
-  Eigen::Vector3d p_W{1, -1, 0.5};  // place of the camera
+  Eigen::Vector3d p_W{1, -1, 0.5};  // place of the camera in the world
   Eigen::Vector3d target_W{0, 0, 0};
   Eigen::Vector3d up{0, 0, 1};  // direction that is up in the picture; must not be parallel to the
                                 // line of sight
   double fov_rad = 0.5;         // angle of view from the bottom to the top of the picture
-  double shadow_reach_m = 0.4;  // distance from `target_W` up to which there are shadows
+  double shadow_reach_m = 0.4;  // shadows are drawn only up to this distance from `target_W`
 };
 
 struct Scene {
@@ -45,8 +46,8 @@ struct Scene {
 };
 
 struct Picture {
-  int width_px = 1280;  // 16 to 4096
-  int height_px = 720;  // 16 to 4096
+  int width_px = 1280;  // width in pixels, 16 to 4096
+  int height_px = 720;  // height in pixels, 16 to 4096
 };
 
 // The type of openr_render_picture(), which the program finds in libopenr_render.so by its name.

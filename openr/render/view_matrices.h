@@ -7,12 +7,12 @@
 
 namespace openr_host::render {
 
-// Returns the matrix of a camera with perspective.  `aspect` is the picture's width divided by its
-// height.
+// Returns the matrix for the picture of `camera`, which has perspective.  `aspect` is the picture's
+// width divided by its height.
 Eigen::Matrix4f CameraMatrix(const Camera& camera, double aspect);
 
-// Returns the matrix for looking along parallel light.  `to_light` is a unit vector towards the
-// light; the view is a square of 2 * half_m around `target_W`.
+// Returns the matrix for the view from a distant light along its parallel rays.  `to_light` is a
+// unit vector towards the light; the view is a square of 2 * half_m around `target_W`.
 Eigen::Matrix4f LightMatrix(const Eigen::Vector3d& target_W, const Eigen::Vector3d& to_light,
                             double half_m);
 

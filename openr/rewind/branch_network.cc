@@ -122,7 +122,7 @@ void BranchNetwork::Drop(NetHandle handle, bool reset) {
   if (!repeats_) PassingNetwork::Drop(handle, reset);
 }
 
-// Updates sockets_ for an event that Poll() returns to the robot now.
+// Updates sockets_ by the event that Poll() returns to the robot now.
 void BranchNetwork::Follow(const NetworkEvent& event) {
   switch (event.kind) {
     case NetworkEvent::Kind::kAccepted:
@@ -135,8 +135,8 @@ void BranchNetwork::Follow(const NetworkEvent& event) {
     case NetworkEvent::Kind::kResolved:
     case NetworkEvent::Kind::kFailed:
     case NetworkEvent::Kind::kClosed:
-      // Marks the socket as unused, because the robot can only drop it after such an event.  GoOn()
-      // then has nothing to open again for it.
+      // Marks the socket as unused, because after such an event the robot can only drop the socket.
+      // GoOn() then does not open it again.
       sockets_[event.handle].kind = Socket::Kind::kNew;
       break;
     default:

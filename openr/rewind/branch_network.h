@@ -28,10 +28,11 @@ class BranchNetwork : public PassingNetwork {
       : PassingNetwork(std::move(inner)), robot_(robot), log_(*log) {}
 
   // Repeats `inputs`, which are all for this robot: each call of Poll() returns the events that the
-  // call of the same number returned in the original run.  Nothing is sent any more.  REQUIRES:
-  // Forget() was called.
+  // call with the same number returned in the original run.  From now on nothing is sent.
+  // REQUIRES: Forget() was called.
   void Repeat(std::deque<LoggedInput> inputs);
-  // Repeats the events that `say` returns for each call of Poll(), such as those of a recording.
+  // Repeats events: each call of Poll() returns the events that the function `say` gives for it,
+  // such as the events of a recording.
   void RepeatFrom(std::function<std::vector<NetworkEvent>()> say);
   // Goes on with the real network after Repeat() or RepeatFrom(), or after Forget() if nothing was
   // repeated.  Drops the inputs that Poll() has not returned yet, and opens the ports of the robot
@@ -54,19 +55,19 @@ class BranchNetwork : public PassingNetwork {
   std::vector<NetworkEvent> Poll() override;
 
  private:
-  // A socket of the robot, with what is needed to open it again.
+  // A socket of the robot, with the data that are needed to open it again.
   struct Socket {
     enum class Kind { kNew, kListener, kStream, kUdp, kName, kAddress };
     Kind kind = Kind::kNew;
-    bool has_address = false;  // At() was called with `address`
+    bool has_address = false;  // true: the robot has called At() with `address`
     uint32_t address = 0;      // kAddress: the address for which the robot has asked the name
     uint16_t port = 0;
     bool any_port = false;
     std::deque<NetHandle> accepts;  // kListener: sockets of the calls of Accept() that wait
-    size_t datagrams = 0;           // kUdp: datagrams for which ReceiveFrom() waits; 0: it does not
-                                    // wait
-    std::string name;               // kName: the host name for which the robot has asked the
-                                    // address
+    // For kUdp: the number of datagrams for which ReceiveFrom() waits; 0: it does not wait.
+    size_t datagrams = 0;
+    std::string name;  // kName: the host name for which the robot has asked the
+                       // address
   };
 
   void Follow(const NetworkEvent& event);
@@ -74,10 +75,10 @@ class BranchNetwork : public PassingNetwork {
 
   const int robot_;
   InputLog& log_;
-  uint64_t poll_ = 0;                               // number of calls of Poll()
-  std::function<std::vector<NetworkEvent>()> say_;  // function given to RepeatFrom(); null: inputs_
-                                                    // are repeated
-  bool repeats_ = false;              // Poll() returns logged inputs, and nothing is sent
+  uint64_t poll_ = 0;  // number of calls of Poll()
+  // The function that was given to RepeatFrom(); null: inputs_ are repeated.
+  std::function<std::vector<NetworkEvent>()> say_;
+  bool repeats_ = false;              // true: Poll() returns logged inputs, and nothing is sent
   std::deque<LoggedInput> inputs_;    // inputs that Poll() has still to return, in order of their
                                       // numbers
   std::vector<NetworkEvent> broken_;  // events that tell the robot that its connections are broken;

@@ -12,10 +12,10 @@
 
 namespace openr_host {
 
-// An input line, or the events that the network of a robot returned.
+// An input to a run: an input line, or the events that the network of a robot returned.
 struct LoggedInput {
   int robot = 0;
-  // An input line, such as "press chin".
+  // The input line, such as "press chin"; "" if this is not an input line.
   std::string line;
   // The virtual time when the line was added.
   int64_t time_us = 0;
@@ -35,25 +35,25 @@ class InputLog {
 
   // Returns the number of inputs that were added so far.
   uint64_t end() const { return first_ + inputs_.size(); }
-  // Returns the inputs from number `begin` on.  REQUIRES: they were not dropped.
+  // Returns the inputs from the number `begin` on.  REQUIRES: these inputs were not dropped.
   std::vector<LoggedInput> From(uint64_t begin) const;
-  // Drops the inputs before number `begin`.
+  // Drops the inputs whose numbers are below `begin`.
   void DropBefore(uint64_t begin);
 
-  // Returns whether the inputs have more than kBytesMax bytes.
+  // Returns whether the inputs in the log have together more than kBytesMax bytes.
   bool is_full() const { return bytes_ > kBytesMax; }
 
  private:
   static size_t BytesOf(const LoggedInput& input);
 
   std::deque<LoggedInput> inputs_;
-  uint64_t first_ = 0;  // number of inputs_.front()
+  uint64_t first_ = 0;  // number of the oldest input in the log, inputs_.front()
   size_t bytes_ = 0;
 };
 
 // Converts inputs to JSON with binary values, to send them to another process.
 nlohmann::json ToJson(const std::vector<LoggedInput>& inputs);
-// Converts the JSON of ToJson() back to inputs.
+// Converts JSON that ToJson() has made back to inputs.
 std::vector<LoggedInput> LoggedInputsOf(const nlohmann::json& json);
 
 }  // namespace openr_host

@@ -33,13 +33,14 @@ constexpr int64_t kDistanceUs = 1'500'000;
 // The least distance between two checkpoints by the clock of this computer.
 constexpr int64_t kDistanceNs = 300'000'000;
 
-// The most memory that all checkpoints may take together.  Above this, old checkpoints are dropped.
+// The most memory that all checkpoints may take together.  If they take more, old checkpoints are
+// dropped.
 constexpr size_t kMemoryMax = size_t{1} << 30;
 
 // The most bytes of files that a checkpoint may copy from the Memory Stick.
 constexpr size_t kStickBytesMax = size_t{64} << 20;
 
-// The longest time that a view may need to reach its moment.
+// The longest time that a view may need to reach the moment that it shows.
 constexpr int kViewTimeoutMs = 60'000;
 
 // Returns the memory of process `process` in bytes.  Memory that several processes share is divided
@@ -110,8 +111,8 @@ bool Rewind::AfterFrame(bool is_watched) {
   return false;
 }
 
-// Makes a checkpoint.  Returns false in the original run.  Returns a second time, with true, in the
-// process of a branch.
+// Makes a checkpoint of the run by fork().  Returns false in the original run.  Returns again, with
+// true, in the process of a branch.
 bool Rewind::Take() {
   auto* const stick = dynamic_cast<FolderStick*>(system().robot(0).stick.get());
   ASSERT(stick != nullptr);
@@ -123,8 +124,8 @@ bool Rewind::Take() {
   ProcessFiles files;
   const SocketPair sockets;
   // Flushes our own streams, because a fork would print their buffered text a second time.  Does
-  // not flush files of objects, because that would change what objects read.  A view opens those
-  // files again with descriptors of its own (ProcessFiles).
+  // not flush the files of objects, because that would change what objects read.  A view opens the
+  // files of objects again with descriptors of its own (ProcessFiles).
   std::fflush(stdout);
   std::fflush(stderr);
   const pid_t original = getpid();
@@ -225,8 +226,8 @@ std::string Rewind::ShowMessage(uint64_t count) {
   return Show(LastBefore(INT64_MAX, count), {{"messages", count}});
 }
 
-// Shows the moment `target`.  `checkpoint` is the last checkpoint before it.  Returns "" or an
-// error.
+// Shows the moment `target` of the run.  `checkpoint` is the last checkpoint before this moment.
+// Returns "" or an error.
 std::string Rewind::Show(Checkpoint* checkpoint, const PlainJson& target) {
   if (!WhyNot().empty()) return "this run cannot be rewound: " + WhyNot();
   if (checkpoint == nullptr)
@@ -234,7 +235,7 @@ std::string Rewind::Show(Checkpoint* checkpoint, const PlainJson& target) {
                                   "client watches the run"
                                 : fmt::format("the first checkpoint is of t={:.3f} s",
                                               InSeconds(checkpoints_.front().time_us));
-  // Keeps the present view only for a later moment, because a view can only go forward.
+  // Keeps the present view only if the new moment is later, because a view can only go forward.
   const bool is_later =
       checkpoint == shown_ && (target.contains("time_us") ? target["time_us"] >= shown_us_
                                                           : target["messages"] >= shown_messages_);
@@ -258,7 +259,7 @@ std::string Rewind::Show(Checkpoint* checkpoint, const PlainJson& target) {
   return "";
 }
 
-// Ends the view.  The checkpoint of the view then waits for the next request.
+// Ends the view of a past moment.  The checkpoint of the view then waits for the next request.
 void Rewind::LeaveView() {
   if (shown_ == nullptr) return;
   SendMessage(shown_->socket, {{"leave", true}});

@@ -38,26 +38,26 @@ class Network;
 class Simulation;
 class System;
 
-// The run to rewind, and functions of the program that Rewind calls.
+// The run that can be rewound, and functions of the program that Rewind calls.
 struct RewindParts {
   Simulation* simulation = nullptr;
-  std::string why_not;  // the reason why this run cannot be rewound; "": it can be
+  std::string why_not;  // the reason why this run cannot be rewound; "": it can be rewound
   // The replay, if this run replays a recording or a known run; a view or a branch then asks the
   // replay to go on.  Null: a view repeats the logged inputs of this run.
   KnownRun* known = nullptr;
-  // The span of virtual time before the present to which the run can go back.
+  // The longest virtual time by which the run can go back from the present.
   int64_t span_us = 60'000'000;
-  // Answers the request of a client.  Called in a view.
+  // A function that answers the request of a client.  Called in the process of a view.
   std::function<nlohmann::ordered_json(const nlohmann::json& request)> answer;
-  // Makes the process of a new checkpoint print nothing, and leave the sockets of the original
-  // process alone.  Called in that process.
+  // A function that is called in the process of a new checkpoint.  It makes this process print
+  // nothing, and leave the sockets of the original process alone.
   std::function<void()> become_copy;
-  // Called in a view after each frame.
+  // A function that is called after each frame of a view.
   std::function<void()> after_frame;
-  // Called in a view before an input line is repeated.
+  // A function that is called in a view before an input line is repeated.
   std::function<void(int robot, const std::string& line)> before_input;
-  // Turns the process of a view into the process of a branch, which is to go on at `rate`.  Returns
-  // the name of the new run.
+  // A function that turns the process of a view into the process of a branch, which is to go on at
+  // `rate`.  Returns the name of the new run.
   std::function<std::string(double rate)> become_branch;
 };
 
@@ -72,15 +72,16 @@ class Rewind {
   // simulation is made.
   std::unique_ptr<Network> Follow(int robot, std::unique_ptr<Network> inner);
 
-  // Begins to follow the run.  REQUIRES: System::Boot() has not been called.
+  // Begins to follow the run that `parts` describes.  REQUIRES: System::Boot() has not been called.
   void Begin(RewindParts parts);
 
-  // Takes a checkpoint if it is time for one, and drops old checkpoints.  Drops all checkpoints if
-  // no client watches the run.  Called after each frame.  Returns false in the original run.
-  // Returns a second time, with true, in the process of a branch.
+  // Takes a checkpoint if the last one is old enough, and drops old checkpoints.  Drops all
+  // checkpoints if no client watches the run.  Called after each frame.  Returns false in the
+  // original run.  Returns again, with true, in the process of a branch.
   bool AfterFrame(bool is_watched);
 
-  // Refuses all requests to go back, for the reason `why`.  "": allows them again.
+  // Refuses all later requests to go back, for the reason `why`.  If `why` is "", allows such
+  // requests again.
   void Refuse(std::string why) { refusal_ = std::move(why); }
 
   // Returns the state of Rewind for clients: whether and how far the run can be rewound, the number
@@ -88,29 +89,31 @@ class Rewind {
   nlohmann::ordered_json Status();
 
   bool shows_past() const { return shown_ != nullptr; }
-  // Shows the run as it was at the virtual time `time_us`.  Returns "" or the reason why that is
-  // not possible.
+  // Shows clients the run as it was at the virtual time `time_us`.  Returns "", or the reason why
+  // this moment cannot be shown.
   std::string ShowTime(int64_t time_us);
-  // Shows the run as it was after `count` messages.  Returns "" or the reason why that is not
-  // possible.
+  // Shows clients the run as it was after `count` messages.  Returns "", or the reason why this
+  // moment cannot be shown.
   std::string ShowMessage(uint64_t count);
-  // Ends the view.  Clients then see the present state of the run, which still waits.
+  // Ends the view of a past moment.  Clients then see the present state of the run again.  The run
+  // itself stays stopped.
   void ShowPresent();
-  // Returns the virtual time of the moment that is shown.
+  // Returns the virtual time of the past moment that is shown.
   int64_t shown_us() const { return shown_us_; }
-  // Returns the number of messages up to the moment that is shown.
+  // Returns the number of messages up to the past moment that is shown.
   uint64_t shown_messages() const { return shown_messages_; }
 
-  // Passes `request` to the view and returns its answer.  REQUIRES: shows_past().
+  // Passes `request` to the process that shows a past moment, and returns the answer of this
+  // process.  REQUIRES: shows_past().
   nlohmann::ordered_json Forward(const nlohmann::json& request);
 
-  // Makes the view a run of its own, which goes on at `rate`.  Returns {"run": NAME}, or {"error":
-  // TEXT}.  After success, the caller must end this run and call WaitForBranch().
+  // Makes the view of a past moment a run of its own, which goes on at `rate`.  Returns {"run":
+  // NAME}, or {"error": TEXT}.  After success, the caller must end this run and call
+  // WaitForBranch().
   nlohmann::ordered_json Branch(double rate);
   bool has_branched() const { return branch_ > 0; }
-  // Waits for the end of the branch and returns its exit code.  `interrupts` returns the number of
-  // signals to end this process that were received.  Each time this number has grown, the branch
-  // gets SIGTERM.
+  // Waits until the branch ends, and returns its exit code.  `interrupts` returns how many signals
+  // to end this process have come.  Each time this number has grown, the branch gets SIGTERM.
   int WaitForBranch(const std::function<int()>& interrupts);
 
  private:
@@ -119,11 +122,11 @@ class Rewind {
     int socket;
     int64_t time_us;
     uint64_t messages;
-    uint64_t log_end;  // number of the first input after the checkpoint
+    uint64_t log_end;  // number of the first logged input after the checkpoint
   };
 
   System& system() const;
-  // Returns why the run cannot be rewound now; "" if it can.
+  // Returns the reason why the run cannot be rewound now; "" if it can be rewound.
   const std::string& WhyNot() const;
   bool Take();
   void Drop(Checkpoint* checkpoint);
@@ -133,7 +136,7 @@ class Rewind {
   std::string Show(Checkpoint* checkpoint, const nlohmann::json& target);
   Checkpoint* LastBefore(int64_t time_us, uint64_t messages);
 
-  // Functions that run in the process of a checkpoint or of a view.
+  // These functions run in the process of a checkpoint or of a view.
   void Wait(int socket, const SavedStick& stick, ProcessFiles* files);
   bool RunView(int socket, const SavedStick& stick, ProcessFiles* files,
                const nlohmann::json& request);
@@ -145,11 +148,12 @@ class Rewind {
 
   RewindParts parts_;
   InputLog log_;
-  std::vector<BranchNetwork*> networks_;  // index: number of the robot
-  SavedStick original_files_;             // files that objects have changed, with their first
-                                          // content
-  std::deque<Checkpoint> checkpoints_;    // in order of time
-  Checkpoint* shown_ = nullptr;           // the checkpoint whose view is shown
+  // Network of each robot; the index is the number of the robot.
+  std::vector<BranchNetwork*> networks_;
+  SavedStick original_files_;           // files that objects have changed, with their first
+                                        // content
+  std::deque<Checkpoint> checkpoints_;  // all checkpoints, in order of time
+  Checkpoint* shown_ = nullptr;         // the checkpoint whose view is shown
   int64_t shown_us_ = 0;
   uint64_t shown_messages_ = 0;
   int64_t next_ns_ = 0;  // earliest time of the next checkpoint, by the clock of this computer
@@ -157,8 +161,8 @@ class Rewind {
   size_t memory_bytes_ = 0;
   pid_t branch_ = -1;         // process of the branch; -1: none
   pid_t branch_parent_ = -1;  // process of the branch's checkpoint, a child of this process
-  std::string trouble_;       // the reason why no more checkpoints are taken; "": none
-  std::string refusal_;       // the reason given to Refuse(); "": none
+  std::string trouble_;       // reason why no more checkpoints are taken; "": they are taken
+  std::string refusal_;       // reason that was given to Refuse(); "": requests are allowed
 
   bool is_view_ = false;
   int64_t last_frame_us_ = 0;           // end of the last frame that this view has run

@@ -27,7 +27,7 @@ namespace {
 
 using PlainJson = nlohmann::json;
 
-// Waits for the end of process `view` and returns its exit code.
+// Waits until the process `view` ends, and returns its exit code.
 int ExitCodeOf(pid_t view) {
   int status = 0;
   while (waitpid(view, &status, 0) < 0 && errno == EINTR) {
@@ -49,8 +49,8 @@ void Rewind::Wait(int socket, const SavedStick& stick, ProcessFiles* files) {
   int exit_code = 0;
   for (;;) {
     const std::optional<PlainJson> request = ReceiveMessage(socket, -1);
-    // Ends, because the original run has closed its socket: the run is over, or the last view has
-    // become a branch and this branch is over.
+    // Ends this process, because the original run has closed its socket: the run is over, or the
+    // last view has become a branch and this branch is over.
     if (!request) _exit(exit_code);
     if (!request->contains("show")) {
       SendMessage(socket, {{"error", "no view is open"}});
@@ -73,8 +73,8 @@ void Rewind::Wait(int socket, const SavedStick& stick, ProcessFiles* files) {
   }
 }
 
-// Runs a view.  `request` is its first request.  Returns true when the view has become a branch,
-// and false when it is to end.
+// Runs a view of a past moment.  `request` is the first request to the view.  Returns true when the
+// view has become a branch, and false when the view must end.
 bool Rewind::RunView(int socket, const SavedStick& stick, ProcessFiles* files,
                      const PlainJson& request) {
   is_view_ = true;
@@ -111,8 +111,8 @@ bool Rewind::RunView(int socket, const SavedStick& stick, ProcessFiles* files,
   return false;
 }
 
-// Gives the view files of its own and the inputs to repeat.  `request` has these inputs, and the
-// files that objects have changed in the original run with their first content.
+// Gives the view files of its own, and the inputs that it must repeat.  `request` has these inputs.
+// It also has the files that objects have changed in the original run, with their first content.
 void Rewind::Prepare(const SavedStick& stick, ProcessFiles* files, const PlainJson& request) {
   folder_ = std::make_unique<TempFolder>();
   const std::string copy = folder_->path() + "/stick", temporary = folder_->path() + "/files";
@@ -122,7 +122,7 @@ void Rewind::Prepare(const SavedStick& stick, ProcessFiles* files, const PlainJs
   const std::string root = present->root();
   CopyStick(root, copy);
   SavedStick::Of(request.at("files")).CopyTo(copy);
-  stick.CopyTo(copy);  // files that objects had changed before the checkpoint
+  stick.CopyTo(copy);  // has the files that objects had changed before the checkpoint
   files->OpenAgain(root, copy, temporary);
   for (int robot = 0; robot < system().robot_count(); ++robot)
     dynamic_cast<FolderStick*>(system().robot(robot).stick.get())->set_root(copy);
@@ -137,7 +137,8 @@ void Rewind::Prepare(const SavedStick& stick, ProcessFiles* files, const PlainJs
   for (size_t i = 0; i < networks_.size(); ++i) networks_[i]->Repeat(std::move(network_inputs[i]));
 }
 
-// Adds the input lines that the original run received at this time and number of messages.
+// Adds the input lines that the original run received at the present time and after the present
+// number of messages.
 void Rewind::AddDueInputs() {
   while (!lines_.empty() && lines_.front().time_us == system().now_us() &&
          lines_.front().messages == system().message_count()) {
@@ -151,8 +152,8 @@ void Rewind::AddDueInputs() {
   }
 }
 
-// Repeats the run up to a virtual time or up to a number of messages.  Up to a time means:
-// including the messages that are due exactly then.
+// Repeats the run up to a virtual time or up to a number of messages.  Up to a time, also repeats
+// the messages that are due exactly at this time.
 void Rewind::RunTo(const PlainJson& target) {
   const bool has_time = target.contains("time_us");
   const int64_t end_us = has_time ? target["time_us"].get<int64_t>() : INT64_MAX;
@@ -162,13 +163,13 @@ void Rewind::RunTo(const PlainJson& target) {
     const int64_t now_us = system().now_us();
     RunOne(now_us);
     if (system().message_count() != before) continue;
-    // Ends the frame here, because no message is due any more at this instant.
+    // Ends the frame now, because no more messages are due at this time.
     if (now_us % kFrameUs == 0 && std::exchange(last_frame_us_, now_us) != now_us)
       parts_.after_frame();
     if (now_us >= end_us) return;
     const int64_t frame_end_us = (now_us / kFrameUs + 1) * kFrameUs;
     RunOne(std::min(frame_end_us, end_us));
-    // Returns, because the run is over: the time does not advance and no message comes.
+    // Returns if the run is over: then the time does not advance and no message comes.
     if (system().now_us() == now_us && system().message_count() == before) return;
   }
 }
@@ -180,7 +181,8 @@ void Rewind::RunOne(int64_t time_us) {
   system().RunOne(time_us);
 }
 
-// Makes the view a run of its own, which goes on at `rate`.
+// Makes the view a run of its own, which goes on at `rate`.  Returns the answer to the request for
+// it.
 PlainJson Rewind::GoOn(ProcessFiles* files, double rate) {
   const std::vector<std::string> kept = files->KeepCopies();
   const std::string name = parts_.become_branch(rate);

@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
   throw std::system_error(error, std::generic_category(), path);
 }
 
-// Opens `path` and makes `descriptor` lead to it, at `offset`.
+// Opens the file `path` and makes `descriptor` refer to it, at `offset`.
 void Replace(int descriptor, const std::string& path, int flags, off_t offset) {
   const int opened = open(path.c_str(), flags | O_CLOEXEC, 0666);
   if (opened < 0) Throw(errno, path);
@@ -62,8 +62,8 @@ void CopyBytes(int from, off_t size, const std::string& path) {
   if (error != 0) Throw(error, path);
 }
 
-// Returns whether a standard stream of this process leads to the file with this `status`.  Such a
-// file is not copied, because the text of all copies of the run goes into one file.
+// Returns whether a standard stream of this process leads to the file that has this `status`.  Such
+// a file is not copied, because all copies of the run print to the same file.
 bool IsStandardStream(const struct stat& status) {
   for (int descriptor = 0; descriptor <= STDERR_FILENO; ++descriptor) {
     struct stat stream;
@@ -74,16 +74,16 @@ bool IsStandardStream(const struct stat& status) {
   return false;
 }
 
-// Returns the flags in `flags` that are needed to open the file again.
+// Returns those of the flags `flags` that are needed to open the file again.
 int FlagsAgain(int flags) { return flags & (O_ACCMODE | O_APPEND | O_NONBLOCK); }
 
-// Returns DIR/NAME-NUMBER.EXT for DIR/NAME.EXT.
+// Returns the path with a number behind the name: DIR/NAME-NUMBER.EXT for DIR/NAME.EXT.
 fs::path Numbered(const fs::path& path, int number) {
   return path.parent_path() /
          fmt::format("{}-{}{}", path.stem().string(), number, path.extension().string());
 }
 
-// Calls `copy` with the first numbered name of `path` that is free, and returns this name.
+// Calls `copy` with the first free path that Numbered() makes from `path`, and returns this path.
 std::string KeepFile(const fs::path& path, const std::function<void(const fs::path&)>& copy) {
   for (int number = 2;; ++number) {
     const fs::path target = Numbered(path, number);
@@ -96,12 +96,13 @@ std::string KeepFile(const fs::path& path, const std::function<void(const fs::pa
   }
 }
 
-// Returns whether `path` is a file of a trace in the Common Trace Format, which is a folder.
+// Returns whether the file `path` belongs to a trace in the Common Trace Format.  Such a trace is a
+// folder.
 bool IsInTrace(const fs::path& path) { return path.parent_path().extension() == ".ctf"; }
 
-// Makes a trace, DIR/NAME-2.ctf, of the file `path` in DIR/NAME.ctf and the files beside it,
-// because readers take all files of one folder together.  Calls `copy` with the new name of the
-// file, and returns the new folder.
+// Makes a new trace, DIR/NAME-2.ctf, from the file `path` in DIR/NAME.ctf and the files beside it.
+// The other files are needed, because readers take all files of one folder together.  Calls `copy`
+// with the new path of the file, and returns the new folder.
 std::string KeepTrace(const fs::path& path, const std::function<void(const fs::path&)>& copy) {
   const fs::path folder = path.parent_path();
   int number = 2;
@@ -128,7 +129,7 @@ size_t SavedStick::bytes() const {
 }
 
 void SavedStick::CopyTo(const std::string& folder) const {
-  // The paths are sorted by name, so a folder is made before the files in it.
+  // Goes through the paths in order of their names, so a folder is made before the files in it.
   for (const auto& [path, saved] : files_) {
     const fs::path target = fs::path(folder) / path;
     if (saved.is_folder) {

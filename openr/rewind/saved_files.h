@@ -21,40 +21,40 @@ class SavedStick {
   // stick.  Does nothing if this name was saved before.
   void Save(const std::string& name, const std::string& path);
 
-  // Writes the saved files into the folder `folder`, and leaves its other files alone.  Throws
-  // std::runtime_error or std::filesystem::filesystem_error.
+  // Writes the saved files into the folder `folder`.  Leaves other files in this folder alone.
+  // Throws std::runtime_error or std::filesystem::filesystem_error.
   void CopyTo(const std::string& folder) const;
 
   size_t bytes() const;
 
   // Converts the files to JSON with binary values, to send them to another process.
   nlohmann::json ToJson() const;
-  // Converts the JSON of ToJson() back to files.
+  // Converts JSON that ToJson() has made back to files.
   static SavedStick Of(const nlohmann::json& json);
 
  private:
   struct Saved {
     bool is_folder = false;
-    std::optional<std::string> content;  // nullopt: there was no such file
+    std::optional<std::string> content;  // content of the file; nullopt: the file did not exist
   };
-  std::map<std::string, Saved> files_;  // key: path below the folder of the stick
+  std::map<std::string, Saved> files_;  // the saved files; key: path below the folder of the stick
 };
 
-// Returns the files of `stick` that objects have written, with their present content.
+// Returns the files that objects have written on `stick`, with their present content.
 SavedStick SaveWrittenFiles(FolderStick* stick);
 
-// Remembers the regular files that this process has open, with their file offsets.  Leaves out
-// standard input, output and error.
+// Remembers the regular files that this process has open, and the file offset of each file.  Leaves
+// out standard input, output and error.
 class ProcessFiles {
  public:
-  // Notes the files that this process has open now.
+  // Remembers the files that this process has open now.
   ProcessFiles();
 
-  // Opens each of the files again, so that a fork does not share them with the original process;
-  // called in the fork.  Files below the folder `stick` are replaced by the files of the same names
-  // below `copy`.  Other files that are open for writing are replaced by copies in the folder
-  // `temporary`, cut to the bytes that were written at the time of the constructor.  Throws
-  // std::system_error.
+  // Opens each of the remembered files again, so that a fork does not share them with the original
+  // process.  Called in the fork.  Files below the folder `stick` are replaced by the files with
+  // the same names below `copy`.  Other files that are open for writing are replaced by copies in
+  // the folder `temporary`.  These copies are cut to the bytes that were written when the
+  // constructor was called.  Throws std::system_error.
   void OpenAgain(const std::string& stick, const std::string& copy, const std::string& temporary);
 
   // Keeps the copies of written files when the fork has become a run of its own: the copy of
@@ -63,9 +63,9 @@ class ProcessFiles {
   // Throws std::system_error.
   std::vector<std::string> KeepCopies();
 
-  // Finds the copy that OpenAgain() has made of the written file `path`, moves it to `target`, and
-  // makes the fork go on with writing there; with `target` "" it goes on with the copy.  Returns
-  // the path of the file that is written from now on.  Throws std::runtime_error or
+  // Finds the copy that OpenAgain() has made of the written file `path`, and moves it to `target`.
+  // The fork then goes on writing to `target`; if `target` is "", it goes on writing to the copy.
+  // Returns the path of the file that is written from now on.  Throws std::runtime_error or
   // std::system_error.
   std::string MoveCopy(const std::string& path, const std::string& target);
 

@@ -10,7 +10,8 @@
 namespace openr_host {
 namespace {
 
-constexpr NetAddress kRemote = {0x7f000001, 1};  // the client's address; no other client has port 1
+// Address of this client; no other client has port 1.
+constexpr NetAddress kRemote = {0x7f000001, 1};
 
 constexpr double kCentidegPerRad = 100 * Degrees(1);
 // Largest position that is sent, one turn in either direction: a larger number might not fit into a
@@ -30,7 +31,8 @@ NetworkEvent EventOf(NetworkEvent::Kind kind, NetHandle handle) {
 void JointClient::Want(const std::map<int, JointTarget>& targets) {
   for (const auto& [joint, target] : targets) {
     JointTarget& wanted = wanted_[joint];
-    const double speed_rad_s = wanted.speed_rad_s;  // kept if the new target has no limit
+    // Keeps the old limit if the new target has no limit.
+    const double speed_rad_s = wanted.speed_rad_s;
     wanted = target;
     if (target.speed_rad_s <= 0) wanted.speed_rad_s = speed_rad_s;
   }
@@ -105,9 +107,9 @@ void JointClient::Forget() {
   framer_.Reset();
 }
 
-// Connects this client to the remote control.  The robot waits for clients with Accept().  This
-// function reports in `events` that the oldest waiting Accept() has a connection, and removes that
-// Accept() from the real network.  Returns false if no Accept() waits.
+// Connects this client to the robot's remote control.  The remote control waits for clients with
+// Accept().  This function reports in `events` that the oldest waiting Accept() has a connection,
+// and removes this Accept() from the real network.  Returns false if no Accept() waits.
 bool JointClient::TakePlace(std::vector<NetworkEvent>* events) {
   if (listener_ == 0 || accepts_.empty()) return false;
   const NetHandle handle = accepts_.front();
@@ -126,7 +128,7 @@ void JointClient::Request(int command, int joint, double value) {
   writer.U16(RC_HEADER_SIZE + 5);
   writer.U8(RC_VERSION);
   writer.U8(static_cast<Uint32>(command));
-  writer.U16(0);  // tag of the request; not needed, because answers come in order
+  writer.U16(0);  // the tag is not needed, because answers come in order
   writer.U8(static_cast<Uint32>(joint));
   writer.S32(static_cast<Sint32>(std::lround(value * kCentidegPerRad)));
   out_.append(reinterpret_cast<const char*>(bytes), static_cast<size_t>(writer.Size()));

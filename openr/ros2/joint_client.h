@@ -22,19 +22,19 @@ namespace openr_host {
 
 struct JointTarget {
   double position_rad = 0;
-  double speed_rad_s = 0;  // limit for this joint from now on; 0: leave the limit as it is
+  double speed_rad_s = 0;  // new limit of the joint's speed; 0: keeps the limit as it is
 };
 
 class JointClient : public PassingNetwork {
  public:
-  // Type of the function that is called, with the reason, when the robot refuses a target.
+  // The type of a function that is called, with the reason, when the robot refuses a target.
   using Refused = std::function<void(const std::string& why)>;
   JointClient(std::unique_ptr<Network> inner, Refused refused)
       : PassingNetwork(std::move(inner)), refused_(std::move(refused)) {}
 
-  // Stores targets for the next Poll(); the key is the number that the robot gives the joint.
-  // While the robot has not answered earlier requests, a new target replaces the stored one of the
-  // same joint.
+  // Stores targets for the next Poll().  The key of a target is the number that the robot gives the
+  // joint.  While the robot has not answered earlier requests, a new target replaces the stored
+  // target of the same joint.
   void Want(const std::map<int, JointTarget>& targets);
 
   // Returns whether the robot has not taken the stored targets yet.
@@ -60,18 +60,18 @@ class JointClient : public PassingNetwork {
 
   const Refused refused_;
   std::map<int, JointTarget> wanted_;  // stored targets; key: number of the joint
-  NetHandle listener_ = 0;             // listener of the remote control; 0: it does not listen
-  std::deque<NetHandle> accepts_;      // Accept() calls of the remote control that wait
+  NetHandle listener_ = 0;         // listener of the robot's remote control; 0: it does not listen
+  std::deque<NetHandle> accepts_;  // Accept() calls of the remote control that wait
 
   // ---- State of the connection
-  NetHandle handle_ = 0;  // 0: no connection
+  NetHandle handle_ = 0;  // the robot's end of the connection; 0: no connection
   std::string out_;       // requests that the robot has not received yet
   int unanswered_ = 0;
   uint64_t taken_ = 0;  // bytes of answers that came since the last Poll()
   size_t wants_ = 0;    // most bytes that the robot's waiting Receive() takes; 0: no Receive()
                         // waits
   bool is_closing_ = false;
-  bool is_broken_ = false;  // the robot has sent something that is no valid answer
+  bool is_broken_ = false;  // true: the robot has sent something that is no valid answer
   RcFramer framer_;
 };
 

@@ -7,8 +7,8 @@
 namespace openr_host {
 namespace {
 
-// Returns `text` shortened and without control characters.  Since it came over the network, it
-// could otherwise flood or garble the user's terminal.
+// Returns `text` shortened and without control characters.  The text comes from the network and
+// could otherwise fill or damage the user's terminal.
 std::string Shown(const std::string& text) {
   constexpr size_t kMax = 40;
   std::string shown;

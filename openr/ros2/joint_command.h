@@ -11,8 +11,8 @@
 namespace openr_host {
 
 // Checks `command`, which came over the network, and reads it into `targets`; the key is the
-// joint's number.  Each name must be a joint of `model`, given once, with a finite position.
-// Velocities must be given for all of these joints or for none.  Returns "", or the reason why the
+// joint's number in `model`.  The command may name each joint only once, with a finite position.
+// It must give velocities for all of these joints or for none.  Returns "", or the reason why the
 // whole command is refused.
 std::string ReadJointCommand(const Ros2JointCommand& command, const RobotModel& model,
                              std::map<int, JointTarget>* targets);

@@ -47,8 +47,8 @@ Ros2Status FaultStatus(VirtualRobot* robot) {
   return status;
 }
 
-// Returns a summary of the findings about the objects of `robot`.  Its message is the newest
-// finding.
+// Returns a summary of the findings about the objects of `robot`.  The member `message` is the
+// newest finding.
 Ros2Status ObjectStatus(const RobotParts& robot) {
   Ros2Status status{
       .level = Ros2Status::kGood, .name = "objects", .message = "no findings", .values = {}};
@@ -110,14 +110,16 @@ RobotTopics::RobotTopics(Bus* bus, const std::string& space, VirtualRobot* robot
         switches_[sensor] = std::make_unique<Ros2Switch>(bus, space + "/touch/" + part);
         break;
       case SensorKind::kForce:
-      case SensorKind::kRaw:  // the strength of a touch, without a unit
+      case SensorKind::kRaw:  // its value is the strength of a touch, without a unit
         numbers_[sensor] = std::make_unique<Ros2Number>(bus, space + "/touch/" + part);
         break;
       case SensorKind::kDistance:
         numbers_[sensor] = std::make_unique<Ros2Number>(bus, space + "/distance/" + part);
         break;
       default:
-        break;  // joints and acceleration have topics of other types; temperature is not published
+        // Makes no topic: joints and acceleration have topics of other types, and temperature is
+        // not published.
+        break;
     }
   }
 }
@@ -156,8 +158,8 @@ void RobotTopics::PublishJoints(int64_t time_us) {
   joints_.Publish(time_us, positions, velocities);
 }
 
-// Publishes the acceleration with its sign changed: the robot's sensors measure gravity minus
-// acceleration, and ROS 2 expects acceleration minus gravity.
+// Publishes the acceleration of the body with its sign changed: the robot's sensors measure gravity
+// minus acceleration, and ROS 2 expects acceleration minus gravity.
 void RobotTopics::PublishAcceleration(int64_t time_us) {
   const std::vector<Sensor>& sensors = robot_->model().sensors;
   Eigen::Vector3d felt{0, 0, 0};
@@ -168,7 +170,8 @@ void RobotTopics::PublishAcceleration(int64_t time_us) {
   imu_.Publish(time_us, {felt.x(), felt.y(), felt.z()});
 }
 
-// Publishes the faults of the robot, a line each, when they change and once a second.
+// Publishes the faults of the robot, one line for each fault.  Does so when the faults change, and
+// once a second.
 void RobotTopics::PublishFaults() {
   std::string text;
   for (const std::string& fault : robot_->parts().faults.Present()) text += fault + "\n";
@@ -177,7 +180,7 @@ void RobotTopics::PublishFaults() {
   faults_.Publish(text);
 }
 
-// Publishes where the body is and how it moves.  The values come from the simulation, because the
+// Publishes the place of the body and its speed.  The values come from the simulation, because the
 // robot has no sensor for them.
 void RobotTopics::PublishMotion(int64_t time_us) {
   const BodyState& body = robot_->body().state();
@@ -193,7 +196,7 @@ void RobotTopics::PublishMotion(int64_t time_us) {
 
 void RobotTopics::PublishBattery(int64_t time_us) { battery_.Publish(time_us, BatteryOf(robot_)); }
 
-// Publishes the brightness of each light, 0 to 1, when it changes and once a second.
+// Publishes the brightness of each light, from 0 to 1. Does so when it changes, and once a second.
 void RobotTopics::PublishLights() {
   last_lights_.resize(lights_.size(), -1);
   for (size_t i = 0; i < lights_.size(); ++i) {
@@ -205,7 +208,8 @@ void RobotTopics::PublishLights() {
   }
 }
 
-// Publishes what the speaker has played in this frame; nothing while it is silent.
+// Publishes the sound that the speaker has played in this frame.  Publishes nothing while the
+// speaker is silent.
 void RobotTopics::PublishSound() {
   const Speaker::Sound& sound = robot_->speaker().newest();
   if (sound.frame == last_sound_) return;

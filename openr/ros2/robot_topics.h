@@ -12,8 +12,8 @@
 
 namespace openr_host {
 
-// Returns the name of a sensor as a part of a topic's name: "paw_sensor_left_fore_leg" for "Paw
-// sensor (left fore leg)".
+// Returns the name of a sensor as a part of a topic's name, such as "paw_sensor_left_fore_leg" for
+// "Paw sensor (left fore leg)".
 std::string TopicPart(const std::string& sensor);
 
 class RobotTopics {
@@ -22,8 +22,8 @@ class RobotTopics {
   // the kind and name of a sensor, such as "touch/paw_sensor_left_fore_leg".
   RobotTopics(Bus* bus, const std::string& space, VirtualRobot* robot);
 
-  // Publishes everything that is due.  Called after each frame of 8 ms.  Returns "", or the reason
-  // why the camera has no image.
+  // Publishes all values of the robot that are due.  Called after each frame of 8 ms.  Returns "",
+  // or the reason why the camera has no image.
   std::string Publish(int64_t time_us);
 
  private:
@@ -40,7 +40,7 @@ class RobotTopics {
 
   VirtualRobot* const robot_;
   const std::string space_;
-  int64_t frame_ = 0;  // frame of the values published last
+  int64_t frame_ = 0;  // number of the frame whose values were published last
   Ros2JointStates joints_;
   Ros2Imu imu_;
   Ros2Image image_;
@@ -50,12 +50,13 @@ class RobotTopics {
   Ros2Sound sound_;
   Ros2Diagnostics diagnostics_;
   Ros2Text description_;
-  std::string last_faults_;                              // the text that was published last
+  std::string last_faults_;  // text of the faults that was published last
   std::map<int, std::unique_ptr<Ros2Switch>> switches_;  // key: number of the sensor
   std::map<int, std::unique_ptr<Ros2Number>> numbers_;
-  std::vector<std::unique_ptr<Ros2Number>> lights_;  // in the order of RobotModel::leds
-  std::vector<double> last_lights_;                  // the values that were published last
-  int64_t last_sound_ = -1;                          // frame of the sound that was published last
+  // Topics of the lights, in the order of RobotModel::leds.
+  std::vector<std::unique_ptr<Ros2Number>> lights_;
+  std::vector<double> last_lights_;  // brightness values that were published last
+  int64_t last_sound_ = -1;          // frame of the sound that was published last
   Picture picture_;
 };
 

@@ -21,7 +21,7 @@ constexpr const char* kInputTopic = "/input";
 
 std::string WrongNamespace(const std::string& name) {
   bool is_good = name.size() <= kNamespaceMax && name.find("__") == std::string::npos;
-  bool at_start = true;  // whether `c` begins a word
+  bool at_start = true;  // true if `c` begins a word
   for (const char c : name) {
     const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
     const bool is_digit = c >= '0' && c <= '9';
@@ -102,7 +102,8 @@ void Ros2Link::TakeCommands(Robot* robot) {
   robot->frames_waiting = is_waiting ? robot->frames_waiting + 1 : 0;
   if (robot->frames_waiting == kPatienceFrames) {
     robot->frames_waiting = 0;
-    robot->client->GiveUp();  // because the robot must not move later by an old command
+    // Drops the targets, because the robot must not move later by an old command.
+    robot->client->GiveUp();
     robot->complaints->Add(fmt::format(
         "{}: the remote control of the robot has not taken a command for 1 s, it is given up; is "
         "RCServer on the stick and started, and has it less than eight clients?",
@@ -110,8 +111,8 @@ void Ros2Link::TakeCommands(Robot* robot) {
   }
 }
 
-// Adds the inputs (docs/inputs.md) that have come from ROS 2, in their order.  They take effect at
-// the present frame boundary.
+// Gives the robot the inputs (docs/inputs.md) that have come from ROS 2, in their order.  The
+// inputs take effect at the present frame boundary.
 void Ros2Link::TakeInputs(Robot* robot) {
   const std::string topic = robot->space + kInputTopic;
   if (robot->inputs->HasMisfit()) {

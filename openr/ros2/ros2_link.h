@@ -23,8 +23,8 @@ namespace openr_host {
 // "lab/aibo".  Otherwise returns an error text.
 std::string WrongNamespace(const std::string& name);
 
-// Prints messages about problems of one robot with ROS 2.  Because a problem may come again with
-// each frame, prints the same text only once, and at most kMax different texts.
+// Prints messages about problems of one robot with ROS 2. Prints the same text only once, because a
+// problem may come again with each frame.  Prints at most kMax different texts.
 class Ros2Complaints {
  public:
   using Say = std::function<void(const std::string& line)>;
@@ -34,8 +34,8 @@ class Ros2Complaints {
   Ros2Complaints(std::string robot, Say say) : robot_(std::move(robot)), say_(std::move(say)) {}
 
   void Add(const std::string& what);
-  // Prints how many messages were left out after the first kMax texts.  Called at the end of the
-  // run.
+  // Prints how many messages were left out because kMax texts had been printed.  Called at the end
+  // of the run.
   void SayHowManyMore() const;
 
  private:
@@ -47,7 +47,7 @@ class Ros2Complaints {
 
 class Ros2Link {
  public:
-  using Say = Ros2Complaints::Say;  // prints a message
+  using Say = Ros2Complaints::Say;  // type of a function that prints a message
 
   // Changes `options`, from which the simulation is made later.  The network of each robot gets a
   // JointClient, which sends the robot the commands of ROS 2.  A recorder must have been put into
@@ -58,12 +58,12 @@ class Ros2Link {
   Ros2Link(const Ros2Link&) = delete;
   Ros2Link& operator=(const Ros2Link&) = delete;
 
-  // Begins to publish.  Called when the simulation has been made.
+  // Begins to publish the clock and the sensors.  Called when the simulation has been made.
   void Begin(Simulation* simulation);
   // Publishes clock and sensors, and passes to the robots the commands and inputs that ROS 2 has
   // sent.  Called after each frame of 8 ms.
   void AfterFrame();
-  // Prints, for each robot, how many messages Ros2Complaints left out.  Called when the run is
+  // Prints for each robot how many messages Ros2Complaints has left out.  Called when the run is
   // over.
   void End();
 

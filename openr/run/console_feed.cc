@@ -29,7 +29,8 @@ ConsoleFeed::ConsoleFeed(const std::string& file)
 }
 
 // Returns the complete lines that have arrived on standard input; does not wait.  Keeps an
-// incomplete line for a later call, but returns it at the end of standard input.
+// incomplete line for a later call.  At the end of standard input, returns the incomplete line as
+// well.
 std::string ConsoleFeed::TakeLines() {
   pollfd input = {STDIN_FILENO, POLLIN, 0};
   while (is_open_ && poll(&input, 1, 0) > 0) {
@@ -42,7 +43,7 @@ std::string ConsoleFeed::TakeLines() {
     }
   }
   if (!is_open_) return std::exchange(text_, "");
-  const size_t end = text_.rfind('\n') + 1;  // length of the complete lines; 0: there is none
+  const size_t end = text_.rfind('\n') + 1;  // length of the complete lines; 0: no line is complete
   std::string lines = text_.substr(0, end);
   text_.erase(0, end);
   return lines;

@@ -10,9 +10,10 @@ class System;
 
 class ConsoleFeed {
  public:
-  // `file` "-" means standard input; each Feed() gives the lines that have arrived.  "" means the
-  // same if standard input is a terminal, else no input.  Any other file is given as a whole at the
-  // start of the run.  Throws std::runtime_error if the file cannot be read.
+  // Opens the source of the console input.  For the file "-" it is standard input, and each Feed()
+  // gives the lines that have arrived.  The file "" means the same if standard input is a terminal,
+  // else it means no input.  Any other file is given as a whole at the start of the run.  Throws
+  // std::runtime_error if the file cannot be read.
   explicit ConsoleFeed(const std::string& file);
 
   // Gives every robot of `system` the console input since the last call: lines from standard input,
@@ -22,9 +23,10 @@ class ConsoleFeed {
  private:
   std::string TakeLines();
 
-  std::string text_;          // input that has arrived and was not given to robots yet
-  bool is_terminal_ = false;  // standard input is a terminal, which shows the typed text itself
-  bool is_open_ = false;      // more text may arrive on standard input
+  std::string text_;  // input that has arrived and was not given to robots yet
+  // True: standard input is a terminal, which shows the typed text itself.
+  bool is_terminal_ = false;
+  bool is_open_ = false;  // true: more text may arrive on standard input
 };
 
 }  // namespace openr_host

@@ -19,7 +19,7 @@
 namespace openr_host {
 namespace {
 
-// Removes the first word of `text` with the blanks after it, and returns the word.
+// Removes the first word of `text`, and the blanks after this word, from `text`.  Returns the word.
 std::string_view TakeWord(std::string_view* text) {
   size_t end = 0;
   while (end < text->size() && !IsBlank((*text)[end])) ++end;

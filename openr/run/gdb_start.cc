@@ -39,7 +39,8 @@ std::string ObjectIn(const fs::path& file, const std::string& bytes) {
   return ocf.ocf ? ocf.ocf->name : "";
 }
 
-// Returns the bytes of the image of `object` on the stick.
+// Returns the bytes of the image that contains the object `object`.  Looks for the image on the
+// stick in the folder `stick`.
 std::string ImageOf(const std::string& object, const std::string& stick) {
   std::vector<std::string> names;
   for (const auto& entry : fs::recursive_directory_iterator(fs::path(stick))) {
@@ -55,8 +56,9 @@ std::string ImageOf(const std::string& object, const std::string& stick) {
                                        DidYouMean(object, names), fmt::join(names, ", ")));
 }
 
-// Returns the command line of this process without --gdb and its value.  A run under a debugger has
-// no limit for handlers, and leaves the terminal to gdb, unless the user says otherwise.
+// Returns the command line of this process without --gdb and its value.  Adds flags so that a run
+// under a debugger has no limit for handlers and leaves the terminal to gdb, unless the user has
+// set these flags.
 std::vector<std::string> WordsOfTheRun() {
   std::vector<std::string> words;
   const std::vector<std::string> given = ProcessArguments();
@@ -84,7 +86,8 @@ std::vector<std::string> HandlersAmong(const std::vector<std::string>& functions
   static const std::regex kMethod(
       "(\\w+)::\\w+\\((?:O(System|Notify|Ready|Control|Connect)Event const&|void\\*)\\)");
   std::vector<std::string> methods;
-  std::vector<std::string> classes;  // classes with a DoInit(), which are those of objects
+  // Classes with a DoInit(), because only classes of objects have one.
+  std::vector<std::string> classes;
   for (const std::string& function : functions) {
     const std::string name = Demangled(function);
     std::smatch match;

@@ -6,20 +6,22 @@
 
 namespace openr_host {
 
-// Returns the handlers among `functions`, mangled names of functions of an image: the methods of
-// the object's class whose argument is an event or the message of an extra entry.  Each is written
-// as gdb takes it: "JointMover::ReadyEffector(OReadyEvent const&)".
+// Returns the handlers among `functions`, which are mangled names of functions of an image.
+// Handlers are the methods of the object's class whose argument is an event or the message of an
+// extra entry.  Each handler is written as gdb accepts it: "JointMover::ReadyEffector(OReadyEvent
+// const&)".
 std::vector<std::string> HandlersAmong(const std::vector<std::string>& functions);
 
-// Returns the words of the command that starts gdb: gdb reads the pretty printers from `printers`
-// ("": no printers), stops at each of `handlers`, and runs `program`, the words of the run.
+// Returns the words of the command that starts gdb. gdb reads the pretty printers from `printers`
+// ("": no printers), stops at each of `handlers`, and runs `program`, which is the command line of
+// the run.
 std::vector<std::string> GdbCommand(const std::vector<std::string>& handlers,
                                     const std::string& printers,
                                     const std::vector<std::string>& program);
 
-// Replaces this process, whose arguments have --gdb `object`, by gdb, which runs the same command
+// Replaces this process, whose arguments have --gdb `object`, by gdb. gdb runs the same command
 // without --gdb.  The object is looked for on the stick in the folder `stick`.  Throws
-// std::runtime_error if the stick has no such object or gdb is missing.
+// std::runtime_error if the stick has no such object or if gdb is missing.
 [[noreturn]] void StartUnderGdb(const std::string& object, const std::string& stick);
 
 }  // namespace openr_host

@@ -4,11 +4,12 @@
 
 namespace openr_host {
 
-// Effects of SIGHUP, which comes when the terminal of this process is closed.
+// The possible effects of the signal SIGHUP, which comes when the terminal of this process is
+// closed.
 enum class HangUp {
-  kEnds,     // ends the process, as is the signal's default
-  kCounts,   // counts like Ctrl-C
-  kIgnored,  // none, because the run ends by itself
+  kEnds,     // the signal ends the process, which is its default action
+  kCounts,   // is counted like Ctrl-C
+  kIgnored,  // has no effect, because the run ends by itself
 };
 
 // While an InterruptCounter exists, SIGINT and SIGTERM are counted and do not end the process.  The
@@ -22,8 +23,8 @@ class InterruptCounter {
 
   int count() const;
 
-  // Begins to count from 0 again.  Called in a fork of the process, which has changed its signal
-  // handlers.
+  // Begins to count from 0 again.  Called in a fork of the process, after the fork has changed its
+  // signal handlers.
   void StartAgain();
 
  private:

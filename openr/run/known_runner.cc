@@ -50,7 +50,7 @@ class KnownRunner {
   }
 
   void WaitOrStep() {
-    constexpr int kWaitMs = 50;  // longest time that Ctrl-C may have to wait
+    constexpr int kWaitMs = 50;  // longest time for which Ctrl-C may go unnoticed
     const RunClock::Step step = is_over_ ? RunClock::Step::kNone : parts_.clock->TakeStep();
     if (step == RunClock::Step::kNone) {
       parts_.live->WaitAndServe(kWaitMs);
@@ -61,8 +61,8 @@ class KnownRunner {
     pacer_.Restart();
   }
 
-  // Runs to the end of the frame: at the rate that the user wants, or at once on the way to the
-  // moment to which the user goes.
+  // Runs to the end of the frame, at the rate that the user wants.  If the user goes to a later
+  // moment, does not wait for the clock until this moment.
   void GoOn() {
     RunClock& clock = *parts_.clock;
     const bool has_goal = clock.goal_us() != INT64_MAX;
@@ -80,7 +80,7 @@ class KnownRunner {
   void NoteEnd() {
     const std::string why = parts_.run->WhyOver();
     if (why.empty()) return;
-    if (!parts_.clock->paused()) parts_.clock->Pause();  // pauses, because the run is over
+    if (!parts_.clock->paused()) parts_.clock->Pause();  // pauses the run, because it is over
     if (is_over_) return;
     is_over_ = true;
     parts_.say(why);

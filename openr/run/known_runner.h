@@ -18,10 +18,12 @@ struct KnownRunnerParts {
   RunClock* clock = nullptr;
   Rewind* rewind = nullptr;
   const InterruptCounter* interrupts = nullptr;
-  std::function<void(const std::string& line)> say;  // prints a message for the user
+  // A function that prints a message for the user.
+  std::function<void(const std::string& line)> say;
 };
 
-// Runs until Ctrl-C, and returns the exit code.  At its end the run is paused, and can be rewound.
+// Runs a known run until Ctrl-C, and returns the exit code.  At the end of the recorded time the
+// run is paused, and can be rewound.
 int RunKnown(const KnownRunnerParts& parts);
 
 }  // namespace openr_host

@@ -64,7 +64,7 @@ Json RobotReport(const VirtualRobot& robot, bool standing, int rc_port) {
   return report;
 }
 
-// Returns the values of quantities of robot `robot`, rounded to a multiple of `step`.
+// Returns the values of the quantities `names` of robot `robot`, rounded to a multiple of `step`.
 Json NumbersOf(const SimulationView& view, int robot, const std::vector<std::string>& names,
                double step) {
   Json numbers = Json::array();

@@ -17,18 +17,20 @@ class Simulation;
 struct RunFacts {
   double wall_time_s = 0;
   uint64_t seed = 1;
-  std::vector<StandingMonitor> standing;  // a monitor for each robot
+  // For each robot, the monitor that knows whether the robot stands.
+  std::vector<StandingMonitor> standing;
 };
 
-// Returns the report, with keys in the order of docs/cli.md.
+// Returns the report of the run as JSON. docs/cli.md gives the order of its keys.
 nlohmann::ordered_json MakeReport(Simulation* simulation, const RunFacts& facts);
 
-// Returns one line for each object: "[oid:0x80000045] /MS/OPEN-R/MW/OBJS/RCSERVER.BIN RCServer".
-// Printed at the start, because the log lines of objects show only the number (OID).
+// Returns one line for each object, such as "[oid:0x80000045] /MS/OPEN-R/MW/OBJS/RCSERVER.BIN
+// RCServer".  Printed at the start of the run, because the log lines of objects show only the
+// number (OID).
 std::string DescribeObjects(Simulation* simulation);
 
-// Returns one line for each finding: "error: JointMover (message 12, t=0.096 s): text".
-// With `has_colours`, the first word has the colour of its kind.
+// Returns one line for each finding, such as "error: JointMover (message 12, t=0.096 s): text".
+// With `has_colours`, the first word of the line has the colour of the finding's kind.
 std::string DescribeFindings(Simulation* simulation, bool has_colours = false);
 
 }  // namespace openr_host

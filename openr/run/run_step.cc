@@ -9,10 +9,10 @@
 namespace openr_host {
 namespace {
 
-// Virtual time after which a step to a message ends, if no message comes.
+// Virtual time after which a step to the next message ends if no message comes.
 constexpr int64_t kStepMaxUs = 1'000'000;
 
-// Returns whether `message` brings an object new sensor values.
+// Returns whether `message` gives an object new sensor values.
 bool IsSensorVector(System& system, const TraceRecord& record, const Message& message) {
   if (message.kind != PayloadKind::kNotify) return false;
   const Object* const receiver = system.object(record.target);

@@ -25,9 +25,10 @@
 namespace openr_host {
 namespace {
 
-// Virtual time that the shutdown of all robots by the runner (DoStop, DoDestroy of all objects) may
-// take.  The runner begins it kPauseUs after the pause button was pressed.  After this limit the
-// run ends anyway, because a shutdown that takes so long may never complete.
+// The most virtual time that a shutdown by the runner may take, that is, DoStop and DoDestroy of
+// all objects on all robots.  The runner begins the shutdown kPauseUs after the pause button was
+// pressed.  After this limit the run ends anyway, because a shutdown that takes so long may never
+// complete.
 constexpr int64_t kShutdownMaxUs = 60'000'000;
 
 }  // namespace
@@ -134,7 +135,7 @@ void Runner::AnnouncePorts() {
   }
 }
 
-// Prints when a robot waits for its boot timer, and when it boots again.
+// Prints a line when a robot waits for its boot timer, and when the robot boots again.
 void Runner::AnnounceBoots() {
   System& system = simulation_->system();
   for (size_t i = 0; i < announced_.size(); ++i) {
@@ -168,8 +169,8 @@ void Runner::AfterFrame() {
     is_new_branch_ = plan_.rewind->AfterFrame(plan_.live->is_watched());
 }
 
-// Presses the pause button after the first Ctrl-C.  Later shuts all robots down, if no object has
-// done so by then.
+// Presses the pause button of the robots after the first Ctrl-C.  If no object has shut the robots
+// down within kPauseUs, shuts all of them down.
 void Runner::HandleInterrupt() {
   System& system = simulation_->system();
   if (interrupts_->count() == 1 && paused_us_ < 0) PressPause();
@@ -206,12 +207,12 @@ void Runner::RunFreely(int64_t stop_us, Pacer* pacer) {
   }
 }
 
-// If the run is paused, makes the step that a user has asked for, or waits a moment for one.
-// Returns false if the run is not paused.  After the pause button of the robot was pressed, no run
-// is paused, because the user wants the run to end.
+// If the run is paused, makes the step that a user has asked for, or waits a moment for such a
+// request.  Returns false if the run is not paused.  After the pause button of the robot was
+// pressed, the run is never paused, because the user wants it to end.
 bool Runner::WaitWhilePaused(Pacer* pacer) {
   if (plan_.clock == nullptr || !plan_.clock->paused() || paused_us_ >= 0) return false;
-  constexpr int kWaitMs = 50;  // longest time that Ctrl-C and typed text may have to wait
+  constexpr int kWaitMs = 50;  // longest time for which Ctrl-C and typed text may go unnoticed
   const RunClock::Step step = plan_.clock->TakeStep();
   if (step == RunClock::Step::kNone) {
     plan_.live->WaitAndServe(kWaitMs);
@@ -223,7 +224,7 @@ bool Runner::WaitWhilePaused(Pacer* pacer) {
   return true;
 }
 
-// Runs to the next stop, at the rate that the user wants.
+// Lets the run go on to its next stop, at the rate that the user wants.
 void Runner::GoOn(Pacer* pacer) {
   const int64_t stop_us = NextStop();
   if (plan_.clock != nullptr && plan_.clock->rate() != pacer->rate())
@@ -249,7 +250,7 @@ bool Runner::Run() {
     if (plan_.live != nullptr) plan_.live->Serve();
     const int64_t before_us = system.now_us();
     if (!WaitWhilePaused(&pacer)) GoOn(&pacer);
-    // Does not end the frame if a step over a message has stopped within it.
+    // Does not end the frame if a step to a message has stopped inside of the frame.
     const bool is_within_frame = system.now_us() < NextStopAfter(before_us);
     if (!is_within_frame || system.powered_off()) AfterFrame();
     // A branch restarts the pacer, because the pacer still counts from the checkpoint's moment.
@@ -263,11 +264,12 @@ bool Runner::Run() {
   return good_;
 }
 
-// Adds the findings that are known only at the end of the run, and completes its files.
+// Adds the findings that are known only at the end of the run, and completes the files of the run.
 void Runner::Finish() {
   System& system = simulation_->system();
-  // Reports objects that wait in vain, for example for an observer that never asks for more data
-  // (runtime/core/stalls.h).  When all robots are off, no object waits any more.
+  // Reports objects that wait for something that cannot come, for example for an observer that
+  // never asks for more data (runtime/core/stalls.h).  When all robots are off, no object waits any
+  // more.
   const bool goes_on = plan_.rewind != nullptr && plan_.rewind->has_branched();
   if (!system.powered_off() && !goes_on) {
     const bool is_silent = plan_.until_idle && system.now_us() - last_activity_us_ >= kIdleUs;

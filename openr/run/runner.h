@@ -25,33 +25,36 @@ class Rewind;
 class Simulation;
 
 struct RunPlan {
-  std::optional<int64_t> for_us;  // --for, in virtual time; nullopt: until the robots are off
-  std::string for_text;           // for_us as the user wrote it
-  bool has_begun = false;         // the robots have booted already, as in a replay that goes on
-  bool until_idle = false;        // --until-idle: ends also when objects are quiet for kIdleUs
-  double rate = 1;                // virtual seconds per real second; 0: as fast as possible
+  // Value of --for, in virtual time; nullopt: until the robots are off.
+  std::optional<int64_t> for_us;
+  std::string for_text;    // value of --for as the user wrote it
+  bool has_begun = false;  // true: the robots have booted already, as in a replay that goes on
+  // Value of --until-idle: the run also ends when objects are quiet for kIdleUs.
+  bool until_idle = false;
+  double rate = 1;  // virtual seconds per real second; 0: as fast as possible
   std::vector<PictureRequest> snapshots;
-  // File with console input; "-": standard input; see ConsoleFeed.
+  // The file with console input, see ConsoleFeed; "-" is standard input.
   std::string stdin_file;
-  EventScript* events = nullptr;                     // timed inputs; null: none
-  LiveServer* live = nullptr;                        // serves openr poke; null: none
-  RunClock* clock = nullptr;                         // rate and pause that clients choose; null:
-                                                     // the run always has `rate`
-  Rewind* rewind = nullptr;                          // goes back to earlier moments; null: none
-  std::function<void(const std::string& line)> say;  // prints a message for the user
-  Recorder* recorder = nullptr;                      // records lost processes; null: none
-  // Set only for a free run, in which virtual time goes on while handlers run in worker processes.
-  // Waits at most `timeout_us` for results of these handlers and applies them.  The runner calls it
-  // where it would sleep in other runs.  REQUIRES: rate > 0.
+  EventScript* events = nullptr;  // script of timed inputs; null: none
+  LiveServer* live = nullptr;     // server for clients such as openr poke; null: none
+  RunClock* clock = nullptr;      // rate and pause that clients choose; null:
+                                  // the run always has `rate`
+  Rewind* rewind = nullptr;       // goes back to earlier moments; null: the run cannot be rewound
+  // A function that prints a message for the user.
+  std::function<void(const std::string& line)> say;
+  Recorder* recorder = nullptr;  // records lost processes; null: none
+  // A function for a free run, in which virtual time goes on while handlers run in worker
+  // processes; null in other runs.  It waits at most `timeout_us` for results of these handlers and
+  // applies them.  The runner calls it where it would sleep in other runs.  REQUIRES: rate > 0.
   std::function<void(int64_t timeout_us)> pump;
-  std::function<void()> after_frame;  // called after each frame; may be null
+  std::function<void()> after_frame;  // a function that is called after each frame; may be null
 };
 
 // Virtual time without activity after which a run with --until-idle ends.  Activity is a message
 // from an object of the stick, other than one that asks for sensor values (IsActivity()).
 constexpr int64_t kIdleUs = 1'000'000;
 
-// Virtual time in which objects can shut the robot down after the pause button was pressed.  After
+// Virtual time that objects have to shut the robot down after the pause button was pressed.  After
 // this time the runner shuts all robots down.
 constexpr int64_t kPauseUs = 1'000'000;
 
@@ -63,12 +66,12 @@ class Runner {
   // taken.  If a picture was wanted for a time after the end, adds an error to the findings.
   bool Run();
 
-  // Notes whether the robots stand.  Called after each frame, also in a copy of the run that
+  // Notes whether the robots stand.  Called after each frame, and also in a copy of the run that
   // repeats frames.
   void SampleStanding();
 
-  // Returns how long the run has taken by the clock of this computer.  The time for drawing
-  // pictures is left out, because it says nothing about the speed of the simulation.
+  // Returns how long the run has taken by the clock of this computer.  Leaves out the time in which
+  // pictures were drawn, because it says nothing about the speed of the simulation.
   double wall_time_s() const;
   const std::vector<StandingMonitor>& standing() const { return standing_; }
 
@@ -76,19 +79,19 @@ class Runner {
   // The facts about a robot that were printed last, so that only changes are printed.
   struct Announced {
     uint16_t port = 0;    // port of its remote control; 0: none
-    int boots = 1;        // number of boots
-    bool is_off = false;  // whether it was off and waited for its boot timer
+    int boots = 1;        // number of boots of the robot
+    bool is_off = false;  // true: the robot was off and waited for its boot timer
   };
 
   void WatchActivity();
   void Finish();
-  // Returns the reason if the run is over; nullopt if it goes on.  Also returns nullopt when all
-  // robots are off, because the System has then noted the reason already.
+  // Returns the reason why the run is over; nullopt if the run goes on.  Also returns nullopt when
+  // all robots are off, because the System has then noted the reason already.
   std::optional<RunEnd> WhyOver() const;
   // Returns the virtual time up to which the run goes in one step from now: the next frame boundary
   // or, if that is earlier, the end of --for.
   int64_t NextStop() const;
-  // Returns the time up to which a step goes that begins at `now_us`; see NextStop().
+  // Returns the virtual time at which a step ends that begins at `now_us`; see NextStop().
   int64_t NextStopAfter(int64_t now_us) const;
   bool WaitWhilePaused(Pacer* pacer);
   void GoOn(Pacer* pacer);
@@ -106,16 +109,19 @@ class Runner {
   const RunPlan plan_;
   const InterruptCounter* const interrupts_;
   std::vector<StandingMonitor> standing_;
-  std::vector<bool> taken_;           // for each picture: it was taken
-  std::vector<Announced> announced_;  // index: number of the robot
+  std::vector<bool> taken_;  // for each picture: true if it was taken
+  // The facts about each robot; the index is the number of the robot.
+  std::vector<Announced> announced_;
   int activity_sink_ = 0;
   int64_t last_activity_us_ = 0;
-  int64_t paused_us_ = -1;  // virtual time when the button was pressed; -1: not pressed
+  int64_t paused_us_ = -1;  // virtual time when the pause button was pressed; -1: not pressed
   bool shutdown_posted_ = false;
-  bool is_new_branch_ = false;  // this process has just become a run of its own (Rewind)
+  bool is_new_branch_ = false;  // true: this process has just become a run of its own (Rewind)
   bool good_ = true;
-  int64_t begin_ns_ = 0;  // clock of this computer at the start; 0: not running
-  // Before and after the run: its duration.  During the run: minus the time for drawing pictures.
+  // Time at the start of the run by the clock of this computer; 0: not running.
+  int64_t begin_ns_ = 0;
+  // Before and after the run, the duration of the run.  During the run, the negative of the time
+  // for drawing pictures.
   int64_t wall_time_ns_ = 0;
 };
 

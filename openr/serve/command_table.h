@@ -10,9 +10,10 @@ namespace openr_host {
 
 struct CommandParameter {
   const char* name;
-  const char* type;       // type of the value: "text", "number", "integer", "flag" or "texts"
-  const char* otherwise;  // value if a request leaves the parameter out, as JSON; null: the
-                          // parameter is required
+  const char* type;  // type of the parameter: "text", "number", "integer", "flag" or "texts"
+  // Value of the parameter, as JSON, if a request leaves the parameter out; null: the parameter is
+  // required.
+  const char* otherwise;
   const char* help;
 };
 
@@ -26,18 +27,18 @@ struct RunCommand {
                            // none
 };
 
-// Returns all commands in the order of the documentation.
+// Returns all commands of openr serve, in the order of the documentation.
 const std::vector<RunCommand>& RunCommands();
 
-// Returns the command `name`; null if there is none.
+// Returns the command with the name `name`; null if no command has this name.
 const RunCommand* FindRunCommand(const std::string& name);
 
-// Returns the commands as JSON, for `openr serve --describe`.
+// Returns a description of all commands as JSON, for `openr serve --describe`.
 nlohmann::ordered_json DescribeRunCommands();
 
 // Returns the error in `request`: an unknown command, or a parameter that is missing, unknown or of
-// another type.  If there is no error, adds the parameters that were left out to `request`, with
-// their values, and returns "".
+// a wrong type.  If there is no error, returns "" and completes `request`: parameters that were
+// left out are added with their default values.
 std::string CompleteRequest(nlohmann::json* request);
 
 }  // namespace openr_host

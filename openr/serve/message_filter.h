@@ -13,35 +13,37 @@ class System;
 struct RobotModel;
 struct TraceRecord;
 
-// A message that was delivered, in the form that programs get.
+// A message that was delivered, in the form in which programs get it.
 struct DeliveredMessage {
   uint64_t number = 0;
   uint64_t cause = 0;
   int64_t time_us = 0;
-  std::string kind;  // "notify", "ready", "not ready", "reply" or "other"
+  std::string kind;  // kind of the message: "notify", "ready", "not ready", "reply" or "other"
   std::string from;  // the sender's service, "RCServer.Mover.MoverCommand.S", or else the name of
                      // its object
   // The receiver, in the same form as the sender in `from`.
   std::string to;
-  std::string entry;  // name of the receiver's handler
+  std::string entry;  // name of the receiver's handler for the message
   ObjectId target = kNoObject;
   uint32_t selector = 0;
-  std::string content;  // the content of the message, as in a recording
+  std::string content;  // content of the message, as in a recording
 };
 
 struct MessageFilter {
-  // A field that is "" fits every message.  `from` and `to` name an object, or the first parts of
-  // the name of a service.
+  // Each field that is not "" must fit the message.  `from` and `to` name an object, or the first
+  // parts of the name of a service.
   std::string kind, from, to, entry;
 
-  // Returns "" or the reason why no message can ever fit: an unknown kind, object or service.
+  // Checks the filter.  Returns "", or the reason why no message can ever fit: an unknown kind,
+  // object or service.
   std::string Check(const System& system) const;
   bool Fits(const DeliveredMessage& message) const;
-  // Returns a text for people: "notify RCServer.Mover -> JointMover.Mover".
+  // Returns the filter as a text for a human reader, such as "notify RCServer.Mover ->
+  // JointMover.Mover".
   std::string Text() const;
 };
 
-// Describes a message that is about to be delivered.
+// Describes a message that is about to be delivered, in the form in which programs get it.
 DeliveredMessage Describe(const System& system, const TraceRecord& record, const Message& message);
 
 }  // namespace openr_host

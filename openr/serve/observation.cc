@@ -18,8 +18,8 @@ namespace {
 
 constexpr std::string_view kRobots = "robots[";
 
-// The name of a value, split into the robot and the rest: "robots[1].joints" is "joints" of robot
-// 1.
+// The name of a value, split into the number of the robot and the rest: "robots[1].joints" is
+// "joints" of robot 1.
 struct OfRobot {
   size_t robot = 0;
   std::string rest;
@@ -65,7 +65,7 @@ Quantity AngleOf(size_t robot, size_t joint) {
   };
 }
 
-// Returns the angle that the sensor of a joint measures, in degrees.
+// Returns the quantity for the angle that the sensor of a joint measures, in degrees.
 Quantity MeasuredOf(size_t robot, size_t joint) {
   return [=](const RunView& view) -> Value {
     const VirtualRobot& dog = *view.prepared->robots[robot];
@@ -93,8 +93,8 @@ Quantity PawOf(size_t robot, size_t paw) {
   return [=](const RunView& view) -> Value { return StateOf(view, robot).paws[paw] ? 1.0 : 0.0; };
 }
 
-// Returns the velocity of the base along an axis of the world, or the angular velocity of the base
-// about one of its own axes.
+// Returns the quantity for a velocity of the base: along an axis of the world, or around one of the
+// base's own axes (angular velocity).
 Quantity MotionOf(size_t robot, const std::string& name) {
   static const std::map<std::string, int> axes = {{"vx_m_s", 0},   {"vy_m_s", 1},
                                                   {"vz_m_s", 2},   {"wx_deg_s", 3},

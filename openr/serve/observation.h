@@ -10,7 +10,7 @@
 
 namespace openr_host {
 
-// A value of a run with its full name, "robots[0].joint.LF_j1".
+// A value of a run, and its full name, such as "robots[0].joint.LF_j1".
 struct ReadValue {
   std::string name;
   Quantity read;
@@ -31,13 +31,13 @@ std::vector<ReadValue> FindValues(const std::string& name, const RunView& view);
 
 class Observation {
  public:
-  // Replaces the values.  Throws std::runtime_error, and keeps the old ones, if a name is not known
-  // or names a text.
+  // Chooses the values that are read from now on.  If a name is not known or names a text, throws
+  // std::runtime_error and keeps the old values.
   void Choose(const std::vector<std::string>& names, const RunView& view);
 
   const std::vector<ReadValue>& values() const { return values_; }
 
-  // Returns the values as numbers of type double, one behind the other.
+  // Returns the present values as numbers of the type double, one behind the other.
   std::string Bytes(const RunView& view) const;
 
  private:

@@ -42,8 +42,8 @@ void RequestPipe::DropDescriptors() {
 }
 
 void RequestPipe::Move(int socket) {
-  // Makes the old descriptors lead to /dev/null.  So the program at their other end sees when the
-  // original process ends, although this fork of it goes on.
+  // Makes the old descriptors lead to /dev/null in this fork.  Then the program at their other end
+  // sees when the original process ends, although the fork goes on.
   const int nowhere = open("/dev/null", O_RDWR | O_CLOEXEC);
   for (const int descriptor : {input_, output_}) dup2(nowhere, descriptor);
   close(nowhere);
@@ -59,7 +59,7 @@ int RequestPipe::TakeDescriptor() {
   return descriptor;
 }
 
-// Reads some bytes, and keeps the descriptor that may come with them.
+// Reads some bytes of the input, and keeps a descriptor that comes with the bytes.
 long RequestPipe::ReadSome(char* bytes, size_t size) {
   if (!is_socket_) return read(input_, bytes, size);
   iovec part{bytes, size};

@@ -1,9 +1,9 @@
 // RequestPipe: requests and answers between a served run and the program that drives it.
 //
-// Both directions have the same form: two little-endian numbers of 4 bytes, the length of a JSON
-// text and the number of further bytes; then the text, then the bytes.  The bytes hold values of
-// type double in the order of the computer, pictures or data of messages, which would be slow or
-// long as JSON.
+// Both directions have the same form.  First come two little-endian numbers of 4 bytes: the length
+// of a JSON text and the number of further bytes.  Then come the text and the bytes.  The bytes
+// hold values of type double in the order of the computer, pictures or data of messages, which
+// would be slow or long as JSON.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ namespace openr_host {
 
 class RequestPipe {
  public:
-  // The most bytes of a request; no caller needs nearly as many.
+  // The most bytes that a request may have; no program needs nearly as many.
   static constexpr size_t kRequestMax = size_t{64} << 20;
 
   // Reads requests from `input` and writes answers to `output`.  Both may be the same socket.
@@ -25,26 +25,27 @@ class RequestPipe {
   RequestPipe(const RequestPipe&) = delete;
   RequestPipe& operator=(const RequestPipe&) = delete;
 
-  // Waits for a request.  Returns false if the other end is closed.  Throws RequestTooLong if
-  // the request is longer than kRequestMax.
+  // Waits for a request.  Returns false if the other end of the pipe is closed.  Throws
+  // RequestTooLong if the request is longer than kRequestMax.
   bool Receive(std::string* text, std::string* bytes);
 
-  // Sends an answer.  Returns false if the other end is closed.  May be called in a signal handler
-  // that ends the process.
+  // Sends the answer to a request.  Returns false if the other end of the pipe is closed.  May be
+  // called in a signal handler that ends the process.
   bool Send(std::string_view text, std::string_view bytes);
 
-  // Returns a descriptor that came with the last request, or -1.  The caller owns the descriptor.
+  // Returns the descriptor that came with the last request; -1 if no descriptor came.  The caller
+  // owns the descriptor.
   int TakeDescriptor();
 
-  // Closes the descriptors that no command has taken.  Keeps them if a part of the next request has
+  // Closes the descriptors that no command has used.  Keeps them if a part of the next request has
   // come already, because they may belong to that request.
   void DropDescriptors();
 
-  // Returns whether descriptors can come with requests: the input is a Unix socket.
+  // Returns whether a descriptor can come with a request.  It can if the input is a Unix socket.
   bool is_socket() const { return is_socket_; }
 
-  // Goes on with another socket; called in a fork of the process.  Drops bytes that were received
-  // but not used yet.
+  // Goes on with the socket `socket` instead of the old input and output.  Called in a fork of the
+  // process.  Drops bytes that were received but not used yet.
   void Move(int socket);
 
  private:

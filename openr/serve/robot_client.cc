@@ -12,8 +12,8 @@ namespace openr_host {
 namespace {
 
 constexpr NetHandle kHandle = 1;
-constexpr uint32_t kFirstIp = 0x0a000102;  // first address of clients: 10.0.1.2, in the network of
-                                           // the robot
+// The first address of clients, 10.0.1.2.  It is in the network of the robot.
+constexpr uint32_t kFirstIp = 0x0a000102;
 constexpr uint16_t kFirstPort = 40000;
 constexpr size_t kReceiveMax = size_t{1} << 20;
 constexpr int kClientsMax = 64;
@@ -104,7 +104,8 @@ std::string RobotClients::Take(int connection, size_t size_max) {
 
 void RobotClients::Close(int connection) {
   Find(connection).network->Close(kHandle);
-  // Keeps the network object, because the robot may still read bytes that were sent before.
+  // Does not delete the network object yet, because the robot may still read bytes that were sent
+  // before.
   Find(connection).has_ended = true;
 }
 

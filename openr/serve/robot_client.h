@@ -1,7 +1,7 @@
 // RobotClients: TCP connections of a program to a robot whose network is inside the process.
 //
 // Bytes that a client sends arrive at once, and the robot sees them at its next frame boundary.  So
-// a run with such clients is the same each time, unlike one with sockets of the host.
+// a run with such clients is the same each time; a run with sockets of the host is not.
 #pragma once
 
 #include <cstdint>
@@ -27,15 +27,18 @@ class RobotClients {
   int Connect(const System& system, int robot, uint16_t port);
 
   struct State {
-    bool is_open = false;    // the robot has accepted the connection, and not ended it
-    bool has_ended = false;  // the robot has ended the connection, or it has failed
-    std::string problem;     // the reason why the connection failed; "": it has not failed
-    size_t waiting = 0;      // bytes that have arrived and that Take() has not returned yet
+    bool is_open = false;  // true: the robot has accepted the connection, and has not ended it
+    // True: the robot has ended the connection, or the connection has failed.
+    bool has_ended = false;
+    std::string problem;  // the reason why the connection failed; "": it has not failed
+    size_t waiting = 0;   // number of bytes that have arrived and that Take() has not returned yet
   };
-  // The functions below throw std::runtime_error if there is no such connection.
+  // StateOf(), Send(), Take() and Close() throw std::runtime_error if the connection does not
+  // exist.
   State StateOf(int connection);
   void Send(int connection, std::string_view bytes);
-  // Takes at most `size_max` bytes that the robot has sent.
+  // Returns bytes that the robot has sent, at most `size_max`, and removes them from the waiting
+  // bytes.
   std::string Take(int connection, size_t size_max);
   void Close(int connection);
 
@@ -48,7 +51,8 @@ class RobotClients {
     std::string received;
   };
 
-  // Each robot has a network of its own, because all of them may have the same address.
+  // Returns the network of a robot.  Each robot has a network of its own, because all robots may
+  // have the same address.
   const std::shared_ptr<LoopbackHub>& HubOf(int robot) {
     std::shared_ptr<LoopbackHub>& hub = hubs_[robot];
     if (hub == nullptr) hub = std::make_shared<LoopbackHub>();
@@ -57,7 +61,8 @@ class RobotClients {
   Client& Find(int connection);
   static void Poll(Client* client);
 
-  std::map<int, std::shared_ptr<LoopbackHub>> hubs_;  // key: number of the robot
+  // The network of each robot; the key is the number of the robot.
+  std::map<int, std::shared_ptr<LoopbackHub>> hubs_;
   std::map<int, Client> clients_;
   int last_ = 0;
 };

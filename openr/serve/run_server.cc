@@ -61,9 +61,10 @@ int RunServer::Serve() {
   return exit_code;
 }
 
-// Serves one request.  Returns false if the other end is closed.
+// Serves one request.  Returns false if the other end of the pipe is closed.
 bool RunServer::ServeOne() {
-  while (waitpid(-1, nullptr, WNOHANG) > 0) {  // removes zombies: forks that have ended
+  // Removes zombies, that is, forks of this process that have ended.
+  while (waitpid(-1, nullptr, WNOHANG) > 0) {
   }
   std::string text, bytes;
   Answer answer;
@@ -86,7 +87,8 @@ RunServer::Answer RunServer::Refusal(const std::string& text) const {
   return {{{"error", text}, {"kind", "refused"}}, ""};
 }
 
-// Does the work of a command.  If the run is over, the answer also says how it ended.
+// Does the work of the command in `request`.  If the run is over, the answer also says how the run
+// ended.
 RunServer::Answer RunServer::Do(const Request& request) {
   Answer answer;
   try {
@@ -111,8 +113,8 @@ ServedRun& RunServer::BootedRun() {
   return *run_;
 }
 
-// Throws if the run is finished.  Does not throw if all robots are off, because the answer then
-// says how the run ended.
+// Throws std::runtime_error if the run is finished.  Does not throw if all robots are off, because
+// the answer to the command then says how the run ended.
 void RunServer::CheckGoesOn() {
   if (BootedRun().is_finished())
     throw std::runtime_error("the run is finished; it can be read but cannot go on");
@@ -122,7 +124,7 @@ RunServer::Answer RunServer::Time() {
   return {{{"time_s", static_cast<double>(run().system().now_us()) / 1e6}}, ""};
 }
 
-// Prepares the process for the case that an object crashes or does not return.
+// Prepares this process for an object that crashes or whose handler does not return.
 void RunServer::BeginGuards(int64_t handler_limit_us) {
   ending_action_.reset();
   watchdog_.reset();
@@ -140,8 +142,8 @@ void RunServer::WatchCrashes() {
   crash_log_ = std::make_unique<CrashLog>(std::vector<std::string>(robots, run_->crash_log()));
 }
 
-// Called in a signal handler when the process ends (docs/endings.md).  Answers the present request,
-// because the program waits for its answer.
+// Answers the present request when the process ends (docs/endings.md), because the program waits
+// for its answer.  Called in a signal handler.
 void RunServer::TellEnding(Ending* ending) {
   const RunEnd end = EndOf(*ending);
   const nlohmann::ordered_json answer = {{"error", std::string(ending->record.text())},

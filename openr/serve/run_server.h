@@ -1,5 +1,5 @@
-// RunServer: the other end of the Python module openr_host.  It makes one run and does what the
-// commands on a pipe say (command_table.h), until the pipe is closed.
+// RunServer: the other end of the pipe of the Python module openr_host.  It makes one run and does
+// what the commands on the pipe say (command_table.h), until the pipe is closed.
 #pragma once
 
 #include <cstdint>
@@ -39,7 +39,8 @@ class RunServer {
     std::string bytes;
   };
 
-  // A request: its parameters, also those that were left out, and the bytes after its JSON text.
+  // A request: all its parameters, including those that the program left out, and the bytes after
+  // its JSON text.
   struct Request {
     const Json& json;
     const std::string& bytes;
@@ -89,7 +90,8 @@ class RunServer {
   RequestPipe& pipe_;
   bool is_copy_ = false;
   std::unique_ptr<ServedRun> run_;
-  // The next four members end the process when an object crashes or does not return.
+  // These members end the process when an object crashes or its handler does not return:
+  // ending_answer_, crash_log_, watchdog_ and ending_action_.
   std::unique_ptr<EndingAnswer> ending_answer_;
   std::unique_ptr<CrashLog> crash_log_;
   std::unique_ptr<Watchdog> watchdog_;

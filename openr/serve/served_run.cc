@@ -19,7 +19,7 @@
 namespace openr_host {
 namespace {
 
-// Returns the findings of a robot that does not boot, a line each.
+// Returns the findings about a robot that does not boot, one line for each finding.
 std::string WhyNoBoot(Simulation* simulation) {
   std::string text = "the robot does not boot";
   for (const Finding& finding : simulation->system().findings().all()) {
@@ -59,14 +59,14 @@ ServedRun::ServedRun(const ServedRunOptions& options)
   });
 }
 
-// Returns the options of the simulation: those that the program gave, with the stick, the network
-// and the console of this run.
+// Returns the options with which the simulation is made: the options that the program gave, with
+// the stick, the network and the console of this run added.
 SimulationOptions ServedRun::SimulationWith(const ServedRunOptions& given) {
   SimulationOptions options = given.simulation;
   options.stick = stick_.folder();
   options.console = [this, echo = given.echo](std::string_view text) {
     if (echo) std::fwrite(text.data(), 1, text.size(), stderr);
-    // Images print while they are loaded, when there is no clock yet.
+    // Uses time 0 for text that images print while they are loaded, because there is no clock yet.
     console_.Add(simulation_ == nullptr ? 0 : system().now_us(), text);
   };
   if (!options.host_network) {
@@ -89,7 +89,7 @@ void ServedRun::Boot() {
   system().Boot();
 }
 
-// Notes whether the robots stand, once in each frame.
+// Notes for each robot whether it stands.  Does so once in each frame.
 void ServedRun::Sample() {
   const int64_t now_us = system().now_us();
   if (now_us / kFrameUs == sampled_us_ / kFrameUs && sampled_us_ >= 0) return;

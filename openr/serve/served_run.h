@@ -1,7 +1,7 @@
 // ServedRun: a run that goes on only as far as another program asks for.
 //
-// All that the program does to the run enters as an input or through the network of the robot, and
-// both are recorded.  So `openr replay` repeats the run.
+// Everything that the program does to the run enters as an input or through the network of the
+// robot.  Both are recorded, so `openr replay` repeats the run.
 #pragma once
 
 #include <cstdint>
@@ -32,16 +32,16 @@
 namespace openr_host {
 
 struct ServedRunOptions {
-  SimulationOptions simulation;  // its console, network and stick folder are set by ServedRun
-  std::string record_file;       // "": no recording
+  SimulationOptions simulation;  // options; ServedRun itself sets console, network and stick folder
+  std::string record_file;       // file for a recording; "": no recording
   bool payloads = true;          // whether the recording has the bytes of messages
   bool echo = false;             // whether to print on standard error what objects print
 };
 
 class ServedRun {
  public:
-  // Makes the simulation, ready for Boot().  Throws std::runtime_error if it cannot be made or the
-  // robot would not boot.
+  // Makes the simulation, ready for Boot().  Throws std::runtime_error if the simulation cannot be
+  // made or if the robot would not boot.
   explicit ServedRun(const ServedRunOptions& options);
 
   Simulation& simulation() { return *simulation_; }
@@ -50,30 +50,32 @@ class ServedRun {
   const LiveContext& live() const { return live_; }
   const ConsoleLog& console() const { return console_; }
   bool is_recorded() const { return !recording_.empty(); }
-  // Returns the file for the record of a crash.
+  // Returns the path of the file for the record of a crash.
   const std::string& crash_log() const { return crash_log_; }
   RobotClients& clients() { return clients_; }
-  // Returns the reason why the run cannot be copied; "" if it can.
+  // Returns the reason why the run cannot be copied by a fork; "" if it can be copied.
   std::string WhyNoFork() const;
   bool has_booted() const { return has_booted_; }
 
   void Boot();
 
-  // Goes on to the virtual time `time_us`, but not beyond the end of the run.
+  // Lets the run go on to the virtual time `time_us`, but not beyond the end of the run.
   void RunUntil(int64_t time_us);
-  // Goes on for `count` steps, but not beyond the end of the run.
+  // Lets the run go on for `count` steps, but not beyond the end of the run.
   void MakeSteps(RunClock::Step step, int count);
-  // Goes on until `holds` returns true after a frame.  Returns false if it did not until `time_us`.
+  // Lets the run go on until `holds` returns true after a frame.  Returns false if this has not
+  // happened until `time_us`.
   bool RunUntilHolds(const std::function<bool()>& holds, int64_t time_us);
-  // Goes on until a message that fits `filter` has been handled.  Returns nullopt if none came
-  // until `time_us`.
+  // Lets the run go on until a message that fits `filter` has been handled, and returns this
+  // message.  Returns nullopt if no such message came until `time_us`.
   std::optional<DeliveredMessage> RunUntilMessage(const MessageFilter& filter, int64_t time_us);
 
   // The largest number of messages that Watch() keeps.
   static constexpr size_t kKeptMax = 10'000;
-  // The most bytes that the contents of these messages have together.
+  // The most bytes that the contents of all kept messages have together.
   static constexpr size_t kKeptBytesMax = size_t{64} << 20;
-  // Keeps messages that fit `filter` from now on.  If there are too many, only the newest stay.
+  // Keeps the messages that fit `filter` from now on.  If there are too many messages, keeps only
+  // the newest.
   void Watch(const MessageFilter& filter);
   std::deque<DeliveredMessage> TakeWatched() {
     watched_bytes_ = 0;
@@ -81,15 +83,16 @@ class ServedRun {
   }
   uint64_t lost_count() const { return lost_count_; }
 
-  // Ends the run, and completes the recording and the files of devices.  Returns "" or the error.
+  // Ends the run, and completes the recording and the files of devices.  Returns "", or the error
+  // that happened.
   std::string Finish();
   bool is_finished() const { return is_finished_; }
-  // Returns the report, as openr run writes it.
+  // Returns the report of the run, in the form in which openr run writes it.
   nlohmann::ordered_json Report();
 
-  // Gives this process, a fork, its own copies of the stick and of files that the run writes.  The
-  // recording goes on in `record_file`, or is dropped if that is "".  Throws std::exception if that
-  // is not possible.
+  // Gives this process, which is a fork, copies of its own of the stick and of files that the run
+  // writes.  The recording goes on in `record_file`; if that is "", this process records nothing.
+  // Throws std::exception if the copies cannot be made.
   void BecomeCopy(const std::string& record_file);
 
  private:
@@ -115,11 +118,11 @@ class ServedRun {
   int64_t sampled_us_ = -1;
   std::vector<MessageFilter> filters_;
   std::deque<DeliveredMessage> watched_;
-  size_t watched_bytes_ = 0;           // size of the contents of `watched_`
+  size_t watched_bytes_ = 0;           // number of bytes in the contents of `watched_`
   uint64_t lost_count_ = 0;            // number of watched messages that were dropped for newer
                                        // ones
   std::unique_ptr<TempFolder> files_;  // a fork's copies of the stick and of written files
-  std::string recording_;              // path of the file that the recording goes to now
+  std::string recording_;              // path of the file to which the recording is written now
   bool has_booted_ = false;
   bool is_finished_ = false;
 };

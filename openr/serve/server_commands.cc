@@ -1,4 +1,4 @@
-// RunServer: the commands that make a run, let it go on and watch its messages.
+// The part of RunServer for commands that make a run, let the run go on and watch its messages.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -86,7 +86,7 @@ ServedRunOptions OptionsOf(const nlohmann::json& request) {
   return options;
 }
 
-// Describes the robot: the names of its devices, and the limits of its joints.
+// Describes the robot as JSON: the names of its devices, and the limits of its joints.
 OrderedJson DescribeModel(const RobotModel& model) {
   OrderedJson joints = OrderedJson::array(), sensors = joints, leds = joints, limits = joints;
   OrderedJson locators = joints;
@@ -108,7 +108,8 @@ OrderedJson DescribeModel(const RobotModel& model) {
 MessageFilter FilterOf(const nlohmann::json& request, const System& system) {
   MessageFilter filter{TextOf(request, "kind"), TextOf(request, "sender"),
                        TextOf(request, "receiver"), TextOf(request, "entry")};
-  // Checks the names in the filter only after the boot, because services have no names before.
+  // Checks the names in the filter only after the boot, because services have no names before the
+  // boot.
   const std::string problem = system.booted() ? filter.Check(system) : "";
   if (!problem.empty()) throw std::runtime_error(problem);
   return filter;
@@ -126,7 +127,7 @@ OrderedJson MessageJson(const System& system, const DeliveredMessage& message) {
           {"size", message.content.size()}};
 }
 
-// Reads "QUANTITY OP VALUE", by the rules of property files.
+// Reads a condition "QUANTITY OP VALUE", by the rules of property files.
 PropertyRule ReadCondition(const std::string& text) {
   std::vector<Diagnostic> diagnostics;
   auto rules = ParseProperties("condition", "always " + text, &diagnostics);
@@ -180,7 +181,7 @@ RunServer::Answer RunServer::DoStep(const Request& request) {
   return Time();
 }
 
-// Returns the virtual time up to which a command waits.
+// Returns the virtual time until which the command in `request` waits.
 int64_t RunServer::LimitOf(const Request& request) {
   return run().system().now_us() + InUs(Number(request.json, "within_s"));
 }

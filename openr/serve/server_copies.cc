@@ -1,4 +1,4 @@
-// RunServer: the commands that speak to the robot's network, copy the run and read it.
+// The part of RunServer for commands that use the robot's network, copy the run and read its state.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
@@ -43,13 +43,14 @@ class ReadyPipe {
   ReadyPipe(const ReadyPipe&) = delete;
   ReadyPipe& operator=(const ReadyPipe&) = delete;
 
-  // Tells the original process why the copy cannot go on; `problem` "" means that the copy is
-  // ready.
+  // Tells the original process the problem for which the copy cannot go on.  "" means that the copy
+  // is ready.
   void Tell(const std::string& problem) const {
     const std::string text = problem + '\n';
     [[maybe_unused]] const ssize_t count = write(ends_[1], text.data(), text.size());
   }
-  // Waits for the text that the copy gives to Tell(), and returns it.
+  // Waits in the original process for the text that the copy gives to Tell(), and returns this
+  // text.
   std::string Hear() {
     close(std::exchange(ends_[1], -1));
     std::string text;
@@ -137,14 +138,14 @@ RunServer::Answer RunServer::DoFork(const Request& request) {
   }
 }
 
-// Prepares this process, a new copy, to serve requests at `socket`.  Calls `tell` with "" or an
-// error.
+// Prepares this process, which is a new copy, to serve requests at `socket`.  Calls `tell` with ""
+// when the copy is ready, or with an error.
 RunServer::Answer RunServer::BecomeCopy(int socket, const std::string& record,
                                         const std::function<void(const std::string&)>& tell) {
   try {
     run_->BecomeCopy(record);
     watchdog_->StartAgain();
-    WatchCrashes();  // the record of a crash belongs on the stick of the copy
+    WatchCrashes();  // a crash record must be written to the stick of the copy
   } catch (const std::exception& error) {
     tell(error.what());
     _exit(1);
@@ -214,7 +215,7 @@ RunServer::Answer RunServer::DoFinish(const Request&) {
   return {run_->Report(), ""};
 }
 
-// Does a command that clients of a run's socket can send, too (docs/inputs.md).
+// Does the work of a command that clients of a run's socket can send, too (docs/inputs.md).
 RunServer::Answer RunServer::DoLive(const Request& request) {
   if (request.json.at("do") == "input") CheckGoesOn();
   OrderedJson answer = AnswerLive(run().live(), request.json);

@@ -6,10 +6,10 @@ namespace openr_host {
 class System;
 struct Message;
 
-// Returns whether `message` shows that an object of the stick does something: the object has sent
-// the message.  A ready message to a system object does not count.  By such a message an object
-// asks the robot for the next sensor values, and programs do so for ever, even when they have
-// nothing else to do.
+// Returns whether `message` shows that an object of the stick does something: an object of the
+// stick has sent it.  A ready message to a system object does not count.  With such a message an
+// object asks the robot for the next sensor values, and programs do so for ever, even when they
+// have nothing else to do.
 bool IsActivity(const System& system, const Message& message);
 
 }  // namespace openr_host

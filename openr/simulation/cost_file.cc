@@ -23,7 +23,7 @@ std::optional<CostConfig> LoadCostFile(const std::string& name) {
   CostResult result = ParseCostConfig(path, *text);
   if (!result.diagnostics.empty()) {
     std::string problems = Render(result.diagnostics);
-    problems.pop_back();  // removes the last newline
+    problems.pop_back();  // removes the newline at the end of the last problem
     throw std::runtime_error(problems);
   }
   return std::move(result.config);

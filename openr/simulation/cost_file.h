@@ -1,4 +1,4 @@
-// Loads cost files, which say how long handlers take (--cost).
+// Loads cost files (--cost), which say how much processor time handlers take.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 namespace openr_host {
 
 // Reads the cost file `name`.  `name` may also be a file that came with the program, such as
-// "ers210.cost".  Returns nullopt for "" and "zero": handlers take no time.  Throws
-// std::runtime_error, with all errors of the file.
+// "ers210.cost".  Returns nullopt for "" and "zero", which mean that handlers take no time.  Throws
+// std::runtime_error with all errors of the file.
 std::optional<CostConfig> LoadCostFile(const std::string& name);
 
 }  // namespace openr_host

@@ -1,4 +1,4 @@
-// KnownRun: a run with inputs from outside that are known before it begins: a recording, or a
+// KnownRun: a run whose inputs from outside are known before it begins.  It is a recording, or a
 // failing run of an exploration.
 //
 // People can watch a known run like any other run, but cannot change what happens in it.
@@ -18,14 +18,14 @@ class KnownRun {
   virtual Simulation& simulation() = 0;
 
   // Gives the run the inputs that are due now.  Then delivers the next message if it is due by
-  // `time_us`; otherwise sets the clock to `time_us`, or to the time of the next input if that is
+  // `time_us`.  Otherwise sets the clock to `time_us`, or to the time of the next input if this is
   // earlier.  Does nothing when the run is over.
   virtual void RunOne(int64_t time_us) = 0;
 
   // Returns the virtual time at which the run is over.
   virtual int64_t length_us() const = 0;
 
-  // Returns the reason why the run is over, for users; "" while it goes on.
+  // Returns the reason why the run is over, as a text for users.  Returns "" while the run goes on.
   virtual std::string WhyOver() const = 0;
 
   // Runs to the virtual time `time_us` or to the end of the run.  Delivers all messages that are

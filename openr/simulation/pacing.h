@@ -8,24 +8,24 @@ namespace openr_host {
 
 class Pacer {
  public:
-  // `rate` is virtual seconds per real second; 0: as fast as possible.
+  // Makes a pacer.  `rate` is virtual seconds per real second; 0: as fast as possible.
   explicit Pacer(double rate) : rate_(rate) {}
 
   double rate() const { return rate_; }
-  // Sets the rate for the run from the present instant on.
+  // Sets the rate that the run has from the present instant on.
   void set_rate(double rate);
-  // Called after a pause: makes the run go on from the present instant, without catching up.
+  // Makes the run go on from the present instant, without catching up.  Called after a pause.
   void Restart() { started_ = false; }
 
   // Sleeps until the clock of this computer lets the run go on to the virtual time `time_us`, or
-  // until a signal comes.  A run that is more than 0.1 s late goes on at `rate` from there.  It
-  // does not catch up, because the robot would then move too fast for a while.
+  // until a signal comes.  If the run is more than 0.1 s late, it goes on at `rate` from the
+  // present instant.  It does not catch up, because the robot would then move too fast for a while.
   void WaitFor(int64_t time_us);
 
   // Returns the virtual time to which the run may go on now, by the clock of this computer.
   // `reached_us` is the virtual time that the run has reached.  If the run is more than 0.1 s late,
-  // returns `reached_us`, so that the run goes on at `rate` from there and does not catch up.
-  // REQUIRES: rate > 0.
+  // returns `reached_us`: the run then goes on at `rate` from the present instant and does not
+  // catch up.  REQUIRES: rate > 0.
   int64_t TimeNow(int64_t reached_us);
 
  private:

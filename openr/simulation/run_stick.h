@@ -18,14 +18,14 @@ class RunStick {
  public:
   // `wanted` is the folder of the user's stick; "": the default stick.  `is_written` says that
   // objects may write to the stick; then the default stick is copied.  Throws std::runtime_error if
-  // `wanted` is not the folder of a stick, or if the stick cannot be copied.
+  // `wanted` is not the folder of a stick, or if the default stick cannot be copied.
   RunStick(const std::string& wanted, bool is_written);
 
   // Returns the folder of the original stick, for messages and recordings.  Unlike the copy, it
   // still exists after the run.
   const std::string& name() const { return name_; }
 
-  // Returns the folder that this run uses: the original stick or its copy.
+  // Returns the folder that this run uses as its stick: the original or the copy.
   const std::string& folder() const { return folder_; }
 
   // Returns the path of the file for a crash record.  The file is written only when a crash comes;
@@ -44,12 +44,13 @@ class RunStick {
   std::string crash_log_;
 };
 
-// Returns the file for a crash record on the stick in `folder`.
+// Returns the path of the file for a crash record on the stick in `folder`.
 std::string CrashLogOn(const std::string& folder);
 
-// Copies the stick `from` to the existing, empty folder `to`.  The owner can write to all copies,
-// even if the originals are read-only.  Debug information (.DBG), which is large and is only read,
-// is linked instead.  Throws std::filesystem::filesystem_error if a file cannot be copied.
+// Copies the stick `from` to the existing, empty folder `to`.  The owner can write to all copied
+// files, even if the originals are read-only.  Debug information (.DBG) is large and is only read,
+// so it is linked instead of copied.  Throws std::filesystem::filesystem_error if a file cannot be
+// copied.
 void CopyStick(const std::filesystem::path& from, const std::filesystem::path& to);
 
 }  // namespace openr_host

@@ -22,19 +22,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Environment variable that is set for the second start.  If the library is then still not loaded,
-// the program ends with an error instead of starting a third time.
+// Name of the environment variable that is set when the program starts a second time.  If the
+// library is still not loaded then, the program ends with an error instead of starting a third
+// time.
 constexpr char kStartedVariable[] = "OPENR_SANITIZER";
 
-// Settings of AddressSanitizer.  The run handles the signals of crashes itself.  Memory that an
-// object keeps until the end is no leak, because it is freed with the object.  The check of new
-// against malloc() is off, because some functions of the SDK pass blocks between both.
+// Settings of AddressSanitizer.  It must not handle the signals of crashes, because the run handles
+// them itself.  It must not report memory that an object keeps until the end, because this memory
+// is freed with the object.  It does not check that new and malloc() are not mixed, because some
+// functions of the SDK pass blocks between both.
 constexpr char kSettings[] =
     "detect_leaks=0:handle_segv=0:handle_sigbus=0:handle_sigfpe=0:handle_sigill=0:"
     "alloc_dealloc_mismatch=0:allocator_may_return_null=1";
 
-// Returns the library that an image on the stick needs; "" if none does.  Folders that cannot be
-// read are skipped here, because the run itself says so when it reads the stick.
+// Returns the path of the AddressSanitizer library that an image on the stick needs; "" if no image
+// needs it.  Skips folders that cannot be read, because the run itself reports them when it reads
+// the stick.
 std::string SanitizerOfStick(const std::string& stick) {
   std::error_code error;
   constexpr auto kSkip = fs::directory_options::skip_permission_denied;

@@ -62,7 +62,7 @@ std::vector<std::string> SticksOf(const SimulationOptions& options) {
   return sticks;
 }
 
-// Returns the world of robots that are together; null if they are not.
+// Returns the world that robots share (--together); null if each robot has a world of its own.
 std::shared_ptr<PhysicsWorld> SharedWorldOf(const SimulationOptions& options, const World& world) {
   if (!options.together) return nullptr;
   if (options.body != "ode")
@@ -145,7 +145,7 @@ void Simulation::AddRobot(const SimulationOptions& options, int index) {
   const StandIns stand_ins =
       options.stand_ins ? options.stand_ins(system_.get(), robot) : StandIns();
   if (!Load(robot, stand_ins)) loaded_ = false;
-  // Leaves out the function for a second boot if objects run in other processes.  They cannot be
+  // Sets no function for a second boot if objects run in other processes.  These objects cannot be
   // loaded again, because their processes keep the state from the first boot.
   if (options.stand_ins) return;
   system_->robot(robot).load_again = [this, robot] {
@@ -154,13 +154,15 @@ void Simulation::AddRobot(const SimulationOptions& options, int index) {
   };
 }
 
-// Loads the objects on the stick of `robot`.  Returns false if the robot would not boot.
+// Loads the objects on the Memory Stick of the robot `robot`.  Returns false if the robot would not
+// boot.
 bool Simulation::Load(int robot, const StandIns& stand_ins) {
   return LoadStick(system_.get(), robot, stand_ins, {GatewayImage(system_.get(), robot)});
 }
 
-// Adds a note if the battery is almost empty at boot.  Users expect that such a battery ends the
-// run, but it does not, because objects hear only of a battery that becomes low during the run.
+// Adds a note to the report if the battery is almost empty at boot.  Users expect that such a
+// battery ends the run.  It does not, because objects hear only of a battery that becomes low
+// during the run.
 void Simulation::NoteALowBattery(const std::string& text) {
   Battery battery;
   ParseBattery(text, &battery);
@@ -173,8 +175,8 @@ void Simulation::NoteALowBattery(const std::string& text) {
                   text, kLowCapacityPercent, kLowCapacityPercent));
 }
 
-// Returns the pairs of addresses of the command line and those of the stick's HOSTADDR.CFG.  The
-// command line has precedence.
+// Returns the pairs of addresses from the command line, and those from the stick's HOSTADDR.CFG.
+// The pairs from the command line have precedence.
 std::vector<AddressPair> Simulation::AddressesOf(const SimulationOptions& options,
                                                  MemoryStick* stick, int index) {
   const auto text = stick->ReadFile(std::string("/MS/OPEN-R/MW/CONF/") + kAddressFile);

@@ -29,30 +29,32 @@ struct SimulationOptions {
   // with the program and must not change.  So if objects may write, set this field to
   // RunStick::folder(), which is a copy of the default stick or the user's own stick.
   std::string stick;
-  // Further sticks.  With them, the robots take the sticks in turn: robot 0 takes `stick`, robot 1
-  // takes the first further stick, and so on.  After the last one, `stick` comes again.
+  // The folders of further sticks.  With them, the robots take the sticks in turn: robot 0 takes
+  // `stick`, robot 1 takes the first further stick, and so on.  After the last further stick,
+  // `stick` comes again.
   std::vector<std::string> more_sticks;
-  std::string robot = "ers210";  // name of a model
-  std::string world;             // a world file; "": a flat floor
-  std::string body = "ode";      // kind of body: "ode" (with physics) or "ideal"
+  std::string robot = "ers210";  // name of the robot model
+  std::string world;             // the world file; "": a flat floor
+  std::string body = "ode";      // kind of the robots' bodies: "ode" (with physics) or "ideal"
   int robots = 1;                // number of robots; several robots can only read their sticks
   bool together = false;         // whether all robots are in one world; "ode" only
   uint64_t seed = 1;
   bool strict = false;
-  bool find_leaks = false;  // --leaks: see SystemOptions
-  // Files for the first robot.  Without them its sound is discarded, and it hears silence.
-  std::string speaker, microphone;  // WAV
-  // What the cameras see; see OpenImages().  A folder of pictures is for the first robot only, and
-  // the others see their world.
+  bool find_leaks = false;  // value of --leaks; see SystemOptions
+  // Sound files (WAV) for the first robot.  Without `speaker` its sound is discarded; without
+  // `microphone` it hears silence.
+  std::string speaker, microphone;  // paths of WAV files; "": none
+  // The pictures that the cameras see, a value of --images; see OpenImages().  Only the first robot
+  // sees the pictures of a folder; the other robots see their world.
   std::string images = kImagesOfWorld;
-  std::string battery = "drain";    // battery of each robot; see ParseBattery()
-  bool writable_stick = true;       // whether objects may write; objects of several robots never
-                                    // may
-  bool measures = true;             // measures handler times and stacks for the report
-  bool guard_regions = false;       // see SystemOptions
-  std::string cost_file;            // see LoadCostFile()
+  std::string battery = "drain";  // battery of each robot; see ParseBattery()
+  // Whether objects may write to the stick.  With several robots they never may.
+  bool writable_stick = true;
+  bool measures = true;             // true: measures handler times and stacks for the report
+  bool guard_regions = false;       // see SystemOptions::guard_regions
+  std::string cost_file;            // name of a cost file; see LoadCostFile()
   std::shared_ptr<CostModel> cost;  // costs to use instead of cost_file; null: cost_file is used
-  uint32_t log_level = 3;           // see SystemOptions
+  uint32_t log_level = 3;           // see SystemOptions::log_level
   bool host_network = true;         // false: the robots cannot reach other programs
   // The port of this computer for the first robot's remote control; 0: any free port; -1: the
   // robot's own port or, if that is taken, the next free one.
@@ -61,13 +63,13 @@ struct SimulationOptions {
   // uses in its place.  These pairs have precedence over those in HOSTADDR.CFG of the stick.
   std::vector<AddressPair> addresses;
   std::function<void(std::string_view)> console;
-  // Returns functions that make stand-ins: objects that pass messages on to objects in other
-  // processes.  LoadStick() calls these functions instead of loading the images of such objects.
-  // Only a distributed run sets this field.
+  // A function that returns functions which make stand-ins: objects that pass messages on to
+  // objects in other processes.  LoadStick() calls these functions instead of loading the images of
+  // such objects.  Only a distributed run sets this field.
   std::function<StandIns(System*, int robot)> stand_ins;
-  // Called for each robot with the robot's number and network.  Returns a network that the robot
-  // uses instead, and that usually passes calls to the given network.  Recording, replay and ROS 2
-  // use this function.
+  // A function that is called for each robot, with the robot's number and network.  It returns a
+  // network that the robot uses instead; this network usually passes calls to the given network.
+  // Recording, replay and ROS 2 use such a function.
   std::function<std::unique_ptr<Network>(int robot, std::unique_ptr<Network>)> network_filter;
 };
 
@@ -77,9 +79,9 @@ std::string StickFolder(const std::string& wanted);
 
 class Simulation {
  public:
-  // Makes a simulation that is ready for System::Boot().  Errors on the stick become findings;
-  // loaded() returns false if the robot would not boot.  Throws std::runtime_error when model,
-  // world or stick cannot be used at all.
+  // Makes a simulation that is ready for System::Boot().  Errors on the stick become findings of
+  // the run; if the robot would not boot, loaded() returns false.  Throws std::runtime_error when
+  // the model, the world or the stick cannot be used at all.
   explicit Simulation(const SimulationOptions& options);
   ~Simulation();
   Simulation(const Simulation&) = delete;
@@ -106,8 +108,8 @@ class Simulation {
   // of the run.  A file that cannot be completed becomes an error finding.
   void CloseFiles();
 
-  // Returns the port of this computer for the remote control of the robot with the number `robot`;
-  // 0 while no object listens.
+  // Returns the port of this computer on which the remote control of the robot number `robot`
+  // listens; 0 while no object listens.
   uint16_t RcPort(int robot) const;
 
  private:
@@ -122,13 +124,13 @@ class Simulation {
   const World world_;
   // The world that all robots share; null if each robot has a world of its own.
   const std::shared_ptr<PhysicsWorld> physics_;
-  // The frames of that world; null if each robot has a world of its own.
+  // The frames of the shared world; null if each robot has a world of its own.
   const std::shared_ptr<SharedFrame> shared_frame_;
   const std::vector<std::string> sticks_;
   const std::shared_ptr<ConfiguredCost> cost_;  // made from the cost file; null: no cost file
   std::unique_ptr<System> system_;
   std::vector<VirtualRobot*> robots_;
-  std::vector<AssembledRobot> parts_;  // index: number of the robot
+  std::vector<AssembledRobot> parts_;  // parts of each robot; the index is the number of the robot
   bool loaded_ = true;
 };
 

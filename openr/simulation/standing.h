@@ -1,4 +1,4 @@
-// StandingMonitor, which decides whether a robot stands, by the rule of docs/cli.md.
+// StandingMonitor, which decides whether a robot stands.  The rule is in docs/cli.md.
 #pragma once
 
 #include <Eigen/Core>
@@ -20,17 +20,19 @@ class StandingMonitor {
   static constexpr double kSpeedMaxMs = 0.005;
   static constexpr int64_t kCalmUs = 500'000;
 
-  // The posture to compare with is "stand" of `model`, which must outlive the monitor.  For a model
-  // without this posture, standing() always returns false.
+  // Makes a monitor that compares the robot with the posture "stand" of `model`, which must outlive
+  // the monitor.  For a model without this posture, standing() always returns false.
   explicit StandingMonitor(const RobotModel& model);
 
-  // Takes `state`, the body's state at virtual time `now_us`.  Called once per frame of 8 ms.
+  // Takes `state`, the state of the body at the virtual time `now_us`, as a sample.  Must be called
+  // once per frame of 8 ms.
   void Sample(const BodyState& state, int64_t now_us);
 
-  // Returns whether the robot stands: all paws touch something, height and attitude over the plane
-  // through the paws are near those of the posture, the plane is no steeper than kSlopeMaxRad, and
-  // the trunk has been slower than kSpeedMaxMs for kCalmUs.  Without this last condition, a robot
-  // that only passes through the posture while it moves would count as standing.
+  // Returns whether the robot stands.  It stands if all paws touch something, its height and
+  // attitude over the plane through the paws are near the height and attitude of the posture, this
+  // plane is no steeper than kSlopeMaxRad, and the trunk has been slower than kSpeedMaxMs for
+  // kCalmUs.  Without this last condition, a robot that only passes through the posture while it
+  // moves would count as standing.
   bool standing() const;
 
  private:
@@ -45,8 +47,9 @@ class StandingMonitor {
 
   const RobotModel* model_;
   std::optional<Stance> posture_;
-  // The last sample of a calm robot.  standing() compares it only when somebody asks, because the
-  // poses of all parts cost more than a frame of the ideal body.
+  // The last sample of a robot that moved slowly. standing() compares it with the posture only when
+  // somebody asks, because computing the poses of all parts costs more time than a frame of the
+  // ideal body.
   std::vector<double> angles_rad_;
   Eigen::Matrix3d R_WB_ = Eigen::Matrix3d::Identity();
   bool all_paws_touch_ = false;

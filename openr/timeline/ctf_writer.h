@@ -12,11 +12,12 @@
 
 namespace openr_host {
 
-// A trace is a folder with two files: `metadata`, which describes the events, and `handlers`, the
-// events: the begin and the end of each handler, in order of time.
+// Writes a trace, which is a folder with two files: `metadata` describes the events, and `handlers`
+// has the events: the begin and the end of each handler, in order of time.
 class CtfWriter : public TimelineWriter {
  public:
-  // Makes the folder.  Throws std::runtime_error when it or its files cannot be written.
+  // Makes the folder `folder` of the trace.  Throws std::runtime_error when the folder or its files
+  // cannot be written.
   explicit CtfWriter(const std::string& folder);
   void AddObject(int, int32_t, const std::string&) override {}
   void AddSlice(const HandlerSlice& slice) override;
@@ -28,7 +29,8 @@ class CtfWriter : public TimelineWriter {
     uint64_t time_ns;
     uint64_t message;
     std::string bytes;
-    bool operator<(const End& other) const {  // makes the queue return the earliest end first
+    // The order makes the queue return the earliest end first.
+    bool operator<(const End& other) const {
       return time_ns != other.time_ns ? time_ns > other.time_ns : message > other.message;
     }
   };
@@ -38,7 +40,7 @@ class CtfWriter : public TimelineWriter {
   void Flush();
 
   std::unique_ptr<GrowingFile> events_;
-  std::priority_queue<End> ends_;  // ends of handlers that have begun
+  std::priority_queue<End> ends_;  // ends of handlers whose begin was already written
   std::string bytes_;              // events that are not in the file yet
 };
 

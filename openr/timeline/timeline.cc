@@ -61,7 +61,8 @@ std::optional<double> Timeline::CostOf(const Object& object, const Message& mess
   return static_cast<double>(cpu.EndUs() - system_->now_us());
 }
 
-// Begins the slice of the handler that gets `message` now, after the slice of the one before.
+// Begins the slice of the handler that gets `message` now.  First ends the slice of the handler
+// before.
 void Timeline::Deliver(const TraceRecord& record, const Message& message) {
   EndSlice();
   const Object* const object = system_->object(record.target);
@@ -80,7 +81,7 @@ void Timeline::Deliver(const TraceRecord& record, const Message& message) {
     slice.length_us = *cost_us;
   }
   running_ = std::move(slice);
-  begin_ns_ = WallClockNs();  // read last, so that the time of the work above is in no slice
+  begin_ns_ = WallClockNs();  // read last, so that no slice contains the time of the work above
 }
 
 void Timeline::EndSlice() {

@@ -18,13 +18,13 @@ class Object;
 class System;
 struct Message;
 
-// Returns the reason why `file` is no name of a timeline; "" if it is one: FILE.json, for Perfetto,
-// or FOLDER.ctf.
+// Returns the reason why `file` cannot be the name of a timeline; "" if it can.  A name is
+// FILE.json, for Perfetto, or FOLDER.ctf.
 std::string WhyNoTimelineName(const std::string& file);
 
-// A slice is the time of one handler on the timeline.  Its length is the processor time that the
-// cost file gives the handler.  Without a cost file, it is the time that the handler took on this
-// computer.
+// Writes a timeline with a slice for each handler that runs.  The length of a slice is the
+// processor time that the cost file gives the handler.  Without a cost file, it is the time that
+// the handler took on this computer.
 class Timeline {
  public:
   // Creates `file` and follows the run from now on.  Throws std::runtime_error when the file cannot
@@ -34,10 +34,11 @@ class Timeline {
   Timeline(const Timeline&) = delete;
   Timeline& operator=(const Timeline&) = delete;
 
-  // Ends the slice of the last handler.  Called before the run waits, such as for the clock.
+  // Ends the slice of the last handler.  Called before the run waits, for example for the clock.
   void Rest();
 
-  // Completes the file.  Returns "", or the error in writing it.
+  // Completes the file of the timeline.  Returns "", or the error that happened while the file was
+  // written.
   std::string Finish();
 
  private:
@@ -54,11 +55,12 @@ class Timeline {
   std::unique_ptr<TimelineWriter> writer_;
   CtfWriter* ctf_ = nullptr;  // the writer, if the timeline is in CTF; null: it is JSON
   int sink_ = 0;
-  std::optional<HandlerSlice> running_;      // slice of the handler that runs
-  int64_t begin_ns_ = 0;                     // time at which this handler began, by the clock of
-                                             // this computer
-  double free_us_ = 0;                       // end of the last slice whose length is wall time
-  std::set<std::pair<int32_t, int>> known_;  // objects with names: id and number of predecessors
+  std::optional<HandlerSlice> running_;  // slice of the handler that runs
+  int64_t begin_ns_ = 0;                 // time at which this handler began, by the clock of
+                                         // this computer
+  double free_us_ = 0;                   // end of the last slice whose length is wall time
+  // Objects whose names were written: id and number of predecessors.
+  std::set<std::pair<int32_t, int>> known_;
   bool is_finished_ = false;
 };
 

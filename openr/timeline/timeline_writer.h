@@ -1,4 +1,4 @@
-// TimelineWriter: writes handlers as slices of time, for programs that show timelines.
+// TimelineWriter: writes the handlers of a run as slices of time, for programs that show timelines.
 #pragma once
 
 #include <cstdint>
@@ -12,18 +12,18 @@
 
 namespace openr_host {
 
-// A handler that has run.
+// A handler that has run, as a slice of the timeline.
 struct HandlerSlice {
   enum class Length {
     kUnknown,  // not known, because a recording does not say how long a handler took
     kCost,     // processor time of the robot, from the cost file
-    kWall,     // time of this computer
+    kWall,     // time by the clock of this computer
   };
   TraceRecord record{};
-  int robot = 0;  // number of the object's robot
+  int robot = 0;  // number of the robot that has the object
   std::string object, entry, sender;
   std::string said;      // what the message says, in words; "" if it is not shown
-  double at_us = 0;      // time on the timeline when the handler began
+  double at_us = 0;      // time on the timeline at which the handler began
   double length_us = 0;  // length of the slice; 0 if it is unknown
   Length length = Length::kUnknown;
 };
@@ -31,11 +31,11 @@ struct HandlerSlice {
 class TimelineWriter {
  public:
   virtual ~TimelineWriter() = default;
-  // Names an object.  Called before its first slice.
+  // Gives the object `id` a name.  Called before the object's first slice.
   virtual void AddObject(int robot, int32_t id, const std::string& name) = 0;
-  // Adds a slice.  Slices come in the order in which they begin.
+  // Adds a slice to the timeline.  Must be called in the order in which the slices begin.
   virtual void AddSlice(const HandlerSlice& slice) = 0;
-  // Completes the output.
+  // Completes the timeline.
   virtual void Finish() = 0;
 };
 
@@ -51,7 +51,7 @@ class PerfettoWriter : public TimelineWriter {
   void Finish() override;
 
  private:
-  // The place of a slice, from which arrows begin.
+  // The place of a slice in the drawing; an arrow begins at this place.
   struct Place {
     int pid, tid;
     double at;
@@ -62,7 +62,7 @@ class PerfettoWriter : public TimelineWriter {
 
   const Sink out_;
   bool is_first_ = true;
-  std::map<uint64_t, Place> places_;  // key: number of the message
+  std::map<uint64_t, Place> places_;  // key: number of the message whose handler has the slice
 };
 
 }  // namespace openr_host

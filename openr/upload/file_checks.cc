@@ -16,7 +16,8 @@ namespace {
   throw std::runtime_error(fmt::format("{}: {}", file, why));
 }
 
-// Returns the bytes that are sent for an image.  Does not check their number; ImageToSend() does.
+// Returns the bytes of an image that are sent to the robot.  Does not check how many they are;
+// ImageToSend() does.
 std::string BytesOfImage(const std::string& file, std::string packed, const RcInfo& info) {
   ImageFile image = CheckImage(packed);
   if (info.processor == imageMIPS) {
@@ -28,8 +29,7 @@ std::string BytesOfImage(const std::string& file, std::string packed, const RcIn
                                ImageProcessorName(imageMIPS), ImageProcessorName(info.processor)));
   }
   if (!image.problem.empty()) ThrowFor(file, image.problem);
-  // Sends the image unpacked, because RCServer takes every packed image for an image of a real
-  // robot.
+  // Sends the image unpacked, because RCServer assumes that every packed image is for a real robot.
   return std::move(image.bytes);
 }
 
