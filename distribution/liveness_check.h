@@ -12,7 +12,8 @@ namespace openr_host {
 // have the same host name.  Returns "" if the id cannot be read.
 std::string MachineId();
 
-// Checks one process.  A default-constructed check reports that the process lives.
+// Tests whether one process still exists.  A default-constructed check has no process to test, and
+// always reports that the process exists.
 class LivenessCheck {
  public:
   LivenessCheck() = default;

@@ -91,8 +91,8 @@ class Marshaller {
   // `tokens` is the result of TakeDroppedTokens() in the peer.
   void PeerDropped(const std::vector<uint64_t>& tokens);
 
-  // Forgets the tokens of the peer, because the peer was lost and no ready message can give a
-  // region back to it any more.
+  // Forgets the tokens that stand for regions of the peer.  Called when the peer was lost, because
+  // no ready message can then give these regions back to the peer.
   void PeerIsLost();
 
   // Releases a region that was received from the peer, without a ready message.  Called when the

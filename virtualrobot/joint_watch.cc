@@ -33,7 +33,7 @@ constexpr int kTinyFrames = 32;
 constexpr double kLoad = 0.78 * kDriveFull;
 constexpr int kLoadFrames = 30 * 125;
 
-// Returns a list like "PRM:/a, PRM:/b and 10 more".
+// Returns the names as a list for a report, such as "PRM:/a, PRM:/b and 10 more".
 std::string Listed(const std::vector<std::string>& names) {
   std::string text = names.front();
   if (names.size() > 1) text += fmt::format(", {}", names[1]);

@@ -34,14 +34,15 @@ public:
 
     ClientSession() : handler_(0), number_(0) { Reset(); }
 
-    // Begins a session of client `number`, a place in `handler`.
+    // Begins the session of a client.  `number` is the index of the client in the tables of
+    // `handler`.
     void Begin(int number, RequestHandler* handler);
 
     // Ends the client's upload and subscriptions.
     void End() { handler_->EndClient(number_); }
 
-    // Appends received bytes.  REQUIRES: size <= RC_MAX_PACKET, and NextAnswers() has returned 0
-    // since the last call.
+    // Takes bytes that the client has sent, so that NextAnswers() can answer the requests in them.
+    // REQUIRES: size <= RC_MAX_PACKET, and NextAnswers() has returned 0 since the last call.
     void Take(const Uint8* bytes, int size);
 
     // Answers requests that have arrived completely, as many as one send has room for.  Writes the
@@ -49,8 +50,8 @@ public:
     // bytes are needed.
     int NextAnswers(Uint8* buffer);
 
-    // Writes the due packets of streams to `buffer` and returns their size; 0: no packet is due.
-    // REQUIRES: NextAnswers() has just returned 0.
+    // Writes the packets that are due for the client's subscriptions to `buffer` and returns their
+    // size; 0: no packet is due.  REQUIRES: NextAnswers() has just returned 0.
     int NextEvents(Uint8* buffer);
 
     // Writes to `buffer` the answer that the client gets no place, and returns its size.  The
@@ -64,7 +65,8 @@ public:
     // Returns whether a request has asked for the end of the run.
     bool EndsRun() const { return endsRun_; }
 
-    // Waiting clients have no place.  Their first request is answered with an error that says so.
+    // Returns whether the client waits for a place, because all RC_PLACES places are taken.  The
+    // first request of a waiting client is answered with an error that says so.
     bool IsWaiting() const { return isWaiting_; }
     void SetWaiting(bool waiting) { isWaiting_ = waiting; }
 
@@ -72,9 +74,9 @@ public:
     const std::string& Error() const { return framer_.Error(); }
 
 private:
-    // Time between packets of streams to a client that sends nothing, in frames of 8 ms: 224 ms.
-    // The time is longer than the 200 ms within which the client's host acknowledges all earlier
-    // bytes (network.md 4.3), so that no packet waits for an acknowledgement.
+    // Time between packets of subscriptions to a client that sends nothing, in frames of 8 ms: 224
+    // ms.  The time is longer than the 200 ms within which the client's host acknowledges all
+    // earlier bytes (network.md 4.3), so that no packet waits for an acknowledgement.
     static const Uint32 EVENT_FRAMES = 28;
 
     void Reset();
@@ -87,8 +89,10 @@ private:
     bool isLast_;
     bool endsRun_;
     bool isWaiting_;
-    bool hasSpoken_;     // whether the client has sent a packet since the last packet of a stream
-    Uint32 eventFrame_;  // frame of the last packet of a stream
+    // Whether the client has sent a packet since it was sent the newest packet of a subscription.
+    // If so, the next packet need not wait EVENT_FRAMES.
+    bool hasSpoken_;
+    Uint32 eventFrame_;  // frame in which the newest packet of a subscription was sent
     int heldAt_;         // place in the buffer of an answer that did not fit into the last send
     int heldSize_;       // size of this answer; 0: there is no such answer
 };

@@ -43,8 +43,8 @@ Picture ReadPng(const std::string& bytes, const std::string& file) {
   return picture;
 }
 
-// Returns the next number of a PPM header and skips the blanks and comments before it.  `at` is the
-// place in `bytes` and is moved behind the number.
+// Skips blanks and comments in a PPM header and returns the number behind them.  `at` is the
+// present position in `bytes`; it is moved behind the number.
 int HeaderNumber(const std::string& bytes, int limit, size_t* at, const std::string& file) {
   while (*at < bytes.size() && std::strchr(" \t\r\n#", bytes[*at]) != nullptr) {
     if (bytes[*at] == '#') *at = std::min(bytes.find('\n', *at), bytes.size() - 1);

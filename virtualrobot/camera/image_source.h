@@ -30,7 +30,8 @@ struct CameraShot {
   // Pose of the lens in the world W, with x along the optical axis, y to the left and z up.
   Eigen::Isometry3d X_WC = Eigen::Isometry3d::Identity();
   double fov_h_rad = 0, fov_v_rad = 0;
-  // The body that carries the camera, for sources that draw its world; null in some tests.
+  // The body that carries the camera.  Sources that draw the robot's world need it; it is null in
+  // some tests.
   const Body* body = nullptr;
 };
 

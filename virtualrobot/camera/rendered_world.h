@@ -23,11 +23,11 @@ class RenderedWorld : public ImageSource {
 
  private:
   const RobotModel& model_;
-  std::vector<bool> is_head_;  // [part]: whether it moves with the camera, so it is not drawn
+  std::vector<bool> is_head_;  // for each part, whether it moves with the camera and is not drawn
   Canvas canvas_;
 };
 
-// Draws `world` with `things` in their present places.
+// Draws the floor and the light of `world`, and `things` in their present places, into `picture`.
 void DrawWorld(const CameraShot& shot, const World& world, const std::vector<WorldThing>& things,
                Canvas* canvas, Picture* picture);
 

@@ -28,7 +28,7 @@ struct SurfaceDistance {
 SurfaceDistance DistanceTo(ThingShape shape, const Eigen::Vector3d& size_m,
                            const Eigen::Vector3d& p);
 
-// Adds the point at which a ball touches `thing`, if the ball touches it.
+// Adds the point at which a ball touches `thing` to `points`; adds nothing if they do not touch.
 void TouchBall(const Eigen::Vector3d& centre_W, double radius_m, const WorldThing& thing,
                std::vector<TouchPoint>* points);
 
@@ -39,8 +39,8 @@ void TouchBox(const Eigen::Vector3d& centre_W, const Eigen::Matrix3d& R_WB,
               const Eigen::Vector3d& size_m, const WorldThing& thing,
               std::vector<TouchPoint>* points);
 
-// Adds the points, at most kBoxPointsMax, at which `cylinder` touches `thing`: points of the rims
-// of their ends.  REQUIRES: both are cylinders.
+// Adds the points at which `cylinder` touches `thing` to `points`, at most kBoxPointsMax.  They are
+// points on the rims at the ends of both cylinders.  REQUIRES: both are cylinders.
 void TouchCylinders(const WorldThing& cylinder, const WorldThing& thing,
                     std::vector<TouchPoint>* points);
 
