@@ -1,4 +1,5 @@
-// CONNECT.CFG: the file that names for each subject the observers to which it sends.
+// Parses CONNECT.CFG, the file that names for each subject the observers to which the subject
+// sends.
 #pragma once
 
 #include <string>

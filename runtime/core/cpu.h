@@ -78,7 +78,7 @@ class Cpu {
   struct Job {
     Object* object;
     int64_t left_us;   // processor time that the handler still needed at `since_us`
-    int64_t since_us;  // when the handler last got the processor
+    int64_t since_us;  // virtual time when the handler last got the processor
   };
 
   System* const system_;

@@ -34,7 +34,7 @@ class Fiber {
  private:
   friend class MainFiber;
   struct NoStack {};
-  explicit Fiber(NoStack);  // for the thread's own stack
+  explicit Fiber(NoStack);  // makes the fiber of the thread's own stack
 
   void FinishSwitch();
 

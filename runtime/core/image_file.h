@@ -1,5 +1,5 @@
 // Reads image files from a Memory Stick.  An image has the code of one object of the robot.  On the
-// host it is a shared object for this machine, and may be compressed.
+// host an image is a shared object for this machine, and may be compressed.
 #pragma once
 
 #include <string>

@@ -66,7 +66,7 @@ class TimeEvents {
   bool IsOff(const Event& event) const;
 
   System* const system_;
-  std::map<uint32_t, Event> events_;  // key: id of the event
+  std::map<uint32_t, Event> events_;  // the key is the id of the event
   uint32_t last_id_ = 0;
 };
 

@@ -53,9 +53,11 @@ inline constexpr size_t kPowerStatusBytes = 24;  // type, OPowerStatus
 inline constexpr size_t kRobotDesignBytes = 40;  // type, name[32], status
 inline constexpr uint32_t kStatusType = 2;       // type of a reply that is only a status
 inline constexpr uint32_t kOpenType = 1024;
-inline constexpr uint32_t kOpenReplyType = 1025;  // also the type of a close request
+// Type of the reply to an open request, and of a close request.
+inline constexpr uint32_t kOpenReplyType = 1025;
 inline constexpr uint32_t kControlType = 1027;
-// Plus the selector; our choice, because receivers ignore it.
+// Type of a message to OPowerManager, to which the selector is added.  The number is our choice,
+// because receivers ignore it.
 inline constexpr uint32_t kPowerType = 1024;
 
 // Returns the 32-bit word at `offset`, or 0 if the bytes end before it.

@@ -57,9 +57,10 @@ struct NetworkEvent {
     kEnd,        // answer to Receive(): the peer has ended the stream
     kClosed,     // answer to Close(): both sides have ended
     kDatagram,   // answer to ReceiveFrom(): `bytes` came from `remote`
-    kResolved,   // answer to Resolve(), ResolveAddress(): `host`; no addresses: not found
-    kFailed,     // `error` tells why; the socket can only be dropped
-    kNote,       // `bytes` is a text for the user
+    // Answer to Resolve(), ResolveAddress(): `host`; without addresses there is no such host.
+    kResolved,
+    kFailed,  // `error` tells why; the socket can only be dropped
+    kNote,    // `bytes` is a text for the user
   };
   Kind kind = Kind::kNote;
   NetHandle handle = 0;
@@ -119,8 +120,8 @@ class Network {
 
   // ---- Names
 
-  // Ask for the addresses of a name, or for the name of an address; an event kResolved answers.
-  // `name` is complete (with its domain) and has no final dot.
+  // Resolve() asks for the addresses of a name, ResolveAddress() for the name of an address.  An
+  // event kResolved answers.  `name` is complete (with its domain) and has no final dot.
   virtual void Resolve(NetHandle handle, const std::string& name) = 0;
   virtual void ResolveAddress(NetHandle handle, uint32_t ip) = 0;
 

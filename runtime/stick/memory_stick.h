@@ -1,4 +1,4 @@
-// The Memory Stick, the files that objects see under /MS.
+// MemoryStick: the files that objects see under /MS.
 //
 // Names are absolute, begin with /MS/ and use '/'.  Upper and lower case letters are equal, as in
 // the robot's FAT file system.  No name leads to a file outside of the stick.
