@@ -14,7 +14,8 @@
 namespace openr_host {
 namespace {
 
-constexpr size_t kLargest = 32 << 10;  // bytes; a larger block gets whole spans
+// Size of the largest small block in bytes; a larger block gets whole spans.
+constexpr size_t kLargest = 32 << 10;
 constexpr size_t kMapBytes = 1 << 20;  // memory is mapped in steps of this size
 
 // The arena (heap) of each object.  The index is the number of the object's place (address_plan.h).

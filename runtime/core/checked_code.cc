@@ -27,7 +27,8 @@ namespace {
 struct SourcePlace {
   const char* file;
   uint32_t line;
-  uint32_t column;  // kSaid after a fault at this place has been reported
+  // Set to kSaid when a fault at this place was reported, so that it is reported once.
+  uint32_t column;
 };
 constexpr uint32_t kSaid = UINT32_MAX;
 

@@ -45,8 +45,8 @@ void Fiber::Prepare(Main main, void* argument) {
 }
 
 void Fiber::SwitchFrom(Fiber* from) {
-  // Takes the place of a null `from`, so that the code below needs no special case.  The state of
-  // the running stack is then saved in `nowhere`, and nothing reads it.
+  // A fiber that takes the place of `from` if `from` is null, so that the code below needs no
+  // special case.  The state of the running stack is then saved in `nowhere`, and nothing reads it.
   static thread_local Fiber* const nowhere = new MainFiber;
   const bool forever = from == nullptr;
   if (forever) from = nowhere;

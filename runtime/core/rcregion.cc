@@ -143,8 +143,8 @@ RCRegion::~RCRegion() {
 
 void RCRegion::AddReference() { ++count_; }
 
-// Removes one reference and deletes a region that has none left.  Too many calls are a mistake of
-// the object, so they become a finding and not a failed assertion.
+// Removes one reference.  Deletes the RCRegion if no reference is left.  Too many calls are a
+// mistake of the object, so they become a finding and not a failed assertion.
 void RCRegion::RemoveReference() {
   if (--count_ > 0) return;
   const ApiScope scope;

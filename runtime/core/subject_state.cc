@@ -78,7 +78,7 @@ void ReportDeasserted(const SubjectState& subject, ObserverLink* link) {
 
 }  // namespace
 
-// Inline, because Send() runs for every notification.
+// Send() is inline, because it runs for every notification.
 [[gnu::always_inline]] inline bool SubjectState::Send(ObserverLink* link, RCRegion* const* data,
                                                       size_t data_count, size_t unit_count) {
   OwnedMessage message =

@@ -58,7 +58,8 @@ void ReportNoMemory(size_t size) {
                         openr_host::kRobotMemoryBytes >> 20));
 }
 
-// Keeps which calls of the object allocated `block`, for the report of leaks.
+// Records the calls of the object that have allocated `block`, because the report of leaks names
+// the place of these calls.
 void NoteCalls(Arena* arena, const void* block) {
   const openr_host::ApiScope scope;
   arena->NoteCalls(block, openr_host::CallsInImage());
@@ -123,7 +124,8 @@ void* calloc(size_t count, size_t size) {
     errno = ENOMEM;
     return nullptr;
   }
-  return FromArena(arena, bytes);  // need not be cleared, because blocks of an Arena are zero
+  // The block need not be cleared, because blocks of an Arena are zero.
+  return FromArena(arena, bytes);
 }
 
 void* realloc(void* block, size_t size) {

@@ -64,7 +64,8 @@ IpStack::IpStack(std::shared_ptr<Network> network, IpStackOptions options)
   network_->Attach(address_);
 
   const auto take = [this](void* payload) { TakeMessage(payload); };
-  first_entry_ = AddExtra("Initialize", take);  // EntryFor() relies on this order
+  // EntryFor() relies on the order in which these entries are added.
+  first_entry_ = AddExtra("Initialize", take);
   AddExtra("HartBeat", take);
   AddExtra("External", take);
   poll_entry_ = AddExtra("Poll", [this](void*) { PollNetwork(); });
@@ -238,7 +239,8 @@ void IpStack::HandleEndpointMessage(Operation* operation) {
 void IpStack::Answer(Operation* operation, int32_t error, const void* data, size_t size) {
   antEnvMsg& message = operation->message();
   SetAntError(&message, error);
-  if (error != 0) ClearCounts(&message);  // 0 means success in every protocol
+  // An answer with an error must have no data; 0 means success in every protocol.
+  if (error != 0) ClearCounts(&message);
   const uint64_t hash = AntMessageHash(message, data, size);
   if (operation->ticket.box != 0) {
     system().requests().Reply(operation->ticket, operation->bytes, operation->size, hash);
