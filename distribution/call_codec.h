@@ -30,7 +30,7 @@
 
 namespace openr_host {
 
-// The arguments of a call, converted by the rules above.
+// The arguments of a call as data, converted by the rules at the beginning of this file.
 struct CallArguments {
   std::vector<uint64_t> numbers = {};
   std::string text = {};

@@ -62,7 +62,8 @@ class SettingsFile {
       file->domains_.emplace_back();
     } else if (parent == kRoot) {
       file->has_others_ = true;
-    } else if (parent == kDomain && IsSame(name, "Id")) {  // in older files, Id is an element
+    } else if (parent == kDomain && IsSame(name, "Id")) {
+      // In older files, the id of a domain is an element and no attribute.
       *element = kDomainId;
     } else if (parent == kDomain && (IsSame(name, "Security") || IsSame(name, "DDSSecurity"))) {
       file->domains_.back().has_security = true;

@@ -26,8 +26,10 @@ class LivenessCheck {
   bool HasEnded() const;
 
  private:
-  int64_t pid_ = 0;         // 0: the process cannot be checked
-  std::string start_time_;  // in clock ticks since boot; "": hidden from this process
+  int64_t pid_ = 0;  // id of the tested process; 0: no process, or a process that cannot be tested
+  // Start time of the tested process in clock ticks since the boot of this machine; "": hidden from
+  // this process.
+  std::string start_time_;
 };
 
 }  // namespace openr_host

@@ -1,5 +1,5 @@
-// Publishes the status of a run about once a second of the wall clock, for openr top and other
-// listeners.
+// Monitor: publishes the status of a run for openr top and other listeners, about once a second of
+// the wall clock.
 //
 // The monitor only reads the state of the run, so neither publishing nor a listener changes the
 // run.
@@ -48,7 +48,7 @@ class Monitor {
   Clock::time_point published_ = begin_;
   int64_t virtual_us_ = 0;
   uint64_t messages_ = 0;
-  RunStatus last_status_;  // the status published last
+  RunStatus last_status_;  // the status that was published last
   std::map<ObjectId, uint64_t> messages_of_;
   std::map<ObjectId, Latency> latency_of_;
 };

@@ -134,13 +134,14 @@ void ProcessSlot::AnswerJoinRequest(const openr_wire_JoinRequest& request) {
   } else if (is_closed_) {
     answer.refusal = arena.Text(fmt::format("the run goes on without process '{}'", process_));
   } else if (has_joined_ && requester_id_ != id) {
-    if (liveness_.HasEnded()) return;  // no answer now: the requester asks again
+    if (liveness_.HasEnded()) return;  // gives no answer now, because the requester will ask again
     answer.session = arena.Text(kTakenSession);
     answer.refusal = arena.Text(fmt::format("the run has its process '{}' already: pid {} on {}",
                                             process_, identity_.pid, identity_.host));
   } else if (channel_ != nullptr && requester_id_ != id &&
              WallClockMs() - session_opened_ms_ < kSessionClaimMs) {
-    return;  // another requester has the session; this requester asks again
+    // Gives no answer now: another requester has the session, and this requester will ask again.
+    return;
   } else {
     // If a requester repeats its request, gives it the same session again, so that it does not
     // matter which of the answers the requester receives.

@@ -10,8 +10,8 @@
 
 namespace openr_host {
 
-// Says what readers get that come later than a sample: nothing, or the newest sample, as with the
-// quality of service "transient local" of ROS 2.
+// What a reader gets that comes after a sample was written: nothing, or the newest sample, as with
+// the quality of service "transient local" of ROS 2.
 enum class LateReaders { kMissSamples, kGetNewest };
 
 // A writer that keeps the newest `depth` samples.  The writer is reliable, so that both reliable

@@ -33,7 +33,8 @@ builtin_interfaces_msg_dds__Time_ TimeOf(int64_t time_us) {
           static_cast<uint32_t>(time_us % kUsPerSecond * 1000)};
 }
 
-// Casts away const, which is safe because writers only read a sample.
+// Returns the characters of `text` without const, as samples need them.  This is safe, because
+// writers only read a sample.
 char* Text(const std::string& text) { return const_cast<char*>(text.c_str()); }
 
 template <typename Sequence, typename Element>
