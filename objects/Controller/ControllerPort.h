@@ -53,7 +53,7 @@ public:
     // Reports that the program asked for a device that the robot does not have.
     virtual void UnknownDevice(const char* locator) = 0;
 
-    // Reports a mistake of the controller program.
+    // Reports `text`, a mistake of the controller program.
     virtual void Remark(const char* text) = 0;
 
     // Prints a text of the controller program on the robot's console.

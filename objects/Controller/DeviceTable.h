@@ -22,8 +22,8 @@ public:
     // Returns the locators of all devices.
     std::vector<const char*> Locators() const;
 
-    // Return the index of the device in its table of RobotConstants; -1 when `tag` is the tag of a
-    // device of another kind.
+    // Joint(), Led(), Ear() and Sensor() return the index of the device in its table of
+    // RobotConstants; -1 when `tag` is the tag of a device of another kind.
     int Joint(int tag) const;
     int Led(int tag) const;
     int Ear(int tag) const;

@@ -25,8 +25,8 @@ bool LoopStackLeave();
 // `body` has called LoopStackLeave() and has not been continued since.
 void LoopStackContinue();
 
-// Reports a mistake of the controller program in the list of findings of a host.  Does nothing on
-// the robot.
+// Adds `text`, a mistake of the controller program, to the findings of the run on a host.  Does
+// nothing on the robot.
 void TellRunner(const char* text);
 
 // Reports the text of a mistake with `name`, which is not one of the `count` known names.  The host

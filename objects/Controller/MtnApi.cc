@@ -13,7 +13,8 @@
 struct MtnMotion {
     MtnFile file;
     char name[MTN_NAME_SIZE];
-    Sint32 keyFrame;  // key frame reached last; -1: the motion does not play
+    // The key frame that the motion has reached last; -1: the motion does not play.
+    Sint32 keyFrame;
 };
 
 static MtnMotion* thePlaying = 0;  // the motion of the last mtn_play() while it plays; otherwise 0

@@ -1,6 +1,6 @@
 //
-// The connection of one client, without the network: takes the bytes that arrive and returns the
-// bytes to send next.
+// ClientSession: the connection of one client, without the network.  It takes the bytes that arrive
+// and returns the bytes to send next.
 //
 //   session.Take(bytes, size);               // bytes have arrived
 //   size = session.NextAnswers(buffer);      // while nothing is being sent
@@ -8,10 +8,11 @@
 //
 // Answers come before packets of streams.  All answers are sent in the order of their requests.
 //
-// Packets of streams are sent only after the client has sent a packet since the last packets of
-// streams.  Usually this is an EVENT packet, which has no answer.  The packet shows that no bytes
-// are on their way to the client, so neither a slow client nor Nagle's algorithm delays the answers
-// that follow.  A client that sends nothing gets packets of streams every EVENT_FRAMES.
+// Packets of streams have the values to which a client has subscribed.  They are sent only after
+// the client has sent a packet since the newest packets of streams.  Usually the client's packet is
+// an EVENT packet, which has no answer.  The client's packet shows that no bytes are on their way
+// to the client, so neither a slow client nor Nagle's algorithm delays the answers that follow.  A
+// client that sends nothing gets packets of streams every EVENT_FRAMES.
 //
 
 #ifndef ClientSession_h_DEFINED
@@ -54,8 +55,9 @@ public:
     // size; 0: no packet is due.  REQUIRES: NextAnswers() has just returned 0.
     int NextEvents(Uint8* buffer);
 
-    // Writes to `buffer` the answer that the client gets no place, and returns its size.  The
-    // session ends after this answer.  Used when the client has sent no request.
+    // Writes to `buffer` an answer, which says that the client gets no place, and returns the
+    // answer's size.  The session ends after this answer.  Used when the client has sent no
+    // request.
     int TurnAway(Uint8* buffer) { return TurnAway(buffer, 0); }
 
     // Returns whether the connection ends after the last bytes were sent.
@@ -93,8 +95,8 @@ private:
     // If so, the next packet need not wait EVENT_FRAMES.
     bool hasSpoken_;
     Uint32 eventFrame_;  // frame in which the newest packet of a subscription was sent
-    int heldAt_;         // place in the buffer of an answer that did not fit into the last send
-    int heldSize_;       // size of this answer; 0: there is no such answer
+    int heldAt_;  // offset in the buffer of an answer that did not fit into the last send
+    int heldSize_;  // size of the answer at heldAt_; 0: there is no such answer
 };
 
 #endif  // ClientSession_h_DEFINED

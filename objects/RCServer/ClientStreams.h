@@ -1,6 +1,6 @@
 //
-// The subscriptions of one client: the streams that it wants, and whether a packet of a stream is
-// due.
+// ClientStreams: the subscriptions of one client.  It knows which streams the client wants, and
+// whether a packet of a stream is due.
 //
 // A packet of a stream has the newest values at the time when it is sent.  A client that does not
 // take its packets in time gets fewer packets, so a stream needs no memory for old values.
@@ -42,8 +42,8 @@ private:
         Uint16 tag;
         Uint16 period;
         bool wasSent;      // whether lastFrame is valid
-        Uint32 lastFrame;  // frame of the last packet that was sent or was due
-        Uint16 numNew;     // number of values that NewValues() has counted since the last packet
+        Uint32 lastFrame;  // frame in which the newest packet was sent, or was due
+        Uint16 numNew;  // number of values that NewValues() has counted since the newest packet
     };
 
     bool IsPeriodOver(const Stream& stream, Uint32 frame) const;

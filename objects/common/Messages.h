@@ -37,8 +37,8 @@ struct MoverCommand {
     Sint32 joint;
     Sint32 value;
     union {
-        Sint32 loops;   // number of times that the motion is played, >= 1
-        Sint32 frames;  // time for the way to `value`, in frames of 8 ms, >= 1
+        Sint32 loops;  // how often the motion is played, >= 1
+        Sint32 frames;  // time for the movement to `value`, in frames of 8 ms, >= 1
     };
     Sint32 keyFramesPerVector;  // 0: JointMover chooses the number
     char file[MTN_NAME_SIZE];   // "WALK.MTN"

@@ -57,7 +57,7 @@ private:
 public:
     int section;      // number of the section that is being read; -1: no section yet
     size_t start;     // offset in the file at which this section begins
-    Uint32 declared;  // size of the section, in bytes, as written in the section itself
+    Uint32 declared;  // size in bytes that the section itself says
 };
 
 MtnFile::MtnFile()
@@ -116,7 +116,8 @@ MtnFile::ReadSections(Cursor* cursor)
     return true;
 }
 
-// Reads number and size of section `number`, which has at least `smallest` bytes.
+// Reads the number and the size of a section.  Returns false with an error if the file has less
+// than `smallest` bytes left, or if the section has another number than `number`.
 bool
 MtnFile::BeginSection(Cursor* cursor, Uint32 number, Uint32 smallest)
 {

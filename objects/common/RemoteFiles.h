@@ -36,7 +36,7 @@ struct RcListEntry {
     Uint32 size;
 };
 
-// A part of the list of motions.
+// A part of the list of motions on the stick, as an answer of the remote control.
 struct RcList {
     Uint16 total;  // number of motions on the stick
     Uint16 first;  // index of the first entry of this part
@@ -46,7 +46,8 @@ struct RcList {
     bool Read(RcReader* in);
 };
 
-// Largest number of entries of a part.  A packet has room for 59 names of 12 characters.
+// Largest number of entries in one part of the list.  A packet has room for 59 names of 12
+// characters.
 const int RC_MAX_LIST_ENTRIES = 50;
 
 struct RcUploadBegin {

@@ -20,7 +20,7 @@
 #include "RemotePacket.h"
 #include "RobotDescription.h"
 
-// The first bytes of a log file, before the records.
+// The text at the beginning of a log file, before the records.
 #define RC_LOG_HEADER "AIBO_1.1"
 
 // Record number in a request that asks only for the number of records.
@@ -48,7 +48,7 @@ struct RcLogHead {
     static const int SIZE = 12;
 
     void Write(RcWriter* out) const;
-    void Read(RcReader* in);  // does not read the records
+    void Read(RcReader* in);  // reads the numbers, but not the records behind them
 };
 
 #endif  // RemoteLog_h_DEFINED

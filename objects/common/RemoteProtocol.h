@@ -27,7 +27,7 @@ enum RcCommand {
     rcSENSORS = 0x30,
     rcMTN_PLAY = 0x40,
     rcMTN_STOP = 0x41,
-    // The commands below need version 2.
+    // The commands below need version 2 of the protocol.
     rcBATCH = 0x03,
     rcGAINS = 0x14,
     rcMOTOR_OFF = 0x15,
@@ -77,7 +77,7 @@ const int RC_SMALLEST_BATCH_ANSWER = RC_ANSWER_HEADER_SIZE + 24;
 // Largest number of requests in a batch: their smallest answers fit into the answer to the batch.
 const int RC_MAX_BATCH = (RC_MAX_PACKET - RC_ANSWER_HEADER_SIZE) / RC_SMALLEST_BATCH_ANSWER;
 
-// The header of an answer.
+// The header with which an answer begins.
 struct RcAnswerHeader {
     RcHeader header;
     Uint32 frame;   // frame number of the newest sensor values; 0xffffffff: no values yet
@@ -94,7 +94,7 @@ struct RcInfo {
     std::string software;  // "openr-host RCServer"
 
     // The values `processor`, `largestMotion` and `largestImage` are sent in version 2 only.
-    bool hasFiles;         // whether the three values below are there
+    bool hasFiles;  // whether the packet has the three values below
     Uint8 processor;       // ImageProcessor of the images that the robot runs
     Uint32 largestMotion;  // size in bytes of the largest motion that can be uploaded
     Uint32 largestImage;   // size in bytes of the largest image that can be uploaded
@@ -175,7 +175,7 @@ struct RcPower {
     bool Read(RcReader* in);
 };
 
-// The sensor values as sent to the client, grouped and ordered as in Hohl 2004, table 3.8.
+// The sensor values in an answer to the client, grouped and ordered as in Hohl 2004, table 3.8.
 struct RcSensors {
     Uint8 state;                   // MoverState
     std::vector<Sint32> joints;    // measured positions, in 0.01 degree

@@ -35,7 +35,7 @@ struct RcEventHead {
     Uint16 leftOut;  // number of values that the client has missed since the packet before
 
     void Write(RcWriter* out) const;
-    void Read(RcReader* in);  // does not read the values
+    void Read(RcReader* in);  // reads the numbers, but not the values of the stream behind them
 };
 
 // A report of JointMover: its state and, while a motion plays, the key frame.  Positions are in

@@ -34,7 +34,8 @@ struct JointConstants {
     Sint16 mtnIndex;      // index of the joint in the vendor's MTN files; -1: not in these files
 };
 
-enum LedKind { ledLED2 = 2, ledLED3 = 3 };  // kind of command: OLEDCommandValue2 or 3
+// The kinds of LEDs.  An LED gets its commands as OLEDCommandValue2 or 3.
+enum LedKind { ledLED2 = 2, ledLED3 = 3 };
 
 struct LedConstants {
     const char* title;
@@ -42,7 +43,7 @@ struct LedConstants {
     Sint32 kind;  // LedKind
 };
 
-// kind of command: OJointCommandValue3 or 4
+// The kinds of plungers (ears).  A plunger gets its commands as OJointCommandValue3 or 4.
 enum PlungerKind { plungerJOINT3 = 3, plungerJOINT4 = 4 };
 
 struct PlungerConstants {
@@ -113,8 +114,8 @@ const RobotConstants* FindRobot(const char* design);
 // `robot` is not 0.
 const PostureConstants* FindPosture(const RobotConstants* robot, const char* name);
 
-// Return the index of the device of one kind with this locator (OPEN-R name); -1 when `robot` has
-// no such device.  REQUIRES: `robot` is not 0.
+// Each of the next functions returns the index of the device of its kind with this locator (OPEN-R
+// name); -1 when `robot` has no such device.  REQUIRES: `robot` is not 0.
 int FindJoint(const RobotConstants* robot, const char* locator);
 int FindLed(const RobotConstants* robot, const char* locator);
 int FindPlunger(const RobotConstants* robot, const char* locator);

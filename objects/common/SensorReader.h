@@ -31,7 +31,8 @@ private:
     OPrimitiveID joint_[MAX_JOINTS];
     OPrimitiveID sensor_[MAX_SENSORS];
     bool isFound_;                  // whether jointElement_ and sensorElement_ are set
-    int jointElement_[MAX_JOINTS];  // index of the joint's element in a vector; -1: not there
+    // Index of the joint's element in a vector; -1: the vector has none.
+    int jointElement_[MAX_JOINTS];
     int sensorElement_[MAX_SENSORS];
 };
 

@@ -1,6 +1,6 @@
 //
-// The movement of one joint to its goal: one position per frame of 8 ms, within limits of speed and
-// acceleration, ending exactly at the goal.
+// Trajectory: the movement of one joint to its goal.  It gives one position per frame of 8 ms,
+// within limits of speed and acceleration, and ends exactly at the goal.
 //
 // This is the "algorithm for manual commands" of Hohl 2004, section 4.1.1.  It is used for the
 // start-up postures, for commands of the remote control and of controllers, and for the movement to
@@ -67,7 +67,8 @@ private:
     Sint64 speedLimit_;        // in 2^-16 urad per frame, > 0
     Sint64 acceleration_;      // limit of acceleration, in 2^-16 urad per frame^2, > 0
     Sint64 nextAcceleration_;  // limit of acceleration after the next stop
-    int trackFrames_;          // frames that are left of Track(); 0: the limits are in force
+    // Number of frames that are left of a movement by Track(); 0: the limits are in force.
+    int trackFrames_;
 };
 
 #endif  // Trajectory_h_DEFINED
