@@ -75,7 +75,7 @@ class Bus {
   dds_entity_t waitset_ = 0;  // wakes when any Channel of this bus has a sample
 };
 
-// The two ends of a Channel; a process uses one of them.
+// The two ends of a Channel: the master uses kMaster, the worker kWorker.
 enum class ChannelEnd { kMaster, kWorker };
 
 // The types and names of the two topics of a Channel.

@@ -22,8 +22,8 @@ struct DomainElement {
   std::string id = "any";
   bool has_security = false;
 
-  // Returns whether the element applies to `domain`.  Compares ids in the way of Cyclone DDS, so
-  // that the result is the same as there.
+  // Returns whether the element applies to `domain`.  Compares ids as Cyclone DDS compares them, so
+  // that the result is what Cyclone DDS will do.
   bool IsFor(int domain) const {
     if (IsSame(id.c_str(), "any")) return true;
     char* end = nullptr;

@@ -60,8 +60,8 @@ ProcessSlot::ProcessSlot(Bus* bus, std::string process, bool is_external)
 
 void ProcessSlot::OpenSession(const std::string& session) {
   Abandon();
-  // Keeps the identity of the lost process, because the report names that process until the next
-  // one has sent its Hello.
+  // Keeps the identity of the lost process, because the report names the lost process until the
+  // next process has sent its Hello.
   previous_ = last_identity();
   identity_ = {};
   ASSERT(!has_joined_ && channel_ == nullptr, "process '{}'", process_);

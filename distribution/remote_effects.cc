@@ -170,7 +170,7 @@ int32_t RemoteProcess::Post(const openr_wire_PostedMessage& posted, Object* self
   Check(posted.message, self);
   const CurrentScope scope(system_, self);
   OwnedMessage message = system_->NewMessage(posted.message.target, posted.message.selector);
-  // Keeps the class and the cause (the number of the message whose handler sends this one) that
+  // Keeps the class and the cause (the number of the message whose handler sends this message) that
   // NewMessage() has set.  The worker's values are not used.
   const MessageClass message_class = message->message_class;
   const uint64_t cause = message->cause;

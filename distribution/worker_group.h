@@ -112,8 +112,8 @@ class WorkerGroup {
   // lost.
   void ReportLosses();
 
-  // Tells the workers that the run has ended, and kills those of this host that do not end in time.
-  // REQUIRES: the System still exists.
+  // Tells the workers that the run has ended, and kills workers of this host that do not end in
+  // time.  REQUIRES: the System still exists.
   void End();
 
  private:

@@ -43,7 +43,7 @@ struct JointTrouble {
 
 // The command to the servo of one joint for one frame.
 struct JointCommand {
-  double target_rad = 0;  // set point during the frame
+  double target_rad = 0;  // set point of the joint during the frame
   bool enabled = false;  // whether the servo has gains and motor power; otherwise the joint is limp
   PidGains gains;
   const JointTrouble* trouble = nullptr;  // null: no hand and no fault acts on the joint
@@ -130,9 +130,9 @@ class Body {
   virtual void HashState(Hasher* hasher) const = 0;
 };
 
-// Make a body that lies limp and at rest on the floor at `start`, in the model's sleeping posture.
-// `model` must outlive the body.  The second MakeOdeBody() puts the body into `world`, together
-// with other robots.
+// MakeIdealBody() and MakeOdeBody() make a body that lies limp and at rest on the floor at `start`,
+// in the model's sleeping posture.  `model` must outlive the body.  The second MakeOdeBody() puts
+// the body into `world`, together with other robots.
 std::unique_ptr<Body> MakeIdealBody(const RobotModel& model, const World& world,
                                     const StartPlace& start = {});
 std::unique_ptr<Body> MakeOdeBody(const RobotModel& model, const World& world,

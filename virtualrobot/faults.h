@@ -66,7 +66,7 @@ class Faults {
   std::string ReadRepair(std::string_view rest, Inputs::Action* action);
 
   // Writes the indices of the sensors that `name` names to `sensors`; these may be sensors of
-  // joints. Returns "" or the error.
+  // joints.  Returns "" or the error.
   std::string FindParts(const std::string& name, std::vector<int>* sensors) const;
   // Returns the place of a fault of this kind, for the part that has the sensor `sensor`. Returns
   // nullopt when the part is no joint and only joints can have this fault.

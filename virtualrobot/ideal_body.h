@@ -27,9 +27,10 @@ class IdealBody : public Body {
   void SetCommands(const std::vector<JointCommand>& commands) override;
   void Advance() override {}
 
-  // Return the state and the poses at the end of the last frame. state(), BodyPoses() and PoseOf()
-  // compute the pose of the base only when a joint has moved since the last call, and compute only
-  // the parts that have moved.  So a frame whose state is not read takes almost no time.
+  // The functions below return the state and the poses at the end of the newest frame.  The
+  // functions state(), BodyPoses() and PoseOf() compute the pose of the base only when a joint has
+  // moved since the last call, and compute only the parts that have moved.  So a frame whose state
+  // is not read takes almost no time.
   const BodyState& state() const override;
   RayHit CastRay(const Eigen::Vector3d& p_W, const Eigen::Vector3d& direction_W,
                  double max_m) const override;

@@ -21,7 +21,7 @@
 
 class RequestHandler {
 public:
-    // Largest number of clients, including those that wait for a place.
+    // Largest number of clients, including clients that wait for a place.
     static const int MAX_CLIENTS = 9;
 
     // Makes a handler.  `port` must outlive the handler.

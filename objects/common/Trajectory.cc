@@ -82,8 +82,8 @@ Trajectory::Position() const
     return (Sint32)DivideRounded(position_, ONE_URAD);
 }
 
-// Returns the distance that the joint still moves in the frames after this one when it brakes from
-// `speed`.  REQUIRES: speed >= 0.
+// Returns the distance that the joint still moves in the frames after the present frame when it
+// brakes from `speed`.  REQUIRES: speed >= 0.
 Sint64
 Trajectory::StoppingDistance(Sint64 speed) const
 {

@@ -21,7 +21,7 @@ struct Side {
   std::vector<StubService>* services;
 
   bool has_count = false;
-  StubLine count_line = {};  // set only if has_count
+  StubLine count_line = {};  // the line that declares the number; set only if has_count is true
   int count = -1;            // -1: not given, or not a number
 };
 

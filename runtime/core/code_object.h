@@ -122,7 +122,7 @@ class CodeObject : public OObject {
 
   Selector AddEntry(const std::string& name, std::unique_ptr<Entry> entry);
   // AddSubjectEntries() adds the entries of a subject, AddObserverEntries() the entries of an
-  // observer. `entry` becomes the last of these entries.
+  // observer.  `entry` becomes the last of these entries.
   void AddSubjectEntries(const std::string& service, OSubject* subject,
                          std::unique_ptr<Entry> entry);
   void AddObserverEntries(const std::string& service, OObserver* observer,

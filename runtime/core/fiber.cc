@@ -69,8 +69,8 @@ void Fiber::SwitchFrom(Fiber* from) {
 void Fiber::FinishSwitch() {
   if (!IsAddressSanitized()) return;
   // Keeps the bounds of the stack that was left, which AddressSanitizer needs for the switch back.
-  // They are not always those of the fiber's own stack: the fiber may have called a handler, which
-  // runs on a stack of its own (handler_stack.h).
+  // These bounds may be the bounds of another stack than the fiber's own: the fiber may have called
+  // a handler, which runs on a stack of its own (handler_stack.h).
   __sanitizer_finish_switch_fiber(fake_stack_, &t_left->stack_bottom_, &t_left->stack_bytes_);
 }
 

@@ -35,7 +35,8 @@ class HiddenAddress {
   const char* pointer() const { return reinterpret_cast<const char*>(value()); }
 
  private:
-  static constexpr uintptr_t kMask = 0xa5a5'0000'0000'0000;  // no address has these upper bits
+  // The mask has upper bits that no address has.
+  static constexpr uintptr_t kMask = 0xa5a5'0000'0000'0000;
   uintptr_t hidden_ = kMask;
 };
 

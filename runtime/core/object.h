@@ -164,7 +164,7 @@ class Object {
   const ObjectId id;
   const int robot;
   bool is_system = false;   // true: the object is a part of the robot and not of the application
-  bool is_leaving = false;  // another object is about to replace this one
+  bool is_leaving = false;  // another object is about to replace this object
   // Nothing is loaded here: the robot was switched off.  When the robot boots, the object with this
   // path, or without a path with this name, gets this id again.
   bool is_absent = false;

@@ -134,8 +134,8 @@ OStatus SubjectState::Notify(ObserverLink* link) {
 
 void SubjectState::SendPending(ObserverLink* link) {
   // Counts the notifications (units) that go into this message: the oldest, as many as fit
-  // completely. A notification that does not fit completely waits for the next message, because its
-  // regions must stay together.
+  // completely.  A notification that does not fit completely waits for the next message, because
+  // its regions must stay together.
   size_t unit_count = 0;
   int data_count = 0;
   while (unit_count < link->units.size() &&

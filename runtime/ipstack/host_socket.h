@@ -55,8 +55,8 @@ Fd AcceptFrom(const Fd& listener, NetAddress* remote);
 int64_t SendBytes(const Fd& fd, const void* data, size_t size);
 int64_t SendDatagram(const Fd& fd, NetAddress remote, const void* data, size_t size);
 // Receives at most `size_max` bytes into `bytes`, which gets the size of the bytes that have
-// arrived. Stores the sender's address in `*remote` unless `remote` is null.  Returns their number,
-// or -1 with errno set.
+// arrived.  Stores the sender's address in `*remote` unless `remote` is null.  Returns their
+// number, or -1 with errno set.
 int64_t ReceiveBytes(const Fd& fd, size_t size_max, std::string* bytes,
                      NetAddress* remote = nullptr);
 

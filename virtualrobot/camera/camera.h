@@ -55,9 +55,9 @@ class CameraDevice {
   // white balance applied.  Changes no state.  Returns "", or the reason why there is no picture.
   std::string TakePicture(int64_t frame, const Body& body, Picture* picture);
 
-  // Takes the same picture as the robot's colour detection sees it: layer C of the image, with the
-  // colour of ColourOfChannel() in each pixel in which a channel was detected, and black elsewhere.
-  // Returns "", or the reason why there is no picture.
+  // Writes to `colours` how the robot's colour detection sees the image of TakePicture(): layer C
+  // of the image, with the colour of ColourOfChannel() in each pixel in which a channel was
+  // detected, and black elsewhere.  Returns "", or the reason why there is no picture.
   std::string TakeColours(int64_t frame, const Body& body, Picture* colours);
   // Returns the colour (red, green and blue) that stands for channel 0 to 7 in a picture of
   // TakeColours().
@@ -71,8 +71,9 @@ class CameraDevice {
   void HashState(Hasher* hasher) const;
 
  private:
-  // The values at boot are those of Model Information ERS-210, 4.1.2.  Two things are our choice:
-  // which of the two gains of 0 dB is the default, and that both automatic functions are off.
+  // The settings of the camera.  Their values at boot are the values of Model Information ERS-210,
+  // 4.1.2.  Two things are our choice: which of the two gains of 0 dB is the default, and that both
+  // automatic functions are off.
   struct Settings {
     longword white_balance = ocamparamWB_FL_MODE;
     longword gain = ocamparamGAIN_MID;

@@ -1,4 +1,4 @@
-// The impulses of contacts that obey Coulomb's law of friction.
+// ContactForces: computes the impulses of contacts that obey Coulomb's law of friction.
 //
 // Each contact has three rows: along its normal, away from the ground, and along two directions of
 // the ground.  An impulse p along the rows changes the velocity along them by K p, where K is the

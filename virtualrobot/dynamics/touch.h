@@ -13,7 +13,7 @@ namespace openr_host {
 
 struct TouchPoint {
   Eigen::Vector3d p_W{0, 0, 0};       // the deepest point of the shape or of the thing
-  Eigen::Vector3d normal_W{0, 0, 1};  // unit vector out of the thing
+  Eigen::Vector3d normal_W{0, 0, 1};  // unit vector that points out of the thing
   double depth_m = 0;                 // > 0
 };
 

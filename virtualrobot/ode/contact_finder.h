@@ -2,9 +2,9 @@
 // things and one another.
 //
 // Our own code finds the points at which shapes touch the floor, spheres, cylinders and
-// heightfields. Other pairs of shapes are left to ODE's colliders for boxes and spheres. The parts
-// of one robot are not tested against each other (docs/body.md says why), so ODE's collision spaces
-// are not needed.
+// heightfields.  Other pairs of shapes are left to ODE's colliders for boxes and spheres.  The
+// parts of one robot are not tested against each other (docs/body.md says why), so ODE's collision
+// spaces are not needed.
 #pragma once
 
 #include <ode/ode.h>
@@ -28,7 +28,7 @@ struct ContactPoint {
   ContactSide other;  // the side that `side` touches
   int paw = -1;       // index in RobotModel::paws; -1 when no paw touches
   Eigen::Vector3d p_W{0, 0, 0};
-  Eigen::Vector3d normal_W{0, 0, 1};  // unit vector out of `other`
+  Eigen::Vector3d normal_W{0, 0, 1};  // unit vector that points out of `other`
   double depth_m = 0;                 // penetration depth, >= 0
 };
 

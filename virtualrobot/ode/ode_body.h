@@ -20,9 +20,9 @@ namespace openr_host {
 
 class OdeBody : public Body {
  public:
-  // Make a body in the model's sleeping posture, alone in a world of its own or in `world`.
-  // `model` must outlive the body.  Throw std::runtime_error when `model` has a part without box or
-  // mass, or a joint without torque.
+  // The next two constructors make a body in the model's sleeping posture, alone in a world of its
+  // own or in `world`.  `model` must outlive the body.  They throw std::runtime_error when `model`
+  // has a part without box or mass, or a joint without torque.
   OdeBody(const RobotModel& model, const World& world, const OdeSettings& settings = {});
   OdeBody(const RobotModel& model, std::shared_ptr<PhysicsWorld> world, const StartPlace& start);
   // Makes a body, alone in its world, at rest at `pose` with the joint angles `angles_rad`.

@@ -48,7 +48,7 @@ PhysicsWorld::PhysicsWorld(const World& world, const OdeSettings& settings)
 PhysicsWorld::~PhysicsWorld() {
   // The finder is destroyed first, because it refers to bodies of the world.
   finder_.reset();
-  dWorldDestroy(ode_);  // also destroys its bodies
+  dWorldDestroy(ode_);  // destroys the world with its bodies
 }
 
 void PhysicsWorld::AddMover(size_t thing) {
