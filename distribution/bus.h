@@ -36,7 +36,7 @@ constexpr int kLease_s = 10;
 
 struct BusOptions {
   std::string run;                    // name of the run, the first part of every partition name
-  int domain = 0;                     // DDS domain
+  int domain = 0;                     // number of the DDS domain
   std::string address = "127.0.0.1";  // address of this host's network interface
   std::vector<std::string> peers;     // addresses of other hosts with processes of the run
   std::string config_file;            // additional settings of Cyclone DDS, such as DDS Security

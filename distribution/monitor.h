@@ -40,7 +40,7 @@ class Monitor {
   RunStatus::Times TimesOf(const RemoteObject& object);
 
   const System* const system_;
-  const WorkerGroup* const workers_;  // may be null
+  const WorkerGroup* const workers_;  // workers of the run; null: all objects are in this process
   const std::string run_;
   StatusWriter writer_;
   const Clock::time_point begin_ = Clock::now();

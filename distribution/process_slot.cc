@@ -19,7 +19,7 @@ constexpr int64_t kSessionClaimMs = 5'000;
 // Limit of the length of a requester's id.  A real id, such as "host-1234-5", is far shorter.
 // Requests with longer ids are ignored, because they come from the network and may be forged.
 constexpr size_t kRequesterIdMax = 256;
-constexpr int64_t kLivenessIntervalMs = 100;  // interval of liveness checks
+constexpr int64_t kLivenessIntervalMs = 100;  // shortest time between two liveness checks
 // Largest number of abandoned workers that are remembered; the oldest is forgotten first.  Each of
 // them keeps its channel open, so without a limit many losses would leave many open channels.
 constexpr size_t kAbandonedMax = 4;

@@ -30,7 +30,7 @@ constexpr int kCrashFlushMs = 3'000;
 // with its own effects.  A handler is fast if it takes less than this time, so that no effect is
 // kept for long.
 constexpr int64_t kFastHandlerNs = 50'000;
-constexpr int kJoinRetryMs = 1'000;  // interval of join requests
+constexpr int kJoinRetryMs = 1'000;  // time after which a join request is repeated
 
 constexpr char kAbandonedText[] = "the run could not reach it and goes on without";
 

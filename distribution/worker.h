@@ -133,8 +133,8 @@ class Worker : public MasterLink {
   std::unique_ptr<Marshaller> marshaller_;
   std::string session_;
   bool is_refused_ = false;
-  std::string stick_;                       // folder of the stick
-  bool has_called_begins_ = false;          // WorkerOptions::begins was called
+  std::string stick_;                       // folder of the Memory Stick in use
+  bool has_called_begins_ = false;          // whether WorkerOptions::begins was called
   std::set<std::string> own_object_names_;  // names of this worker's objects
   bool has_reported_joined_ = false;
   // For each robot, the number of heap bytes used in other processes.

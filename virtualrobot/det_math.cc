@@ -17,7 +17,7 @@ constexpr double kHalfPi3 = 0x1.3198a2e037073p-69;
 // For such `r` the first term that is left out is below 1e-17.
 double SinKernel(double r) {
   const double z = r * r;
-  double sum = 1.0 / 355687428096000.0;  // 1/17!
+  double sum = 1.0 / 355687428096000.0;  // coefficient of r^17: 1/17!
   sum = sum * z - 1.0 / 1307674368000.0;
   sum = sum * z + 1.0 / 6227020800.0;
   sum = sum * z - 1.0 / 39916800.0;
@@ -30,7 +30,7 @@ double SinKernel(double r) {
 
 double CosKernel(double r) {
   const double z = r * r;
-  double sum = 1.0 / 20922789888000.0;  // 1/16!
+  double sum = 1.0 / 20922789888000.0;  // coefficient of r^16: 1/16!
   sum = sum * z - 1.0 / 87178291200.0;
   sum = sum * z + 1.0 / 479001600.0;
   sum = sum * z - 1.0 / 3628800.0;

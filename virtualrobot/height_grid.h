@@ -43,7 +43,7 @@ Eigen::Vector3d NormalOf(const Triangle& triangle);
 
 struct SurfacePoint {
   double height_m = 0;  // height over the lower face of the box that holds the heightfield
-  Eigen::Vector3d normal_T{0, 0, 1};  // unit vector
+  Eigen::Vector3d normal_T{0, 0, 1};  // normal of the surface, a unit vector
 };
 
 // Returns the point of the surface of `thing` at (x, y).  If (x, y) is not in the grid, returns the

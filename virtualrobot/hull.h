@@ -49,7 +49,7 @@ class Hull {
   // LowestAlong() looks at a box only if the ball of the box reaches lower than the lowest point
   // found so far.
   struct BallPair {
-    Pair x{}, y{}, z{};  // coordinates of the centres
+    Pair x{}, y{}, z{};  // coordinates of the balls' centres
     // The lowest point of a ball with this radius is at infinity.  So the second half of a pair
     // that has only one box is never the lowest.
     Pair radius = {-std::numeric_limits<double>::infinity(),

@@ -25,7 +25,7 @@ class Hasher;
 
 // A fault of a sensor.
 enum class SensorFaultKind {
-  kStuck,  // the sensor keeps the value that it has
+  kStuck,  // the sensor goes on giving the value that it had when the fault began
   kNoisy,  // the values of the sensor have random errors
   kDead,   // the sensor gives no values
 };
@@ -113,7 +113,8 @@ class SensorSource {
   const RobotModel& model_;
   const PrimitiveTable& primitives_;
   Rng noise_, fault_noise_;
-  bool is_fault_noise_used_ = false;  // whether FaultNoise() was called
+  // Whether FaultNoise() was called; only then its generator is hashed.
+  bool is_fault_noise_used_ = false;
   std::vector<OSensorValue> latest_;
   std::vector<JointReading> readings_;          // one element for each joint
   std::vector<std::optional<slongword>> held_;  // for each sensor, the value that Hold() has set

@@ -13,7 +13,7 @@ class Hasher;
 
 enum class ThingShape { kBox, kSphere, kCylinder, kHeightField };
 
-struct HeightGrid;  // height_grid.h
+struct HeightGrid;  // defined in height_grid.h
 
 // A thing in the world frame W, which has z up and the floor at z = 0.
 struct WorldThing {
@@ -23,7 +23,7 @@ struct WorldThing {
   // diameter, z is the length along its own z.  Heightfield: edges of the box that holds it.
   // Each > 0.
   Eigen::Vector3d size_m{0, 0, 0};
-  Eigen::Vector3d centre_m{0, 0, 0};                   // in W
+  Eigen::Vector3d centre_m{0, 0, 0};                   // place of the centre in W
   Eigen::Matrix3d R_WT = Eigen::Matrix3d::Identity();  // rotation from the thing's own axes T to W
   Eigen::Vector3d colour{0.72, 0.60, 0.46};            // red, green and blue, 0 to 1
   double mass_kg = 0;  // > 0: robots and other things can move the thing; 0: it is fixed

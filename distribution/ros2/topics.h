@@ -99,10 +99,10 @@ class Ros2Text {
 
 // The pose and the speeds of a robot's base frame.
 struct Ros2Motion {
-  std::array<double, 3> position_m{};          // in the fixed frame
+  std::array<double, 3> position_m{};          // position of the base frame in the fixed frame
   std::array<double, 4> rotation{0, 0, 0, 1};  // quaternion x, y, z, w
-  std::array<double, 3> speed_m_s{};           // in the base frame
-  std::array<double, 3> turning_rad_s{};       // in the base frame
+  std::array<double, 3> speed_m_s{};           // velocity, in the axes of the base frame
+  std::array<double, 3> turning_rad_s{};       // angular velocity, in the axes of the base frame
 };
 
 // Publishes nav_msgs/Odometry, and the same pose as tf2_msgs/TFMessage on the topic "tf".

@@ -243,7 +243,7 @@ ControllerCore::MotionEars(Uint32 mask, Uint32 on)
 {
     ChangeEars(mask, on);
     EndIfItDidNotReturn();
-    if (!HasLoop()) SendEarsIfChanged();  // with a loop, its next iteration sends the ears
+    if (!HasLoop()) SendEarsIfChanged();  // if a loop runs, its next iteration sends the ears
 }
 
 // ---- Buffers -------------------------------------------------------------------------

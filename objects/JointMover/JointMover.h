@@ -69,7 +69,7 @@ private:
     OPrimitiveID joint_[MAX_JOINTS];
     RCRegion* region_[NUM_REGIONS];
     int numUnderWay_;  // number of vectors that were sent and whose end MoverCore was not told yet
-    int numReports_;  // number of messages that were set on SetValue and not sent yet
+    int numReports_;   // number of messages that were set on SetValue and not sent yet
     bool isStopped_;
     bool isUp_;  // whether the robot has reached its initial posture
     MoverCore core_;

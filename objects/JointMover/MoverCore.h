@@ -131,7 +131,7 @@ private:
     // Number of states entered so far; shows whether a vector belongs to an earlier state.
     Sint32 stateCount_;
     bool filled_;  // whether the first vector (state moverFILLING) was made already
-    int posture_;        // index of the start-up posture to which the robot moves
+    int posture_;  // index of the start-up posture to which the robot moves
 
     MtnFile motion_;
     MtnPlayer player_;

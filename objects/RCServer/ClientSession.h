@@ -95,8 +95,8 @@ private:
     // If so, the next packet need not wait EVENT_FRAMES.
     bool hasSpoken_;
     Uint32 eventFrame_;  // frame in which the newest packet of a subscription was sent
-    int heldAt_;  // offset in the buffer of an answer that did not fit into the last send
-    int heldSize_;  // size of the answer at heldAt_; 0: there is no such answer
+    int heldAt_;         // offset in the buffer of an answer that did not fit into the last send
+    int heldSize_;       // size of the answer at heldAt_; 0: there is no such answer
 };
 
 #endif  // ClientSession_h_DEFINED

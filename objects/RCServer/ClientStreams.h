@@ -41,9 +41,9 @@ private:
         bool isOn;
         Uint16 tag;
         Uint16 period;
-        bool wasSent;  // whether a packet was sent or due since Begin(), so that lastFrame is valid
+        bool wasSent;      // whether lastFrame is set: a packet was sent, or was due, since Begin()
         Uint32 lastFrame;  // frame in which the newest packet was sent, or was due
-        Uint16 numNew;  // number of values that NewValues() has counted since the newest packet
+        Uint16 numNew;     // number of values that NewValues() has counted since the newest packet
     };
 
     bool IsPeriodOver(const Stream& stream, Uint32 frame) const;

@@ -75,7 +75,7 @@ private:
         byte* sendData;
         ClientSession session;
         bool isReceiving;  // whether a Receive message to the network waits for its answer
-        bool isSending;  // whether a Send message to the network waits for its answer
+        bool isSending;    // whether a Send message to the network waits for its answer
         Uint32 lastFrame;  // frame in which the client last sent bytes
     };
 
@@ -116,7 +116,7 @@ private:
     LedEarState ledEar_;  // changes of LEDs and ears that wait until Controller is ready
     RunEnd runEnd_;       // set by a request for shutdown or reboot
     bool isEnding_;       // whether the answer to the request for the end was sent
-    Uint32 endFrame_;  // frame in which the answer to the request for the end was sent
+    Uint32 endFrame_;     // frame in which the answer to the request for the end was sent
     bool isStopped_;
 };
 

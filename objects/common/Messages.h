@@ -22,8 +22,8 @@ enum MoverCommandKind {
     moverkindACCELERATION = 3,  // uses the fields `joint` and `value`
     moverkindPLAY = 4,          // uses the fields `file`, `loops` and `keyFramesPerVector`
     moverkindSTOP = 5,          // ends the motion that plays
-    moverkindMOTOR_OFF = 6,     // uses the field `joint`; MOVER_ALL_JOINTS: motor power
-    moverkindMOTOR_ON = 7,      // uses the field `joint`; MOVER_ALL_JOINTS: motor power
+    moverkindMOTOR_OFF = 6,     // uses the field `joint`; MOVER_ALL_JOINTS: power of all motors
+    moverkindMOTOR_ON = 7,      // uses the field `joint`; MOVER_ALL_JOINTS: power of all motors
     moverkindGAINS = 8,         // uses the fields `joint` and `gain`
     moverkindTRACK = 9          // uses the fields `joint`, `value` and `frames`
 };
@@ -37,7 +37,7 @@ struct MoverCommand {
     Sint32 joint;
     Sint32 value;
     union {
-        Sint32 loops;  // how often the motion is played, >= 1
+        Sint32 loops;   // how often the motion is played, >= 1
         Sint32 frames;  // time for the movement to `value`, in frames of 8 ms, >= 1
     };
     Sint32 keyFramesPerVector;  // 0: JointMover chooses the number

@@ -176,7 +176,7 @@ MtnFile::ReadHeader(Cursor* cursor)
     numKeyFrames_ = cursor->U16();
     const size_t rateAt = cursor->At();
     const int rate = cursor->U16();
-    cursor->U32();  // reserved
+    cursor->U32();  // skips a reserved number
     if (numSections != 4)
         warnings_.push_back(TextFormat("section 0: says %u sections, a motion has 4", numSections));
     if (majorVersion_ != 1) {

@@ -20,7 +20,7 @@ const Uint16 RC_MAGIC = 0x4352;  // the bytes 'R', 'C'
 const int RC_VERSION = 1;
 const int RC_VERSION_FILES = 2;
 
-const int RC_HEADER_SIZE = 8;  // size of the header of a request, in bytes
+const int RC_HEADER_SIZE = 8;          // size of the header of a request, in bytes
 const int RC_ANSWER_HEADER_SIZE = 16;  // size of the header of an answer, in bytes
 
 // Largest size of a whole packet, in bytes.  The robot sends at most 1024 bytes at once; the rest

@@ -34,9 +34,9 @@ enum RcCommand {
     rcMOTOR_ON = 0x16,
     rcTRACK = 0x17,
     rcPOWER = 0x31,
-    rcSUBSCRIBE = 0x32,  // RemoteStreams.h
+    rcSUBSCRIBE = 0x32,  // RemoteStreams.h has the formats of streams
     rcUNSUBSCRIBE = 0x33,
-    rcCAMERA = 0x34,  // RemoteCamera.h
+    rcCAMERA = 0x34,  // RemoteCamera.h has the formats of pictures
     rcCAMERA_PART = 0x35,
     rcEVENT = 0x3f,  // a packet of a stream; from a client it acknowledges packets and has no
                      // answer
@@ -46,7 +46,7 @@ enum RcCommand {
     rcUPLOAD_END = 0x52,
     rcDELETE = 0x53,
     rcDOWNLOAD = 0x54,
-    rcLOG = 0x60,  // RemoteLog.h
+    rcLOG = 0x60,  // RemoteLog.h has the format of the log
     rcREBOOT = 0x70,
     rcSHUTDOWN = 0x71
 };
@@ -94,7 +94,7 @@ struct RcInfo {
     std::string software;  // "openr-host RCServer"
 
     // The values `processor`, `largestMotion` and `largestImage` are sent in version 2 only.
-    bool hasFiles;  // whether the packet has the three values below
+    bool hasFiles;         // whether the packet has the three values below
     Uint8 processor;       // ImageProcessor of the images that the robot runs
     Uint32 largestMotion;  // size in bytes of the largest motion that can be uploaded
     Uint32 largestImage;   // size in bytes of the largest image that can be uploaded
@@ -126,7 +126,7 @@ enum RcJointValue {
 };
 
 struct RcDescription {
-    std::string name;   // short: "LF_j1"
+    std::string name;   // short name, such as "LF_j1"
     std::string title;  // "Left fore leg J1"
     std::string locator;
     std::vector<Sint32> values;  // joint: see RcJointValue; sensor: its SensorKind; others: empty
@@ -153,8 +153,8 @@ const int RC_MAX_GAIN = 127;
 
 // Gains of the servo of a joint.  A gain g with shift s acts like g x 2^(s-16).
 struct RcGains {
-    Uint8 isOn;        // 1: the gain is enabled; 0: the joint is limp
-    Uint16 gain[3];    // P, I, D
+    Uint8 isOn;      // 1: the gain is enabled; 0: the joint is limp
+    Uint16 gain[3];  // P, I and D gain
     Uint16 shift[3];
 
     void Write(RcWriter* out) const;
@@ -164,7 +164,7 @@ struct RcGains {
 // Power and battery of the robot, from OPENR::GetPowerStatus().
 struct RcPower {
     Uint32 robotStatus;    // bits orsb... of the SDK
-    Uint16 batteryStatus;  // bits obsb...
+    Uint16 batteryStatus;  // bits obsb... of the SDK
     Uint16 capacity;       // remaining capacity in %
     Uint16 fullCapacity;   // in mAh
     Uint16 voltage;        // in mV
@@ -191,8 +191,8 @@ struct RcSensors {
 
 struct RcPlayRequest {
     std::string file;          // such as "WALK.MTN"
-    Uint16 loops;              // >= 1
-    Uint8 keyFramesPerVector;  // 0: the robot chooses
+    Uint16 loops;              // how often the motion is played, >= 1
+    Uint8 keyFramesPerVector;  // number of key frames in a command vector; 0: the robot chooses
 
     void Write(RcWriter* out) const;
     bool Read(RcReader* in);

@@ -41,11 +41,11 @@ struct RcEventHead {
 // A report of JointMover: its state and, while a motion plays, the key frame.  Positions are in
 // 0.01 degree.
 struct RcSetValues {
-    Uint8 state;      // MoverState
-    Uint8 isOver;     // 1: the motion of `file` has ended or was refused
-    Uint8 motorsOff;  // 1: motor power is off by MOTOR_OFF
-    Uint8 earMask;    // ears that the motion moves: bit i stands for ear i
-    Uint8 earOn;      // bits of earMask whose ears are on
+    Uint8 state;       // MoverState
+    Uint8 isOver;      // 1: the motion of `file` has ended or was refused
+    Uint8 motorsOff;   // 1: a command MOTOR_OFF has switched motor power off
+    Uint8 earMask;     // ears that the motion moves: bit i stands for ear i
+    Uint8 earOn;       // bits of earMask whose ears are on
     Sint32 keyFrame;   // key frame to which the positions belong; -1: no motion plays
     std::string file;  // file of the motion; "": no motion
     std::vector<Sint32> commanded;

@@ -61,10 +61,10 @@ private:
     Sint64 StoppingDistance(Sint64 speed) const;
     void Rest();
 
-    Sint32 goal_;              // in urad
-    Sint64 position_;          // in 2^-16 urad
-    Sint64 speed_;             // in 2^-16 urad per frame
-    Sint64 speedLimit_;        // in 2^-16 urad per frame, > 0
+    Sint32 goal_;              // goal of the movement, in urad
+    Sint64 position_;          // position of the joint, in 2^-16 urad
+    Sint64 speed_;             // speed of the joint, in 2^-16 urad per frame
+    Sint64 speedLimit_;        // limit of speed, in 2^-16 urad per frame, > 0
     Sint64 acceleration_;      // limit of acceleration, in 2^-16 urad per frame^2, > 0
     Sint64 nextAcceleration_;  // limit of acceleration after the next stop
     // Number of frames that are left of a movement by Track(); 0: the limits are in force.

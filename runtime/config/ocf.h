@@ -36,7 +36,7 @@ struct Ocf {
   bool is_cached = true;      // true for the word "cache", false for "nocache"
   bool is_translated = true;  // true for "tlb", false for "notlb"
   bool is_user_mode = true;   // true for "user", false for "kernel"
-  FilePosition place;         // position of the name
+  FilePosition place;         // position of the object's name in the file
 };
 
 struct OcfResult {

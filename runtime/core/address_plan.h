@@ -76,7 +76,7 @@ char* TakeRegionArea();
 void GiveRegionArea(char* area);
 // The size of a region area.  RegionMemory needs about 1.33 TiB, the memory for one region of every
 // size class in every slot.
-constexpr size_t kRegionAreaBytes = size_t{3} << 39;  // 1.5 TiB
+constexpr size_t kRegionAreaBytes = size_t{3} << 39;  // 1.5 TiB in bytes
 
 // Maps `bytes` bytes of zeros at `address`, readable and writable.  Returns false if there is no
 // memory or the addresses are in use.

@@ -15,7 +15,7 @@ namespace openr_host {
 
 class Fiber {
  public:
-  using Main = void (*)(void* argument);  // never returns
+  using Main = void (*)(void* argument);  // a function that never returns
 
   Fiber();
   ~Fiber() = default;

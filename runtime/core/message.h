@@ -32,7 +32,7 @@ constexpr int kMessageClasses = 4;
 
 // The kind of data in the payload.  It decides how PayloadHash() (trace.h) hashes the payload.
 enum class PayloadKind : uint8_t {
-  kBytes,   // plain initialised bytes
+  kBytes,   // plain bytes, all initialised
   kNotify,  // ONotifyMessage, hashed as its counts and the bytes of its regions
   kReady,   // OReadyMessage, hashed as its command and the number of regions given back
   kHashed,  // bytes that hold addresses; the sender has set Message::payload_hash instead
@@ -45,7 +45,7 @@ struct alignas(64) Message {
   ObjectId sender = kNoObject;
   ObjectId target = kNoObject;
   uint32_t selector = 0;  // number of the receiver's entry, the function that handles the message
-  uint32_t size = 0;      // bytes of payload
+  uint32_t size = 0;      // number of bytes in `payload`
   // In a request: the number of the sender's reply box (requests.h).  In a reply: the number of the
   // target's reply box.  0: the message is neither a request nor a reply.
   uint64_t reply_box = 0;

@@ -27,7 +27,7 @@ struct SubjectState;
 // Values of an object's .ocf file, the file with its name, priority and memory sizes.
 struct ObjectLimits {
   int priority = 128;        // 0 to 255; the upper four bits are the priority class
-  uint32_t stack_bytes = 0;  // 0: unknown
+  uint32_t stack_bytes = 0;  // size of the object's stack; 0: unknown
   uint32_t heap_bytes = 0;   // step by which the object's heap grows on the robot
 };
 
@@ -91,7 +91,7 @@ struct ProcessorState {
 class OpenFiles {
  public:
   struct File {
-    std::string path;  // on the host
+    std::string path;  // path of the open file on the host
     bool writes = false;
   };
 
@@ -227,7 +227,7 @@ class Object {
   MessageClass post_class = MessageClass::kObject;
   bool is_image = false;       // loaded from a file; its code sees only the Memory Stick
   bool is_off = false;         // the object's robot is off: messages to the object are dropped
-  uint64_t message_count = 0;  // messages delivered
+  uint64_t message_count = 0;  // number of messages delivered to the object
   ProcessorState processor;
   HandlerState handler;
 };

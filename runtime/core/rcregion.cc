@@ -34,7 +34,7 @@ struct Block {
   Block* next;
 };
 static_assert(offsetof(Block, region) == 0);
-thread_local constinit Block* t_free = nullptr;  // the first free block
+thread_local constinit Block* t_free = nullptr;  // the first free block of the pool
 // The addresses of all chunks.  With this list, a leak checker finds that the chunks are reachable.
 // Otherwise it would report a chunk when an object has not deleted its regions.
 thread_local constinit std::vector<Block*>* t_chunks = nullptr;

@@ -137,7 +137,7 @@ class RegionTable {
     bool live = false;         // true until the block is deleted; false for copies
     size_t capacity = 0;       // the size with which the block was made
     bool is_reusable = false;  // New() chose this slot, so New() may choose it again
-    bool is_copy = false;      // made by AdoptCopy()
+    bool is_copy = false;      // true: AdoptCopy() has made the block
     bool is_idle = false;      // a copy that is not pinned, whose memory is kept for the next copy
   };
 

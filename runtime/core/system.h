@@ -96,7 +96,7 @@ struct SystemOptions {
 // A connection between a subject and an observer that a line of CONNECT.CFG, or code, has made.
 struct Connection {
   int robot = 0;
-  std::string subject;  // full service names: "RCServer.Move.MoveCommand.S"
+  std::string subject;  // full name of the subject's service: "RCServer.Move.MoveCommand.S"
   std::string observer;
   std::string where;  // the place of the connection's line, for messages to users: "CONNECT.CFG:4"
 };
@@ -106,7 +106,7 @@ struct Robot {
   int index = 0;
   std::string design;                       // "ERS-210"
   std::shared_ptr<MemoryStick> stick;       // null: the robot has no stick
-  std::unique_ptr<RobotServices> services;  // its simulated devices (robot_services.h)
+  std::unique_ptr<RobotServices> services;  // the robot's simulated devices (robot_services.h)
   // The object and selector of each registered service.  The key is the service's name.
   std::map<std::string, std::pair<ObjectId, uint32_t>> directory;
   // The lines of DESIGNDB.CFG: keyword -> path of a file.

@@ -49,8 +49,8 @@ inline constexpr size_t kOpenReplyBytes = 12;    // type, status, primitive ID, 
 inline constexpr size_t kStatusReplyBytes = 8;   // type, status, 4 bytes each
 inline constexpr size_t kControlBytes = 224;     // size of a control request and of its reply
 inline constexpr size_t kControlParamAt = 32;    // offset of the parameter, or of the result
-inline constexpr size_t kPowerStatusBytes = 24;  // type, OPowerStatus
-inline constexpr size_t kRobotDesignBytes = 40;  // type, name[32], status
+inline constexpr size_t kPowerStatusBytes = 24;  // size of a message with type and OPowerStatus
+inline constexpr size_t kRobotDesignBytes = 40;  // size of a message with type, name[32] and status
 inline constexpr uint32_t kStatusType = 2;       // type of a reply that is only a status
 inline constexpr uint32_t kOpenType = 1024;
 // Type of the reply to an open request, and of a close request.

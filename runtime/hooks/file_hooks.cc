@@ -252,7 +252,8 @@ int close(int descriptor) {
   static const auto next = OPENR_NEXT(close);
   if (!InObject()) return next(descriptor);
   const ApiScope scope;
-  if (descriptor >= STDIN_FILENO && descriptor <= STDERR_FILENO) return 0;  // console stays open
+  // Does not close the console, which stays open.
+  if (descriptor >= STDIN_FILENO && descriptor <= STDERR_FILENO) return 0;
   if (ForgetDescriptor(descriptor)) return next(descriptor);
   errno = EBADF;  // refuses, because an object must not close descriptors of the host
   return -1;

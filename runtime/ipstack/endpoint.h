@@ -56,7 +56,7 @@ class Endpoint : public EventSink {
 
  protected:
   IpStack* const stack_;
-  const int32_t protocol_;  // EndpointType_...
+  const int32_t protocol_;  // protocol of the endpoint, a constant EndpointType_...
   const ObjectId owner_;    // the object that created the endpoint
   // The pool: the largest number of bytes that the endpoint has sent and the network has not
   // accepted yet; > 0.  A Send that does not fit into the pool waits.

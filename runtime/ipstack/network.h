@@ -29,7 +29,7 @@ enum class NetProtocol : uint8_t { kTcp, kUdp };
 
 enum class NetError : uint8_t {
   kNone,
-  kFailed,  // any other error
+  kFailed,  // an error that has no value of its own
   kClosed,  // a write failed because the peer had closed the connection
   kReset,
   kTimeout,
@@ -43,7 +43,7 @@ enum class NetError : uint8_t {
 
 // A host that Resolve() or ResolveAddress() has found.
 struct HostInfo {
-  std::string name;  // the official name
+  std::string name;  // the official name of the host
   std::vector<std::string> aliases;
   std::vector<uint32_t> addresses;
 };

@@ -98,7 +98,7 @@ class TcpEndpoint : public Endpoint {
   int64_t last_send_us_ = 0;
   int64_t closing_since_us_ = 0;  // time of Close, or of the last progress after Close
 
-  std::optional<Operation> opening_;  // Listen or Connect
+  std::optional<Operation> opening_;  // the pending Listen or Connect
   std::optional<Operation> send_;
   std::optional<Operation> receive_;
   std::optional<Operation> close_;

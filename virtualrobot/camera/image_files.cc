@@ -37,7 +37,7 @@ Picture ReadPng(const std::string& bytes, const std::string& file) {
   }
   image.format = PNG_FORMAT_RGB;
   Picture picture = Empty(static_cast<int>(image.width), static_cast<int>(image.height));
-  const png_color black = {0, 0, 0};  // background of transparent pixels
+  const png_color black = {0, 0, 0};  // colour behind transparent pixels
   if (png_image_finish_read(&image, &black, picture.rgb.data(), 0, nullptr) == 0)
     Fail(file, fmt::format("cannot be read: {}", image.message));
   return picture;

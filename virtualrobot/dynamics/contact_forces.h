@@ -41,7 +41,7 @@ class ContactEquations {
   std::vector<double> wanted;
 
  private:
-  std::vector<double> matrix_;  // K, symmetric, in 1/kg
+  std::vector<double> matrix_;  // the matrix K, which is symmetric, in 1/kg
 };
 
 class ContactForces {

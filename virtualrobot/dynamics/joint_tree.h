@@ -30,7 +30,7 @@ class Hasher;
 // A rigid part and the hinge that joins it to its parent.  Places and axes are given in the part's
 // own frame L, which coincides with B when all angles are 0.
 struct TreePart {
-  double mass_kg = 0;                                       // > 0
+  double mass_kg = 0;                                       // mass of the part, > 0
   Eigen::Matrix3d inertia_kg_m2 = Eigen::Matrix3d::Zero();  // about the centre of mass
   Eigen::Vector3d centre_m{0, 0, 0};                        // place of the centre of mass
   int parent = -1;  // index of the parent, lower than the part's own index; -1 for the trunk

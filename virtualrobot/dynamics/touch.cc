@@ -100,15 +100,15 @@ void TouchByFaces(const Vector3d& centre, const Matrix3d& R, const Vector3d& hal
     const Vector3d axis_point(0, 0, share * thing.size_m.z());
     const SurfaceDistance found =
         DistanceTo(ThingShape::kBox, 2 * half, R.transpose() * (axis_point - centre));
-    const Vector3d out = R * found.out;  // out of the box
+    const Vector3d out = R * found.out;  // direction out of the box
     const double depth_m = radius_m - found.distance_m;
     if (depth_m <= 0 || depth_m > depth_max_m || std::fabs(out.z()) > kUprightMax) continue;
     points->push_back({axis_point - radius_m * out, -out, depth_m});
   }
 }
 
-// Returns point `i` of the rim of an end of a cylinder, in the cylinder's axes.  `end` is -0.5 or
-// 0.5.
+// Returns point `i` on the rim of an end of a cylinder, in the cylinder's axes.  `end` is -0.5 for
+// the lower end and 0.5 for the upper end.
 Vector3d RimPoint(const Vector3d& size_m, double end, int i) {
   constexpr double kHalfRoot = 0.70710678118654752440;  // sine and cosine of 45 degrees
   constexpr double kX[kRimPoints] = {1, kHalfRoot, 0, -kHalfRoot, -1, -kHalfRoot, 0, kHalfRoot};
@@ -189,7 +189,7 @@ void TouchBox(const Vector3d& centre_W, const Matrix3d& R_WB, const Vector3d& si
     const SurfaceDistance found =
         DistanceTo(ThingShape::kBox, size_m, R_WB.transpose() * (thing.centre_m - centre_W));
     if (found.distance_m >= radius_m) return;
-    const Vector3d out_W = R_WB * found.out;  // out of the box
+    const Vector3d out_W = R_WB * found.out;  // direction out of the box
     points->push_back({thing.centre_m - radius_m * out_W, -out_W, radius_m - found.distance_m});
     return;
   }

@@ -14,13 +14,13 @@ namespace openr_host {
 struct TouchPoint {
   Eigen::Vector3d p_W{0, 0, 0};       // the deepest point of the shape or of the thing
   Eigen::Vector3d normal_W{0, 0, 1};  // unit vector that points out of the thing
-  double depth_m = 0;                 // > 0
+  double depth_m = 0;                 // depth of the shape in the thing, > 0
 };
 
 // Distance of a point from the surface of a shape, and the direction of the nearest way out.
 struct SurfaceDistance {
-  double distance_m = 0;         // < 0 inside
-  Eigen::Vector3d out{0, 0, 1};  // unit vector
+  double distance_m = 0;         // distance to the surface; < 0 for a point inside the shape
+  Eigen::Vector3d out{0, 0, 1};  // direction of the nearest way out, a unit vector
 };
 
 // Returns the distance of the point `p` from the surface of a shape.  `p` is in the shape's own

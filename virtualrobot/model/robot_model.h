@@ -25,7 +25,7 @@ struct PidGains {
 
 struct Range {
   double min = 0;
-  double max = 0;  // >= min
+  double max = 0;  // end of the range, >= min
 };
 
 // A rigid part of a robot.  Part 0 is the trunk, whose frame is B.  Every other part is the child
@@ -57,7 +57,7 @@ struct JointModel {
   int child = -1;
   Eigen::Vector3d axis{0, 0, 0};  // unit vector along a coordinate axis of B, in either direction
   Eigen::Vector3d anchor_m{0, 0, 0};
-  Range soft_rad;              // limits for set points
+  Range soft_rad;              // software limits, for set points
   Range hard_rad;              // mechanical stops
   Range speed_rad_s;           // lowest and highest speed of planned movements
   PidGains gains;              // the standard gains of the vendor

@@ -73,7 +73,7 @@ class PhysicsWorld {
  private:
   // A thing of the world that can move.
   struct Mover {
-    size_t thing;  // index of World::things
+    size_t thing;  // index of the thing in World::things
     dxBody* body;
     JointTree tree;
     // The largest torque that brakes the rotation of the thing, and the least inertia of the thing.

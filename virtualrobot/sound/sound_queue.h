@@ -69,7 +69,7 @@ class SoundQueue {
 
   // One sound of the vector that plays; a vector may have several.
   struct Sound {
-    const byte* data;  // null: silence
+    const byte* data;  // the samples in the vector; null: silence
     int64_t samples;   // number of samples at the rate of the sink
     int bytes_per_sample;
     int repeat;  // number of samples of the sink that one sample of the data fills

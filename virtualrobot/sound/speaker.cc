@@ -23,7 +23,7 @@ constexpr sword Signed(longword volume) { return static_cast<sword>(volume & 0xf
 // -10 dB, because this is the highest volume for which the circuit of the robot is made.
 double GainOf(longword volume) {
   if ((volume & 0xffff) == ospkvolinfdB) return 0;
-  int below = Signed(ospkvol10dB) - Signed(volume);  // in 1/256 dB
+  int below = Signed(ospkvol10dB) - Signed(volume);  // distance below -10 dB, in 1/256 dB
   double gain = 1;
   for (; below >= 256; below -= 256) gain *= kOneDecibel;
   for (; below > 0; --below) gain *= kOneStep;
