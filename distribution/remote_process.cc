@@ -409,7 +409,7 @@ void RemoteProcess::ResumeWithReply(RemoteObject* object, const Stop& stop, uint
   const OwnedMessage reply =
       system_->requests().Await(stop.box, stop.timeout_us, stop.why, &resume.timed_out);
   // Checks whether the worker was lost while the handler waited for its reply, for example because
-  // the handler of another of its objects crashed.
+  // the handler of another object of this worker crashed.
   if (is_lost_ || session != session_) return;
   WireArena arena;
   resume.now_us = system_->now_us();

@@ -106,7 +106,8 @@ void Power::SetCapacity(int percent) {
 }
 
 void Power::SetCharging(bool on) {
-  // Stores the present capacity, because the capacity changes at another speed from now on.
+  // Stores the present capacity as a new beginning, because from now on the capacity changes at
+  // another speed.
   SetCapacity(RemainingCapacity());
   charging_ = on;
   NotifyChange();

@@ -24,7 +24,8 @@ class SharedFrame {
 
  private:
   std::vector<RobotParts*> robots_;
-  int64_t ended_frame_ = -1;  // number of the last frame that End() has ended, from the run's begin
+  // Number of the newest frame that End() has ended, counted from the begin of the run.
+  int64_t ended_frame_ = -1;
 };
 
 }  // namespace openr_host

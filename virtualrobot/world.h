@@ -26,7 +26,8 @@ struct WorldThing {
   Eigen::Vector3d centre_m{0, 0, 0};                   // place of the centre in W
   Eigen::Matrix3d R_WT = Eigen::Matrix3d::Identity();  // rotation from the thing's own axes T to W
   Eigen::Vector3d colour{0.72, 0.60, 0.46};            // red, green and blue, 0 to 1
-  double mass_kg = 0;  // > 0: robots and other things can move the thing; 0: it is fixed
+  // Mass; > 0: robots and other things can move the thing; 0: the thing is fixed.
+  double mass_kg = 0;
   // false: the thing is paint on the floor, which cameras see but nothing touches
   bool is_solid = true;
   double reflectance = 1;  // share of the infrared light of a distance sensor that comes back

@@ -62,7 +62,7 @@ public:
     // MAX_VECTORS_UNDER_WAY vectors have not ended yet.
     bool NextVector(VectorPlan* plan);
 
-    // Called when the oldest vector has ended.
+    // Called when the oldest vector in the effector has ended.
     void VectorEnded();
 
     // Carries out `command`, which may be of any kind except PLAY and STOP.

@@ -40,10 +40,10 @@ public:
 
     // Returns the layer of the picture that a client waits for; -1: no client waits.
     int WantedLayer() const { return picture_.IsWaiting() ? picture_.Layer() : -1; }
-    // Gives the picture to the client that waits for it.
+    // Stores the picture for the client that waits for it.
     void SetPicture(const CameraLayer& layer);
 
-    // Called when JointMover accepts commands.
+    // Records that JointMover accepts commands.  Called when JointMover has asserted ready.
     void MoverIsReady();
 
     // Writes to `out` the answer to the packet in `request`, which client number `client` has sent.

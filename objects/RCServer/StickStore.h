@@ -16,7 +16,7 @@
 
 // A file name that CheckName() has checked, and the kind of the file, which decides its folder.
 struct StickName {
-    int kind;  // RcFileKind
+    int kind;  // a value of RcFileKind
     char name[MTN_NAME_SIZE];
 };
 

@@ -33,7 +33,7 @@ const Sint32 MOVER_ALL_JOINTS = -1;
 
 // The command that RCServer.Mover and Controller.Mover send to JointMover.Mover.
 struct MoverCommand {
-    Sint32 kind;  // a MoverCommandKind
+    Sint32 kind;  // a value of MoverCommandKind
     Sint32 joint;
     Sint32 value;
     union {
@@ -72,7 +72,7 @@ COMPILE_TIME_CHECK(BatchMoverCommandHasNoPadding, sizeof(BatchMoverCommand) == M
 // the last is the newest.  Because Controller commands the ears, JointMover does not move them
 // itself: Controller moves the ears as these messages say.
 struct SetValueMessage {
-    Sint32 state;              // MoverState
+    Sint32 state;              // a value of MoverState
     Sint32 keyFrame;           // key frame at the time of the positions; -1: no motion plays
     Uint8 isOver;              // 1: the motion of `file` has ended or was refused
     Uint8 earMask;             // plungers (ears) that the motion moves: bit i stands for plunger i
@@ -98,7 +98,7 @@ COMPILE_TIME_CHECK(LedsFitTheirMask, MAX_LEDS <= 32 && MAX_PLUNGERS <= 8);
 // The message of JointMover.MainExecution to Controller.MainExecution.  It is sent once, when the
 // robot stands.
 struct MainExecutionMessage {
-    Sint32 state;  // MoverState
+    Sint32 state;  // a value of MoverState
 };
 
 #endif  // Messages_h_DEFINED

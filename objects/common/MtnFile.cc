@@ -38,8 +38,8 @@ public:
     }
     Uint32 PeekU32(size_t at) const { return GetU32(bytes_ + at); }
 
-    // Reads a length byte and this number of characters.  Returns false when the file ends before
-    // the last character.
+    // Reads a string: a length byte and then this number of characters.  Returns false when the
+    // file ends before the last character.
     bool String(std::string* text)
     {
         if (!Has(1) || !Has(1 + (size_t)bytes_[at_])) return false;

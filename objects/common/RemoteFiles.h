@@ -51,7 +51,7 @@ struct RcList {
 const int RC_MAX_LIST_ENTRIES = 50;
 
 struct RcUploadBegin {
-    Uint8 kind;  // RcFileKind
+    Uint8 kind;  // a value of RcFileKind
     std::string name;
     Uint32 size;
     Uint32 crc;  // CRC-32 of the whole file
@@ -61,7 +61,7 @@ struct RcUploadBegin {
 };
 
 struct RcFileName {
-    Uint8 kind;  // RcFileKind
+    Uint8 kind;  // a value of RcFileKind
     std::string name;
 
     void Write(RcWriter* out) const;
@@ -69,7 +69,7 @@ struct RcFileName {
 };
 
 struct RcDownload {
-    Uint8 kind;  // RcFileKind
+    Uint8 kind;  // a value of RcFileKind
     std::string name;
     Uint32 offset;
 

@@ -41,7 +41,7 @@ const int RC_MAX_LOG_RECORD = 2 + 2 * MAX_JOINTS + 1 + 2 * (MAX_JOINTS + RC_LOG_
 struct RcLogHead {
     Uint32 count;  // number of records since the robot has booted
     Uint32 first;  // number of the first record in this answer
-    Uint8 state;   // MoverState
+    Uint8 state;   // a value of MoverState
     Uint8 here;    // number of records in this answer
     Uint16 size;   // size of a record, in bytes
 

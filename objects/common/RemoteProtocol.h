@@ -74,14 +74,15 @@ enum RcStatus {
 // 24 bytes, or an error with at least 23 characters of its text.
 const int RC_SMALLEST_BATCH_ANSWER = RC_ANSWER_HEADER_SIZE + 24;
 
-// Largest number of requests in a batch: their smallest answers fit into the answer to the batch.
+// Largest number of requests in a batch.  With this limit, the smallest answers to all requests fit
+// into the answer to the batch.
 const int RC_MAX_BATCH = (RC_MAX_PACKET - RC_ANSWER_HEADER_SIZE) / RC_SMALLEST_BATCH_ANSWER;
 
 // The header with which an answer begins.
 struct RcAnswerHeader {
     RcHeader header;
     Uint32 frame;   // frame number of the newest sensor values; 0xffffffff: no values yet
-    Uint16 status;  // a RcStatus
+    Uint16 status;  // a value of RcStatus
 
     // Reads the header from a packet.  Returns false when the packet is too short for an answer.
     bool Read(const RcFramer& packet);
@@ -89,7 +90,7 @@ struct RcAnswerHeader {
 
 struct RcInfo {
     Uint8 numJoints, numLeds, numEars, numBinary, numOther, numMisc;
-    Uint8 state;           // MoverState
+    Uint8 state;           // a value of MoverState
     std::string design;    // such as "ERS-210"
     std::string software;  // "openr-host RCServer"
 
@@ -177,7 +178,7 @@ struct RcPower {
 
 // The sensor values in an answer to the client, grouped and ordered as in Hohl 2004, table 3.8.
 struct RcSensors {
-    Uint8 state;                   // MoverState
+    Uint8 state;                   // a value of MoverState
     std::vector<Sint32> joints;    // measured positions, in 0.01 degree
     std::vector<Sint32> binary;    // values of binary sensors, 0 or 1
     std::vector<Sint32> other;     // in 10^-6 N, m, degree C or m/s^2, or in A/D counts

@@ -40,7 +40,7 @@ enum LedKind { ledLED2 = 2, ledLED3 = 3 };
 struct LedConstants {
     const char* title;
     const char* locator;
-    Sint32 kind;  // LedKind
+    Sint32 kind;  // a value of LedKind
 };
 
 // The kinds of plungers (ears).  A plunger gets its commands as OJointCommandValue3 or 4.
@@ -49,7 +49,7 @@ enum PlungerKind { plungerJOINT3 = 3, plungerJOINT4 = 4 };
 struct PlungerConstants {
     const char* title;
     const char* locator;
-    Sint32 kind;  // PlungerKind
+    Sint32 kind;  // a value of PlungerKind
 };
 
 // Groups of sensors in Hohl 2004, table 3.8, as docs/openr/ers210.md 7 reads the table.
@@ -68,8 +68,8 @@ enum SensorKind {
 struct SensorConstants {
     const char* title;
     const char* locator;
-    Sint32 group;        // a SensorGroup
-    Sint32 kind;         // SensorKind
+    Sint32 group;        // a value of SensorGroup
+    Sint32 kind;         // a value of SensorKind
     Sint32 touchLimit;   // a value above this limit means touched; -1: no touch sensor
     Sint16 sensorIndex;  // index of the sensor's element in sensor vectors
     Sint16 reserved;

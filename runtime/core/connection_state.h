@@ -90,14 +90,15 @@ struct ObserverLink {
   size_t skip = 0;
   size_t min = 1;
   size_t max = 1;
-  size_t skipped = 0;  // notifications skipped since the last kept notification
+  size_t skipped = 0;  // number of notifications that were skipped since the last kept notification
   // Virtual time since which a notification waits; -1: no notification waits.
   int64_t waiting_since_us = -1;
   uint64_t sent = 0;               // number of messages that were sent to the observer
   int64_t sent_us = 0;             // virtual time of the last message
   std::vector<RCRegion*> pending;  // regions that were notified but not sent yet, oldest first
-  uint64_t replaced = 0;           // notifications dropped because newer ones replaced them
-  std::string name;                // the name of the observer's object, for messages to the user
+  // Number of notifications that were dropped because newer notifications replaced them.
+  uint64_t replaced = 0;
+  std::string name;  // the name of the observer's object, for messages to the user
 };
 
 struct SubjectState {

@@ -49,8 +49,8 @@ class GuardPages {
  private:
   char* MapPages(char* area, size_t bytes);
 
-  // A copy that an observer has received and not given back.  `area` is its memory area (null if
-  // addresses are not planned), and `bytes` is the size of its pages.
+  // A copy that an observer has received and not given back.  `area` is the memory area of the copy
+  // (null if addresses are not planned), and `bytes` is the size of the copy's pages.
   struct Copy {
     char* area;
     size_t bytes;

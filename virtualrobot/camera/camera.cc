@@ -86,8 +86,8 @@ void CameraDevice::set_auto_white_balance(bool on) {
   ChooseExposure();
 }
 
-// Computes exposure_ from the settings.  An automatic function has the effect of the default
-// setting.
+// Computes exposure_ from the settings.  When auto exposure or auto white balance is on, takes the
+// default setting in place of the program's setting.
 void CameraDevice::ChooseExposure() {
   const int light =
       settings_.auto_exposure ? kOne : kGain[settings_.gain] * kShutter[settings_.shutter] / kOne;

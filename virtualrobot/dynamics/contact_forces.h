@@ -26,7 +26,7 @@ namespace openr_host {
 // The equations of the contacts of one step: the matrix K and the wanted changes of velocity d.
 class ContactEquations {
  public:
-  // Sets all numbers to 0.
+  // Makes the equations of `contacts` contacts, with all numbers 0.
   void Reset(int contacts);
 
   int contacts() const { return rows() / 3; }
@@ -55,8 +55,8 @@ class ContactForces {
   // Limit of the number of sweeps.  After so many sweeps Find() returns the impulses as they are.
   static constexpr int kSweepsMax = 1000;
 
-  // Returns the impulse along each row, in N s.  The result is valid until the next call.
-  // REQUIRES: the matrix is symmetric and positive definite.
+  // Solves `equations` and returns the impulse along each row, in N s.  The result is valid until
+  // the next call.  REQUIRES: the matrix is symmetric and positive definite.
   const std::vector<double>& Find(const ContactEquations& equations);
 
   // Returns the number of sweeps that the last call of Find() made.

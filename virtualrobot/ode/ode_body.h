@@ -55,7 +55,8 @@ class OdeBody : public Body {
   void BeginStep(double step_s);
   void NotePawContact(int paw) { state_.paws[paw] = true; }
   // Adds `force_n` to the force that presses paw `paw` in this frame.  The caller has divided the
-  // force by the number of steps in a frame, so that the sum is the average over the frame.
+  // impulse of a step by the length of the frame, so that the sum over all steps is the average
+  // over the frame.
   void NotePawForce(int paw, double force_n) {
     state_.paw_forces_n[static_cast<size_t>(paw)] += force_n;
   }
