@@ -246,7 +246,7 @@ void ChannelBase::ReceiveMore() {
   void* samples[kSamplesPerPacketMax];
   dds_sample_info_t infos[kSamplesPerPacketMax];
   std::copy_n(free_samples_.rbegin(), kSamplesPerPacketMax, samples);
-  // Receives only one sample if the last sample was large (see kBulkBytes).
+  // Receives only one sample if the sample before was large (see kBulkBytes).
   const uint32_t wanted = last_bulk_bytes_ < kBulkBytes ? kSamplesPerPacketMax : 1;
   const int count =
       Check(Dds().dds_take(reader_, samples, infos, kSamplesPerPacketMax, wanted), "take");

@@ -30,7 +30,7 @@ class Monitor {
   // handler.
   void PublishIfDue();
 
-  // Publishes the last status, which says that the run has ended.
+  // Publishes the final status, which says that the run has ended.
   void End();
 
  private:
@@ -44,7 +44,8 @@ class Monitor {
   const std::string run_;
   StatusWriter writer_;
   const Clock::time_point begin_ = Clock::now();
-  // The time of the last status and the counters at that time, from which rates are computed.
+  // The time of the newest status and the counters at that time, from which the rates of the next
+  // status are computed.
   Clock::time_point published_ = begin_;
   int64_t virtual_us_ = 0;
   uint64_t messages_ = 0;

@@ -110,8 +110,8 @@ class Worker : public MasterLink {
   static openr_wire_ToMaster NewToMaster(openr_wire_ToMasterKind kind);
   void Send(const openr_wire_ToMaster& to_master, bool batched = false);
   [[noreturn]] void ExitWithError(const std::string& why);
-  // Moves the effects of handlers since the last sample (messages and calls for the master) to
-  // `to_master`.
+  // Moves to `to_master` the effects of handlers (messages and calls for the master) that no sample
+  // has sent yet.
   void MoveEffectsTo(openr_wire_ToMaster* to_master);
   // Returns the next sample of the master.  If `answer` is true, returns only an answer and keeps
   // other samples for later.  The result is empty if the master is lost or the user ends this

@@ -184,7 +184,7 @@ openr_wire_Load WorkerGroup::NextLoadFor(Member* member, WireArena* arena) {
                        member->objects.contains(object.id), object.boxes.last});
   }
   // Sends the heap use of all robots with every load, and not only of new robots, because objects
-  // in other processes may have used more heap since the last load.
+  // in other processes may have used more heap since the load before.
   std::vector<uint64_t> heap_elsewhere;
   for (int i = 0; i < system_->robot_count(); ++i)
     heap_elsewhere.push_back(member->process->HeapElsewhere(system_, i));

@@ -14,9 +14,9 @@ class BodyMover {
   // All joints begin limp, with the vendor's gains.  `model` and `body` must outlive the mover.
   BodyMover(const RobotModel& model, Body* body);
 
-  // Simulates one frame with the present commands.
+  // Simulates one frame of the body under the commands in `commands`.
   void Frame() { body_.Advance(commands); }
-  // Simulates the frames of `seconds` with the present commands.
+  // Simulates the frames of `seconds` under the commands in `commands`.
   void Hold(double seconds);
 
   // Switches the servos of all joints on, with their present angles as set points, so that no joint

@@ -101,7 +101,7 @@ void CommandQueue::Apply(int64_t frame, std::vector<std::string>* problems) {
   for (Element& element : elements_) {
     if (frame >= element.ends) {
       if (element.command_frame + 1 >= element.command.frames)
-        continue;  // keeps the last value, because the element is over
+        continue;  // keeps the value of the last command frame, because the element is over
       ++element.command_frame;
       element.ends += element.command.FrameLength(element.command_frame);
     }

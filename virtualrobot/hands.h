@@ -54,7 +54,7 @@ class Hands {
     std::optional<int64_t> frames;
   };
 
-  // A hand that holds the trunk.
+  // A hand that holds the robot by its trunk.
   struct Grip {
     Eigen::Isometry3d X_WB;  // the pose to which the hand moves the base
     double goal_z_m = 0;     // the height at which the hand stops

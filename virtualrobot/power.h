@@ -102,7 +102,7 @@ class Power {
   sbyte time_difference_ = 0;
   byte volume_ = 3;
   int64_t clock_offset_s_ = 0;  // time of the robot's clock minus virtual time, in s
-  OPowerStatus last_;           // the last status of which the observers were notified
+  OPowerStatus last_;           // the newest status of which the observers were notified
   std::vector<Watcher> watchers_;
 };
 

@@ -44,7 +44,7 @@ struct VirtualRobotOptions {
   std::shared_ptr<SharedFrame> shared_frame = nullptr;  // null: the robot is alone in its world
 };
 
-// The names of the two system objects.
+// The names of the two system objects of a robot.
 constexpr char kVirtualRobotComm[] = "OVirtualRobotComm";
 constexpr char kVirtualRobotAudioComm[] = "OVirtualRobotAudioComm";
 

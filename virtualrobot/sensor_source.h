@@ -23,7 +23,7 @@ namespace openr_host {
 
 class Hasher;
 
-// A fault of a sensor.
+// The kinds of faults that a sensor can have.
 enum class SensorFaultKind {
   kStuck,  // the sensor goes on giving the value that it had when the fault began
   kNoisy,  // the values of the sensor have random errors

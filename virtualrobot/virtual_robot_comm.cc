@@ -55,8 +55,8 @@ void OVirtualRobotComm::PostNextFrame() {
 // Runs everything that happens at the boundary between two frames.  The order of the steps is the
 // order in which objects receive their messages, so a change of the order changes all runs.
 void OVirtualRobotComm::Frame() {
-  // 1. End the last frame: the body moves for 8 ms under the present set points and the hands of a
-  // person, then its sensors are sampled.
+  // 1. End the frame that is over: the body moves for 8 ms under the present set points and the
+  // hands of a person, then its sensors are sampled.
   robot_.shared_frame->End(system().now_us());
   std::vector<Protection::Reason> reasons = robot_.NoteFrame(true);
   const bool is_vector_complete = robot_.sensors.Sample(robot_.frame, *robot_.body, robot_.devices);

@@ -67,7 +67,7 @@ World ParseWorld(const std::string& text, const std::string& name);
 
 void HashWorld(const World& world, Hasher* hasher);
 
-// The first surface that a ray meets.
+// What a ray meets first: the distance of the surface, and how much infrared light it reflects.
 struct RayHit {
   double distance_m = 0;
   double reflectance = 1;

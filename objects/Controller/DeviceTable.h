@@ -19,7 +19,7 @@ public:
     // device.
     int Find(const char* locator) const;
 
-    // Returns the locators of all devices.
+    // Returns the locators (OPEN-R names) of all devices of the robot.
     std::vector<const char*> Locators() const;
 
     // Joint(), Led(), Ear() and Sensor() return the index of the device in its table of

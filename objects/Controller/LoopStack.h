@@ -16,8 +16,9 @@
 // called LoopStackLeave().
 void LoopStackRun(void (*body)(void*), void* argument);
 
-// Called by `body`.  Makes LoopStackRun() or LoopStackContinue() return.  Returns true when `body`
-// is continued; returns false at once when there is no second stack.
+// Leaves `body` (the function that runs on the second stack), which calls this function: makes
+// LoopStackRun() or LoopStackContinue() return.  Returns true when `body` is continued; returns
+// false at once when there is no second stack.
 bool LoopStackLeave();
 
 // Continues `body` (the function that runs on the second stack) after its last call of

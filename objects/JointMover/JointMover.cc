@@ -98,8 +98,8 @@ JointMover::NewRegions()
 
 // ---- Command vectors -----------------------------------------------------------------
 
-// Called when a vector has ended, because each vector causes one ready event at its end.  By then
-// the region of the vector is free.
+// Handles the end of a command vector: each vector causes one ready event at its end.  By then the
+// region of the vector is free.
 void
 JointMover::ReadyMove(const OReadyEvent& event)
 {

@@ -71,11 +71,13 @@ public:
     void Step(Sint32 urad[MAX_JOINTS]);
     Sint32 Position(int joint) const { return trajectory_[joint].Position(); }
 
-    // Called when command vector number `vector` was made.  The number of each vector is 1 more
-    // than the number of the vector before.
+    // Records that command vector number `vector` was made, so that a joint that waits to be
+    // switched on waits for the end of this vector.  The number of each vector is 1 more than the
+    // number of the vector before.
     void VectorMade(Sint32 vector);
 
-    // Called when command vector number `vector` has ended.
+    // Switches on the gains of the joints that have waited for the end of command vector number
+    // `vector`, and lets these joints move.
     void VectorEnded(Sint32 vector);
 
 private:

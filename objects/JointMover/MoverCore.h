@@ -62,7 +62,8 @@ public:
     // MAX_VECTORS_UNDER_WAY vectors have not ended yet.
     bool NextVector(VectorPlan* plan);
 
-    // Called when the oldest vector in the effector has ended.
+    // Records that the oldest vector in the effector has ended, and enters the next state if this
+    // vector completes the present one.
     void VectorEnded();
 
     // Carries out `command`, which may be of any kind except PLAY and STOP.

@@ -15,7 +15,7 @@ class ClientStreams {
 public:
     ClientStreams() { Clear(); }
 
-    // Ends all subscriptions.
+    // Ends all subscriptions of the client.
     void Clear();
 
     // Begins or replaces the subscription of a stream.  `period` is the smallest number of frames
@@ -30,8 +30,8 @@ public:
     // Returns the stream with a packet that is due in `frame`; -1: no packet is due.
     int Due(Uint32 frame) const;
 
-    // Called when a packet of `stream` is made.  Returns the number of values that were left out
-    // since the packet before.
+    // Records that a packet of `stream` is made in `frame`.  Returns the number of values that were
+    // left out since the packet before.
     Uint16 Sent(int stream, Uint32 frame);
 
     Uint16 Tag(int stream) const { return stream_[stream].tag; }

@@ -31,7 +31,7 @@ public:
     // Gives the slot to a client, which waits for a picture from now on.
     void Take(int client, int layer, Uint32 frame);
 
-    // Empties the slot.
+    // Empties the slot, so that any client may take it.
     void Clear() { owner_ = -1; }
 
     // Records that the owner has asked for a part of the picture, so that it keeps the slot.

@@ -37,7 +37,7 @@ public:
     // loops >= 1.
     void Start(const MtnFile* motion, int loops, int keyFramesPerVector);
 
-    // Ends play-back at the present frame.
+    // Ends the play-back of the motion at the present frame.
     void Stop() { motion_ = 0; }
 
     // Returns whether there is a frame left to play.
@@ -47,7 +47,7 @@ public:
     // ended.
     int FramesOfNextVector() const;
 
-    // Advances one frame.  REQUIRES: IsPlaying().
+    // Advances play-back by one frame of 8 ms.  REQUIRES: IsPlaying().
     void NextFrame();
 
     // Returns the position of the file's joint `j` in the frame to which NextFrame() advanced, in

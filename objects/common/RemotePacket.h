@@ -69,7 +69,7 @@ public:
     // size of the packet is known.
     void PutHeader(int command, int tag, int version = RC_VERSION);
 
-    // Writes `size` bytes without a change.
+    // Writes the `size` bytes at `bytes` without a change.
     void Bytes(const Uint8* bytes, int size);
 
 private:
@@ -93,7 +93,7 @@ public:
     Sint32 S32();
     std::string String();  // the result has '?' for every character that is not printable ASCII
 
-    // Skips `count` bytes.
+    // Skips the next `count` bytes of the packet.
     void Skip(int count)
     {
         if (Has(count)) at_ += count;

@@ -17,7 +17,7 @@ public:
     // Opens the primitives (devices) of all joints and sensors.  Call this function in DoInit().
     OStatus Open(const RobotConstants* robot);
 
-    // Returns the primitive of a joint.
+    // Returns the primitive id of joint number `joint`.
     OPrimitiveID Joint(int joint) const { return joint_[joint]; }
 
     // Reads the newest sample of every joint and sensor in `vector` into `values`.

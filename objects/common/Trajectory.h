@@ -48,7 +48,7 @@ public:
     // Advances the joint by one frame and returns its position at the end of the frame, in urad.
     Sint32 Step();
 
-    // Returns the position at the end of the last frame, in urad.
+    // Returns the joint's position at the end of the newest frame, in urad.
     Sint32 Position() const;
 
     Sint32 Goal() const { return goal_; }

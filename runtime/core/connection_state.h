@@ -94,7 +94,7 @@ struct ObserverLink {
   // Virtual time since which a notification waits; -1: no notification waits.
   int64_t waiting_since_us = -1;
   uint64_t sent = 0;               // number of messages that were sent to the observer
-  int64_t sent_us = 0;             // virtual time of the last message
+  int64_t sent_us = 0;             // virtual time of the newest message to the observer
   std::vector<RCRegion*> pending;  // regions that were notified but not sent yet, oldest first
   // Number of notifications that were dropped because newer notifications replaced them.
   uint64_t replaced = 0;

@@ -40,7 +40,7 @@ class Dispatcher {
   // called in a handler.
   OwnedMessage WaitFor(uint64_t box);
 
-  // Ends the running handler; see System::AbandonHandler().
+  // Does the work of System::AbandonHandler(): ends the running handler without returning to it.
   [[noreturn]] void Abandon();
 
   // Returns the time to add to a message posted now: 1 us if more messages were delivered at this

@@ -73,7 +73,7 @@ namespace {
 struct SanitizedCall {
   void (*function)(void*);
   void* argument;
-  // The stack of the caller.
+  // The bounds of the caller's stack, to which the call returns.
   const void* bottom = nullptr;
   size_t bytes = 0;
 };

@@ -66,7 +66,7 @@ struct alignas(64) Message {
 // the padding before the payload, and a message begins with a cache line.
 static_assert(sizeof(void*) != 8 || offsetof(Message, payload) == 80);
 
-// Gives a message back to its pool.
+// The deleter of OwnedMessage, which gives a message back to its pool.
 struct ReturnToPool {
   void operator()(Message* message) const;
 };

@@ -67,7 +67,7 @@ struct SystemOptions {
   // read-only copies of data (guard_pages.h), because on a real robot writing to received data is
   // such a mistake.
   bool strict = false;
-  // Receives what objects print; null: standard output.
+  // A function that receives what objects print.  Null: objects print to standard output.
   std::function<void(std::string_view text)> console = {};
   // OSYSLOG lines with a priority above this are not printed (1 error, 2 warning, 3 info).  Debug
   // lines are always printed.

@@ -40,7 +40,8 @@ class Endpoint : public EventSink {
   // stack polls the network every frame.
   virtual bool WaitsForNetwork() const = 0;
 
-  // Called at the beginning of each poll of the network, before Take().
+  // Prepares the endpoint for the events of a frame.  Called at the beginning of each poll of the
+  // network, before Take().
   virtual void BeginFrame() {}
 
   // Releases all sockets without answering operations.  Called for instance when the object that

@@ -64,7 +64,7 @@ class LoopbackNetwork : public Network {
   void Drop(NetHandle handle, bool reset) override;
   std::vector<NetworkEvent> Poll() override;
 
-  // Returns `port`, because nothing is translated.
+  // Returns `port`, because this network does not translate ports.
   uint16_t HostPort(NetProtocol, uint16_t port) const override { return port; }
 
  private:

@@ -75,8 +75,8 @@ class Network {
  public:
   virtual ~Network() = default;  // closes all sockets
 
-  // Called before all other functions, with the robot's own address.  Called again at each later
-  // boot of the robot, when all sockets have been dropped.
+  // Tells the network the robot's own address.  Called before all other functions, and again at
+  // each later boot of the robot, when all sockets have been dropped.
   virtual void Attach(uint32_t ip) = 0;
 
   // Selects the address at which the next Listen() or Bind() of `handle` opens its port.  `ip` is
@@ -135,11 +135,12 @@ class Network {
   // broken connection instead of an end of the stream.  Unknown handles are ignored.
   virtual void Drop(NetHandle handle, bool reset) = 0;
 
-  // Returns the events since the last call, without waiting.
+  // Returns the events that have come since the last call of Poll(), without waiting.
   virtual std::vector<NetworkEvent> Poll() = 0;
 
-  // Called in a fork of the process, which must not use the sockets of the original process: closes
-  // the fork's copies of the sockets, so that peers notice nothing, and forgets all handles.
+  // Closes this process's copies of all sockets, so that peers notice nothing, and forgets all
+  // handles. Called in a fork of the process, which must not use the sockets of the original
+  // process.
   virtual void Forget() {}
 
   // Returns the host's port for the robot's `port`, or 0 if `port` has no port of the host.  The

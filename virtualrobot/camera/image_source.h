@@ -59,7 +59,7 @@ class TestPattern : public ImageSource {
 // scaled.
 class MemoryImageSource : public ImageSource {
  public:
-  // REQUIRES: `pictures` is not empty.
+  // Makes a source that shows `pictures`.  REQUIRES: `pictures` is not empty.
   explicit MemoryImageSource(std::vector<Picture> pictures);
   std::string Capture(const CameraShot& shot, Picture* picture) override;
 

@@ -18,7 +18,7 @@ class RenderedWorld : public ImageSource {
   // `model` is the robot that carries the camera, and must outlive the source.
   explicit RenderedWorld(const RobotModel& model);
 
-  // REQUIRES: shot.body is not null.
+  // Draws the picture that the camera takes with `shot`.  REQUIRES: shot.body is not null.
   std::string Capture(const CameraShot& shot, Picture* picture) override;
 
  private:

@@ -151,7 +151,7 @@ class JointTree {
 
   std::vector<PartNow> now_;  // one element for each part
 
-  // Values of the step that has begun.
+  // The members below belong to the step that BeginStep() has begun.
   double step_s_ = 0;
   std::vector<Inertia> inertia_;  // for each part: inertia of the part and all parts behind it
   // For each part: force that the present motion and gravity demand for the part and all parts

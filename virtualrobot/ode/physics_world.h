@@ -111,7 +111,7 @@ class PhysicsWorld {
   std::unique_ptr<ContactFinder> finder_;
   bool is_awaited_ = false;
 
-  // Values of the present step.
+  // The members below belong to the present step.
   std::vector<RowSides> rows_;  // three rows for each contact
   // For each tree, the number of a tree of the same group, which is not higher (see GroupOf()).
   std::vector<int> groups_;
