@@ -17,7 +17,8 @@ auto AskMaster(MasterLink* master, const Arguments&... arguments) {
   return Function::Decode(result, arguments...);
 }
 
-// Makes the master call `kFunction`.  Does not wait for the call, so it has no result.
+// Makes the master call `kFunction`, a function of WorkerCallList, with `arguments`.  Does not wait
+// for the call, so there is no result.
 template <auto kFunction, typename... Arguments>
 void TellMaster(MasterLink* master, const Arguments&... arguments) {
   using Function = call_codec::Signature<decltype(kFunction)>;

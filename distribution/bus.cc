@@ -34,8 +34,9 @@ constexpr char kLargeHistory[] =
     "<WhcAdaptive>false</WhcAdaptive></Watermarks>"
     "<HeartbeatInterval min=\"2ms\" minsched=\"5ms\">6ms</HeartbeatInterval>";
 
-// Blocks all signals while the threads of Cyclone DDS are created.  These threads inherit the mask,
-// so signals to the program are handled by its own thread.
+// Blocks all signals of this thread as long as it exists.  The threads of Cyclone DDS are created
+// meanwhile and inherit the blocked signals, so signals to the program are handled by the program's
+// own thread.
 class SignalsBlocked {
  public:
   SignalsBlocked() {
@@ -166,7 +167,8 @@ ChannelBase::ChannelBase(Bus* bus, const std::string& place, ChannelEnd end,
   const dds_entity_t publisher = Dds().dds_create_publisher(participant, qos, nullptr);
   const dds_entity_t subscriber = Dds().dds_create_subscriber(participant, qos, nullptr);
   owned_.insert(owned_.end(), {publisher, subscriber});
-  Dds().dds_write_set_batch(true);  // for writers created from now on; WriteBatched() needs it
+  // Writers that are created from now on can batch samples, as WriteBatched() needs.
+  Dds().dds_write_set_batch(true);
   writer_ = Dds().dds_create_writer(publisher, is_master ? to_worker : to_master, qos, nullptr);
   Dds().dds_write_set_batch(false);
   reader_ = Dds().dds_create_reader(subscriber, is_master ? to_master : to_worker, qos, nullptr);
@@ -244,7 +246,7 @@ void ChannelBase::ReceiveMore() {
   void* samples[kSamplesPerPacketMax];
   dds_sample_info_t infos[kSamplesPerPacketMax];
   std::copy_n(free_samples_.rbegin(), kSamplesPerPacketMax, samples);
-  // Receives only one sample if the last sample was large (see kBulkBytes).
+  // Receives only one sample if the sample before was large (see kBulkBytes).
   const uint32_t wanted = last_bulk_bytes_ < kBulkBytes ? kSamplesPerPacketMax : 1;
   const int count =
       Check(Dds().dds_take(reader_, samples, infos, kSamplesPerPacketMax, wanted), "take");

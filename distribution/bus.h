@@ -36,14 +36,15 @@ constexpr int kLease_s = 10;
 
 struct BusOptions {
   std::string run;                    // name of the run, the first part of every partition name
-  int domain = 0;                     // DDS domain
+  int domain = 0;                     // number of the DDS domain
   std::string address = "127.0.0.1";  // address of this host's network interface
-  std::vector<std::string> peers;     // addresses of other hosts; `address` need not be repeated
+  std::vector<std::string> peers;     // addresses of other hosts with processes of the run
   std::string config_file;            // additional settings of Cyclone DDS, such as DDS Security
   int participants_max = 120;         // largest number of processes on one host
   // Lease of this process in seconds, such as kWatchedLease_s; 0 means kLease_s.
   int lease_s = 0;
-  // True: many sent samples are kept, so writes do not block while a receiving process is stopped.
+  // True: Cyclone DDS keeps many sent samples, so that a write does not block while a receiving
+  // process is stopped.
   bool has_large_history = false;
 };
 
@@ -74,7 +75,7 @@ class Bus {
   dds_entity_t waitset_ = 0;  // wakes when any Channel of this bus has a sample
 };
 
-// The two ends of a Channel; a process uses one of them.
+// The two ends of a Channel: the master uses kMaster, the worker kWorker.
 enum class ChannelEnd { kMaster, kWorker };
 
 // The types and names of the two topics of a Channel.
@@ -126,8 +127,8 @@ class ChannelBase {
   // Sends `sample` now, together with the samples that WriteBatched() has kept.
   void Write(const void* sample);
   void WriteBatched(const void* sample);
-  // Returns the next sample, which the caller gives back to Return(); null when none came within
-  // `timeout_ms`.
+  // Returns the next sample of the other end, which the caller gives back to Return(); null when no
+  // sample came within `timeout_ms`.
   void* ReceiveUntyped(int timeout_ms);
   void Return(void* sample);
   // Records how many bytes of memory regions the last received sample had.  After a large sample

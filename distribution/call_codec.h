@@ -30,7 +30,7 @@
 
 namespace openr_host {
 
-// The arguments of a call, converted by the rules above.
+// The arguments of a call as data, converted by the rules at the beginning of this file.
 struct CallArguments {
   std::vector<uint64_t> numbers = {};
   std::string text = {};
@@ -77,8 +77,9 @@ class NumberReader {
   size_t next_ = 0;
 };
 
-// Converts a parameter of type T.  The calling process uses Put() and TakeResult(); the called
-// process uses the constructor, argument() and PutResult().
+// Converts a parameter of type T of a call to the data of a CallArguments or CallResult, and back.
+// The calling process uses Put() and TakeResult(); the called process uses the constructor,
+// argument() and PutResult().
 template <typename T>
 struct Parameter {
   static_assert(kIsNumber<T>, "the codec does not know this type of parameter");

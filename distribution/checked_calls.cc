@@ -21,7 +21,8 @@ namespace {
 // refused.
 constexpr int64_t kTimeMaxUs = int64_t{1} << 53;
 
-constexpr uint64_t kResultMax = 1024;  // bytes; no ControlPrimitive() request returns more
+// Largest number of bytes that a ControlPrimitive() request returns.
+constexpr uint64_t kResultMax = 1024;
 
 bool IsTime(int64_t time_us) { return time_us >= 0 && time_us <= kTimeMaxUs; }
 

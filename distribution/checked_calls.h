@@ -1,4 +1,4 @@
-// The functions of the master that handlers in a worker process may call.
+// CheckedCalls: the functions of the master that handlers in a worker process may call.
 //
 // A worker may be faulty, so the master checks each call before it does what the call asks for: a
 // worker may act only for its own objects, memory regions and robots.
@@ -65,7 +65,8 @@ class CheckedCalls : public LocalCalls {
 
   const IsOwn is_own_;
   const Refuse refuse_;
-  std::map<uint32_t, int> pins_;  // number of pins of the worker's objects, by region; each > 0
+  // For each region that the worker's objects have pinned, the number of their pins (> 0).
+  std::map<uint32_t, int> pins_;
 };
 
 }  // namespace openr_host

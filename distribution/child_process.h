@@ -1,4 +1,5 @@
-// A process of this host that the run starts, watches and ends, such as a worker.
+// ChildProcess: a process on this host, such as a worker, that this process starts, watches and
+// ends.
 #pragma once
 
 #include <sys/types.h>
@@ -14,14 +15,14 @@ class ChildProcess {
   // goes to standard error of this process.  An interactive process, such as a debugger, shares the
   // terminal and its process group.  Throws std::runtime_error.
   ChildProcess(std::string name, const std::vector<std::string>& command, bool is_interactive);
-  ~ChildProcess();  // kills the process if it has not ended
+  ~ChildProcess();  // kills the process if it still runs
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
   pid_t pid() const { return pid_; }
 
-  // Describes the end, such as "process 'vision' (pid 123) was killed by signal 9 (Killed)"; ""
-  // while the process runs.
+  // Describes how the process has ended, such as "process 'vision' (pid 123) was killed by signal 9
+  // (Killed)"; "" while the process runs.
   std::string HowItEnded();
 
   // Waits for the end of the process, and kills the process if it has not ended after `limit_ms`.

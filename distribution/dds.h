@@ -30,7 +30,7 @@ namespace openr_host {
   F(ddsrt_xmlp_new_file) F(ddsrt_xmlp_parse)
 // clang-format on
 
-// The functions of the loaded library, under their names.
+// Pointers to the functions of Cyclone DDS; each member has the name of its function.
 struct DdsFunctions {
 // dds_write_set_batch() is deprecated since version 0.10.5.  We still use it, because Debian 12 has
 // version 0.10.2, which lacks the successor dds_qset_writer_batching().
@@ -42,7 +42,8 @@ struct DdsFunctions {
 #pragma GCC diagnostic pop
 };
 
-// Returns the functions.  Throws std::runtime_error if the library cannot be loaded.
+// Returns the functions of Cyclone DDS; the first call loads the library.  Throws
+// std::runtime_error if the library cannot be loaded.
 const DdsFunctions& Dds();
 
 }  // namespace openr_host

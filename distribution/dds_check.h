@@ -1,4 +1,4 @@
-// Error handling for calls of Cyclone DDS.
+// Check(): turns an error of a call of Cyclone DDS into an exception.
 #pragma once
 
 #include <fmt/format.h>
@@ -10,8 +10,8 @@
 
 namespace openr_host {
 
-// Returns `result` if the call succeeded; throws a std::runtime_error that names `what` and the
-// error otherwise.
+// Returns `result`, the result of a call of Cyclone DDS, if the call succeeded.  Otherwise throws a
+// std::runtime_error that names the error and `what`, the thing that the call was to make or do.
 inline dds_entity_t Check(dds_entity_t result, std::string_view what) {
   if (result >= 0) return result;
   throw std::runtime_error(fmt::format("Cyclone DDS: {}: {}", what, Dds().dds_strretcode(-result)));

@@ -22,8 +22,8 @@ struct DomainElement {
   std::string id = "any";
   bool has_security = false;
 
-  // Returns whether the element applies to `domain`.  Compares ids in the way of Cyclone DDS, so
-  // that the result is the same as there.
+  // Returns whether the element applies to `domain`.  Compares ids as Cyclone DDS compares them, so
+  // that the result is what Cyclone DDS will do.
   bool IsFor(int domain) const {
     if (IsSame(id.c_str(), "any")) return true;
     char* end = nullptr;
@@ -62,7 +62,8 @@ class SettingsFile {
       file->domains_.emplace_back();
     } else if (parent == kRoot) {
       file->has_others_ = true;
-    } else if (parent == kDomain && IsSame(name, "Id")) {  // in older files, Id is an element
+    } else if (parent == kDomain && IsSame(name, "Id")) {
+      // In older files, the id of a domain is an element and no attribute.
       *element = kDomainId;
     } else if (parent == kDomain && (IsSame(name, "Security") || IsSame(name, "DDSSecurity"))) {
       file->domains_.back().has_security = true;

@@ -15,7 +15,7 @@ std::string JoinAdvice(const std::string& process, const std::string& host, cons
   // key of its own.
   if (!bus.config_file.empty()) text += " --dds-config FILE";
   if (host != bus.address)
-    // DIR stands for a copy of the run's stick on the host `host`.
+    // Shows the word DIR, which stands for a copy of the run's stick on the host `host`.
     text += " --stick DIR";
   return text;
 }

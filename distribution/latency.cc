@@ -13,7 +13,7 @@ namespace {
 constexpr int kBucketsPerOctave = 16;
 
 // Returns the number of the bucket that counts a duration.  Each power of two has 16 buckets; the
-// four bits after the highest set bit choose one of them.
+// four bits after the highest set bit of the duration choose one of these buckets.
 size_t BucketOf(int64_t ns) {
   const auto value = static_cast<uint64_t>(std::max<int64_t>(ns, kBucketsPerOctave));
   const int octave = std::bit_width(value) - 1;

@@ -1,4 +1,5 @@
-// A histogram of durations on the wall clock, for reports.
+// Latency: a histogram of durations on the wall clock, from which reports compute means and
+// percentiles.
 #pragma once
 
 #include <cstdint>
@@ -48,7 +49,8 @@ class Latency {
   uint64_t count_ = 0;
   int64_t max_ns_ = 0;
   double sum_ns_ = 0;
-  // Number of durations by length; 16 buckets for each power of two.
+  // The number of durations in each bucket.  A bucket counts durations of similar length; there are
+  // 16 buckets for each power of two.
   std::vector<uint64_t> buckets_;
 };
 

@@ -15,7 +15,8 @@ namespace openr_host {
 namespace {
 
 struct ProcessStat {
-  std::string state;  // one letter, see proc(5); "": hidden, or no such process
+  // State of the process, one letter (see proc(5)); "": hidden, or no such process.
+  std::string state;
   std::string start_time;
 };
 
@@ -33,8 +34,8 @@ ProcessStat ProcessStatOf(int64_t pid) {
   return status;
 }
 
-// Returns whether a process has this id.  The error EPERM means that the process exists and belongs
-// to another user.
+// Returns whether a process has the id `pid`.  The error EPERM of kill() means that the process
+// exists and belongs to another user.
 bool Exists(int64_t pid) { return kill(static_cast<pid_t>(pid), 0) == 0 || errno != ESRCH; }
 
 }  // namespace

@@ -12,7 +12,8 @@ namespace openr_host {
 // have the same host name.  Returns "" if the id cannot be read.
 std::string MachineId();
 
-// Checks one process.  A default-constructed check reports that the process lives.
+// Tests whether one process still exists.  A default-constructed check has no process to test, and
+// always reports that the process exists.
 class LivenessCheck {
  public:
   LivenessCheck() = default;
@@ -25,8 +26,10 @@ class LivenessCheck {
   bool HasEnded() const;
 
  private:
-  int64_t pid_ = 0;         // 0: the process cannot be checked
-  std::string start_time_;  // in clock ticks since boot; "": hidden from this process
+  int64_t pid_ = 0;  // id of the tested process; 0: no process, or a process that cannot be tested
+  // Start time of the tested process in clock ticks since the boot of this machine; "": hidden from
+  // this process.
+  std::string start_time_;
 };
 
 }  // namespace openr_host

@@ -113,9 +113,9 @@ void Marshaller::EncodeNotify(const Message& message, const PeerHasMemory& peer_
   out->parts = arena->Sequence<decltype(out->parts)>(parts);
 }
 
-// Compares the region with the bytes that were received.  Most observers give a region back in the
-// handler that received it.  Then the sample still exists, and a comparison with its bytes is
-// faster than a hash.  After that handler, the sample is released and we compare hashes.
+// Compares the region's bytes with the bytes that were received.  Most observers give a region back
+// in the handler that received it.  Then the sample still exists, and a comparison with its bytes
+// is faster than a hash.  After that handler, the sample is released and we compare hashes.
 bool Marshaller::IsChanged(const RCRegion& region, const ImportedRegion& imported) {
   if (imported.bytes != nullptr)
     return std::memcmp(region.Base(), imported.bytes, region.Size()) != 0;

@@ -69,9 +69,9 @@ class Marshaller {
   struct ExportedRegion {
     RCRegion* region;
     size_t size;
-    int32_t subject;  // object of the sending subject; its selector follows
+    int32_t subject;  // object of the sending subject; the next member is its selector
     uint32_t subject_selector;
-    int32_t observer;  // object of the receiving observer; its selector follows
+    int32_t observer;  // object of the receiving observer; the next member is its selector
     uint32_t observer_selector;
   };
   // Returns all regions that were sent to the peer and not given back, and forgets them.  Called
@@ -91,8 +91,8 @@ class Marshaller {
   // `tokens` is the result of TakeDroppedTokens() in the peer.
   void PeerDropped(const std::vector<uint64_t>& tokens);
 
-  // Forgets the tokens of the peer, because the peer was lost and no ready message can give a
-  // region back to it any more.
+  // Forgets the tokens that stand for regions of the peer.  Called when the peer was lost, because
+  // no ready message can then give these regions back to the peer.
   void PeerIsLost();
 
   // Releases a region that was received from the peer, without a ready message.  Called when the
@@ -126,15 +126,17 @@ class Marshaller {
   static bool IsChanged(const RCRegion& region, const ImportedRegion& imported);
 
   uint64_t last_token_ = 0;
-  std::map<uint64_t, ExportedRegion> exported_;  // key: the token that this process gave
-  // Memory ids of regions that TakeExportedBy() has returned and that the peer may still use, by
-  // token.  The ids are kept so that a late ready message for such a region is not taken for an
-  // error.
+  std::map<uint64_t, ExportedRegion> exported_;  // the key is the token that this process gave
+  // Memory ids of regions that TakeExportedBy() has returned and that the peer may still use.  The
+  // key is the token.  The ids are kept so that a late ready message for such a region is not taken
+  // for an error.
   std::map<uint64_t, uint32_t> withdrawn_;
-  // Imported regions, by their RCRegion.  The order of pointers differs from run to run, so loops
-  // over this map must give the same result in any order.
+  // The imported regions; the key is the RCRegion in this process.  The order of pointers differs
+  // from run to run, so loops over this map must give the same result in any order.
   std::map<RCRegion*, ImportedRegion> imported_;
-  std::map<uint64_t, uint32_t> dropped_;   // key: token; value: memory id; see TakeDroppedTokens()
+  // The regions whose tokens TakeDroppedTokens() will return; the key is the token, the value the
+  // memory id.
+  std::map<uint64_t, uint32_t> dropped_;
   std::vector<RCRegion*> sample_regions_;  // received regions whose ImportedRegion::bytes is set
 };
 

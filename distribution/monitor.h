@@ -1,5 +1,5 @@
-// Publishes the status of a run about once a second of the wall clock, for openr top and other
-// listeners.
+// Monitor: publishes the status of a run for openr top and other listeners, about once a second of
+// the wall clock.
 //
 // The monitor only reads the state of the run, so neither publishing nor a listener changes the
 // run.
@@ -30,7 +30,7 @@ class Monitor {
   // handler.
   void PublishIfDue();
 
-  // Publishes the last status, which says that the run has ended.
+  // Publishes the final status, which says that the run has ended.
   void End();
 
  private:
@@ -40,15 +40,16 @@ class Monitor {
   RunStatus::Times TimesOf(const RemoteObject& object);
 
   const System* const system_;
-  const WorkerGroup* const workers_;  // may be null
+  const WorkerGroup* const workers_;  // workers of the run; null: all objects are in this process
   const std::string run_;
   StatusWriter writer_;
   const Clock::time_point begin_ = Clock::now();
-  // The time of the last status and the counters at that time, from which rates are computed.
+  // The time of the newest status and the counters at that time, from which the rates of the next
+  // status are computed.
   Clock::time_point published_ = begin_;
   int64_t virtual_us_ = 0;
   uint64_t messages_ = 0;
-  RunStatus last_status_;  // the status published last
+  RunStatus last_status_;  // the status that was published last
   std::map<ObjectId, uint64_t> messages_of_;
   std::map<ObjectId, Latency> latency_of_;
 };

@@ -13,7 +13,8 @@
 namespace openr_host {
 namespace {
 
-constexpr char kClaimTopic[] = "openr_run";  // no sample is ever sent on it
+// Name of the topic of claims, on which no sample is ever sent.
+constexpr char kClaimTopic[] = "openr_run";
 // Number of digits of the time in a claim: nanoseconds since 1970 with leading zeros, so that
 // comparing claims as text compares their times.
 constexpr size_t kSinceDigits = 20;

@@ -1,5 +1,5 @@
-// A run's claim to its name.  A worker finds its run by the name (openr join), so two runs on the
-// same network must not share a name.
+// NameClaim: the claim of a run to its name.  A worker finds its run by the name (openr join), so
+// two runs on the same network must not share a name.
 #pragma once
 
 #include <string>
@@ -26,7 +26,8 @@ class NameClaim {
   void Announce(const std::string& claim);
 
   Bus* const bus_;
-  const std::string own_;  // the earliest claim wins; claims are compared as text
+  // The claim of this run; of two claims, the earlier wins, and claims are compared as text.
+  const std::string own_;
   bool is_permanent_ = false;
   dds_entity_t topic_ = 0;
   dds_entity_t reader_ = 0;

@@ -19,7 +19,7 @@ constexpr int64_t kSessionClaimMs = 5'000;
 // Limit of the length of a requester's id.  A real id, such as "host-1234-5", is far shorter.
 // Requests with longer ids are ignored, because they come from the network and may be forged.
 constexpr size_t kRequesterIdMax = 256;
-constexpr int64_t kLivenessIntervalMs = 100;  // interval of liveness checks
+constexpr int64_t kLivenessIntervalMs = 100;  // shortest time between two liveness checks
 // Largest number of abandoned workers that are remembered; the oldest is forgotten first.  Each of
 // them keeps its channel open, so without a limit many losses would leave many open channels.
 constexpr size_t kAbandonedMax = 4;
@@ -60,8 +60,8 @@ ProcessSlot::ProcessSlot(Bus* bus, std::string process, bool is_external)
 
 void ProcessSlot::OpenSession(const std::string& session) {
   Abandon();
-  // Keeps the identity of the lost process, because the report names that process until the next
-  // one has sent its Hello.
+  // Keeps the identity of the lost process, because the report names the lost process until the
+  // next process has sent its Hello.
   previous_ = last_identity();
   identity_ = {};
   ASSERT(!has_joined_ && channel_ == nullptr, "process '{}'", process_);
@@ -134,13 +134,14 @@ void ProcessSlot::AnswerJoinRequest(const openr_wire_JoinRequest& request) {
   } else if (is_closed_) {
     answer.refusal = arena.Text(fmt::format("the run goes on without process '{}'", process_));
   } else if (has_joined_ && requester_id_ != id) {
-    if (liveness_.HasEnded()) return;  // no answer now: the requester asks again
+    if (liveness_.HasEnded()) return;  // gives no answer now, because the requester will ask again
     answer.session = arena.Text(kTakenSession);
     answer.refusal = arena.Text(fmt::format("the run has its process '{}' already: pid {} on {}",
                                             process_, identity_.pid, identity_.host));
   } else if (channel_ != nullptr && requester_id_ != id &&
              WallClockMs() - session_opened_ms_ < kSessionClaimMs) {
-    return;  // another requester has the session; this requester asks again
+    // Gives no answer now: another requester has the session, and this requester will ask again.
+    return;
   } else {
     // If a requester repeats its request, gives it the same session again, so that it does not
     // matter which of the answers the requester receives.

@@ -104,7 +104,7 @@ class ProcessSlot {
   Identity identity_;
   Identity previous_;
   LivenessCheck liveness_;
-  mutable int64_t next_check_ms_ = 0;  // the time of the next liveness check
+  mutable int64_t next_check_ms_ = 0;  // time on the wall clock of the next liveness check
 };
 
 }  // namespace openr_host

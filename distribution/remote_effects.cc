@@ -170,7 +170,7 @@ int32_t RemoteProcess::Post(const openr_wire_PostedMessage& posted, Object* self
   Check(posted.message, self);
   const CurrentScope scope(system_, self);
   OwnedMessage message = system_->NewMessage(posted.message.target, posted.message.selector);
-  // Keeps the class and the cause (the number of the message whose handler sends this one) that
+  // Keeps the class and the cause (the number of the message whose handler sends this message) that
   // NewMessage() has set.  The worker's values are not used.
   const MessageClass message_class = message->message_class;
   const uint64_t cause = message->cause;
@@ -178,8 +178,8 @@ int32_t RemoteProcess::Post(const openr_wire_PostedMessage& posted, Object* self
   marshaller_->ReleaseSample();
   if (!problem.empty()) Refuse(problem);
   if (posted.delay_us < 0 || posted.delay_us > kDelayMaxUs) Refuse("a message for another time");
-  // Restores the master's values, so that the message is the same as in a run with one process.
-  // The message gets its number from System::Post().
+  // Restores the master's values of class and cause, so that the message is the same as in a run
+  // with one process.  The message gets its number from System::Post().
   message->number = 0;
   message->cause = cause;
   message->message_class = message_class;

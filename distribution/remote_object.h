@@ -59,7 +59,8 @@ class RemoteObject : public Object {
 
   std::vector<StandingReady> StandingReadies() const override;
   void ReturnRegion(RCRegion* region) override;
-  // Also sends an empty reply if the sender waits for a reply.
+  // Does what Object::HandleUndelivered() does, and sends an empty reply if the sender of `message`
+  // waits for a reply.
   void HandleUndelivered(const Message& message) override;
   bool IsLost() const override;
   bool IsAtWorkElsewhere() const override;

@@ -25,9 +25,10 @@ constexpr int64_t kJoinNoticeMs = 300;
 // Time to wait for the last samples of a worker that has ended, because they may still be on their
 // way.  A goodbye among them has the reason of the end.
 constexpr int kGoodbyeWaitMs = 50;
-constexpr int64_t kShortTimeoutMs = 500;  // limit for an answer while the run is brought down
-constexpr int kEndFlushMs = 1'000;        // time for the worker to receive the end of the run
-constexpr int64_t kSilenceMs = 2'000;     // after this time without an answer, the user is told
+constexpr int64_t kShortTimeoutMs = 500;  // time limit for an answer while the run ends
+constexpr int kEndFlushMs = 1'000;  // time limit for the worker to receive the sample that ends it
+// After this time without an answer, the user is told that the worker is silent.
+constexpr int64_t kSilenceMs = 2'000;
 // First number of the reply boxes by which the master waits for handlers in a free run.  Boxes of
 // objects count from 1 and never get so large, so the two kinds of boxes stay different.
 constexpr uint64_t kFirstWakeBox = uint64_t{1} << 40;
@@ -60,7 +61,7 @@ void RemoteProcess::Send(const openr_wire_ToWorker& to_worker, bool batched) {
   try {
     if (batched) return slot_.channel()->SendBatched(to_worker);
     slot_.channel()->Send(to_worker);
-  } catch (const std::runtime_error& error) {  // a write timed out, or DDS is out of memory
+  } catch (const std::runtime_error& error) {  // the write timed out, or DDS has no memory
     throw ProcessLost(fmt::format("process '{}' (pid {}) takes nothing any more: {}", name_,
                                   identity().pid, error.what()));
   }
@@ -91,7 +92,7 @@ RemoteProcess::ReceivedSample RemoteProcess::Next() {
       return to_master;
     }
     const std::string problem = FindProblem();
-    if (!problem.empty()) {  // the last sample may still be on its way
+    if (!problem.empty()) {  // waits for the worker's last sample, which may still be on its way
       ReceivedSample last = slot_.channel()->Receive(kGoodbyeWaitMs);
       if (last) {
         CheckGoodbye(*last);
@@ -408,7 +409,7 @@ void RemoteProcess::ResumeWithReply(RemoteObject* object, const Stop& stop, uint
   const OwnedMessage reply =
       system_->requests().Await(stop.box, stop.timeout_us, stop.why, &resume.timed_out);
   // Checks whether the worker was lost while the handler waited for its reply, for example because
-  // the handler of another of its objects crashed.
+  // the handler of another object of this worker crashed.
   if (is_lost_ || session != session_) return;
   WireArena arena;
   resume.now_us = system_->now_us();
@@ -447,7 +448,7 @@ void RemoteProcess::ResumeWithLine(RemoteObject* object, const Stop& stop, uint6
 }
 
 std::string RemoteProcess::FetchState(ObjectId object) {
-  if (is_free_) return "";  // in a free run the object runs on, so its state is not fixed
+  if (is_free_) return "";  // in a free run the object runs on, so there is no state to return
   openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_ASK_STATE);
   to_worker.body._u.state_of = object;
   Send(to_worker);
@@ -473,7 +474,7 @@ void RemoteProcess::End(const std::string& why) {
   // Destroys the marshaller while the System still exists, because the memory of received regions
   // is in the System's region table.
   marshaller_.reset();
-  if (!slot_.has_joined()) return;  // there is no worker, or a restarted one has not joined yet
+  if (!slot_.has_joined()) return;  // there is no worker, or a restarted worker has not joined yet
   openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_END);
   WireArena arena;
   to_worker.body._u.ended = {false, arena.Text(why)};

@@ -1,4 +1,4 @@
-// The master's side of one worker process.
+// RemoteProcess: the master's side of one worker process.
 //
 // The worker runs one handler at a time, until the handler returns or waits.  It sends the effects
 // of the handler back as a list, and the master applies them in this order, in the name of the
@@ -76,9 +76,10 @@ class RemoteProcess {
   // Adds `object`, the master's stand-in for an object that the worker will load.
   void Add(RemoteObject* object);
 
-  // Do the same as Load() in two steps, without waiting, for a restarted worker.  BeginLoad() sends
-  // the entries.  HasLoaded() returns true when the worker has loaded its objects, and `objects`
-  // are the new stand-ins of these objects.  The worker counts as lost until Rejoin().
+  // BeginLoad() and HasLoaded() do the same as Load() in two steps, without waiting, for a
+  // restarted worker.  BeginLoad() sends the entries.  HasLoaded() returns true when the worker has
+  // loaded its objects, and `objects` are the new stand-ins of these objects.  The worker counts as
+  // lost until Rejoin().
   void BeginLoad(const openr_wire_Load& load);
   bool HasLoaded(const std::map<ObjectId, RemoteObject*>& objects);
   // Ends a restart: the worker does not count as lost any more.  `objects` are the new stand-ins in
@@ -112,8 +113,8 @@ class RemoteProcess {
   // Checks that the worker still exists.  If the worker is lost, sets loss() and does not throw.
   void CheckHealth();
 
-  // The durations from sending a message to the worker until the master knows that the handler is
-  // done.
+  // Returns the durations from sending a message to the worker until the master knows that the
+  // message's handler is done.
   const Latency& latency() const { return latency_; }
   Latency LatencyOf(ObjectId object) const {
     const auto found = latency_of_.find(object);
@@ -138,7 +139,8 @@ class RemoteProcess {
   // master end.
   void ReleaseAll();
 
-  // The reason of a loss that HandleReceived() or CheckHealth() has found; "" if there was none.
+  // Returns the reason of a loss of the worker that HandleReceived() or CheckHealth() has found; ""
+  // if they have found no loss.
   const std::string& loss() const { return loss_; }
   // Returns whether a handler has ended the worker, for instance by a crash.
   bool has_crashed() const { return crashed_; }
@@ -160,8 +162,8 @@ class RemoteProcess {
   // arrived.  A goodbye is the sample by which a worker tells that it ends.
   std::string FindLoss();
 
-  // Ends the worker and tells it why the run ended (DescribeEnd(), or "").  REQUIRES: the System
-  // still exists.
+  // Ends the worker and tells it `why` the run has ended: the text of DescribeEnd(), or "".
+  // REQUIRES: the System still exists.
   void End(const std::string& why);
 
  private:
@@ -218,14 +220,15 @@ class RemoteProcess {
   ProcessSlot slot_;
   System* system_ = nullptr;
   std::unique_ptr<Marshaller> marshaller_;
-  std::unique_ptr<CheckedCalls> calls_;  // null until Welcome(), like marshaller_
+  std::unique_ptr<CheckedCalls> calls_;  // null until Welcome() is called, like marshaller_
   std::map<ObjectId, RemoteObject*> objects_;
   std::set<ObjectId> awaited_objects_;  // objects that the worker is loading
   uint64_t session_ = 0;                // number of restarts of the worker so far
   // Object::dropped_count of the worker's objects, as the worker has reported it last.  The master
   // adds only the increase to its own count.
   std::map<ObjectId, uint64_t> dropped_;
-  std::map<int, uint64_t> heap_by_robot_;  // robot: heap bytes of the worker's objects
+  // For each robot, the number of heap bytes that the worker's objects use.
+  std::map<int, uint64_t> heap_by_robot_;
   bool is_lost_ = false;
   Latency latency_;
   std::map<ObjectId, Latency> latency_of_;
@@ -234,9 +237,11 @@ class RemoteProcess {
   // While a handler runs in the worker, the object's stand-in waits in the master for a reply.
   // HandleFreeSample() posts this reply when the handler has stopped.
   bool is_free_ = false;
-  uint64_t wake_box_count_ = 0;           // number of reply boxes made for these waits
-  std::map<ObjectId, uint64_t> running_;  // object: the box for which its stand-in waits
-  std::map<ObjectId, Stop> stops_;        // object: why its handler has stopped
+  uint64_t wake_box_count_ = 0;  // number of reply boxes made for these waits
+  // The objects with a handler in the worker; the value is the reply box for which the stand-in
+  // waits.
+  std::map<ObjectId, uint64_t> running_;
+  std::map<ObjectId, Stop> stops_;  // for each object: why its handler has stopped
   // The time of the worker's last sample, or the time when an idle worker was given work.
   // ReportSilence() compares it with the present time.
   int64_t last_heard_ms_ = 0;

@@ -1,5 +1,5 @@
-// The OPENR:: functions about devices (joints, sensors, power) for objects in a worker.  Each call
-// is a question to the master, which has the robots.
+// RemoteServices: the OPENR:: functions about devices (joints, sensors, power) for objects in a
+// worker.  Each call is a question to the master, because the master has the robots.
 #pragma once
 
 #include "distribution/master_link.h"

@@ -47,7 +47,8 @@ void Put(const std::string& text, char (*out)[N]) {
   (*out)[size] = '\0';
 }
 
-// Replaces control characters, since the text comes from the network and is shown on terminals.
+// Returns `text` with its control characters replaced, because the text comes from the network and
+// is shown on terminals.
 std::string Printable(const char* text) {
   std::string printable = text;
   for (char& c : printable) {
@@ -56,7 +57,8 @@ std::string Printable(const char* text) {
   return printable;
 }
 
-// Returns a number from the network, limited to what a table can show; 0 if it is not finite.
+// Returns `value`, a number from the network, limited to what a table can show; 0 if it is not
+// finite.
 double FiniteFigure(double value) {
   return std::isfinite(value) ? std::clamp(value, 0.0, 1e12) : 0;
 }
@@ -182,7 +184,7 @@ std::vector<RunStatus> StatusReader::Take() {
     if (info.valid_data) {
       all.push_back(Decode(status));
     } else {
-      RunStatus gone;  // the writer has gone, so only the key is set
+      RunStatus gone;  // reports a run whose writer has gone; DDS then gives only the key fields
       gone.run = Printable(status.run);
       gone.host = Printable(status.host);
       gone.pid = status.pid;

@@ -74,8 +74,9 @@ inline std::string StringOf(const openr_wire_Bytes& bytes) {
 // Converts a string member of a sample; a null pointer becomes "".
 inline std::string StringOf(const char* text) { return text == nullptr ? "" : text; }
 
-// Returns how many bytes of memory regions a sample contains; 0 for types of samples that never
-// contain any.  Channel uses the number to find large samples (kBulkBytes).
+// Returns how many bytes of memory regions a sample contains.  This version is for types of samples
+// that never contain such bytes, so it returns 0.  Channel uses the number to find large samples
+// (kBulkBytes).
 template <typename Sample>
 size_t BulkBytesOf(const Sample&) {
   return 0;

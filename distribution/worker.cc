@@ -21,7 +21,7 @@
 namespace openr_host {
 namespace {
 
-constexpr int kMasterPollMs = 100;      // interval of checks that the master still exists
+constexpr int kMasterPollMs = 100;      // interval of the checks whether the master still exists
 constexpr int kGoodbyeFlushMs = 1'000;  // time for the master to receive a goodbye
 // Longest time that a crashed process waits until the master has received its report.  The time is
 // long, because the process ends afterwards and cannot repeat the report.
@@ -30,7 +30,7 @@ constexpr int kCrashFlushMs = 3'000;
 // with its own effects.  A handler is fast if it takes less than this time, so that no effect is
 // kept for long.
 constexpr int64_t kFastHandlerNs = 50'000;
-constexpr int kJoinRetryMs = 1'000;  // interval of join requests
+constexpr int kJoinRetryMs = 1'000;  // time after which a join request is repeated
 
 constexpr char kAbandonedText[] = "the run could not reach it and goes on without";
 
@@ -43,7 +43,7 @@ Worker::~Worker() {
   // the SDK, and such calls must not reach the channel.
   is_shutting_down_ = true;
   marshaller_.reset();
-  system_.reset();  // runs destructors of the objects' code, which may still call this Worker
+  system_.reset();  // the destructors of the objects' code run here and may still call this Worker
 }
 
 openr_wire_ToMaster Worker::NewToMaster(openr_wire_ToMasterKind kind) {
@@ -111,7 +111,7 @@ std::string Worker::RequestSession() {
   WireArena arena;
   const openr_wire_JoinRequest request = {openr_wire_VERSION, arena.Text(id),
                                           arena.Text(HostName()), getpid()};
-  std::string taken;  // the last answer that another process has the slot
+  std::string taken;  // the last refusal, which says that another process has the slot
   for (int64_t waited_ms = 0; waited_ms < options_.master_wait_ms && !IsEndRequested();
        waited_ms += kJoinRetryMs) {
     if (!WaitFor(join_channel)) return NoRunFound();
@@ -163,7 +163,7 @@ std::string Worker::SetUp(const openr_wire_Welcome& welcome) {
   options.guard_regions = welcome.guard;
   options.measure_stacks = welcome.measure;
   options.log_level = welcome.log_level;
-  options.free_deliveries = INT64_MAX;  // no limit here, because the master counts deliveries
+  options.free_deliveries = INT64_MAX;  // sets no limit, because the master counts deliveries
   options.make_calls = [this](System* system) {
     return std::make_unique<WorkerCalls>(system, this);
   };
@@ -178,7 +178,7 @@ std::string Worker::SetUp(const openr_wire_Welcome& welcome) {
   };
   is_free_ = welcome.free_running;
   system_ = std::make_unique<System>(std::move(options));
-  system_->trace().set_hashing(false);  // the master has the trace
+  system_->trace().set_hashing(false);  // computes no hash, because the master has the trace
   marshaller_ = std::make_unique<Marshaller>(system_.get(), true);
   stick_ = options_.stick.empty() ? StringOf(welcome.stick) : options_.stick;
   return "";
@@ -208,7 +208,8 @@ void Worker::SayGoodbye(const std::string& text) {
   try {
     channel_->Send(to_master);
     channel_->WaitForAcks(kGoodbyeFlushMs);
-  } catch (const std::exception&) {  // ignored: the master notices the end without a goodbye, too
+  } catch (const std::exception&) {
+    // Ignores the error, because the master notices the end without a goodbye, too.
   }
 }
 

@@ -30,7 +30,7 @@ struct WorkerOptions {
   std::string process;                 // name of this process in the placement
   std::string session;                 // session given by the run; "": the worker requests one
   std::string stick;                   // folder of the Memory Stick here; "": the master's path
-  int64_t master_wait_ms = 60'000;     // time limit for finding the master
+  int64_t master_wait_ms = 60'000;     // time limit for finding the master, in ms of the wall clock
   bool waits_for_predecessor = false;  // wait for the end of an earlier process of this name
   std::function<bool()> is_ended;      // returns true once the user ends this process; may be null
   std::function<void(const std::string& line)> say;  // prints a line for the user
@@ -110,14 +110,15 @@ class Worker : public MasterLink {
   static openr_wire_ToMaster NewToMaster(openr_wire_ToMasterKind kind);
   void Send(const openr_wire_ToMaster& to_master, bool batched = false);
   [[noreturn]] void ExitWithError(const std::string& why);
-  // Moves the effects of handlers since the last sample (messages and calls for the master) to
-  // `to_master`.
+  // Moves to `to_master` the effects of handlers (messages and calls for the master) that no sample
+  // has sent yet.
   void MoveEffectsTo(openr_wire_ToMaster* to_master);
-  // Returns the next sample.  If `answer` is true, returns only an answer and keeps other samples
-  // for later.  The result is empty if the master is lost or the user ends this process.
+  // Returns the next sample of the master.  If `answer` is true, returns only an answer and keeps
+  // other samples for later.  The result is empty if the master is lost or the user ends this
+  // process.
   ReceivedSample Next(bool answer);
   CallResult WaitForAnswer();
-  // ---- Functions in worker_link.cc
+  // ---- Functions that are defined in worker_link.cc
   bool MayBeRefused(const Message& message);
   bool CancelPendingPin(uint64_t region);
   void TrackSharedBuffers(const Object& object, const Message& message);
@@ -132,12 +133,13 @@ class Worker : public MasterLink {
   std::unique_ptr<Marshaller> marshaller_;
   std::string session_;
   bool is_refused_ = false;
-  std::string stick_;                       // folder of the stick
-  bool has_called_begins_ = false;          // WorkerOptions::begins was called
+  std::string stick_;                       // folder of the Memory Stick in use
+  bool has_called_begins_ = false;          // whether WorkerOptions::begins was called
   std::set<std::string> own_object_names_;  // names of this worker's objects
   bool has_reported_joined_ = false;
-  std::map<int, uint64_t> heap_elsewhere_;  // heap bytes used in other processes, by robot
-  bool is_free_ = false;                    // the master does not wait for handlers
+  // For each robot, the number of heap bytes used in other processes.
+  std::map<int, uint64_t> heap_elsewhere_;
+  bool is_free_ = false;  // true: a free run, in which the master does not wait for handlers
   std::set<ObjectId> fast_objects_;  // objects whose last handler took less than kFastHandlerNs
   bool is_shutting_down_ = false;    // no handler runs any more; objects are being unloaded
   // Entries of objects in other processes.  The master has told that these entries exist, so a
@@ -147,9 +149,9 @@ class Worker : public MasterLink {
   // The effects of the present handler that have not been sent, and the memory that they point to.
   WireArena arena_;
   std::vector<openr_wire_Effect> effects_;
-  std::vector<uint32_t> pinned_;  // regions kept until their bytes have been sent
+  std::vector<uint32_t> pinned_;  // regions whose memory is kept until their bytes have been sent
   std::map<uint32_t, openr_wire_NotifiedRegion>
-      parts_in_sample_;  // data sent with the next sample, by region
+      parts_in_sample_;  // data that the next sample sends; the key is the region's id
   std::map<ObjectId, Wait> waits_;
 };
 

@@ -25,9 +25,9 @@ constexpr int64_t kExitWaitMs = 5'000;  // time for a worker to end after it was
 // The time for a worker to end after a second Ctrl-C, when the user does not want to wait.
 constexpr int64_t kInterruptedExitWaitMs = 500;
 
-// Keeps many sent samples only in a free run.  In a free run the master does not wait for workers,
-// so a stopped worker must not block a write of the master.  In lockstep the master waits for a
-// stopped worker anyway.
+// Returns the options of the bus.  Only in a free run does the bus keep many sent samples.  In a
+// free run the master does not wait for workers, so a stopped worker must not block a write of the
+// master.  In lockstep the master waits for a stopped worker anyway.
 BusOptions GroupBusOptions(const WorkerGroupOptions& options) {
   BusOptions bus = options.bus;
   bus.has_large_history = options.is_free;
@@ -53,8 +53,9 @@ WorkerGroup::WorkerGroup(WorkerGroupOptions options)
   }
 }
 
-// Returns why the worker cannot go on, or "".  As long as an external worker has not joined, an
-// earlier run of the same name is a problem too, because the worker could join that run.
+// Returns the reason why the worker cannot go on, or "" if it can.  As long as an external worker
+// has not joined, an earlier run of the same name is a problem too, because the worker could join
+// that run.
 std::string WorkerGroup::ProblemOf(const Member& member) const {
   if (IsInterrupted()) return "interrupted";
   if (member.child != nullptr) return member.child->HowItEnded();
@@ -183,7 +184,7 @@ openr_wire_Load WorkerGroup::NextLoadFor(Member* member, WireArena* arena) {
                        member->objects.contains(object.id), object.boxes.last});
   }
   // Sends the heap use of all robots with every load, and not only of new robots, because objects
-  // in other processes may have used more heap since the last load.
+  // in other processes may have used more heap since the load before.
   std::vector<uint64_t> heap_elsewhere;
   for (int i = 0; i < system_->robot_count(); ++i)
     heap_elsewhere.push_back(member->process->HeapElsewhere(system_, i));
@@ -257,7 +258,7 @@ void WorkerGroup::HandleLoss(const RemoteObject* about, RemoteObject::Loss loss,
   member->lost = why;
   member->crashed = loss == RemoteObject::Loss::kCrashed;
   ++member->losses;
-  // Ends here if the loss was noticed after the run.  Then nothing has to be cleaned up or
+  // If the loss was noticed after the run, only reports it, because nothing has to be cleaned up or
   // restarted.
   if (loss == RemoteObject::Loss::kAtEnd) {
     process.set_lost();
@@ -278,7 +279,8 @@ void WorkerGroup::HandleLoss(const RemoteObject* about, RemoteObject::Loss loss,
     process.set_lost();
     return StopRun({EndKind::kLostProcess, text});
   }
-  if (member->crashed)  // for other losses `why` names the process already
+  // Only for a crash, because for other losses `why` names the process already.
+  if (member->crashed)
     text += fmt::format("; process '{}' (pid {}) is gone", process.name(), process.identity().pid);
   const bool waits = !options_.is_free && MayRestart(*member);
   text += waits ? "; the run waits for it to come back" : "; the others go on";

@@ -1,4 +1,5 @@
-// All workers of a distributed run, in the master: starts, watches, restarts and ends them.
+// WorkerGroup: all workers of a distributed run, in the master.  It starts, watches, restarts and
+// ends the workers.
 #pragma once
 
 #include <cstdint>
@@ -29,8 +30,8 @@ struct WorkerGroupOptions {
   std::string stick;  // folder of the run's Memory Stick, as a path on the master's host
   // True: a free run, in which the master does not wait for handlers (RemoteProcess::RunFree()).
   bool is_free = false;
-  int64_t wait_ms = 60'000;                          // time limit for a worker to join
-  int restarts = 0;                                  // limit of restarts of each worker
+  int64_t wait_ms = 60'000;  // time limit for a worker to join, in ms of the wall clock
+  int restarts = 0;          // how often each worker may be restarted
   std::function<void(const std::string& line)> say;  // prints a line for the user
   // Returns the number of times that the user has asked the run to end (Ctrl-C).  After the first
   // request the run waits for no lost worker; after the second request the run ends at once.  If
@@ -42,7 +43,7 @@ class WorkerGroup {
  public:
   // Starts the workers of this host.  Throws std::runtime_error.
   explicit WorkerGroup(WorkerGroupOptions options);
-  ~WorkerGroup();  // kills the workers that have not ended
+  ~WorkerGroup();  // kills the workers on this host that still run
   WorkerGroup(const WorkerGroup&) = delete;
   WorkerGroup& operator=(const WorkerGroup&) = delete;
 
@@ -67,10 +68,12 @@ class WorkerGroup {
     std::string host;
     int64_t pid = 0;
     std::vector<std::string> objects;
-    std::string lost;       // the reason of the loss, "" while the worker runs
-    int losses = 0;         // number of times that the worker was lost
-    int returns = 0;        // number of times that the worker was restarted
-    uint64_t handlers = 0;  // number of handlers run; the times below include sending
+    std::string lost;  // the reason of the loss, "" while the worker runs
+    int losses = 0;    // number of times that the worker was lost
+    int returns = 0;   // number of times that the worker was restarted
+    // Number of handlers that the worker has run.  The three times below are their durations, which
+    // include the time for sending.
+    uint64_t handlers = 0;
     double median_us = 0;
     double p99_us = 0;
     double max_us = 0;
@@ -80,8 +83,9 @@ class WorkerGroup {
   // Returns for each object of a worker the most bytes of heap that it has used.
   std::map<ObjectId, uint64_t> HeapMax() const;
 
-  // Set the listeners that are called for each object of a worker: OnCrash() when the worker is
-  // lost while the run goes on, OnReturn() when the worker has been restarted.
+  // OnCrash() and OnReturn() set listeners that are called for each object of a worker: the
+  // listener of OnCrash() when the worker is lost while the run goes on, the listener of OnReturn()
+  // when the worker has been restarted.
   void OnCrash(std::function<void(Object*)> listener) { crash_listener_ = std::move(listener); }
   void OnReturn(std::function<void(Object*)> listener) { return_listener_ = std::move(listener); }
 
@@ -108,8 +112,8 @@ class WorkerGroup {
   // lost.
   void ReportLosses();
 
-  // Tells the workers that the run has ended, and kills those of this host that do not end in time.
-  // REQUIRES: the System still exists.
+  // Tells the workers that the run has ended, and kills workers of this host that do not end in
+  // time.  REQUIRES: the System still exists.
   void End();
 
  private:
@@ -140,12 +144,12 @@ class WorkerGroup {
     bool crashed = false;
     bool is_cleaned_up = false;
     bool attempt_failed = false;  // the last attempt to restart the worker has failed
-    int64_t since_ms = 0;         // time when `stage` began
+    int64_t since_ms = 0;         // wall time in ms when `stage` began
     bool is_reported = false;     // the user has been told that the stage takes long
     int restarts_left = 0;
     int losses = 0;
     int returns = 0;
-    uint64_t undelivered_before = 0;  // undelivered messages before the loss
+    uint64_t undelivered_before = 0;  // number of undelivered messages before the loss
     // The master's new stand-ins for the objects of a restarted worker; `successors` has the new
     // stand-ins by id.  `new_objects` owns them until they replace the old stand-ins.
     std::vector<std::unique_ptr<RemoteObject>> new_objects;
@@ -159,8 +163,8 @@ class WorkerGroup {
   void LoadNewObjects(Member* member);
   void SendNextLoad(Member* member);
   void WaitForAnotherWorker(Member* member, const std::string& why);
-  // Return whether the user has asked the run to end: at least once (IsEnding) or at least twice
-  // (IsInterrupted).
+  // IsEnding() returns whether the user has asked the run to end (Ctrl-C), IsInterrupted() whether
+  // the user has asked at least twice.
   bool IsEnding() const { return options_.interrupts && options_.interrupts() >= 1; }
   bool IsInterrupted() const { return options_.interrupts && options_.interrupts() >= 2; }
   bool HandleReceived();
@@ -184,15 +188,15 @@ class WorkerGroup {
 
   const WorkerGroupOptions options_;
   Bus bus_;
-  std::unique_ptr<NameClaim> claim_;  // null without external workers
+  std::unique_ptr<NameClaim> claim_;  // null if the run has no external workers
   std::map<std::string, Member> members_;
   System* system_ = nullptr;
-  int64_t next_check_ns_ = 0;  // time at which a free run next checks its workers
-  std::string problem_;        // the first problem before Boot()
+  int64_t next_check_ns_ = 0;  // time of the next check of the workers in a free run
+  std::string problem_;        // the first problem of a worker before Boot(); "": no problem
   std::function<void(const std::string&)> loss_listener_;
   std::function<void(Object*)> crash_listener_;
   std::function<void(Object*)> return_listener_;
-  std::vector<std::string> placed_;  // placed objects that OBJECT.CFG names
+  std::vector<std::string> placed_;  // names of the placed objects that OBJECT.CFG names
 };
 
 }  // namespace openr_host

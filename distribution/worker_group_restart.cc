@@ -66,10 +66,10 @@ void WorkerGroup::CleanUp(Member* member) {
   });
 }
 
-// Advances the restart of one worker by a step.  `may_load`: whether the worker may load its images
-// now.  AdvanceRestarts() lets only one worker load at a time, so that the order is the same in
-// every run.  In lockstep a run that is ending restarts nothing, because it would have to wait for
-// the worker.
+// Advances the restart of one worker by a step.  `may_load` says whether the worker may load its
+// images now.  AdvanceRestarts() lets only one worker load at a time, so that the order is the same
+// in every run.  In lockstep a run that is ending restarts nothing, because it would have to wait
+// for the worker.
 void WorkerGroup::AdvanceRestart(Member* member, bool may_load) {
   RemoteProcess& process = *member->process;
   if (IsEnding() && !options_.is_free && member->stage != Stage::kRunning) return;
@@ -93,7 +93,7 @@ void WorkerGroup::AdvanceRestart(Member* member, bool may_load) {
         return;
     }
     CheckRestart(member);
-  } catch (const std::runtime_error& error) {  // the new process is lost or cannot be started
+  } catch (const std::runtime_error& error) {  // the new process was lost or could not be started
     if (!IsInterrupted()) FailAttempt(member, error.what());
   }
 }

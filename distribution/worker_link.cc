@@ -180,7 +180,7 @@ CallResult Worker::WaitForAnswer() {
     ExitWithError(fmt::format("could not hear the run: {}", error.what()));
   }
   options_.say("the master is gone");
-  _exit(1);  // the handler that asked cannot go on without an answer
+  _exit(1);  // ends the process, because the handler that asked cannot go on without an answer
 }
 
 void Worker::Waits(uint64_t box, int64_t timeout_us, std::string_view why) {

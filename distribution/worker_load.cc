@@ -98,7 +98,7 @@ void Worker::CheckRobot(int robot) const {
 void Worker::AddObject(const openr_wire_ObjectEntry& entry,
                        std::vector<openr_wire_LoadedObject>* loaded) {
   const ObjectId next = system_->object_table().NextId();
-  if (entry.id < next) return;  // the object manager, which every System has already
+  if (entry.id < next) return;  // skips the object manager, which every System has already
   if (entry.id > next) throw std::runtime_error("an object before those that come first");
   CheckRobot(entry.robot);
   // Gives the network stack of this process an empty network.  This stack serves only the shared

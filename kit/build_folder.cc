@@ -39,10 +39,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Name of the file, in the folder of private copies, that contains the version of the kit.
+// Name of a file in the build folder that the kit keeps for a user's folder.  The file contains the
+// version of the kit that built there.
 constexpr char kIdentityFile[] = "kit.txt";
 
-// Name of the file, in the folder of private copies, that contains the path of the user's folder.
+// Name of a file in the build folder that the kit keeps for a user's folder.  The file contains the
+// path of the user's folder.
 constexpr char kOwnerFile[] = "folder.txt";
 
 // Returns a text that is different for each version of the kit's files and compilers.  If the text

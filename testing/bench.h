@@ -240,7 +240,8 @@ class Bench {
   void Expect(const MessageSpec& spec, Place place = Place::Here());
   void Allow(const MessageSpec& spec, Place place = Place::Here());
   void Disallow(const MessageSpec& spec, Place place = Place::Here());
-  // Expects, allows or disallows notifications from the subject `from` to the observer `to`.
+  // The next functions are Expect(), Allow() and Disallow() for notifications from the subject
+  // `from` to the observer `to`.
   void Expect(const std::string& from, const std::string& to, Place place = Place::Here()) {
     Expect(Notify(from, to), place);
   }

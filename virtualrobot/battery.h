@@ -16,7 +16,7 @@ struct Battery {
   // The number is our choice.
   static constexpr int64_t kEmptyUs = int64_t{90} * 60 * 1'000'000;
 
-  int percent = 100;   // capacity at boot, in percent of a full battery; 1 to 100
+  int percent = 100;   // remaining capacity at boot, in percent of a full battery; 1 to 100
   bool drains = true;  // whether the battery loses 1 % every 54 s, down to 0 %
 
   // Returns whether the robot sets its status bit for a low battery at boot already.  Because the

@@ -23,7 +23,7 @@ class PhysicsWorld;
 inline constexpr double kFrame_s = 0.008;
 inline constexpr double kGravity_m_s2 = 9.80665;
 
-// Hands and faults that act on one joint and its servo.
+// What hands of people and faults do to one joint and its servo.
 struct JointTrouble {
   std::optional<double> hand_rad;    // a hand turns the joint towards this angle
   std::optional<double> jammed_rad;  // the joint is stuck at this angle
@@ -43,10 +43,10 @@ struct JointTrouble {
 
 // The command to the servo of one joint for one frame.
 struct JointCommand {
-  double target_rad = 0;  // set point during the frame
+  double target_rad = 0;  // set point of the joint during the frame
   bool enabled = false;  // whether the servo has gains and motor power; otherwise the joint is limp
   PidGains gains;
-  const JointTrouble* trouble = nullptr;  // null: nothing acts on the joint but its servo
+  const JointTrouble* trouble = nullptr;  // null: no hand and no fault acts on the joint
 };
 
 // The state of one joint at the end of a frame.
@@ -88,7 +88,7 @@ class Body {
 
   virtual const BodyState& state() const = 0;
 
-  // Returns whether forces move this body, so that it can be pushed.
+  // Returns whether this body is moved by simulated forces, so that Push() moves it.
   virtual bool IsPhysical() const { return false; }
 
   // Pushes part `part` (an index of RobotModel::bodies) with `force_W`, in N, at the point `p_W`
@@ -123,16 +123,16 @@ class Body {
   // point of the part, given as in the model file (in B at zero angles), to its place in W.
   virtual std::vector<Eigen::Isometry3d> BodyPoses() const = 0;
 
-  // Returns element `part` of BodyPoses().
+  // Returns the present pose of part `part`: element `part` of the result of BodyPoses().
   virtual Eigen::Isometry3d PoseOf(size_t part) const { return BodyPoses()[part]; }
 
-  // Adds everything that decides the body's future to `hasher`.
+  // Adds the complete state of the body, all that its future depends on, to `hasher`.
   virtual void HashState(Hasher* hasher) const = 0;
 };
 
-// Make a body that lies limp and at rest on the floor at `start`, in the model's sleeping posture.
-// `model` must outlive the body.  The second MakeOdeBody() puts the body into `world`, together
-// with other robots.
+// MakeIdealBody() and MakeOdeBody() make a body that lies limp and at rest on the floor at `start`,
+// in the model's sleeping posture.  `model` must outlive the body.  The second MakeOdeBody() puts
+// the body into `world`, together with other robots.
 std::unique_ptr<Body> MakeIdealBody(const RobotModel& model, const World& world,
                                     const StartPlace& start = {});
 std::unique_ptr<Body> MakeOdeBody(const RobotModel& model, const World& world,

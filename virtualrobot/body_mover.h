@@ -1,5 +1,5 @@
-// Moves a body by set points as a careful program would, but without OPEN-R objects.  Used to check
-// models and in tests.
+// Moves the joints of a body as a careful program would, but without OPEN-R objects.  Tests and
+// checks of models use this class.
 #pragma once
 
 #include <string>
@@ -14,12 +14,13 @@ class BodyMover {
   // All joints begin limp, with the vendor's gains.  `model` and `body` must outlive the mover.
   BodyMover(const RobotModel& model, Body* body);
 
-  // Simulates one frame with the present commands.
+  // Simulates one frame of the body under the commands in `commands`.
   void Frame() { body_.Advance(commands); }
-  // Simulates the frames of `seconds` with the present commands.
+  // Simulates the frames of `seconds` under the commands in `commands`.
   void Hold(double seconds);
 
-  // Switches all gains on at the present positions.
+  // Switches the servos of all joints on, with their present angles as set points, so that no joint
+  // jumps.
   void EnableAll();
 
   // Moves the joints to the angles `to_rad`.  All joints start and arrive together.  The joint that

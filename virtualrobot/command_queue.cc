@@ -21,7 +21,8 @@ bool CommandQueue::Add(RCRegion* region) {
 
 bool CommandQueue::ReleaseFinished(int64_t frame) {
   if (!playing_ || frame < end_) return false;
-  elements_.clear();  // before Release(), because the elements point into the region
+  // Done before Release(), because the elements point into the region that Release() gives back.
+  elements_.clear();
   playing_.Release();
   return true;
 }
@@ -44,13 +45,14 @@ void CommandQueue::Start(int64_t frame, std::vector<std::string>* problems) {
   ReadCommandElements(vector, FrameNumber(start_), &robot_->primitives, &read_, problems);
   robot_->watch.VectorStarts(read_, robot_->body->state(), robot_->power.motor_power(),
                              robot_->power.pause(), problems);
-  uint32_t longest = 1;  // because an empty vector lasts one frame
+  // In frames; begins with 1, because a vector without elements lasts one frame.
+  uint32_t longest = 1;
   for (const CommandElement& command : read_) {
     uint32_t length = 0;
     for (int i = 0; i < command.frames; ++i) length += command.FrameLength(i);
     longest = std::max(longest, length);
-    // Does not play an element that moves nothing, but counts its length for the length of the
-    // vector.
+    // An element that sets nothing is not played, but its length was counted above, because the
+    // vector lasts as long as its longest element.
     if (command.primitive == nullptr || command.frames == 0) continue;
     elements_.push_back({command, 0, start_ + command.FrameLength(0)});
   }
@@ -59,8 +61,8 @@ void CommandQueue::Start(int64_t frame, std::vector<std::string>* problems) {
 }
 
 void CommandQueue::FindFace(std::vector<std::string>* problems) {
-  // Searches all elements, because the element of the last light of the face decides the mode, and
-  // elements may come in any order.
+  // Searches all elements for the last light of the face, because this light decides the mode of
+  // the whole face, and elements may come in any order.
   face_ = -1;
   bool a = false, b = false;
   for (size_t e = 0; e < elements_.size(); ++e) {
@@ -99,7 +101,7 @@ void CommandQueue::Apply(int64_t frame, std::vector<std::string>* problems) {
   for (Element& element : elements_) {
     if (frame >= element.ends) {
       if (element.command_frame + 1 >= element.command.frames)
-        continue;  // keeps the last value, because the element is over
+        continue;  // keeps the value of the last command frame, because the element is over
       ++element.command_frame;
       element.ends += element.command.FrameLength(element.command_frame);
     }

@@ -1,5 +1,5 @@
-// The command vectors that one subject (the sending end of a connection) sent to the robot's
-// Effector service.  They are played one after the other.
+// CommandQueue: plays the command vectors that one subject (the sending end of a connection) has
+// sent to the robot's Effector service, one after the other.
 //
 // A command vector has an element for each joint, light or ear that it sets, and each element has
 // up to 16 command frames.  A command frame of a joint lasts one robot frame of 8 ms.  A command
@@ -39,8 +39,8 @@ class CommandQueue {
 
   const SubjectID& subject() const { return subject_; }
 
-  // Appends the vector in `region`.  The queue holds a reference to the region until the vector is
-  // over.  Returns false when the queue is full.
+  // Appends the command vector in `region` to the queue.  The queue holds a reference to the region
+  // until the vector is over.  Returns false when the queue is full.
   bool Add(RCRegion* region);
 
   // If the vector that plays is over when frame `frame` begins, releases its region and returns
@@ -62,7 +62,7 @@ class CommandQueue {
   struct Element {
     CommandElement command;
     int command_frame = 0;
-    int64_t ends = 0;  // first robot frame after the present command frame
+    int64_t ends = 0;  // the robot frame in which the present command frame is over
   };
 
   void Start(int64_t frame, std::vector<std::string>* problems);

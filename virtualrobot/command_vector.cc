@@ -30,8 +30,8 @@ ODataType CommandTypeOf(const Primitive& primitive) {
   }
 }
 
-// Returns command frame `i` of `data` as a Value.  The set point of a frame that the program never
-// filled is returned as 0.
+// Returns command frame `i` of `data` as a Value.  Returns a Value with a set point of 0 if the
+// program never filled this frame.
 template <typename Value>
 Value As(const OCommandData& data, int i) {
   static_assert(sizeof(Value) == sizeof(OCommandValue));
@@ -41,7 +41,7 @@ Value As(const OCommandData& data, int i) {
   return value;
 }
 
-// Returns the reason why the element moves nothing; "" when it moves a primitive.
+// Returns the reason why the element cannot set its primitive; "" when the element can set it.
 std::string Objection(const OCommandInfo& info, const Primitive* primitive) {
   if (primitive == nullptr || !primitive->opened()) {
     return fmt::format(
@@ -56,8 +56,8 @@ std::string Objection(const OCommandInfo& info, const Primitive* primitive) {
   return "";
 }
 
-// Returns the number of command frames, 0 to 16.  Describes in `problem` the mistake of an element
-// that names more than 16 frames, or has frames that were never filled.
+// Returns the number of command frames of an element, 0 to 16.  Describes in `problem` the mistake
+// of an element that names more than 16 frames, or has frames that were never filled.
 int CountFrames(const OCommandInfo& info, const OCommandData& data, std::string* problem) {
   const int frames = static_cast<int>(std::min<longword>(info.numFrames, ocommandMAX_FRAMES));
   if (info.numFrames > ocommandMAX_FRAMES) {
@@ -150,7 +150,8 @@ void ReadCommandElements(const SentVector& vector, longword frame_number,
     element.data =
         reinterpret_cast<const OCommandData*>(vector.At(info.dataOffset, sizeof(OCommandData)));
     const Primitive* const primitive = primitives->Find(info.primitiveID);
-    // Keeps a wrong element, too, because its frames count for the length of the vector.
+    // An element with a wrong offset has no data and sets nothing.  The element is kept all the
+    // same, because the length of the vector depends on its frames.
     if (element.data == nullptr || info.dataOffset % alignof(OCommandData) != 0) {
       element.data = nullptr;
       problem = fmt::format(

@@ -17,7 +17,9 @@ namespace openr_host {
 // An element of a command vector.  `data` points into the region of the vector, so the region must
 // exist as long as the element.
 struct CommandElement {
-  const Primitive* primitive = nullptr;  // null: the element moves nothing, but its length counts
+  // The primitive that the element sets.  Null: the element sets nothing, but the vector lasts at
+  // least as long as this element.
+  const Primitive* primitive = nullptr;
   const OCommandData* data = nullptr;
   ODataType type = odataUNDEF;
   int frames = 0;  // number of command frames, 0 to ocommandMAX_FRAMES
@@ -39,9 +41,9 @@ struct CommandElement {
   void Apply(int i, Devices* devices) const;
 };
 
-// Replaces *elements by all elements of `vector`.  Adds to `problems` a text for each element that
-// has a mistake.  Writes `frame_number`, the number of the frame in which the vector begins, into
-// the vector's infos, where its sender can read it.
+// Replaces the content of `elements` by all elements of `vector`.  Adds to `problems` a text for
+// each element that has a mistake.  Writes `frame_number`, the number of the frame in which the
+// vector begins, into the vector's infos, where its sender can read it.
 void ReadCommandElements(const SentVector& vector, longword frame_number,
                          PrimitiveTable* primitives, std::vector<CommandElement>* elements,
                          std::vector<std::string>* problems);

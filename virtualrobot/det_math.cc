@@ -13,11 +13,11 @@ constexpr double kHalfPi1 = 0x1.921fb544p+0;
 constexpr double kHalfPi2 = 0x1.0b4611a6p-34;
 constexpr double kHalfPi3 = 0x1.3198a2e037073p-69;
 
-// Compute sine and cosine by Taylor series for |r| <= pi/4, where the first term left out is below
-// 1e-17.
+// SinKernel() and CosKernel() compute sine and cosine of `r` by Taylor series, for |r| <= pi/4.
+// For such `r` the first term that is left out is below 1e-17.
 double SinKernel(double r) {
   const double z = r * r;
-  double sum = 1.0 / 355687428096000.0;  // 1/17!
+  double sum = 1.0 / 355687428096000.0;  // coefficient of r^17: 1/17!
   sum = sum * z - 1.0 / 1307674368000.0;
   sum = sum * z + 1.0 / 6227020800.0;
   sum = sum * z - 1.0 / 39916800.0;
@@ -30,7 +30,7 @@ double SinKernel(double r) {
 
 double CosKernel(double r) {
   const double z = r * r;
-  double sum = 1.0 / 20922789888000.0;  // 1/16!
+  double sum = 1.0 / 20922789888000.0;  // coefficient of r^16: 1/16!
   sum = sum * z - 1.0 / 87178291200.0;
   sum = sum * z + 1.0 / 479001600.0;
   sum = sum * z - 1.0 / 3628800.0;
@@ -42,8 +42,8 @@ double CosKernel(double r) {
 }
 
 struct Quadrant {
-  double r;  // in [-pi/4, pi/4]
-  int q;     // 0 to 3: x = r + q pi/2 (mod 2 pi)
+  double r;  // rest of the angle, in [-pi/4, pi/4]
+  int q;     // number of the quadrant, 0 to 3: x = r + q pi/2 (mod 2 pi)
 };
 
 Quadrant Reduce(double x) {
@@ -62,7 +62,7 @@ double SinOfQuadrant(const Quadrant& a, int shift) {
   return (q & 2) ? -magnitude : magnitude;
 }
 
-// Element k is atan(k / 8).
+// Table of arc tangents: element k is atan(k / 8).
 constexpr double kAtanOfEighths[9] = {
     0x0.0p+0,
     0x1.fd5ba9aac2f6ep-4,

@@ -14,9 +14,9 @@ inline constexpr double kPi = 3.14159265358979323846;
 inline constexpr double Radians(double degrees) { return degrees * (kPi / 180); }
 inline constexpr double Degrees(double radians) { return radians * (180 / kPi); }
 
-// Compute sine and cosine of `x` in radians, within 2e-16 of the true value for |x| <= 1000; no
-// joint turns by so large an angle.  REQUIRES: |x| <= 1e6 (beyond, the reduction to one quadrant
-// loses digits).
+// DetSin() and DetCos() compute sine and cosine of `x` in radians, within 2e-16 of the true value
+// for |x| <= 1000; no joint turns by so large an angle.  REQUIRES: |x| <= 1e6 (beyond, the
+// reduction to one quadrant loses digits).
 double DetSin(double x);
 double DetCos(double x);
 

@@ -69,7 +69,8 @@ void Devices::SetLed2(int led, OLEDValue value) {
 void Devices::SetLed3(int led, const OLEDCommandValue3& value) {
   LedDevice& device = leds[static_cast<size_t>(led)];
   device.intensity = std::clamp<int>(value.intensity, 0, kIntensityMax);
-  // Keeps the old mode if a command has none of the two modes A and B, as on the robot.
+  // If the mode of the command is neither A nor B, keeps the old mode of the light, as the robot
+  // does.
   if (value.mode == oled3_MODE_A || value.mode == oled3_MODE_B) device.mode = value.mode;
 }
 

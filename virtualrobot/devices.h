@@ -22,11 +22,12 @@ using GainWords = std::array<word, 6>;
 
 struct JointDevice {
   slongword target_urad = 0;  // set point in 10^-6 rad; 0 at boot, whatever angle the joint has
-  bool commanded = false;     // whether a set point has been sent since boot
+  bool commanded = false;     // whether an object has sent a set point for this joint since boot
   ObjectId commander = kNoObject;  // the object that sent the set point
   bool gain_enabled = false;
-  GainWords gains{};                    // all 0 while gain_enabled is false
-  std::optional<GainWords> registered;  // gains that RegisterDefaultJointGain() stored
+  GainWords gains{};  // all 0 while gain_enabled is false
+  // The joint's default gains, which RegisterDefaultJointGain() has stored.
+  std::optional<GainWords> registered;
 };
 
 struct LedDevice {
@@ -82,9 +83,10 @@ class Devices {
 
  private:
   ObjectId commander_ = kNoObject;
-  std::vector<bool> on_face_;  // [light]: see OnFace()
+  std::vector<bool> on_face_;  // for each light, the result of OnFace()
   std::vector<JointCommand> commands_;
-  std::vector<JointTrouble> troubles_;  // [joint]; empty before the first call of Trouble()
+  // One element for each joint; empty before the first call of Trouble().
+  std::vector<JointTrouble> troubles_;
 };
 
 }  // namespace openr_host

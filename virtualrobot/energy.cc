@@ -9,18 +9,20 @@
 namespace openr_host {
 namespace {
 
-// Share of the power of a motor that its gears pass on.
+// Share of a motor's power that the gears pass on to the joint.
 constexpr double kGearShare = 0.6;
 // Current of a robot whose motors do nothing, for its computer, camera and radio.
 constexpr double kElectronicsMa = 1000;
-// Weight of a new frame in the mean; gives a time constant of 100 ms.
+// Weight of a new frame in the mean current.  With this weight the mean has a time constant of 100
+// ms.
 constexpr double kMeanShare = 0.08;
-// How much warmer the body becomes in the end, for each W of motor heat; time constant of this.
+// Steady rise of the body's temperature for each W of motor heat, and the time constant of this
+// rise.
 constexpr double kBodyPerW_k = 2.5, kBodyTime_s = 600;
-// How much warmer the battery becomes in the end, for each unit by which the square of its current
-// (in units of kUsualMa) exceeds 1; time constant of this.
+// Steady rise of the battery's temperature for each unit by which the square of its current (in
+// units of kUsualMa) exceeds 1, and the time constant of this rise.
 constexpr double kBatteryUsual_k = 5, kBatteryTime_s = 1200;
-// How much warmer the battery becomes in the end because it is charged.
+// Steady rise of the battery's temperature while it is charged.
 constexpr double kChargingBattery_k = 6;
 
 }  // namespace
@@ -45,7 +47,8 @@ void Energy::NoteMotors(const BodyState& state, const Devices& devices) {
     const double duty = std::clamp(joint.drive / kDriveFull, -1.0, 1.0);
     // Current in the motor, as a share of its stall current.
     const double share = strength * (duty - joint.speed_rad_s / motors_[j].no_load_rad_s);
-    // A motor that is turned by its load gives nothing back to the battery.
+    // Counts no negative current, because a motor that is turned by its load gives nothing back to
+    // the battery.
     current_ma_ += std::max(0.0, duty * share) * motors_[j].stall_ma;
     motor_heat_w_ += share * share * motors_[j].stall_ma * kSupplyV / 1000;
   }
@@ -80,8 +83,8 @@ void Energy::Keep(WarmThing thing, std::optional<int> celsius) {
   if (celsius) warmth.above_rest_k = *celsius - kRestC;
 }
 
-// Adds only values that differ from those at boot.  A robot without physics draws the usual
-// current, so it adds nothing.
+// Adds only values that differ from the values at boot.  So a robot without physics, which always
+// draws the usual current, adds nothing and keeps its state hash.
 void Energy::HashState(Hasher* hasher) const {
   if (mean_ma_ != kUsualMa) hasher->Add(mean_ma_);
   for (const WarmThing thing : {WarmThing::kBody, WarmThing::kBattery}) {

@@ -20,7 +20,7 @@ namespace openr_host {
 
 class Hasher;
 
-// Things that warm up.
+// The things whose temperature is simulated.
 enum class WarmThing { kBody, kBattery };
 
 class Energy {
@@ -35,19 +35,20 @@ class Energy {
   // draws no current.
   void NoteFrame(const Body& body, const Devices& devices, bool charging, bool is_on);
 
-  // Returns the current of the newest frame, in mA.
+  // Returns the current that the robot drew from the battery in the newest frame, in mA.
   int current_ma() const { return static_cast<int>(current_ma_); }
-  // Returns the mean of the current over about 100 ms.
+  // Returns the mean over about 100 ms of the current that the robot draws, in mA.
   double mean_ma() const { return mean_ma_; }
   // Returns the power that the motors turned into heat in the newest frame, in W.
   double motor_heat_w() const { return motor_heat_w_; }
   // Returns a temperature as its sensor reads it: whole degrees Celsius.
   int Celsius(WarmThing thing) const;
 
-  // Keeps `thing` at the temperature `celsius`. nullopt: lets the thing warm up and cool down
-  // again, from its present temperature.
+  // Keeps `thing` at the temperature `celsius`.  If `celsius` is nullopt, lets the thing warm up
+  // and cool down again, from its present temperature.
   void Keep(WarmThing thing, std::optional<int> celsius);
-  // Sets the current that something beside the robot draws from the battery.
+  // Sets an additional current that the battery gives, beside the current of the robot itself.
+  // Used by the fault "draw".
   void SetExtraMa(int ma) { extra_ma_ = ma; }
 
   void HashState(Hasher* hasher) const;
@@ -64,10 +65,10 @@ class Energy {
 
   void NoteMotors(const BodyState& state, const Devices& devices);
 
-  std::vector<Motor> motors_;  // [joint]
+  std::vector<Motor> motors_;  // one element for each joint
   double current_ma_ = kUsualMa, mean_ma_ = kUsualMa, motor_heat_w_ = 0;
   int extra_ma_ = 0;
-  std::array<Warmth, 2> warmth_;  // [WarmThing]
+  std::array<Warmth, 2> warmth_;  // the index is a WarmThing
 };
 
 }  // namespace openr_host

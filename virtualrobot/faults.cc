@@ -152,7 +152,7 @@ std::string Faults::ReadRepair(std::string_view rest, Inputs::Action* action) {
   }
   *action = [this, places] {
     std::vector<Place> ending = places;
-    if (ending.empty()) {  // "all"
+    if (ending.empty()) {  // the text is "all": ends all faults
       for (const auto& [place, fault] : faults_) ending.push_back(place);
     }
     for (const Place& place : ending) End(place);
@@ -161,7 +161,7 @@ std::string Faults::ReadRepair(std::string_view rest, Inputs::Action* action) {
 }
 
 void Faults::Begin(const Place& place, const Fault& fault) {
-  End(place);  // because a part has one fault of this sort at a time
+  End(place);  // ends an earlier fault at this place, because a place has one fault at a time
   faults_[place] = fault;
   const double share = fault.amount / 100.0;
   switch (place.part) {
@@ -239,7 +239,7 @@ void Faults::DoFrame() {
   for (auto at = faults_.begin(); at != faults_.end();) {
     const Place place = at->first;
     Fault& fault = at->second;
-    ++at;  // because End() erases the element
+    ++at;  // the next element is taken first, because End() erases this element
     if (fault.frames && (*fault.frames)-- == 0) {
       End(place);
       continue;

@@ -25,14 +25,15 @@ class Faults {
   // `robot` must outlive the faults.
   explicit Faults(RobotParts* robot) : robot_(*robot) {}
 
-  // Adds the inputs of this robot to its system.
+  // Adds the inputs for faults, such as "break" and "repair", to the System of this robot, so that
+  // people and scripts can use them.
   void AddVerbs();
 
   // Ends the faults that are over, and sets the errors of noisy joints.  Called before the body
   // moves and its sensors are sampled.
   void DoFrame();
 
-  // Returns the faults that are present, a text for each, such as "LF_j1 weak 30%".
+  // Returns the faults that the robot has now, a text for each fault, such as "LF_j1 weak 30%".
   std::vector<std::string> Present() const;
 
   void HashState(Hasher* hasher) const;
@@ -52,20 +53,23 @@ class Faults {
   };
   struct Fault {
     Kind kind;
-    int amount = 0;                 // percent, degrees Celsius or mA
-    std::optional<int64_t> frames;  // number of frames that are left; without: until a repair
+    int amount = 0;  // how strong the fault is; in percent, degrees Celsius or mA
+    // Number of frames for which the fault goes on.  nullopt: it goes on until a repair.
+    std::optional<int64_t> frames;
   };
 
-  // Read the text after a verb, as Inputs::Verb::read does.
+  // The next functions read the words after the verb of an input ("break", "heat", ...), as
+  // Inputs::Verb::read does.
   std::string ReadBreak(std::string_view rest, Inputs::Action* action);
   std::string ReadHeat(std::string_view rest, Inputs::Action* action);
   std::string ReadDraw(std::string_view rest, Inputs::Action* action);
   std::string ReadRepair(std::string_view rest, Inputs::Action* action);
 
-  // Finds the sensors that `name` names, also sensors of joints.  Returns "" or the error.
+  // Writes the indices of the sensors that `name` names to `sensors`; these may be sensors of
+  // joints.  Returns "" or the error.
   std::string FindParts(const std::string& name, std::vector<int>* sensors) const;
-  // Returns the place of a fault of this kind, for the part that has the sensor `sensor`. nullopt:
-  // the part is no joint, and only joints can have this fault.
+  // Returns the place of a fault of this kind, for the part that has the sensor `sensor`. Returns
+  // nullopt when the part is no joint and only joints can have this fault.
   std::optional<Place> PlaceOf(Kind kind, int sensor) const;
   void Begin(const Place& place, const Fault& fault);
   void End(const Place& place);

@@ -31,9 +31,9 @@ constexpr double kLowerPerFrame_m = 0.1 * kFrame_s;  // a hand lowers with 0.1 m
 // a centimetre behind the hand.
 constexpr double kCarried_m = 0.015, kCarried_m_s = 0.03;
 constexpr double kPutMax_m = 100;
-// The strength of a press without a number, in percent of the sensor's range.
+// The strength of a press for which the input gives no number, in percent of the sensor's range.
 constexpr int kPressPercent = 50;
-// A hand turns a joint with 90 degrees/s.
+// Angle by which a hand turns a joint in a frame: 90 degrees per second.
 const double kTurnPerFrame_rad = Radians(90) * kFrame_s;
 
 }  // namespace
@@ -108,8 +108,8 @@ std::string Hands::FindSensors(const std::string& name, std::vector<int>* sensor
 std::string Hands::ReadPress(std::string_view rest, Inputs::Action* action) {
   std::vector<std::string> words = SplitInput(rest);
   if (words.size() == 1 && words[0] == "pause") {
-    // Does not press the button of a robot that is off.  Such a robot does not notice its button;
-    // only its boot timer boots it again.
+    // Does nothing if the robot is off, because such a robot does not notice its button; only its
+    // boot timer boots it again.
     *action = [this] {
       if (!robot_.system.robot(robot_.robot_index).powered_off) robot_.power.PressPause();
     };
@@ -259,8 +259,8 @@ std::string Hands::ReadLift(std::string_view rest, Inputs::Action* action) {
   return "";
 }
 
-// Reads the name of a thing and then two or three coordinates.  The name may have several words and
-// end in a number.
+// Reads the name of a thing and then two or three coordinates.  The name may have several words,
+// and the last of them may be a number, so the coordinates are found from the end of the text.
 std::string Hands::ReadPut(std::string_view rest, Inputs::Action* action) {
   const std::vector<std::string> words = SplitInput(rest);
   if (words.size() < 3) return "needs the name of a thing, and x and y in m";
@@ -290,7 +290,8 @@ std::string Hands::ReadPut(std::string_view rest, Inputs::Action* action) {
   return "";
 }
 
-// Returns why no thing can be put as `rest` says.
+// Returns the error message of the input "put" with the text `rest`, if no movable thing has the
+// name in `rest`.
 std::string Hands::WhyNothingMoves(std::string_view rest) const {
   std::vector<std::string> known;
   for (const WorldThing& thing : robot_.body->MovableThings()) known.push_back(thing.name);
@@ -331,7 +332,7 @@ void Hands::ReleaseJoint(int joint) {
 // Moves the hands that turn joints by one frame.
 void Hands::MoveJoints() {
   for (auto at = turns_.begin(); at != turns_.end();) {
-    auto& [joint, turn] = *at++;  // because ReleaseJoint() erases the element
+    auto& [joint, turn] = *at++;  // `at` goes on first, because ReleaseJoint() erases this element
     if (turn.frames && (*turn.frames)-- == 0) {
       ReleaseJoint(joint);
       continue;
@@ -342,7 +343,8 @@ void Hands::MoveJoints() {
   }
 }
 
-// Takes the robot in its present pose, unless a hand holds it already.
+// Lets a hand take hold of the robot in its present pose.  Does nothing if a hand holds the robot
+// already.
 void Hands::TakeHold() {
   if (!grip_) grip_ = Grip{robot_.body->state().X_WB, 0, false};
 }
@@ -352,8 +354,8 @@ void Hands::LetGo() {
   robot_.body->Hold({});
 }
 
-// Moves the hand by one frame.  If the hand sets the robot down, and something carries the robot,
-// the hand lets go.
+// Moves the hand that holds the trunk, for one frame.  If the hand sets the robot down, and
+// something carries the robot, the hand lets go.
 void Hands::MoveGrip() {
   double& z_m = grip_->X_WB.translation().z();
   if (grip_->sets_down) {
@@ -369,7 +371,7 @@ void Hands::MoveGrip() {
 
 void Hands::DoFrame() {
   for (auto touch = touches_.begin(); touch != touches_.end();) {
-    const auto now = touch++;  // because Release() erases the element
+    const auto now = touch++;  // `touch` goes on first, because Release() erases this element
     if (now->second && (*now->second)-- == 0) Release(now->first);
   }
   for (Push& push : pushes_) {

@@ -24,7 +24,8 @@ class Hands {
   // `robot` must outlive the hands.
   explicit Hands(RobotParts* robot) : robot_(*robot) {}
 
-  // Adds the inputs of this robot to its system.
+  // Adds the inputs for hands, such as "press" and "push", to the System of this robot, so that
+  // people and scripts can use them.
   void AddVerbs();
 
   // Does what the hands do during the frame of 8 ms that ends now.  Called before the body moves
@@ -39,26 +40,29 @@ class Hands {
 
  private:
   struct Push {
-    int part;  // index of RobotModel::bodies
+    int part;  // index of the pushed part in RobotModel::bodies
     Eigen::Vector3d force_B;
     int64_t frames_left;
   };
 
   // A hand that turns a joint against its servo.
   struct Turn {
-    double angle_rad = 0;           // the angle to which the hand moves the joint now
-    double goal_rad = 0;            // the angle at which the hand stops
-    std::optional<int64_t> frames;  // number of frames that are left; without: until a release
+    double angle_rad = 0;  // the angle to which the hand moves the joint now
+    double goal_rad = 0;   // the angle at which the hand stops
+    // Number of frames for which the hand goes on.  nullopt: the hand goes on until an input
+    // releases the joint.
+    std::optional<int64_t> frames;
   };
 
-  // A hand that holds the trunk.
+  // A hand that holds the robot by its trunk.
   struct Grip {
     Eigen::Isometry3d X_WB;  // the pose to which the hand moves the base
     double goal_z_m = 0;     // the height at which the hand stops
     bool sets_down = false;  // the hand lets go when the robot stands or lies on something
   };
 
-  // Read the text after a verb, as Inputs::Verb::read does.
+  // The next functions read the words after the verb of an input ("press", "set", ...), as
+  // Inputs::Verb::read does.
   std::string ReadPress(std::string_view rest, Inputs::Action* action);
   std::string ReadSet(std::string_view rest, Inputs::Action* action);
   std::string ReadRelease(std::string_view rest, Inputs::Action* action);
@@ -70,7 +74,7 @@ class Hands {
   std::string ReadBattery(std::string_view rest, Inputs::Action* action);
   std::string ReadCharger(std::string_view rest, Inputs::Action* action);
 
-  // Finds the sensors that `name` names.  Returns "" or the error.
+  // Writes the indices of the sensors that `name` names to `sensors`.  Returns "" or the error.
   std::string FindSensors(const std::string& name, std::vector<int>* sensors) const;
   void Touch(int sensor, int32_t value, std::optional<int64_t> frames);
   void Release(int sensor);
@@ -81,11 +85,11 @@ class Hands {
   void MoveGrip();
 
   RobotParts& robot_;
-  // The sensors that are touched, each with the number of frames that are left.  Without a number,
-  // the sensor is touched until a release.
+  // The sensors that a hand touches, each with the number of frames for which the hand goes on.
+  // nullopt: the hand goes on until an input releases the sensor.
   std::map<int, std::optional<int64_t>> touches_;
   std::vector<Push> pushes_;
-  std::map<int, Turn> turns_;  // key: the joint
+  std::map<int, Turn> turns_;  // the key is the index of the joint
   std::optional<Grip> grip_;
 };
 

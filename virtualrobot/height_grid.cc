@@ -35,8 +35,8 @@ GridPlace PlaceOnGrid(const WorldThing& thing, double x, double y) {
   return place;
 }
 
-// Adds to `found` each t between `enter` and `leave` at which at + t * step is a whole number:
-// there a ray crosses a line of the grid.
+// Adds to `found` each t between `enter` and `leave` at which at + t * step is a whole number.  At
+// these t, a ray crosses the lines of the grid.
 void AddCrossings(double at, double step, double enter, double leave, std::vector<double>* found) {
   if (step == 0) return;
   double from = at + enter * step, to = at + leave * step;

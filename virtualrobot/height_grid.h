@@ -25,16 +25,16 @@ struct HeightGrid {
 
 using Triangle = std::array<Eigen::Vector3d, 3>;
 
-// Returns the point of the grid with this column and row.  REQUIRES: `thing` is a heightfield.  The
-// functions below require this, too.
+// Returns the point of the grid with this column and row.  REQUIRES: `thing` is a heightfield.  All
+// functions below with a parameter `thing` require this, too.
 Eigen::Vector3d PointOfGrid(const WorldThing& thing, int column, int row);
 
 // Returns the two triangles of the square whose first corner is the point with this column and row.
 // Seen from above, the corners of each triangle are in counterclockwise order.
 std::array<Triangle, 2> TrianglesOf(const WorldThing& thing, int column, int row);
 
-// Returns the triangles of the surface and of the sides below its edges.  Seen from outside, the
-// corners of each triangle are in counterclockwise order.
+// Returns the triangles of the surface of the heightfield `thing` and of the sides below the
+// surface's edges.  Seen from outside, the corners of each triangle are in counterclockwise order.
 std::vector<Triangle> OutsideOf(const WorldThing& thing);
 
 // Returns the unit vector that is perpendicular to `triangle` and points outwards; 0 if the
@@ -42,12 +42,12 @@ std::vector<Triangle> OutsideOf(const WorldThing& thing);
 Eigen::Vector3d NormalOf(const Triangle& triangle);
 
 struct SurfacePoint {
-  double height_m = 0;                // over the lower face of the box
-  Eigen::Vector3d normal_T{0, 0, 1};  // unit vector
+  double height_m = 0;  // height over the lower face of the box that holds the heightfield
+  Eigen::Vector3d normal_T{0, 0, 1};  // normal of the surface, a unit vector
 };
 
-// Returns the point of the surface at (x, y).  If (x, y) is outside, returns the nearest point of
-// the edge.
+// Returns the point of the surface of `thing` at (x, y).  If (x, y) is not in the grid, returns the
+// nearest point of the grid's edge.
 SurfacePoint SurfaceAt(const WorldThing& thing, double x, double y);
 
 // Follows the ray p + t d for t from `enter` to `leave`, the range in which the ray is in the box

@@ -10,8 +10,8 @@ using Eigen::Isometry3d;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Factor by which the ball around a box is larger than needed.  It exceeds all errors of rounding
-// by far, so a box that is left out because of its ball is never the lowest.
+// Factor by which the ball around a box is larger than needed.  The factor exceeds all errors of
+// rounding by far, so the search never skips the box that has the lowest point.
 constexpr double kBallFactor = 1 + 1e-9;
 
 }  // namespace
@@ -46,7 +46,8 @@ void Hull::Move(int part, const Isometry3d& X_BL) {
   }
 }
 
-// Replaces `lowest` by the lowest corner of `box`, if its height is less than `best`.
+// Finds the lowest corner of `box`.  If its height is less than `best`, stores the corner in
+// `lowest` and the height in `best`.
 void Hull::TakeIfLower(const Box& box, const Vector3d& n_B, double* best, Vector3d* lowest) {
   const Vector3d reach = box.half_edges.transpose() * n_B;
   const double height =

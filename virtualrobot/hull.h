@@ -1,4 +1,4 @@
-// The balls and boxes of a robot that can touch the floor.
+// Hull: the balls and boxes of a robot, and the lowest point of all of them.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -28,11 +28,11 @@ class Hull {
   // one point: the lowest point for the direction `up_B`, which is a unit vector near n_B.
   Eigen::Vector3d LowestAlong(const Eigen::Vector3d& n_B, const Eigen::Vector3d& up_B) const;
 
-  // Returns the middle of paw `paw` (index of RobotModel::paws).
+  // Returns the centre of the ball of paw `paw` (index of RobotModel::paws), in B.
   const Eigen::Vector3d& PawCentre(size_t paw) const { return balls_[paw].centre; }
 
  private:
-  // Two numbers.  Every x86-64 processor can compute with both in one instruction.
+  // Two numbers with which every x86-64 processor can compute in one instruction.
   using Pair = double __attribute__((vector_size(16)));
 
   struct Ball {
@@ -45,9 +45,11 @@ class Hull {
     Eigen::Matrix3d half_edges;  // its columns are half the edges of the box
     int part;
   };
-  // Balls around two boxes, elements 2i and 2i + 1 of boxes_.  A ball is larger than its box.
+  // Element i of around_: the balls that enclose the two boxes 2i and 2i + 1 of boxes_.
+  // LowestAlong() looks at a box only if the ball of the box reaches lower than the lowest point
+  // found so far.
   struct BallPair {
-    Pair x{}, y{}, z{};  // coordinates of the centres
+    Pair x{}, y{}, z{};  // coordinates of the balls' centres
     // The lowest point of a ball with this radius is at infinity.  So the second half of a pair
     // that has only one box is never the lowest.
     Pair radius = {-std::numeric_limits<double>::infinity(),

@@ -61,7 +61,7 @@ void IdealBody::Place() const {
   placed_ = true;
 }
 
-// Gives the robot the pose of the hand that holds it.  The paws of the robot touch nothing.
+// Puts the robot into the pose that the hand gives it.  No paw then touches the floor.
 void IdealBody::PlaceInHand() const {
   pose_.X_WB = *held_at_;
   pose_.paws.assign(model_.paws.size(), false);
@@ -100,7 +100,8 @@ void IdealBody::HashState(Hasher* hasher) const {
   for (const double place : {start_.x_m, start_.y_m, start_.yaw_rad}) {
     if (place != 0) hasher->Add(place);
   }
-  for (const JointState& joint : state_.joints) {  // everything else follows from the angles
+  // Only joints are hashed: poses and paws follow from their angles.
+  for (const JointState& joint : state_.joints) {
     hasher->Add(joint.angle_rad);
     hasher->Add(joint.speed_rad_s);
   }

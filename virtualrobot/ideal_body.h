@@ -27,16 +27,18 @@ class IdealBody : public Body {
   void SetCommands(const std::vector<JointCommand>& commands) override;
   void Advance() override {}
 
-  // Return the state and the poses at the end of the last frame. state(), BodyPoses() and PoseOf()
-  // compute the pose of the base only when a joint has moved since the last call, and compute only
-  // the parts that have moved.  So a frame whose state is not read takes almost no time.
+  // The functions below return the state and the poses at the end of the newest frame.  The
+  // functions state(), BodyPoses() and PoseOf() compute the pose of the base only when a joint has
+  // moved since the last call, and compute only the parts that have moved.  So a frame whose state
+  // is not read takes almost no time.
   const BodyState& state() const override;
   RayHit CastRay(const Eigen::Vector3d& p_W, const Eigen::Vector3d& direction_W,
                  double max_m) const override;
   const World& world() const override { return world_; }
   std::vector<Eigen::Isometry3d> BodyPoses() const override;
   Eigen::Isometry3d PoseOf(size_t part) const override;
-  // The pose of the base follows the hand exactly, but no part of the robot goes below the floor.
+  // Moves the base to the pose `X_WB` of the hand at once, but no part of the robot goes below the
+  // floor.
   void Hold(const std::optional<Eigen::Isometry3d>& X_WB) override;
   void HashState(Hasher* hasher) const override;
 
@@ -49,7 +51,7 @@ class IdealBody : public Body {
   const StartPlace start_;
   std::optional<Eigen::Isometry3d> held_at_;  // the pose that a hand gives to the base
   mutable BodyState state_;
-  mutable StiffRobot robot_;  // at the joint angles of the last Place()
+  mutable StiffRobot robot_;  // a stiff robot with the joint angles of the last call of Place()
   mutable RestingPose pose_;  // the pose in which robot_ rests
   // True when robot_, and the base and paws in state_, are computed for the present joint angles.
   mutable bool placed_ = false;

@@ -9,7 +9,8 @@
 
 namespace openr_host {
 
-// Read a number, or a percentage such as "30%" from 0% to 100%.  Return "" or the error.
+// ReadNumber() reads `text` as a number.  ReadPercent() reads `text` as a percentage, such as
+// "30%", from 0% to 100%.  Both return "" or the error.
 std::string ReadNumber(std::string_view text, double* number);
 std::string ReadPercent(std::string_view text, int* percent);
 

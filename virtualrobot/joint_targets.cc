@@ -98,8 +98,8 @@ int JointTargets::JointNamed(std::string_view name) {
   return joint;
 }
 
-// Starts a way for each joint in `goals`.  The way begins at the present set point of the joint, or
-// at its measured angle if nobody has commanded the joint since the boot.
+// Starts to move the set point of each joint in `goals`.  The movement begins at the present set
+// point of the joint, or at its measured angle if no set point was sent for the joint since boot.
 void JointTargets::Begin(const std::vector<Goal>& goals, int64_t frames) {
   robot_.devices.set_commander(kNoObject);
   for (const Goal& goal : goals) {

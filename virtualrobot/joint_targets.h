@@ -23,11 +23,11 @@ class JointTargets {
   // `robot` must outlive this object.
   explicit JointTargets(RobotParts* robot) : robot_(*robot) {}
 
-  // Adds the input `target` of this robot to its system.
+  // Adds the input `target` to the System of this robot, so that people and scripts can use it.
   void AddVerbs();
 
-  // Sets the set points of the frame of 8 ms that begins.  Called after the set points of the
-  // objects.
+  // Sets the set points of all joints in ways_ for the frame of 8 ms that begins.  Called after the
+  // objects' command vectors have set theirs, because the set points of inputs win.
   void DoFrame();
 
   // Gives a joint back to the objects of the robot.
@@ -38,12 +38,12 @@ class JointTargets {
   void HashState(Hasher* hasher) const;
 
  private:
-  // The way of a set point from its old value to its goal, in equal steps, one per frame.
+  // The movement of a set point from its old value to its goal, in equal steps, one step per frame.
   struct Way {
     int32_t from_urad = 0;
     int32_t goal_urad = 0;
-    int64_t frames = 1;  // length of the way
-    int64_t done = 0;    // frames of the way that are over
+    int64_t frames = 1;  // number of frames in which the set point moves to its goal
+    int64_t done = 0;    // how many of these frames are over
   };
   struct Goal {
     int joint;
@@ -56,8 +56,9 @@ class JointTargets {
   void Begin(const std::vector<Goal>& goals, int64_t frames);
 
   RobotParts& robot_;
-  std::map<int, Way> ways_;                        // key: the joint
-  std::map<std::string, int, std::less<>> known_;  // joints by the names that inputs have used
+  std::map<int, Way> ways_;  // the key is the index of the joint
+  // indices of joints; the keys are names that inputs have used
+  std::map<std::string, int, std::less<>> known_;
 };
 
 }  // namespace openr_host

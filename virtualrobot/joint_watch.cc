@@ -23,8 +23,8 @@ const double kFar_rad = Radians(10);
 // is our choice.  For example, the head of an ERS-210 sinks 27 degrees in 136 ms, which is no
 // mistake of the program.
 constexpr int kHalfSecondFrames = 62;
-// Change of a set point in one frame that counts as a jump.  The number is our choice: the vendor's
-// own walks change set points by up to 20 degrees in a frame.
+// Smallest change of a set point in one frame that counts as a jump.  The number is our choice: the
+// vendor's own walks change set points by up to 20 degrees in a frame.
 const slongword kJumpUrad = static_cast<slongword>(Radians(30) / kRadPerUrad);
 // Set points count as radians when they are 1 to 10 microradians, positive or negative, for 32
 // frames (a quarter of a second).  The numbers are our choice.
@@ -33,7 +33,7 @@ constexpr int kTinyFrames = 32;
 constexpr double kLoad = 0.78 * kDriveFull;
 constexpr int kLoadFrames = 30 * 125;
 
-// Returns a list like "PRM:/a, PRM:/b and 10 more".
+// Returns the names as a list for a report, such as "PRM:/a, PRM:/b and 10 more".
 std::string Listed(const std::vector<std::string>& names) {
   std::string text = names.front();
   if (names.size() > 1) text += fmt::format(", {}", names[1]);

@@ -44,7 +44,7 @@ class JointWatch {
   // is not known.  Called after every frame.
   int NoteFrame(const BodyState& body);
 
-  // Forgets all observations, because the robot is switched off.
+  // Forgets what earlier frames and vectors have shown, because the robot is switched off.
   void SwitchOff();
 
   void HashState(Hasher* hasher) const;
@@ -56,7 +56,8 @@ class JointWatch {
   };
   struct Joint {
     bool acted = false;  // whether the servo acted at the last change of gains or power
-    // Each told_... tells whether one kind of mistake has been reported for the joint already.
+    // The next four members say whether a kind of mistake has been reported for this joint already,
+    // because each is reported only once: start far from the set point, jump, no effect, radians.
     bool told_start = false;
     bool told_jump = false;
     bool told_effect = false;
@@ -71,7 +72,8 @@ class JointWatch {
   };
 
   // Returns whether the servo of `joint` has not acted yet and the joint was near `goal_rad` in the
-  // last second.  Then the joint was at its goal and has only sunk, because it is limp.
+  // last second.  In this case the joint was at its goal and has only sunk, because it is limp, so
+  // a start far from the goal is no mistake of the program.
   static bool HasSunk(const Joint& joint, double goal_rad);
   // Records the positions of the joints whose servos have not acted yet.
   void NoteLimpJoints(const BodyState& body);
@@ -84,7 +86,7 @@ class JointWatch {
   const RobotModel& model_;
   const Devices& devices_;
   std::vector<Joint> joints_;
-  int limp_frames_ = 0;  // frames of the present half second that have passed
+  int limp_frames_ = 0;  // number of frames of the present half second that have passed
 };
 
 }  // namespace openr_host

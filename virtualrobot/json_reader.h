@@ -57,7 +57,7 @@ class JsonReader {
 
   const nlohmann::json& value_;
   std::string place_;
-  const char* separator_;  // separator between place_ and the name of a member
+  const char* separator_;  // text between place_ and the name of a member in an error message
 };
 
 }  // namespace openr_host

@@ -29,9 +29,9 @@ constexpr int kGridMax = 64;
 // Largest size of a thing, and largest distance of its centre from the origin along an axis.
 constexpr double kPlaceMax_m = 1000;
 constexpr double kAngleMax_deg = 360;
-// Limits of things that can move.
+// Limits for a thing that can move: its mass, and its smallest length.
 constexpr double kMassMin_kg = 0.001, kMassMax_kg = 1000, kMovableMin_m = 0.005;
-// Largest height of a thing that is paint on the floor, and largest height of its middle.
+// Limit for a thing that is paint on the floor: its thickness, and the height of its middle.
 constexpr double kPaintMax_m = 0.01;
 // Thickness of the board that is a ramp.  A falling part moves less than this in a frame, so it
 // cannot pass through the board.
@@ -103,7 +103,7 @@ void ReadMatter(const JsonReader& row, WorldThing* thing) {
   }
 }
 
-// Reads edges of a box, a ramp or stairs.
+// Reads the lengths of the edges of a box, a ramp or stairs; `shape` is its name in error messages.
 Vector3d EdgesOf(const JsonReader& row, const WorldThing& thing, const char* shape) {
   const Vector3d size_m = row.At("size_m").Vector();
   if (!(size_m.minCoeff() > 0)) {
@@ -149,7 +149,8 @@ void ReadCylinder(const JsonReader& row, WorldThing thing, std::vector<WorldThin
   things->push_back(thing);
 }
 
-// Adds a board whose upper face rises from `start_m` along its own x.
+// Reads a ramp and adds it to `things` as a board.  The upper face of the board rises from
+// `start_m` along the board's own x axis.
 void ReadRamp(const JsonReader& row, WorldThing thing, std::vector<WorldThing>* things) {
   row.AllowOnly({"shape", "name", "colour", "reflectance", "size_m", "start_m", "yaw_deg"});
   const Vector3d size_m = EdgesOf(row, thing, "ramp");
@@ -161,8 +162,8 @@ void ReadRamp(const JsonReader& row, WorldThing thing, std::vector<WorldThing>* 
   things->push_back(thing);
 }
 
-// Adds a box for each step, from the height of `start_m` up to the tread of the step.  The stairs
-// rise from `start_m` along their own x.
+// Reads stairs and adds a box for each step to `things`.  The box reaches from the height of
+// `start_m` up to the tread of the step.  The stairs rise from `start_m` along their own x axis.
 void ReadStairs(const JsonReader& row, WorldThing thing, std::vector<WorldThing>* things) {
   row.AllowOnly(
       {"shape", "name", "colour", "reflectance", "size_m", "steps", "start_m", "yaw_deg"});
@@ -218,8 +219,8 @@ void ReadHeightField(const JsonReader& row, WorldThing thing, std::vector<WorldT
   things->push_back(thing);
 }
 
-// Fails if one of the things from `first` on is larger, or further away, than kPlaceMax_m.  For
-// such things sums of doubles are not exact enough.
+// Fails if one of the things from index `first` on is larger, or further away, than kPlaceMax_m,
+// because sums of doubles are not exact enough for such a thing.
 void CheckPlaces(const JsonReader& row, const std::vector<WorldThing>& things, size_t first) {
   for (size_t i = first; i < things.size(); ++i) {
     const WorldThing& thing = things[i];
@@ -266,7 +267,7 @@ void ReadStarts(const JsonReader& rows, std::vector<StartPlace>* starts) {
   }
 }
 
-// Reads the boxes of a file of version 1.
+// Reads the boxes of a world file of version 1, which has no other things.
 void ReadBoxes(const JsonReader& root, std::vector<WorldThing>* things) {
   for (const JsonReader& row : root.At("boxes").Elements()) {
     row.AllowOnly({"name", "size_m", "centre_m", "yaw_deg"});
@@ -295,8 +296,8 @@ void ReadLight(const JsonReader& row, World* world) {
                              DetCos(elevation) * DetSin(azimuth), DetSin(elevation));
 }
 
-// Reads the floor's colour and reflectance and the light.  Cameras and distance sensors notice
-// them.
+// Reads what cameras and distance sensors notice: the colour and reflectance of the floor, and the
+// light.
 void ReadLooks(const JsonReader& root, World* world) {
   if (root.Has("floor_colour")) world->floor_colour = ColourOf(root.At("floor_colour"));
   if (root.Has("floor_reflectance"))

@@ -1,5 +1,5 @@
-// Optional bytes in the headers of vectors (Level 2 Reference Guide, 4.1).  With them, programs
-// that send commands or sound pass data to programs that read sensors.
+// Optional bytes in the headers of vectors (Level 2 Reference Guide, 4.1).  With optional bytes,
+// programs that send commands or sound pass data to programs that read sensors.
 //
 // The header of a command or sound vector names a range of its optional bytes.  The range is copied
 // when the vector begins to play, and every later sensor vector carries the copy.  The robot may

@@ -17,7 +17,7 @@ namespace openr_host {
 namespace {
 
 constexpr int kZeroCelsius = 2731;       // 0 degrees Celsius in units of 0.1 K
-constexpr word kFullCapacityMah = 2000;  // our choice
+constexpr word kFullCapacityMah = 2000;  // capacity of a full battery; our choice
 constexpr word kVoltageMv = 7400;        // two lithium cells; our choice
 constexpr int kChargingMa = 1000;        // charging current on the charging station; our choice
 constexpr int kCurrentMaxMa = 32767;     // largest current that OPowerStatus can tell
@@ -49,7 +49,8 @@ Power::Power(System* system, Battery battery) : system_(system), battery_(batter
 word Power::RemainingCapacity() const {
   const int64_t time_us = system_->now_us() - capacity_since_us_;
   if (!charging_) {
-    // The time in which the usual current would have drawn the same charge from the battery.
+    // The time in which the usual current would have drawn the same charge from the battery.  With
+    // this time, PercentAt() gives the capacity for the current that was really drawn.
     const int64_t drained_us = time_us + extra_ma_us_ / Energy::kUsualMa;
     return static_cast<word>(battery_.PercentAt(std::max<int64_t>(drained_us, 0)));
   }
@@ -105,7 +106,8 @@ void Power::SetCapacity(int percent) {
 }
 
 void Power::SetCharging(bool on) {
-  // Stores the present capacity, because the capacity changes at another speed from now on.
+  // Stores the present capacity as a new beginning, because from now on the capacity changes at
+  // another speed.
   SetCapacity(RemainingCapacity());
   charging_ = on;
   NotifyChange();
@@ -159,7 +161,7 @@ void Power::NotifyChange() {
     if (!Asks(watcher.filter, before, now)) continue;
     OwnedMessage message =
         system_->NewMessage(ObjectIdOf(watcher.entry.GetOID()), watcher.entry.GetSelector());
-    // clears the padding, too, because the hash of the message includes the padding
+    // Clears all bytes with the padding, because the hash of the message includes the padding.
     std::memset(message->payload, 0, sizeof(OPowerStatusMessage));
     auto& payload = *reinterpret_cast<OPowerStatusMessage*>(message->payload);
     payload.msgType = omsgPOWER_STATUS;

@@ -1,4 +1,5 @@
-// The power, battery, clock and pause button of one robot, and the objects that observe them.
+// Power: the motor power, battery, clock and pause button of one robot.  Sends messages about
+// changes to the objects that observe the robot's power status.
 #pragma once
 
 #include <OPENR/OPENRAPI.h>
@@ -60,8 +61,8 @@ class Power {
   // a frame (8 ms).
   void Update();
 
-  // Switches the robot off, so that its boot timer boots it.  Nobody observes the power any more.
-  // Battery, clock and volume switch stay as they are.
+  // Switches the robot off, so that its boot timer boots it.  Removes all observers of the power
+  // status.  Battery, clock and volume switch stay as they are.
   void SwitchOff();
 
   void SetTimeDifference(sbyte hours);
@@ -90,7 +91,7 @@ class Power {
   // is our choice.
   static constexpr int64_t kChargeUs = 72'000'000;
 
-  Battery battery_;  // state at the time capacity_since_us_
+  Battery battery_;  // the battery as it was at the time capacity_since_us_
   int64_t capacity_since_us_ = 0;
   // Charge drawn since capacity_since_us_, minus the charge that the usual current draws.
   int64_t extra_ma_us_ = 0;
@@ -101,7 +102,7 @@ class Power {
   sbyte time_difference_ = 0;
   byte volume_ = 3;
   int64_t clock_offset_s_ = 0;  // time of the robot's clock minus virtual time, in s
-  OPowerStatus last_;           // the last status of which the observers were notified
+  OPowerStatus last_;           // the newest status of which the observers were notified
   std::vector<Watcher> watchers_;
 };
 

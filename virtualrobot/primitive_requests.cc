@@ -8,7 +8,8 @@
 
 namespace openr_host {
 
-// The arguments of a request, which were checked against the request's row of the table.
+// The arguments of a request.  Their sizes were checked with the request's row of the table
+// already.
 struct RequestCall {
   VirtualRobot& robot;
   RobotParts& parts;
@@ -45,7 +46,8 @@ struct PrimitiveRequests {
     (call.parts.*device.*set)(on);
     return oSUCCESS;
   }
-  // Performs a request that sets the camera; refuses unknown values.
+  // Performs a request that changes a setting of the camera.  Refuses a value that OPEN-R does not
+  // define.
   template <auto set>
   static OStatus Choose(const RequestCall& call) {
     return (call.parts.camera.*set)(CameraParam(call)) ? oSUCCESS : oINVALID_ARG;

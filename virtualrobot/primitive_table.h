@@ -1,5 +1,6 @@
-// The primitives of a robot, with locator, id and kind.  A primitive is a device that OPEN-R can
-// open: a joint, sensor, light, plunger (ear), speaker, microphone or camera.
+// A table of the primitives of a robot, with the locator, id and kind of each.  A primitive is a
+// device that OPEN-R can open: a joint, sensor, light, plunger (ear), speaker, microphone or
+// camera.
 //
 // An id is 0x1000 plus the index of the primitive in this table, which begins with the elements of
 // the sensor vector.  Because ids depend on the model only, they are the same for every object and
@@ -23,8 +24,8 @@ enum class PrimitiveKind { kJoint, kSensor, kLed, kPlunger, kSpeaker, kMicrophon
 struct Primitive {
   std::string locator;
   PrimitiveKind kind = PrimitiveKind::kSensor;
-  OPrimitiveType type = oprimitiveUNDEF;  // type that the word behind the dash of the locator names
-  int index = -1;                         // index in the RobotModel's list of this kind
+  OPrimitiveType type = oprimitiveUNDEF;  // type that the locator names after its dash
+  int index = -1;      // index in the RobotModel's list of primitives of this kind
   int sensor = -1;     // index of the element in the sensor vector; -1: no element
   int open_count = 0;  // calls of OpenPrimitive() minus calls of ClosePrimitive(); >= 0
 

@@ -1,6 +1,7 @@
-// The protective shutdowns of a robot, beside the overload that JointWatch finds: a battery that
-// gives too much current or gets too hot, and on the ERS-7 a jammed joint.  The model files have
-// the limits; field-notes.md, 7.20 to 7.22, has what is known of them.
+// Finds reasons for which a robot shuts down to protect itself: the battery gives too much current
+// or gets too hot, or a joint of an ERS-7 is jammed.  JointWatch finds another such reason, an
+// overloaded motor.  The model files have the limits; field-notes.md, 7.20 to 7.22, has what is
+// known of them.
 #pragma once
 
 #include <string>
@@ -21,12 +22,12 @@ class Protection {
 
   // A reason why the robot shuts down.
   struct Reason {
-    std::string finding;  // what the robot says, and why
+    std::string finding;  // text of the report: what the robot has noticed, and why it shuts down
     std::string end;      // reason for the end of the run
   };
 
-  // Notes a frame of 8 ms, after the body has moved.  Returns the reasons for a shutdown that begin
-  // with this frame.
+  // Checks the limits at the end of a frame of 8 ms, after the body has moved.  Returns the reasons
+  // for a shutdown that did not hold before this frame.
   std::vector<Reason> NoteFrame(const BodyState& body, const Energy& energy, bool charging);
 
   // Returns whether the battery now gives more current than its limit.
@@ -34,7 +35,8 @@ class Protection {
   // Returns whether the battery is now hotter than its limit.
   bool over_temperature() const { return heat_ != Heat::kNone; }
 
-  // Forgets all observations, because the robot is switched off.
+  // Forgets what earlier frames have shown (limits exceeded, joints jammed), because the robot is
+  // switched off.
   void SwitchOff();
 
   void HashState(Hasher* hasher) const;
@@ -43,12 +45,15 @@ class Protection {
   void FindJam(const BodyState& body, std::vector<Reason>* reasons);
 
   const RobotModel& model_;
-  // The temperature limit that the battery exceeds now: one holds while it charges, one otherwise.
+  // The temperature limit that the battery exceeds now.  The battery has two limits: one applies
+  // while the battery charges (kCharging), the other at all other times (kDischarging).
   enum class Heat { kNone, kDischarging, kCharging };
 
   bool over_current_ = false;
   Heat heat_ = Heat::kNone;
-  std::vector<int> jammed_frames_;  // [joint]; empty for a model without detection of jams
+  // For each joint, the number of successive frames in which the joint was jammed.  Empty for a
+  // model without detection of jams.
+  std::vector<int> jammed_frames_;
 };
 
 }  // namespace openr_host

@@ -1,5 +1,5 @@
-// A handle that holds a reference to a region (shared memory with a vector).  The reference is
-// given back when the handle is destroyed or released.
+// RegionReference: a handle that holds a reference to a region (shared memory with a vector), and
+// gives the reference back when the handle is destroyed or released.
 #pragma once
 
 #include <OPENR/RCRegion.h>
@@ -8,8 +8,8 @@
 
 namespace openr_host {
 
-// A reference to a region.  REQUIRES: constructed and released in handlers of one object, because
-// RCRegion counts references per object.
+// A reference to a region.  REQUIRES: constructed and released in handlers of the same object,
+// because the references to a region are counted separately for each object.
 class RegionReference {
  public:
   RegionReference() = default;  // makes a handle without a region

@@ -11,15 +11,16 @@
 namespace openr_host {
 namespace {
 
-// Returns the random generator of the sensor noise.  Each robot has a generator of its own, so a
-// further robot does not change the noise of other robots.
+// Returns the random generator of the sensor noise of robot number `robot`.  Each robot has a
+// generator of its own, so a further robot does not change the noise of other robots.
 Rng NoiseOf(int robot, uint64_t seed) { return {seed, fmt::format("robot{}/sensors", robot)}; }
 
 std::unique_ptr<ImageSource> SourceOf(std::unique_ptr<ImageSource> given, const RobotModel& model) {
   return given ? std::move(given) : std::make_unique<RenderedWorld>(model);
 }
 
-// Returns the random generator for the errors of sensors that the input `break` has made noisy.
+// Returns the random generator for the errors of those sensors of robot number `robot` that the
+// input `break` has made noisy.
 Rng FaultNoiseOf(int robot, uint64_t seed) { return {seed, fmt::format("robot{}/faults", robot)}; }
 
 }  // namespace
@@ -62,7 +63,7 @@ void RobotParts::SwitchOff() {
   speaker.SwitchOff(frame);
   safe_posture.SwitchOff();
   targets.SwitchOff();
-  {  // scope of the system objects, because they own the regions that these parts give up
+  {  // in the scope of a system object, because it owns the regions that these parts give up
     const CurrentScope scope(&system, system.FindObject(robot_index, kVirtualRobotComm));
     sensors.SwitchOff();
     camera.SwitchOff(frame);

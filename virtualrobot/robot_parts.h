@@ -33,8 +33,9 @@
 
 namespace openr_host {
 
-// The sink and the sources for a robot's speaker, microphone and camera, its battery, and the
-// frames of its world.  Every member may be left out.
+// What a robot is connected to: a sink for its speaker, sources for its microphone and its camera,
+// a battery, and a SharedFrame if other robots are in the same world.  Every member may be left
+// out.
 struct VirtualRobotOptions {
   std::unique_ptr<SoundSink> speaker;                   // null: sounds are not stored
   std::unique_ptr<SoundSource> microphone;              // null: the microphone hears silence
@@ -43,7 +44,7 @@ struct VirtualRobotOptions {
   std::shared_ptr<SharedFrame> shared_frame = nullptr;  // null: the robot is alone in its world
 };
 
-// The names of the two system objects.
+// The names of the two system objects of a robot.
 constexpr char kVirtualRobotComm[] = "OVirtualRobotComm";
 constexpr char kVirtualRobotAudioComm[] = "OVirtualRobotAudioComm";
 
@@ -55,7 +56,7 @@ struct RobotParts {
   RobotParts(const RobotParts&) = delete;
   RobotParts& operator=(const RobotParts&) = delete;
 
-  // Adds a warning about the object whose handler runs now.
+  // Adds the warning `text` about the object whose handler runs now to the findings of the run.
   void Warn(std::string text);
 
   // Switches the devices off and sets the parts to their state at boot, except the body, the

@@ -37,8 +37,8 @@ class SafePosture {
   // Ends all movements, because the robot is switched off.
   void SwitchOff() { gone_.clear(); }
 
-  // Computes the set points of frame `frame` for the joints of crashed objects.  Called after the
-  // command vectors have set their set points.
+  // Sets the set points of frame `frame` for joints that a crashed object has commanded.  Called
+  // after the command vectors have set their set points.
   void Apply(int64_t frame, Devices* devices);
 
   void HashState(Hasher* hasher) const;
@@ -46,8 +46,9 @@ class SafePosture {
  private:
   struct Gone {
     ObjectId commander;
-    int64_t since;                     // frame in which the object crashed
-    std::vector<slongword> from_urad;  // set points when the movement starts; empty before
+    int64_t since;  // frame in which the object crashed
+    // set points of all joints when the movement starts; empty before it starts
+    std::vector<slongword> from_urad;
   };
 
   const RobotModel& model_;

@@ -12,10 +12,10 @@
 namespace openr_host {
 namespace {
 
-constexpr double kMicro = 1e6;  // because sensor values are in millionths of their SI unit
+constexpr double kMicro = 1e6;  // sensor values are in millionths of their SI unit
 // Largest output of the 10-bit A/D converter (Level 2 Reference Guide, 4.2.2).
 constexpr int kSignalMax = 1023;
-// Range for the noise of a faulty sensor; our choice.
+// Range of a temperature sensor, for the errors of a noisy sensor.  The number is our choice.
 constexpr double kTemperatureRangeMicroC = 100e6;
 constexpr double kRayMaxM = 2.0;
 // Least light that a distance sensor needs to see a thing.  The light that comes back is the
@@ -74,7 +74,7 @@ SensorSource::SensorSource(const RobotModel& model, const PrimitiveTable& primit
       readings_(model.joints.size()),
       held_(model.sensors.size()),
       frames_(model.sensors.size() * kFramesPerVector) {
-  // Padding is set to 0 as well, because all bytes of the samples are hashed.
+  // Sets all bytes of the samples to 0, also their padding, because all bytes are hashed.
   std::memset(static_cast<void*>(latest_.data()), 0, latest_.size() * sizeof latest_[0]);
   std::memset(static_cast<void*>(frames_.data()), 0, frames_.size() * sizeof frames_[0]);
 }
@@ -104,8 +104,8 @@ void SensorSource::SampleJoint(size_t index, int joint, const BodyState& state,
   std::memcpy(static_cast<void*>(&latest_[index]), &value, sizeof value);
 }
 
-// Measures the distance in front of the sensor, converts it by linear interpolation in the model's
-// table, and adds uniform noise.
+// Returns the sample of a distance sensor.  Converts the distance of the thing in front of the
+// sensor by linear interpolation in the model's table, and adds uniform noise.
 slongword SensorSource::DistanceOf(const Sensor& sensor, const Body& body) {
   if (sensor.body < 0 || sensor.lookup.size() < 2) return static_cast<slongword>(sensor.max);
   const Eigen::Isometry3d X_WP = body.PoseOf(static_cast<size_t>(sensor.body));
@@ -133,7 +133,8 @@ bool SensorSource::IsPressed(const BodyState& state, size_t paw) const {
   return state.paw_forces_n.empty() || state.paw_forces_n[paw] >= model_.paw_force_n;
 }
 
-// Returns the value of a sensor that does not belong to a joint, and that nobody touches.
+// Returns the value that a sensor measures when no hand touches it.  REQUIRES: the sensor does not
+// belong to a joint.
 slongword SensorSource::ValueOf(const Sensor& sensor, const Body& body) {
   switch (sensor.kind) {
     case SensorKind::kDistance:
@@ -168,7 +169,8 @@ void SensorSource::SampleNow(const Body& body, const Devices& devices) {
   }
 }
 
-// Changes the sample `value` of a faulty sensor.  `before` is the value of its last sample.
+// Changes the new sample `value` of a sensor by the sensor's fault.  `before` is the value of the
+// sample of the frame before.
 void SensorSource::ApplyFault(const SensorFault& fault, const Sensor& sensor, slongword before,
                               OSensorValue* value) {
   switch (fault.kind) {
@@ -182,7 +184,8 @@ void SensorSource::ApplyFault(const SensorFault& fault, const Sensor& sensor, sl
     case SensorFaultKind::kNoisy: {
       const double noise = FaultNoise();
       const double share = fault.percent / 100.0;
-      if (sensor.kind == SensorKind::kSwitch) {  // because a switch has only two values
+      // A switch has only two values, so an error inverts it.
+      if (sensor.kind == SensorKind::kSwitch) {
         if (std::fabs(noise) < share) value->value = value->value == oswitchON ? 0 : oswitchON;
         break;
       }

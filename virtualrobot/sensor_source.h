@@ -23,9 +23,9 @@ namespace openr_host {
 
 class Hasher;
 
-// A fault of a sensor.
+// The kinds of faults that a sensor can have.
 enum class SensorFaultKind {
-  kStuck,  // the sensor keeps the value that it has
+  kStuck,  // the sensor goes on giving the value that it had when the fault began
   kNoisy,  // the values of the sensor have random errors
   kDead,   // the sensor gives no values
 };
@@ -52,17 +52,17 @@ class SensorSource {
   // Takes the samples of frame `frame`.  Returns whether these samples complete a vector.
   bool Sample(int64_t frame, const Body& body, const Devices& devices);
 
-  // Takes samples that Latest() returns, but that belong to no vector.  They are for a program that
-  // reads a sensor before the first frame is over.
+  // Samples all sensors now, so that Latest() returns the new samples; no vector contains them.
+  // Called when a program reads a sensor before the first frame is over.
   void SampleNow(const Body& body, const Devices& devices);
 
   // Returns the newest sample of element `sensor` of the sensor vector.  For a joint, its bytes are
   // an OJointValue.
   const OSensorValue& Latest(int sensor) const { return latest_[static_cast<size_t>(sensor)]; }
 
-  // Returns a vector with the samples of the four newest frames, in a region to which no object
-  // refers.  This SensorSource keeps the only reference to the region.  REQUIRES: Sample() has just
-  // returned true; called in a handler of an object, because RCRegion counts references per object.
+  // Returns a vector with the samples of the four newest frames.  The vector is in a free region:
+  // only this SensorSource holds a reference to it.  REQUIRES: Sample() has just returned true, and
+  // a handler of an object runs, because a new region belongs to the object that runs.
   RCRegion* MakeVector(const OptionalBytes& optional);
 
   // Sets the temperature of the body, in degrees Celsius.
@@ -85,8 +85,9 @@ class SensorSource {
     return 2.0 * fault_noise_.NextDouble() - 1.0;
   }
 
-  // Gives up the samples that wait for their vector, and the regions of all vectors.  REQUIRES: the
-  // object that sends the vectors is the current object.
+  // Switches the sensors off with the robot: drops the samples that are not in a vector yet, and
+  // the references to the regions of all vectors.  REQUIRES: the object that sends the vectors is
+  // the current object.
   void SwitchOff();
 
   void HashState(Hasher* hasher) const;
@@ -112,14 +113,15 @@ class SensorSource {
   const RobotModel& model_;
   const PrimitiveTable& primitives_;
   Rng noise_, fault_noise_;
-  bool is_fault_noise_used_ = false;  // whether FaultNoise() was called
+  // Whether FaultNoise() was called; only then its generator is hashed.
+  bool is_fault_noise_used_ = false;
   std::vector<OSensorValue> latest_;
-  std::vector<JointReading> readings_;          // [joint]
-  std::vector<std::optional<slongword>> held_;  // [sensor]: see Hold()
-  std::map<int, SensorFault> faults_;           // key: the sensor
-  std::vector<OSensorValue> frames_;  // [frame][sensor]: samples of kFramesPerVector frames
+  std::vector<JointReading> readings_;          // one element for each joint
+  std::vector<std::optional<slongword>> held_;  // for each sensor, the value that Hold() has set
+  std::map<int, SensorFault> faults_;           // the key is the index of the sensor
+  std::vector<OSensorValue> frames_;  // frames_[frame][sensor]: samples of kFramesPerVector frames
   int body_c_ = 30;
-  int64_t first_frame_ = 0;  // number of the first frame in frames_
+  int64_t first_frame_ = 0;  // number of the first frame whose samples are in frames_
   // Number of frames of the next vector whose samples are in frames_; below kFramesPerVector.
   int collected_ = 0;
   VectorPool pool_;

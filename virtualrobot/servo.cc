@@ -44,7 +44,8 @@ void Servo::BeginFrame(const JointCommand& command, double angle_rad) {
   enabled_ = true;
   target_rad_ = command.target_rad;
   target_speed_rad_s_ = (target_rad_ - last_rad) / kFrame_s;
-  if (!(gains_ == command.gains)) {  // seldom true; conversions take time
+  // Converts gains only when they change, because conversions take time.
+  if (!(gains_ == command.gains)) {
     gains_ = command.gains;
     p_ = Effective(gains_.p, gains_.p_shift) * counts_per_rad_;
     i_ = Effective(gains_.i, gains_.i_shift) * counts_per_rad_;
@@ -92,7 +93,7 @@ TorqueLine Servo::MotorLine(double angle_rad, double speed_rad_s, double step_s)
 }
 
 // Adds the torque of a hand that turns the joint, and the torque that holds a jammed joint.  Both
-// act like springs; their force is computed for the end of the step.
+// torques act like springs and are computed for the angle at the end of the step.
 void Servo::AddTrouble(double angle_rad, double step_s, TorqueLine* line) const {
   if (trouble_->hand_rad) {
     const double stiffness_nm = settings_.hand_stiffness_nm_per_rad;
@@ -107,8 +108,8 @@ void Servo::AddTrouble(double angle_rad, double step_s, TorqueLine* line) const 
   }
 }
 
-// Returns dry friction, which is viscous below the creep speed, because a force that jumps at speed
-// 0 would make the joint tremble.
+// Returns the torque of a limp joint: dry friction.  Below the creep speed the friction is viscous,
+// because a force that jumps at speed 0 would make the joint tremble.
 TorqueLine Servo::LimpLine(double speed_rad_s) const {
   const double speed =
       std::max(speed_rad_s < 0 ? -speed_rad_s : speed_rad_s, settings_.limp_creep_rad_s);

@@ -83,7 +83,7 @@ class Servo {
   double p_ = 0;         // in PWM counts per rad
   double i_ = 0;         // in PWM counts per rad and frame; the servo integrates once a frame
   double d_ = 0;         // in PWM counts per rad/s
-  double integral_ = 0;  // in PWM counts
+  double integral_ = 0;  // integral of the control law, in PWM counts
   const JointTrouble* trouble_ = nullptr;
 };
 

@@ -18,13 +18,14 @@ class SharedFrame {
   void Add(RobotParts* robot) { robots_.push_back(robot); }
 
   // Ends the frame that ends at the virtual time `now_us`: the hands of people and the faults act,
-  // and the bodies move for 8 ms under the present set points.  Does nothing if another robot has
-  // ended this frame already.
+  // and the bodies move for 8 ms under the present set points.  Each robot calls End() for each of
+  // its frames; all calls for one frame but the first do nothing.
   void End(int64_t now_us);
 
  private:
   std::vector<RobotParts*> robots_;
-  int64_t ended_frame_ = -1;  // number of the last frame that End() has ended, from the run's begin
+  // Number of the newest frame that End() has ended, counted from the begin of the run.
+  int64_t ended_frame_ = -1;
 };
 
 }  // namespace openr_host

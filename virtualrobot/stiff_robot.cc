@@ -77,7 +77,8 @@ void SinkToSupport(const Hull& hull, const Matrix3d& R, const Vector3d& centre, 
       next[k] = p;
       if (Under(next, centre)) break;
     }
-    if (Cross2(next[0], next[1], next[2]) < 1e-12) return;  // p lies in line with an edge
+    // The point p lies in line with an edge, so the new triangle has no area.
+    if (Cross2(next[0], next[1], next[2]) < 1e-12) return;
     *t = next;
   }
 }
@@ -105,7 +106,8 @@ StiffRobot::StiffRobot(const RobotModel& model, const std::vector<double>& angle
 }
 
 void StiffRobot::Move() {
-  for (size_t i = 1; i < X_BL_.size(); ++i) {  // parents come before their children
+  // In this order the parent of a part is placed before the part.
+  for (size_t i = 1; i < X_BL_.size(); ++i) {
     const auto j = static_cast<size_t>(model_.bodies[i].joint);
     const JointModel& joint = model_.joints[j];
     const auto parent = static_cast<size_t>(joint.parent);
@@ -132,9 +134,10 @@ Vector3d StiffRobot::CentreOfMass() const {
   return sum / mass_kg_;
 }
 
-// Returns the centre of mass.  It must lie above the support, the triangle of points on which the
-// robot rests, because otherwise the robot tips over.  For a model without boxes, returns the
-// middle of the paws, because such a robot can rest only on its paws.
+// Returns the centre of mass.  PlaceOnFloor() looks for a support below this point: the triangle of
+// points on which the robot rests.  A robot whose centre of mass is not above its support tips
+// over.  For a model without boxes, returns the middle of the paws, because such a robot can rest
+// only on its paws.
 Vector3d StiffRobot::SupportedPoint() const {
   if (model_.bodies[0].has_box) return CentreOfMass();
   Vector3d sum = Vector3d::Zero();

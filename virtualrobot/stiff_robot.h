@@ -22,10 +22,10 @@ class StiffRobot {
   // Turns joint `joint` to `angle_rad`.  The poses change with the next Move().
   void SetAngle(size_t joint, double angle_rad) { angles_rad_[joint] = angle_rad; }
 
-  // Computes the poses for the angles that were set.
+  // Computes the poses of all parts for the angles that SetAngle() has set.
   void Move();
 
-  // Returns the poses X_BL as LinkPoses() does, as of the last Move().
+  // Returns the pose X_BL of each part (see LinkPoses()), as the last Move() has computed it.
   const std::vector<Eigen::Isometry3d>& X_BL() const { return X_BL_; }
 
   // Returns the centre of mass of all parts, in B and in metres.
@@ -43,11 +43,14 @@ class StiffRobot {
   Eigen::Vector3d SupportedPoint() const;
 
   const RobotModel& model_;
-  std::vector<double> angles_rad_;  // angles that were set
+  std::vector<double> angles_rad_;  // angles that SetAngle() has set
   std::vector<double> placed_rad_;  // angles for which X_BL_ and hull_ were computed
   std::vector<Eigen::Isometry3d> X_BL_;
-  std::vector<Eigen::Vector3d> moments_;  // [part]: mass times centre of mass, in kg m and in B
-  std::vector<bool> has_moved_;  // [part]: used by Move() only; a member to save allocations
+  // For each part: mass times centre of mass, in kg m and in B.
+  std::vector<Eigen::Vector3d> moments_;
+  // For each part, whether Move() has to compute its pose again.  Used by Move() only; a member to
+  // save allocations.
+  std::vector<bool> has_moved_;
   double mass_kg_ = 0;
   Hull hull_;
 };

@@ -47,8 +47,8 @@ void SyncKeys::Arrive(OVRSyncKey key) {
   if (group == nullptr) return;
   ++group->arrived;
   ASSERT(group->arrived <= group->parts, "{} of {} parts", group->arrived, group->parts);
-  // Ends the key when all parts have arrived, so that MayStart() returns true for each of their
-  // vectors: vectors with parts of one key start together.
+  // Ends the key when all parts have arrived, so that MayStart() returns true for all vectors with
+  // parts of this key, and the vectors start together.
   if (group->arrived == group->parts) group->alive = false;
 }
 

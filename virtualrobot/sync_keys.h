@@ -1,4 +1,5 @@
-// Synchronisation keys.  They make command and sound vectors start together.
+// SyncKeys: the synchronisation keys of a robot, which make command and sound vectors start
+// together.
 //
 // A key can be divided into parts.  Vectors that carry the parts of one key wait until the vectors
 // of all parts have arrived.  If the vector of one part never comes, the others wait until the key

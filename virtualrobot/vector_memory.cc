@@ -12,14 +12,15 @@
 namespace openr_host {
 namespace {
 
-constexpr longword kWaitFrames = 1250;  // 10 s; our choice, because no program means to wait longer
+constexpr longword kWaitFrames = 1250;  // 10 s; our choice: a longer wait is taken for a mistake
 
 // Returns how many bytes of the region may be read: the size that its sender says, limited by the
 // size of its memory.
 size_t BytesOf(const RCRegion& region, const RegionTable& regions) {
   if (region.Base() == nullptr) return 0;
   const size_t block = regions.SizeOf(region.MemID());
-  if (block == 0) return region.Size();  // memory of another kind, whose size is not known here
+  // The memory is not in the region table, so only the size that the sender says is known.
+  if (block == 0) return region.Size();
   return std::min(region.Size(), block - std::min<size_t>(block, region.Offset()));
 }
 
@@ -48,8 +49,8 @@ SentVector ReadSentVector(RCRegion* region, size_t info_size, const char* kind, 
                     "element {} is the last",
                     kind, static_cast<int64_t>(header.maxNumData) - 1));
   }
-  // Limits each number by the number before it, because an object can write any number into a
-  // header.
+  // Limits the numbers of elements in the header by the room in the region, because an object can
+  // write any number into a header.
   const size_t room = (vector.bytes - sizeof header) / info_size;
   const size_t made_for = std::min<size_t>(header.maxNumData, room);
   if (header.numData > made_for) {

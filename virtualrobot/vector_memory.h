@@ -1,5 +1,6 @@
-// The memory of vectors (messages with commands, sound, images or sensor values): safe reading of
-// vectors that objects sent, and regions for vectors that the robot sends.
+// Functions for the memory of vectors (messages with commands, sound, images or sensor values).
+// They read safely from vectors that objects sent, and make regions for vectors that the robot
+// sends.
 #pragma once
 
 #include <OPENR/ODataFormats.h>
@@ -46,17 +47,18 @@ OVRSyncKey SyncKeyOf(const RCRegion& region);
 // `problems` when the delay is more than 10 s.
 int64_t WaitOf(const SentVector& vector, std::vector<std::string>* problems);
 
-// The regions that the robot fills for one stream of vectors.  A region is used again when it is
-// free, that is, when no object refers to it.
+// The regions that the robot fills for its vectors of one kind (sensor values, images or sound).  A
+// region is used again when it is free, that is, when no object refers to it.
 class VectorPool {
  public:
-  // Returns a free region.  Returns null when all are in use; then the caller makes a region and
-  // calls Add().
+  // Returns a free region.  Returns null when all regions are in use; then the caller makes a new
+  // region and calls Add().
   RCRegion* Free() const;
 
-  // Adds `region` to the pool.  The pool takes over the only reference to the region.  Adds a
-  // finding when objects keep very many regions.  REQUIRES: called in a handler of an object,
-  // because RCRegion counts references per object.
+  // Adds `region` to the pool.  The caller must hold the only reference to the region; the pool
+  // takes this reference over.  Adds a finding when objects keep very many regions.  REQUIRES: a
+  // handler of an object runs, because the references to a region are counted separately for each
+  // object.
   void Add(RCRegion* region);
 
   // Gives up the references to all regions.  REQUIRES: the object that has called Add() is the
@@ -64,7 +66,9 @@ class VectorPool {
   void Clear();
 
  private:
-  static constexpr size_t kMany = 64;  // our choice; as many as the sensor vectors of 2 s
+  // Number of regions from which on Add() reports a finding.  The number is our choice: sensor
+  // vectors of 2 s.
+  static constexpr size_t kMany = 64;
 
   std::vector<RCRegion*> regions_;
 };

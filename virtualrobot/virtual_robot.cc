@@ -138,8 +138,8 @@ const Primitive* VirtualRobot::Readable(OPrimitiveID id, const char* function) {
     parts_.Warn(fmt::format("{}({}): nobody opened it; on the robot its value means nothing",
                             function, primitive->locator));
   }
-  if (frame() == 0)
-    parts_.sensors.SampleNow(*parts_.body, parts_.devices);  // because no sample was taken yet
+  // During the first frame there is no sample yet, so the sensors are sampled now.
+  if (frame() == 0) parts_.sensors.SampleNow(*parts_.body, parts_.devices);
   return primitive;
 }
 
@@ -173,8 +173,8 @@ OStatus VirtualRobot::DivideSyncKey(OVRSyncKey key, OVRSyncKey* key1, OVRSyncKey
   return oFAIL;
 }
 
-// Sets the camera's colour tables to those of the vector with memory `id`.  A wrong table refuses
-// the whole vector and leaves the camera's tables as they were.
+// Gives the camera the colour tables of the vector with memory `id`.  If one of the tables is
+// wrong, the whole vector is refused and the camera keeps its tables.
 OStatus VirtualRobot::SetCdtVectorData(MemoryRegionID id) {
   RegionTable& regions = parts_.system.regions();
   if (regions.SizeOf(id) < sizeof(OCdtVectorData)) return oFAIL;
@@ -204,8 +204,8 @@ OStatus VirtualRobot::GetBootCondition(OBootCondition* condition) {
   return oSUCCESS;
 }
 
-// Records why the robot ends, if the reason is the pause button or a low battery.  Called before
-// System::Shutdown(), which does not know these two reasons.
+// Shuts the robot down.  First records the reason if it is the pause button or a low battery,
+// because System::Shutdown() does not know these two reasons.
 OStatus VirtualRobot::Shutdown(const OBootCondition& condition) {
   parts_.power.next_boot = condition;
   const std::string who = t_current.object == nullptr ? "an object" : t_current.object->name;

@@ -24,7 +24,7 @@ class VirtualRobot : public RobotServices {
                VirtualRobotOptions options = {});
   ~VirtualRobot() override;
 
-  // ---- Functions for the program, tests and pictures
+  // ---- Functions for the command-line program, for tests and for pictures of the robot
   const RobotModel& model() const { return parts_.model; }
   const Body& body() const { return *parts_.body; }
   Body& body() { return *parts_.body; }
@@ -48,13 +48,14 @@ class VirtualRobot : public RobotServices {
   // Returns whether the camera completed an image with the newest frame.
   bool ImageIsDue() const { return parts_.camera.Due(parts_.frame); }
 
-  // Takes the picture that the camera has just completed (see CameraDevice::TakePicture()).
+  // Writes the image that the camera has just completed to `picture` (see
+  // CameraDevice::TakePicture()).
   std::string TakePicture(Picture* picture) {
     return parts_.camera.TakePicture(parts_.frame, *parts_.body, picture);
   }
 
-  // Takes a picture of the colours that the camera's colour detection has found in that picture
-  // (see CameraDevice::TakeColours()).
+  // Takes a picture of the colours that the camera's colour detection has found in the image that
+  // the camera has just completed (see CameraDevice::TakeColours()).
   std::string TakeColours(Picture* colours) {
     return parts_.camera.TakeColours(parts_.frame, *parts_.body, colours);
   }

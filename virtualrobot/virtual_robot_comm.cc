@@ -37,8 +37,8 @@ OStatus OVirtualRobotComm::DoStart(const OSystemEvent&) {
 
 OStatus OVirtualRobotComm::DoDestroy(const OSystemEvent&) {
   running_ = false;
-  // Gives the regions of command vectors and of the image back here.  No object reads them any
-  // more, and only this object can give them back.
+  // Gives the regions of command vectors and of the image back here.  They are given back now,
+  // because no object reads them any more, and only this object can give them back.
   queues_.clear();
   exposed_.Release();
   return oSUCCESS;
@@ -55,8 +55,8 @@ void OVirtualRobotComm::PostNextFrame() {
 // Runs everything that happens at the boundary between two frames.  The order of the steps is the
 // order in which objects receive their messages, so a change of the order changes all runs.
 void OVirtualRobotComm::Frame() {
-  // 1. End the last frame: the body moves for 8 ms under the present set points and the hands of a
-  // person, then its sensors are sampled.
+  // 1. End the frame that is over: the body moves for 8 ms under the present set points and the
+  // hands of a person, then its sensors are sampled.
   robot_.shared_frame->End(system().now_us());
   std::vector<Protection::Reason> reasons = robot_.NoteFrame(true);
   const bool is_vector_complete = robot_.sensors.Sample(robot_.frame, *robot_.body, robot_.devices);
@@ -106,7 +106,7 @@ void OVirtualRobotComm::Frame() {
   if (running_) PostNextFrame();
 }
 
-// Reports a motor that has pushed at its limit for 30 s.
+// Reports a motor that has pushed at its limit for 30 s as an error of the program.
 void OVirtualRobotComm::ReportOverload() {
   const int joint = robot_.watch.NoteFrame(robot_.body->state());
   if (joint < 0) return;
@@ -117,8 +117,8 @@ void OVirtualRobotComm::ReportOverload() {
        fmt::format("motor {} was at its limit for 30 s", joint)});
 }
 
-// Reports that the robot protects itself.  The robot shuts down in this case.  Here the robot shuts
-// down only with --strict, so that a run without --strict can be examined further.
+// Reports that the robot protects itself.  A real robot shuts down in this case.  The simulated
+// robot shuts down only with --strict, so that a run without --strict can be examined further.
 void OVirtualRobotComm::Protect(Protection::Reason reason) {
   system().AddFinding(Severity::kError, std::move(reason.finding));
   if (!system().options().strict) return;

@@ -18,8 +18,8 @@ using Eigen::Vector3d;
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-// The part of a ray that is inside a shape, as multiples of the ray's direction.  The ray is inside
-// of two shapes at once where both parts overlap.
+// The part of a ray that is inside a shape: from p + enter * d to p + leave * d for the ray p + t *
+// d.
 struct Inside {
   double enter = 0, leave = kNever;
 
@@ -32,7 +32,8 @@ struct Inside {
   double Distance() const { return enter <= leave ? enter : kNever; }
 };
 
-// Cuts `inside` to the part between the planes -half and half of one axis.
+// Cuts `inside` to the part of the ray that is between the planes -half and half of one axis.  `p`
+// and `d` are the ray's coordinates along this axis.
 void CutBySlab(double p, double d, double half, Inside* inside) {
   if (d != 0) {
     inside->Cut((-half - p) / d, (half - p) / d);
@@ -41,7 +42,8 @@ void CutBySlab(double p, double d, double half, Inside* inside) {
   }
 }
 
-// Cuts `inside` to the part within `radius` of the origin, for a ray with two or three coordinates.
+// Cuts `inside` to the part of the ray p + t * d that is within `radius` of the origin.  The ray
+// has two coordinates (for a cylinder) or three (for a ball).
 template <typename Vector>
 void CutByBall(const Vector& p, const Vector& d, double radius, Inside* inside) {
   const double a = d.squaredNorm(), b = p.dot(d), c = p.squaredNorm() - radius * radius;
@@ -103,7 +105,7 @@ RayHit CastRay(const World& world, const std::vector<WorldThing>& things, const 
 StartPlace StartOf(const World& world, int robot) {
   constexpr double kApart_m = 0.5;
   if (world.starts.empty()) {
-    const int steps = (robot + 1) / 2;  // robots are to the left and to the right in turn
+    const int steps = (robot + 1) / 2;  // places the robots to the left and to the right in turn
     return {.y_m = (robot % 2 == 1 ? steps : -steps) * kApart_m};
   }
   if (static_cast<size_t>(robot) >= world.starts.size()) {

@@ -13,7 +13,7 @@ class Hasher;
 
 enum class ThingShape { kBox, kSphere, kCylinder, kHeightField };
 
-struct HeightGrid;  // height_grid.h
+struct HeightGrid;  // defined in height_grid.h
 
 // A thing in the world frame W, which has z up and the floor at z = 0.
 struct WorldThing {
@@ -23,11 +23,13 @@ struct WorldThing {
   // diameter, z is the length along its own z.  Heightfield: edges of the box that holds it.
   // Each > 0.
   Eigen::Vector3d size_m{0, 0, 0};
-  Eigen::Vector3d centre_m{0, 0, 0};                   // in W
-  Eigen::Matrix3d R_WT = Eigen::Matrix3d::Identity();  // rotation of the thing
+  Eigen::Vector3d centre_m{0, 0, 0};                   // place of the centre in W
+  Eigen::Matrix3d R_WT = Eigen::Matrix3d::Identity();  // rotation from the thing's own axes T to W
   Eigen::Vector3d colour{0.72, 0.60, 0.46};            // red, green and blue, 0 to 1
-  double mass_kg = 0;      // > 0: robots and other things can move the thing; 0: it is fixed
-  bool is_solid = true;    // false: paint on the floor, which is seen and never touched
+  // Mass; > 0: robots and other things can move the thing; 0: the thing is fixed.
+  double mass_kg = 0;
+  // false: the thing is paint on the floor, which cameras see but nothing touches
+  bool is_solid = true;
   double reflectance = 1;  // share of the infrared light of a distance sensor that comes back
   std::shared_ptr<const HeightGrid> heights = {};  // heightfield: its surface; otherwise null
 };
@@ -48,7 +50,7 @@ struct World {
   // Share of the light that comes from all directions, 0 to 1.
   double ambient = 0.55;
   std::vector<WorldThing> things;
-  std::vector<StartPlace> starts = {};  // [robot]: the place where it begins; may be empty
+  std::vector<StartPlace> starts = {};  // for each robot, its place at the beginning; may be empty
 };
 
 // Returns where robot `robot` of several in one world begins: at its place in World::starts.  In a
@@ -65,7 +67,7 @@ World ParseWorld(const std::string& text, const std::string& name);
 
 void HashWorld(const World& world, Hasher* hasher);
 
-// The first surface that a ray meets.
+// What a ray meets first: the distance of the surface, and how much infrared light it reflects.
 struct RayHit {
   double distance_m = 0;
   double reflectance = 1;

@@ -10,8 +10,8 @@
 
 namespace openr_host {
 
-// Says what readers get that come later than a sample: nothing, or the newest sample, as with the
-// quality of service "transient local" of ROS 2.
+// What a reader gets that comes after a sample was written: nothing, or the newest sample, as with
+// the quality of service "transient local" of ROS 2.
 enum class LateReaders { kMissSamples, kGetNewest };
 
 // A writer that keeps the newest `depth` samples.  The writer is reliable, so that both reliable
@@ -19,8 +19,8 @@ enum class LateReaders { kMissSamples, kGetNewest };
 // samples.
 class Ros2Writer {
  public:
-  // `name` is the ROS 2 name without the leading slash: "aibo/joint_states".  Throws
-  // std::runtime_error.
+  // Makes a writer of the topic `name`, the ROS 2 name without the leading slash, such as
+  // "aibo/joint_states".  Throws std::runtime_error.
   Ros2Writer(Bus* bus, const dds_topic_descriptor_t& type, const std::string& name, int depth,
              LateReaders late = LateReaders::kMissSamples);
   ~Ros2Writer();

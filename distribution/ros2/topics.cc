@@ -24,7 +24,7 @@ namespace {
 constexpr int kSensorDepth = 5;
 constexpr int kImageDepth = 2;
 constexpr int kClockDepth = 1;
-constexpr int kSoundDepth = 50;  // 0.4 s of sound
+constexpr int kSoundDepth = 50;  // enough messages for 0.4 s of sound
 
 constexpr int64_t kUsPerSecond = 1'000'000;
 
@@ -33,7 +33,8 @@ builtin_interfaces_msg_dds__Time_ TimeOf(int64_t time_us) {
           static_cast<uint32_t>(time_us % kUsPerSecond * 1000)};
 }
 
-// Casts away const, which is safe because writers only read a sample.
+// Returns the characters of `text` without const, as samples need them.  This is safe, because
+// writers only read a sample.
 char* Text(const std::string& text) { return const_cast<char*>(text.c_str()); }
 
 template <typename Sequence, typename Element>
@@ -182,7 +183,8 @@ Ros2Battery::Ros2Battery(Bus* bus, const std::string& topic)
     : writer_(bus, sensor_msgs_msg_dds__BatteryState__desc, topic, kSensorDepth) {}
 
 void Ros2Battery::Publish(int64_t time_us, const Ros2BatteryValues& values) {
-  enum { kCharging = 1, kDischarging = 2 };  // POWER_SUPPLY_STATUS_ of sensor_msgs/BatteryState
+  // Values of POWER_SUPPLY_STATUS_ in sensor_msgs/BatteryState.
+  enum { kCharging = 1, kDischarging = 2 };
   constexpr uint8_t kHealthGood = 1, kLithiumIon = 2;
   static const std::string nothing;
   sensor_msgs_msg_dds__BatteryState_ sample{};

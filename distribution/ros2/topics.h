@@ -17,7 +17,7 @@
 
 namespace openr_host {
 
-// Publishes rosgraph_msgs/Clock, the virtual time of the run.
+// Publishes the virtual time of the run as rosgraph_msgs/Clock.
 class Ros2Clock {
  public:
   Ros2Clock(Bus* bus, const std::string& topic);
@@ -27,8 +27,8 @@ class Ros2Clock {
   Ros2Writer writer_;
 };
 
-// Publishes sensor_msgs/JointState.  The joints' efforts (torques) are left out, because they are
-// not known.
+// Publishes the angles and speeds of joints as sensor_msgs/JointState.  The joints' efforts
+// (torques) are left out, because they are not known.
 class Ros2JointStates {
  public:
   Ros2JointStates(Bus* bus, const std::string& topic, std::vector<std::string> joints);
@@ -41,8 +41,8 @@ class Ros2JointStates {
   const std::vector<std::string> joints_;
 };
 
-// Publishes sensor_msgs/Imu of an accelerometer alone: orientation and angular rates are marked as
-// not measured.
+// Publishes the values of an accelerometer as sensor_msgs/Imu.  Orientation and angular rates are
+// marked as not measured.
 class Ros2Imu {
  public:
   Ros2Imu(Bus* bus, const std::string& topic, std::string frame_id);
@@ -53,12 +53,13 @@ class Ros2Imu {
   const std::string frame_id_;
 };
 
-// Publishes sensor_msgs/Image with encoding "rgb8".
+// Publishes pictures as sensor_msgs/Image with the encoding "rgb8".
 class Ros2Image {
  public:
   Ros2Image(Bus* bus, const std::string& topic, std::string frame_id);
   bool HasReaders() const { return writer_.HasReaders(); }
-  // REQUIRES: `rgb` has 3 * width * height bytes, row by row from the top left.
+  // Publishes one picture.  REQUIRES: `rgb` has 3 * width * height bytes, row by row from the top
+  // left.
   void Publish(int64_t time_us, int width, int height, const std::vector<uint8_t>& rgb);
 
  private:
@@ -66,7 +67,7 @@ class Ros2Image {
   const std::string frame_id_;
 };
 
-// Publishes std_msgs/Bool.
+// Publishes the state of a switch as std_msgs/Bool.
 class Ros2Switch {
  public:
   Ros2Switch(Bus* bus, const std::string& topic);
@@ -76,7 +77,7 @@ class Ros2Switch {
   Ros2Writer writer_;
 };
 
-// Publishes std_msgs/Float32.
+// Publishes a number as std_msgs/Float32.
 class Ros2Number {
  public:
   Ros2Number(Bus* bus, const std::string& topic);
@@ -86,7 +87,7 @@ class Ros2Number {
   Ros2Writer writer_;
 };
 
-// Publishes std_msgs/String.
+// Publishes texts as std_msgs/String.
 class Ros2Text {
  public:
   Ros2Text(Bus* bus, const std::string& topic, LateReaders late = LateReaders::kMissSamples);
@@ -98,10 +99,10 @@ class Ros2Text {
 
 // The pose and the speeds of a robot's base frame.
 struct Ros2Motion {
-  std::array<double, 3> position_m{};          // in the fixed frame
+  std::array<double, 3> position_m{};          // position of the base frame in the fixed frame
   std::array<double, 4> rotation{0, 0, 0, 1};  // quaternion x, y, z, w
-  std::array<double, 3> speed_m_s{};           // in the base frame
-  std::array<double, 3> turning_rad_s{};       // in the base frame
+  std::array<double, 3> speed_m_s{};           // velocity, in the axes of the base frame
+  std::array<double, 3> turning_rad_s{};       // angular velocity, in the axes of the base frame
 };
 
 // Publishes nav_msgs/Odometry, and the same pose as tf2_msgs/TFMessage on the topic "tf".
@@ -125,7 +126,7 @@ struct Ros2BatteryValues {
   bool is_charging = false;
 };
 
-// Publishes sensor_msgs/BatteryState.
+// Publishes the state of the battery as sensor_msgs/BatteryState.
 class Ros2Battery {
  public:
   Ros2Battery(Bus* bus, const std::string& topic);
@@ -156,12 +157,12 @@ struct Ros2Status {
   std::vector<std::pair<std::string, std::string>> values;
 };
 
-// Publishes diagnostic_msgs/DiagnosticArray.
+// Publishes entries of diagnostics (Ros2Status) as diagnostic_msgs/DiagnosticArray.
 class Ros2Diagnostics {
  public:
   Ros2Diagnostics(Bus* bus, const std::string& topic);
   bool HasReaders() const { return writer_.HasReaders(); }
-  // `hardware` names the thing that all `statuses` describe.
+  // Publishes `statuses`.  `hardware` names the thing that all of them describe.
   void Publish(int64_t time_us, const std::string& hardware,
                const std::vector<Ros2Status>& statuses);
 
@@ -169,11 +170,13 @@ class Ros2Diagnostics {
   Ros2Writer writer_;
 };
 
-// Receives std_msgs/String.
+// Receives texts as std_msgs/String.
 class Ros2Texts {
  public:
-  static constexpr int kWaitingMax = 32;     // limit of texts not taken yet; the oldest are lost
-  static constexpr size_t kTextMax = 65536;  // characters of a text; the rest is cut off
+  // Largest number of texts that wait for Take(); the oldest are lost.
+  static constexpr int kWaitingMax = 32;
+  // Largest number of characters of a text; the rest is cut off.
+  static constexpr size_t kTextMax = 65536;
 
   Ros2Texts(Bus* bus, const std::string& topic);
   bool HasMisfit() const { return reader_.HasMisfit(); }
@@ -195,9 +198,12 @@ struct Ros2JointCommand {
 // have any size, so the number and the size of kept messages are limited.
 class Ros2JointCommands {
  public:
-  static constexpr int kWaitingMax = 32;     // limit of messages not taken yet; the oldest are lost
-  static constexpr size_t kJointsMax = 256;  // joints in a message; further joints are ignored
-  static constexpr size_t kNameMax = 256;    // characters of a name; the rest is cut off
+  // Largest number of messages that wait for Take(); the oldest are lost.
+  static constexpr int kWaitingMax = 32;
+  // Largest number of joints in a message; further joints are ignored.
+  static constexpr size_t kJointsMax = 256;
+  // Largest number of characters of a name; the rest is cut off.
+  static constexpr size_t kNameMax = 256;
 
   Ros2JointCommands(Bus* bus, const std::string& topic);
   bool HasMisfit() const { return reader_.HasMisfit(); }

@@ -54,7 +54,7 @@ Controller::DoStart(const OSystemEvent&)
 {
     ENABLE_ALL_SUBJECT;
     ASSERT_READY_TO_ALL_OBSERVER;
-    observer[obsImage]->DeassertReady();  // no images before camera_enable() asserts ready
+    observer[obsImage]->DeassertReady();  // refuses images until camera_enable() asserts ready
     OSYSLOG1((osyslogINFO, "state: waiting"));
     return oSUCCESS;
 }
@@ -294,7 +294,7 @@ Controller::BatteryCapacity()
     return OPENR::GetPowerStatus(&power) == oSUCCESS ? power.remainingCapacity : 0;
 }
 
-// Reports each time step only once, not in every iteration.
+// Reports the rounding of a time step only once, and not in every iteration of the loop.
 void
 Controller::TimeStepRounded(int askedMs, int usedMs)
 {

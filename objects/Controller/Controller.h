@@ -11,7 +11,7 @@
 //   Controller.Sensor              <- sensor values
 //   Controller.Image               <- images of the camera, if the program wants them
 //
-// ControllerCore has the control loop; this class connects it with OPEN-R.
+// ControllerCore has the control loop; this class connects the loop with OPEN-R.
 //
 
 #ifndef Controller_h_DEFINED
@@ -85,7 +85,8 @@ private:
     RCRegion* earRegion_[NUM_REGIONS];
     SensorReader sensorReader_;
     SensorValues sensors_;
-    int roundedMs_;  // the time step whose rounding was reported last, in ms
+    // The time step, in ms, for which TimeStepRounded() has reported the rounding last.
+    int roundedMs_;
     bool hasStepped_;
     bool isCameraOn_;
     bool isStopped_;

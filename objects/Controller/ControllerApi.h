@@ -1,8 +1,8 @@
 //
 // Connects the functions of include/device, which a controller program calls, with ControllerCore.
 //
-// These are C functions without an argument for the robot, so an image (the file of an object) has
-// only one controller.
+// The functions of include/device are C functions without an argument for the robot, so an image
+// (the file of an object) has only one controller.
 //
 
 #ifndef ControllerApi_h_DEFINED

@@ -1,5 +1,6 @@
 //
-// Images for the controller: converts luminance and differences of colour to red, green and blue.
+// Gives camera images to the controller: converts luminance and differences of colour to red, green
+// and blue.
 //
 
 #include "Controller.h"
@@ -55,7 +56,7 @@ Convert(OFbkImageVectorData* vector, int width, int height, Uint8* out)
 void
 Controller::NotifyImage(const ONotifyEvent& event)
 {
-    if (!isCameraOn_) return;  // this image was sent before the camera was disabled
+    if (!isCameraOn_) return;  // ignores an image that was sent before the camera was disabled
     Uint8* out = CameraBuffer();
     if (out != 0) {
         OFbkImageVectorData* vector = (OFbkImageVectorData*)event.Data(event.NumOfData() - 1);

@@ -164,8 +164,8 @@ ControllerCore::EndIfItDidNotReturn()
 }
 
 // Begins the next iteration, because the last LED vector has ended.  Does nothing if the effector
-// is not ready in spite of this event: then a vector that waited has just been sent, and the end of
-// that vector will call this function again.
+// is not ready in spite of this event.  In this case a vector that waited has just been sent, and
+// the end of that vector will call this function again.
 void
 ControllerCore::LedReady()
 {
@@ -183,8 +183,8 @@ ControllerCore::LedReady()
     SendBuffers();
 }
 
-// Sends all that has changed.  Sends the LED vector even without a change, because the end of this
-// vector begins the next iteration.
+// Sends the LEDs, ears and joint commands that have changed.  Sends the LED vector even without a
+// change, because the end of this vector begins the next iteration.
 void
 ControllerCore::SendBuffers()
 {
@@ -233,7 +233,7 @@ ControllerCore::RemoteLights(const LedEarState& change)
     ChangeEars(change.earMask, change.earOn);
     ledOn_ = (ledOn_ & ~change.ledMask) | (change.ledOn & change.ledMask);
     EndIfItDidNotReturn();
-    if (HasLoop()) return;  // the next iteration sends the changes
+    if (HasLoop()) return;  // the next iteration of the loop sends the changes
     ledChanged_ = true;
     if (port_->IsLedReady()) SendBuffers();
 }
@@ -243,7 +243,7 @@ ControllerCore::MotionEars(Uint32 mask, Uint32 on)
 {
     ChangeEars(mask, on);
     EndIfItDidNotReturn();
-    if (!HasLoop()) SendEarsIfChanged();  // otherwise the next iteration sends the ears
+    if (!HasLoop()) SendEarsIfChanged();  // if a loop runs, its next iteration sends the ears
 }
 
 // ---- Buffers -------------------------------------------------------------------------
@@ -295,7 +295,7 @@ Scaled(double value, double scale, Sint32 low, Sint32 high)
 void
 ControllerCore::SetPosition(int joint, double rad)
 {
-    if (rad != rad) return;  // NaN is no position
+    if (rad != rad) return;  // ignores NaN, which is no position
     const JointConstants& limits = robot_->joints[joint];
     Change(&batch_.joint[joint].position,
            Scaled(rad, URAD_PER_RAD, limits.minUrad, limits.maxUrad));

@@ -38,15 +38,17 @@ public:
     // Ends the controller program, because the robot is shut down.
     void Die();
 
-    // Called when new sensor values have arrived.
+    // Stores the newest sensor values, which the controller program can then read.
     void SetSensors(const SensorValues& values) { sensors_ = values; }
 
-    // Called when the observer of LED vectors, ear vectors or batch commands has become ready.
+    // LedReady() is called when the observer of LED vectors has become ready, EarReady() when the
+    // observer of ear vectors and BatchMoverReady() when the observer of batch commands has become
+    // ready.
     void LedReady();
     void EarReady();
     void BatchMoverReady();
 
-    // Called when the remote control has changed LEDs or ears.
+    // Puts `change`, LEDs and ears that the remote control has set, into the buffers.
     void RemoteLights(const LedEarState& change);
 
     // Sets the ears of `mask` to their positions in the key frame (posture) that a motion has
@@ -54,7 +56,8 @@ public:
     // on.
     void MotionEars(Uint32 mask, Uint32 on);
 
-    // The functions below are called by the functions of include/device, which the program calls.
+    // The functions below do the work of the functions of include/device, which the controller
+    // program calls.
     int FindDevice(const char* locator);
     void Live(void (*reset)());
     void OnDie(void (*die)()) { die_ = die; }
@@ -86,7 +89,7 @@ private:
     const RobotConstants* robot_;
     DeviceTable devices_;
     SensorValues sensors_;
-    std::vector<std::string> unknown_;  // unknown devices that were reported already
+    std::vector<std::string> unknown_;  // names of unknown devices that were reported already
 
     void (*die_)();
     int (*main_)();

@@ -53,7 +53,7 @@ public:
     // Reports that the program asked for a device that the robot does not have.
     virtual void UnknownDevice(const char* locator) = 0;
 
-    // Reports a mistake of the controller program.
+    // Reports `text`, a mistake of the controller program.
     virtual void Remark(const char* text) = 0;
 
     // Prints a text of the controller program on the robot's console.
@@ -64,8 +64,8 @@ public:
     // stack if there is one.  Returns when `body` has ended or has called LeaveLoop().
     virtual void RunLoop(void (*body)(void*), void* argument) = 0;
 
-    // Called by `body`, to leave its loop.  Returns true when ContinueLoop() continues `body`.
-    // Returns false at once when there is no second stack.
+    // Leaves the loop of `body`, which calls this function.  Returns true when ContinueLoop()
+    // continues `body`.  Returns false at once when there is no second stack.
     virtual bool LeaveLoop() = 0;
 
     // Continues `body` after its call of LeaveLoop().  Returns when `body` has ended or has called

@@ -19,11 +19,11 @@ public:
     // device.
     int Find(const char* locator) const;
 
-    // Returns the locators of all devices.
+    // Returns the locators (OPEN-R names) of all devices of the robot.
     std::vector<const char*> Locators() const;
 
-    // Return the index of the device in its table of RobotConstants; -1 when `tag` is the tag of a
-    // device of another kind.
+    // Joint(), Led(), Ear() and Sensor() return the index of the device in its table of
+    // RobotConstants; -1 when `tag` is the tag of a device of another kind.
     int Joint(int tag) const;
     int Led(int tag) const;
     int Ear(int tag) const;

@@ -16,8 +16,9 @@
 // called LoopStackLeave().
 void LoopStackRun(void (*body)(void*), void* argument);
 
-// Called by `body`.  Makes LoopStackRun() or LoopStackContinue() return.  Returns true when `body`
-// is continued; returns false at once when there is no second stack.
+// Leaves `body` (the function that runs on the second stack), which calls this function: makes
+// LoopStackRun() or LoopStackContinue() return.  Returns true when `body` is continued; returns
+// false at once when there is no second stack.
 bool LoopStackLeave();
 
 // Continues `body` (the function that runs on the second stack) after its last call of
@@ -25,8 +26,8 @@ bool LoopStackLeave();
 // `body` has called LoopStackLeave() and has not been continued since.
 void LoopStackContinue();
 
-// Reports a mistake of the controller program in the list of findings of a host.  Does nothing on
-// the robot.
+// Adds `text`, a mistake of the controller program, to the findings of the run on a host.  Does
+// nothing on the robot.
 void TellRunner(const char* text);
 
 // Reports the text of a mistake with `name`, which is not one of the `count` known names.  The host

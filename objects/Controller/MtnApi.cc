@@ -13,7 +13,8 @@
 struct MtnMotion {
     MtnFile file;
     char name[MTN_NAME_SIZE];
-    Sint32 keyFrame;  // key frame reached last; -1: the motion does not play
+    // The key frame that the motion has reached last; -1: the motion does not play.
+    Sint32 keyFrame;
 };
 
 static MtnMotion* thePlaying = 0;  // the motion of the last mtn_play() while it plays; otherwise 0
@@ -101,9 +102,9 @@ mtn_get_time(MTN* motion)
     return motion->keyFrame < 0 ? motion->file.DurationMs() : motion->file.TimeMs(motion->keyFrame);
 }
 
-// Returns 1 when the motion has reached its last key frame.  Decides by key frames and not by time,
-// because the time between two key frames may be long.  A motion of one key frame is over only when
-// JointMover reports it.
+// Returns 1 when the motion has reached its last key frame.  Compares key frames and not times,
+// because JointMover reports the motion's progress only at key frames.  A motion of one key frame
+// is over only when JointMover reports it.
 int
 mtn_is_over(MTN* motion)
 {

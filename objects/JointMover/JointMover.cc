@@ -42,7 +42,7 @@ JointMover::DoStart(const OSystemEvent&)
 {
     ENABLE_ALL_SUBJECT;
     core_.Begin(robot_);
-    SendVectors();  // if the effector is ready; otherwise its ready event sends them
+    SendVectors();  // sends vectors if the effector is ready; otherwise its ready event sends them
     SendReports();
     return oSUCCESS;
 }
@@ -98,8 +98,8 @@ JointMover::NewRegions()
 
 // ---- Command vectors -----------------------------------------------------------------
 
-// Called when a vector has ended, because each vector causes one ready event at its end.  By then
-// the region of the vector is free.
+// Handles the end of a command vector: each vector causes one ready event at its end.  By then the
+// region of the vector is free.
 void
 JointMover::ReadyMove(const OReadyEvent& event)
 {
@@ -110,9 +110,9 @@ JointMover::ReadyMove(const OReadyEvent& event)
     SendReports();
 }
 
-// Sends two vectors at first, and then one for each vector that has ended.  Sends no vector while
-// the effector is not ready, because a new vector would then replace the vector that waits
-// (measured: of several vectors, the latest stays).
+// Sends two command vectors at first, and then one vector for each vector that has ended.  Sends no
+// vector while the effector is not ready, because a new vector would then replace the vector that
+// waits (measured: of several vectors, the latest stays).
 void
 JointMover::SendVectors()
 {
@@ -218,7 +218,8 @@ JointMover::NotifyBatchMover(const ONotifyEvent& event)
     SendReports();
 }
 
-// Plays a motion.  Reports a refused motion as over, because other objects may wait for its end.
+// Plays the motion that `command` names.  If the motion is refused, reports it as over, because
+// other objects may wait for its end.
 void
 JointMover::Play(const MoverCommand& command)
 {

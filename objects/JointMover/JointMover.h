@@ -9,7 +9,8 @@
 //   JointMover.MainExecution  -> tells Controller that the robot stands
 //
 // Mover and BatchMover become ready when the robot stands, so that their senders can see that no
-// command is accepted before.  MoverCore decides what to do; this class connects it with OPEN-R.
+// command is accepted before.  MoverCore decides what to do; this class connects MoverCore with
+// OPEN-R.
 //
 
 #ifndef JointMover_h_DEFINED
@@ -42,7 +43,7 @@ public:
     void NotifyBatchMover(const ONotifyEvent& event);
 
 private:
-    // Number of command vectors: one plays while the other waits.
+    // Number of regions for command vectors: one vector plays while the other waits.
     static const int NUM_REGIONS = MAX_VECTORS_UNDER_WAY;
 
     // Implementation of MoverPort
@@ -67,8 +68,8 @@ private:
     const RobotConstants* robot_;
     OPrimitiveID joint_[MAX_JOINTS];
     RCRegion* region_[NUM_REGIONS];
-    int numUnderWay_;  // vectors that were sent and whose end MoverCore was not told yet
-    int numReports_;   // messages that were set on SetValue and not sent yet
+    int numUnderWay_;  // number of vectors that were sent and whose end MoverCore was not told yet
+    int numReports_;   // number of messages that were set on SetValue and not sent yet
     bool isStopped_;
     bool isUp_;  // whether the robot has reached its initial posture
     MoverCore core_;

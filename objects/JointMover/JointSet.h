@@ -1,7 +1,7 @@
 //
-// All joints of the robot, moved by the algorithm for manual commands (Trajectory.h): the movement
-// of each joint, and whether its gain is on.  A joint without gain is limp: its motor does not hold
-// it.
+// JointSet: all joints of the robot, moved by the algorithm for manual commands (Trajectory.h).  It
+// has the movement of each joint, and whether the gain of the joint is on.  A joint without gain is
+// limp: its motor does not hold it.
 //
 
 #ifndef JointSet_h_DEFINED
@@ -24,8 +24,9 @@ public:
     int NumJoints() const { return robot_->numJoints; }
     void EnableAllGains();
 
-    // Set the goal (urad, 10^-6 rad), the speed (0.01 degree/s) or the acceleration (0.01
-    // degree/s^2) of a joint.  A value beyond a limit of the robot becomes the limit.
+    // SetGoal() sets the goal of a joint (urad, 10^-6 rad), SetSpeed() its speed (0.01 degree/s),
+    // SetAcceleration() its acceleration (0.01 degree/s^2).  A value beyond a limit of the robot
+    // becomes the limit.
     void SetGoal(int joint, Sint32 urad);
     void SetSpeed(int joint, Sint32 cdeg);
     void SetAcceleration(int joint, Sint32 cdeg);
@@ -46,7 +47,7 @@ public:
     // commands the joint to its measured position, and the gain is enabled when this vector has
     // ended.  Otherwise the joint would jerk to its old set point (BBS 169, 642).
     //
-    // Has no effect while motor power is off.
+    // Wake() has no effect while motor power is off.
     void Wake(int joint, Sint32 urad);
 
     // Switches the gains of all joints off, and then motor power.
@@ -60,8 +61,8 @@ public:
     // they are used when the joint is switched on.
     void SetGain(int joint, const Sint32 gain[3]);
 
-    // Returns whether there is a vector to send: because a joint moves, or because the gain of a
-    // joint is to be switched on together with the next vector.
+    // Returns whether there is a vector to send.  There is one if a joint moves, or if the gain of
+    // a joint is to be switched on together with the next vector.
     bool IsBusy() const;
     bool IsMoving(int joint) const;
 
@@ -70,11 +71,13 @@ public:
     void Step(Sint32 urad[MAX_JOINTS]);
     Sint32 Position(int joint) const { return trajectory_[joint].Position(); }
 
-    // Called when command vector number `vector` was made.  The number of each vector is 1 more
-    // than the number of the vector before.
+    // Records that command vector number `vector` was made, so that a joint that waits to be
+    // switched on waits for the end of this vector.  The number of each vector is 1 more than the
+    // number of the vector before.
     void VectorMade(Sint32 vector);
 
-    // Called when command vector number `vector` has ended.
+    // Switches on the gains of the joints that have waited for the end of command vector number
+    // `vector`, and lets these joints move.
     void VectorEnded(Sint32 vector);
 
 private:

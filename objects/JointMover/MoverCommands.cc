@@ -84,7 +84,7 @@ MoverCore::SwitchMotor(const MoverCommand& command)
         joints_.TurnOff(j);
         deferred_[j] = false;
     }
-    if (changesPower) Report(-1, 0);  // no motion plays now
+    if (changesPower) Report(-1, 0);  // reports the change of motor power; -1: no motion plays now
 }
 
 void

@@ -114,7 +114,8 @@ MoverCore::Remember(const VectorPlan& plan)
     joints_.VectorMade(record.number);
 }
 
-// Returns whether the last frame that was made completes the present state.
+// Returns whether the newest frame completes the present state: all joints have reached their
+// goals, or the motion is over.
 bool
 MoverCore::HasArrived() const
 {

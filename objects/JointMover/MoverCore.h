@@ -58,14 +58,15 @@ public:
     MoverState State() const { return state_; }
     bool AcceptsMotion() const { return state_ == moverACCEPTING_COMMANDS; }
 
-    // Makes the next vector.  Returns false when no vector is to be sent, or when
+    // Makes the next command vector.  Returns false when no vector is to be sent, or when
     // MAX_VECTORS_UNDER_WAY vectors have not ended yet.
     bool NextVector(VectorPlan* plan);
 
-    // Called when the oldest vector has ended.
+    // Records that the oldest vector in the effector has ended, and enters the next state if this
+    // vector completes the present one.
     void VectorEnded();
 
-    // Carries out a command other than PLAY and STOP.
+    // Carries out `command`, which may be of any kind except PLAY and STOP.
     void Do(const MoverCommand& command);
 
     // Sets the position, speed or acceleration of one joint.  Has no effect before the robot
@@ -79,7 +80,7 @@ public:
     // other command wakes it (Hohl 2004, section 5.3.6).
     void SwitchMotor(const MoverCommand& command);
 
-    // Sets the gains of a joint.
+    // Sets the P, I and D gain of the joint that `command` names.
     void SetGain(const MoverCommand& command);
 
     // Carries out the differences between this buffer of a controller and the buffer that came
@@ -128,16 +129,18 @@ private:
     const RobotConstants* robot_;
     JointSet joints_;
     MoverState state_;
-    Sint32 stateCount_;  // number of states entered, to recognise vectors of earlier states
-    bool filled_;        // whether the first vector was made already
-    int posture_;        // index of the start-up posture to which the robot moves
+    // Number of states entered so far; shows whether a vector belongs to an earlier state.
+    Sint32 stateCount_;
+    bool filled_;  // whether the first vector (state moverFILLING) was made already
+    int posture_;  // index of the start-up posture to which the robot moves
 
     MtnFile motion_;
     MtnPlayer player_;
     char file_[MTN_NAME_SIZE];
     int loops_, keyFramesPerVector_;
-    bool inMotion_[MAX_JOINTS];  // [joint]: whether the motion moves this joint
-    bool deferred_[MAX_JOINTS];  // [joint]: whether a position waits for the end of the motion
+    bool inMotion_[MAX_JOINTS];  // for each joint, whether the motion moves it
+    // For each joint, whether a position waits for the end of the motion.
+    bool deferred_[MAX_JOINTS];
     bool deferredWake_[MAX_JOINTS];
     Sint32 deferredGoal_[MAX_JOINTS];
 

@@ -26,13 +26,13 @@ public:
     // Switches the power of all motors on or off.
     virtual void SetMotorPower(bool on) = 0;
 
-    // Called when the state has changed.
+    // Tells the port that the state of MoverCore has changed to `state`.
     virtual void StateChanged(MoverState state) = 0;
 
-    // Sends the message to the observers of SetValue.
+    // Sends `message` to the observers of the subject SetValue.
     virtual void Report(const SetValueMessage& message) = 0;
 
-    // Called once, when the robot has reached its initial posture.
+    // Tells the port that the robot has reached its initial posture.  Called once.
     virtual void InitialPostureReached() = 0;
 };
 

@@ -74,7 +74,7 @@ PowerMonitor::ShutdownRobot()
         OSYSLOG1((osyslogERROR, "PowerMonitor: cannot switch motor power off, status %u",
                   (unsigned)status));
     }
-    // Makes the robot boot when the pause button is pressed again.
+    // The boot condition makes the robot boot when the pause button is pressed again.
     status = OPENR::Shutdown(OBootCondition(obcbPAUSE_SW));
     if (status != oSUCCESS) {
         OSYSLOG1((osyslogERROR, "PowerMonitor: shutdown failed, status %u", (unsigned)status));
@@ -87,5 +87,5 @@ PowerMonitor::PrintPowerStatus(const OPowerStatus& status)
     OSYSDEBUG(("PowerMonitor: robot %08x battery %04x capacity %d %% temperature %d x 0.1 K\n",
                (unsigned)status.robotStatus, (unsigned)status.batteryStatus,
                (int)status.remainingCapacity, (int)status.temperature));
-    (void)status;  // unused where OSYSDEBUG is empty
+    (void)status;  // avoids a warning: `status` is unused where OSYSDEBUG is empty
 }

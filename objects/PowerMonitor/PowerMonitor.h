@@ -30,7 +30,8 @@ public:
     virtual OStatus DoStop(const OSystemEvent& event);
     virtual OStatus DoDestroy(const OSystemEvent& event);
 
-    // Called with an OPowerStatusMessage when a bit of the power status has changed.
+    // Shuts the robot down if `msg`, an OPowerStatusMessage, says that the pause button is pressed
+    // or the battery is low.  Called when a bit of the power status has changed.
     void UpdatePowerStatus(void* msg);
 
 private:

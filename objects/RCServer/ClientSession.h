@@ -1,6 +1,6 @@
 //
-// The connection of one client, without the network: takes the bytes that arrive and returns the
-// bytes to send next.
+// ClientSession: the connection of one client, without the network.  It takes the bytes that arrive
+// and returns the bytes to send next.
 //
 //   session.Take(bytes, size);               // bytes have arrived
 //   size = session.NextAnswers(buffer);      // while nothing is being sent
@@ -8,10 +8,11 @@
 //
 // Answers come before packets of streams.  All answers are sent in the order of their requests.
 //
-// Packets of streams are sent only after the client has sent a packet since the last packets of
-// streams.  Usually this is an EVENT packet, which has no answer.  The packet shows that no bytes
-// are on their way to the client, so neither a slow client nor Nagle's algorithm delays the answers
-// that follow.  A client that sends nothing gets packets of streams every EVENT_FRAMES.
+// Packets of streams have the values to which a client has subscribed.  They are sent only after
+// the client has sent a packet since the newest packets of streams.  Usually the client's packet is
+// an EVENT packet, which has no answer.  The client's packet shows that no bytes are on their way
+// to the client, so neither a slow client nor Nagle's algorithm delays the answers that follow.  A
+// client that sends nothing gets packets of streams every EVENT_FRAMES.
 //
 
 #ifndef ClientSession_h_DEFINED
@@ -34,14 +35,15 @@ public:
 
     ClientSession() : handler_(0), number_(0) { Reset(); }
 
-    // Begins a session of client `number`, a place in `handler`.
+    // Begins the session of a client.  `number` is the index of the client in the tables of
+    // `handler`.
     void Begin(int number, RequestHandler* handler);
 
     // Ends the client's upload and subscriptions.
     void End() { handler_->EndClient(number_); }
 
-    // Appends received bytes.  REQUIRES: size <= RC_MAX_PACKET, and NextAnswers() has returned 0
-    // since the last call.
+    // Takes bytes that the client has sent, so that NextAnswers() can answer the requests in them.
+    // REQUIRES: size <= RC_MAX_PACKET, and NextAnswers() has returned 0 since the last call.
     void Take(const Uint8* bytes, int size);
 
     // Answers requests that have arrived completely, as many as one send has room for.  Writes the
@@ -49,12 +51,13 @@ public:
     // bytes are needed.
     int NextAnswers(Uint8* buffer);
 
-    // Writes the due packets of streams to `buffer` and returns their size; 0: no packet is due.
-    // REQUIRES: NextAnswers() has just returned 0.
+    // Writes the packets that are due for the client's subscriptions to `buffer` and returns their
+    // size; 0: no packet is due.  REQUIRES: NextAnswers() has just returned 0.
     int NextEvents(Uint8* buffer);
 
-    // Writes to `buffer` the answer that the client gets no place, and returns its size.  The
-    // session ends after this answer.  Used when the client has sent no request.
+    // Writes to `buffer` an answer, which says that the client gets no place, and returns the
+    // answer's size.  The session ends after this answer.  Used when the client has sent no
+    // request.
     int TurnAway(Uint8* buffer) { return TurnAway(buffer, 0); }
 
     // Returns whether the connection ends after the last bytes were sent.
@@ -64,7 +67,8 @@ public:
     // Returns whether a request has asked for the end of the run.
     bool EndsRun() const { return endsRun_; }
 
-    // Waiting clients have no place.  Their first request is answered with an error that says so.
+    // Returns whether the client waits for a place, because all RC_PLACES places are taken.  The
+    // first request of a waiting client is answered with an error that says so.
     bool IsWaiting() const { return isWaiting_; }
     void SetWaiting(bool waiting) { isWaiting_ = waiting; }
 
@@ -72,9 +76,9 @@ public:
     const std::string& Error() const { return framer_.Error(); }
 
 private:
-    // Time between packets of streams to a client that sends nothing, in frames of 8 ms: 224 ms.
-    // The time is longer than the 200 ms within which the client's host acknowledges all earlier
-    // bytes (network.md 4.3), so that no packet waits for an acknowledgement.
+    // Time between packets of subscriptions to a client that sends nothing, in frames of 8 ms: 224
+    // ms.  The time is longer than the 200 ms within which the client's host acknowledges all
+    // earlier bytes (network.md 4.3), so that no packet waits for an acknowledgement.
     static const Uint32 EVENT_FRAMES = 28;
 
     void Reset();
@@ -87,10 +91,12 @@ private:
     bool isLast_;
     bool endsRun_;
     bool isWaiting_;
-    bool hasSpoken_;     // whether the client has sent a packet since the last packet of a stream
-    Uint32 eventFrame_;  // frame of the last packet of a stream
-    int heldAt_;         // place in the buffer of an answer that did not fit into the last send
-    int heldSize_;       // size of this answer; 0: there is no such answer
+    // Whether the client has sent a packet since it was sent the newest packet of a subscription.
+    // If so, the next packet need not wait EVENT_FRAMES.
+    bool hasSpoken_;
+    Uint32 eventFrame_;  // frame in which the newest packet of a subscription was sent
+    int heldAt_;         // offset in the buffer of an answer that did not fit into the last send
+    int heldSize_;       // size of the answer at heldAt_; 0: there is no such answer
 };
 
 #endif  // ClientSession_h_DEFINED

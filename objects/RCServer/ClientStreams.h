@@ -1,6 +1,6 @@
 //
-// The subscriptions of one client: the streams that it wants, and whether a packet of a stream is
-// due.
+// ClientStreams: the subscriptions of one client.  It knows which streams the client wants, and
+// whether a packet of a stream is due.
 //
 // A packet of a stream has the newest values at the time when it is sent.  A client that does not
 // take its packets in time gets fewer packets, so a stream needs no memory for old values.
@@ -15,7 +15,7 @@ class ClientStreams {
 public:
     ClientStreams() { Clear(); }
 
-    // Ends all subscriptions.
+    // Ends all subscriptions of the client.
     void Clear();
 
     // Begins or replaces the subscription of a stream.  `period` is the smallest number of frames
@@ -30,8 +30,8 @@ public:
     // Returns the stream with a packet that is due in `frame`; -1: no packet is due.
     int Due(Uint32 frame) const;
 
-    // Called when a packet of `stream` is made.  Returns the number of values that were left out
-    // since the packet before.
+    // Records that a packet of `stream` is made in `frame`.  Returns the number of values that were
+    // left out since the packet before.
     Uint16 Sent(int stream, Uint32 frame);
 
     Uint16 Tag(int stream) const { return stream_[stream].tag; }
@@ -41,9 +41,9 @@ private:
         bool isOn;
         Uint16 tag;
         Uint16 period;
-        bool wasSent;      // whether lastFrame is valid
-        Uint32 lastFrame;  // frame of the last packet that was sent or was due
-        Uint16 numNew;     // number of values that NewValues() has counted since the last packet
+        bool wasSent;      // whether lastFrame is set: a packet was sent, or was due, since Begin()
+        Uint32 lastFrame;  // frame in which the newest packet was sent, or was due
+        Uint16 numNew;     // number of values that NewValues() has counted since the newest packet
     };
 
     bool IsPeriodOver(const Stream& stream, Uint32 frame) const;

@@ -1,5 +1,5 @@
 //
-// The upload of one client: a file that arrives in parts.
+// FileUpload: the upload of one client, that is, a file that arrives in parts.
 //
 // The parts go to a temporary file beside the target, UPLOADn.TMP, where n is the client's place.
 // End() checks the whole file and renames it.  So the target is always either the old or the
@@ -22,7 +22,8 @@ public:
     // Sets the number of the client, for the name of the temporary file.
     void SetPlace(int place) { place_ = place; }
 
-    // Begins an upload.  Ends an earlier upload of this client that has not ended yet.
+    // Begins the upload that `request` describes.  First ends an earlier upload of this client that
+    // has not ended yet.
     int Begin(const StickStore& store, const RcUploadBegin& request, std::string* why);
 
     // Appends data to the file; `offset` must be the number of bytes received so far.
@@ -53,7 +54,7 @@ private:
     int CheckImage(std::string* why) const;
     int PutInPlace(StickStore* store, std::string* why);
 
-    FILE* file_;  // the temporary file; 0: no upload
+    FILE* file_;  // the temporary file; 0: there is no upload
     std::string path_;
     StickName target_;
     int place_;

@@ -2,15 +2,16 @@
 
 #include "Angle.h"
 
-// Returns whether the log has the joint.  The log has the same joints as the vendor's motion files,
-// which lack mouth and tail.
+// Returns whether records of the log have a position of `joint`.  The log has the same joints as
+// the vendor's motion files, which lack mouth and tail.
 static bool
 IsLogged(const JointConstants& joint)
 {
     return joint.mtnIndex >= 0;
 }
 
-// Returns whether the sensor is a switch of a leg: the legs are the parts r2 to r5 of every robot.
+// Returns whether `sensor` is the switch under a paw.  The legs are the parts r2 to r5 of every
+// robot, and each leg has only this switch.
 static bool
 IsPaw(const SensorConstants& sensor)
 {

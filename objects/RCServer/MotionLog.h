@@ -1,5 +1,6 @@
 //
-// The last key frames of motions, as records of Hohl 2004, table 3.9 (RemoteLog.h).
+// MotionLog: the newest key frames that motions have reached, as records of Hohl 2004, table 3.9
+// (RemoteLog.h).
 //
 // Records have numbers, counted from 0 since the robot has booted.  The last CAPACITY records are
 // kept, so that several clients can read them, each at its own speed.
@@ -21,11 +22,11 @@ public:
 
     void Begin(const RobotConstants* robot);
 
-    // Adds a record of the report, if a motion plays.  `sensors` are the newest sensor values,
-    // which have the state of the paws.
+    // Adds a record with the key frame in `report`, if a motion plays.  `sensors` are the newest
+    // sensor values, which have the state of the paws.
     void Add(const SetValueMessage& report, const SensorValues& sensors);
 
-    // Returns the number of records so far.
+    // Returns the number of records that were added since the boot.
     Uint32 Count() const { return count_; }
 
     // Returns the number of the oldest record that is kept.
@@ -33,7 +34,7 @@ public:
 
     int RecordSize() const { return LogRecordSize(numJoints_); }
 
-    // Returns a record.  REQUIRES: Oldest() <= number < Count().
+    // Returns the bytes of record number `number`.  REQUIRES: Oldest() <= number < Count().
     const Uint8* Record(Uint32 number) const { return record_[number % CAPACITY]; }
 
 private:

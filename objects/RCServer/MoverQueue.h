@@ -1,5 +1,5 @@
 //
-// A queue of commands that wait until JointMover is ready for them, oldest first.
+// MoverQueue: the commands that wait until JointMover is ready for them, oldest first.
 //
 
 #ifndef MoverQueue_h_DEFINED

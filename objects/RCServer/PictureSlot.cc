@@ -11,8 +11,8 @@ PictureSlot::Take(int client, int layer, Uint32 frame)
     isHere_ = false;
 }
 
-// Keeps a copy of the layer.  Cuts off the end of a layer that is larger than all layers of known
-// robots.
+// Stores a copy of `layer`.  Cuts off the end of a layer that is larger than all layers of known
+// robots, because the memory has a fixed size.
 void
 PictureSlot::Put(const CameraLayer& layer)
 {

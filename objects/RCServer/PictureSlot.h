@@ -8,7 +8,7 @@
 
 #include "RemoteCamera.h"
 
-// A layer of an image of the camera, with the bytes that the robot has sent.
+// One layer of an image of the camera, with the bytes that the robot has sent.
 struct CameraLayer {
     Uint32 frame;  // frame number of the image
     Uint16 width;  // in pixels
@@ -31,34 +31,35 @@ public:
     // Gives the slot to a client, which waits for a picture from now on.
     void Take(int client, int layer, Uint32 frame);
 
-    // Empties the slot.
+    // Empties the slot, so that any client may take it.
     void Clear() { owner_ = -1; }
 
-    // Notes that the owner has asked for a part.
+    // Records that the owner has asked for a part of the picture, so that it keeps the slot.
     void Touch(Uint32 frame) { lastFrame_ = frame; }
 
     int Layer() const { return layer_; }
     bool IsWaiting() const { return owner_ >= 0 && !isHere_; }
     bool IsHere() const { return isHere_; }
 
-    // Keeps a copy of the layer.  REQUIRES: IsWaiting().
+    // Stores a copy of `layer`, for which the owner waits.  REQUIRES: IsWaiting().
     void Put(const CameraLayer& layer);
 
     // Returns the number of parts of the picture.  REQUIRES: IsHere().
     int NumParts() const;
 
-    // Writes part number `part` with its head.  REQUIRES: IsHere(); 0 <= part < NumParts().
+    // Writes part number `part` of the picture, after its head (RcPicturePart), to `out`.
+    // REQUIRES: IsHere(); 0 <= part < NumParts().
     void WritePart(int part, RcWriter* out) const;
 
 private:
-    // Two seconds, in frames of 8 ms.
+    // Time after which another client may take the slot: two seconds, in frames of 8 ms.
     static const Uint32 FORGOTTEN_FRAMES = 250;
 
     int owner_;
     int layer_;
     Uint32 lastFrame_;  // frame of the owner's last request
     bool isHere_;
-    CameraLayer kept_;  // `bytes` is not used
+    CameraLayer kept_;  // the picture's layer; CameraLayer::bytes is not used
     Uint8 bytes_[RC_MAX_PICTURE];
 };
 

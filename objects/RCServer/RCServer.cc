@@ -65,7 +65,7 @@ RCServer::DoStart(const OSystemEvent&)
 {
     ENABLE_ALL_SUBJECT;
     ASSERT_READY_TO_ALL_OBSERVER;
-    observer[obsImage]->DeassertReady();  // no images before WantImage() asserts ready
+    observer[obsImage]->DeassertReady();  // refuses images until WantImage() asserts ready
     ipstack_ = antStackRef("IPStack");
     for (int i = 0; i < RC_PLACES; i++) {
         if (NewBuffer(i) != oSUCCESS) return oFAIL;
@@ -119,13 +119,13 @@ RCServer::NotifySetValue(const ONotifyEvent& event)
     observer[event.ObsIndex()]->AssertReady(event.SenderID());
 }
 
-// Keeps the layer that a client waits for.  Does not assert ready again, so that the camera sends
-// no more images.
+// Stores the layer of the image for which a client waits.  Does not assert ready again, so that the
+// camera sends no more images.
 void
 RCServer::NotifyImage(const ONotifyEvent& event)
 {
     const int layer = handler_.WantedLayer();
-    if (layer < 0) return;  // this image was sent before the client left
+    if (layer < 0) return;  // ignores an image that was sent before the client left
     OFbkImageVectorData* vector = (OFbkImageVectorData*)event.Data(event.NumOfData() - 1);
     const OFbkImageInfo* info = vector->GetInfo(layer);
     CameraLayer image;
@@ -145,7 +145,8 @@ RCServer::ReadyMover(const OReadyEvent& event)
     SendMover();
 }
 
-// Sends waiting commands, as many as one event can carry.  The next ready event sends the rest.
+// Sends waiting commands to JointMover, as many as one event can carry.  The other commands are
+// sent at JointMover's next ready event.
 void
 RCServer::SendMover()
 {

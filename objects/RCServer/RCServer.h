@@ -74,8 +74,8 @@ private:
         byte* receiveData;
         byte* sendData;
         ClientSession session;
-        bool isReceiving;  // whether a receive runs
-        bool isSending;    // whether a send runs
+        bool isReceiving;  // whether a Receive message to the network waits for its answer
+        bool isSending;    // whether a Send message to the network waits for its answer
         Uint32 lastFrame;  // frame in which the client last sent bytes
     };
 
@@ -113,10 +113,10 @@ private:
     SensorValues sensors_;
     Uint32 retryFrame_;   // frame in which listening was last tried again
     MoverQueue mover_;    // commands that wait until JointMover is ready
-    LedEarState ledEar_;  // changes that wait until Controller is ready
+    LedEarState ledEar_;  // changes of LEDs and ears that wait until Controller is ready
     RunEnd runEnd_;       // set by a request for shutdown or reboot
     bool isEnding_;       // whether the answer to the request for the end was sent
-    Uint32 endFrame_;     // frame in which this answer was sent
+    Uint32 endFrame_;     // frame in which the answer to the request for the end was sent
     bool isStopped_;
 };
 

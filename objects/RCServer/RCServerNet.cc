@@ -23,7 +23,7 @@ static const int ENDPOINT_POOL_SIZE = 2 * SEND_SIZE;
 // Time between two tries to listen: one second, in frames of 8 ms.
 static const Uint32 RETRY_FRAMES = 125;
 
-// RC_IDLE_SECONDS in frames of 8 ms.
+// Time after which a silent client may lose its place: RC_IDLE_SECONDS in frames of 8 ms.
 static const Uint32 IDLE_FRAMES = RC_IDLE_SECONDS * RETRY_FRAMES;
 
 // Returns the continuation (user data) of a network message: the index of the client to which the
@@ -143,7 +143,7 @@ RCServer::PlaceWaiting(Uint32 frame)
         Close(silent);
         client_[waiting].session.SetWaiting(false);
     } else if (frame - client_[waiting].lastFrame >= IDLE_FRAMES) {
-        TurnAway(waiting);  // the client has sent no request, and other clients may want to connect
+        TurnAway(waiting);  // frees the connection, because other clients may want to connect
     }
 }
 
@@ -202,7 +202,7 @@ RCServer::ReceiveCont(ANTENVMSG msg)
         // Closes the connection later, when the bytes that are being sent have arrived.
         client_[index].session.SetLast();
     } else {
-        Close(index);  // usually because the client has closed the connection
+        Close(index);  // closes the connection, which the client has usually closed already
     }
 }
 

@@ -27,8 +27,8 @@ RequestHandler::Busy(bool duringMotion)
     return rcOK;
 }
 
-// Returns rcOK while the motors have power.  Called for commands that have no effect without power.
-// If there is no power, writes the reason to error_ and returns rcerrorBUSY.
+// Returns rcOK while the motors have power.  Otherwise writes the reason to error_ and returns
+// rcerrorBUSY.  Called for commands that have no effect without power.
 int
 RequestHandler::Limp()
 {

@@ -55,9 +55,9 @@ RequestHandler::SetMover(const SetValueMessage& message)
     motorsOff_ = message.motorsOff != 0;
 }
 
-// Called when JointMover is ready, which is only when the robot stands.  Because JointMover reports
-// its state only when the state changes, an RCServer that has replaced another RCServer gets no
-// report.  So RCServer learns here that commands are accepted.
+// Records that JointMover is ready, which it is only when the robot stands.  Because JointMover
+// reports its state only when the state changes, an RCServer that has replaced another RCServer
+// gets no report.  So RCServer learns here that commands are accepted.
 void
 RequestHandler::MoverIsReady()
 {

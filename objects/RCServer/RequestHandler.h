@@ -21,7 +21,7 @@
 
 class RequestHandler {
 public:
-    // Largest number of clients, including those that wait for a place.
+    // Largest number of clients, including clients that wait for a place.
     static const int MAX_CLIENTS = 9;
 
     // Makes a handler.  `port` must outlive the handler.
@@ -32,18 +32,18 @@ public:
     // Returns "" or the path of a file that could not be removed.
     std::string Begin(const RobotConstants* robot, const std::string& stickRoot = "");
 
-    // Sets the newest sensor values of the robot.
+    // Stores the newest sensor values of the robot, for answers.
     void SetSensors(const SensorValues& values);
 
-    // Sets the newest report of JointMover.
+    // Stores `message`, the newest report of JointMover, for answers.
     void SetMover(const SetValueMessage& message);
 
     // Returns the layer of the picture that a client waits for; -1: no client waits.
     int WantedLayer() const { return picture_.IsWaiting() ? picture_.Layer() : -1; }
-    // Gives the picture to the client that waits for it.
+    // Stores the picture for the client that waits for it.
     void SetPicture(const CameraLayer& layer);
 
-    // Called when JointMover accepts commands.
+    // Records that JointMover accepts commands.  Called when JointMover has asserted ready.
     void MoverIsReady();
 
     // Writes to `out` the answer to the packet in `request`, which client number `client` has sent.
@@ -130,7 +130,8 @@ private:
     int state_;  // MoverState in the newest report of JointMover; -1: no report yet
     SetValueMessage report_;  // the newest report of JointMover
     bool motorsOff_;  // whether a client has switched motor power off
-    Sint32 speed_[MAX_JOINTS];  // limits last set by remote control (Hohl 2004, 5.3.6)
+    // The limits of speed and acceleration that the remote control has set last (Hohl 2004, 5.3.6).
+    Sint32 speed_[MAX_JOINTS];
     Sint32 acceleration_[MAX_JOINTS];
     int version_;        // protocol version of the present request
     bool isInBatch_;     // whether the present request is a part of a batch
@@ -138,11 +139,13 @@ private:
     Uint16 tag_;         // tag of the present request
     bool endsRun_;       // whether the present request has asked for the end of the run
     std::string error_;  // error text of the present request
-    MtnFile motion_;     // motion file to check; not a local variable, because its parts are large
+    // A motion file that is being checked; not a local variable, because its parts are large.
+    MtnFile motion_;
     MotionLog log_;
     PictureSlot picture_;
     StickStore store_;
-    Uint8 part_[RC_MAX_DOWNLOAD_DATA];  // part of a file to send; too large for the stack
+    // The part of a file that is being sent; a member, because it is too large for the stack.
+    Uint8 part_[RC_MAX_DOWNLOAD_DATA];
     ClientStreams streams_[MAX_CLIENTS];
     // Must be the last member: a constructor of a member behind it would need code that destroys
     // uploads when that constructor throws.  Such code calls std::terminate(), which the robot

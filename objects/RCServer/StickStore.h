@@ -14,9 +14,9 @@
 #include "MtnName.h"
 #include "RemoteFiles.h"
 
-// A file name that was checked, and the kind of file, which decides the folder.
+// A file name that CheckName() has checked, and the kind of the file, which decides its folder.
 struct StickName {
-    int kind;  // RcFileKind
+    int kind;  // a value of RcFileKind
     char name[MTN_NAME_SIZE];
 };
 
@@ -65,7 +65,7 @@ private:
     std::string root_;
     int count_;
     char names_[MAX_MOTIONS][NAME_SIZE];
-    Uint8 copied_[512];  // a member, because the stack of an object is small
+    Uint8 copied_[512];  // buffer of Copy(); a member, because the stack of an object is small
 };
 
 #endif  // StickStore_h_DEFINED

@@ -75,8 +75,8 @@ MayBeInBatch(int command)
     }
 }
 
-// Checks the bytes of all requests of a batch, so that no request is carried out when one of them
-// is broken.  Returns rcOK and sets `count` to the number of requests.
+// Checks the bytes of all requests of a batch, so that no request is carried out when any request
+// of the batch is broken.  Returns rcOK and sets `count` to the number of requests.
 int
 RequestHandler::CountBatch(RcReader in, int* count)
 {

@@ -22,8 +22,8 @@ enum MoverCommandKind {
     moverkindACCELERATION = 3,  // uses the fields `joint` and `value`
     moverkindPLAY = 4,          // uses the fields `file`, `loops` and `keyFramesPerVector`
     moverkindSTOP = 5,          // ends the motion that plays
-    moverkindMOTOR_OFF = 6,     // uses the field `joint`; MOVER_ALL_JOINTS: motor power
-    moverkindMOTOR_ON = 7,      // uses the field `joint`; MOVER_ALL_JOINTS: motor power
+    moverkindMOTOR_OFF = 6,     // uses the field `joint`; MOVER_ALL_JOINTS: power of all motors
+    moverkindMOTOR_ON = 7,      // uses the field `joint`; MOVER_ALL_JOINTS: power of all motors
     moverkindGAINS = 8,         // uses the fields `joint` and `gain`
     moverkindTRACK = 9          // uses the fields `joint`, `value` and `frames`
 };
@@ -33,12 +33,12 @@ const Sint32 MOVER_ALL_JOINTS = -1;
 
 // The command that RCServer.Mover and Controller.Mover send to JointMover.Mover.
 struct MoverCommand {
-    Sint32 kind;  // a MoverCommandKind
+    Sint32 kind;  // a value of MoverCommandKind
     Sint32 joint;
     Sint32 value;
     union {
-        Sint32 loops;   // number of times that the motion is played, >= 1
-        Sint32 frames;  // time for the way to `value`, in frames of 8 ms, >= 1
+        Sint32 loops;   // how often the motion is played, >= 1
+        Sint32 frames;  // time for the movement to `value`, in frames of 8 ms, >= 1
     };
     Sint32 keyFramesPerVector;  // 0: JointMover chooses the number
     char file[MTN_NAME_SIZE];   // "WALK.MTN"
@@ -72,7 +72,7 @@ COMPILE_TIME_CHECK(BatchMoverCommandHasNoPadding, sizeof(BatchMoverCommand) == M
 // the last is the newest.  Because Controller commands the ears, JointMover does not move them
 // itself: Controller moves the ears as these messages say.
 struct SetValueMessage {
-    Sint32 state;              // MoverState
+    Sint32 state;              // a value of MoverState
     Sint32 keyFrame;           // key frame at the time of the positions; -1: no motion plays
     Uint8 isOver;              // 1: the motion of `file` has ended or was refused
     Uint8 earMask;             // plungers (ears) that the motion moves: bit i stands for plunger i
@@ -98,7 +98,7 @@ COMPILE_TIME_CHECK(LedsFitTheirMask, MAX_LEDS <= 32 && MAX_PLUNGERS <= 8);
 // The message of JointMover.MainExecution to Controller.MainExecution.  It is sent once, when the
 // robot stands.
 struct MainExecutionMessage {
-    Sint32 state;  // MoverState
+    Sint32 state;  // a value of MoverState
 };
 
 #endif  // Messages_h_DEFINED

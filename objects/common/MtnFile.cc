@@ -38,8 +38,8 @@ public:
     }
     Uint32 PeekU32(size_t at) const { return GetU32(bytes_ + at); }
 
-    // Reads a length byte and this number of characters.  Returns false when the file ends before
-    // the last character.
+    // Reads a string: a length byte and then this number of characters.  Returns false when the
+    // file ends before the last character.
     bool String(std::string* text)
     {
         if (!Has(1) || !Has(1 + (size_t)bytes_[at_])) return false;
@@ -57,7 +57,7 @@ private:
 public:
     int section;      // number of the section that is being read; -1: no section yet
     size_t start;     // offset in the file at which this section begins
-    Uint32 declared;  // size of the section, in bytes, as written in the section itself
+    Uint32 declared;  // size in bytes that the section itself says
 };
 
 MtnFile::MtnFile()
@@ -116,7 +116,8 @@ MtnFile::ReadSections(Cursor* cursor)
     return true;
 }
 
-// Reads number and size of section `number`, which has at least `smallest` bytes.
+// Reads the number and the size of a section.  Returns false with an error if the file has less
+// than `smallest` bytes left, or if the section has another number than `number`.
 bool
 MtnFile::BeginSection(Cursor* cursor, Uint32 number, Uint32 smallest)
 {
@@ -175,7 +176,7 @@ MtnFile::ReadHeader(Cursor* cursor)
     numKeyFrames_ = cursor->U16();
     const size_t rateAt = cursor->At();
     const int rate = cursor->U16();
-    cursor->U32();  // reserved
+    cursor->U32();  // skips a reserved number
     if (numSections != 4)
         warnings_.push_back(TextFormat("section 0: says %u sections, a motion has 4", numSections));
     if (majorVersion_ != 1) {

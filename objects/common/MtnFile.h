@@ -1,5 +1,5 @@
 //
-// A motion file (MTN), as Hohl 2004, appendix A, describes it and as real files are.
+// MtnFile: reads a motion file (MTN), as Hohl 2004, appendix A, describes it and as real files are.
 //
 // A motion is a sequence of key frames, which are postures of the robot.  The frames between two
 // key frames are interpolated.
@@ -124,9 +124,9 @@ private:
     std::string name_, creator_, designLabel_;
     std::vector<std::string> locators_;
     std::vector<size_t> locatorAt_;       // offset of each locator in the file
-    std::vector<Sint32> angles_;          // [key frame][joint], in urad
-    std::vector<Sint32> attitudes_;       // [key frame][roll, pitch, yaw], in urad
-    std::vector<Sint32> interpolations_;  // [gap]: number of interpolation frames
+    std::vector<Sint32> angles_;          // angles_[key frame * NumJoints() + joint], in urad
+    std::vector<Sint32> attitudes_;       // roll, pitch and yaw of each key frame, in urad
+    std::vector<Sint32> interpolations_;  // for each gap: number of interpolation frames
     std::vector<int> robotJoint_, robotPlunger_;
 };
 

@@ -19,7 +19,8 @@ void
 MtnPlayer::Start(const MtnFile* motion, int loops, int keyFramesPerVector)
 {
     shown_ = motion;
-    motion_ = motion->NumKeyFrames() > 1 ? motion : 0;  // a single key frame has no gap to play
+    // Plays nothing if there is a single key frame, because then there is no gap.
+    motion_ = motion->NumKeyFrames() > 1 ? motion : 0;
     loopsLeft_ = loops;
     keyFramesPerVector_ = Clamp(keyFramesPerVector / 2 * 2, 2, MAX_VECTOR_FRAMES / 2);
     gap_ = frame_ = 0;

@@ -37,7 +37,7 @@ public:
     // loops >= 1.
     void Start(const MtnFile* motion, int loops, int keyFramesPerVector);
 
-    // Ends play-back at the present frame.
+    // Ends the play-back of the motion at the present frame.
     void Stop() { motion_ = 0; }
 
     // Returns whether there is a frame left to play.
@@ -47,7 +47,7 @@ public:
     // ended.
     int FramesOfNextVector() const;
 
-    // Advances one frame.  REQUIRES: IsPlaying().
+    // Advances play-back by one frame of 8 ms.  REQUIRES: IsPlaying().
     void NextFrame();
 
     // Returns the position of the file's joint `j` in the frame to which NextFrame() advanced, in
@@ -63,10 +63,10 @@ private:
 
     const MtnFile* motion_;  // motion that plays; 0: no motion plays
     const MtnFile* shown_;   // motion that Position() shows, also after the last frame
-    int loopsLeft_;          // number of loops left, with the present loop
+    int loopsLeft_;          // number of loops that are not over yet, with the present loop
     int keyFramesPerVector_;
     int gap_;    // index of the gap that plays, from key frame gap_ to gap_ + 1
-    int frame_;  // number of frames of this gap that were played
+    int frame_;  // number of frames of the gap gap_ that were played
     int shownGap_, shownFrame_;  // gap and frame that Position() shows
     int keyFrame_;
 };

@@ -28,7 +28,7 @@ struct RcPicturePart {
     static const int SIZE = 14;
 
     void Write(RcWriter* out) const;
-    void Read(RcReader* in);  // does not read the bytes of the layer
+    void Read(RcReader* in);  // reads the numbers, but not the bytes of the layer behind them
 };
 
 // Largest number of bytes of a layer in an answer.  All parts but the last have this size.

@@ -36,7 +36,7 @@ struct RcListEntry {
     Uint32 size;
 };
 
-// A part of the list of motions.
+// A part of the list of motions on the stick, as an answer of the remote control.
 struct RcList {
     Uint16 total;  // number of motions on the stick
     Uint16 first;  // index of the first entry of this part
@@ -46,11 +46,12 @@ struct RcList {
     bool Read(RcReader* in);
 };
 
-// Largest number of entries of a part.  A packet has room for 59 names of 12 characters.
+// Largest number of entries in one part of the list.  A packet has room for 59 names of 12
+// characters.
 const int RC_MAX_LIST_ENTRIES = 50;
 
 struct RcUploadBegin {
-    Uint8 kind;  // RcFileKind
+    Uint8 kind;  // a value of RcFileKind
     std::string name;
     Uint32 size;
     Uint32 crc;  // CRC-32 of the whole file
@@ -60,7 +61,7 @@ struct RcUploadBegin {
 };
 
 struct RcFileName {
-    Uint8 kind;  // RcFileKind
+    Uint8 kind;  // a value of RcFileKind
     std::string name;
 
     void Write(RcWriter* out) const;
@@ -68,7 +69,7 @@ struct RcFileName {
 };
 
 struct RcDownload {
-    Uint8 kind;  // RcFileKind
+    Uint8 kind;  // a value of RcFileKind
     std::string name;
     Uint32 offset;
 

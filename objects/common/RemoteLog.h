@@ -20,7 +20,7 @@
 #include "RemotePacket.h"
 #include "RobotDescription.h"
 
-// The first bytes of a log file, before the records.
+// The text at the beginning of a log file, before the records.
 #define RC_LOG_HEADER "AIBO_1.1"
 
 // Record number in a request that asks only for the number of records.
@@ -41,14 +41,14 @@ const int RC_MAX_LOG_RECORD = 2 + 2 * MAX_JOINTS + 1 + 2 * (MAX_JOINTS + RC_LOG_
 struct RcLogHead {
     Uint32 count;  // number of records since the robot has booted
     Uint32 first;  // number of the first record in this answer
-    Uint8 state;   // MoverState
+    Uint8 state;   // a value of MoverState
     Uint8 here;    // number of records in this answer
     Uint16 size;   // size of a record, in bytes
 
     static const int SIZE = 12;
 
     void Write(RcWriter* out) const;
-    void Read(RcReader* in);  // does not read the records
+    void Read(RcReader* in);  // reads the numbers, but not the records behind them
 };
 
 #endif  // RemoteLog_h_DEFINED

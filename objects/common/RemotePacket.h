@@ -20,14 +20,14 @@ const Uint16 RC_MAGIC = 0x4352;  // the bytes 'R', 'C'
 const int RC_VERSION = 1;
 const int RC_VERSION_FILES = 2;
 
-const int RC_HEADER_SIZE = 8;          // header of a request
-const int RC_ANSWER_HEADER_SIZE = 16;  // header of an answer
+const int RC_HEADER_SIZE = 8;          // size of the header of a request, in bytes
+const int RC_ANSWER_HEADER_SIZE = 16;  // size of the header of an answer, in bytes
 
 // Largest size of a whole packet, in bytes.  The robot sends at most 1024 bytes at once; the rest
 // of a larger packet would wait up to 200 ms (BBS 1530, 1592).
 const int RC_MAX_PACKET = 1024;
 
-// The beginning of requests and answers, without the magic number.
+// The header with which requests and answers begin, without the magic number.
 struct RcHeader {
     Uint16 size;  // size of the whole packet in bytes
     Uint8 version;
@@ -55,7 +55,7 @@ public:
     int Size() const { return size_; }
     bool HasOverflowed() const { return hasOverflowed_; }
 
-    // Return the place of the next byte, and the number of bytes that are free from there on.
+    // End() returns the place of the next byte, Room() the number of free bytes from this place on.
     Uint8* End() const { return buffer_ + size_; }
     int Room() const { return capacity_ - size_; }
 
@@ -65,10 +65,11 @@ public:
     // Drops all bytes after the first `size` bytes.
     void Truncate(int size);
 
-    // Writes the header into the first RC_HEADER_SIZE bytes, when the size is known.
+    // Writes the header of the packet into the first RC_HEADER_SIZE bytes.  Called last, when the
+    // size of the packet is known.
     void PutHeader(int command, int tag, int version = RC_VERSION);
 
-    // Writes `size` bytes without a change.
+    // Writes the `size` bytes at `bytes` without a change.
     void Bytes(const Uint8* bytes, int size);
 
 private:
@@ -90,15 +91,15 @@ public:
     Uint16 U16();
     Uint32 U32();
     Sint32 S32();
-    std::string String();  // has '?' for every character that is not printable ASCII
+    std::string String();  // the result has '?' for every character that is not printable ASCII
 
-    // Skips `count` bytes.
+    // Skips the next `count` bytes of the packet.
     void Skip(int count)
     {
         if (Has(count)) at_ += count;
     }
 
-    // Return the bytes that were not read yet, and their number.
+    // Rest() returns the bytes that were not read yet, RestSize() their number.
     const Uint8* Rest() const { return bytes_ + at_; }
     int RestSize() const { return size_ - at_; }
 

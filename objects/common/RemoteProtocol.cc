@@ -53,7 +53,7 @@ RcInfo::Read(RcReader* in)
     return in->IsComplete();
 }
 
-// Writes the numbers but not their count, which the caller writes.
+// Writes `numbers` one after the other.  Does not write their count; the caller writes it.
 static void
 WriteNumbers(RcWriter* out, const std::vector<Sint32>& numbers)
 {

@@ -27,16 +27,16 @@ enum RcCommand {
     rcSENSORS = 0x30,
     rcMTN_PLAY = 0x40,
     rcMTN_STOP = 0x41,
-    // The commands below need version 2.
+    // The commands below need version 2 of the protocol.
     rcBATCH = 0x03,
     rcGAINS = 0x14,
     rcMOTOR_OFF = 0x15,
     rcMOTOR_ON = 0x16,
     rcTRACK = 0x17,
     rcPOWER = 0x31,
-    rcSUBSCRIBE = 0x32,  // RemoteStreams.h
+    rcSUBSCRIBE = 0x32,  // RemoteStreams.h has the formats of streams
     rcUNSUBSCRIBE = 0x33,
-    rcCAMERA = 0x34,  // RemoteCamera.h
+    rcCAMERA = 0x34,  // RemoteCamera.h has the formats of pictures
     rcCAMERA_PART = 0x35,
     rcEVENT = 0x3f,  // a packet of a stream; from a client it acknowledges packets and has no
                      // answer
@@ -46,7 +46,7 @@ enum RcCommand {
     rcUPLOAD_END = 0x52,
     rcDELETE = 0x53,
     rcDOWNLOAD = 0x54,
-    rcLOG = 0x60,  // RemoteLog.h
+    rcLOG = 0x60,  // RemoteLog.h has the format of the log
     rcREBOOT = 0x70,
     rcSHUTDOWN = 0x71
 };
@@ -74,14 +74,15 @@ enum RcStatus {
 // 24 bytes, or an error with at least 23 characters of its text.
 const int RC_SMALLEST_BATCH_ANSWER = RC_ANSWER_HEADER_SIZE + 24;
 
-// Largest number of requests in a batch: their smallest answers fit into the answer to the batch.
+// Largest number of requests in a batch.  With this limit, the smallest answers to all requests fit
+// into the answer to the batch.
 const int RC_MAX_BATCH = (RC_MAX_PACKET - RC_ANSWER_HEADER_SIZE) / RC_SMALLEST_BATCH_ANSWER;
 
-// The header of an answer.
+// The header with which an answer begins.
 struct RcAnswerHeader {
     RcHeader header;
     Uint32 frame;   // frame number of the newest sensor values; 0xffffffff: no values yet
-    Uint16 status;  // a RcStatus
+    Uint16 status;  // a value of RcStatus
 
     // Reads the header from a packet.  Returns false when the packet is too short for an answer.
     bool Read(const RcFramer& packet);
@@ -89,12 +90,12 @@ struct RcAnswerHeader {
 
 struct RcInfo {
     Uint8 numJoints, numLeds, numEars, numBinary, numOther, numMisc;
-    Uint8 state;           // MoverState
+    Uint8 state;           // a value of MoverState
     std::string design;    // such as "ERS-210"
     std::string software;  // "openr-host RCServer"
 
     // The values `processor`, `largestMotion` and `largestImage` are sent in version 2 only.
-    bool hasFiles;         // whether the three values below are there
+    bool hasFiles;         // whether the packet has the three values below
     Uint8 processor;       // ImageProcessor of the images that the robot runs
     Uint32 largestMotion;  // size in bytes of the largest motion that can be uploaded
     Uint32 largestImage;   // size in bytes of the largest image that can be uploaded
@@ -126,7 +127,7 @@ enum RcJointValue {
 };
 
 struct RcDescription {
-    std::string name;   // short: "LF_j1"
+    std::string name;   // short name, such as "LF_j1"
     std::string title;  // "Left fore leg J1"
     std::string locator;
     std::vector<Sint32> values;  // joint: see RcJointValue; sensor: its SensorKind; others: empty
@@ -153,8 +154,8 @@ const int RC_MAX_GAIN = 127;
 
 // Gains of the servo of a joint.  A gain g with shift s acts like g x 2^(s-16).
 struct RcGains {
-    Uint8 isOn;        // 1: the gain is enabled; 0: the joint is limp
-    Uint16 gain[3];    // P, I, D
+    Uint8 isOn;      // 1: the gain is enabled; 0: the joint is limp
+    Uint16 gain[3];  // P, I and D gain
     Uint16 shift[3];
 
     void Write(RcWriter* out) const;
@@ -164,7 +165,7 @@ struct RcGains {
 // Power and battery of the robot, from OPENR::GetPowerStatus().
 struct RcPower {
     Uint32 robotStatus;    // bits orsb... of the SDK
-    Uint16 batteryStatus;  // bits obsb...
+    Uint16 batteryStatus;  // bits obsb... of the SDK
     Uint16 capacity;       // remaining capacity in %
     Uint16 fullCapacity;   // in mAh
     Uint16 voltage;        // in mV
@@ -175,9 +176,9 @@ struct RcPower {
     bool Read(RcReader* in);
 };
 
-// The sensor values as sent to the client, grouped and ordered as in Hohl 2004, table 3.8.
+// The sensor values in an answer to the client, grouped and ordered as in Hohl 2004, table 3.8.
 struct RcSensors {
-    Uint8 state;                   // MoverState
+    Uint8 state;                   // a value of MoverState
     std::vector<Sint32> joints;    // measured positions, in 0.01 degree
     std::vector<Sint32> binary;    // values of binary sensors, 0 or 1
     std::vector<Sint32> other;     // in 10^-6 N, m, degree C or m/s^2, or in A/D counts
@@ -191,8 +192,8 @@ struct RcSensors {
 
 struct RcPlayRequest {
     std::string file;          // such as "WALK.MTN"
-    Uint16 loops;              // >= 1
-    Uint8 keyFramesPerVector;  // 0: the robot chooses
+    Uint16 loops;              // how often the motion is played, >= 1
+    Uint8 keyFramesPerVector;  // number of key frames in a command vector; 0: the robot chooses
 
     void Write(RcWriter* out) const;
     bool Read(RcReader* in);

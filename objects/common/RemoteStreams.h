@@ -22,7 +22,7 @@ enum RcStream {
 const int RC_FRAMES_PER_VECTOR = 4;
 
 struct RcSubscribe {
-    Uint8 stream;   // a RcStream
+    Uint8 stream;   // a value of RcStream
     Uint16 period;  // smallest number of frames between two packets
 
     void Write(RcWriter* out) const;
@@ -31,21 +31,21 @@ struct RcSubscribe {
 
 // The beginning of the payload of EVENT, before the values of the stream.
 struct RcEventHead {
-    Uint8 stream;    // a RcStream
+    Uint8 stream;    // a value of RcStream
     Uint16 leftOut;  // number of values that the client has missed since the packet before
 
     void Write(RcWriter* out) const;
-    void Read(RcReader* in);  // does not read the values
+    void Read(RcReader* in);  // reads the numbers, but not the values of the stream behind them
 };
 
 // A report of JointMover: its state and, while a motion plays, the key frame.  Positions are in
 // 0.01 degree.
 struct RcSetValues {
-    Uint8 state;      // MoverState
-    Uint8 isOver;     // 1: the motion of `file` has ended or was refused
-    Uint8 motorsOff;  // 1: motor power is off by MOTOR_OFF
-    Uint8 earMask;    // ears that the motion moves: bit i stands for ear i
-    Uint8 earOn;      // bits of earMask whose ears are on
+    Uint8 state;       // a value of MoverState
+    Uint8 isOver;      // 1: the motion of `file` has ended or was refused
+    Uint8 motorsOff;   // 1: a command MOTOR_OFF has switched motor power off
+    Uint8 earMask;     // ears that the motion moves: bit i stands for ear i
+    Uint8 earOn;       // bits of earMask whose ears are on
     Sint32 keyFrame;   // key frame to which the positions belong; -1: no motion plays
     std::string file;  // file of the motion; "": no motion
     std::vector<Sint32> commanded;

@@ -34,21 +34,22 @@ struct JointConstants {
     Sint16 mtnIndex;      // index of the joint in the vendor's MTN files; -1: not in these files
 };
 
-enum LedKind { ledLED2 = 2, ledLED3 = 3 };  // kind of command: OLEDCommandValue2 or 3
+// The kinds of LEDs.  An LED gets its commands as OLEDCommandValue2 or 3.
+enum LedKind { ledLED2 = 2, ledLED3 = 3 };
 
 struct LedConstants {
     const char* title;
     const char* locator;
-    Sint32 kind;  // LedKind
+    Sint32 kind;  // a value of LedKind
 };
 
-// kind of command: OJointCommandValue3 or 4
+// The kinds of plungers (ears).  A plunger gets its commands as OJointCommandValue3 or 4.
 enum PlungerKind { plungerJOINT3 = 3, plungerJOINT4 = 4 };
 
 struct PlungerConstants {
     const char* title;
     const char* locator;
-    Sint32 kind;  // PlungerKind
+    Sint32 kind;  // a value of PlungerKind
 };
 
 // Groups of sensors in Hohl 2004, table 3.8, as docs/openr/ers210.md 7 reads the table.
@@ -67,8 +68,8 @@ enum SensorKind {
 struct SensorConstants {
     const char* title;
     const char* locator;
-    Sint32 group;        // a SensorGroup
-    Sint32 kind;         // SensorKind
+    Sint32 group;        // a value of SensorGroup
+    Sint32 kind;         // a value of SensorKind
     Sint32 touchLimit;   // a value above this limit means touched; -1: no touch sensor
     Sint16 sensorIndex;  // index of the sensor's element in sensor vectors
     Sint16 reserved;
@@ -113,8 +114,8 @@ const RobotConstants* FindRobot(const char* design);
 // `robot` is not 0.
 const PostureConstants* FindPosture(const RobotConstants* robot, const char* name);
 
-// Return the index of the device of one kind with this locator (OPEN-R name); -1 when `robot` has
-// no such device.  REQUIRES: `robot` is not 0.
+// Each of the next functions returns the index of the device of its kind with this locator (OPEN-R
+// name); -1 when `robot` has no such device.  REQUIRES: `robot` is not 0.
 int FindJoint(const RobotConstants* robot, const char* locator);
 int FindLed(const RobotConstants* robot, const char* locator);
 int FindPlunger(const RobotConstants* robot, const char* locator);

@@ -17,7 +17,7 @@ public:
     // Opens the primitives (devices) of all joints and sensors.  Call this function in DoInit().
     OStatus Open(const RobotConstants* robot);
 
-    // Returns the primitive of a joint.
+    // Returns the primitive id of joint number `joint`.
     OPrimitiveID Joint(int joint) const { return joint_[joint]; }
 
     // Reads the newest sample of every joint and sensor in `vector` into `values`.
@@ -31,7 +31,8 @@ private:
     OPrimitiveID joint_[MAX_JOINTS];
     OPrimitiveID sensor_[MAX_SENSORS];
     bool isFound_;                  // whether jointElement_ and sensorElement_ are set
-    int jointElement_[MAX_JOINTS];  // index of the joint's element in a vector; -1: not there
+    // Index of the joint's element in a vector; -1: the vector has none.
+    int jointElement_[MAX_JOINTS];
     int sensorElement_[MAX_SENSORS];
 };
 

@@ -1,5 +1,5 @@
 //
-// Reads a whole file of the Memory Stick.
+// ReadStickFile(): reads a whole file of the Memory Stick.
 //
 
 #ifndef StickFile_h_DEFINED

@@ -1,5 +1,5 @@
 //
-// Formats a text as printf() does, into a std::string.
+// TextFormat(): formats a text as printf() does, and returns it as a std::string.
 //
 
 #ifndef TextFormat_h_DEFINED

@@ -82,8 +82,8 @@ Trajectory::Position() const
     return (Sint32)DivideRounded(position_, ONE_URAD);
 }
 
-// Returns the distance that the joint still moves in the frames after this one when it brakes from
-// `speed`.  REQUIRES: speed >= 0.
+// Returns the distance that the joint still moves in the frames after the present frame when it
+// brakes from `speed`.  REQUIRES: speed >= 0.
 Sint64
 Trajectory::StoppingDistance(Sint64 speed) const
 {
@@ -91,8 +91,8 @@ Trajectory::StoppingDistance(Sint64 speed) const
     return n * speed - acceleration_ * n * (n + 1) / 2;
 }
 
-// Returns the whole part of the square root, by Newton's method.  The sequence begins above the
-// root and falls until it has reached the root.
+// Returns the whole part of the square root of `value`, by Newton's method.  The sequence begins
+// above the root and falls until it has reached the root.
 static Sint64
 SquareRoot(Sint64 value)
 {
@@ -143,6 +143,7 @@ Trajectory::Step()
     if (step < speed - acceleration_) step = speed - acceleration_;
     position_ += forward ? step : -step;
     speed_ = forward ? step : -step;
-    if (step == distance && step <= acceleration_) Rest();  // slow enough to stop at the goal
+    // The joint reaches its goal and is slow enough to stop there.
+    if (step == distance && step <= acceleration_) Rest();
     return Position();
 }

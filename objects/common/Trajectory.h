@@ -1,6 +1,6 @@
 //
-// The movement of one joint to its goal: one position per frame of 8 ms, within limits of speed and
-// acceleration, ending exactly at the goal.
+// Trajectory: the movement of one joint to its goal.  It gives one position per frame of 8 ms,
+// within limits of speed and acceleration, and ends exactly at the goal.
 //
 // This is the "algorithm for manual commands" of Hohl 2004, section 4.1.1.  It is used for the
 // start-up postures, for commands of the remote control and of controllers, and for the movement to
@@ -48,7 +48,7 @@ public:
     // Advances the joint by one frame and returns its position at the end of the frame, in urad.
     Sint32 Step();
 
-    // Returns the position at the end of the last frame, in urad.
+    // Returns the joint's position at the end of the newest frame, in urad.
     Sint32 Position() const;
 
     Sint32 Goal() const { return goal_; }
@@ -61,13 +61,14 @@ private:
     Sint64 StoppingDistance(Sint64 speed) const;
     void Rest();
 
-    Sint32 goal_;              // in urad
-    Sint64 position_;          // in 2^-16 urad
-    Sint64 speed_;             // in 2^-16 urad per frame
-    Sint64 speedLimit_;        // in 2^-16 urad per frame, > 0
+    Sint32 goal_;              // goal of the movement, in urad
+    Sint64 position_;          // position of the joint, in 2^-16 urad
+    Sint64 speed_;             // speed of the joint, in 2^-16 urad per frame
+    Sint64 speedLimit_;        // limit of speed, in 2^-16 urad per frame, > 0
     Sint64 acceleration_;      // limit of acceleration, in 2^-16 urad per frame^2, > 0
     Sint64 nextAcceleration_;  // limit of acceleration after the next stop
-    int trackFrames_;          // frames that are left of Track(); 0: the limits are in force
+    // Number of frames that are left of a movement by Track(); 0: the limits are in force.
+    int trackFrames_;
 };
 
 #endif  // Trajectory_h_DEFINED

@@ -15,7 +15,8 @@ using namespace openr_host;
 
 namespace {
 
-// A handler with this number of calls of GetSystemTime() is reported as a busy loop.
+// Number of calls of GetSystemTime() in one handler from which on the handler is reported as a busy
+// loop.
 constexpr uint64_t kTimeCallsMax = 1'000'000;
 
 // Makes a message to entry `selector` of object `oid` with a copy of the bytes at `msg`.
@@ -146,7 +147,7 @@ sError Reply(void* msg, size_t size) {
   if (object == nullptr) return sFAIL;
   if (size > kMessageMax) return sEXCEEDEDSIZEOFMSG;
   // An object that connects two of its own services calls this handler directly, without a request.
-  // Then the reply is copied to the caller.
+  // In this case the reply is copied to the place that the caller has given.
   if (object->handler.self_reply != nullptr) {
     std::memcpy(object->handler.self_reply->data, msg,
                 std::min(size, object->handler.self_reply->size));
@@ -179,7 +180,7 @@ sError CleanRBox(RID rbox) {
   return sSUCCESS;
 }
 
-// Replies and ends the handler; does not return.
+// Sends the reply to the request of the running handler, and ends the handler.  Does not return.
 void Return(void* msg, size_t size) {
   Reply(msg, size);
   Exit();

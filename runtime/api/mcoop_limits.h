@@ -9,11 +9,12 @@
 
 namespace openr_host {
 
-// Largest message in bytes, the size of AperiosMessage.  Longer messages are refused.
+// Largest number of bytes of a message: the size of AperiosMessage.  Longer messages are refused.
 constexpr size_t kMessageMax = 256;
 constexpr size_t kObjectNameMax = 63;  // longest name of Register(): oobjectNAME_MAX of the SDK
-constexpr int kEventsMax = 32;         // pending events of one object; our choice
-constexpr int kEntriesMax = 64;        // entries, and so selectors, of one object
+constexpr int kEventsMax = 32;         // largest number of pending events of one object; our choice
+// Largest number of entries of one object; each entry has a selector.
+constexpr int kEntriesMax = 64;
 
 inline int64_t Microseconds(const RelativeTime& time) {
   return int64_t{time.sec} * 1'000'000 + int64_t{time.msec} * 1000;

@@ -138,7 +138,8 @@ OStatus SetMotorPower(OPower power) {
 OStatus Shutdown(const OBootCondition& bootCondition) {
   const ApiScope scope;
   const OStatus status = Services().Shutdown(bootCondition);
-  // Shuts down also with oNOT_SUPPORTED, which the RobotServices of a robot without devices return.
+  // Shuts the run down also with oNOT_SUPPORTED, which the RobotServices of a robot without devices
+  // return.
   if (status == oSUCCESS || status == oNOT_SUPPORTED)
     t_current.system->Shutdown(
         t_current.object->robot,
@@ -195,7 +196,8 @@ OStatus FindDesignData(const char* keyword, ODesignDataID* id, byte** dataAddr, 
   if (found == robot.design_data.end() || robot.stick == nullptr) return oNOT_FOUND;
   auto content = robot.stick->ReadFile(found->second);
   if (!content) return oNOT_FOUND;
-  if (IsGzip(*content)) {  // programs get such files decompressed, as on the robot
+  // Decompresses the file, as the robot does before a program gets the file.
+  if (IsGzip(*content)) {
     std::string packed = std::move(*content);
     content->clear();
     if (Gunzip(packed, &*content) != GzipResult::kWhole) return oFAIL;
@@ -261,8 +263,8 @@ OStatus GetVolumeSwitch(OVolumeSwitch* volume) {
   return Services().GetVolumeSwitch(volume);
 }
 
-// Return oNOT_SUPPORTED, because the functions about MWInfo belong to level 1 of the interface, for
-// which there is no document (core.md 6.1).
+// The functions about MWInfo return oNOT_SUPPORTED, because they belong to level 1 of the
+// interface, for which there is no document (core.md 6.1).
 OStatus RequireMWInfo(MWIID) { return oNOT_SUPPORTED; }
 OStatus CancelMWInfo(MWIID) { return oNOT_SUPPORTED; }
 OStatus IsMWInfoRequired(MWIID, bool* required) {

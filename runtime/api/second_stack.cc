@@ -48,7 +48,8 @@ struct OpenrSecondStack {
     if (watch) watch->Begin(openr_host::kFpCaught);
     stack.Call(body, argument);
     GoHome();
-    __builtin_unreachable();  // nothing switches back to a body that has ended
+    // Never reached, because nothing switches back to a body that has ended.
+    __builtin_unreachable();
   }
 
   // Switches from `stack` back to the handler.  The switch restores the handler's floating-point

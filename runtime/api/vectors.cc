@@ -81,7 +81,8 @@ OStatus NewVector(ODataType type, size_t info_size, size_t bytes, size_t count, 
 // `unknown`, because each OPENR::Delete... function has an error of its own for this case.
 OStatus DeleteVector(MemoryRegionID id, ODataType type, OStatus unknown) {
   const RegionTable& regions = t_current.system->regions();
-  // Adds a finding: the region is deleted twice.
+  // A second deletion of the same region is a mistake of the program, for which
+  // DeleteSharedMemory() adds a finding.
   if (regions.WasDeleted(id)) DeleteSharedMemory(id);
   if (regions.SizeOf(id) < sizeof(ODataVectorInfo)) return unknown;
   const auto* const info = reinterpret_cast<const ODataVectorInfo*>(regions.BaseOf(id));

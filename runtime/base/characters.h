@@ -1,5 +1,6 @@
-// Tests whether a character is a blank, a digit or a letter, for text files of the robot.  Only
-// ASCII characters count, whatever the host's locale.
+// Functions that return whether a character is a blank, a digit or a letter.  The parsers of the
+// robot's text files use them, because they accept only ASCII characters, whatever the host's
+// locale.
 #pragma once
 
 namespace openr_host {

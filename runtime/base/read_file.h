@@ -1,4 +1,4 @@
-// Reads files of the host.
+// Functions that read a whole file of the host.
 #pragma once
 
 #include <optional>

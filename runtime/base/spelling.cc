@@ -52,7 +52,8 @@ std::optional<std::string> ClosestMatch(std::string_view word,
     const int distance = EditDistance(word, candidate);
     if (distance > limit) continue;
     closest = candidate;
-    limit = distance - 1;  // a later candidate counts only if it is nearer
+    // From now on a candidate counts only if it is nearer than this candidate.
+    limit = distance - 1;
   }
   return closest;
 }

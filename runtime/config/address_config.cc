@@ -35,8 +35,8 @@ std::optional<uint32_t> AddressOf(std::string_view text) {
 // or broadcast.
 bool IsOfNobody(uint32_t ip) { return ip == 0 || ip >> 28 >= 0xe; }
 
-// Parses the texts of two addresses into `pair`.  Returns "" or the reason why one of them is
-// invalid.
+// Parses the texts of two addresses into `pair`.  Returns "" or the reason why one of the texts is
+// no address.
 std::string ReadPair(std::string_view robot, std::string_view host, AddressPair* pair) {
   for (const auto& [text, ip] : {std::pair{robot, &pair->robot}, std::pair{host, &pair->host}}) {
     const std::optional<uint32_t> address = AddressOf(text);

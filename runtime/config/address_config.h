@@ -44,8 +44,9 @@ std::string AddAddressPair(const AddressPair& pair, std::vector<AddressPair>* pa
 AddressConfig ParseAddressConfig(const std::string& file, std::string_view text,
                                  std::string_view design);
 
-// Returns `first`, followed by the pairs of `second` whose robot address is not in `first`.  So
-// pairs of the command line take precedence over those of the file.
+// Returns `first`, followed by the pairs of `second` whose robot address is not in `first`.  With
+// the pairs of the command line as `first`, they take precedence over the pairs of the file
+// HOSTADDR.CFG.
 std::vector<AddressPair> MergeAddressPairs(std::vector<AddressPair> first,
                                            const std::vector<AddressPair>& second);
 

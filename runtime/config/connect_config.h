@@ -1,4 +1,5 @@
-// CONNECT.CFG: the file that names for each subject the observers to which it sends.
+// Parses CONNECT.CFG, the file that names for each subject the observers to which the subject
+// sends.
 #pragma once
 
 #include <string>
@@ -11,7 +12,7 @@
 namespace openr_host {
 
 struct ConnectRecord {
-  ServiceName subject;         // direction 'S'
+  ServiceName subject;         // name of the subject, with direction 'S'
   ServiceName observer;        // direction 'O', same data type as that of the subject
   std::string section;         // the robot design for which the line is valid; "" for every robot
   FilePosition subject_place;  // lets a later message point to the subject's name

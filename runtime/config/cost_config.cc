@@ -10,7 +10,7 @@
 namespace openr_host {
 namespace {
 
-// Our limit; a larger number is taken for a typing error.
+// Largest cost of a handler.  The limit is our choice; a larger number is taken for a typing error.
 constexpr int64_t kCostMaxUs = 10'000'000;
 constexpr int64_t kFrameMinUs = 1'000, kFrameMaxUs = 1'000'000;
 

@@ -28,7 +28,8 @@ struct CostRule {
   std::string object;
   std::string entry;
   int64_t cost_us = 0;
-  int jitter_percent = 0;  // 0 to 100; the cost varies by up to this share of cost_us, up and down
+  // 0 to 100; the cost varies at random by up to this percentage of cost_us.
+  int jitter_percent = 0;
 };
 
 struct CostConfig {

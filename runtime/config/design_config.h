@@ -1,4 +1,4 @@
-// DESIGNDB.CFG: the files that OPENR::FindDesignData finds by keyword.
+// Parses DESIGNDB.CFG, which lists the files that OPENR::FindDesignData finds by keyword.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ namespace openr_host {
 inline constexpr int kDesignKeywordBytesMax = 127;
 
 struct DesignRecord {
-  std::string keyword;  // upper and lower case differ
+  std::string keyword;  // a keyword in other case is another keyword
   // The path as the file has it, e.g. /MS/OPEN-R/MW/DATA/P/BOW.MTN; upper and lower case letters
   // are equal.
   std::string path;

@@ -1,4 +1,5 @@
-// Messages of parsers about lines of text files, and the text in which a user sees them.
+// Diagnostic: a message of a parser about a line of a text file.  Render() makes the text that a
+// user sees.
 #pragma once
 
 #include <string>

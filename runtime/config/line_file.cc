@@ -42,8 +42,8 @@ class SectionFilter {
   SectionFilter(std::string_view design, std::vector<Diagnostic>* diagnostics)
       : design_(design), diagnostics_(diagnostics) {}
 
-  // True while records of the current section are valid for the robot design given to the
-  // constructor.
+  // Returns whether records of the current section are valid for the robot design that was given to
+  // the constructor.
   bool is_open() const { return is_open_; }
   const std::string& section() const { return section_; }
 

@@ -41,7 +41,8 @@ std::vector<FilePosition> SplitLines(const std::string& file, std::string_view t
 struct RecordLine {
   FilePosition place;       // position of the first word
   std::vector<Word> words;  // never empty
-  std::string section;      // the section's name as written; "" before the first section
+  // Name of the section with the record, as written; "" before the first section.
+  std::string section;
 
   FilePosition At(const Word& word) const { return AtColumn(place, word.column); }
 };

@@ -1,5 +1,5 @@
-// OBJECT.CFG: lists the objects that the robot loads from its Memory Stick, in the order of
-// loading.
+// Parses OBJECT.CFG, which lists the objects that the robot loads from its Memory Stick, in the
+// order of loading.
 #pragma once
 
 #include <string>

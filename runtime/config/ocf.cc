@@ -12,11 +12,13 @@
 namespace openr_host {
 namespace {
 
-constexpr size_t kShortFieldCount = 7;  // fields after the word "object", short form
+// Number of fields after the word "object" in the short form.
+constexpr size_t kShortFieldCount = 7;
 constexpr size_t kLongFieldCount = 14;
-constexpr int64_t kSizeBytesMax = std::numeric_limits<int32_t>::max();  // limit of a 32-bit robot
+// Limit of sizes on the 32-bit robot.
+constexpr int64_t kSizeBytesMax = std::numeric_limits<int32_t>::max();
 constexpr int kPriorityMax = 255;
-// A typing error for the heap size 16384 that Sony's samples contained.  It gets a warning, because
+// A heap size in Sony's samples, a typing error for 16384.  This size gets a warning, because
 // programs were made from those samples.
 constexpr int64_t kMistypedHeapBytes = 16386;
 

@@ -31,11 +31,12 @@ struct Ocf {
   std::string install_selector = "-1";
   int64_t stack_bytes = 3072;  // fixed size on the robot
   int64_t heap_bytes = 16384;  // step by which the heap grows on the robot
-  int priority = 128;          // 0..255; upper 4 bits: class; lower 4 bits: share in the class
-  bool is_cached = true;       // true for the word "cache", false for "nocache"
-  bool is_translated = true;   // true for "tlb", false for "notlb"
-  bool is_user_mode = true;    // true for "user", false for "kernel"
-  FilePosition place;          // position of the name
+  // 0..255; upper 4 bits: priority class; lower 4 bits: share of the processor in this class.
+  int priority = 128;
+  bool is_cached = true;      // true for the word "cache", false for "nocache"
+  bool is_translated = true;  // true for "tlb", false for "notlb"
+  bool is_user_mode = true;   // true for "user", false for "kernel"
+  FilePosition place;         // position of the object's name in the file
 };
 
 struct OcfResult {

@@ -1,4 +1,4 @@
-// Checks the form of a robot path ("/MS/OPEN-R/MW/OBJS/MOVER.BIN") without looking at files.
+// Checks the form of a path of the robot ("/MS/OPEN-R/MW/OBJS/MOVER.BIN") without looking at files.
 #pragma once
 
 #include <vector>

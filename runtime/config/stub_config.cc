@@ -12,8 +12,8 @@
 namespace openr_host {
 namespace {
 
-// Facts that the parser has about the subjects of a stub.cfg, or about its observers: their
-// declared number and their Service lines.
+// What the parser knows about the subjects of a stub.cfg, or about its observers: their declared
+// number and their Service lines.
 struct Side {
   const char* noun;        // "subject" or "observer"
   const char* count_word;  // usual spelling of the keyword that declares the number
@@ -21,7 +21,7 @@ struct Side {
   std::vector<StubService>* services;
 
   bool has_count = false;
-  StubLine count_line = {};  // set only if has_count
+  StubLine count_line = {};  // the line that declares the number; set only if has_count is true
   int count = -1;            // -1: not given, or not a number
 };
 
@@ -192,7 +192,7 @@ void StubParser::CheckCount(const std::string& file, const Side& side) {
                       dummy));
     return;
   }
-  if (side.count < 0) return;  // a bad number, which was reported already
+  if (side.count < 0) return;  // the number is missing or bad, which was reported already
   const std::string& word = side.count_line.word;
   if (side.count == 0 && found == 0) {
     Error(side.count_line.place, fmt::format("{} is 0{}, and write 1 here", word, dummy));

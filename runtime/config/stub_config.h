@@ -22,7 +22,7 @@ struct StubService {
   std::string
       connect_function;       // handles control events of a subject, connect events of an observer
   std::string data_function;  // handles ready events of a subject, notify events of an observer
-  FilePosition place;         // position of the name
+  FilePosition place;         // position of the service's name in the file
 };
 
 struct StubExtra {

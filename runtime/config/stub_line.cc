@@ -13,7 +13,8 @@
 namespace openr_host {
 namespace {
 
-constexpr int kCountMax = 10'000;  // far above the limit of 64 selectors; sums still fit an int
+// Far above the limit of 64 selectors, but so low that sums fit an int.
+constexpr int kCountMax = 10'000;
 
 struct KeywordName {
   const char* word;
@@ -32,7 +33,7 @@ constexpr KeywordName kKeywords[] = {
 
 bool IsNameCharacter(char c) { return IsLetter(c) || IsDigit(c) || c == '_'; }
 
-// A piece of a line and the column at which it begins.
+// A part of a line of stub.cfg, and the column at which it begins.
 struct Piece {
   std::string_view text;
   int column = 1;
@@ -47,7 +48,8 @@ struct Piece {
   void TrimEnd() {
     while (!text.empty() && IsBlank(text.back())) text.remove_suffix(1);
   }
-  // Returns the characters of a C++ name with which the text begins, or "" if it begins with none.
+  // Returns the C++ name with which the text begins, or "" if the text begins with another
+  // character.
   std::string_view NameAtStart() const {
     const auto end = std::find_if_not(text.begin(), text.end(), IsNameCharacter);
     return text.substr(0, static_cast<size_t>(end - text.begin()));

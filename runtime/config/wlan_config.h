@@ -13,15 +13,15 @@ namespace openr_host {
 // system (Installation Guide 3.2.2), so an empty file means the same as that file.
 struct WlanConfig {
   std::string hostname = "AIBO";        // up to 8 letters and digits
-  std::string ether_ip = "10.0.1.100";  // a dotted address, like the next two
+  std::string ether_ip = "10.0.1.100";  // a dotted address, like the mask and the gateway below
   std::string ether_netmask = "255.255.255.0";
   std::string ip_gateway = "10.0.1.1";
-  std::string essid = "AIBONET";  // up to 32 characters
+  std::string essid = "AIBONET";  // name of the wireless network, up to 32 characters
   bool wep_enable = true;
   // The key as the file has it: characters, or 0x and hexadecimal digits.
   std::string wep_key = "AIBO2";
   int ap_mode = 2;                 // 0 ad hoc demo, 1 infrastructure, 2 automatic
-  int channel = 3;                 // 1..11, ad hoc only
+  int channel = 3;                 // radio channel 1..11, used in ad hoc mode only
   std::string dns_server_1;        // "" when not given
   std::string dns_default_domain;  // "" when not given
   bool use_dhcp = false;

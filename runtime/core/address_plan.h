@@ -50,12 +50,14 @@ class AddressPlace {
   AddressPlace(const AddressPlace&) = delete;
   AddressPlace& operator=(const AddressPlace&) = delete;
 
-  // Return the first address of the part of each range that belongs to this place (the thunks lie
-  // behind the image), or null if addresses are not planned.
+  // heap(), image(), thunks(), stack() and copies() return the first address of the part of each
+  // range that belongs to this place (the thunks lie behind the image), or null if addresses are
+  // not planned.
   char* heap() const;
   char* image() const;
   char* thunks() const;
-  char* stack(int number) const;  // number 0: for handlers; 1: for a controller's endless loop
+  // Stack 0 is for handlers, stack 1 for a controller's endless loop.
+  char* stack(int number) const;
   char* copies() const;
 
   // Returns the number of the place in whose heap area `address` lies, or -1 if `address` is in no
@@ -74,7 +76,7 @@ char* TakeRegionArea();
 void GiveRegionArea(char* area);
 // The size of a region area.  RegionMemory needs about 1.33 TiB, the memory for one region of every
 // size class in every slot.
-constexpr size_t kRegionAreaBytes = size_t{3} << 39;  // 1.5 TiB
+constexpr size_t kRegionAreaBytes = size_t{3} << 39;  // 1.5 TiB in bytes
 
 // Maps `bytes` bytes of zeros at `address`, readable and writable.  Returns false if there is no
 // memory or the addresses are in use.

@@ -14,7 +14,8 @@
 namespace openr_host {
 namespace {
 
-constexpr size_t kLargest = 32 << 10;  // bytes; a larger block gets whole spans
+// Size of the largest small block in bytes; a larger block gets whole spans.
+constexpr size_t kLargest = 32 << 10;
 constexpr size_t kMapBytes = 1 << 20;  // memory is mapped in steps of this size
 
 // The arena (heap) of each object.  The index is the number of the object's place (address_plan.h).
@@ -31,7 +32,7 @@ size_t SizeOfClass(int size_class) {
 
 int ClassOfSize(size_t size) {
   if (size <= 256) return size == 0 ? 0 : static_cast<int>((size - 1) / 16);
-  const int doubling = std::bit_width(size - 1) - 9;  // 257..512 -> 0
+  const int doubling = std::bit_width(size - 1) - 9;  // 0 for sizes of 257 to 512 bytes
   const size_t base = size_t{256} << doubling;
   return 16 + doubling * 4 + static_cast<int>((size - 1 - base) / (base / 4));
 }

@@ -70,7 +70,7 @@ class Arena {
   // Makes the arena keep the calls of each block that is allocated from now on.
   void KeepCalls() { calls_ = std::make_unique<std::map<uint32_t, Calls>>(); }
   bool keeps_calls() const { return calls_ != nullptr; }
-  // Keeps the calls that allocated `block`.  REQUIRES: keeps_calls().
+  // Stores `calls`, the calls that have allocated `block`.  REQUIRES: keeps_calls().
   void NoteCalls(const void* block, Calls calls);
   // Calls `visit` for every block with known calls that is in use, in the order of addresses.
   void ForEachBlock(
@@ -103,7 +103,7 @@ class Arena {
   void* AllocateSmall(int size_class);
   void* AllocateLarge(size_t size);
   bool FreeFrom(void* block);
-  // The number of a block in `begins_`, which counts places of 16 bytes.
+  // Returns the index of a block in `begins_`, which has an element for each 16 bytes of memory.
   size_t PlaceOf(const void* block) const {
     return static_cast<size_t>(static_cast<const char*>(block) - base_) / 16;
   }
@@ -118,10 +118,11 @@ class Arena {
   FreeBlock* free_[kClasses] = {};
   char* bump_[kClasses] = {};  // for each class, the next block that was never used
   char* bump_end_[kClasses] = {};
-  std::vector<bool> begins_;  // for each 16 bytes of mapped memory: a block in use begins there
-  // The calls of each block, by its number of PlaceOf(); null: not kept.  The keys are no
-  // addresses, so that a search of this process's memory for addresses of blocks does not find them
-  // here.
+  // For each 16 bytes of mapped memory: whether a block in use begins at these bytes.
+  std::vector<bool> begins_;
+  // The calls that have allocated each block; the key is the result of PlaceOf().  Null: calls are
+  // not kept.  The keys are no addresses, because ReportLeaks() searches the memory of this process
+  // for addresses of blocks and must not find addresses in this map.
   std::unique_ptr<std::map<uint32_t, Calls>> calls_;
   size_t in_use_ = 0;
   size_t in_use_max_ = 0;

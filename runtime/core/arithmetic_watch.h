@@ -30,8 +30,8 @@ class ArithmeticWatch {
   // does not raise SIGFPE again.
   void GiveUpCatching(unsigned kind) { kinds_ &= ~kind; }
 
-  // Pause and resume the watch.  Called before and after the image's code calls a function of the
-  // SDK or of the C library.  Such calls may be nested.
+  // Enter() pauses the watch and Leave() resumes it.  Called before and after the image's code
+  // calls a function of the SDK or of the C library.  Such calls may be nested.
   void Enter();
   void Leave();
 
@@ -43,7 +43,8 @@ class ArithmeticWatch {
   unsigned kinds_ = 0;  // the flags that raise SIGFPE
   // The number of nested calls of functions of the SDK and the C library that are running now.
   int calls_ = 0;
-  unsigned saved_fp_ = 0;  // the image's MXCSR, kept while such a function runs
+  // The image's MXCSR, kept while a function of the SDK or of the C library runs.
+  unsigned saved_fp_ = 0;
 };
 
 }  // namespace openr_host

@@ -27,7 +27,9 @@ namespace {
 struct SourcePlace {
   const char* file;
   uint32_t line;
-  uint32_t column;  // kSaid after a fault at this place has been reported
+  // The column of the place.  It becomes kSaid when a fault at this place was reported, so that
+  // each place is reported once.
+  uint32_t column;
 };
 constexpr uint32_t kSaid = UINT32_MAX;
 
@@ -80,7 +82,8 @@ std::string Render(const SourcePlace& place) {
 // processor ("exception 15").  With --strict the object crashes.  Otherwise a finding is added,
 // once for each place in the source.
 void Report(SourcePlace* place, const std::string& what, const char* exception) {
-  if (t_current.system == nullptr || t_current.object == nullptr) return;  // no object is running
+  // The failed check is not in code of an object.
+  if (t_current.system == nullptr || t_current.object == nullptr) return;
   if (t_current.system->options().strict)
     StopAsTheRobotDoes(fmt::format("{} at {} ({})", what, Render(*place), exception));
   if (std::exchange(place->column, kSaid) == kSaid) return;

@@ -65,7 +65,7 @@ bool CodeHost::Dispatch(uint32_t selector, void* payload) {
   return true;
 }
 
-// Calls DoInit, DoStart, DoStop or DoDestroy.
+// Calls DoInit, DoStart, DoStop or DoDestroy of the CodeObject, as `selector` demands.
 void CodeHost::CallSystemEntry(uint32_t selector, void* payload) {
   auto& message = *static_cast<OReasonMessage*>(payload);
   const OSystemEvent event(message.reason, message.param, message.paramSize);

@@ -47,10 +47,11 @@ class CodeObject : public OObject {
     void operator()(const T&) const {}
   };
 
-  // Add a subject (sending end of connections) or an observer (receiving end) and register it as
-  // `service`, a full name such as "Blinker.Blink.OCommandVectorData.S".  `ready(const
-  // OReadyEvent&)` or `notify(const ONotifyEvent&)` is called for each ready or notification.  This
-  // CodeObject owns the returned subject or observer.  REQUIRES: called in the constructor.
+  // AddSubject() adds a subject (sending end of connections), AddObserver() adds an observer
+  // (receiving end).  Both register it as `service`, a full name such as
+  // "Blinker.Blink.OCommandVectorData.S".  `ready(const OReadyEvent&)` or `notify(const
+  // ONotifyEvent&)` is called for each ready or notification.  This CodeObject owns the returned
+  // subject or observer.  REQUIRES: called in the constructor.
   template <typename Ready = Nothing>
   OSubject* AddSubject(const std::string& service, Ready ready = {});
   template <typename Notify = Nothing>
@@ -120,7 +121,8 @@ class CodeObject : public OObject {
   };
 
   Selector AddEntry(const std::string& name, std::unique_ptr<Entry> entry);
-  // Add the entries of a subject or an observer.  `entry` becomes the last of these entries.
+  // AddSubjectEntries() adds the entries of a subject, AddObserverEntries() the entries of an
+  // observer.  `entry` becomes the last of these entries.
   void AddSubjectEntries(const std::string& service, OSubject* subject,
                          std::unique_ptr<Entry> entry);
   void AddObserverEntries(const std::string& service, OObserver* observer,
@@ -158,7 +160,8 @@ class CodeHost final : public Object {
   bool Dispatch(uint32_t selector, void* payload) override;
   void HashState(Hasher* hasher) const override;
 
-  void SetCode(std::unique_ptr<CodeObject> made);  // called after the constructor of `made`
+  // Sets the CodeObject, after its constructor has run.
+  void SetCode(std::unique_ptr<CodeObject> made);
 
   std::unique_ptr<CodeObject> code;
 

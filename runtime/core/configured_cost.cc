@@ -11,8 +11,8 @@ ConfiguredCost::ConfiguredCost(CostConfig config, uint64_t seed)
 ConfiguredCost::Cost ConfiguredCost::Find(const Object& object, uint32_t selector) {
   const std::string entry = object.EntryName(selector);
   Cost cost;
-  // Visits all rules, because the last matching rule decides, and because all matching rules count
-  // as used.
+  // Goes through all rules and does not stop at the first match, because the last matching rule
+  // decides, and because all matching rules count as used.
   for (size_t i = 0; i < config_.rules.size(); ++i) {
     const CostRule& rule = config_.rules[i];
     if (!MatchesPattern(rule.object, object.name) || !MatchesPattern(rule.entry, entry)) continue;

@@ -41,7 +41,7 @@ class ConfiguredCost : public CostModel {
   Cost Find(const Object& object, uint32_t selector);
 
   const CostConfig config_;
-  std::vector<bool> used_;  // by index of the rule: whether its pattern has matched a handler
+  std::vector<bool> used_;  // for each rule: whether its patterns have matched a handler
   Rng rng_;
   // The results of Find(), by object and selector, so that the rules are searched only at the first
   // call of an entry.  A result stays valid, because an entry does not change its name after its

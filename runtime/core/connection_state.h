@@ -1,5 +1,5 @@
-// The runtime's record of each subject (OSubject, the sending end of connections) and of each
-// observer (OObserver, the receiving end).
+// SubjectState and ObserverState: the runtime's record of each subject (OSubject, the sending end
+// of connections) and of each observer (OObserver, the receiving end).
 //
 // The records lie on the host's heap and not on the object's heap, so they do not count as memory
 // of the robot.  Only handlers of the object change them.
@@ -39,7 +39,8 @@ struct RegionAccess {
   static RCRegion* SourceOf(const RCRegion* received) { return received->source_; }
 };
 
-// Adds the error finding of IsRunningMessage().
+// Adds an error finding: an object has sent bytes that are no notification or ready to an entry of
+// a subject or observer of `object`.
 void ReportForeignBytes(const Object& object);
 
 // Returns whether the message that `object` handles is of this `kind` (a notification or a ready),
@@ -89,14 +90,15 @@ struct ObserverLink {
   size_t skip = 0;
   size_t min = 1;
   size_t max = 1;
-  size_t skipped = 0;  // notifications skipped since the last kept notification
+  size_t skipped = 0;  // number of notifications that were skipped since the last kept notification
   // Virtual time since which a notification waits; -1: no notification waits.
   int64_t waiting_since_us = -1;
-  uint64_t sent = 0;               // messages sent
-  int64_t sent_us = 0;             // virtual time of the last message
+  uint64_t sent = 0;               // number of messages that were sent to the observer
+  int64_t sent_us = 0;             // virtual time of the newest message to the observer
   std::vector<RCRegion*> pending;  // regions that were notified but not sent yet, oldest first
-  uint64_t replaced = 0;           // notifications dropped because newer ones replaced them
-  std::string name;                // the name of the observer's object, for messages to the user
+  // Number of notifications that were dropped because newer notifications replaced them.
+  uint64_t replaced = 0;
+  std::string name;  // the name of the observer's object, for messages to the user
 };
 
 struct SubjectState {
@@ -158,7 +160,8 @@ struct ObserverState {
   // Sends `command`, ready or not ready, to `subject`.  The message also gives back the regions of
   // `subject` that this object no longer uses.
   OStatus SendReady(const SubjectID& subject, ObjcommCommand command);
-  // Prints, as the robot does, that a ready could not be posted.
+  // Prints, as the robot does, that a ready could not be posted because of `error`.  Returns the
+  // status for the caller of SendReady().
   OStatus ReportRefusedReady(sError error);
   System* const system;
   Object* const object;

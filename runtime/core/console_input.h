@@ -25,14 +25,16 @@ class ConsoleInput {
  public:
   explicit ConsoleInput(System* system) : system_(system) {}
 
-  // Makes `text`, which was typed on the terminal of `robot`, readable, and wakes a reader.  Adds a
-  // newline if `text` does not end with a newline.  REQUIRES: not called in a handler.
+  // Gives `text`, which was typed on the terminal of `robot`, to the objects that read from this
+  // terminal, and wakes the first object that waits for a line.  Adds a newline if `text` does not
+  // end with a newline.  REQUIRES: not called in a handler.
   void Enter(int robot, std::string_view text);
 
-  // Waits for a line, copies at most `size` bytes of it to `buffer`, echoes these bytes and returns
-  // their number.  The next call returns the rest of the line.  If `is_gone` returns true after the
-  // wait, because the process of the caller has ended meanwhile, returns 0 and leaves the line to
-  // the next object that waits.  REQUIRES: called in a handler.
+  // Waits until a line was typed on the terminal of the calling object's robot, copies at most
+  // `size` bytes of it to `buffer`, echoes these bytes and returns their number.  The next call
+  // returns the rest of the line.  If `is_gone` returns true after the wait, because the process of
+  // the caller has ended meanwhile, returns 0 and leaves the line to the next object that waits.
+  // REQUIRES: called in a handler.
   size_t Read(char* buffer, size_t size, const std::function<bool()>& is_gone = {});
 
   // Sets whether Read() echoes the text.  The echo is switched off if the user's terminal has
@@ -55,7 +57,7 @@ class ConsoleInput {
   void GiveUp(Terminal* terminal, ObjectId reader, uint64_t box);
 
   System* const system_;
-  std::map<int, Terminal> terminals_;  // key: number of the robot
+  std::map<int, Terminal> terminals_;  // the key is the number of the robot
   bool echo_ = true;
 };
 

@@ -19,7 +19,7 @@ class Hasher;
 class Object;
 class System;
 
-// Says how much processor time handlers take.
+// A model that says how much processor time each handler takes.
 class CostModel {
  public:
   virtual ~CostModel() = default;
@@ -56,8 +56,8 @@ class Cpu {
   // Takes the messages that wait here for object `id`, oldest first.
   std::vector<OwnedMessage> TakeMessagesTo(ObjectId id);
 
-  // Called when `object` gets the processor.  Adds a finding if the object has waited longer than
-  // kStarvedUs.
+  // Ends the wait of `object`, which gets the processor.  Adds a finding if the object has waited
+  // longer than kStarvedUs.
   void Grant(Object* object, int64_t now_us);
 
   // Starts a handler of entry `selector` that takes `cost_us`.  REQUIRES: cost_us > 0 and
@@ -78,7 +78,7 @@ class Cpu {
   struct Job {
     Object* object;
     int64_t left_us;   // processor time that the handler still needed at `since_us`
-    int64_t since_us;  // when the handler last got the processor
+    int64_t since_us;  // virtual time when the handler last got the processor
   };
 
   System* const system_;

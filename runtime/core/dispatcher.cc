@@ -106,7 +106,7 @@ void Dispatcher::Recycle() {
   }
 }
 
-// Runs the handler of `object` for the message.
+// Runs the handler of `object` for `message`, and records the message in the trace first.
 [[gnu::always_inline]] inline void Dispatcher::RunHandler(Object* object, OwnedMessage message) {
   ASSERT(object->handler.running == nullptr, "{} runs one handler at a time", object->name);
   system_->trace_.Deliver(*message, system_->now_us_);
@@ -154,7 +154,8 @@ void Dispatcher::Recycle() {
   prefetch(&object->entry_count, 3);
 }
 
-// Delivers `message` to its receiver, or holds it.
+// Delivers `message` to its receiver.  If the receiver cannot handle it now, holds the message for
+// later.
 [[gnu::always_inline]] inline void Dispatcher::Deliver(OwnedMessage message) {
   PrefetchAfter(*message);
   Object* const object = system_->object(message->target);
@@ -278,7 +279,7 @@ void Dispatcher::DeliverReply(Object* object, OwnedMessage message) {
   Fiber* const waiting = object->handler.blocked;
   object->handler.blocked = nullptr;
   t_current = {system_, object, object->is_image};
-  idle_.push_back(running_);  // so that TakeFiber() may continue this loop later
+  idle_.push_back(running_);  // lets TakeFiber() continue the loop of this fiber later
   SwitchTo(waiting);
 }
 

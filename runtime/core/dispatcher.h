@@ -40,7 +40,7 @@ class Dispatcher {
   // called in a handler.
   OwnedMessage WaitFor(uint64_t box);
 
-  // Ends the running handler; see System::AbandonHandler().
+  // Does the work of System::AbandonHandler(): ends the running handler without returning to it.
   [[noreturn]] void Abandon();
 
   // Returns the time to add to a message posted now: 1 us if more messages were delivered at this
@@ -71,7 +71,8 @@ class Dispatcher {
   // The stack of the thread that has called Run().
   MainFiber caller_;
   std::vector<std::unique_ptr<Fiber>> fibers_;
-  std::vector<Fiber*> idle_;  // free fibers, each stopped in Loop() or prepared to enter Loop()
+  // Fibers that can be used next; each is stopped in Loop() or prepared to enter Loop().
+  std::vector<Fiber*> idle_;
   Fiber* running_ = nullptr;
   Fiber* abandoned_ = nullptr;  // the fiber that Abandon() left; the next fiber puts it into idle_
   Limits limits_;

@@ -45,8 +45,8 @@ void Fiber::Prepare(Main main, void* argument) {
 }
 
 void Fiber::SwitchFrom(Fiber* from) {
-  // Takes the place of a null `from`, so that the code below needs no special case.  The state of
-  // the running stack is then saved in `nowhere`, and nothing reads it.
+  // A fiber that takes the place of `from` if `from` is null, so that the code below needs no
+  // special case.  The state of the running stack is then saved in `nowhere`, and nothing reads it.
   static thread_local Fiber* const nowhere = new MainFiber;
   const bool forever = from == nullptr;
   if (forever) from = nowhere;
@@ -69,8 +69,8 @@ void Fiber::SwitchFrom(Fiber* from) {
 void Fiber::FinishSwitch() {
   if (!IsAddressSanitized()) return;
   // Keeps the bounds of the stack that was left, which AddressSanitizer needs for the switch back.
-  // They are not always those of the fiber's own stack: the fiber may have called a handler, which
-  // runs on a stack of its own (handler_stack.h).
+  // These bounds may be the bounds of another stack than the fiber's own: the fiber may have called
+  // a handler, which runs on a stack of its own (handler_stack.h).
   __sanitizer_finish_switch_fiber(fake_stack_, &t_left->stack_bottom_, &t_left->stack_bytes_);
 }
 

@@ -15,7 +15,7 @@ namespace openr_host {
 
 class Fiber {
  public:
-  using Main = void (*)(void* argument);  // never returns
+  using Main = void (*)(void* argument);  // a function that never returns
 
   Fiber();
   ~Fiber() = default;
@@ -34,7 +34,7 @@ class Fiber {
  private:
   friend class MainFiber;
   struct NoStack {};
-  explicit Fiber(NoStack);  // for the thread's own stack
+  explicit Fiber(NoStack);  // makes the fiber of the thread's own stack
 
   void FinishSwitch();
 

@@ -19,7 +19,7 @@ struct Finding {
   uint64_t message = 0;
   int64_t time_us = 0;  // virtual time when the finding was first added
   std::string text;
-  uint64_t count = 1;  // how often the finding was added
+  uint64_t count = 1;  // number of times that the finding was added
   // Names the cause of the finding, such as a missing object.  Findings with the same cause, for
   // example for all lines of CONNECT.CFG that name this object, are kept as one finding.  If
   // `cause` is empty, only findings with the same text are kept as one finding.

@@ -16,9 +16,9 @@ namespace openr_host {
 // Bits of the register MXCSR.  The processor sets each bit after one kind of operation.
 enum FpFlag : unsigned {
   kFpInvalid = 0x01,    // a NaN was made, or a number does not fit its integer type
-  kFpDenormal = 0x02,   // an operand was denormal
-  kFpDivByZero = 0x04,  // an infinity was made
-  kFpOverflow = 0x08,   // an infinity was made
+  kFpDenormal = 0x02,   // an operand was a denormal number
+  kFpDivByZero = 0x04,  // a division by 0 has made an infinity
+  kFpOverflow = 0x08,   // a result was too large and became an infinity
   kFpUnderflow = 0x10,  // a result was too small for a normal number
 };
 constexpr unsigned kFpAll = 0x1f;

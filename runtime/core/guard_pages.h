@@ -49,8 +49,8 @@ class GuardPages {
  private:
   char* MapPages(char* area, size_t bytes);
 
-  // A copy that an observer has received and not given back.  `area` is its memory area (null if
-  // addresses are not planned), and `bytes` is the size of its pages.
+  // A copy that an observer has received and not given back.  `area` is the memory area of the copy
+  // (null if addresses are not planned), and `bytes` is the size of the copy's pages.
   struct Copy {
     char* area;
     size_t bytes;
@@ -63,9 +63,9 @@ class GuardPages {
   // The keys of copies_, next_in_ and unused_ are addresses, which may differ from run to run.
   // Therefore nothing may depend on the order of these maps.
   std::map<const char*, Copy> copies_;
-  std::map<char*, size_t> next_in_;  // offset of the next copy in each area
-  // The pages of copies that were given back.  They are used again for copies in the same area with
-  // the same number of bytes; the key is the area and the number of bytes.
+  std::map<char*, size_t> next_in_;  // for each area, the offset of the next copy
+  // The pages of copies that were given back.  The key is the memory area and the number of bytes:
+  // a new copy with the same key uses such pages again.
   std::map<std::pair<char*, size_t>, std::vector<char*>> unused_;
 };
 

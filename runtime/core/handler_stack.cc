@@ -73,14 +73,14 @@ namespace {
 struct SanitizedCall {
   void (*function)(void*);
   void* argument;
-  // The stack of the caller.
+  // The bounds of the caller's stack, to which the call returns.
   const void* bottom = nullptr;
   size_t bytes = 0;
 };
 
-// Calls the function of `data`, a SanitizedCall, on the handler's stack, and tells
-// AddressSanitizer when this stack begins and ends to be in use.  Without that AddressSanitizer
-// would take it for a part of another stack, and would keep the marks of frames that an exception
+// Calls the function of `data`, a SanitizedCall, on the handler's stack, and tells AddressSanitizer
+// when this stack begins and ends to be in use.  Otherwise AddressSanitizer would take the
+// handler's stack for a part of another stack, and would keep the marks of frames that an exception
 // has left.
 void CallAndSayWhere(void* data) {
   SanitizedCall* const call = static_cast<SanitizedCall*>(data);
@@ -100,7 +100,8 @@ void HandlerStack::Call(void (*function)(void*), void* argument) {
     function(argument);
     return;
   }
-  struct Clearing {  // a destructor, so that the stack is cleared after an exception too
+  // Clears the stack in a destructor, so that it is cleared after an exception too.
+  struct Clearing {
     HandlerStack* stack;
     ~Clearing() { stack->Clear(); }
   };
@@ -118,7 +119,8 @@ void HandlerStack::CallWithSanitizer(void (*function)(void*), void* argument) {
   memory_.ForgetFrames();
   SanitizedCall call{function, argument};
   void* fake_stack = nullptr;
-  struct Arrival {  // destructors, because the function may end with an exception
+  // Reports the arrival in a destructor, because the function may end with an exception.
+  struct Arrival {
     void* const* fake_stack;
     ~Arrival() { __sanitizer_finish_switch_fiber(*fake_stack, nullptr, nullptr); }
   };

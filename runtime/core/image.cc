@@ -116,8 +116,8 @@ std::string ImageObject::TakePlace(const std::string& original) {
   auto taken = std::make_unique<AddressPlace>(id);
   if (taken->heap() == nullptr) return bytes;
   place = std::move(taken);
-  // Does not move the image under Valgrind, because Valgrind expects debug information to match the
-  // addresses in the file.
+  // Under Valgrind the image is not moved, because Valgrind expects that debug information matches
+  // the addresses in the file.
   if (!IsUnderValgrind())
     RebaseImage(&bytes, reinterpret_cast<uintptr_t>(place->image()), AddressPlace::kImageBytes);
   arena = std::make_unique<Arena>(*place, &system->robot(robot).memory);
@@ -214,7 +214,7 @@ bool ImageObject::HasEntry(uint32_t selector) const {
 
 bool ImageObject::Dispatch(uint32_t selector, void* payload) {
   if (!HasEntry(selector)) return false;
-  if (FpFlags() != 0) ClearFpFlags();  // the flags may come from code that ran before this handler
+  if (FpFlags() != 0) ClearFpFlags();  // clears flags of code that ran before this handler
   has_reported_cast = false;
   ArithmeticWatch* const watch = t_current.watch;
   if (watch != nullptr && !watch->has_begun()) watch->Begin(kFpCaught & ~fp_seen_);

@@ -42,7 +42,8 @@ std::string CheckFormat(const std::string& bytes, bool* is_for_robot) {
   std::memcpy(&header, bytes.data(), std::min(bytes.size(), sizeof header));
   if (bytes.size() < sizeof(Elf32_Ehdr) || std::memcmp(&header, ELFMAG, SELFMAG) != 0)
     return "is not an object image; build the object for the host (openr build)";
-  *is_for_robot = header.e_machine == EM_MIPS;  // e_machine has the same offset in a 32-bit file
+  // Works for the 32-bit robot too, because e_machine has the same offset in 32-bit files.
+  *is_for_robot = header.e_machine == EM_MIPS;
   if (*is_for_robot) return kForRobot;
   if (bytes.size() < sizeof header || header.e_ident[EI_CLASS] != ELFCLASS64)
     return "is not a shared object for this machine";

@@ -1,5 +1,5 @@
 // Reads image files from a Memory Stick.  An image has the code of one object of the robot.  On the
-// host it is a shared object for this machine, and may be compressed.
+// host an image is a shared object for this machine, and may be compressed.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 namespace openr_host {
 
 struct ImageFile {
-  std::string bytes;  // the shared object, decompressed
+  std::string bytes;  // bytes of the shared object, decompressed
   // True if the file is compressed with gzip.  The Makefiles of some programs compress the images.
   bool is_compressed = false;
   bool is_for_robot = false;  // the file is a MIPS binary

@@ -73,8 +73,9 @@ class Rebase {
 
   std::string bytes_;
   const uint64_t by_;
-  std::vector<Elf64_Phdr> segments_;  // the segments before the change
-  std::vector<Elf64_Dyn> dynamic_;    // the dynamic section before the change
+  // The program headers (segments) of the file before the change.
+  std::vector<Elf64_Phdr> segments_;
+  std::vector<Elf64_Dyn> dynamic_;  // the dynamic section before the change
   bool is_bad_ = false;
 };
 
@@ -176,7 +177,8 @@ std::string Rebase::Run(uint64_t size_max) {
   uint64_t end = 0;
   for (const Elf64_Phdr& segment : segments_) {
     if (segment.p_type != PT_LOAD) continue;
-    if (end == 0 && segment.p_vaddr != 0) return "";  // linked for an address other than 0
+    // The file was linked for an address other than 0, so it cannot be moved.
+    if (end == 0 && segment.p_vaddr != 0) return "";
     end = std::max(end, segment.p_vaddr + segment.p_memsz);
   }
   // Relocations in the formats REL and RELR are not supported.  Images do not have them, because

@@ -271,7 +271,7 @@ void Redirection::FindImports(int64_t table, int64_t size) {
                         ELF64_R_SYM(relocation.r_info)};
     const uint64_t function = *import.slot;
     if (function >= image_.begin && function < image_.end) continue;
-    if (!code_.Contain(function)) continue;  // `function` is the address of a variable
+    if (!code_.Contain(function)) continue;  // leaves out variables, which need no thunk
     if (std::ranges::count(kBoundToCaller, NameOf(import.symbol)) > 0) continue;
     imports_.push_back(import);
   }

@@ -30,9 +30,9 @@ std::string RedirectImports(char* image, char* thunks, size_t bytes);
 // part of the program.
 bool IsStackChange(uintptr_t address);
 
-// Called in a function F of the SDK with `own`, F's __builtin_return_address(0).  Returns the
-// address in the image to which F will return.  If the image has called F through a thunk, `own`
-// lies in the code that changes the stack, and that code has saved the address in the image.
+// Returns the address in the image to which a function F of the SDK will return.  F calls this
+// function with `own`, F's __builtin_return_address(0).  If the image has called F through a thunk,
+// `own` lies in the code that changes the stack, and that code has saved the address in the image.
 // Without a thunk, returns `own`.
 const void* ReturnAddressInImage(const void* own);
 

@@ -7,8 +7,9 @@
 
 namespace openr_host {
 
-// While an Indivisible exists, a signal handler does not end the process at once.  The destructor
-// of the outermost Indivisible then ends the process.  Used only in the thread that runs handlers.
+// While an Indivisible exists, a signal handler that wants to end the process does not do so at
+// once. The destructor of the outermost Indivisible then ends the process.  Used only in the thread
+// that runs handlers.
 class Indivisible {
  public:
   Indivisible();

@@ -23,7 +23,8 @@ class System;
 
 class Inputs {
  public:
-  // Does the work of one input, at its frame boundary.  Runs outside all handlers.
+  // A function that does the work of one input.  The function is called at the input's frame
+  // boundary, outside all handlers.
   using Action = std::function<void()>;
 
   struct Verb {
@@ -82,8 +83,8 @@ class Inputs {
   void Insert(Waiting input);
 
   System* const system_;
-  std::map<std::pair<int, std::string>, Verb> verbs_;  // key: robot and name
-  std::deque<Waiting> waiting_;                        // in order of time
+  std::map<std::pair<int, std::string>, Verb> verbs_;  // the key is the robot and the verb's name
+  std::deque<Waiting> waiting_;                        // in the order of due_us
   std::vector<Listener> listeners_;
 };
 

@@ -35,15 +35,18 @@ class HiddenAddress {
   const char* pointer() const { return reinterpret_cast<const char*>(value()); }
 
  private:
-  static constexpr uintptr_t kMask = 0xa5a5'0000'0000'0000;  // no address has these upper bits
+  // The mask has upper bits that no address has.
+  static constexpr uintptr_t kMask = 0xa5a5'0000'0000'0000;
   uintptr_t hidden_ = kMask;
 };
 
-// Memory that is read for addresses only if it is reachable itself.
+// A block or a region that may have leaked.  Its bytes are searched for addresses only if it is
+// reachable itself.
 struct Node {
   HiddenAddress begin;
   size_t bytes = 0;
-  const Object* object = nullptr;  // owner of a block or region; null: never reported
+  // Owner of the block or region; null: the node is never reported as a leak.
+  const Object* object = nullptr;
   bool is_region = false;
   // For a block: the calls that allocated the block.
   const std::vector<const void*>* calls = nullptr;
@@ -71,8 +74,8 @@ class LeakSearch {
   void ReadStacks();
   void ReadHost(const char* stack);
   void ReadAround(const char* begin, const char* end);
-  // Reads the memory from `begin` to `end`, and marks the nodes whose addresses are in its words.
-  // With `has_ids`, also marks the regions whose ids are in its words.
+  // Searches the memory from `begin` to `end`, and marks the nodes whose addresses are in its words
+  // as reachable.  With `has_ids`, also marks the regions whose ids are in its words.
   void Read(const char* begin, const char* end, bool has_ids);
   void ReadReached();
   void MarkAddress(uintptr_t address);
@@ -84,7 +87,7 @@ class LeakSearch {
   std::vector<Node> nodes_;   // in the order of addresses
   std::vector<Range> holes_;  // memory of this process that is not read, in the order of addresses
   std::map<uint32_t, HiddenAddress> region_of_id_;
-  std::vector<size_t> reached_;  // nodes whose bytes have to be read
+  std::vector<size_t> reached_;  // indices of reachable nodes whose bytes have still to be searched
 };
 
 bool IsLess(const HiddenAddress& a, const HiddenAddress& b) { return a.value() < b.value(); }
@@ -198,7 +201,7 @@ void LeakSearch::ReadStacks() {
   }
 }
 
-// Reads [begin, end) without the holes.
+// Searches the memory from `begin` to `end`, except the parts in holes_, for addresses.
 void LeakSearch::ReadAround(const char* begin, const char* end) {
   for (const Range& hole : holes_) {
     const char* const hole_end = hole.begin.pointer() + hole.bytes;

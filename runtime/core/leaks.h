@@ -1,5 +1,5 @@
-// Finds leaks of objects: blocks of their heaps, and regions of shared memory that they own, which
-// nothing can reach any more.
+// Finds leaks of objects: blocks of an object's heap, and regions of shared memory that it owns, to
+// which nothing points any more.
 //
 // On the robot no leak is a mistake by itself: the heap of an object is freed as a whole.  But an
 // object that loses memory with every message stops after hours.  So leaks are only looked for when

@@ -11,7 +11,7 @@
 namespace openr_host {
 namespace {
 
-constexpr size_t kChunk = 64;  // messages allocated at a time
+constexpr size_t kChunk = 64;  // number of messages that are allocated at a time
 
 }  // namespace
 

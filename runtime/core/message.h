@@ -32,7 +32,7 @@ constexpr int kMessageClasses = 4;
 
 // The kind of data in the payload.  It decides how PayloadHash() (trace.h) hashes the payload.
 enum class PayloadKind : uint8_t {
-  kBytes,   // plain initialised bytes
+  kBytes,   // plain bytes, all initialised
   kNotify,  // ONotifyMessage, hashed as its counts and the bytes of its regions
   kReady,   // OReadyMessage, hashed as its command and the number of regions given back
   kHashed,  // bytes that hold addresses; the sender has set Message::payload_hash instead
@@ -45,9 +45,9 @@ struct alignas(64) Message {
   ObjectId sender = kNoObject;
   ObjectId target = kNoObject;
   uint32_t selector = 0;  // number of the receiver's entry, the function that handles the message
-  uint32_t size = 0;      // bytes of payload
+  uint32_t size = 0;      // number of bytes in `payload`
   // In a request: the number of the sender's reply box (requests.h).  In a reply: the number of the
-  // target's reply box. 0: the message is neither.
+  // target's reply box.  0: the message is neither a request nor a reply.
   uint64_t reply_box = 0;
   uint64_t payload_hash = 0;  // hash of the payload; used only if `kind` is kHashed
   Message* next = nullptr;    // the next message in a list of MessageQueue
@@ -66,7 +66,7 @@ struct alignas(64) Message {
 // the padding before the payload, and a message begins with a cache line.
 static_assert(sizeof(void*) != 8 || offsetof(Message, payload) == 80);
 
-// Gives a message back to its pool.
+// The deleter of OwnedMessage, which gives a message back to its pool.
 struct ReturnToPool {
   void operator()(Message* message) const;
 };
@@ -184,7 +184,8 @@ class MessageQueue {
   uint64_t occupied_[kLevels / 64] = {};  // bit i is 1 if the list of level i is not empty
   uint32_t first_level_ = kLevels;  // the first level with a message; kLevels: no message is due
   std::vector<Later> later_;        // messages that are not due yet; a heap
-  Message* free_ = nullptr;  // the first free message; Message::next links the other free messages
+  // The first free message; each free message points to the next with Message::next.
+  Message* free_ = nullptr;
   // The arrays that hold the messages of the pool.
   std::vector<std::unique_ptr<Message[]>> chunks_;
   // The receivers among which ChooseTarget() lets a schedule choose.  The vector is a member so
@@ -192,7 +193,7 @@ class MessageQueue {
   std::vector<ObjectId> candidates_;
 };
 
-// ---- Functions that every message of a run calls; they are inline because of that.
+// ---- Functions that are called for every message of a run; therefore they are inline.
 
 // Takes a message from the pool and gives its fields their default values.
 inline Message* MessageQueue::TakeFree() {

@@ -27,8 +27,8 @@ struct SubjectState;
 // Values of an object's .ocf file, the file with its name, priority and memory sizes.
 struct ObjectLimits {
   int priority = 128;        // 0 to 255; the upper four bits are the priority class
-  uint32_t stack_bytes = 0;  // 0: unknown
-  uint32_t heap_bytes = 0;   // step by which its heap grows on the robot
+  uint32_t stack_bytes = 0;  // size of the object's stack; 0: unknown
+  uint32_t heap_bytes = 0;   // step by which the object's heap grows on the robot
 };
 
 // The largest number of entries that an object can have on the robot.
@@ -91,7 +91,7 @@ struct ProcessorState {
 class OpenFiles {
  public:
   struct File {
-    std::string path;  // on the host
+    std::string path;  // path of the open file on the host
     bool writes = false;
   };
 
@@ -163,8 +163,8 @@ class Object {
   System* const system;
   const ObjectId id;
   const int robot;
-  bool is_system = false;   // part of the robot, not of the application
-  bool is_leaving = false;  // another object is about to replace this one
+  bool is_system = false;   // true: the object is a part of the robot and not of the application
+  bool is_leaving = false;  // another object is about to replace this object
   // Nothing is loaded here: the robot was switched off.  When the robot boots, the object with this
   // path, or without a path with this name, gets this id again.
   bool is_absent = false;
@@ -175,9 +175,11 @@ class Object {
   // names of entries.
   int predecessors = 0;
 
-  // Statistics for the report of the run.
-  std::string state;           // text after "state: " of its last OSYSLOG1 INFO line
-  uint64_t dropped_count = 0;  // data replaced before they were read, and messages refused
+  // The next four members are statistics for the report of the run.
+  // Text after "state: " in the last INFO line that the object has printed with OSYSLOG1.
+  std::string state;
+  // Number of data that were replaced before they were read, and of refused messages.
+  uint64_t dropped_count = 0;
   int64_t handler_ns_max = 0;  // longest handler, wall time; 0 without SystemOptions::wall_clock_ns
   size_t stack_max = 0;  // most stack bytes that a handler used; see SystemOptions::measure_stacks
 
@@ -225,7 +227,7 @@ class Object {
   MessageClass post_class = MessageClass::kObject;
   bool is_image = false;       // loaded from a file; its code sees only the Memory Stick
   bool is_off = false;         // the object's robot is off: messages to the object are dropped
-  uint64_t message_count = 0;  // messages delivered
+  uint64_t message_count = 0;  // number of messages delivered to the object
   ProcessorState processor;
   HandlerState handler;
 };

@@ -136,7 +136,8 @@ void ObjectManager::ReleaseEarlyMessages() {
   }
 }
 
-// Boots `robot`, or all robots.  The boot has begun when there were `findings_before` findings.
+// Boots `robot`, or all robots if `robot` is kAllRobots.  Before this boot there were
+// `findings_before` findings, so all later findings are about the boot.
 void ObjectManager::RunBoot(int robot, size_t findings_before) {
   SendToAll(oentryINIT, oreasonBOOT, true, robot);
   SendToAll(oentryINIT, oreasonBOOT, false, robot);
@@ -320,11 +321,12 @@ void ObjectManager::ReportUnknown(const Connection& connection, const std::strin
       "OBJECT.CFG)";
   std::vector<std::string> known;
   const std::string object = service.substr(0, service.find('.') + 1);
-  std::string cause = object;  // first assumes that no service of the object is registered
+  std::string cause = object;  // the cause, unless the loop finds another service of the object
   const auto wanted = ParseServiceName(service, nullptr);
   for (const auto& [name, entry] : system().robot(connection.robot).directory) {
     known.push_back(name);
-    if (name.starts_with(object)) cause = service;  // only this service of the object is missing
+    // The object has other services, so only this service is missing.
+    if (name.starts_with(object)) cause = service;
     const auto registered = ParseServiceName(name, nullptr);
     if (!wanted || !registered || !DifferInDataOnly(*wanted, *registered)) continue;
     why = fmt::format("syntax error, the object registered it with data '{}', not '{}'",

@@ -25,9 +25,9 @@ class ObjectManager : public CodeObject {
  public:
   ObjectManager();
 
-  // Post a message from the object manager to itself.  So the work is done in a handler, which can
-  // wait for replies.  These messages do the work of Boot(), Shutdown() and PostTask() of System,
-  // and of ObjectTable::Reload().
+  // Each of the next functions posts a message from the object manager to itself, so that the work
+  // is done in a handler, which can wait for replies.  These messages do the work of Boot(),
+  // Shutdown() and PostTask() of System, and of ObjectTable::Reload().
   void PostBoot();
   void PostShutdown(int robot);
   void PostBootAgain(int robot);

@@ -84,7 +84,8 @@ class AbsentObject : public Object {
   bool Dispatch(uint32_t, void*) override { return false; }
 };
 
-// Gives `fresh` the statistics of `old`, which had the same id.
+// Copies the statistics of `old` to `fresh`, which replaces `old`, because the report counts both
+// objects as one.
 void PassStatistics(const Object& old, Object* fresh) {
   fresh->predecessors = old.predecessors + 1;
   fresh->message_count = old.message_count;

@@ -43,7 +43,7 @@ class OffRobots {
   };
 
   System* const system_;
-  std::map<int, Times> robots_;  // key: number of the robot
+  std::map<int, Times> robots_;  // the key is the number of the robot
 };
 
 }  // namespace openr_host

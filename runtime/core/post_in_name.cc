@@ -17,7 +17,7 @@ namespace {
 
 constexpr char kFull[] = "the queue of the receiver is full";
 
-// Returns "" if the subject and the observer are connected.
+// Returns "" if the subject and the observer are connected, otherwise an error message.
 std::string WhyNotConnected(const System& system, const ServiceEnd& subject,
                             const ServiceEnd& observer) {
   const OServiceEntry observer_id(OidOf(observer.object), observer.selector);

@@ -34,7 +34,7 @@ struct Block {
   Block* next;
 };
 static_assert(offsetof(Block, region) == 0);
-thread_local constinit Block* t_free = nullptr;  // the first free block
+thread_local constinit Block* t_free = nullptr;  // the first free block of the pool
 // The addresses of all chunks.  With this list, a leak checker finds that the chunks are reachable.
 // Otherwise it would report a chunk when an object has not deleted its regions.
 thread_local constinit std::vector<Block*>* t_chunks = nullptr;
@@ -143,8 +143,8 @@ RCRegion::~RCRegion() {
 
 void RCRegion::AddReference() { ++count_; }
 
-// Removes one reference and deletes a region that has none left.  Too many calls are a mistake of
-// the object, so they become a finding and not a failed assertion.
+// Removes one reference.  Deletes the RCRegion if no reference is left.  Too many calls are a
+// mistake of the object, so they become a finding and not a failed assertion.
 void RCRegion::RemoveReference() {
   if (--count_ > 0) return;
   const ApiScope scope;

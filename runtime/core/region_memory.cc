@@ -15,7 +15,8 @@ namespace {
 // Memory is mapped in pieces of this size, which hold several small cells, so that there are fewer
 // system calls.  A larger cell is mapped as one piece.
 constexpr size_t kMapBytes = 64 << 10;
-constexpr size_t kKeepBytes = 256 << 10;  // larger cells are unmapped when they are freed
+// Cells that are larger than this are unmapped when they are freed.
+constexpr size_t kKeepBytes = 256 << 10;
 
 // Sets flag `index` of a list to `value`.  Flags beyond the end of the list are false.  So the list
 // grows only when needed: most runs use few of the 65,536 slots.

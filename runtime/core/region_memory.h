@@ -42,7 +42,7 @@ class RegionMemory {
   char* MappedCell(int size_class, uint32_t slot);
 
   struct Cells {
-    std::vector<bool> in_use;  // index: slot
+    std::vector<bool> in_use;  // one element for each slot
     // Tells for each piece of memory whether it is mapped.  A piece is mapped at once; it has
     // kMapBytes and holds several cells, or one cell if a cell is larger.
     std::vector<bool> is_mapped;

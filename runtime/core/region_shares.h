@@ -23,10 +23,10 @@ class RegionShares {
  public:
   explicit RegionShares(RegionTable* regions) : regions_(regions) {}
 
-  // Do the work of AllowToAttachMemoryRegion(), AttachMemoryRegion(), DetachMemoryRegion() and
-  // ChangeProtectionMemoryRegion().  `self` is the object that calls them, and `info` is the right
-  // to read, or to read and write.  Allow() gives this right to `other`, and with
-  // `giving_ownership` makes `other` the owner.  Return an sError.
+  // The next four functions do the work of AllowToAttachMemoryRegion(), AttachMemoryRegion(),
+  // DetachMemoryRegion() and ChangeProtectionMemoryRegion().  `self` is the object that calls them,
+  // and `info` is the right to read, or to read and write.  Allow() gives this right to `other`,
+  // and with `giving_ownership` makes `other` the owner.  All return an sError.
   int32_t Allow(ObjectId self, uint32_t region, MemoryProtectionInfo info, ObjectId other,
                 bool giving_ownership);
   int32_t Attach(ObjectId self, uint32_t region, MemoryProtectionInfo info);

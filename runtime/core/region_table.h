@@ -29,12 +29,12 @@ class RegionTable {
 
   static constexpr uint32_t kNoRegion = 0;
 
-  // Make a block with a given `id` in the table of a worker process.  In a run with several
-  // processes, only the table of the master process chooses ids.  AdoptOwn() makes the block of an
-  // object in this process.  AdoptCopy() makes a copy of a block of another process; the copy must
-  // be pinned at once with KeepCopy(), and is free after the last DropCopy().  A copy is not always
-  // filled with zeros: it may hold the bytes of an earlier copy of the same block.  Both functions
-  // return null if there is no memory.
+  // AdoptOwn() and AdoptCopy() make a block with a given `id` in the table of a worker process.  In
+  // a run with several processes, only the table of the master process chooses ids.  AdoptOwn()
+  // makes the block of an object in this process.  AdoptCopy() makes a copy of a block of another
+  // process; the copy must be pinned at once with KeepCopy(), and is free after the last
+  // DropCopy().  A copy is not always filled with zeros: it may hold the bytes of an earlier copy
+  // of the same block.  Both functions return null if there is no memory.
   char* AdoptOwn(uint32_t id, size_t size, ObjectId owner);
   char* AdoptCopy(uint32_t id, size_t size);
   void KeepCopy(uint32_t id) { Pin(id); }
@@ -73,8 +73,8 @@ class RegionTable {
   // Deletes all blocks of the object `owner`, which has ended or is being replaced.
   void DeleteAllOf(ObjectId owner);
 
-  // Return the address, the size and the owner of block `id`, or null, 0 and kNoObject if `id`
-  // names no block.
+  // BaseOf() returns the address of block `id`, SizeOf() its size, OwnerOf() its owner.  If `id`
+  // names no block, they return null, 0 and kNoObject.
   char* BaseOf(uint32_t id) const;
   size_t SizeOf(uint32_t id) const;
   ObjectId OwnerOf(uint32_t id) const;
@@ -131,13 +131,13 @@ class RegionTable {
     size_t size = 0;
     ObjectId owner = kNoObject;
     ObjectId maker = kNoObject;
-    const void* made_at = nullptr;  // see NotePlace()
+    const void* made_at = nullptr;  // the instruction that NotePlace() has recorded
     int pins = 0;
     uint16_t generation = 0;
     bool live = false;         // true until the block is deleted; false for copies
     size_t capacity = 0;       // the size with which the block was made
     bool is_reusable = false;  // New() chose this slot, so New() may choose it again
-    bool is_copy = false;      // made by AdoptCopy()
+    bool is_copy = false;      // true: AdoptCopy() has made the block
     bool is_idle = false;      // a copy that is not pinned, whose memory is kept for the next copy
   };
 

@@ -1,5 +1,6 @@
-// Reports messages that hold an address of this process.  Such an address differs from run to run,
-// and so do the hashes of the run.
+// Reports messages that hold an address of this process.  Such an address differs from run to run.
+// The hash of a run includes the data of messages, so with such a message equal runs get different
+// hashes.
 #include <OPENR/ObjcommMessages.h>
 #include <OPENR/RCRegion.h>
 #include <fmt/format.h>

@@ -40,7 +40,7 @@ OwnedMessage Requests::Await(uint64_t box, int64_t timeout_us, std::string_view 
   // Recognises the end of a wait at its limit: LocalCalls::BeginWait() has posted an empty reply
   // from the object itself for this purpose.
   *timed_out = message->kind == PayloadKind::kHashed && message->sender == self->id;
-  if (*timed_out) return message;  // the box stays open, because the reply may still come
+  if (*timed_out) return message;  // leaves the box open, because the reply may still come
   // Removes the message that would end the wait, because the reply came before the time-out.
   if (wake != nullptr) system_->queue().TakeIf([wake](const Message& m) { return &m == wake; });
   self->boxes.open.erase(box);

@@ -59,7 +59,7 @@ class RobotServices {
   virtual OStatus SetVolumeSwitch(OVolumeSwitch volume);
   virtual OStatus GetVolumeSwitch(OVolumeSwitch* volume);
 
-  // ---- Called by the system, not by objects
+  // ---- Functions that the system calls, and not objects
 
   // Returns the virtual time in us for which the robot stays off after the shutdown that Shutdown()
   // has begun; nullopt if only a person can boot the robot again.

@@ -21,7 +21,7 @@ class Schedule {
 
   enum class Question : uint8_t {
     kStart,  // the object that gets DoStart next
-    kNext,   // the object that gets its message next, among those with a message due now
+    kNext,   // the object that gets its message next, among the objects with a message due now
   };
 
   // Returns the index in `candidates` of the object to take, as the answer to `question`.  Index 0

@@ -18,7 +18,8 @@ namespace {
 
 thread_local StackMemory* t_newest = nullptr;
 
-// Two words.  Every x86-64 processor can read or combine both in one instruction.
+// Two words that every x86-64 processor can read or combine in one instruction, which makes
+// IsZero() fast.
 using TwoWords = uint64_t __attribute__((vector_size(16)));
 
 // The number of bytes that IsZero() tests together.  One test of many words is faster than a branch

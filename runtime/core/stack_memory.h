@@ -21,12 +21,14 @@ namespace openr_host {
 
 class StackMemory {
  public:
-  // The size of the stack, which is our choice.  Only the pages that were touched use memory.
+  // The size of the stack for the image's own code.  The size is our choice; only the pages that
+  // were touched use memory.
   static constexpr size_t kBytes = size_t{256} << 10;
 
-  // The size of a guard page, and offsets from the first address of a stack at a planned address:
-  // the top of the image's stack (below the last 4 KiB), its bottom, and the top of the stack for
-  // imported functions.  The assembly code of imported_calls.cc uses the same numbers.
+  // The size of a guard page.  The next three numbers are offsets from the first address of the
+  // memory that the address plan gives to an image for its stacks: the top and the bottom of the
+  // stack for the image's own code, and the top of the stack for imported functions.  The assembly
+  // code of imported_calls.cc uses the same numbers.
   static constexpr size_t kGuardBytes = 4096;
   static constexpr size_t kTopOffset = AddressPlace::kStackBytes - 4096;
   static constexpr size_t kBottomOffset = kTopOffset - kBytes;
@@ -65,8 +67,8 @@ class StackMemory {
   static constexpr size_t kWideGapBytes = size_t{32} << 10;
   static constexpr size_t kSmallGapBytes = size_t{4} << 10;
 
-  // Returns whether `address` lies in a guard page of a stack of this thread.  If so, and if an
-  // access to `address` was a fault, that stack has overflowed.
+  // Returns whether `address` lies in a guard page of a stack of this thread.  If an access to such
+  // an address was a fault, the stack above the guard page has overflowed.
   static bool AnyGuardContains(const void* address);
 
   // Returns the mappings of all stacks of this thread, as first address and number of bytes, with
@@ -77,7 +79,8 @@ class StackMemory {
   char* mapping_;
   size_t mapped_bytes_ = kGuardBytes + kBytes;
   char* bottom_;
-  StackMemory* older_;  // the next stack in the list of this thread's stacks
+  // The stack of this thread that was made before this stack; a list of all stacks.
+  StackMemory* older_;
   unsigned valgrind_id_ = 0;
 };
 

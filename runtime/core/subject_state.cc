@@ -78,7 +78,7 @@ void ReportDeasserted(const SubjectState& subject, ObserverLink* link) {
 
 }  // namespace
 
-// Inline, because Send() runs for every notification.
+// Send() is inline, because it runs for every notification.
 [[gnu::always_inline]] inline bool SubjectState::Send(ObserverLink* link, RCRegion* const* data,
                                                       size_t data_count, size_t unit_count) {
   OwnedMessage message =
@@ -133,8 +133,9 @@ OStatus SubjectState::Notify(ObserverLink* link) {
 }
 
 void SubjectState::SendPending(ObserverLink* link) {
-  // Counts the notifications (units) that the message carries: as many as fit, oldest first,
-  // because the regions of one notification are not divided.
+  // Counts the notifications (units) that go into this message: the oldest, as many as fit
+  // completely.  A notification that does not fit completely waits for the next message, because
+  // its regions must stay together.
   size_t unit_count = 0;
   int data_count = 0;
   while (unit_count < link->units.size() &&

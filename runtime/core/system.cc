@@ -177,7 +177,8 @@ void System::NoteWhetherAllAreOff(const RunEnd& why) {
 }
 
 bool System::LoadAgain(int index) {
-  if (!off_robots_.Remove(index)) return false;  // it was switched off for good meanwhile
+  // The robot was switched off for good while its boot was posted.
+  if (!off_robots_.Remove(index)) return false;
   Robot& dog = robot(index);
   table_.RemoveAllOf(index);
   std::erase_if(connections_, [index](const auto& each) { return each.robot == index; });

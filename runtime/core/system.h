@@ -67,7 +67,7 @@ struct SystemOptions {
   // read-only copies of data (guard_pages.h), because on a real robot writing to received data is
   // such a mistake.
   bool strict = false;
-  // Receives what objects print; null: standard output.
+  // A function that receives what objects print.  Null: objects print to standard output.
   std::function<void(std::string_view text)> console = {};
   // OSYSLOG lines with a priority above this are not printed (1 error, 2 warning, 3 info).  Debug
   // lines are always printed.
@@ -96,12 +96,12 @@ struct SystemOptions {
   std::function<std::unique_ptr<SystemCalls>(System*)> make_calls = {};
 };
 
-// A connection of CONNECT.CFG, or one made in code.
+// A connection between a subject and an observer that a line of CONNECT.CFG, or code, has made.
 struct Connection {
   int robot = 0;
-  std::string subject;  // full service names: "RCServer.Move.MoveCommand.S"
+  std::string subject;  // full name of the subject's service: "RCServer.Move.MoveCommand.S"
   std::string observer;
-  std::string where;  // the place of its line, for messages to users: "CONNECT.CFG:4"
+  std::string where;  // the place of the connection's line, for messages to users: "CONNECT.CFG:4"
 };
 
 // A robot: its model, its Memory Stick, its devices, and what its objects have registered.
@@ -109,7 +109,7 @@ struct Robot {
   int index = 0;
   std::string design;                       // "ERS-210"
   std::shared_ptr<MemoryStick> stick;       // null: the robot has no stick
-  std::unique_ptr<RobotServices> services;  // its simulated devices (robot_services.h)
+  std::unique_ptr<RobotServices> services;  // the robot's simulated devices (robot_services.h)
   // The object and selector of each registered service.  The key is the service's name.
   std::map<std::string, std::pair<ObjectId, uint32_t>> directory;
   // The lines of DESIGNDB.CFG: keyword -> path of a file.
@@ -177,20 +177,20 @@ class System {
   // Switches one robot off at once, as OPENR::Fatal() does.  Messages to its objects are dropped
   // from now on.
   void PowerOff(int robot, const RunEnd& why = {});
-  // Do the work of Shutdown() and PowerOff().  Shutdown() and PowerOff() only pass the request to
-  // calls().  In a worker process, calls() sends the request to the master process.  In the master
-  // process, calls() is LocalCalls, which calls these two functions.
-  // A robot that is off and waits for its boot timer stays off after BeginShutdown().
+  // BeginShutdown() does the work of Shutdown(), CutPower() the work of PowerOff().  Shutdown() and
+  // PowerOff() only pass the request to calls().  In a worker process, calls() sends the request to
+  // the master process.  In the master process, calls() is LocalCalls, which calls these two
+  // functions.  A robot that is off and waits for its boot timer stays off after BeginShutdown().
   void BeginShutdown(int index, const RunEnd& why);
   void CutPower(int robot, const RunEnd& why);
 
-  // Record the reason why a robot goes off, or why the run ends if no robot is the reason.  The
-  // first reason is kept; only a PowerOff() during a shutdown replaces the reason of the shutdown.
-  // Shutdown() and PowerOff() call NoteEnd() themselves.
+  // NoteEnd() records the reason why a robot goes off, NoteRunEnd() the reason why the run ends if
+  // no robot is the reason.  The first reason is kept; only a PowerOff() during a shutdown replaces
+  // the reason of the shutdown.  Shutdown() and PowerOff() call NoteEnd() themselves.
   void NoteEnd(int robot, const RunEnd& why);
   void NoteRunEnd(const RunEnd& why);
   // Returns why the run has ended: the reason given to NoteRunEnd(), or, when all robots are off,
-  // the reason of the robot that went off last.  Empty while the run goes on.
+  // the reason of the robot that went off last.  Has no value while the run goes on.
   const std::optional<RunEnd>& end() const { return end_; }
 
   // ---- Running ----
@@ -274,7 +274,7 @@ class System {
   // ---- State of the run ----
 
   ObjectTable& object_table() { return table_; }
-  // Short forms for functions of object_table().
+  // The next three functions are short forms for functions of object_table().
   Object* object(ObjectId id) const { return table_.Get(id); }
   Object* FindObject(int robot, std::string_view name) const { return table_.Find(robot, name); }
   const std::vector<std::unique_ptr<Object>>& objects() const { return table_.all(); }
@@ -293,7 +293,8 @@ class System {
   SystemCalls& calls() { return *calls_; }
   Dispatcher& dispatcher() { return *dispatcher_; }
   ObjectManager& manager() { return *manager_; }
-  // Returns the processors, by index of the robot; empty without a cost model.
+  // Returns the processors of all robots, by index of the robot.  Without a cost model the result
+  // is empty.
   const std::vector<std::unique_ptr<Cpu>>& cpus() const { return cpus_; }
 
   uint64_t trace_hash() const { return trace_.hash(); }
@@ -329,9 +330,9 @@ class System {
   CodeObject* FinishCodeObject(Object* host, std::unique_ptr<CodeObject> code);
   Object* NewCodeHost(int robot, const std::string& name);
 
-  // Events that are no messages: the end of a handler's processor time, time events and inputs.
-  // NextInstant() returns the time of the next event.  DoWhatIsDue() handles the events that are
-  // due now.
+  // NextInstant() returns the time of the next event that is no message: the end of a handler's
+  // processor time, a time event, an input or a step of a robot that is off.  DoWhatIsDue() handles
+  // such events that are due now.
   int64_t NextInstant() const;
   void DoWhatIsDue();
   int32_t RefuseSelector(const Message& message, const Object& target);

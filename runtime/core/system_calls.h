@@ -72,8 +72,8 @@ class SystemCalls {
 
   // ---- Names
 
-  // Do the work of Register(), Find() and Unregister() of MCOOP.h, with which objects of the
-  // caller's robot find each other by names.  Return an sError.
+  // The next three functions do the work of Register(), Find() and Unregister() of MCOOP.h, with
+  // which objects of the caller's robot find each other by names.  All return an sError.
   virtual int32_t RegisterName(ObjectId object, std::string_view name) = 0;
   virtual int32_t FindName(std::string_view name, ObjectId* object) = 0;
   virtual int32_t UnregisterName(std::string_view name) = 0;
@@ -96,8 +96,8 @@ class SystemCalls {
   virtual bool PinRegion(uint32_t region) = 0;
   virtual bool UnpinRegion(uint32_t region) = 0;
 
-  // Change or check the access rights `info` of the caller, or of object `other`, to `region`; see
-  // the functions of RegionShares.  Return an sError.
+  // The next four functions change or check the access rights `info` of the caller, or of object
+  // `other`, to `region`; they call the functions of RegionShares.  All return an sError.
   virtual int32_t AllowAccess(uint32_t region, MemoryProtectionInfo info, ObjectId other,
                               bool giving_ownership) = 0;
   virtual int32_t Attach(uint32_t region, MemoryProtectionInfo info) = 0;
@@ -114,7 +114,8 @@ class SystemCalls {
   // Adds a finding about the object `about`, or about the system if `about` is null.
   virtual void AddFinding(const Object* about, Severity severity, std::string_view text) = 0;
 
-  // Shut down or switch off one robot; see System::Shutdown() and System::PowerOff().
+  // Shutdown() shuts one robot down, PowerOff() switches it off at once; see the functions of
+  // System with the same names.
   virtual void Shutdown(int robot, const RunEnd& why) = 0;
   virtual void PowerOff(int robot, const RunEnd& why) = 0;
 

@@ -66,7 +66,8 @@ std::string AppendHex(std::string_view text, std::string* bytes) {
   return "";
 }
 
-// The datum that the input `send` posts, and the names of the two ends.
+// The datum that the input `send` posts, and the names of the subject and the observer of its
+// connection.
 struct SentDatum {
   int robot = 0;
   std::string observer;

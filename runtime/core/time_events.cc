@@ -58,8 +58,8 @@ int64_t TimeEvents::NextUs() const {
   return next_us;
 }
 
-// Returns whether the owner or the target of `event` no longer exists, or the robot of one of them
-// is off.  Such an event is removed and posts nothing.
+// Returns whether the owner or the target of `event` no longer exists, or is on a robot that is
+// off.  Such an event is removed and posts nothing.
 bool TimeEvents::IsOff(const Event& event) const {
   for (const ObjectId id : {event.letter.owner, event.letter.target}) {
     const Object* const object = system_->object(id);

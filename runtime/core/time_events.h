@@ -46,8 +46,8 @@ class TimeEvents {
   // Posts the messages of events that are due now, in the order of the events' ids, which is the
   // same in every run.
   void PostDue();
-  // Called when the reply to `box` of `owner` has arrived.  Posts the messages of the events that
-  // wait for this reply, and removes these events.
+  // Posts the messages of the events that wait for the reply to `box` of `owner`, and removes these
+  // events.  Called when this reply has arrived.
   void ReplyArrived(ObjectId owner, uint64_t box);
 
   void HashState(Hasher* hasher) const;
@@ -66,7 +66,7 @@ class TimeEvents {
   bool IsOff(const Event& event) const;
 
   System* const system_;
-  std::map<uint32_t, Event> events_;  // key: id of the event
+  std::map<uint32_t, Event> events_;  // the key is the id of the event
   uint32_t last_id_ = 0;
 };
 

@@ -60,7 +60,8 @@ class Trace {
   int last_sink_ = 0;
   uint64_t count_ = 0;
   bool hashing_ = true;
-  bool is_recording_ = true;  // the hash is on or there are sinks
+  // True if the hash is computed or there are sinks, so records are needed.
+  bool is_recording_ = true;
   mutable Hasher hasher_;
   mutable int buffered_ = 0;
   mutable TraceRecord buffer_[kBuffered];

@@ -104,9 +104,9 @@ void IncomingChannel::Received(std::string_view bytes) {
   GatewaySet set;
   GatewayStream::Result result;
   while ((result = stream_.NextSet(&set)) == GatewayStream::Result::kTaken) {
-    // Warns about data without a ready: a peer must wait for a ready before it sends data.  This is
-    // no error, because nothing is lost: the local subject keeps these data until its observer is
-    // ready.
+    // Warns if the peer sends data without a ready, because a peer must wait for a ready before it
+    // sends data.  The warning is no error, because nothing is lost: the local subject keeps the
+    // data until its observer is ready.
     if (!std::exchange(asked_, false)) {
       gateway_->Warn(
           "the peer sends data before it was told that the observer is ready; they wait, and newer "

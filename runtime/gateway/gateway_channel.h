@@ -32,7 +32,7 @@ class GatewayChannel : public GatewayConnection::Owner {
   GatewayStream stream_;  // received bytes that are not decoded yet
 };
 
-// Observes a local subject and sends its data to the peer.
+// A channel that observes a subject of this computer and sends the subject's data to the peer.
 class OutgoingChannel : public GatewayChannel {
  public:
   OutgoingChannel(TcpGateway* gateway, int index, const GatewayRecord& record)
@@ -56,7 +56,8 @@ class OutgoingChannel : public GatewayChannel {
   std::string held_;  // the encoded set that waits for the peer's ready; "": none
 };
 
-// Receives data of the peer and, as a subject, notifies a local observer of the data.
+// A channel that receives data of the peer and, as a subject, sends the data to an observer of this
+// computer.
 class IncomingChannel : public GatewayChannel {
  public:
   IncomingChannel(TcpGateway* gateway, int index, const GatewayRecord& record)
@@ -81,8 +82,8 @@ class IncomingChannel : public GatewayChannel {
   // The word to send when the earlier word has been sent; 0: no word waits.  There is no queue,
   // because a newer word replaces an older one: only the observer's last state counts.
   uint32_t waiting_word_ = 0;
-  // True if "ready" was sent to the peer, and the peer has not sent data since then.  If false,
-  // data from the peer cause a warning.
+  // True if "ready" was sent to the peer, and the peer has not sent data since then.  If false, the
+  // peer must not send data, so data from the peer cause a warning.
   bool asked_ = false;
 };
 

@@ -189,7 +189,8 @@ void GatewayConnection::TakeAnswer(const antEnvMsg& answer) {
     default:
       break;
   }
-  if (!is_up_ || answer.dstModule != endpoint_) return;  // answer for an ended connection
+  // Ignores an answer that belongs to an ended connection.
+  if (!is_up_ || answer.dstModule != endpoint_) return;
   if (static_cast<const TCPEndpointBaseMsg&>(answer).error != TCP_SUCCESS) return Lose();
   if (answer.dstOperation == TCPEndpoint_Operation_Send) return SendNext();
   const auto& receive = static_cast<const TCPEndpointReceiveMsg&>(answer);

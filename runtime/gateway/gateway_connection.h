@@ -1,4 +1,5 @@
-// The TCP connection of one service of the gateway; there is at most one at a time.
+// GatewayConnection: the TCP connection of one service of the gateway.  A service has at most one
+// connection at a time.
 //
 // The robot's side listens on the service's port; the host's side connects and tries again every
 // second.  Both sides send messages to IPStack like any object (TCPEndpointMsg.h), so IPStack
@@ -43,8 +44,8 @@ class GatewayConnection {
   bool is_up() const { return is_up_; }
   bool is_sending() const { return is_sending_; }
 
-  // Listens, or connects if the record has an address.  REQUIRES, for this function and all below:
-  // a handler of the gateway runs.
+  // Listens, or connects if the record has an address.  REQUIRES, for this function and all
+  // functions below: a handler of the gateway runs.
   void Open();
   void Send(std::string_view bytes);  // REQUIRES: is_up()
   // Ends the connection because the peer broke the protocol, and adds a finding.

@@ -29,17 +29,17 @@ inline constexpr uint32_t kGatewaySetBytesMax = 1 << 20;
 std::string EncodeWord(uint32_t word);
 std::string EncodeSet(const GatewaySet& set);
 
-// The bytes of a stream that were received but not decoded yet.
+// Decodes a stream of bytes.  Keeps the bytes that were received but not decoded yet.
 class GatewayStream {
  public:
   enum class Result { kNeedsMore, kTaken, kBroken };
 
   void Feed(std::string_view bytes) { bytes_.append(bytes); }
 
-  // Remove the next word, or the next whole set, from the received bytes. kNeedsMore means that the
-  // word or set has not arrived completely. kBroken means that the rest of the stream cannot be
-  // decoded; error() then returns the reason.  Announced sizes are checked against limits before
-  // they are used.
+  // NextWord() removes the next word, NextSet() the next whole set, from the received bytes.
+  // kNeedsMore means that the word or set has not arrived completely. kBroken means that the rest
+  // of the stream cannot be decoded; error() then returns the reason.  Announced sizes are checked
+  // against limits before they are used.
   Result NextWord(uint32_t* word);
   Result NextSet(GatewaySet* set);
 

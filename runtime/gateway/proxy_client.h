@@ -21,7 +21,7 @@ namespace openr_host {
 // such as OVirtualRobot.  The bytes of the call follow this head.
 struct ProxyRequest {
   char object[16];      // name of the system object to call
-  uint32_t selector;    // entry of that object
+  uint32_t selector;    // selector of the entry to call
   uint32_t reply_size;  // number of bytes that the caller takes as reply
   uint32_t size;        // number of bytes that follow this head
 };
@@ -35,8 +35,9 @@ class ProxyClient : public GatewayChannel {
   ProxyClient(TcpGateway* gateway, int index, const GatewayRecord& record)
       : GatewayChannel(gateway, index, record), gateway_(gateway) {}
 
-  // Queues the ProxyRequest in `payload`, the message that the running handler has received.  The
-  // reply to this message is a word with an sError, then the bytes of the robot's reply.
+  // Queues the request in `payload` (a ProxyRequest with the bytes of the call), which is the
+  // message that the running handler has received.  The reply to this message is a word with an
+  // sError, then the bytes of the robot's reply.
   void Take(const void* payload, size_t size);
   // Fails all requests if the oldest request has waited for kPatienceUs, because the other requests
   // wait for its answer.  The error is sTIMEOUT.  But if the connection is open, closes the
@@ -69,10 +70,10 @@ class ProxyClient : public GatewayChannel {
   TcpGateway* const gateway_;
   std::deque<Request> requests_;
   std::map<std::string, uint32_t> oids_;  // OIDs on the robot, by name; valid for one connection
-  bool waits_ = false;                    // the first request was sent but not answered yet
+  bool waits_ = false;                    // true: the first request was sent but not answered yet
   // True after a call has had no answer.  Then a new call fails at once if there is no connection.
   bool gave_up_ = false;
-  bool watches_ = false;  // a message that calls Expire() is posted
+  bool watches_ = false;  // true: a message that will call Expire() is posted
 };
 
 }  // namespace openr_host

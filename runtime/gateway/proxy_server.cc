@@ -14,8 +14,8 @@
 namespace openr_host {
 namespace {
 
-// The system objects that a program on a PC can call.  The OID of each is kFirstSystemOid plus its
-// index here.
+// The system objects that a program on a PC can call.  The OID of an object is kFirstSystemOid plus
+// the object's index in this array.
 constexpr const char* kNames[] = {kVirtualRobot, kPowerManager, kDesignedRobot};
 constexpr uint32_t kFirstSystemOid = 0x80000001;
 

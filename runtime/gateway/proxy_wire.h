@@ -35,11 +35,11 @@ inline constexpr uint32_t kProxyBytesMax = 256;
 struct ProxyFrame {
   ProxyCommand command = ProxyCommand::kUndefined;
   std::string name = {};    // kFind: at most 63 characters
-  uint32_t error = 0;       // answers: an sError
-  uint32_t oid = 0;         // kFindReply, kSend, kCall
-  uint32_t selector = 0;    // kSend, kCall
+  uint32_t error = 0;       // in an answer: the result of the command, an sError
+  uint32_t oid = 0;         // used in kFindReply, kSend and kCall
+  uint32_t selector = 0;    // used in kSend and kCall
   uint32_t reply_size = 0;  // kCall: the answer is cut to this number of bytes
-  std::string bytes = {};   // kSend, kCall, kCallReply
+  std::string bytes = {};   // used in kSend, kCall and kCallReply
 };
 
 std::string EncodeProxyFrame(const ProxyFrame& frame);

@@ -29,7 +29,7 @@ enum VirtualRobotSelector : uint32_t {
 enum PowerManagerSelector : uint32_t { kMotorPowerSelector = 7, kPowerStatusSelector = 15 };
 enum DesignedRobotSelector : uint32_t { kRobotDesignSelector = 13 };
 
-// Requests of kControlSelector (binary.md, 4.1).
+// The numbers of the requests to the entry kControlSelector (binary.md, 4.1).
 enum class ControlRequest : uint32_t {
   kNewSyncKey = 4,
   kCancelSyncKey = 5,
@@ -49,13 +49,15 @@ inline constexpr size_t kOpenReplyBytes = 12;    // type, status, primitive ID, 
 inline constexpr size_t kStatusReplyBytes = 8;   // type, status, 4 bytes each
 inline constexpr size_t kControlBytes = 224;     // size of a control request and of its reply
 inline constexpr size_t kControlParamAt = 32;    // offset of the parameter, or of the result
-inline constexpr size_t kPowerStatusBytes = 24;  // type, OPowerStatus
-inline constexpr size_t kRobotDesignBytes = 40;  // type, name[32], status
+inline constexpr size_t kPowerStatusBytes = 24;  // size of a message with type and OPowerStatus
+inline constexpr size_t kRobotDesignBytes = 40;  // size of a message with type, name[32] and status
 inline constexpr uint32_t kStatusType = 2;       // type of a reply that is only a status
 inline constexpr uint32_t kOpenType = 1024;
-inline constexpr uint32_t kOpenReplyType = 1025;  // also the type of a close request
+// Type of the reply to an open request, and of a close request.
+inline constexpr uint32_t kOpenReplyType = 1025;
 inline constexpr uint32_t kControlType = 1027;
-// Plus the selector; our choice, because receivers ignore it.
+// Type of a message to OPowerManager, to which the selector is added.  The number is our choice,
+// because receivers ignore it.
 inline constexpr uint32_t kPowerType = 1024;
 
 // Returns the 32-bit word at `offset`, or 0 if the bytes end before it.

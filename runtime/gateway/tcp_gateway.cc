@@ -210,7 +210,7 @@ class GatewayLoader {
   System* const system_;
   const int robot_;
   const bool has_robot_file_;
-  GatewayConfig config_;  // the records of both files
+  GatewayConfig config_;  // the records of ROBOTGW.CFG and HOSTGW.CFG
   const Object* host_ = nullptr;
 };
 

@@ -38,7 +38,7 @@ bool HasShortNames(std::string_view path) {
   for (path.remove_prefix(std::min<size_t>(path.size(), 3)); !path.empty();) {
     path.remove_prefix(1);
     const std::string_view part = path.substr(0, path.find('/'));
-    // Every folder except the root has these entries.
+    // "." and ".." are allowed, because every folder except the root has these entries.
     const bool is_dots = part == "." || part == "..";
     if (!part.empty() && !is_dots && !openr_host::IsShortName(part)) return false;
     path.remove_prefix(part.size());
@@ -252,7 +252,8 @@ int close(int descriptor) {
   static const auto next = OPENR_NEXT(close);
   if (!InObject()) return next(descriptor);
   const ApiScope scope;
-  if (descriptor >= STDIN_FILENO && descriptor <= STDERR_FILENO) return 0;  // console stays open
+  // Does not close the console, which stays open.
+  if (descriptor >= STDIN_FILENO && descriptor <= STDERR_FILENO) return 0;
   if (ForgetDescriptor(descriptor)) return next(descriptor);
   errno = EBADF;  // refuses, because an object must not close descriptors of the host
   return -1;

@@ -89,7 +89,7 @@ DIR* opendir(const char* path) {
   {
     const ApiScope scope;
     DIR* const probe = next(host.c_str());
-    if (probe == nullptr) return nullptr;  // next() has set errno
+    if (probe == nullptr) return nullptr;  // the folder cannot be read; next() has set errno
     closedir(probe);
     names = ReadFolder(host, path);
     if (names.size() > kEntriesMax) {

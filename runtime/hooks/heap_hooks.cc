@@ -39,7 +39,8 @@ Arena* CurrentArena() { return openr_host::InObject() ? t_current.object->arena.
 // Adds a finding that says why malloc() returns null to an object: how much memory the object asked
 // for and how much memory it holds already.
 void ReportNoMemory(size_t size) {
-  const openr_host::ApiScope scope;  // the report itself needs memory, which the host's heap has
+  // Takes memory for the report from the host's heap, because the object's heap is full.
+  const openr_host::ApiScope scope;
   const openr_host::Current& current = t_current;
   const openr_host::MemoryBudget& memory = current.system->robot(current.object->robot).memory;
   const size_t held = current.object->arena->bytes_in_use();
@@ -58,7 +59,8 @@ void ReportNoMemory(size_t size) {
                         openr_host::kRobotMemoryBytes >> 20));
 }
 
-// Keeps which calls of the object allocated `block`, for the report of leaks.
+// Records the calls of the object that have allocated `block`, because the report of leaks names
+// the place of these calls.
 void NoteCalls(Arena* arena, const void* block) {
   const openr_host::ApiScope scope;
   arena->NoteCalls(block, openr_host::CallsInImage());
@@ -123,7 +125,8 @@ void* calloc(size_t count, size_t size) {
     errno = ENOMEM;
     return nullptr;
   }
-  return FromArena(arena, bytes);  // need not be cleared, because blocks of an Arena are zero
+  // The block need not be cleared, because blocks of an Arena are zero.
+  return FromArena(arena, bytes);
 }
 
 void* realloc(void* block, size_t size) {

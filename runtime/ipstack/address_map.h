@@ -39,8 +39,8 @@ class AddressMap {
   static constexpr size_t kPeersMax = 1024;
 
   const std::vector<AddressPair> pairs_;
-  // The address that a program has used for a peer.  The key is the peer's address and port on the
-  // host.
+  // For each peer, the address that a program has used for it.  The key is the peer's address and
+  // port on the host.
   std::map<std::pair<uint32_t, uint16_t>, uint32_t> peers_;
 };
 

@@ -161,7 +161,7 @@ void Visit(M& m, V&& visit) {
   }
 }
 
-// ---- Clear() sets the counts of received data to 0
+// ---- Clear() sets the counts of received data in an answer to 0
 
 void Clear(antEnvMsg*) {}
 void Clear(TCPEndpointReceiveMsg* m) { m->sizeMin = m->sizeMax = 0; }

@@ -139,8 +139,8 @@ void DnsEndpoint::AnswerReady() {
   }
 }
 
-// Answers the query.  After a failure the message keeps the name that the program asked for.
-// Sony's sample NTP reads this name and uses it as an address if it is a dotted address.
+// Answers the pending query.  After a failure the message keeps the name that the program asked
+// for.  Sony's sample NTP reads this name and uses it as an address if it is a dotted address.
 void DnsEndpoint::FinishQuery(DNSEndpointError error) {
   ASSERT(query_.has_value());
   // Uses a generic lambda, because the messages for a query by name and by address have the same

@@ -1,4 +1,4 @@
-// A DNS endpoint: answers a program's queries for names and addresses of hosts.
+// DnsEndpoint: answers a program's queries for names and addresses of hosts.
 //
 // The answers come from the Network, which asks the host's resolver or looks into a table.  The
 // list of DNS servers is kept only because programs set and read this list.  Every answer says that

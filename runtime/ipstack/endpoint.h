@@ -40,7 +40,8 @@ class Endpoint : public EventSink {
   // stack polls the network every frame.
   virtual bool WaitsForNetwork() const = 0;
 
-  // Called at the beginning of each poll of the network, before Take().
+  // Prepares the endpoint for the events of a frame.  Called at the beginning of each poll of the
+  // network, before Take().
   virtual void BeginFrame() {}
 
   // Releases all sockets without answering operations.  Called for instance when the object that
@@ -56,7 +57,7 @@ class Endpoint : public EventSink {
 
  protected:
   IpStack* const stack_;
-  const int32_t protocol_;  // EndpointType_...
+  const int32_t protocol_;  // protocol of the endpoint, a constant EndpointType_...
   const ObjectId owner_;    // the object that created the endpoint
   // The pool: the largest number of bytes that the endpoint has sent and the network has not
   // accepted yet; > 0.  A Send that does not fit into the pool waits.

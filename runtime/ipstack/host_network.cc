@@ -134,8 +134,8 @@ void HostNetwork::Send(NetHandle handle, const void* data, size_t size) {
   Push(handle, &found->second);
 }
 
-// Hands the bytes that wait on `connection` to the host's socket, as many as it accepts.  If the
-// program has closed the connection, ends the stream after the last byte.
+// Gives the bytes that wait on `connection` to the host's socket, as many as the socket accepts.
+// If the program has closed the connection, ends the stream after the last byte.
 void HostNetwork::Push(NetHandle handle, Connection* connection) {
   std::string& out = connection->out;
   size_t done = 0;
@@ -308,7 +308,7 @@ void HostNetwork::Discard(NetHandle handle, Connection* connection) {
     if (count > 0) continue;
     if (!connection->ended) return;  // this side still has data to send
     events_.push_back(EventOf(NetworkEvent::Kind::kClosed, handle));
-    connection->failed = true;  // no more events for this connection
+    connection->failed = true;  // prevents more events for this connection
     return;
   }
 }

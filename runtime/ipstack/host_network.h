@@ -1,4 +1,4 @@
-// The robot's network over sockets of the host.
+// HostNetwork: connects the robot's network to the world with sockets of the host.
 //
 // Server ports: a port of the robot is bound to 127.0.0.1, or to the address in the options.  The
 // port keeps its number if that number is free on the host (host_ports.h).
@@ -47,7 +47,7 @@ struct HostNetworkOptions {
 
 class HostNetwork : public Network {
  public:
-  static constexpr int kBacklog = 8;  // connections held until they are accepted
+  static constexpr int kBacklog = 8;  // largest number of connections that wait to be accepted
   // Largest number of bytes read from one connection in one Poll(), so that a fast peer cannot hold
   // up the run.
   static constexpr size_t kReadBytesMax = 65536;
@@ -80,7 +80,7 @@ class HostNetwork : public Network {
   struct Connection {
     Fd fd;
     std::string out;     // bytes not yet accepted by the host; limited by the endpoint's pool
-    uint64_t taken = 0;  // bytes accepted since the last poll
+    uint64_t taken = 0;  // number of bytes that the host has accepted since the last poll
     size_t want = 0;     // size of the pending Receive()
     bool connecting = false;
     bool closing = false;
@@ -117,8 +117,9 @@ class HostNetwork : public Network {
   const HostNetworkOptions options_;
   AddressMap addresses_;
   uint32_t ip_ = 0;
-  uint32_t bind_ip_;                  // host's address for server ports at the robot's own address
-  std::map<NetHandle, uint32_t> at_;  // addresses set by At(), until the socket is bound
+  uint32_t bind_ip_;  // host's address for server ports at the robot's own address
+  // Addresses that At() has selected for sockets that are not bound yet.
+  std::map<NetHandle, uint32_t> at_;
   // The further addresses of the robot at which sockets are bound.  The value is the address of the
   // host.
   std::map<uint32_t, uint32_t> bound_;
@@ -126,7 +127,7 @@ class HostNetwork : public Network {
   HostUdp udp_;
   std::map<NetHandle, Listener> listeners_;
   std::map<NetHandle, Connection> connections_;
-  int64_t next_accept_ns_ = 0;        // see HostNetworkOptions::accept_interval_ns
+  int64_t next_accept_ns_ = 0;        // time of the next search for new connections
   std::vector<NetworkEvent> events_;  // events that the next Poll() returns
 };
 

@@ -47,7 +47,8 @@ class HostPorts {
  private:
   const NetProtocol protocol_;
   const std::map<uint16_t, uint16_t> wished_;
-  std::map<uint16_t, uint16_t> chosen_;  // key: robot's port, value: host's port
+  // The key is a port of the robot, the value its port on the host.
+  std::map<uint16_t, uint16_t> chosen_;
 };
 
 }  // namespace openr_host

@@ -35,10 +35,12 @@ NetError NetErrorOf(int error);
 // Opens a socket.  On failure returns an invalid Fd and sets errno.
 Fd OpenSocket(NetProtocol protocol);
 
-// Bind a socket, listen on it or connect it.  Each of the three functions returns 0 or an errno.
+// BindSocket() binds a socket, ListenOn() listens on a socket, ConnectTo() connects a socket.  Each
+// of them returns 0 or an errno.
 int BindSocket(const Fd& fd, NetAddress local);
-int ListenOn(const Fd& fd, NetAddress local, int backlog);  // binds as well
-int ConnectTo(const Fd& fd, NetAddress remote);             // EINPROGRESS: see ConnectResult()
+int ListenOn(const Fd& fd, NetAddress local, int backlog);  // also binds the socket to `local`
+// Returns EINPROGRESS if the connection takes time; then ConnectResult() returns the result.
+int ConnectTo(const Fd& fd, NetAddress remote);
 
 // Asks whether `fd` is connected after ConnectTo(): returns EINPROGRESS while the connection is
 // being established, then 0 or an errno.
@@ -48,12 +50,13 @@ int ConnectResult(const Fd& fd);
 // invalid Fd and sets errno.
 Fd AcceptFrom(const Fd& listener, NetAddress* remote);
 
-// Send bytes, to the connected peer or as a datagram to `remote`.  Return the number of bytes sent,
-// or -1 with errno set.
+// SendBytes() sends bytes to the connected peer, SendDatagram() sends them as a datagram to
+// `remote`. Both return the number of bytes sent, or -1 with errno set.
 int64_t SendBytes(const Fd& fd, const void* data, size_t size);
 int64_t SendDatagram(const Fd& fd, NetAddress remote, const void* data, size_t size);
-// Receives at most `size_max` bytes and resizes `bytes` to the bytes that have arrived.  Returns
-// their number, or -1 with errno set.
+// Receives at most `size_max` bytes into `bytes`, which gets the size of the bytes that have
+// arrived.  Stores the sender's address in `*remote` unless `remote` is null.  Returns their
+// number, or -1 with errno set.
 int64_t ReceiveBytes(const Fd& fd, size_t size_max, std::string* bytes,
                      NetAddress* remote = nullptr);
 

@@ -64,7 +64,8 @@ IpStack::IpStack(std::shared_ptr<Network> network, IpStackOptions options)
   network_->Attach(address_);
 
   const auto take = [this](void* payload) { TakeMessage(payload); };
-  first_entry_ = AddExtra("Initialize", take);  // EntryFor() relies on this order
+  // EntryFor() relies on the order in which these entries are added.
+  first_entry_ = AddExtra("Initialize", take);
   AddExtra("HartBeat", take);
   AddExtra("External", take);
   poll_entry_ = AddExtra("Poll", [this](void*) { PollNetwork(); });
@@ -158,7 +159,8 @@ void IpStack::HandleStackMessage(Operation* operation) {
     switch (message.dstOperation) {
       case antEnv_Operation_InitGetParam:
         return Answer(operation, parameters_.Get(&operation->As<antEnvInitGetParamMsg>()));
-      case antEnv_Operation_InitSetParam:  // only system objects may set parameters
+      // Refuses other objects, because only system objects may set parameters.
+      case antEnv_Operation_InitSetParam:
         return Answer(operation, sender != nullptr && sender->is_system
                                      ? parameters_.Set(operation->As<antEnvInitSetParamMsg>())
                                      : ANT_FAIL);
@@ -238,7 +240,8 @@ void IpStack::HandleEndpointMessage(Operation* operation) {
 void IpStack::Answer(Operation* operation, int32_t error, const void* data, size_t size) {
   antEnvMsg& message = operation->message();
   SetAntError(&message, error);
-  if (error != 0) ClearCounts(&message);  // 0 means success in every protocol
+  // An answer with an error must have no data; 0 means success in every protocol.
+  if (error != 0) ClearCounts(&message);
   const uint64_t hash = AntMessageHash(message, data, size);
   if (operation->ticket.box != 0) {
     system().requests().Reply(operation->ticket, operation->bytes, operation->size, hash);

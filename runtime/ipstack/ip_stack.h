@@ -85,7 +85,7 @@ class IpStack : public CodeObject {
   SharedBuffers& buffers() { return buffers_; }
   size_t endpoint_count() const { return endpoints_.size(); }
 
-  // ---- For endpoints
+  // ---- Functions that endpoints call
 
   Network& network() { return *network_; }
   TcpPorts& tcp_ports() { return tcp_ports_; }
@@ -145,7 +145,8 @@ class IpStack : public CodeObject {
   TcpPorts tcp_ports_;
   std::set<uint16_t> udp_ports_;  // ports that UDP endpoints have bound
   std::vector<uint32_t> dns_servers_;
-  std::map<uint32_t, std::unique_ptr<Endpoint>> endpoints_;  // key: index of the reference
+  // The key is the index in the endpoint's reference.
+  std::map<uint32_t, std::unique_ptr<Endpoint>> endpoints_;
   std::map<NetHandle, EventSink*> sinks_;
   uint32_t last_index_ = 0;
   uint16_t next_port_;
@@ -154,8 +155,8 @@ class IpStack : public CodeObject {
   bool poll_posted_ = false;
 };
 
-// Adds the object IPStack to `robot`; called before System::Boot(), and in Robot::load_again with
-// the same `network`.  The System owns the returned stack.
+// Adds the object IPStack to `robot`.  Called before System::Boot(), and again in Robot::load_again
+// with the same `network`.  The System owns the returned stack.
 IpStack* AddIpStack(System* system, int robot, std::shared_ptr<Network> network,
                     IpStackOptions options = {});
 

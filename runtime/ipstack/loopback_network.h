@@ -37,7 +37,7 @@ class LoopbackHub {
 class LoopbackNetwork : public Network {
  public:
   static constexpr size_t kWindowBytes = 65536;
-  static constexpr size_t kBacklog = 8;  // connections held until they are accepted
+  static constexpr size_t kBacklog = 8;  // largest number of connections that wait to be accepted
   // The number of datagrams that a UDP socket holds until they are received; our choice.  Further
   // datagrams are lost, as on a real network.
   static constexpr size_t kDatagrams = 32;
@@ -64,11 +64,11 @@ class LoopbackNetwork : public Network {
   void Drop(NetHandle handle, bool reset) override;
   std::vector<NetworkEvent> Poll() override;
 
-  // Returns `port`, because nothing is translated.
+  // Returns `port`, because this network does not translate ports.
   uint16_t HostPort(NetProtocol, uint16_t port) const override { return port; }
 
  private:
-  // A direction of a connection.
+  // The bytes that go in one direction of a connection and are not read yet.
   struct Pipe {
     std::string bytes;
     bool ended = false;  // the writer has ended the stream

@@ -29,7 +29,7 @@ enum class NetProtocol : uint8_t { kTcp, kUdp };
 
 enum class NetError : uint8_t {
   kNone,
-  kFailed,  // any other error
+  kFailed,  // an error that has no value of its own
   kClosed,  // a write failed because the peer had closed the connection
   kReset,
   kTimeout,
@@ -43,7 +43,7 @@ enum class NetError : uint8_t {
 
 // A host that Resolve() or ResolveAddress() has found.
 struct HostInfo {
-  std::string name;  // the official name
+  std::string name;  // the official name of the host
   std::vector<std::string> aliases;
   std::vector<uint32_t> addresses;
 };
@@ -57,9 +57,10 @@ struct NetworkEvent {
     kEnd,        // answer to Receive(): the peer has ended the stream
     kClosed,     // answer to Close(): both sides have ended
     kDatagram,   // answer to ReceiveFrom(): `bytes` came from `remote`
-    kResolved,   // answer to Resolve(), ResolveAddress(): `host`; no addresses: not found
-    kFailed,     // `error` tells why; the socket can only be dropped
-    kNote,       // `bytes` is a text for the user
+    // Answer to Resolve(), ResolveAddress(): `host`; without addresses there is no such host.
+    kResolved,
+    kFailed,  // `error` tells why; the socket can only be dropped
+    kNote,    // `bytes` is a text for the user
   };
   Kind kind = Kind::kNote;
   NetHandle handle = 0;
@@ -74,8 +75,8 @@ class Network {
  public:
   virtual ~Network() = default;  // closes all sockets
 
-  // Called before all other functions, with the robot's own address.  Called again at each later
-  // boot of the robot, when all sockets have been dropped.
+  // Tells the network the robot's own address.  Called before all other functions, and again at
+  // each later boot of the robot, when all sockets have been dropped.
   virtual void Attach(uint32_t ip) = 0;
 
   // Selects the address at which the next Listen() or Bind() of `handle` opens its port.  `ip` is
@@ -119,8 +120,8 @@ class Network {
 
   // ---- Names
 
-  // Ask for the addresses of a name, or for the name of an address; an event kResolved answers.
-  // `name` is complete (with its domain) and has no final dot.
+  // Resolve() asks for the addresses of a name, ResolveAddress() for the name of an address.  An
+  // event kResolved answers.  `name` is complete (with its domain) and has no final dot.
   virtual void Resolve(NetHandle handle, const std::string& name) = 0;
   virtual void ResolveAddress(NetHandle handle, uint32_t ip) = 0;
 
@@ -134,11 +135,12 @@ class Network {
   // broken connection instead of an end of the stream.  Unknown handles are ignored.
   virtual void Drop(NetHandle handle, bool reset) = 0;
 
-  // Returns the events since the last call, without waiting.
+  // Returns the events that have come since the last call of Poll(), without waiting.
   virtual std::vector<NetworkEvent> Poll() = 0;
 
-  // Called in a fork of the process, which must not use the sockets of the original process: closes
-  // the fork's copies of the sockets, so that peers notice nothing, and forgets all handles.
+  // Closes this process's copies of all sockets, so that peers notice nothing, and forgets all
+  // handles. Called in a fork of the process, which must not use the sockets of the original
+  // process.
   virtual void Forget() {}
 
   // Returns the host's port for the robot's `port`, or 0 if `port` has no port of the host.  The

@@ -38,8 +38,9 @@ class SharedBuffers {
   antError Map(const antSharedBuffer& buffer, void** base);
   antError UnMap(const antSharedBuffer& buffer);
 
-  // Add and remove a buffer in a worker process, which runs objects outside of the master process.
-  // Called after the stack, which runs in the master, has created or destroyed the buffer.
+  // Adopt() adds a buffer to this table in a worker process, which runs objects outside of the
+  // master process; Forget() removes the buffer.  Called after the stack, which runs in the master,
+  // has created or destroyed the buffer.
   void Adopt(const antSharedBuffer& buffer, ObjectId owner);
   void Forget(const antSharedBuffer& buffer) { buffers_.erase(buffer.GetCookie()); }
 
@@ -60,11 +61,11 @@ class SharedBuffers {
     bool mapped = false;
   };
 
-  // Returns null if `buffer` is unknown.
+  // Returns the table's entry for `buffer`; null if the table does not have the buffer.
   Buffer* Find(const antSharedBuffer& buffer);
 
   RegionTable* const regions_;
-  std::map<uint32_t, Buffer> buffers_;  // key: the cookie, a buffer's number
+  std::map<uint32_t, Buffer> buffers_;  // the key is the cookie, the number of a buffer
   uint32_t last_cookie_ = 0;
   uint64_t bytes_ = 0;
 };

@@ -321,8 +321,8 @@ void TcpEndpoint::Fail(NetError error) {
   state_ = State::kFailed;
 }
 
-// Stops waiting for a connection to the local port.  If the stack has chosen the port for this
-// Listen, also closes the port, because no other endpoint listens on it.
+// Ends the wait of this endpoint for a connection to its local port.  If the stack has chosen the
+// port for this Listen, also closes the port, because no other endpoint listens on it.
 void TcpEndpoint::LeavePort() {
   stack_->tcp_ports().Forget(local_port_, this);
   if (own_port_) stack_->tcp_ports().Close(local_port_);

@@ -15,11 +15,11 @@ class TcpEndpoint : public Endpoint {
  public:
   TcpEndpoint(IpStack* stack, ObjectId owner, int32_t pool_bytes);
 
-  // The time for which Close waits until the peer ends its side, after all bytes were sent; virtual
-  // time.  Our choice: a peer that keeps its side open holds the program up for 1 s only.
+  // The virtual time for which Close waits, after all bytes were sent, until the peer ends its
+  // side.  Our choice: a peer that keeps its side open holds the program up for 1 s only.
   static constexpr int64_t kPeerEndUs = 1'000'000;
-  // The time for which Close waits for a peer that does not read the bytes that are still to be
-  // sent; virtual time.  The time starts again with each byte that the peer accepts.  Our choice.
+  // The virtual time for which Close waits for a peer that does not read the bytes that are still
+  // to be sent.  The time starts again with each byte that the peer accepts.  Our choice.
   static constexpr int64_t kUnsentUs = 60'000'000;
 
   // The number of bytes that the endpoint reads from the network at a time, even if a Receive asks
@@ -88,17 +88,17 @@ class TcpEndpoint : public Endpoint {
   NetAddress wanted_;                     // the only peer that a Listen accepts; 0: any peer
   TCPEndpointError error_ = TCP_SUCCESS;  // the error that broke the connection
 
-  std::string in_;          // bytes received and not yet delivered
-  bool asked_ = false;      // a Network::Receive() that has not been answered is pending
-  bool ended_ = false;      // the peer has ended the stream
-  bool closed_ = false;     // both sides have ended
-  int64_t unsent_ = 0;      // number of bytes given to the network that it has not accepted yet
+  std::string in_;       // received bytes that no Receive has taken yet
+  bool asked_ = false;   // a Network::Receive() that has not been answered is pending
+  bool ended_ = false;   // the peer has ended the stream
+  bool closed_ = false;  // both sides have ended the stream
+  int64_t unsent_ = 0;   // number of bytes that were given to the network and are not accepted yet
   uint64_t sent_hash_ = 0;  // hash of all bytes that were sent
-  int small_row_ = 0;       // small sends since the object last received something
+  int small_row_ = 0;       // number of small sends since the object last received something
   int64_t last_send_us_ = 0;
   int64_t closing_since_us_ = 0;  // time of Close, or of the last progress after Close
 
-  std::optional<Operation> opening_;  // Listen or Connect
+  std::optional<Operation> opening_;  // the pending Listen or Connect
   std::optional<Operation> send_;
   std::optional<Operation> receive_;
   std::optional<Operation> close_;

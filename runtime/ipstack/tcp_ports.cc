@@ -18,7 +18,7 @@ bool TcpPorts::Accept(uint16_t number, uint32_t ip, NetHandle socket, EventSink*
   if (known != ports_.end() && known->second->failed) Close(number);
   std::unique_ptr<Port>& port = ports_[number];
   if (port == nullptr) {
-    if (ports_.size() > kPortsMax) {  // size() already counts the new entry
+    if (ports_.size() > kPortsMax) {  // the entry was added above, so size() counts it too
       ports_.erase(number);
       return false;
     }

@@ -28,7 +28,8 @@ OObserver::OObserver() {
           .get();
 }
 
-OObserver::~OObserver() = default;  // the openr_host::Object owns *state_ and deletes it
+// Deletes nothing, because the openr_host::Object owns *state_ and deletes it.
+OObserver::~OObserver() = default;
 
 OStatus OObserver::SetNotifyEntry(const OServiceEntry& entry) {
   state_->id = ENTRY2OBSERVERID(entry);

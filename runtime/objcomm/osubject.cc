@@ -52,7 +52,8 @@ OSubject::OSubject() {
                .get();
 }
 
-OSubject::~OSubject() = default;  // the openr_host::Object owns *state_ and deletes it
+// Deletes nothing, because the openr_host::Object owns *state_ and deletes it.
+OSubject::~OSubject() = default;
 
 OStatus OSubject::SetReadyEntry(const OServiceEntry& entry) {
   const ApiScope scope;

@@ -63,7 +63,8 @@ std::optional<std::vector<std::string>> PartsOf(std::string_view name) {
     const std::string_view part = name.substr(0, end);
     name.remove_prefix(end);
     if (part == "..") {
-      if (parts.empty()) return std::nullopt;  // the root folder has no entry ".."
+      // Leaves /MS, because the root folder has no entry "..".
+      if (parts.empty()) return std::nullopt;
       parts.pop_back();
     } else if (!part.empty() && part != ".") {
       parts.emplace_back(part);
@@ -76,7 +77,8 @@ std::optional<std::vector<std::string>> PartsOf(std::string_view name) {
 bool IsBelow(const std::string& path, const std::string& folder) {
   std::error_code error;
   const auto real_path = std::filesystem::canonical(path, error);
-  if (error) return true;  // a dangling link leads to no file, so not to a file outside of `folder`
+  // Accepts a dangling link, because it leads to no file outside of `folder`.
+  if (error) return true;
   const auto real_folder = std::filesystem::canonical(folder, error);
   const auto [end, rest] =
       std::mismatch(real_folder.begin(), real_folder.end(), real_path.begin(), real_path.end());

@@ -1,4 +1,4 @@
-// The Memory Stick, the files that objects see under /MS.
+// MemoryStick: the files that objects see under /MS.
 //
 // Names are absolute, begin with /MS/ and use '/'.  Upper and lower case letters are equal, as in
 // the robot's FAT file system.  No name leads to a file outside of the stick.
@@ -45,8 +45,8 @@ class MemoryStick {
   // crash in an earlier run.
   virtual uint64_t ContentHash() = 0;
 
-  // Called before an object makes, writes, renames or removes the file `name`.  After this call the
-  // content of the file is part of HashState().
+  // Records that objects change the file `name`, so that its content becomes part of HashState().
+  // Called before an object makes, writes, renames or removes the file.
   void NoteWritten(std::string_view name);
 
   // Adds a function that is called before an object changes a file or folder for the first time.

@@ -22,7 +22,8 @@ constexpr int kShutter[] = {0, 2 * kOne, kOne, kOne / 2};  // for 1/50, 1/100 an
 constexpr int kRed[] = {0, 207, 327, kOne};                // for 2800, 7000 and 4300 K
 constexpr int kBlue[] = {0, 317, 201, kOne};
 
-// The colours of the channels in a picture of layer C: they differ in lightness, too.
+// The colours that stand for the channels in a picture of layer C.  They also differ in lightness,
+// so that people who see few colours can tell them apart.
 constexpr std::array<std::array<uint8_t, 3>, ocdtNUM_CHANNELS> kChannelColours = {
     {{255, 140, 0},
      {90, 200, 255},
@@ -33,7 +34,7 @@ constexpr std::array<std::array<uint8_t, 3>, ocdtNUM_CHANNELS> kChannelColours =
      {170, 60, 200},
      {240, 240, 240}}};
 
-// The bytes before the data in an image vector.
+// Number of bytes before the data in an image vector: its header and its infos.
 constexpr size_t kHeadBytes = sizeof(ODataVectorInfo) + ofbkimageNUM_LAYERS * sizeof(OFbkImageInfo);
 
 bool Known(longword parameter) { return parameter >= 1 && parameter <= 3; }
@@ -85,8 +86,8 @@ void CameraDevice::set_auto_white_balance(bool on) {
   ChooseExposure();
 }
 
-// Computes exposure_ from the settings.  An automatic function has the effect of the default
-// setting.
+// Computes exposure_ from the settings.  When auto exposure or auto white balance is on, takes the
+// default setting in place of the program's setting.
 void CameraDevice::ChooseExposure() {
   const int light =
       settings_.auto_exposure ? kOne : kGain[settings_.gain] * kShutter[settings_.shutter] / kOne;
@@ -126,7 +127,7 @@ CameraShot CameraDevice::ShotBefore(int64_t frame, const Body& body) const {
   return shot;
 }
 
-// Returns the size of the data of all layers.
+// Returns the number of bytes of the data of all layers.
 size_t CameraDevice::DataBytes() const {
   size_t bytes = 0;
   for (OFbkImageLayer layer = 0; layer < ofbkimageNUM_LAYERS; ++layer)
@@ -163,7 +164,7 @@ void CameraDevice::FillInfos(longword frame_number, OFbkImageVectorData* vector)
 
 RCRegion* CameraDevice::MakeVector(int64_t frame, const Body& body, std::string* problem) {
   const CameraShot shot = ShotBefore(frame, body);
-  // Resized only here, because most robots never take an image.
+  // Allocates the memory of the picture only here, because most robots never take an image.
   picture_.rgb.resize(PictureBytes(model_));
   *problem = source_->Capture(shot, &picture_);
   RCRegion* const region = FreeVector();
@@ -193,7 +194,8 @@ std::string CameraDevice::TakeColours(int64_t frame, const Body& body, Picture* 
   picture.rgb.resize(PictureBytes(model_));
   std::string problem = source_->Capture(ShotBefore(frame, body), &picture);
   if (!problem.empty()) return problem;
-  // Makes the vector in memory of our own, because regions belong to objects.
+  // Makes the vector in memory of this function and not in a region, because a region must belong
+  // to an object, and no object runs here.
   std::vector<byte> memory(kHeadBytes + DataBytes());
   auto* const vector = reinterpret_cast<OFbkImageVectorData*>(memory.data());
   FillInfos(0, vector);

@@ -27,8 +27,9 @@ class CameraDevice {
   // identifies the camera in its image vectors.  REQUIRES: `source` is not null.
   CameraDevice(std::unique_ptr<ImageSource> source, const Camera& model, OPrimitiveID id);
 
-  // Change the settings for which OPrimitiveControl.h defines requests.  The functions that return
-  // a bool return false for a value that is not listed in that file.
+  // The next functions change the settings of the camera for which OPrimitiveControl.h defines
+  // requests.  The functions that return a bool return false for a value that is not listed in that
+  // file.
   bool SetWhiteBalance(longword mode);
   bool SetGain(longword gain);
   bool SetShutter(longword shutter);
@@ -42,11 +43,11 @@ class CameraDevice {
   // Returns whether an image was completed just before `frame`.
   bool Due(int64_t frame) const { return ImagesBefore(frame) > ImagesBefore(frame - 1); }
 
-  // Returns a vector with the image that was completed just before frame `frame`, in a region to
-  // which no object refers.  The sensor samples of frame `frame` - 1 belong to this image.  The
-  // camera keeps the only reference to the region.  Sets *problem to "", or to the reason why the
-  // source has no picture; then the vector shows the previous picture again.  REQUIRES: called in a
-  // handler of an object, because RCRegion counts references per object.
+  // Returns a vector with the image that was completed just before frame `frame`.  The sensor
+  // samples of frame `frame` - 1 belong to this image.  The vector is in a free region: only the
+  // camera holds a reference to it.  Sets *problem to "", or to the reason why the source has no
+  // picture; then the vector shows the previous picture again.  REQUIRES: a handler of an object
+  // runs, because a new region belongs to the object that runs.
   RCRegion* MakeVector(int64_t frame, const Body& body, std::string* problem);
 
   // Takes the picture of the image that MakeVector() returns, for a reader outside the simulation.
@@ -54,24 +55,25 @@ class CameraDevice {
   // white balance applied.  Changes no state.  Returns "", or the reason why there is no picture.
   std::string TakePicture(int64_t frame, const Body& body, Picture* picture);
 
-  // Takes the same picture as the robot's colour detection sees it: layer C of the image, with the
-  // colour of ColourOfChannel() in each pixel in which a channel was detected, and black elsewhere.
-  // Returns "", or the reason why there is no picture.
+  // Writes to `colours` how the robot's colour detection sees the image of TakePicture(): layer C
+  // of the image, with the colour of ColourOfChannel() in each pixel in which a channel was
+  // detected, and black elsewhere.  Returns "", or the reason why there is no picture.
   std::string TakeColours(int64_t frame, const Body& body, Picture* colours);
   // Returns the colour (red, green and blue) that stands for channel 0 to 7 in a picture of
   // TakeColours().
   static const std::array<uint8_t, 3>& ColourOfChannel(int channel);
 
-  // Sets the settings as they are at boot, and gives up the regions of all vectors.  The robot is
-  // switched off in frame `frame`; the source goes on with the next picture.  REQUIRES: the object
-  // that sends the vectors is the current object.
+  // Sets the settings as they are at boot, and gives up the references to the regions of all
+  // vectors.  The robot is switched off in frame `frame`; the source goes on with the next picture.
+  // REQUIRES: the object that sends the vectors is the current object.
   void SwitchOff(int64_t frame);
 
   void HashState(Hasher* hasher) const;
 
  private:
-  // The values at boot are those of Model Information ERS-210, 4.1.2.  Two things are our choice:
-  // which of the two gains of 0 dB is the default, and that both automatic functions are off.
+  // The settings of the camera.  Their values at boot are the values of Model Information ERS-210,
+  // 4.1.2.  Two things are our choice: which of the two gains of 0 dB is the default, and that both
+  // automatic functions are off.
   struct Settings {
     longword white_balance = ocamparamWB_FL_MODE;
     longword gain = ocamparamGAIN_MID;
@@ -95,7 +97,7 @@ class CameraDevice {
   Exposure exposure_;
   VectorPool pool_;
   Settings settings_;
-  int64_t earlier_images_ = 0;  // images that were completed before this boot
+  int64_t earlier_images_ = 0;  // number of images that were completed before this boot
 };
 
 }  // namespace openr_host

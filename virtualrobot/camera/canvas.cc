@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-// Number of steps from the shadow to the lit side of a ball.
+// Number of steps of brightness from the shadow to the lit side of a ball.
 constexpr int kSteps = 63;
 
 // Returns the first of `size` pixels whose centre lies beyond `x`; returns `size` if no centre lies
@@ -73,7 +73,8 @@ void Canvas::Begin(const CameraShot& shot, const RgbBytes& floor, const RgbBytes
   inverse_depth_.assign(static_cast<size_t>(width_) * static_cast<size_t>(height_), 0);
   x_.resize(static_cast<size_t>(height_));
 
-  // A pixel shows the floor if its ray goes down.
+  // Decides for each pixel whether it shows the floor: it does if its ray goes down, that is, if
+  // `rise` is negative.
   const Linear rise = AlongRays(R_CW_.col(2));
   std::vector<uint8_t> rows[2];
   for (const bool is_floor : {false, true}) {
@@ -93,7 +94,8 @@ void Canvas::Begin(const CameraShot& shot, const RgbBytes& floor, const RgbBytes
 }
 
 Canvas::Linear Canvas::AlongRays(const Vector3d& v) const {
-  // d = (1, slope_h (1 - 2 x / width), slope_v (1 - 2 y / height))
+  // The ray d through the pixel is (1, slope_h (1 - 2 x / width), slope_v (1 - 2 y / height)), so v
+  // . d is linear in x and y.
   return {v.x() + v.y() * slope_h_ + v.z() * slope_v_, -2 * v.y() * slope_h_ / width_,
           -2 * v.z() * slope_v_ / height_};
 }
@@ -101,7 +103,8 @@ Canvas::Linear Canvas::AlongRays(const Vector3d& v) const {
 bool Canvas::MaySee(const Vector3d& centre_W, double radius_m) const {
   const Vector3d p = R_CW_ * (centre_W - p_WC_);
   if (p.x() + radius_m < kNear_m) return false;
-  // Compares the ball with the planes through the lens and the edges of the picture.
+  // Returns whether the ball is completely outside the plane through the lens and an edge of the
+  // picture.
   const auto is_outside = [&](double sideways, double slope) {
     return std::fabs(sideways) - p.x() * slope > radius_m * std::sqrt(1 + slope * slope);
   };
@@ -199,7 +202,8 @@ Canvas::Span Canvas::SpanOfBall(double forward, double sideways, double radius_m
   if (forward <= radius_m || a <= 0 || root <= 0) return {0, static_cast<int>(size)};
   const double middle = forward * sideways, half = radius_m * std::sqrt(root);
   const double low = (middle - half) / a, high = (middle + half) / a;
-  // Slopes grow to the left and upwards, pixels to the right and downwards.
+  // The greater slope `high` gives the first pixel, because slopes grow to the left and upwards,
+  // but pixels are numbered to the right and downwards.
   return {FirstBeyond(size * 0.5 - high * pixels_per_slope - 1, size),
           FirstBeyond(size * 0.5 - low * pixels_per_slope + 1, size)};
 }
@@ -215,7 +219,8 @@ void Canvas::DrawBall(const Vector3d& centre_W, double radius_m, const Vector3d&
   const Span rows = SpanOfBall(centre.x(), centre.z(), radius_m, height_ / (2 * slope_v_), height_);
   const Linear towards = AlongRays(centre), left = AlongRays(Vector3d::UnitY());
   const Linear up = AlongRays(Vector3d::UnitZ()), rise = AlongRays(R_CW_.col(2));
-  // At the point t d, the ball gets the share t * light(d) - light_of_centre of the light.
+  // At the point t d, the surface of the ball gets the share t * light(d) - light_of_centre of the
+  // directed light.
   const Linear light = AlongRays(to_light / radius_m);
   const double light_of_centre = to_light.dot(centre) / radius_m, per_c = 1 / c;
   const bool is_sunk = centre_W.z() < radius_m;

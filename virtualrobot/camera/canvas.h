@@ -27,7 +27,7 @@ class Face {
   static constexpr int kCornersMax = 32;
 
   void Clear() { count_ = 0; }
-  // REQUIRES: there is room for a corner.
+  // Adds a corner to the face.  REQUIRES: count() < kCornersMax + 2.
   void Add(const Eigen::Vector3d& corner) {
     ASSERT(count_ < kCornersMax + 2, "a face has {} corners", count_);
     corners_[static_cast<size_t>(count_++)] = corner;
@@ -54,12 +54,12 @@ class Canvas {
   void Begin(const CameraShot& shot, const RgbBytes& floor, const RgbBytes& background,
              Picture* picture);
 
-  // Returns whether a ball around a thing could be in the picture.  If not, the thing need not be
-  // drawn.
+  // Returns whether a ball with this centre and radius could be in the picture.  If the ball around
+  // a thing is not in the picture, the thing need not be drawn.
   bool MaySee(const Eigen::Vector3d& centre_W, double radius_m) const;
 
   // Draws a face whose front side has the outward normal `normal_W`; its back side is not seen.
-  // Parts below the floor are cut away.
+  // The part of the face below the floor is cut away.
   void DrawFace(Face face, const Eigen::Vector3d& normal_W, const RgbBytes& colour);
 
   // Draws paint, a face on the floor.  REQUIRES: called before faces and balls are drawn.
@@ -78,12 +78,13 @@ class Canvas {
     double at = 0, along_x = 0, along_y = 0;
     double Of(double x, double y) const { return at + x * along_x + y * along_y; }
   };
-  // The pixels begin to end - 1 of a row, or the rows begin to end - 1.
+  // A range of pixels of a row, or a range of rows: from `begin` to `end` - 1.
   struct Span {
     int begin = 0, end = 0;
   };
 
-  // Returns the linear quantity v . d, in which d is the ray through a pixel in C, with d.x = 1.
+  // Returns, as a function of the pixel, the product v . d: d is the direction of the ray through
+  // the pixel, in C, with d.x = 1.
   Linear AlongRays(const Eigen::Vector3d& v) const;
   // Stores in x_ where the face begins and ends in each row of pixels, and returns the rows that
   // the face reaches.  REQUIRES: the corners of the face are in C.
@@ -103,9 +104,11 @@ class Canvas {
   int width_ = 0, height_ = 0;
   Eigen::Matrix3d R_CW_ = Eigen::Matrix3d::Identity();
   Eigen::Vector3d p_WC_{0, 0, 0};
-  double slope_h_ = 1, slope_v_ = 1;      // slopes of the rays at the left and the upper edge
-  std::vector<float> inverse_depth_;      // per pixel: 1 / x in C; 0: only floor or background
-  std::vector<std::array<double, 2>> x_;  // per row: the least and the greatest x of a face
+  double slope_h_ = 1, slope_v_ = 1;  // slopes of the rays at the left and the upper edge
+  // For each pixel, 1 / x of the drawn point in C, so the greatest value is nearest to the lens; 0
+  // where only floor or background is drawn.
+  std::vector<float> inverse_depth_;
+  std::vector<std::array<double, 2>> x_;  // for each row: the least and the greatest x of a face
 };
 
 }  // namespace openr_host

@@ -1,7 +1,7 @@
-// Colour detection (robot.md, 11.3).  A colour table describes one colour to detect: for each of 32
-// segments of luminance, it has a rectangle of Cr and Cb.  There are eight tables, one for each
-// channel.  A pixel of the result is a byte; its bit k says whether the pixel matches the table of
-// channel k.
+// ColourTables: the colour detection of the camera (robot.md, 11.3).  A colour table describes one
+// colour to detect: for each of 32 segments of luminance, it has a rectangle of Cr and Cb.  There
+// are eight tables, one for each channel.  A pixel of the result is a byte; its bit k says whether
+// the pixel matches the table of channel k.
 #pragma once
 
 #include <OPENR/ODataFormats.h>
@@ -32,8 +32,8 @@ class ColourTables {
   void HashState(Hasher* hasher) const;
 
  private:
-  // The ranges of all channels, as [segment][value]: bit k is set when the range of channel k
-  // contains `value`.
+  // The ranges of all channels.  Bit k of element [segment][value] is set when the range of channel
+  // k in this segment contains `value`.
   using Bits = std::array<std::array<uint8_t, 256>, ocdtMAX_Y_SEGMENT>;
   Bits cr_{};
   Bits cb_{};

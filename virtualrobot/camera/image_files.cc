@@ -37,14 +37,14 @@ Picture ReadPng(const std::string& bytes, const std::string& file) {
   }
   image.format = PNG_FORMAT_RGB;
   Picture picture = Empty(static_cast<int>(image.width), static_cast<int>(image.height));
-  const png_color black = {0, 0, 0};  // background of transparent pixels
+  const png_color black = {0, 0, 0};  // colour behind transparent pixels
   if (png_image_finish_read(&image, &black, picture.rgb.data(), 0, nullptr) == 0)
     Fail(file, fmt::format("cannot be read: {}", image.message));
   return picture;
 }
 
-// Returns the next number of a PPM header and skips the blanks and comments before it.  `at` is the
-// place in `bytes` and is moved behind the number.
+// Skips blanks and comments in a PPM header and returns the number behind them.  `at` is the
+// present position in `bytes`; it is moved behind the number.
 int HeaderNumber(const std::string& bytes, int limit, size_t* at, const std::string& file) {
   while (*at < bytes.size() && std::strchr(" \t\r\n#", bytes[*at]) != nullptr) {
     if (bytes[*at] == '#') *at = std::min(bytes.find('\n', *at), bytes.size() - 1);

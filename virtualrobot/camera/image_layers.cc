@@ -55,11 +55,11 @@ size_t ImageLayers::BytesOfRow(OFbkImageLayer layer) const {
 
 void ImageLayers::ReadPicture(const Picture& picture, const Exposure& exposure, byte* layer_h) {
   const auto width = static_cast<size_t>(width_);
-  // Allocates memory only for the first picture.
+  // Allocates the memory here and not in the constructor, because most robots never take a picture.
   luminance_.resize(width * static_cast<size_t>(height_));
   const size_t w = width / 2;
-  // Goes through squares of four pixels, because four pixels have four values of luminance but
-  // share one Cr and one Cb.
+  // Goes through the picture in squares of four pixels, because the four pixels of a square have
+  // four values of luminance but share one Cr and one Cb.
   for (size_t y = 0; y < static_cast<size_t>(height_); y += 2) {
     const uint8_t* rows[] = {&picture.rgb[y * width * 3], &picture.rgb[(y + 1) * width * 3]};
     byte* light[] = {&luminance_[y * width], &luminance_[(y + 1) * width]};
@@ -99,7 +99,8 @@ void ImageLayers::SplitLuminance(const byte* from, size_t row_bytes, OFbkImageLa
 
 void ImageLayers::HalveColour(const byte* from, OFbkImageLayer layer, byte* to) const {
   const auto w = static_cast<size_t>(WidthOf(layer));
-  const size_t group = kBands * 2 * w;  // bytes of one row with all bands in the layer `from`
+  // Number of bytes of one row of the layer `from`, with all its bands.
+  const size_t group = kBands * 2 * w;
   for (int y = 0; y < HeightOf(layer); ++y, from += 2 * group, to += kBands * w) {
     for (const size_t band : {1, 2}) {
       const byte* const row = from + band * 2 * w;
@@ -119,7 +120,7 @@ void ImageLayers::DetectColours(const byte* layer_m, const ColourTables& tables,
     std::fill_n(layer_c, BytesOf(ofbkimageLAYER_C), byte{0});
     return;
   }
-  std::array<int, 256> pixels{};  // [bits]: number of pixels with exactly these bits
+  std::array<int, 256> pixels{};  // pixels[bits]: number of pixels whose byte is `bits`
   const auto w = static_cast<size_t>(WidthOf(ofbkimageLAYER_M));
   for (int y = 0; y < HeightOf(ofbkimageLAYER_M); ++y, layer_m += kBands * w, layer_c += w) {
     for (size_t x = 0; x < w; ++x) {

@@ -39,8 +39,8 @@ class ImageLayers {
   ImageLayers(int width, int height);
 
   static constexpr size_t kBands = 6;
-  static constexpr int kTagBytes = 16;         // see Make()
-  size_t BytesOf(OFbkImageLayer layer) const;  // size of the layer's data
+  static constexpr int kTagBytes = 16;         // size of the tag that Make() writes into a layer
+  size_t BytesOf(OFbkImageLayer layer) const;  // number of bytes of the layer's data
   int WidthOf(OFbkImageLayer layer) const;
   int HeightOf(OFbkImageLayer layer) const;
 
@@ -52,7 +52,8 @@ class ImageLayers {
             word field_counter, OFbkImageVectorData* vector);
 
  private:
-  size_t BytesOfRow(OFbkImageLayer layer) const;  // bytes of one row with all its bands
+  // Number of bytes in one row of the layer, with all bands.
+  size_t BytesOfRow(OFbkImageLayer layer) const;
   void ReadPicture(const Picture& picture, const Exposure& exposure, byte* layer_h);
   // Computes Y, LH, HL and HH of `layer` into `to` from the luminance `from`, which has twice the
   // width and height; its rows are `row_bytes` apart.

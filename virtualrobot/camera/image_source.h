@@ -30,7 +30,8 @@ struct CameraShot {
   // Pose of the lens in the world W, with x along the optical axis, y to the left and z up.
   Eigen::Isometry3d X_WC = Eigen::Isometry3d::Identity();
   double fov_h_rad = 0, fov_v_rad = 0;
-  // The body that carries the camera, for sources that draw its world; null in some tests.
+  // The body that carries the camera.  Sources that draw the robot's world need it; it is null in
+  // some tests.
   const Body* body = nullptr;
 };
 
@@ -58,7 +59,7 @@ class TestPattern : public ImageSource {
 // scaled.
 class MemoryImageSource : public ImageSource {
  public:
-  // REQUIRES: `pictures` is not empty.
+  // Makes a source that shows `pictures`.  REQUIRES: `pictures` is not empty.
   explicit MemoryImageSource(std::vector<Picture> pictures);
   std::string Capture(const CameraShot& shot, Picture* picture) override;
 

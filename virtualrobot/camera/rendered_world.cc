@@ -15,16 +15,16 @@ namespace {
 
 using Eigen::Vector3d;
 
-// The colour over the horizon.  It is grey, like the walls of a hall, because a blue sky would be
-// detected as a blue goal.
+// The colour over the horizon.  It is grey, like the walls of a hall, because programs that play
+// football would take a blue sky for the blue goal.
 const Vector3d kBackground(0.66, 0.66, 0.65);
 
 // Number of flat sides with which a cylinder is drawn.
 constexpr int kSides = 24;
 static_assert(kSides <= Face::kCornersMax);
 
-// The direction from the axis of a cylinder to each corner, and to the middle of the side behind
-// this corner.
+// Unit vectors across a cylinder that is drawn with kSides flat sides: from its axis to each
+// corner, and to the middle of the side behind this corner.
 struct Round {
   std::array<Vector3d, kSides> corners, middles;
   Round() {
@@ -60,7 +60,7 @@ class WorldPainter {
     }
   }
 
-  // Draws a box or cylinder that is paint: fills its outline on the floor.
+  // Draws a box or a cylinder that is paint, by filling its outline on the floor.
   void DrawPaint(const WorldThing& thing) {
     Face face;
     const Vector3d half = thing.size_m / 2;
@@ -80,7 +80,8 @@ class WorldPainter {
     canvas_->DrawPaint(face, RgbOf(thing.colour, BrightnessOf(Vector3d::UnitZ())));
   }
 
-  // Returns the light on a face with the outward normal `normal_W`.
+  // Returns the brightness, 0 to 1, of a face with the outward normal `normal_W` in the light of
+  // the world.
   double BrightnessOf(const Vector3d& normal_W) const {
     return world_.ambient + (1 - world_.ambient) * std::max(0.0, normal_W.dot(world_.to_light));
   }

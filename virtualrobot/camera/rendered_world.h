@@ -18,16 +18,16 @@ class RenderedWorld : public ImageSource {
   // `model` is the robot that carries the camera, and must outlive the source.
   explicit RenderedWorld(const RobotModel& model);
 
-  // REQUIRES: shot.body is not null.
+  // Draws the picture that the camera takes with `shot`.  REQUIRES: shot.body is not null.
   std::string Capture(const CameraShot& shot, Picture* picture) override;
 
  private:
   const RobotModel& model_;
-  std::vector<bool> is_head_;  // [part]: whether it moves with the camera, so it is not drawn
+  std::vector<bool> is_head_;  // for each part, whether it moves with the camera and is not drawn
   Canvas canvas_;
 };
 
-// Draws `world` with `things` in their present places.
+// Draws the floor and the light of `world`, and `things` in their present places, into `picture`.
 void DrawWorld(const CameraShot& shot, const World& world, const std::vector<WorldThing>& things,
                Canvas* canvas, Picture* picture);
 

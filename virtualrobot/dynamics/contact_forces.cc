@@ -8,13 +8,13 @@
 namespace openr_host {
 namespace {
 
-// Largest number of attempts to solve the equations without sweeps.  After each attempt, the
-// contacts that pull are left out.
+// Largest number of attempts to solve the equations without sweeps.  Each attempt leaves out the
+// contacts that pulled in the attempt before.
 constexpr int kOpenRounds = 3;
 
 double Length(double x, double y) { return std::sqrt(x * x + y * y); }
 
-// Returns by how much row `row` misses the wanted velocity.
+// Returns the part of the wanted change of velocity in row `row` that the impulses do not give.
 double Missing(const ContactEquations& equations, const std::vector<double>& impulses, int row) {
   double missing = equations.wanted[row];
   const double* const k = equations.Row(row);
@@ -36,9 +36,9 @@ Friction NextFriction(const Friction& now, double a, double b, double c, const F
   const Friction stick{now.x + (missing.x * c - missing.y * b) / det,
                        now.y + (missing.y * a - missing.x * b) / det};
   if (Length(stick.x, stick.y) <= max) return stick;
-  // The contact slides.  A step along the missing velocity, cut back to the cone, ends where the
-  // impulse and the missing velocity have one direction.  The length of the step is the largest
-  // without overshooting: 1 / the largest eigenvalue.
+  // The contact slides, so its impulse must get the direction of the missing velocity.  Repeated
+  // steps along the missing velocity, each cut back to the cone, end where both have one direction.
+  // The length of the step is the largest without overshooting: 1 / the largest eigenvalue.
   const double half = (a - c) / 2;
   const double step = 1 / ((a + c) / 2 + Length(half, b));
   const Friction slide{now.x + step * missing.x, now.y + step * missing.y};
@@ -87,8 +87,9 @@ bool ContactForces::SolveSticking(const ContactEquations& equations) {
   return false;
 }
 
-// Solves the rows of closed_ by Cholesky's method; all other impulses are 0.  Uses loops of our
-// own, because Eigen chooses the order of its sums by the size of the processor's caches.
+// Solves the equations of the contacts in closed_ by Cholesky's method, and sets all other impulses
+// to 0.  Uses loops of our own, because Eigen chooses the order of its sums by the size of the
+// processor's caches.
 void ContactForces::SolveOpened(const ContactEquations& equations) {
   const int n = 3 * static_cast<int>(closed_.size());
   const auto row_of = [this](int i) { return 3 * closed_[i / 3] + i % 3; };

@@ -1,4 +1,4 @@
-// The impulses of contacts that obey Coulomb's law of friction.
+// ContactForces: computes the impulses of contacts that obey Coulomb's law of friction.
 //
 // Each contact has three rows: along its normal, away from the ground, and along two directions of
 // the ground.  An impulse p along the rows changes the velocity along them by K p, where K is the
@@ -23,24 +23,25 @@
 
 namespace openr_host {
 
-// The equations of the contacts of one step.
+// The equations of the contacts of one step: the matrix K and the wanted changes of velocity d.
 class ContactEquations {
  public:
-  // Sets all numbers to 0.
+  // Makes the equations of `contacts` contacts, with all numbers 0.
   void Reset(int contacts);
 
   int contacts() const { return rows() / 3; }
   int rows() const { return static_cast<int>(wanted.size()); }
 
-  // Row and column are 3 * contact + 0 for the normal, + 1 and + 2 for the ground.
+  // Returns the element of the matrix K at a row and a column.  Both are counted as 3 * contact for
+  // the normal of a contact, + 1 and + 2 for its two directions of the ground.
   double& At(int row, int column) { return matrix_[static_cast<size_t>(row) * rows() + column]; }
   const double* Row(int row) const { return &matrix_[static_cast<size_t>(row) * rows()]; }
 
-  // [row]: the wanted change of velocity d, in m/s.
+  // For each row, the wanted change of velocity d, in m/s.
   std::vector<double> wanted;
 
  private:
-  std::vector<double> matrix_;  // K, symmetric, in 1/kg
+  std::vector<double> matrix_;  // the matrix K, which is symmetric, in 1/kg
 };
 
 class ContactForces {
@@ -51,14 +52,14 @@ class ContactForces {
   // Sweeps end after a sweep that changes no impulse by more than this, in N s.  For comparison: a
   // standing ERS-210 presses with 0.13 N s on the floor in a frame.
   static constexpr double kTolerance_n_s = 1e-6;
-  // Number of sweeps after which the impulses are taken as they are.
+  // Limit of the number of sweeps.  After so many sweeps Find() returns the impulses as they are.
   static constexpr int kSweepsMax = 1000;
 
-  // Returns the impulse along each row, in N s.  The result is valid until the next call.
-  // REQUIRES: the matrix is symmetric and positive definite.
+  // Solves `equations` and returns the impulse along each row, in N s.  The result is valid until
+  // the next call.  REQUIRES: the matrix is symmetric and positive definite.
   const std::vector<double>& Find(const ContactEquations& equations);
 
-  // Number of sweeps that the last call made.
+  // Returns the number of sweeps that the last call of Find() made.
   int sweeps() const { return sweeps_; }
 
  private:
@@ -68,8 +69,8 @@ class ContactForces {
   double Sweep(const ContactEquations& equations);
 
   const double friction_;
-  std::vector<double> impulses_;  // [row]: impulse along the row, in N s
-  std::vector<int> closed_;       // contacts that press if all contacts stick
+  std::vector<double> impulses_;  // for each row, the impulse along it, in N s
+  std::vector<int> closed_;       // contacts that have not opened in SolveSticking()
   // Cholesky factor of the part of K that belongs to closed_, row by row.
   std::vector<double> factor_;
   int sweeps_ = 0;

@@ -14,17 +14,17 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Two points of a ball count as one when the cosine of the angle between their normals is above
-// this.
+// Two points at which a ball touches count as one point when the cosine of the angle between their
+// normals is above this number.
 constexpr double kSameNormal = 0.99;
 
-// A range of squares of the grid along one axis: begin to end - 1.
+// A range of squares of the grid along one axis: from `begin` to `end` - 1.
 struct Squares {
   int begin = 0, end = 0;
 };
 
-// Returns the squares that overlap the range from `low` to `high` along an axis with `count`
-// points.
+// Returns the squares of the grid that overlap the range from `low` to `high`, in m, along one
+// axis.  The grid has `count` points over the length `size_m` of this axis.
 Squares SquaresBetween(double low, double high, double size_m, int count) {
   const double per_m = (count - 1) / size_m, last = count - 1;
   const auto begin = static_cast<int>(std::clamp((low + size_m / 2) * per_m, 0.0, last));
@@ -53,13 +53,13 @@ bool IsOverBase(const WorldThing& thing, const Vector3d& p) {
   return std::fabs(p.x()) <= thing.size_m.x() / 2 && std::fabs(p.y()) <= thing.size_m.y() / 2;
 }
 
-// Returns the height of `p` over the surface.
+// Returns the height of the point `p`, in T, over the point `surface` of the surface.
 double HeightOver(const WorldThing& thing, const Vector3d& p, const SurfacePoint& surface) {
   return p.z() + thing.size_m.z() / 2 - surface.height_m;
 }
 
-// Returns the point at which a ball touches the side of the heightfield, if its centre `p` is
-// beside it.
+// Returns the point at which a ball touches a side of the heightfield.  Returns nullopt if the
+// centre `p` of the ball is not beside the heightfield, or if the ball does not touch it.
 std::optional<TouchPoint> TouchSide(const WorldThing& thing, const Vector3d& p, double radius_m) {
   const Vector3d half = thing.size_m / 2;
   Vector3d nearest = p.cwiseMax(-half).cwiseMin(half);
@@ -72,7 +72,8 @@ std::optional<TouchPoint> TouchSide(const WorldThing& thing, const Vector3d& p, 
   return TouchPoint{p - radius_m * out, out, radius_m - distance_m};
 }
 
-// Adds the points at which a ball whose centre is over the base touches the triangles around it.
+// Adds to `found` the points at which a ball touches triangles of the surface.  REQUIRES: the
+// centre `p` of the ball is above the rectangle that the heightfield covers.
 void TouchTriangles(const WorldThing& thing, const Vector3d& p, double radius_m,
                     std::vector<TouchPoint>* found) {
   const HeightGrid& grid = *thing.heights;
@@ -87,15 +88,16 @@ void TouchTriangles(const WorldThing& thing, const Vector3d& p, double radius_m,
         const double distance_m = way.norm();
         if (distance_m >= radius_m || distance_m == 0) continue;
         const Vector3d out = way / distance_m;
-        if (out.dot(NormalOf(triangle)) > 0)  // ignores a triangle that has the centre below it
+        // Ignores a triangle if the ball's centre is below the triangle.
+        if (out.dot(NormalOf(triangle)) > 0)
           found->push_back({p - radius_m * out, out, radius_m - distance_m});
       }
     }
   }
 }
 
-// Adds points of `found`, which are in T, to `points`: at most kHeightPointsMax, the deepest first.
-// Leaves out a point if `is_same` says that it is the same as a deeper one.
+// Converts points of `found` from T to W and adds them to `points`: at most kHeightPointsMax, the
+// deepest first.  Leaves out a point if `is_same` says that a deeper point is the same point.
 template <typename IsSame>
 void AddDeepest(std::vector<TouchPoint> found, const WorldThing& thing, IsSame is_same,
                 std::vector<TouchPoint>* points) {

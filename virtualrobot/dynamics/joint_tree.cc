@@ -20,7 +20,7 @@ double Dot(const JointTree::Spatial& a, const JointTree::Spatial& b) {
   return a.angular.dot(b.angular) + a.linear.dot(b.linear);
 }
 
-// Returns the matrix that turns any vector b into a x b.
+// Returns the matrix that, multiplied by any vector b, gives the cross product a x b.
 Matrix3d CrossMatrix(const Vector3d& a) {
   Matrix3d m;
   m << 0, -a.z(), a.y(),  //
@@ -130,8 +130,9 @@ void JointTree::BeginStep(const std::vector<TorqueLine>& lines, double gravity_m
   Factor();
 }
 
-// Fills the lower triangle of M + h B.  A part and all parts behind it are taken as one body with
-// their common inertia, because all of them move when the hinge of the part turns.
+// Fills the lower triangle of the matrix M + h B (see joint_tree.h).  A part and all parts behind
+// it are taken as one body with their common inertia, because all of them move when the hinge of
+// the part turns.
 void JointTree::FillMatrix(const std::vector<TorqueLine>& lines, double step_s) {
   for (int i = 0; i < parts(); ++i) {
     const Vector3d r = now_[i].centre_W - centre_W_;
@@ -302,7 +303,7 @@ void JointTree::EndStep(const std::vector<double>& impulses) {
     const double* const row = &row_[static_cast<size_t>(r) * Unknowns()];
     for (int i = row_unknown_[r]; i >= 0; i = parent_[i]) along_[i] += row[i] * impulses[r];
   }
-  // Computes in along_ the changes of the velocities from the momenta.
+  // Computes the changes of the velocities from the momenta in along_, and stores them in along_.
   for (int i = 0; i < Unknowns(); ++i) {
     const double* const row = RowOf(i);
     along_[i] /= row[i];
@@ -331,8 +332,8 @@ void JointTree::Move() {
 }
 
 void JointTree::HashState(Hasher* hasher) const {
-  // All numbers are collected first, because hashing one long run of bytes is faster than hashing
-  // many short ones.
+  // Collects all numbers first, because one long piece of bytes is hashed faster than many short
+  // pieces.
   std::vector<double> values;
   values.reserve(13 + 2 * parts_.size());
   values.insert(values.end(), q_WB_.coeffs().data(), q_WB_.coeffs().data() + 4);

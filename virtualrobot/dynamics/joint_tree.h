@@ -30,12 +30,12 @@ class Hasher;
 // A rigid part and the hinge that joins it to its parent.  Places and axes are given in the part's
 // own frame L, which coincides with B when all angles are 0.
 struct TreePart {
-  double mass_kg = 0;                                       // > 0
+  double mass_kg = 0;                                       // mass of the part, > 0
   Eigen::Matrix3d inertia_kg_m2 = Eigen::Matrix3d::Zero();  // about the centre of mass
-  Eigen::Vector3d centre_m{0, 0, 0};                        // centre of mass
-  int parent = -1;                                          // a lower index; -1 for the trunk
-  Eigen::Vector3d axis{0, 0, 0};                            // unit vector
-  Eigen::Vector3d anchor_m{0, 0, 0};                        // a point of the axis
+  Eigen::Vector3d centre_m{0, 0, 0};                        // place of the centre of mass
+  int parent = -1;  // index of the parent, lower than the part's own index; -1 for the trunk
+  Eigen::Vector3d axis{0, 0, 0};      // axis of the hinge, a unit vector
+  Eigen::Vector3d anchor_m{0, 0, 0};  // a point on the axis of the hinge
 };
 
 class JointTree {
@@ -63,7 +63,8 @@ class JointTree {
   // part; the angle of the trunk is not used.
   void Place(const Eigen::Isometry3d& X_WB, const std::vector<double>& angles_rad);
 
-  // The present motion.  X_WL maps a point of the part's frame to its place in W.
+  // The next functions return the present place and motion of the parts.  X_WL maps a point of the
+  // part's frame to its place in W.
   const Eigen::Matrix3d& R_WL(int part) const { return now_[part].R_WL; }
   const Eigen::Vector3d& centre_W(int part) const { return now_[part].centre_W; }
   Eigen::Isometry3d X_WL(int part) const;
@@ -78,13 +79,14 @@ class JointTree {
   // trunk is not used.
   void BeginStep(const std::vector<TorqueLine>& lines, double gravity_m_s2, double step_s);
 
-  // Adds a push, in N, at the point `p_W` to the step that has begun.
+  // Pushes `part` with `force_W`, in N, at the point `p_W` during the step that has begun.
   void AddForce(int part, const Eigen::Vector3d& force_W, const Eigen::Vector3d& p_W);
-  // Adds a torque, in N m, to the step that has begun.
+  // Turns `part` with `torque_W`, in N m, during the step that has begun.
   void AddTorque(int part, const Eigen::Vector3d& torque_W);
 
-  // Adds a row to J: the velocity of the point `p_W` of `part` along `direction_W`.  Called after
-  // all pushes.  Rows are numbered from 0 in each step.
+  // Adds a row to the Jacobian J: the velocity of the point `p_W` of `part` along `direction_W`.
+  // Called after all calls of AddForce() and AddTorque() of the step.  Rows are numbered from 0 in
+  // each step.
   void AddRow(int part, const Eigen::Vector3d& p_W, const Eigen::Vector3d& direction_W);
   int rows() const { return static_cast<int>(row_speed_.size()); }
 
@@ -138,29 +140,30 @@ class JointTree {
   void Move();
 
   const std::vector<TreePart> parts_;
-  // [unknown]: the next unknown on the way to unknown 0; -1 for unknown 0 itself.
+  // For each unknown: the next unknown on the way to unknown 0; -1 for unknown 0 itself.
   std::vector<int> parent_;
 
-  // The state: everything that decides the future.
+  // The state of the tree: all other members are computed from it in each step.
   Eigen::Quaterniond q_WB_ = Eigen::Quaterniond::Identity();
   Eigen::Vector3d centre_W_{0, 0, 0};  // the trunk's centre of mass
   Eigen::Vector3d v_W_{0, 0, 0}, w_W_{0, 0, 0};
-  std::vector<double> angle_rad_, speed_rad_s_;  // [part]
+  std::vector<double> angle_rad_, speed_rad_s_;  // one element for each part
 
-  std::vector<PartNow> now_;  // [part]
+  std::vector<PartNow> now_;  // one element for each part
 
-  // Values of the step that has begun.
+  // The members below belong to the step that BeginStep() has begun.
   double step_s_ = 0;
-  std::vector<Inertia> inertia_;  // [part]: inertia of the part and all parts behind it
-  // [part]: force that the present motion and gravity demand from these parts.
+  std::vector<Inertia> inertia_;  // for each part: inertia of the part and all parts behind it
+  // For each part: force that the present motion and gravity demand for the part and all parts
+  // behind it.
   std::vector<Spatial> force_;
   std::vector<double> matrix_;  // lower triangle, row by row; after Factor() its factors L and D
-  std::vector<double> along_;   // [unknown]: forces; after Eliminate() momenta
+  std::vector<double> along_;   // for each unknown: its force; after Eliminate() its momentum
   bool is_eliminated_ = false;
-  std::vector<double> row_;         // [row][unknown]: the inverse of L^T times J^T
-  std::vector<double> row_scaled_;  // [row][unknown]: row_ divided by D
-  std::vector<int> row_unknown_;    // [row]: the unknown of the part that the row is about
-  std::vector<double> row_speed_;   // [row]: FreeSpeed()
+  std::vector<double> row_;         // row_[row][unknown]: the inverse of L^T times J^T
+  std::vector<double> row_scaled_;  // row_scaled_[row][unknown]: row_ divided by D
+  std::vector<int> row_unknown_;   // for each row: the unknown of the part to which the row belongs
+  std::vector<double> row_speed_;  // for each row: the result of FreeSpeed()
 };
 
 }  // namespace openr_host

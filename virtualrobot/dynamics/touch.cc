@@ -61,8 +61,8 @@ Vector3d NearestToAxis(const Vector3d& a, const Vector3d& b, double half) {
   return a + std::clamp(t, from, to) * d;
 }
 
-// Adds the points of the box's edges that are in the cylinder.  Vectors are in the axes of the
-// cylinder.
+// Adds, for each edge of the box, the point of the edge that is deepest in the cylinder `thing`, if
+// the edge is in the cylinder.  Vectors are in the axes of the cylinder.
 void TouchByEdges(const Vector3d& centre, const Matrix3d& R, const Vector3d& half,
                   const WorldThing& thing, std::vector<TouchPoint>* points) {
   for (int axis = 0; axis < 3; ++axis) {
@@ -80,7 +80,8 @@ void TouchByEdges(const Vector3d& centre, const Matrix3d& R, const Vector3d& hal
   }
 }
 
-// Returns by how much the box and the cylinder overlap along the axis of the cylinder.
+// Returns the length, in m, by which the box and the cylinder `thing` overlap along the axis of the
+// cylinder.
 double OverlapAlongAxis(const Vector3d& centre, const Matrix3d& R, const Vector3d& half,
                         const WorldThing& thing) {
   const double reach =
@@ -88,9 +89,9 @@ double OverlapAlongAxis(const Vector3d& centre, const Matrix3d& R, const Vector3
   return thing.size_m.z() / 2 + reach - std::fabs(centre.z());
 }
 
-// Adds the points at which a face of the box is in the side of the cylinder.  Tests the middle and
-// the two ends of the side.  If the box is less deep in an end of the cylinder than in the side,
-// the box touches that end and not the side.
+// Adds the points at which the side of the cylinder `thing` is below a face of the box.  Tests
+// three points of the cylinder's side: its middle and its two ends.  If the box is less deep in an
+// end of the cylinder than in the side, the box touches that end and not the side.
 void TouchByFaces(const Vector3d& centre, const Matrix3d& R, const Vector3d& half,
                   const WorldThing& thing, std::vector<TouchPoint>* points) {
   const double radius_m = thing.size_m.x() / 2;
@@ -99,15 +100,15 @@ void TouchByFaces(const Vector3d& centre, const Matrix3d& R, const Vector3d& hal
     const Vector3d axis_point(0, 0, share * thing.size_m.z());
     const SurfaceDistance found =
         DistanceTo(ThingShape::kBox, 2 * half, R.transpose() * (axis_point - centre));
-    const Vector3d out = R * found.out;  // out of the box
+    const Vector3d out = R * found.out;  // direction out of the box
     const double depth_m = radius_m - found.distance_m;
     if (depth_m <= 0 || depth_m > depth_max_m || std::fabs(out.z()) > kUprightMax) continue;
     points->push_back({axis_point - radius_m * out, -out, depth_m});
   }
 }
 
-// Returns point `i` of the rim of an end of a cylinder, in the cylinder's axes.  `end` is -0.5 or
-// 0.5.
+// Returns point `i` on the rim of an end of a cylinder, in the cylinder's axes.  `end` is -0.5 for
+// the lower end and 0.5 for the upper end.
 Vector3d RimPoint(const Vector3d& size_m, double end, int i) {
   constexpr double kHalfRoot = 0.70710678118654752440;  // sine and cosine of 45 degrees
   constexpr double kX[kRimPoints] = {1, kHalfRoot, 0, -kHalfRoot, -1, -kHalfRoot, 0, kHalfRoot};
@@ -115,7 +116,7 @@ Vector3d RimPoint(const Vector3d& size_m, double end, int i) {
   return {radius_m * kX[i], radius_m * kX[(i + kRimPoints - 2) % kRimPoints], end * size_m.z()};
 }
 
-// Adds the points of the rims of the cylinder's ends that are in the box.
+// Adds those points on the rims of the cylinder's two ends that are in the box.
 void TouchByRims(const Vector3d& centre, const Matrix3d& R, const Vector3d& half,
                  const WorldThing& thing, std::vector<TouchPoint>* points) {
   for (const double end : {-0.5, 0.5}) {
@@ -152,8 +153,8 @@ void TouchByRimsAndSide(const WorldThing& cylinder, const WorldThing& thing, dou
     test(Vector3d(way.x() * scale, way.y() * scale, height * cylinder.size_m.z()));
 }
 
-// Keeps the deepest kBoxPointsMax points, the deepest first.  Points of equal depth keep their
-// order.
+// Sorts `points` by depth, the deepest first, and keeps only the first kBoxPointsMax points.
+// Points of equal depth keep their order.
 void KeepDeepestPoints(std::vector<TouchPoint>* points) {
   std::stable_sort(points->begin(), points->end(),
                    [](const TouchPoint& a, const TouchPoint& b) { return a.depth_m > b.depth_m; });
@@ -188,7 +189,7 @@ void TouchBox(const Vector3d& centre_W, const Matrix3d& R_WB, const Vector3d& si
     const SurfaceDistance found =
         DistanceTo(ThingShape::kBox, size_m, R_WB.transpose() * (thing.centre_m - centre_W));
     if (found.distance_m >= radius_m) return;
-    const Vector3d out_W = R_WB * found.out;  // out of the box
+    const Vector3d out_W = R_WB * found.out;  // direction out of the box
     points->push_back({thing.centre_m - radius_m * out_W, -out_W, radius_m - found.distance_m});
     return;
   }

@@ -13,14 +13,14 @@ namespace openr_host {
 
 struct TouchPoint {
   Eigen::Vector3d p_W{0, 0, 0};       // the deepest point of the shape or of the thing
-  Eigen::Vector3d normal_W{0, 0, 1};  // unit vector out of the thing
-  double depth_m = 0;                 // > 0
+  Eigen::Vector3d normal_W{0, 0, 1};  // unit vector that points out of the thing
+  double depth_m = 0;                 // depth of the shape in the thing, > 0
 };
 
 // Distance of a point from the surface of a shape, and the direction of the nearest way out.
 struct SurfaceDistance {
-  double distance_m = 0;         // < 0 inside
-  Eigen::Vector3d out{0, 0, 1};  // unit vector
+  double distance_m = 0;         // distance to the surface; < 0 for a point inside the shape
+  Eigen::Vector3d out{0, 0, 1};  // direction of the nearest way out, a unit vector
 };
 
 // Returns the distance of the point `p` from the surface of a shape.  `p` is in the shape's own
@@ -28,7 +28,7 @@ struct SurfaceDistance {
 SurfaceDistance DistanceTo(ThingShape shape, const Eigen::Vector3d& size_m,
                            const Eigen::Vector3d& p);
 
-// Adds the point at which a ball touches `thing`, if the ball touches it.
+// Adds the point at which a ball touches `thing` to `points`; adds nothing if they do not touch.
 void TouchBall(const Eigen::Vector3d& centre_W, double radius_m, const WorldThing& thing,
                std::vector<TouchPoint>* points);
 
@@ -39,8 +39,8 @@ void TouchBox(const Eigen::Vector3d& centre_W, const Eigen::Matrix3d& R_WB,
               const Eigen::Vector3d& size_m, const WorldThing& thing,
               std::vector<TouchPoint>* points);
 
-// Adds the points, at most kBoxPointsMax, at which `cylinder` touches `thing`: points of the rims
-// of their ends.  REQUIRES: both are cylinders.
+// Adds the points at which `cylinder` touches `thing` to `points`, at most kBoxPointsMax.  They are
+// points on the rims at the ends of both cylinders.  REQUIRES: both are cylinders.
 void TouchCylinders(const WorldThing& cylinder, const WorldThing& thing,
                     std::vector<TouchPoint>* points);
 

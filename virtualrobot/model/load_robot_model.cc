@@ -26,7 +26,7 @@ Vector3d Unit(const JsonReader& direction) {
   return v / v.norm();
 }
 
-// Returns the range that `pair` in the file describes.  `scale` is the file's unit in SI units.
+// Reads a range, a pair of numbers in the file.  `scale` converts the file's unit to the SI unit.
 Range Span(const JsonReader& pair, double scale) {
   const std::vector<double> v = pair.Numbers(2);
   if (v[0] > v[1]) pair.Fail("runs from {} to {}, must rise", v[0], v[1]);
@@ -208,7 +208,7 @@ void ReadLights(const JsonReader& root, RobotModel* model) {
                            row.Has("colour") ? row.At("colour").Text() : "",
                            row.Has("colour_b") ? row.At("colour_b").Text() : ""});
   }
-  if (!root.Has("plungers")) return;  // the ERS-220 has no plungers
+  if (!root.Has("plungers")) return;  // a model may have no plungers, as the ERS-220 has none
   for (const JsonReader& row : Rows(root, "plungers")) {
     row.AllowOnly({"name", "locator", "type", "on_rad", "off_rad", "place", "settle_ms", "mtn"});
     Plunger plunger;

@@ -25,7 +25,7 @@ struct PidGains {
 
 struct Range {
   double min = 0;
-  double max = 0;  // >= min
+  double max = 0;  // end of the range, >= min
 };
 
 // A rigid part of a robot.  Part 0 is the trunk, whose frame is B.  Every other part is the child
@@ -45,7 +45,7 @@ struct Paw {
   int body = -1;
   Eigen::Vector3d centre_m{0, 0, 0};
   double radius_m = 0;
-  int sensor = -1;  // index in RobotModel::sensors of the switch under the paw
+  int sensor = -1;  // index of the switch under the paw in RobotModel::sensors
 };
 
 // A motor with its hinge.  The angle of the joint is the right-handed rotation of part `child`
@@ -57,13 +57,15 @@ struct JointModel {
   int child = -1;
   Eigen::Vector3d axis{0, 0, 0};  // unit vector along a coordinate axis of B, in either direction
   Eigen::Vector3d anchor_m{0, 0, 0};
-  Range soft_rad;              // limits for set points
+  Range soft_rad;              // software limits, for set points
   Range hard_rad;              // mechanical stops
   Range speed_rad_s;           // lowest and highest speed of planned movements
   PidGains gains;              // the standard gains of the vendor
   double stall_torque_nm = 0;  // torque at full drive and speed 0, in N m; 0: not known
-  int sensor = -1;             // index in RobotModel::sensors
-  int mtn = -1;                // index in the key frames (postures) of motion files; -1: in none
+  int sensor = -1;             // index of the joint's sensor in RobotModel::sensors
+  // Index of the joint's angle in the key frames (postures) of motion files; -1 when motion files
+  // do not have this joint.
+  int mtn = -1;
 };
 
 struct Led {
@@ -99,8 +101,9 @@ struct DistanceRow {
 // A sensor.  Its index in RobotModel::sensors is also the index of its element in sensor vectors.
 struct Sensor {
   std::string name;
-  std::string
-      short_name;  // "chin", for commands and tests; "" for joints, which have names already
+  // Name for commands and tests, such as "chin"; "" for sensors of joints, which are found by the
+  // joint's name.
+  std::string short_name;
   std::string locator;
   SensorKind kind = SensorKind::kRaw;
   bool has_range = false;
@@ -109,8 +112,9 @@ struct Sensor {
   int paw = -1;              // kSwitch of a paw: index in RobotModel::paws; otherwise -1
   int body = -1;             // kDistance: index of the part that carries the sensor; -1: not known
   Eigen::Vector3d place_m{0, 0, 0};
-  Eigen::Vector3d direction{
-      0, 0, 0};  // unit vector; kDistance: of the ray, kAcceleration: of the axis in B
+  // Unit vector.  kDistance: direction of the ray.  kAcceleration: direction of the measured axis,
+  // in B.
+  Eigen::Vector3d direction{0, 0, 0};
   std::vector<DistanceRow> lookup;  // kDistance: at least two rows, in rising order of distance_m
 };
 
@@ -158,8 +162,8 @@ struct RobotModel {
   std::vector<Posture> postures;
   uint64_t content_hash = 0;  // hash of the text of the model file
 
-  // Return the index of the element with this name or locator; -1 when the model has no such
-  // element.
+  // The next functions return the index of the part, joint or sensor with this name or locator; -1
+  // when the model has no such element.
   int FindBody(std::string_view body_name) const;
   int FindJoint(std::string_view joint_name) const;
   int FindJointByLocator(std::string_view locator) const;

@@ -13,8 +13,8 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 // Maximum number of contacts of one box with the floor.  A box that lies flat touches with four
-// corners.  More corners are below the floor only when the box is deep in it, and then four
-// contacts are enough to push it out.
+// corners.  More than four corners are below the floor only when the box is deep in the floor.
+// Four contacts are then enough to push the box out.
 constexpr int kCornersMax = 4;
 
 // Number of contacts that ODE's box collider is asked for.  The collider finds at most eight, so we
@@ -22,7 +22,7 @@ constexpr int kCornersMax = 4;
 // whose bits differ between processors.
 constexpr int kPointsMax = 8;
 
-// Makes a geometry of the size of `thing`.
+// Makes an ODE geometry with the shape and the size of `thing`.
 dGeomID GeomOf(const WorldThing& thing) {
   const Vector3d& size = thing.size_m;
   if (thing.shape == ThingShape::kSphere) return dCreateSphere(nullptr, size.x() / 2);
@@ -231,13 +231,14 @@ void ContactFinder::FindBoxOnFloor(const Shape& box) {
   }
 }
 
-// Tests four points of the rim of each end: the lowest point, and the points that follow after a
-// quarter, a half and three quarters of the rim.
+// Adds the points at which a cylinder touches the floor.  Tests four points on the rim of each end:
+// the lowest point, and the points a quarter, a half and three quarters of the rim further.
 void ContactFinder::FindCylinderOnFloor(const Shape& cylinder) {
   const Vector3d centre_W = cylinder.CentreW();
   const Matrix3d R = cylinder.R_W();
   const double radius_m = cylinder.size_m.x() / 2;
-  // The z parts of the cylinder's x and y axes give the direction in which an end slopes down.
+  // Finds the direction, in the axes of the cylinder, in which its ends slope down.  The z parts of
+  // the cylinder's x and y axes give this direction.
   Vector3d down(-R(2, 0), -R(2, 1), 0);
   const double length = std::sqrt(down.x() * down.x() + down.y() * down.y());
   if (length > 0) {
@@ -261,8 +262,9 @@ void ContactFinder::FindCylinderOnFloor(const Shape& cylinder) {
   }
 }
 
-// ODE finds the contacts of boxes and balls with boxes.  All other pairs have a ball, a cylinder or
-// a heightfield; FindOnRound() takes the ball or the cylinder as `other`.
+// Adds the points at which `shape` touches `other`.  ODE finds the points if `other` is a box and
+// `shape` is a box or a ball.  All other pairs have a ball, a cylinder or a heightfield;
+// FindOnRound() gets the ball or the cylinder as its parameter `other`.
 void ContactFinder::FindOn(const Shape& shape, const Shape& other) {
   if (other.shape == ThingShape::kHeightField) return FindOnHeights(shape, other);
   const bool shape_is_cylinder = shape.shape == ThingShape::kCylinder;
@@ -315,7 +317,8 @@ void ContactFinder::FindOnRound(const Shape& shape, const Shape& other, bool swa
   AddTouches(shape, other, swapped);
 }
 
-// Adds touches_, whose normals point out of `other`, as contacts.
+// Converts the points in touches_ to contacts and adds these to points_.  The normals of touches_
+// point out of `other`.
 void ContactFinder::AddTouches(const Shape& shape, const Shape& other, bool swapped) {
   for (const TouchPoint& touch : touches_) {
     ContactPoint point;

@@ -1,9 +1,10 @@
 // Finds the points at which the robots and the movable things of a world touch the floor, fixed
 // things and one another.
 //
-// Our own code tests shapes against the floor, spheres and cylinders; ODE's colliders for boxes and
-// spheres do the rest. The parts of one robot are not tested against each other (docs/body.md says
-// why), so ODE's collision spaces are not needed.
+// Our own code finds the points at which shapes touch the floor, spheres, cylinders and
+// heightfields.  Other pairs of shapes are left to ODE's colliders for boxes and spheres.  The
+// parts of one robot are not tested against each other (docs/body.md says why), so ODE's collision
+// spaces are not needed.
 #pragma once
 
 #include <ode/ode.h>
@@ -18,8 +19,8 @@ namespace openr_host {
 
 // A part or a thing that touches another one.
 struct ContactSide {
-  int tree = -1;  // number of the JointTree that moves it; -1: the floor or a fixed thing
-  int part = 0;   // part of the tree
+  int tree = -1;  // number of the JointTree that moves this side; -1: the floor or a fixed thing
+  int part = 0;   // index of the part in the tree
 };
 
 struct ContactPoint {
@@ -27,7 +28,7 @@ struct ContactPoint {
   ContactSide other;  // the side that `side` touches
   int paw = -1;       // index in RobotModel::paws; -1 when no paw touches
   Eigen::Vector3d p_W{0, 0, 0};
-  Eigen::Vector3d normal_W{0, 0, 1};  // unit vector out of `other`
+  Eigen::Vector3d normal_W{0, 0, 1};  // unit vector that points out of `other`
   double depth_m = 0;                 // penetration depth, >= 0
 };
 
@@ -45,8 +46,9 @@ class ContactFinder {
   // of `model`.  `model` and `bodies` must outlive the finder.
   void AddRobot(int tree, const RobotModel& model, const std::vector<dBodyID>& bodies);
 
-  // Returns the points that touch now: first the points of the movable things, then the points of
-  // each robot, in the order of its model.  The result is valid until the next call.
+  // Returns all points at which something touches something else now: first the points of the
+  // movable things, then the points of each robot, in the order of its model.  The result is valid
+  // until the next call.
   const std::vector<ContactPoint>& Find();
 
  private:
@@ -57,7 +59,7 @@ class ContactFinder {
     bool IsApartFrom(const Room& other) const;
   };
 
-  // A box or a ball of a robot, or a thing.
+  // A shape that can touch others: a box or a ball of a robot, or a thing.
   struct Shape {
     ThingShape shape = ThingShape::kBox;
     Eigen::Vector3d size_m{0, 0, 0};  // has the meaning of WorldThing::size_m
@@ -83,7 +85,8 @@ class ContactFinder {
   void FindRoom(Robot* robot);
   void FindOnOthers(const Shape& shape, size_t robot);
 
-  // Add the points at which a shape touches the floor or another shape.
+  // The next functions add the points at which a shape touches the floor or another shape to
+  // points_.
   void FindOnFloor(const Shape& shape);
   void FindBallOnFloor(const Shape& ball);
   void FindBoxOnFloor(const Shape& box);

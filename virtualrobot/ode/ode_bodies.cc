@@ -23,7 +23,8 @@ dBodyID MakeBodyOfThing(dWorldID world, const WorldThing& thing) {
   const Vector3d& size = thing.size_m;
   dMass mass;
   switch (thing.shape) {
-    case ThingShape::kHeightField:  // never moves: its file format has no mass
+    // A heightfield never moves, because world files give it no mass.
+    case ThingShape::kHeightField:
     case ThingShape::kBox:
       dMassSetBoxTotal(&mass, thing.mass_kg, size.x(), size.y(), size.z());
       break;

@@ -1,4 +1,4 @@
-// The parts of a robot as bodies of ODE.
+// Makes, places and reads bodies of ODE, for the parts of robots and for movable things.
 #pragma once
 
 #include <ode/ode.h>
@@ -29,7 +29,7 @@ double MassOf(dBodyID body);
 // Returns the inertia of `body` about its centre of mass, in its own axes, in kg m^2.
 Eigen::Matrix3d InertiaOf(dBodyID body);
 
-// Returns the rotation of `body`, R_WL.
+// Returns the rotation R_WL of `body`, from its own axes L to W.
 Eigen::Matrix3d RotationOf(dBodyID body);
 
 inline Eigen::Vector3d ToEigen(const dReal* v) { return {v[0], v[1], v[2]}; }

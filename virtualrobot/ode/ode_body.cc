@@ -29,7 +29,7 @@ constexpr double kHandForce_n = 60, kHandTorque_nm = 5;
 // The largest distance of a part of a robot from the origin of the robot's base.
 constexpr double kReach_m = 0.6;
 
-// Returns how a robot lies asleep at the place `start`.
+// Returns the pose in which a robot lies at `start` in the sleeping posture.
 RestingPose StartPose(const RobotModel& model, const StartPlace& start) {
   RestingPose pose = PlaceOnFloor(model, model.PostureAngles("sleep"));
   pose.X_WB = MovedTo(start, pose.X_WB);
@@ -149,12 +149,14 @@ void OdeBody::EndFrame() {
     JointState& joint = state_.joints[j];
     joint.drive = servos_[j].Drive(joint.angle_rad, joint.speed_rad_s);
   }
-  const Vector3d acceleration_W = (state_.v_WB - v_before_W_) / kFrame_s;  // mean of the frame
+  // The acceleration is the mean over the frame.
+  const Vector3d acceleration_W = (state_.v_WB - v_before_W_) / kFrame_s;
   state_.gravity_B =
       state_.X_WB.linear().transpose() * (Vector3d(0, 0, -kGravity_m_s2) - acceleration_W);
 }
 
-// Puts ODE's bodies where the parts of the tree are.
+// Moves ODE's bodies to the places of the tree's parts, because collisions are found with ODE's
+// bodies.
 void OdeBody::PlaceBodies() {
   for (int i = 0; i < tree_->parts(); ++i)
     PlaceBody(bodies_[i], tree_->centre_W(i), tree_->R_WL(i));

@@ -20,9 +20,9 @@ namespace openr_host {
 
 class OdeBody : public Body {
  public:
-  // Make a body in the model's sleeping posture, alone in a world of its own or in `world`.
-  // `model` must outlive the body.  Throw std::runtime_error when `model` has a part without box or
-  // mass, or a joint without torque.
+  // The next two constructors make a body in the model's sleeping posture, alone in a world of its
+  // own or in `world`.  `model` must outlive the body.  They throw std::runtime_error when `model`
+  // has a part without box or mass, or a joint without torque.
   OdeBody(const RobotModel& model, const World& world, const OdeSettings& settings = {});
   OdeBody(const RobotModel& model, std::shared_ptr<PhysicsWorld> world, const StartPlace& start);
   // Makes a body, alone in its world, at rest at `pose` with the joint angles `angles_rad`.
@@ -54,7 +54,9 @@ class OdeBody : public Body {
   // Begins a step of `step_s` seconds: sets up the tree with the forces of servos, pushes and hand.
   void BeginStep(double step_s);
   void NotePawContact(int paw) { state_.paws[paw] = true; }
-  // Adds a force that presses paw `paw`, averaged over the frame.
+  // Adds `force_n` to the force that presses paw `paw` in this frame.  The caller has divided the
+  // impulse of a step by the length of the frame, so that the sum over all steps is the average
+  // over the frame.
   void NotePawForce(int paw, double force_n) {
     state_.paw_forces_n[static_cast<size_t>(paw)] += force_n;
   }
@@ -82,7 +84,7 @@ class OdeBody : public Body {
   std::vector<dxBody*> bodies_;          // in the order of RobotModel::bodies
   std::unique_ptr<JointTree> tree_;
   std::vector<Servo> servos_;  // in the order of RobotModel::joints
-  // Lines of the joints that move the parts; order of RobotModel::bodies.
+  // The torque line of the joint that moves each part, in the order of RobotModel::bodies.
   std::vector<TorqueLine> lines_;
   std::vector<PushForce> pushes_;             // forces that act during the next Advance()
   std::optional<Eigen::Isometry3d> held_at_;  // the pose to which a hand pulls the base

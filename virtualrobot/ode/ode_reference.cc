@@ -52,7 +52,7 @@ OdeReference::OdeReference(const RobotModel& model, const World& world, const Is
 OdeReference::~OdeReference() {
   finder_.reset();
   dJointGroupDestroy(contacts_);
-  dWorldDestroy(world_);  // also destroys its bodies and hinges
+  dWorldDestroy(world_);  // destroys the world with its bodies and hinges
 }
 
 void OdeReference::Advance(const std::vector<JointCommand>& commands) {

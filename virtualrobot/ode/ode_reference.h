@@ -2,9 +2,9 @@
 // motion of OdeBody with the motion of this robot, and the bench compares their times.  No run of
 // the program uses OdeReference.
 //
-// ODE knows 6 numbers for each part and holds the parts together by 5 equations for each hinge.
-// The torque line of a servo, t = t0 - b v, is the motor of its hinge: such a motor obeys
-// v = vel - cfm * t, so vel = t0 / b and cfm = 1 / b.
+// Unlike JointTree, ODE computes 6 velocities for each part and holds the parts together by 5
+// equations for each hinge.  The torque line of a servo, t = t0 - b v, is the motor of its hinge:
+// such a motor obeys v = vel - cfm * t, so vel = t0 / b and cfm = 1 / b.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -38,11 +38,12 @@ class OdeReference {
   // Pushes part `part` with `force_W`, in N, at `p_W` during the next frame.
   void Push(int part, const Eigen::Vector3d& force_W, const Eigen::Vector3d& p_W);
 
-  // The present motion.
+  // The next functions return the present angles and speeds of the joints, and the places and
+  // velocities of the parts.
   double angle_rad(int joint) const;
   double speed_rad_s(int joint) const;
   Eigen::Vector3d centre_W(int part) const;
-  Eigen::Vector3d v_W(int part) const;  // velocity of the centre of mass
+  Eigen::Vector3d v_W(int part) const;  // velocity of the part's centre of mass
   Eigen::Vector3d w_W(int part) const;
 
  private:

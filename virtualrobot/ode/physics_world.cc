@@ -48,7 +48,7 @@ PhysicsWorld::PhysicsWorld(const World& world, const OdeSettings& settings)
 PhysicsWorld::~PhysicsWorld() {
   // The finder is destroyed first, because it refers to bodies of the world.
   finder_.reset();
-  dWorldDestroy(ode_);  // also destroys its bodies
+  dWorldDestroy(ode_);  // destroys the world with its bodies
 }
 
 void PhysicsWorld::AddMover(size_t thing) {
@@ -84,10 +84,10 @@ void PhysicsWorld::Advance() {
   for (OdeBody* const robot : robots_) robot->EndFrame();
 }
 
-// Advances everything by one step of `step_s` seconds.
+// Moves all robots and movable things by one step of `step_s` seconds.
 void PhysicsWorld::Step(double step_s) {
-  // Without this call, the code below, which is SSE code, may run at a third of its speed after AVX
-  // code.
+  // The code of a step uses SSE.  After AVX code has run, SSE code may run at a third of its speed
+  // until the upper halves of the registers are cleared.
   ClearUpperRegisters();
   static const std::vector<TorqueLine> kNoLine(1);
   for (Mover& mover : movers_) mover.tree.BeginStep(kNoLine, kGravity_m_s2, step_s);
@@ -110,8 +110,8 @@ void PhysicsWorld::Step(double step_s) {
   for (OdeBody* const robot : robots_) robot->EndStep();
 }
 
-// Brakes the rotation of round things that touch something.  The torque stops a slow rotation but
-// never reverses it.
+// Brakes the rotation of spheres and cylinders that touch something, as rolling resistance does.
+// The torque stops a slow rotation but never reverses it.
 void PhysicsWorld::BrakeRolling(const std::vector<ContactPoint>& points, double step_s) {
   for (size_t i = 0; i < movers_.size(); ++i) {
     JointTree& tree = movers_[i].tree;
@@ -127,8 +127,8 @@ void PhysicsWorld::BrakeRolling(const std::vector<ContactPoint>& points, double 
   }
 }
 
-// Adds three rows for each contact to the trees of its sides, and tells the robots which of their
-// paws touch something.
+// Adds three rows for each contact to the trees of both sides of the contact, and tells the robots
+// which of their paws touch something.
 void PhysicsWorld::AddRows(const std::vector<ContactPoint>& points) {
   rows_.clear();
   for (const ContactPoint& point : points) {
@@ -170,7 +170,8 @@ int PhysicsWorld::GroupOf(int tree) const {
   return tree;
 }
 
-// Finds the impulses of the contacts of a group.  A contact that is left out has no impulse.
+// Finds the impulses of the contacts of a group and stores them in impulses_.  If the group has too
+// many contacts, the least deep are left out and get no impulse.
 void PhysicsWorld::SolveGroup(const std::vector<ContactPoint>& points, int group, double step_s) {
   contacts_of_group_.clear();
   for (size_t i = 0; i < points.size(); ++i) {
@@ -228,7 +229,7 @@ double PhysicsWorld::Mobility(const RowSides& a, const RowSides& b) const {
   return sum;
 }
 
-// Puts ODE's body and the thing where the tree is.
+// Moves the thing and its body of ODE to the place of the thing's tree.
 void PhysicsWorld::PlaceMover(Mover* mover) {
   WorldThing& thing = things_[mover->thing];
   thing.centre_m = mover->tree.centre_W(0);

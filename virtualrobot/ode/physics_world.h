@@ -48,7 +48,7 @@ class PhysicsWorld {
   const OdeSettings& settings() const { return settings_; }
   dxWorld* ode() const { return ode_; }
 
-  // The things in their present places, in the order of World::things.
+  // Returns the things of the world in their present places, in the order of World::things.
   const std::vector<WorldThing>& things() const { return things_; }
   const std::vector<OdeBody*>& robots() const { return robots_; }
 
@@ -71,9 +71,9 @@ class PhysicsWorld {
   void HashThings(Hasher* hasher) const;
 
  private:
-  // A movable thing.
+  // A thing of the world that can move.
   struct Mover {
-    size_t thing;  // index of World::things
+    size_t thing;  // index of the thing in World::things
     dxBody* body;
     JointTree tree;
     // The largest torque that brakes the rotation of the thing, and the least inertia of the thing.
@@ -111,11 +111,13 @@ class PhysicsWorld {
   std::unique_ptr<ContactFinder> finder_;
   bool is_awaited_ = false;
 
-  // Values of the present step.
-  std::vector<RowSides> rows_;             // three for each contact
-  std::vector<int> groups_;                // [tree]: a tree of the same group with a lower number
+  // The members below belong to the present step.
+  std::vector<RowSides> rows_;  // three rows for each contact
+  // For each tree, the number of a tree of the same group, which is not higher (see GroupOf()).
+  std::vector<int> groups_;
   std::vector<size_t> contacts_of_group_;  // contacts of the group that is solved
-  std::vector<std::vector<double>> impulses_;  // [tree][row of the tree]
+  // The impulses of the present step: impulses_[tree][row of the tree].
+  std::vector<std::vector<double>> impulses_;
   ContactEquations equations_;
   ContactForces forces_;
 };

@@ -34,7 +34,7 @@ class OVirtualRobotAudioComm : public CodeObject {
   void NotifySpeaker(const ONotifyEvent& event);
   void Frame();
 
-  // Asserts ready to the subjects whose vectors are over, so that they send the next ones.
+  // Asserts ready to each subject whose vector is over, so that the subject sends its next vector.
   void GiveReadies();
   void PlayFrame();
 

@@ -21,22 +21,24 @@ class Microphone {
   // vectors.  REQUIRES: frames_per_vector > 0.
   Microphone(std::unique_ptr<SoundSource> source, OPrimitiveID id, int frames_per_vector);
 
-  // Change the settings for which OPEN-R has the requests oprmreqMIC_*.  The settings do not change
-  // the sound, because their effect on the robot is not known.
+  // The functions set_directional() and set_level_control() change the settings for which OPEN-R
+  // has the requests oprmreqMIC_*.  The settings do not change the sound, because their effect on
+  // the robot is not known.
   void set_directional(bool directional) { settings_.directional = directional; }
   void set_level_control(bool on) { settings_.level_control = on; }
 
   // Returns whether a vector is complete when frame `frame` begins.
   bool Due(int64_t frame) const { return frame > 0 && frame % frames_per_vector_ == 0; }
 
-  // Returns a vector with the sound of the frames before `frame`, in a region to which no object
-  // refers.  This Microphone keeps the only reference to the region.  REQUIRES: Due(frame); called
-  // in a handler of an object, because RCRegion counts references per object.
+  // Returns a vector with the sound of the frames_per_vector frames before `frame`.  The vector is
+  // in a free region: only this Microphone holds a reference to it.  REQUIRES: Due(frame) is true,
+  // and a handler of an object runs, because a new region belongs to the object that runs.
   RCRegion* MakeVector(int64_t frame);
 
-  // Sets the settings as they are at boot, and gives up the regions of all vectors.  The robot is
-  // switched off in frame `frame`.  After the next boot, when frames count from 0 again, the source
-  // goes on with this frame.  REQUIRES: the object that sends the vectors is the current object.
+  // Sets the settings as they are at boot, and gives up the references to the regions of all
+  // vectors.  The robot is switched off in frame `frame`.  After the next boot, when frames count
+  // from 0 again, the source goes on with this frame.  REQUIRES: the object that sends the vectors
+  // is the current object.
   void SwitchOff(int64_t frame);
 
   void HashState(Hasher* hasher) const;
@@ -45,7 +47,7 @@ class Microphone {
   RCRegion* FreeVector();
 
   struct Settings {
-    bool directional = false;  // the values at boot are our choice
+    bool directional = false;  // how the microphones are set at boot is our choice
     bool level_control = false;
   };
 
@@ -53,7 +55,7 @@ class Microphone {
   const OPrimitiveID id_;
   const int frames_per_vector_;
   Settings settings_;
-  int64_t first_frame_ = 0;  // frame of the source in which the frames of this boot begin
+  int64_t first_frame_ = 0;  // frame of the source that is heard in frame 0 after the present boot
   VectorPool pool_;
 };
 

@@ -15,14 +15,15 @@ namespace openr_host {
   F(sf_seek) F(sf_strerror) F(sf_write_short)
 // clang-format on
 
-// The functions of the loaded library, under their names.
+// Pointers to the functions of libsndfile; each member has the name of its function.
 struct SndfileFunctions {
 #define OPENR_SNDFILE_POINTER(name) decltype(&::name) name;
   OPENR_SNDFILE_FUNCTIONS(OPENR_SNDFILE_POINTER)
 #undef OPENR_SNDFILE_POINTER
 };
 
-// Returns the functions.  Throws std::runtime_error if the library cannot be loaded.
+// Returns the functions of libsndfile; the first call loads the library.  Throws std::runtime_error
+// if the library cannot be loaded.
 const SndfileFunctions& Sndfile();
 
 }  // namespace openr_host

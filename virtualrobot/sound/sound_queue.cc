@@ -12,7 +12,8 @@
 namespace openr_host {
 namespace {
 
-// Returns the reason why the sound is not played; "" when it is played.
+// Returns the reason why the speaker does not play the sound of `info`; "" when the speaker plays
+// it.
 std::string Objection(const OSoundInfo& info, const Primitive* primitive) {
   if (primitive == nullptr || primitive->type != oprimitiveSPEAKER || !primitive->opened()) {
     return fmt::format("names primitive {:#x}, which {}", info.primitiveID,
@@ -27,8 +28,8 @@ std::string Objection(const OSoundInfo& info, const Primitive* primitive) {
   return "";
 }
 
-// Returns a text if the vector names a rate, sample size or number of channels that differs from
-// the speaker's; otherwise "".
+// Returns a warning if `info` names a rate, sample size or number of channels that differs from the
+// speaker's settings; otherwise "".
 std::string Mismatch(const OSoundInfo& info, const SoundType& type) {
   const auto says = [](word said, int set) { return said != 0 && said != set; };
   if (!says(info.samplingRate, type.rate_hz()) &&
@@ -107,9 +108,9 @@ void SoundQueue::Start(int64_t frame, bool behind_another, std::vector<SoundProb
   const SentVector vector = ReadSentVector(playing_.region.get(), sizeof(OSoundInfo),
                                            "sound vector", robot_.system, &found);
   const int64_t wait = WaitOf(vector, &found);
-  // Begins a vector that asks for no delay in the middle of `frame`, where the vector before ended.
-  // A delay counts whole frames, from the next frame on if `frame` has still played a part of that
-  // vector.
+  // A vector that asks for no delay begins in the middle of `frame`, where the vector before it
+  // ended.  A delay counts whole frames.  If `frame` has played a part of the vector before, the
+  // delay begins with the next frame.
   start_ = wait == 0 ? frame : frame + (behind_another ? 1 : 0) + wait;
   if (vector.header != nullptr && !NamesItsMemory(vector, robot_.system)) {
     found.push_back(fmt::format(
@@ -162,7 +163,8 @@ bool SoundQueue::Fill(int64_t frame, SoundFrame* samples, std::vector<SoundProbl
       filled = Copy(filled, samples);
       played = true;
     } else {
-      filled = kSoundSamplesPerFrame;  // a vector without sound takes the rest of the frame
+      // A vector without sound lasts until the end of this frame.
+      filled = kSoundSamplesPerFrame;
     }
     if (sound_ < sounds_.size()) continue;
     finished_.push_back(std::move(playing_));

@@ -3,7 +3,7 @@
 //
 // A vector that comes to an empty queue begins with the next frame of 8 ms.  The vector is over
 // after the frame that plays its last sample; then its subject gets a ready (Level 2 Reference
-// Guide, 3.2).  A vector that has no sound or is refused takes one frame.
+// Guide, 3.2).  A vector that has no sound, or that the speaker refuses, takes one frame.
 #pragma once
 
 #include <OPENR/ODataFormats.h>
@@ -55,7 +55,7 @@ class SoundQueue {
   // Returns false when no sound is played.  Adds to `problems` the mistakes in vectors that start.
   bool Fill(int64_t frame, SoundFrame* samples, std::vector<SoundProblem>* problems);
 
-  // Drops all vectors, and gives their regions back.
+  // Drops all vectors, and gives up the references to their regions.
   void Clear();
 
   bool busy() const { return !waiting_.empty() || !finished_.empty() || playing_.region; }
@@ -67,9 +67,9 @@ class SoundQueue {
     SubjectID subject;
   };
 
-  // A sound of the vector that plays.
+  // One sound of the vector that plays; a vector may have several.
   struct Sound {
-    const byte* data;  // null: silence
+    const byte* data;  // the samples in the vector; null: silence
     int64_t samples;   // number of samples at the rate of the sink
     int bytes_per_sample;
     int repeat;  // number of samples of the sink that one sample of the data fills
@@ -91,7 +91,7 @@ class SoundQueue {
   int64_t start_ = 0;
   std::vector<Sound> sounds_;
   size_t sound_ = 0;      // index of the sound that plays
-  int64_t position_ = 0;  // index of the next sample of this sound
+  int64_t position_ = 0;  // index of the next sample of the sound that plays
   std::deque<Sent> finished_;
 };
 

@@ -9,8 +9,9 @@
 
 namespace openr_host {
 
-constexpr int kSoundRate = 16'000;  // in Hz; in sound of 8 kHz, every sample is played twice
-constexpr int kSoundSamplesPerFrame = 128;  // number of samples in 8 ms
+// Rate of the sound that a sink takes, in Hz.  Every sample of a sound of 8 kHz is played twice.
+constexpr int kSoundRate = 16'000;
+constexpr int kSoundSamplesPerFrame = 128;  // number of samples in a frame (8 ms)
 
 // Samples of one frame of 8 ms, mono.
 using SoundFrame = std::array<int16_t, kSoundSamplesPerFrame>;

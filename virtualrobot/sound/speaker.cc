@@ -19,11 +19,11 @@ constexpr double kOneStep = 0.9995503774595479;
 
 constexpr sword Signed(longword volume) { return static_cast<sword>(volume & 0xffff); }
 
-// Returns the factor of loudness of `volume`.  The factor is 1 at -10 dB, because this is the
-// highest volume for which the circuit of the robot is made.
+// Returns the factor by which samples are multiplied at the volume `volume`.  The factor is 1 at
+// -10 dB, because this is the highest volume for which the circuit of the robot is made.
 double GainOf(longword volume) {
   if ((volume & 0xffff) == ospkvolinfdB) return 0;
-  int below = Signed(ospkvol10dB) - Signed(volume);  // in 1/256 dB
+  int below = Signed(ospkvol10dB) - Signed(volume);  // distance below -10 dB, in 1/256 dB
   double gain = 1;
   for (; below >= 256; below -= 256) gain *= kOneDecibel;
   for (; below > 0; --below) gain *= kOneStep;

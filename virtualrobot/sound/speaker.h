@@ -15,13 +15,14 @@ namespace openr_host {
 
 class Hasher;
 
-// A type of sound that the speaker plays: 8 kHz with 8 bits or 16 kHz with 16 bits, mono, signed.
+// A type of sound that the speaker plays: 8 kHz with 8 bits, or 16 kHz with 16 bits; both are mono
+// and signed.
 struct SoundType {
   longword type;
   int bytes_per_sample;
   int samples_per_frame;  // number of samples in a frame of 8 ms
   int rate_hz() const { return samples_per_frame * 125; }
-  // Returns the size of a vector of 32 ms.
+  // Returns the number of bytes of sound in a vector that lasts 32 ms.
   int bytes_per_vector() const { return 4 * samples_per_frame * bytes_per_sample; }
 };
 
@@ -81,7 +82,7 @@ class Speaker {
   std::unique_ptr<SoundSink> sink_;
   Settings settings_;
   Sound newest_;
-  int64_t first_frame_ = 0;  // frame of the sink in which the frames of this boot begin
+  int64_t first_frame_ = 0;  // frame of the sink in which frame 0 after the present boot is played
 };
 
 }  // namespace openr_host

@@ -85,7 +85,7 @@ WavSound ReadWavFile(const std::string& file) {
 std::vector<OSoundSampleStereo16> ToStereo(const WavSound& sound, int rate_hz) {
   ASSERT(sound.channels > 0 && sound.rate_hz > 0 && rate_hz > 0, "{} channels, {} to {} Hz",
          sound.channels, sound.rate_hz, rate_hz);
-  // Converts with integers only, so that every machine gets the same samples.
+  // Computes with integers only, so that every machine gets the same samples.
   const auto channels = static_cast<size_t>(sound.channels);
   const size_t length = sound.samples.size() / channels;
   const auto at = [&](size_t index, size_t channel) -> int64_t {

@@ -11,7 +11,7 @@ namespace openr_host {
 
 struct WavSound {
   int rate_hz = 0;
-  int channels = 0;              // 1 or 2
+  int channels = 0;              // number of channels: 1 or 2
   std::vector<int16_t> samples;  // interleaved; an 8-bit sample is in the upper byte
 };
 

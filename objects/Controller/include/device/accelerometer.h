@@ -12,7 +12,8 @@
 extern "C" {
 #endif
 
-/* Both functions do nothing, because the values can always be read. */
+/* accelerometer_enable() and accelerometer_disable() do nothing, because the values can always be
+ * read. */
 void accelerometer_enable(DeviceTag sensor, unsigned short ms);
 void accelerometer_disable(DeviceTag sensor);
 

@@ -13,12 +13,13 @@
 extern "C" {
 #endif
 
-/* Switch images on and off.  `ms` is ignored: there are always 25 images a second.  Images need 76
- * KB of memory. */
+/* camera_enable() switches images on, camera_disable() off.  `ms` is ignored: there are always 25
+ * images a second.  Images need 76 KB of memory. */
 void camera_enable(DeviceTag camera, unsigned short ms);
 void camera_disable(DeviceTag camera);
 
-/* Return the size of an image in pixels: 176 x 144 on the ERS-210; 0 for other devices. */
+/* The next two functions return the size of an image in pixels: 176 x 144 on the ERS-210; 0 for
+ * other devices. */
 unsigned short camera_get_width(DeviceTag camera);
 unsigned short camera_get_height(DeviceTag camera);
 

@@ -11,7 +11,8 @@
 extern "C" {
 #endif
 
-/* Both functions do nothing, because the value can always be read. */
+/* distance_sensor_enable() and distance_sensor_disable() do nothing, because the value can
+ * always be read. */
 void distance_sensor_enable(DeviceTag sensor, unsigned short ms);
 void distance_sensor_disable(DeviceTag sensor);
 

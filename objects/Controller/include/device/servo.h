@@ -14,7 +14,8 @@
 extern "C" {
 #endif
 
-/* Both functions do nothing, because positions can always be read. */
+/* servo_enable_position() and servo_disable_position() do nothing, because positions can always be
+ * read. */
 void servo_enable_position(DeviceTag servo, unsigned short ms);
 void servo_disable_position(DeviceTag servo);
 
@@ -27,7 +28,7 @@ void servo_set_position(DeviceTag servo, float position);
 void servo_set_velocity(DeviceTag servo, float velocity);
 void servo_set_acceleration(DeviceTag servo, float acceleration);
 
-/* Does nothing. */
+/* Does nothing: the largest torque of a joint does not change. */
 void servo_set_force(DeviceTag servo, float force);
 
 /* Switches the motor of a joint off until servo_set_position().  The joint becomes limp. */

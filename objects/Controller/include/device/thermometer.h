@@ -12,7 +12,8 @@
 extern "C" {
 #endif
 
-/* Both functions do nothing, because the value can always be read. */
+/* thermometer_enable() and thermometer_disable() do nothing, because the value can always be
+ * read. */
 void thermometer_enable(DeviceTag sensor, unsigned short ms);
 void thermometer_disable(DeviceTag sensor);
 

@@ -11,7 +11,8 @@
 extern "C" {
 #endif
 
-/* Both functions do nothing, because the value can always be read. */
+/* touch_sensor_enable() and touch_sensor_disable() do nothing, because the value can always be
+ * read. */
 void touch_sensor_enable(DeviceTag sensor, unsigned short ms);
 void touch_sensor_disable(DeviceTag sensor);
 
