@@ -205,9 +205,8 @@ bool FolderBuild::HasFailure(const ObjectFolder& object) const {
   });
 }
 
-// Returns the objects that have no image from this build and no failed source.  Objects with a
-// failed source are left out, because this source would fail again if the object were built in
-// another way.
+// Returns the objects that have no image from this build and no failed source.  A failed source
+// would fail again if its object were built in another way.
 std::vector<ObjectFolder> FolderBuild::NotBuilt() const {
   const KitLog log = ReadKitLog(make_.log);
   std::vector<ObjectFolder> objects;
@@ -221,9 +220,8 @@ std::vector<ObjectFolder> FolderBuild::NotBuilt() const {
   return objects;
 }
 
-// Returns about how many sources the build compiles: the sources that were found, and the generated
-// stub of each stub.cfg.  The number is not exact, because Makefiles may name more or fewer
-// sources.
+// Returns about how many sources the build compiles: the sources found, and the stub of each
+// stub.cfg.  The number is not exact, because Makefiles may name more or fewer.
 uint64_t FolderBuild::CountSources() const {
   uint64_t count = project_.shared_sources.size();
   for (const ObjectFolder& object : project_.objects)
@@ -335,8 +333,7 @@ void FolderBuild::TryConvention(const std::vector<ObjectFolder>& objects, const 
 }
 
 void FolderBuild::Deliver() {
-  // Scans the folders again, because the rules of Makefiles may have made Memory Sticks in these
-  // folders.
+  // Scans again, because the rules of Makefiles may have made Memory Sticks in the folders.
   Project after = ScanProject(copied_folders_);
   if (after.sticks.empty()) after.sticks.push_back({after.root / "MS", {}, {}});
   wants_all_ = std::all_of(after.sticks.begin(), after.sticks.end(),

@@ -186,8 +186,8 @@ TEST(MotionLogCompareTest, ALagBelowOneKeyFrameIsFound) {
 }
 
 TEST(MotionLogCompareTest, OffsetAndGainDoNotMoveTheLag) {
-  const auto differences =
-      CompareTraces(Moving(SwingAngle), Moving([](double t) { return 5 + 0.8 * SwingAngle(t - 40); }, 40));
+  const auto differences = CompareTraces(
+      Moving(SwingAngle), Moving([](double t) { return 5 + 0.8 * SwingAngle(t - 40); }, 40));
   EXPECT_NEAR(differences[0].lag_ms.value_or(0), 40, 1);
   EXPECT_NEAR(differences[0].gain.value_or(0), 0.8, 0.01);
 }
