@@ -101,7 +101,7 @@ class Replayer : public KnownRun {
   bool IsAnswer(const TraceRecord& record) const;
   void CompareAnswerOf(const Message& message, const TraceRecord& record);
   void MakeRun(SimulationOptions options);
-  void ComparePayload(const TraceEntry& recorded, const Message& message);
+  void ComparePayload(const TraceEntry& recorded, const Message& message, uint64_t hash);
   bool ApplyInput();
   void EndAtLoss();
   void CompareEnd(const TraceEntry& end);

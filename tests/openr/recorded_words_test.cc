@@ -29,8 +29,8 @@ class RecordedWordsTest : public testing::Test {
     return replayer.difference();
   }
 
-  // Makes a copy of the recording, with the descriptions of messages of the network stack changed
-  // by `change`.
+  // Makes a copy of the recording, with the entries of messages of the network stack changed by
+  // `change`.
   template <typename Change>
   std::string CopyWithDescriptions(Change change) const {
     const std::string copy = folder_.File("copy.rec");
@@ -38,7 +38,7 @@ class RecordedWordsTest : public testing::Test {
     TraceWriter writer(copy, reader.header());
     while (reader.Peek() != nullptr) {
       TraceEntry entry = reader.Take();
-      if (entry.payload.starts_with("IPStack: ")) change(&entry.payload);
+      if (entry.payload.starts_with("IPStack: ")) change(&entry);
       writer.AddEntry(entry);
     }
     writer.Flush();
@@ -51,13 +51,19 @@ class RecordedWordsTest : public testing::Test {
 
 TEST_F(RecordedWordsTest, ARecordingWithoutDescriptionsOfNetworkMessagesReplays) {
   EXPECT_EQ(Replay(file_), "");
-  EXPECT_EQ(Replay(CopyWithDescriptions([](std::string* text) { text->clear(); })), "");
+  EXPECT_EQ(Replay(CopyWithDescriptions([](TraceEntry* entry) { entry->payload.clear(); })), "");
+}
+
+TEST_F(RecordedWordsTest, ADescriptionInOtherWordsIsNoDifference) {
+  EXPECT_EQ(Replay(CopyWithDescriptions([](TraceEntry* entry) { entry->payload += "!"; })), "");
 }
 
 TEST_F(RecordedWordsTest, AnotherNetworkMessageIsNamedInWords) {
-  const std::string difference = Replay(CopyWithDescriptions([](std::string* text) {
-    const size_t port = text->find(":54000");
-    if (port != std::string::npos) text->replace(port, 6, ":54321");
+  const std::string difference = Replay(CopyWithDescriptions([](TraceEntry* entry) {
+    const size_t port = entry->payload.find(":54000");
+    if (port == std::string::npos) return;
+    entry->payload.replace(port, 6, ":54321");
+    ++entry->record.payload_hash;
   }));
   EXPECT_NE(difference.find(": is 'IPStack: TCP Listen, endpoint "), std::string::npos)
       << difference;
