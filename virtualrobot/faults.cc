@@ -30,6 +30,8 @@ std::string ReadWhole(std::string_view text, int min, int max, int* number) {
 
 }  // namespace
 
+std::vector<std::string> Faults::Names() { return {std::begin(kKindNames), std::end(kKindNames)}; }
+
 void Faults::AddVerbs() {
   const auto add = [this](const char* name, const char* usage, const char* help,
                           std::string (Faults::*read)(std::string_view, Inputs::Action*)) {
@@ -80,7 +82,7 @@ std::string Faults::ReadBreak(std::string_view rest, Inputs::Action* action) {
   size_t kind = 0;
   while (kind < std::size(kKindNames) && words[1] != kKindNames[kind]) ++kind;
   if (kind == std::size(kKindNames)) {
-    const std::vector<std::string> known(std::begin(kKindNames), std::end(kKindNames));
+    const std::vector<std::string> known = Names();
     return fmt::format("'{}' is no fault{}; known are {}", words[1], DidYouMean(words[1], known),
                        fmt::join(known, ", "));
   }

@@ -29,6 +29,9 @@ class Faults {
   // people and scripts can use them.
   void AddVerbs();
 
+  // Returns the faults that the input "break" knows, such as "jammed".
+  static std::vector<std::string> Names();
+
   // Ends the faults that are over, and sets the errors of noisy joints.  Called before the body
   // moves and its sensors are sampled.
   void DoFrame();
@@ -65,8 +68,8 @@ class Faults {
   std::string ReadDraw(std::string_view rest, Inputs::Action* action);
   std::string ReadRepair(std::string_view rest, Inputs::Action* action);
 
-  // Writes the indices of the sensors that `name` names to `sensors`; these may be sensors of
-  // joints.  Returns "" or the error.
+  // Finds the parts with the name `name`, and writes the indices of their sensors to `sensors`.  A
+  // joint has a sensor, so this also finds joints.  Returns "" or the error.
   std::string FindParts(const std::string& name, std::vector<int>* sensors) const;
   // Returns the place of a fault of this kind, for the part that has the sensor `sensor`. Returns
   // nullopt when the part is no joint and only joints can have this fault.

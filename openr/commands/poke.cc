@@ -19,6 +19,7 @@
 #include "cli/standard_streams.h"
 #include "openr/commands/commands.h"
 #include "openr/live/live_client.h"
+#include "virtualrobot/faults.h"
 
 namespace openr_host {
 namespace {
@@ -257,7 +258,7 @@ std::vector<std::string> RunConsole::WordsOf(const std::string& usage,
     } else if (word == "SUBJECT") {
       if (before.back() == "from") add(Services("subjects"));
     } else if (word == "FAULT") {
-      add({"jammed", "weak", "unpowered", "stuck", "noisy", "dead"});
+      add(Faults::Names());
     } else if (std::islower(static_cast<unsigned char>(word[0])) != 0) {
       words.push_back(word);  // a word that the user types exactly so, such as "for"
     }
