@@ -44,6 +44,33 @@ std::string TextIn(const char (&text)[N]) {
 // Converts an angle of OPEN-R, in 10^-6 rad, to degrees.
 double DegreesOf(slongword urad) { return Degrees(urad * 1e-6); }
 
+// Calls tell(info) for each element of the data vector in `content`, and puts the lines that it
+// returns together.  Ends at an element that `content` does not have, because the content was cut
+// there, and when `tell` returns "".
+template <typename Info, typename Tell>
+std::string DecodeElements(const std::string& content, Tell tell) {
+  ODataVectorInfo vector;
+  if (!ReadAt(content, 0, &vector)) return "";
+  std::string text;
+  for (longword i = 0; i < vector.numData; ++i) {
+    Info info;
+    if (!ReadAt(content, vector.infoOffset + i * sizeof info, &info)) break;
+    const std::string line = tell(info);
+    if (line.empty()) break;
+    text += line + "\n";
+  }
+  return text;
+}
+
+// Reads the last frame of an element with `info` into `value`.  Returns false if the element has no
+// frame, or if the content was cut before the frame.
+template <typename Info, typename Value>
+bool ReadLastFrame(const std::string& content, const Info& info, size_t frames_max, Value* value) {
+  if (info.numFrames == 0) return false;
+  const size_t last = std::min<size_t>(info.numFrames, frames_max) - 1;
+  return ReadAt(content, info.dataOffset + last * sizeof *value, value);
+}
+
 std::string LocatorOf(PrimitiveTable* table, OPrimitiveID id) {
   const Primitive* const primitive = table->Find(id);
   return primitive == nullptr ? fmt::format("primitive {:#x}", id) : primitive->locator;
@@ -73,39 +100,25 @@ std::string CommandText(ODataType type, const OCommandValue& frame) {
 // Returns the last frame of each primitive of a command vector as text.
 std::string DecodeCommands(const RobotModel& model, const std::string& content) {
   PrimitiveTable table(model);
-  ODataVectorInfo vector;
-  if (!ReadAt(content, 0, &vector)) return "";
-  std::string text;
-  for (longword i = 0; i < vector.numData; ++i) {
-    OCommandInfo info;
+  return DecodeElements<OCommandInfo>(content, [&](const OCommandInfo& info) -> std::string {
     OCommandValue value;
-    if (!ReadAt(content, vector.infoOffset + i * sizeof info, &info) || info.numFrames == 0) break;
-    const size_t last = std::min<size_t>(info.numFrames, ocommandMAX_FRAMES) - 1;
-    if (!ReadAt(content, info.dataOffset + last * sizeof value, &value)) break;
-    text += fmt::format("{} to {} in {} frames\n", LocatorOf(&table, info.primitiveID),
-                        CommandText(info.type, value), info.numFrames);
-  }
-  return text;
+    if (!ReadLastFrame(content, info, ocommandMAX_FRAMES, &value)) return "";
+    return fmt::format("{} to {} in {} frames", LocatorOf(&table, info.primitiveID),
+                       CommandText(info.type, value), info.numFrames);
+  });
 }
 
 // Returns the last frame of each element of a sensor vector as text.
 std::string DecodeSensors(const RobotModel& model, const std::string& content) {
   PrimitiveTable table(model);
-  ODataVectorInfo vector;
-  if (!ReadAt(content, 0, &vector)) return "";
-  std::string text;
-  for (longword i = 0; i < vector.numData; ++i) {
-    OSensorFrameInfo info;
+  return DecodeElements<OSensorFrameInfo>(content, [&](const OSensorFrameInfo& info) {
     OSensorValue value;
-    if (!ReadAt(content, vector.infoOffset + i * sizeof info, &info) || info.numFrames == 0) break;
-    const size_t last = std::min<size_t>(info.numFrames, osensorframeMAX_FRAMES) - 1;
-    if (!ReadAt(content, info.dataOffset + last * sizeof value, &value)) break;
+    if (!ReadLastFrame(content, info, osensorframeMAX_FRAMES, &value)) return std::string();
     const std::string name = LocatorOf(&table, info.primitiveID);
-    text += info.type == odataJOINT_VALUE
-                ? fmt::format("{} {:.2f} deg\n", name, DegreesOf(value.value))
-                : fmt::format("{} {}\n", name, value.value);
-  }
-  return text;
+    return info.type == odataJOINT_VALUE
+               ? fmt::format("{} {:.2f} deg", name, DegreesOf(value.value))
+               : fmt::format("{} {}", name, value.value);
+  });
 }
 
 std::string JointName(const RobotModel& model, int joint) {
@@ -116,41 +129,31 @@ std::string JointName(const RobotModel& model, int joint) {
 // Returns the sounds of a sound vector as text, without their samples.
 std::string DecodeSounds(const RobotModel& model, const std::string& content) {
   PrimitiveTable table(model);
-  ODataVectorInfo vector;
-  if (!ReadAt(content, 0, &vector)) return "";
-  std::string text;
-  for (longword i = 0; i < vector.numData; ++i) {
-    OSoundInfo info;
-    if (!ReadAt(content, vector.infoOffset + i * sizeof info, &info)) break;
-    text += fmt::format("{} {} bytes, frame {}", LocatorOf(&table, info.primitiveID), info.dataSize,
-                        info.frameNumber);
+  return DecodeElements<OSoundInfo>(content, [&](const OSoundInfo& info) {
+    std::string text = fmt::format("{} {} bytes, frame {}", LocatorOf(&table, info.primitiveID),
+                                   info.dataSize, info.frameNumber);
     // Leaves the format out if the sampling rate is 0, because programs that play a sound may leave
     // it open.
     if (info.samplingRate != 0)
       text += fmt::format(", {} Hz, {} bits, {}", info.samplingRate, info.bitsPerSample,
                           info.channel == osoundchannelSTEREO ? "stereo" : "mono");
-    text += "\n";
-  }
-  return text;
+    return text;
+  });
 }
 
 // Returns the layers of a camera image as text, without their pixels.
 std::string DecodeImages(const RobotModel&, const std::string& content) {
   static constexpr const char* kLayers[ofbkimageNUM_LAYERS] = {"H", "M", "L", "C"};
-  ODataVectorInfo vector;
-  if (!ReadAt(content, 0, &vector)) return "";
-  std::string text;
-  for (longword i = 0; i < vector.numData && i < ofbkimageNUM_LAYERS; ++i) {
-    OFbkImageInfo info;
-    if (!ReadAt(content, vector.infoOffset + i * sizeof info, &info)) break;
-    text += fmt::format("layer {} {} x {}, {}, {} bytes, frame {}\n", kLayers[i], info.width,
-                        info.height,
-                        info.type == odataFBK_CDT     ? "colour detection"
-                        : info.type == odataFBK_YCrCb ? "YCrCb"
-                                                      : "YCrCb with high-pass filter",
-                        info.dataSize, info.frameNumber);
-  }
-  return text;
+  size_t layer = 0;
+  return DecodeElements<OFbkImageInfo>(content, [&](const OFbkImageInfo& info) -> std::string {
+    if (layer == ofbkimageNUM_LAYERS) return "";
+    return fmt::format("layer {} {} x {}, {}, {} bytes, frame {}", kLayers[layer++], info.width,
+                       info.height,
+                       info.type == odataFBK_CDT     ? "colour detection"
+                       : info.type == odataFBK_YCrCb ? "YCrCb"
+                                                     : "YCrCb with high-pass filter",
+                       info.dataSize, info.frameNumber);
+  });
 }
 
 std::string MotorText(const RobotModel& model, Sint32 joint, const char* state) {
@@ -380,8 +383,8 @@ std::string DecodeHandled(const System& system, const Message& message) {
     for (int i = 0; i < notify.numOfData; ++i) {
       const TransferedData& data = notify.data[i];
       const char* const base = system.regions().BaseOf(data.memID);
-      if (base == nullptr || data.offset + data.size > system.regions().SizeOf(data.memID))
-        return "";
+      const size_t bytes = system.regions().SizeOf(data.memID);
+      if (base == nullptr || data.offset > bytes || data.size > bytes - data.offset) return "";
       content.append(base + data.offset, std::min(data.size, kDecodedBytesMax));
     }
   } else {

@@ -261,13 +261,17 @@ TEST_F(DecodeMessageTest, AMessageThatOnlyWakesHasNoContent) {
 
 // ---- messages of a run
 
-TEST(DecodeHandledTest, AMessageThatIsHandledSaysWhatItSaidWhenItCame) {
+SimulationOptions QuietOptions() {
   SimulationOptions options;
   options.stick = OPENR_STICK;
   options.body = "ideal";
   options.host_network = false;
   options.console = [](std::string_view) {};
-  Simulation simulation(options);
+  return options;
+}
+
+TEST(DecodeHandledTest, AMessageThatIsHandledSaysWhatItSaidWhenItCame) {
+  Simulation simulation(QuietOptions());
   System& system = simulation.system();
   int vectors = 0, requests = 0, boots = 0;
   system.trace().AddSink([&](const TraceRecord& record, const Message& message) {
@@ -285,12 +289,7 @@ TEST(DecodeHandledTest, AMessageThatIsHandledSaysWhatItSaidWhenItCame) {
 }
 
 TEST(DecodeHandledTest, DataThatAreDeletedAreNotShown) {
-  SimulationOptions options;
-  options.stick = OPENR_STICK;
-  options.body = "ideal";
-  options.host_network = false;
-  options.console = [](std::string_view) {};
-  Simulation simulation(options);
+  Simulation simulation(QuietOptions());
   Message message;
   message.kind = PayloadKind::kNotify;
   message.target = 0;
