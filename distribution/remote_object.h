@@ -54,7 +54,8 @@ class RemoteObject : public Object {
   // observer is not ready until it asserts ready again.
   void UseReady(const StandingReady& ready) { readies_.erase(ready); }
 
-  // Forgets that observers of object `observer` are ready, because that object has been replaced.
+  // Forgets the ready events that came from the object `observer`, because that object has been
+  // replaced.
   void ForgetObserver(ObjectId observer);
 
   std::vector<StandingReady> StandingReadies() const override;

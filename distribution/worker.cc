@@ -194,8 +194,8 @@ std::string Worker::Run() {
     goodbye = "could not go on: " + problem;
   }
   if (IsEndRequested() && !problem.empty()) goodbye = "was ended there";
-  // Gives a refusal precedence over other reasons, because the master then waits for another
-  // process and does not end the run.
+  // If the master has refused this worker, the goodbye says only that, whatever else went wrong.
+  // After such a goodbye the master waits for another process and does not end the run.
   if (is_refused_) goodbye = "could not take part: " + problem;
   if (!goodbye.empty()) SayGoodbye(goodbye);
   return problem;

@@ -174,8 +174,8 @@ void WorkerGroup::BeginLoading(Member* member) {
   EnterStage(member, Stage::kLoading);
 }
 
-// Posts the replacement of the master's old stand-ins for the worker's objects by the new ones.
-// OnReplaced() is called for each object.
+// Tells the object table to replace the master's old stand-ins for the worker's objects by the new
+// stand-ins.  The table calls OnReplaced() for each object that it has replaced.
 void WorkerGroup::ReplaceObjects(Member* member) {
   std::vector<std::unique_ptr<Object>> new_objects;
   for (auto& object : member->new_objects) new_objects.push_back(std::move(object));

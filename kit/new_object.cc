@@ -17,8 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Names of objects that run on every robot without an image on the stick, so no new object may have
-// such a name.  The object tcpGateway runs only if a HOSTGW.CFG asks for it.
+// Names of the robot's own objects, which have no image on the stick.  No new object may have such
+// a name, because two objects of one name cannot run.
 constexpr const char* kRobotObjects[] = {"oobjectManager", "OVirtualRobotComm",
                                          "OVirtualRobotAudioComm", "IPStack", "tcpGateway"};
 

@@ -29,7 +29,7 @@ enum class Language { kC, kCxx };
 std::vector<std::string> ParseCompileFlags(const std::string& text, Language language,
                                            bool is_clang);
 
-// Environment variables that `openr build` sets for the tools, which make starts.  Without these
+// Environment variables that `openr build` sets for the tools that `make` starts.  Without these
 // variables, the tools only do the work of the SDK's tools with the same names.
 inline constexpr char kLogVariable[] = "OPENR_KIT_LOG";          // file, see kit_log.h
 inline constexpr char kStickVariable[] = "OPENR_KIT_STICK";      // stick that rules write to

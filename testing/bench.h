@@ -378,10 +378,10 @@ class Bench {
   // full name of the probe's service.
   std::pair<Probe*, std::string> AddOtherEnd(const std::string& given, char direction);
 
-  // Calls `run`, which lets the robot run.  Meanwhile refuses objects new threads and sockets,
-  // because a run with threads or sockets cannot be repeated.  Reports each refusal, and each error
-  // that the runtime has found in an object, as a failure.  Returns false if there were such
-  // failures.
+  // Calls `run`, which lets the robot run.  During the call, objects cannot make threads or
+  // sockets, because a run with threads or sockets cannot be repeated.  Reports each refusal, and
+  // each error that the runtime has found in an object, as a failure.  Returns false if there were
+  // such failures.
   bool Control(const Place& place, const std::function<void()>& run);
   bool ReportFindings(const Place& place);
   void AllowFinding(size_t index) { told_.insert(index); }

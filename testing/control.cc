@@ -59,8 +59,8 @@ bool ControlledScope::Refuse(const char* what) {
 
 int ThreadCount() {
   if (!g_thread_was_made) return 1;  // saves time in the usual case
-  // A thread that was joined may be listed for a moment: pthread_join() returns while the kernel is
-  // still removing it.
+  // Counts again for up to 50 ms before it believes that a thread is left: pthread_join() returns
+  // while the kernel still lists the joined thread.
   constexpr int kTries = 50;
   int count = ListedThreads();
   for (int i = 0; i < kTries && count > 1; ++i) {

@@ -78,7 +78,7 @@ class SeenMessage {
   openr_host::ObjectId target_ = openr_host::kNoObject;
   uint32_t selector_ = 0;
   uint32_t size_ = 0;
-  std::string content_;  // of a copy from Past(): the beginning of the data
+  std::string content_;  // beginning of the data; set only in a copy from Past()
 };
 
 // Returns the first two parts of the service's name, "Blinker.Blink"; without a service, the

@@ -45,7 +45,8 @@ void CommandQueue::Start(int64_t frame, std::vector<std::string>* problems) {
   ReadCommandElements(vector, FrameNumber(start_), &robot_->primitives, &read_, problems);
   robot_->watch.VectorStarts(read_, robot_->body->state(), robot_->power.motor_power(),
                              robot_->power.pause(), problems);
-  // In frames; begins with 1, because a vector without elements lasts one frame.
+  // The length of the vector in frames.  Begins with 1, because a vector without elements lasts one
+  // frame.
   uint32_t longest = 1;
   for (const CommandElement& command : read_) {
     uint32_t length = 0;

@@ -106,7 +106,7 @@ StiffRobot::StiffRobot(const RobotModel& model, const std::vector<double>& angle
 }
 
 void StiffRobot::Move() {
-  // In this order the parent of a part is placed before the part.
+  // Goes through the parts in the order of the model, which places a parent before its parts.
   for (size_t i = 1; i < X_BL_.size(); ++i) {
     const auto j = static_cast<size_t>(model_.bodies[i].joint);
     const JointModel& joint = model_.joints[j];

@@ -142,8 +142,9 @@ ControllerCore::Step(int ms)
         port_->Remark("robot_step() after robot_run(): main() ends here, the run function goes on");
     }
     place_ = NOWHERE;
-    // Leaves main() here and returns when the vector has ended.  If main() cannot be left, as on
-    // the robot, the program ends.
+    // LeaveLoop() suspends main() here, and returns true when the time step has ended and main()
+    // goes on.  It returns false if main() cannot be suspended, as on the robot.  Then the program
+    // ends.
     if (!port_->LeaveLoop()) {
         isStepping_ = false;
         port_->EndLoop();

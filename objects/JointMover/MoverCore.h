@@ -62,8 +62,8 @@ public:
     // MAX_VECTORS_UNDER_WAY vectors have not ended yet.
     bool NextVector(VectorPlan* plan);
 
-    // Records that the oldest vector in the effector has ended, and enters the next state if this
-    // vector completes the present one.
+    // Records that the oldest vector in the effector has ended.  If the present state waited only
+    // for this vector, enters the next state.
     void VectorEnded();
 
     // Carries out `command`, which may be of any kind except PLAY and STOP.

@@ -22,8 +22,8 @@ public:
 
     void Begin(const RobotConstants* robot);
 
-    // Adds a record with the key frame in `report`, if a motion plays.  `sensors` are the newest
-    // sensor values, which have the state of the paws.
+    // Adds a record with the key frame in `report`, if a motion plays.  Takes the state of the paws
+    // from `sensors`, the newest sensor values.
     void Add(const SetValueMessage& report, const SensorValues& sensors);
 
     // Returns the number of records that were added since the boot.

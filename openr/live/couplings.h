@@ -12,8 +12,9 @@ namespace openr_host {
 class Rewind;
 class RunClock;
 
-// While a coupling exists, the run goes on in real time, because a real robot cannot go faster. The
-// run cannot be rewound, because the second robot would not go back.  After the last coupling, the
+// A coupling connects the robot of the run with a second robot, which may be a real one.  While a
+// coupling exists, the run goes on in real time, because a real robot cannot go faster.  The run
+// cannot be rewound, because the second robot would not go back.  After the last coupling, the
 // run has its earlier rate again, unless a client has chosen another rate meanwhile.
 //
 // A coupling ends with the connection of its client, so no coupling is left when a client is

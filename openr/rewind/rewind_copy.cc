@@ -111,8 +111,8 @@ bool Rewind::RunView(int socket, const SavedStick& stick, ProcessFiles* files,
   return false;
 }
 
-// Gives the view files of its own, and the inputs that it must repeat.  `request` has these inputs.
-// It also has the files that objects have changed in the original run, with their first content.
+// Gives the view files of its own, and the inputs that it must repeat.  `request` has these inputs,
+// and the files that objects have changed in the original run, with their first content.
 void Rewind::Prepare(const SavedStick& stick, ProcessFiles* files, const PlainJson& request) {
   folder_ = std::make_unique<TempFolder>();
   const std::string copy = folder_->path() + "/stick", temporary = folder_->path() + "/files";

@@ -30,7 +30,7 @@ nlohmann::ordered_json MakeReport(Simulation* simulation, const RunFacts& facts)
 std::string DescribeObjects(Simulation* simulation);
 
 // Returns one line for each finding, such as "error: JointMover (message 12, t=0.096 s): text".
-// With `has_colours`, the first word of the line has the colour of the finding's kind.
+// If `has_colours` is true, the first word of each line has the colour of the finding's severity.
 std::string DescribeFindings(Simulation* simulation, bool has_colours = false);
 
 }  // namespace openr_host

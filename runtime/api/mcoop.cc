@@ -147,7 +147,7 @@ sError Reply(void* msg, size_t size) {
   if (object == nullptr) return sFAIL;
   if (size > kMessageMax) return sEXCEEDEDSIZEOFMSG;
   // An object that connects two of its own services calls this handler directly, without a request.
-  // In this case the reply is copied to the place that the caller has given.
+  // The reply to such a call is copied to the place that the caller has given.
   if (object->handler.self_reply != nullptr) {
     std::memcpy(object->handler.self_reply->data, msg,
                 std::min(size, object->handler.self_reply->size));

@@ -41,8 +41,9 @@ bool HasErrors(const std::vector<Diagnostic>& diagnostics);
 
 // Returns "file:line: message", then the offending line, then a caret under `column`, without a
 // newline at the end.  A warning is "file:line: warning: message", a note "file:line: note:
-// message".  With line 0 the text is "file: message"; with column 0 there is no caret.  Tabs keep
-// the caret in place, UTF-8 sequences count as one character, control bytes are shown as '?'.
+// message".  With line 0 the text is "file: message"; with column 0 there is no caret.  The
+// caret is under its column also in a line with tabs or UTF-8 characters.  Control bytes are shown
+// as '?'.
 std::string Render(const Diagnostic& diagnostic);
 
 // Returns what Render() returns, but without "warning: " or "note: ".  Used for findings, the

@@ -27,7 +27,7 @@ struct Finding {
   std::string place = {};  // "CONNECT.CFG:4"; set only if there is a cause
   // The places of later findings with this cause, at most kPlacesMax.
   std::vector<std::string> also_at = {};
-  // What the message with the number `message` says, in words; "" if that is not known.
+  // The content of the message with the number `message`, in words; "" if it is not known.
   std::string said = {};
 };
 

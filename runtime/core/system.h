@@ -89,8 +89,8 @@ struct SystemOptions {
   bool guard_regions = false;
   // True: the heaps of images keep where each block was allocated, for ReportLeaks() (leaks.h).
   bool find_leaks = false;
-  // Says in words what `message`, which an object handles, says; for findings.  Null: findings do
-  // not say it.
+  // Returns the content of `message`, which an object handles now, in words.  Findings get this
+  // text (Finding::said).  Null: they do not.
   std::string (*say)(const System& system, const Message& message) = nullptr;
   // Makes the SystemCalls of this System, the functions that handlers call; null: LocalCalls.
   std::function<std::unique_ptr<SystemCalls>(System*)> make_calls = {};

@@ -153,7 +153,9 @@ class GatewayLoader {
       Warn(fmt::format("{} names no service; nothing is carried", kRobotGatewayFile));
   }
 
-  // Checks that lines of CONNECT.CFG fit the gateway.  Called after the stick has been read.
+  // Reports lines of CONNECT.CFG that connect services which the gateway does not have.  Adds the
+  // gateway first if it is needed and OBJECT.CFG does not name it.  Called after the stick has been
+  // read.
   void CheckWires() {
     const auto text = Text("CONNECT.CFG");
     if (!text && !CallsARobot()) return;

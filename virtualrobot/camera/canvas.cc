@@ -94,8 +94,9 @@ void Canvas::Begin(const CameraShot& shot, const RgbBytes& floor, const RgbBytes
 }
 
 Canvas::Linear Canvas::AlongRays(const Vector3d& v) const {
-  // The ray d through the pixel is (1, slope_h (1 - 2 x / width), slope_v (1 - 2 y / height)), so v
-  // . d is linear in x and y.
+  // The ray through the pixel is (1, slope_h (1 - 2 x / width), slope_v (1 - 2 y / height)).  So
+  // its scalar product with `v` is linear in x and y.  Returns the constant and the factors of x
+  // and y.
   return {v.x() + v.y() * slope_h_ + v.z() * slope_v_, -2 * v.y() * slope_h_ / width_,
           -2 * v.z() * slope_v_ / height_};
 }

@@ -162,7 +162,8 @@ class JointTree {
   bool is_eliminated_ = false;
   std::vector<double> row_;         // row_[row][unknown]: the inverse of L^T times J^T
   std::vector<double> row_scaled_;  // row_scaled_[row][unknown]: row_ divided by D
-  std::vector<int> row_unknown_;   // for each row: the unknown of the part to which the row belongs
+  // For each row: the index of the unknown (UnknownOf()) of the part to which the row belongs.
+  std::vector<int> row_unknown_;
   std::vector<double> row_speed_;  // for each row: the result of FreeSpeed()
 };
 

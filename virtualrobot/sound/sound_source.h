@@ -21,7 +21,8 @@ class SoundSource {
   virtual void Read(int64_t first, OSoundSampleStereo16* samples, int count) = 0;
 };
 
-// What a source plays after its last sample: silence, or the same samples from the start again.
+// AfterEnd tells what a source plays after its last sample: silence, or the same samples from the
+// start again.
 enum class AfterEnd { kSilence, kLoop };
 
 // A source that plays samples from memory; silence when there are none.
