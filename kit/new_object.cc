@@ -5,9 +5,10 @@
 #include <cctype>
 #include <filesystem>
 
+#include "cli/process.h"
 #include "kit/image_match.h"
 #include "kit/new_object_text.h"
-#include "kit/source_text.h"
+#include "kit/sdk_paths.h"
 #include "kit/text_files.h"
 #include "runtime/base/spelling.h"
 #include "runtime/config/ocf.h"
@@ -31,6 +32,22 @@ std::string Replaced(std::string text, const std::string& mark, const std::strin
 std::string ClassName(std::string name) {
   name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
   return name;
+}
+
+// Returns whether a class of this name compiles with the headers of the SDK tree `sdk_root`, and
+// calls of it as stubs make them.
+bool Compiles(const std::string& class_name, const std::string& sdk_root) {
+  std::vector<std::string> command = HostCompiler(Language::kCxx);
+  const std::vector<std::string> flags = ParseCompileFlags(
+      ReadText(sdk_root + "/compile-flags.txt").value_or(""), Language::kCxx, IsClang(command));
+  command.insert(command.end(), flags.begin(), flags.end());
+  const std::vector<std::string> rest = {"-w", "-fsyntax-only", "-I", sdk_root + "/OPEN_R/include",
+                                         "-x", "c++",           "-"};
+  command.insert(command.end(), rest.begin(), rest.end());
+  return RunProcess(command, {.captures_error = true,
+                              .captures_out = true,
+                              .input = Replaced(new_object::kNameCheck, "@Name@", class_name)})
+      .good();
 }
 
 }  // namespace
@@ -57,15 +74,12 @@ std::string WhyNoObjectName(const std::string& name) {
                      kObjectNameBytesMax);
 }
 
-std::string WhyTakenByHeaders(const std::string& name, const std::string& headers) {
-  const std::string class_name = ClassName(name);
-  for (const fs::path& file : FilesBelow(headers)) {
-    if (!HasWord(WithoutComments(ReadText(file).value_or("")), class_name)) continue;
-    return fmt::format(
-        "the OPEN-R header {} uses the name {}, so no class can have it; choose another name",
-        file.lexically_relative(headers).string(), class_name);
-  }
-  return "";
+std::string WhyNoClass(const std::string& name, const std::string& sdk_root) {
+  if (Compiles(ClassName(name), sdk_root) || !Compiles("HelloWorld", sdk_root)) return "";
+  return fmt::format(
+      "no class can be called {}, because the OPEN-R headers or those of C use this name; choose "
+      "another name",
+      ClassName(name));
 }
 
 std::vector<NewFile> MakeNewObject(const std::string& name) {

@@ -14,9 +14,10 @@ struct NewFile {
 // Returns the reason why `name` cannot be the name of an object; "" if it can.
 std::string WhyNoObjectName(const std::string& name);
 
-// Returns the reason why the class of the object `name` cannot be named so because the OPEN-R
-// headers in the folder `headers` use that name; "" if they do not.
-std::string WhyTakenByHeaders(const std::string& name, const std::string& headers);
+// Compiles a class with the name of the object `name`, with the headers of the SDK tree `sdk_root`.
+// Returns the reason why no class can have this name; "" if the class compiles, or if no class
+// compiles because there is no compiler.
+std::string WhyNoClass(const std::string& name, const std::string& sdk_root);
 
 // Returns the files of a folder with the object `name`: stub.cfg, sources, .ocf file, a Memory
 // Stick tree that connects the object to the robot's sensors, a Makefile for both SDKs (the robot's

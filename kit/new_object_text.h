@@ -103,6 +103,36 @@ void
 }
 )";
 
+// Compiled to find out whether a class can have the name.
+inline constexpr char kNameCheck[] = R"(#include <OPENR/ODataFormats.h>
+#include <OPENR/OObject.h>
+#include <OPENR/OObserver.h>
+#include <OPENR/OPENRAPI.h>
+#include <OPENR/OSubject.h>
+#include <OPENR/OSyslog.h>
+
+class @Name@ : public OObject {
+public:
+    @Name@() {}
+    void NotifySensor(const ONotifyEvent&) {}
+};
+
+void
+UseTheClass(const OSystemEvent& event, const ONotifyEvent& notification)
+{
+    @Name@* const object = new @Name@;
+    object->Init(event);
+    object->Start(event);
+    object->Stop(event);
+    object->Destroy(event);
+    object->DoInit(event);
+    object->DoStart(event);
+    object->DoStop(event);
+    object->DoDestroy(event);
+    object->NotifySensor(notification);
+}
+)";
+
 inline constexpr char kObjectConfig[] = R"(/MS/OPEN-R/MW/OBJS/POWERMON.BIN
 /MS/OPEN-R/MW/OBJS/@NAME@.BIN
 )";

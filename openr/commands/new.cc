@@ -45,7 +45,7 @@ std::string NextCommands(const std::string& folder) {
 // Returns the reason why no new object can have the name; "" if it can.
 std::string WhyNoNewObject(const std::string& name) {
   const std::string problem = WhyNoObjectName(name);
-  return problem.empty() ? WhyTakenByHeaders(name, SdkRoot() + "/OPEN_R/include") : problem;
+  return problem.empty() ? WhyNoClass(name, SdkRoot()) : problem;
 }
 
 int New(const NewFlags& flags) {

@@ -35,21 +35,33 @@ TEST(NewTest, ANameOfAnObjectOfTheRobotIsRefused) {
   }
 }
 
-TEST(NewTest, ANameThatTheHeadersUseIsRefused) {
+TEST(NewTest, ANameThatNoClassCanHaveIsRefused) {
   const KitFolder folder("");
-  for (const char* name : {"WhoAmI", "OSubject", "destroy"}) {
+  for (const char* name : {"WhoAmI", "OSubject", "destroy", "EOF"}) {
     const ProgramResult result = RunProgram({"new", name, folder.File("")});
     EXPECT_EQ(result.status, 2) << name;
-    EXPECT_THAT(result.err, HasSubstr("the OPEN-R header "));
-    EXPECT_THAT(result.err, HasSubstr(", so no class can have it; choose another name"));
+    EXPECT_THAT(result.err, HasSubstr("no class can be called "));
+    EXPECT_THAT(result.err, HasSubstr("use this name; choose another name"));
     EXPECT_FALSE(std::filesystem::exists(folder.File("stub.cfg")));
   }
 }
 
-// Words of comments are no names: "Called" begins a comment of OPENR/OObject.h.
-TEST(NewTest, AWordOfACommentCanNameAnObject) {
+// "Clock" is a member of a class of the headers, "Called" a word of a comment: neither is in the
+// way.
+TEST(NewTest, WordsOfTheHeadersThatAreNotInTheWayCanNameAnObject) {
+  for (const char* name : {"Clock", "Called"}) {
+    const KitFolder folder("");
+    const ProgramResult made = RunProgram({"new", name, folder.File("")});
+    EXPECT_EQ(made.status, 0) << made.err;
+    EXPECT_EQ(folder.Build().status, 0) << name;
+  }
+}
+
+TEST(NewTest, WithoutACompilerANameIsNotRefused) {
   const KitFolder folder("");
-  const ProgramResult made = RunProgram({"new", "Called", folder.File("")});
+  setenv("OPENR_HOST_CXX", "/bin/false", 1);
+  const ProgramResult made = RunProgram({"new", "Wag", folder.File("")});
+  unsetenv("OPENR_HOST_CXX");
   EXPECT_EQ(made.status, 0) << made.err;
 }
 
