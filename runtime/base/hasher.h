@@ -3,7 +3,9 @@
 // compared.
 //
 // Only values are hashed, never addresses or padding, because those differ from run to run: Add()
-// takes arithmetic types and enumerations, AddBytes() takes bytes that are all initialised.
+// takes arithmetic types and enumerations, AddBytes() takes bytes that are all initialised.  Add()
+// does not read its argument as a bool or an enumeration, because a robot program can write any
+// bytes into the fields of a message.
 #pragma once
 
 #include <cstddef>
@@ -30,7 +32,7 @@ class Hasher {
 
   template <typename T>
   requires std::is_arithmetic_v<T> || std::is_enum_v<T>
-  void Add(T value) { AddBytes(&value, sizeof value); }
+  void Add(const T& value) { AddBytes(&value, sizeof value); }
 
   // Adds the length of `text`, then `text`, so that ("ab", "c") and ("a", "bc") have different
   // hashes.

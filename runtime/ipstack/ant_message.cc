@@ -333,7 +333,7 @@ std::string FieldsText(const TCPEndpointReceiveMsg& m) {
   return m.sizeMin == m.sizeMax ? fmt::format(", {} bytes", m.sizeMin)
                                 : fmt::format(", {} to {} bytes", m.sizeMin, m.sizeMax);
 }
-std::string FieldsText(const TCPEndpointCloseMsg& m) { return m.abort ? ", abort" : ""; }
+std::string FieldsText(const TCPEndpointCloseMsg& m) { return IsAbort(m) ? ", abort" : ""; }
 std::string FieldsText(const UDPEndpointBindMsg& m) { return Peer(m); }
 std::string FieldsText(const UDPEndpointConnectMsg& m) { return Peer(m); }
 std::string FieldsText(const UDPEndpointAddressMsg& m) { return FourAddresses(m); }
@@ -412,6 +412,12 @@ void SetAntError(antEnvMsg* message, int32_t error) {
 
 void ClearCounts(antEnvMsg* message) {
   Visit(*message, [](auto& m, const char*) { Clear(&m); });
+}
+
+bool IsAbort(const TCPEndpointCloseMsg& message) {
+  unsigned char value;
+  std::memcpy(&value, &message.abort, sizeof value);
+  return value != 0;
 }
 
 AntData DataToSend(const antEnvMsg& message) {

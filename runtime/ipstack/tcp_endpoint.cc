@@ -237,7 +237,7 @@ void TcpEndpoint::Close(const Operation& operation) {
     pending->reset();
   }
   Operation accepted = operation;
-  const bool abort = accepted.As<TCPEndpointCloseMsg>().abort;
+  const bool abort = IsAbort(accepted.As<TCPEndpointCloseMsg>());
   if (state_ == State::kActive && !abort) {
     stack_->network().Close(socket_);
     state_ = State::kClosing;
