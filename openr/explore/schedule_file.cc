@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "cli/counted.h"
+#include "cli/json_text.h"
 #include "runtime/base/read_file.h"
 
 namespace openr_host {
@@ -77,12 +78,10 @@ Json ScheduleToJson(const ExploredStick& stick, const Json& failure) {
 
 ScheduleFile ReadScheduleFile(const std::string& path, Json* deviations) try {
   const std::optional<std::string> text = ReadFile(path);
-  if (!text)
-    throw std::runtime_error(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
-  const Json json = Json::parse(*text);
+  if (!text) throw std::runtime_error(fmt::format("cannot be read: {}", std::strerror(errno)));
+  const Json json = ParseJson<Json>(*text, Fractions::kNone);
   if (json.value("openr_explore", 0) != kVersion) {
-    throw std::runtime_error(
-        fmt::format("{}: no schedule of openr explore, version {}", path, kVersion));
+    throw std::runtime_error(fmt::format("no schedule of openr explore, version {}", kVersion));
   }
   ScheduleFile schedule;
   SimulationOptions& simulation = schedule.stick.simulation;
@@ -112,7 +111,7 @@ ScheduleFile ReadScheduleFile(const std::string& path, Json* deviations) try {
   schedule.text = json.at("text").get<std::string>();
   *deviations = json.at("deviations");
   return schedule;
-} catch (const Json::exception& error) {
+} catch (const std::exception& error) {
   throw std::runtime_error(fmt::format("{}: {}", path, error.what()));
 }
 

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
 
+#include "cli/json_text.h"
 #include "cli/output_file.h"
 #include "openr/decode/decode_message.h"
 #include "openr/inspect/recorded_network.h"
@@ -79,7 +79,7 @@ void Replayer::MakeRun(SimulationOptions options) {
     simulation_ = own_simulation_.get();
     return;
   }
-  const auto json = nlohmann::ordered_json::parse(text);
+  const auto json = ParseJson<nlohmann::ordered_json>(text, Fractions::kNone);
   options.guard_regions = json.at("guard");
   prepared_ = PrepareSimulation(options);
   if (!prepared_.problem.empty()) throw std::runtime_error(prepared_.problem);

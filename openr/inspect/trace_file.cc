@@ -60,7 +60,7 @@ std::string HeaderText(const TraceHeader& h) {
 }
 
 TraceHeader HeaderOf(std::string_view text) {
-  const Json json = Json::parse(text);
+  const Json json = ParseJson<Json>(text, Fractions::kNone);
   TraceHeader h;
   json.at("program").get_to(h.program);
   json.at("stick").get_to(h.stick);

@@ -291,7 +291,8 @@ Json AnswerRewind(const Asked& asked) {
   if (request.contains("present")) {
     rewind->ShowPresent();
   } else if (request.contains("to_message")) {
-    problem = rewind->ShowMessage(request["to_message"].get<uint64_t>());
+    problem = rewind->ShowMessage(
+        static_cast<uint64_t>(std::max<int64_t>(request["to_message"].get<int64_t>(), 0)));
   } else {
     const int64_t from_us = rewind->shows_past() ? rewind->shown_us() : asked.system().now_us();
     const int64_t to_us = request.contains("back_s")

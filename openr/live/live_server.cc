@@ -93,7 +93,7 @@ bool LiveServer::AnswerLines(Client* client) {
     nlohmann::ordered_json answer;
     nlohmann::json request;
     try {
-      request = nlohmann::json::parse(line);
+      request = ParseJson<nlohmann::json>(line, Fractions::kBounded);
       answer = AnswerTo(client, request);
     } catch (const std::exception& error) {
       answer = {{"error", error.what()}};

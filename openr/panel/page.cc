@@ -24,6 +24,13 @@ bool IsUpload(const nlohmann::json& request) {
   return request.value("do", "") == "rc" && request.value("call", "") == "upload";
 }
 
+// Returns the number of the robot of the run that `request` is about.
+size_t RobotOf(const nlohmann::json& request) {
+  const int robot = request.value("robot", 0);
+  if (robot < 0) throw std::runtime_error(fmt::format("there is no robot {}", robot));
+  return static_cast<size_t>(robot);
+}
+
 }  // namespace
 
 Page::Page(WebLoop* loop, WebConnection* connection, RunsLister* runs)
@@ -113,7 +120,14 @@ void Page::Take(std::string_view part, bool is_text, bool is_last) {
 }
 
 void Page::Obey(const std::string& text) {
-  nlohmann::json request = nlohmann::json::parse(text, nullptr, false);
+  nlohmann::json request;
+  try {
+    request = ParseJson<nlohmann::json>(text, Fractions::kBounded);
+  } catch (const nlohmann::json::exception&) {
+    return Refuse({}, "the request is no JSON object");
+  } catch (const std::runtime_error& error) {
+    return Refuse({}, error.what());
+  }
   if (!request.is_object()) return Refuse({}, "the request is no JSON object");
   try {
     if (text.size() > kMessageMax && !IsUpload(request)) {
@@ -148,7 +162,7 @@ void Page::CallRobot(nlohmann::json request, size_t size) {
 
 RcBridge* Page::BridgeTo(const nlohmann::json& request) {
   const std::string endpoint = request.value("endpoint", "run");
-  const size_t robot = request.value("robot", size_t{0});
+  const size_t robot = RobotOf(request);
   const std::string key = endpoint == "run" ? fmt::format("run {}", robot) : endpoint;
   const auto found = bridges_.find(key);
   if (found != bridges_.end()) return found->second.get();
@@ -171,7 +185,7 @@ RcBridge* Page::BridgeTo(const nlohmann::json& request) {
 // Carries out a call of the panel "Both dogs": connects a second robot to a robot of the run,
 // disconnects it, or changes which robot follows the other, and how.
 void Page::CallPair(const nlohmann::json& request) {
-  const size_t robot = request.value("robot", size_t{0});
+  const size_t robot = RobotOf(request);
   const std::string call = request.at("call").get<std::string>();
   const auto found = pairs_.find(robot);
   const bool is_there = found != pairs_.end() && !found->second->is_over();
