@@ -41,7 +41,7 @@ struct Span {
   double low, high;
 };
 
-// The values at an axis beside which a number is drawn: `first`, `first` + `step`, ...
+// The values of an axis at which numbers are drawn: `first`, `first` + `step`, ...
 struct Ticks {
   double first, step;
   int decimals;

@@ -10,8 +10,8 @@
 namespace openr_host {
 namespace {
 
-// Returns `text` in the language of man(7), such that man shows it unchanged: no line begins a
-// request, and '-' stays the character that can be copied as part of a flag.
+// Returns `text` with escapes, so that man(7) shows it unchanged.  No line of the result is taken
+// for a command of man(7), and '-' stays the character that can be copied as part of a flag.
 std::string Plain(const std::string& text) {
   std::string plain;
   bool begins_line = true;

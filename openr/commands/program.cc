@@ -107,7 +107,8 @@ int RunProgram(int argc, char** argv) {
     TellFailure(Explain(error), as_json);
     return kExitWrong;
   } catch (const std::system_error& error) {
-    // Fmt::print() has thrown because standard output cannot be written.
+    // If standard output cannot be written, fmt::print() has thrown this error, so the answer of
+    // the command is lost.
     if (std::ferror(stdout) != 0) {
       NoteLostAnswer(error.code().value());
     } else {

@@ -20,8 +20,8 @@ namespace remote = openr::remote;
 struct RcFlags {
   std::string address;
   std::string with;    // address of a second robot; "": there is only one robot
-  bool track = false;  // whether a robot that follows another one ignores its limits of speed and
-                       // acceleration
+  bool track = false;  // true: the robot that follows the other one goes straight to each position,
+                       // and ignores its own limits of speed and acceleration
   int64_t timeout_us = 3'000'000;
   bool json = false;
   std::string device;  // the device that the user has named, by its name, title, locator or number

@@ -192,7 +192,7 @@ class CommandedRun {
   LiveEvents live_events_;
   const LiveContext live_context_;
   bool is_silent_ = false;     // true: this process is a copy of the run, so it prints nothing
-  bool is_assembled_ = false;  // `simulation_` has been assembled
+  bool is_assembled_ = false;  // true: `simulation_` has been assembled
   bool boots_ = false;
   RunFacts facts_;
 };

@@ -197,8 +197,8 @@ void RemotePort::TakeAnswers(bool waits) {
       if (answers[i].status == rcOK) continue;
       const std::string why = fmt::format("{} was refused: {}", command.what, answers[i].error);
       if (answers[i].status == rcerrorBUSY && command.joint >= 0) {
-        busy_.emplace_back(command.joint,
-                           why);  // then the next sensor values tell whether a motion plays
+        // The next sensor values tell whether a motion that plays is the reason.
+        busy_.emplace_back(command.joint, why);
       } else {
         WarnOfRefusal(why);
       }
@@ -266,7 +266,7 @@ void RemotePort::SendMover(const MoverCommand& command) {
   const auto play = [&] {
     robot_.PlayMotion(playing_, command.loops, command.keyFramesPerVector);
     play_frame_ = robot_.frame();
-    state_ = moverPREPARE_MTN;  // until sensor values give the real state of JointMover
+    state_ = moverPREPARE_MTN;  // assumed until sensor values give the real state of JointMover
   };
   if (Guarded(play, &refusal)) return;
   Say(fmt::format("mtn_play: {} was refused: {}", playing_, refusal));

@@ -127,7 +127,7 @@ Quantity FindSensor(const RobotModel& model, size_t robot, const std::string& na
 Eigen::Vector3d HeadingOf(const BodyState& state) {
   const Eigen::Vector3d x = state.X_WB.linear().col(0);
   const double length = std::sqrt(x.x() * x.x() + x.y() * x.y());
-  if (length < 1e-9) return {1, 0, 0};  // then the robot looks straight up or down
+  if (length < 1e-9) return {1, 0, 0};  // the robot looks up or down, so it has no heading
   return {x.x() / length, x.y() / length, 0};
 }
 

@@ -273,8 +273,8 @@ Json AnswerCamera(const Asked& asked) {
           {"png", Base64(png)}};
 }
 
-// Returns an event of the run at the present moment.  Used by the process that shows a past moment,
-// to get the events of that moment.
+// Answers a request for one event of the run, as it is now in this process.  If this process is a
+// view, which repeats the run up to a past moment, the event is about that moment.
 Json AnswerEvent(const Asked& asked) {
   const auto name = asked.request.at("name").get<std::string>();
   const auto& kinds = LiveEvents::Kinds();

@@ -36,7 +36,8 @@ class TcpStream;
 using Info = RcInfo;  // describes the design of the robot and what the robot does now
 // Describes a device: its names, and the limits of a joint or the kind of a sensor.
 using Description = RcDescription;
-using JointState = RcJointState;  // its units are 0.01 degree, 0.01 degree/s and 0.01 degree/s^2
+using JointState =
+    RcJointState;  // the units of its fields are 0.01 degree, 0.01 degree/s and 0.01 degree/s^2
 using Gains = RcGains;
 using Power = RcPower;
 using Sensors = RcSensors;
@@ -206,8 +207,9 @@ class Connection {
   // Returns whether the answer to the request `id` has arrived, so that Wait() returns at once.
   // Throws Error (kTimeout) if the request was sent longer ago than the time limit of the options.
   bool IsAnswered(RequestId id);
-  Answer Wait(RequestId id);  // returns the answer; throws Error (kRefused) if the robot refuses
-  // Like Wait(), but also returns the answer of a robot that refuses.
+  Answer Wait(RequestId id);  // waits for the answer and returns it; throws Error (kRefused) if the
+                              // robot refuses the request
+  // Waits for the answer to the request `id` and returns it, even if the robot refuses the request.
   Answer WaitForAny(RequestId id);
   void Drop(RequestId id);  // makes the answer be thrown away when it arrives
 

@@ -26,7 +26,7 @@ struct Shape {
   std::vector<Eigen::Vector3f> triangles;
   Colour colour;
   float gloss = 0.3f;  // from 0 (dull) to 1 (polished)
-  bool glows = false;  // the shape shines in its own colour, also in the shadow
+  bool glows = false;  // true: the shape shines in its own colour, even in the shadow
 };
 
 struct Camera {

@@ -89,8 +89,8 @@ void Ros2Link::TakeCommands(Robot* robot) {
         ": a publisher does not match and is not heard; it has to be reliable and to speak "
         "XCDR1, which is the default of ROS 2");
   }
-  const bool is_waiting = robot->client->IsWaiting();  // whether the robot has not taken earlier
-                                                       // targets
+  const bool is_waiting =
+      robot->client->IsWaiting();  // true: earlier targets still wait until the robot takes them
   for (int i = 0; i < Ros2JointCommands::kWaitingMax; ++i) {
     const std::optional<Ros2JointCommand> command = robot->commands->Take();
     if (!command) break;
