@@ -48,7 +48,7 @@ class JsonReader {
   double NumberAbove(double floor) const;
   double NumberWithin(double min, double max) const;
   int64_t Whole(int64_t min, int64_t max) const;
-  Eigen::Vector3d Vector() const;  // reads [x, y, z]
+  Eigen::Vector3d Vector() const;  // reads a vector from the array [x, y, z]
   std::vector<double> Numbers(size_t count) const;
 
  private:

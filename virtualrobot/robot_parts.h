@@ -98,7 +98,7 @@ struct RobotParts {
   Hands hands{this};
   Faults faults{this};
   JointTargets targets{this};
-  int64_t first_frame = 0;  // 0 unless a test sets it
+  int64_t first_frame = 0;  // number of the first frame; 0 unless a test sets it
   // Number of the frame that runs now, counted from the last boot.  All earlier frames are
   // complete.
   int64_t frame = 0;

@@ -45,7 +45,7 @@ bool Under(const Triangle& t, const Vector3d& p) {
   return Cross2(t[0], t[1], p) >= 0 && Cross2(t[1], t[2], p) >= 0 && Cross2(t[2], t[0], p) >= 0;
 }
 
-struct Plane {  // z = a x + b y + c
+struct Plane {  // the plane of all points with z = a x + b y + c
   double a, b, c;
 };
 

@@ -113,7 +113,8 @@ class PhysicsWorld {
 
   // The members below belong to the present step.
   std::vector<RowSides> rows_;  // three rows for each contact
-  // For each tree, the number of a tree of the same group, which is not higher (see GroupOf()).
+  // For each tree, the number of a tree of the same group: the tree itself, or a tree with a lower
+  // number (see GroupOf()).
   std::vector<int> groups_;
   std::vector<size_t> contacts_of_group_;  // contacts of the group that is solved
   // The impulses of the present step: impulses_[tree][row of the tree].
