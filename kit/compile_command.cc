@@ -116,7 +116,7 @@ std::vector<std::string> StandardFlags(const std::string& name, Language languag
 CompileCommand TranslateCompile(const std::vector<std::string>& arguments, bool is_cxx) {
   CompileCommand command;
   std::string language, standard;
-  bool asks = false;  // the command only preprocesses, or prints the version or the like
+  bool asks = false;  // true: the command only preprocesses, or prints the version or the like
   for (size_t i = 0; i < arguments.size(); ++i) {
     const std::string& word = arguments[i];
     const bool has_next = i + 1 < arguments.size();

@@ -18,7 +18,7 @@ struct KitLog {
   };
   struct Failure {
     std::string file;    // source or image that could not be made
-    std::string why;     // "does not compile", or the undefined names
+    std::string why;     // reason: "does not compile", or the undefined names
     std::string output;  // file that the tool was to make; "" if unknown
   };
   // A compilation of one source, successful or not.
@@ -35,7 +35,7 @@ struct KitLog {
     std::vector<std::string> words;  // compiler and flags, without source and output
   };
   struct Repair {
-    std::string place;  // "file:line"
+    std::string place;  // place of the repair: "file:line"
     std::string what;
   };
   std::vector<Image> images;      // for each image file only the newest entry

@@ -39,7 +39,7 @@ class MacroTable {
  private:
   struct Macro {
     std::optional<std::vector<std::string>> parameters;  // nullopt: a macro without brackets
-    std::string body;                                    // without comments and strings
+    std::string body;  // text of the macro, without comments and strings
     std::string written;
   };
   using Names = std::set<std::string>;

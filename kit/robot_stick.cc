@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 struct RobotObject {
   const char* name;   // name of the object's class, folder and files
   const char* image;  // file name in OBJECT.CFG
-  bool has_common;    // is linked with the sources in objects/common
+  bool has_common;    // true: the object is linked with the sources in objects/common
   bool has_network;
 };
 

@@ -26,8 +26,8 @@ struct WorldThing {
   Eigen::Vector3d centre_m{0, 0, 0};                   // place of the centre in W
   Eigen::Matrix3d R_WT = Eigen::Matrix3d::Identity();  // rotation from the thing's own axes T to W
   Eigen::Vector3d colour{0.72, 0.60, 0.46};            // red, green and blue, 0 to 1
-  // Mass of the thing; 0: the thing is fixed.  If it is > 0, robots and other things can move the
-  // thing.
+  // Mass of the thing; 0: the thing is fixed.  If the mass is > 0, robots and other things can move
+  // the thing.
   double mass_kg = 0;
   // false: the thing is paint on the floor, which cameras see but nothing touches
   bool is_solid = true;
