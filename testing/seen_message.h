@@ -35,8 +35,9 @@ class SeenMessage {
   // the delivery, when the message no longer exists.
   SeenMessage Past() const;
 
-  uint64_t number() const { return number_; }  // 0: not numbered yet, or refused
-  uint64_t cause() const { return cause_; }    // number of the message whose handler sent this one
+  // Returns the number of the message; 0: it has no number yet, or was refused.
+  uint64_t number() const { return number_; }
+  uint64_t cause() const { return cause_; }  // number of the message whose handler sent this one
   int64_t time_us() const { return time_us_; }
   MessageKind kind() const { return kind_; }
   uint32_t size() const { return size_; }  // number of bytes of its data
