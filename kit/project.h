@@ -23,7 +23,7 @@ struct ObjectFolder {
 // A Memory Stick in the form of a folder: it holds OPEN-R/MW.
 struct StickFolder {
   std::filesystem::path root;
-  std::vector<ObjectRecord> objects;    // lines of OBJECT.CFG for all designs of robot
+  std::vector<ObjectRecord> objects;    // lines of OBJECT.CFG, for all designs of robot, in order
   std::filesystem::path object_config;  // path of OBJECT.CFG; empty: the stick has none
 
   // Returns the path of OPEN-R/MW/OBJS with the upper and lower case it has on the disk.
