@@ -102,8 +102,8 @@ std::string UpperCase(std::string text) {
   return text;
 }
 
-// Adds a section to the manual page for each subcommand of `command`, and for the subcommands of
-// those.
+// Adds a section to the manual page for each command below `command`: its subcommands, the
+// subcommands of these, and so on.
 void AddBelow(const CommandInfo& command, std::string* page) {
   for (const CommandInfo& below : command.commands) {
     *page += ".SS " + Plain(below.path) + "\n" + Synopsis(below) + ".PP\n" +

@@ -44,7 +44,7 @@ struct RcFlags {
   std::vector<std::string> goals;  // joints and their wanted positions, such as "neck_pan=30"
   std::string stream;              // name of the stream to print: "sensors" or "keyframes"
   int count = 0;           // number of events that are printed; 0: prints events until Ctrl-C
-  std::vector<int> gains;  // new gains P, I and D; empty: only shows the present gains
+  std::vector<int> gains;  // new gains P, I and D; empty: the present gains are only shown
 };
 
 // A function that carries out a command of openr rc: it sends requests to `robot` and prints the

@@ -262,7 +262,8 @@ std::string OnScreen(const std::string& text, size_t rows, size_t columns) {
     lines.resize(rows - 1);
     lines.push_back(fmt::format("... {}", Counted(left_out, "more line")).substr(0, columns));
   }
-  std::string screen;  // the page; it clears each line to its end, and the rest of the screen
+  // The page, with codes that clear the end of each line and the rest of the screen.
+  std::string screen;
   for (const std::string& line : lines) screen += (screen.empty() ? "" : "\r\n") + line + "\x1b[K";
   return screen + "\x1b[J";
 }

@@ -146,7 +146,8 @@ void RemotePort::TakeSensors(const remote::Sensors& sensors, uint32_t frame) {
   if (!playing_.empty()) TellMotion(key_frame, state_ == moverACCEPTING_COMMANDS && key_frame < 0);
   for (const auto& [joint, why] : busy_) {
     if (state_ > moverACCEPTING_COMMANDS) {
-      joints_.Forget(joint);  // sends the position again later, because a motion plays now
+      // Makes Changes() return the position again later, because a motion plays now.
+      joints_.Forget(joint);
     } else {
       WarnOfRefusal(why);
     }

@@ -32,7 +32,7 @@ struct Deviation {
   // Virtual time of the deviation.  For a kTie it is a part of the place; for kDelay and kCost it
   // only informs people.
   int64_t time_us = 0;
-  uint64_t nth = 0;  // counted from 0
+  uint64_t nth = 0;  // number that is called nth in the comments of Kind; counted from 0
   ObjectId object = kNoObject;
   ObjectId sender = kNoObject;
   uint32_t selector = 0;

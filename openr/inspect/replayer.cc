@@ -191,8 +191,8 @@ void Replayer::CompareFields(const TraceEntry& recorded, const TraceRecord& now)
   } else if (now.cause != then.cause) {
     Differ(recorded,
            fmt::format("is caused by message {} now, by {} when recorded", now.cause, then.cause));
-  } else if (now.size != then.size) {  // also for an answer of `only_`, because recorded bytes of
-                                       // another size do not fit in
+  } else if (now.size != then.size) {  // an answer of `only_` must have the recorded size, too,
+                                       // because the recorded bytes replace its bytes
     Differ(recorded, fmt::format("has {} bytes now, {} when recorded", now.size, then.size));
   }
 }

@@ -139,8 +139,8 @@ class Connection {
   // power.
   void SwitchMotor(int joint, bool on);
   Gains GetGains(int joint);
-  Gains SetGains(int joint, int p, int i, int d);  // each gain is 0 to RC_MAX_GAIN; returns the new
-                                                   // gains
+  // Sets the gains, each 0 to RC_MAX_GAIN; returns the new gains.
+  Gains SetGains(int joint, int p, int i, int d);
 
   // ---- Sensors and power
 
@@ -211,7 +211,7 @@ class Connection {
                               // robot refuses the request
   // Waits for the answer to the request `id` and returns it, even if the robot refuses the request.
   Answer WaitForAny(RequestId id);
-  void Drop(RequestId id);  // makes the answer be thrown away when it arrives
+  void Drop(RequestId id);  // makes the library throw the answer away when it arrives
 
   // Sends a request for each payload without waiting for answers in between, so that many requests
   // take few round trips.  If the robot refuses requests, throws the first refusal after all

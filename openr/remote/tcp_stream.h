@@ -37,7 +37,8 @@ class TcpStream {
 
  private:
   bool WaitFor(short events, Clock::time_point deadline) const;
-  int WaitForConnection(Clock::time_point deadline) const;  // returns 0, or an errno after an error
+  // Waits until the connection is made; returns 0, or an errno after an error.
+  int WaitForConnection(Clock::time_point deadline) const;
   // Stores the reason why the connection was lost, for why_lost(), and returns kLost.  `error` is
   // an errno; 0: the other end has closed the connection.
   Result Lost(int error);

@@ -22,7 +22,7 @@ namespace openr_host {
 
 struct JointTarget {
   double position_rad = 0;
-  double speed_rad_s = 0;  // new limit of the joint's speed; 0: keeps the limit as it is
+  double speed_rad_s = 0;  // new limit of the joint's speed; 0: the joint keeps its present limit
 };
 
 class JointClient : public PassingNetwork {

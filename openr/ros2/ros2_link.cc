@@ -11,8 +11,8 @@
 namespace openr_host {
 namespace {
 
-constexpr int kPatienceFrames = 125;  // 1 s; after this time a target that the robot has not taken
-                                      // is dropped
+// Number of frames (1 s) after which a target that the robot has not taken is dropped.
+constexpr int kPatienceFrames = 125;
 constexpr size_t kNamespaceMax = 64;  // largest length of a namespace, in characters
 constexpr const char* kCommandTopic = "/joint_command";
 constexpr const char* kInputTopic = "/input";
@@ -21,7 +21,7 @@ constexpr const char* kInputTopic = "/input";
 
 std::string WrongNamespace(const std::string& name) {
   bool is_good = name.size() <= kNamespaceMax && name.find("__") == std::string::npos;
-  bool at_start = true;  // true if `c` begins a word
+  bool at_start = true;  // true: `c` begins a word
   for (const char c : name) {
     const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
     const bool is_digit = c >= '0' && c <= '9';
