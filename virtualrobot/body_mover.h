@@ -38,7 +38,7 @@ class BodyMover {
   // Returns the largest distance of a joint from its set point, in degrees.
   double JointErrorDegrees() const;
 
-  std::vector<JointCommand> commands;  // in the order of RobotModel::joints
+  std::vector<JointCommand> commands;  // commands to the joints, in the order of RobotModel::joints
 
  private:
   const RobotModel& model_;

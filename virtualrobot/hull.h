@@ -42,7 +42,7 @@ class Hull {
   };
   struct Box {
     Eigen::Vector3d centre;
-    Eigen::Matrix3d half_edges;  // its columns are half the edges of the box
+    Eigen::Matrix3d half_edges;  // matrix whose columns are half the edges of the box
     int part;
   };
   // The balls that enclose two boxes: element i of around_ has the balls of the boxes 2i and 2i + 1
@@ -60,8 +60,8 @@ class Hull {
                           Eigen::Vector3d* lowest);
 
   const RobotModel* model_;
-  std::vector<Ball> balls_;  // in the order of RobotModel::paws
-  std::vector<Box> boxes_;   // in the order of RobotModel::bodies
+  std::vector<Ball> balls_;  // balls of the paws, in the order of RobotModel::paws
+  std::vector<Box> boxes_;   // boxes of the parts, in the order of RobotModel::bodies
   std::vector<BallPair> around_;
 };
 

@@ -43,8 +43,8 @@ class JsonReader {
   void AllowOnly(std::initializer_list<const char*> keys) const;
 
   std::string Text() const;
-  bool Truth() const;     // reads true or false
-  double Number() const;  // fails for a number that is not finite
+  bool Truth() const;     // reads a value that is true or false
+  double Number() const;  // reads a number; fails if it is not finite
   double NumberAbove(double floor) const;
   double NumberWithin(double min, double max) const;
   int64_t Whole(int64_t min, int64_t max) const;

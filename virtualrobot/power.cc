@@ -86,7 +86,8 @@ OPowerStatus Power::Status() const {
 }
 
 void Power::SetMotorPower(bool on) {
-  if (pause_ && on) return;  // motor power that the pause button has cut stays off
+  // Does nothing, because motor power that the pause button has cut stays off.
+  if (pause_ && on) return;
   motor_power_ = on;
   NotifyChange();
 }

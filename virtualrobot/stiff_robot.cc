@@ -34,7 +34,7 @@ Matrix3d LevelRotation(const Vector3d& up_B) {
   return R;
 }
 
-using Triangle = std::array<Vector3d, 3>;  // corners counterclockwise, seen from above
+using Triangle = std::array<Vector3d, 3>;  // its corners, counterclockwise when seen from above
 
 double Cross2(const Vector3d& o, const Vector3d& p, const Vector3d& q) {
   return (p.x() - o.x()) * (q.y() - o.y()) - (p.y() - o.y()) * (q.x() - o.x());
@@ -65,7 +65,8 @@ Triangle HugeTriangleOver(const Vector3d& centre) {
 // corner is chosen so that `centre` still lies over the triangle.  `t` and `centre` are in a frame
 // that is turned by R from B.  REQUIRES: `centre` lies over `t`.
 void SinkToSupport(const Hull& hull, const Matrix3d& R, const Vector3d& centre, Triangle* t) {
-  constexpr int kSwapsMax = 64;  // far more than the hulls of these robots need
+  // Largest number of swaps; far more than the hulls of these robots need.
+  constexpr int kSwapsMax = 64;
   for (int swaps = 0; swaps < kSwapsMax; ++swaps) {
     const Plane plane = Through(*t);
     const Vector3d n_B = R.transpose() * Vector3d(-plane.a, -plane.b, 1);

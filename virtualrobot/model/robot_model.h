@@ -57,8 +57,8 @@ struct JointModel {
   int child = -1;
   Eigen::Vector3d axis{0, 0, 0};  // unit vector along a coordinate axis of B, in either direction
   Eigen::Vector3d anchor_m{0, 0, 0};
-  Range soft_rad;              // software limits, for set points
-  Range hard_rad;              // mechanical stops
+  Range soft_rad;              // software limits of the angle, for set points
+  Range hard_rad;              // mechanical stops: the limits that the joint cannot pass
   Range speed_rad_s;           // lowest and highest speed of planned movements
   PidGains gains;              // the standard gains of the vendor
   double stall_torque_nm = 0;  // torque at full drive and speed 0, in N m; 0: not known
@@ -132,15 +132,15 @@ struct Camera {
 
 struct Posture {
   std::string name;
-  std::vector<double> angles_rad;  // in the order of RobotModel::joints
+  std::vector<double> angles_rad;  // angles of the joints, in the order of RobotModel::joints
 };
 
 // Limits at which a robot protects itself and shuts down; 0: the robot has no such limit.
 struct Limits {
-  int hot_c = 0;           // battery temperature while it discharges, in degrees Celsius
-  int hot_charging_c = 0;  // battery temperature while it is charged
-  int current_ma = 0;      // mean current of the battery over about 100 ms
-  int jam_frames = 0;      // frames of 8 ms for which a joint may be jammed
+  int hot_c = 0;  // highest temperature of the battery while it discharges, in degrees Celsius
+  int hot_charging_c = 0;  // highest temperature of the battery while it is charged
+  int current_ma = 0;      // highest mean current of the battery over about 100 ms
+  int jam_frames = 0;      // number of frames of 8 ms for which a joint may be jammed
 };
 
 struct RobotModel {

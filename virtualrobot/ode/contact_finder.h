@@ -62,7 +62,7 @@ class ContactFinder {
   // A shape that can touch others: a box or a ball of a robot, or a thing.
   struct Shape {
     ThingShape shape = ThingShape::kBox;
-    Eigen::Vector3d size_m{0, 0, 0};  // has the meaning of WorldThing::size_m
+    Eigen::Vector3d size_m{0, 0, 0};  // size of the shape, with the meaning of WorldThing::size_m
     ContactSide side;
     int paw = -1;
     dGeomID geom = nullptr;

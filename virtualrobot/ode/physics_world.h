@@ -104,10 +104,10 @@ class PhysicsWorld {
   const OdeSettings settings_;
   std::vector<WorldThing> things_;
   dxWorld* ode_;
-  std::vector<dxBody*> thing_bodies_;  // in the order of World::things; null: fixed
+  std::vector<dxBody*> thing_bodies_;  // bodies of ODE, in the order of World::things; null: fixed
   std::vector<Mover> movers_;
   std::vector<OdeBody*> robots_;
-  std::vector<JointTree*> trees_;  // trees of movers_, then trees of robots_
+  std::vector<JointTree*> trees_;  // all trees: first those of movers_, then those of robots_
   std::unique_ptr<ContactFinder> finder_;
   bool is_awaited_ = false;
 
