@@ -58,8 +58,8 @@ class CompileRun {
   const Arguments given_;
   CompileCommand command_;
   Arguments compiler_;  // the host's compiler and the flags of the kit
-  Arguments extra_;     // further flags that this source needs
-  Arguments variant_;   // flags of the variant that is built
+  Arguments extra_;    // further flags, besides those of the user's command, that this source needs
+  Arguments variant_;  // flags of the variant that is built
 };
 
 CompileRun::CompileRun(const Arguments& arguments, bool is_cxx)

@@ -15,7 +15,8 @@ namespace openr_host {
 struct HarvestedImage {
   std::string name;    // file name of the image, such as HELLO.BIN
   std::string object;  // name of its object; "": this build has not made the image
-  std::string from;  // where the image came from: "Makefile", "found by name", "the kit's own", ...
+  // How the image was found: "Makefile", "by its name", "the kit's own" and others.
+  std::string from;
 };
 
 struct Harvest {
