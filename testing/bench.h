@@ -72,7 +72,7 @@ struct StandIn {
       : object(std::move(the_object)), make(std::move(the_make)) {}
 
   std::string object;  // name of the object, "JointMover", or file of its image, "JOINTMOV.BIN"
-  std::function<void(Bench&)> make;  // adds the replacement to the bench
+  std::function<void(Bench&)> make;  // a function that adds the replacement to the bench
 };
 
 // Returns the folder of the default stick, which comes with openr-host: its objects make the dog
@@ -86,8 +86,9 @@ struct BenchOptions {
   std::string stick = "";             // folder that holds OPEN-R/, which is copied; "": an empty
                                       // stick
   std::vector<StandIn> replace = {};  // objects of the stick that are replaced
-  std::string body = "none";          // "none", "ideal" (joints follow exactly) or "ode" (physics)
-  std::string robot = "ers210";       // name of a robot model
+  // Kind of body: "none", "ideal" (joints follow exactly) or "ode" (physics).
+  std::string body = "none";
+  std::string robot = "ers210";  // name of a robot model
   // A world file, the user's own or one that came with the program ("corridor.json"); "": a flat
   // floor.
   std::string world = "";
@@ -107,8 +108,10 @@ struct BenchOptions {
   // to received data crashes at the line that writes.  A use of data after the observer has given
   // them back with AssertReady() is an error finding or a crash, because the copy is unmapped then.
   bool guard_regions = false;
-  bool measure_stacks = false;  // measures how much stack each object uses: Object::stack_max
-  bool allow_threads = false;  // allows other threads in the process; they must not touch the bench
+  // True: measures how much stack each object uses (Object::stack_max).
+  bool measure_stacks = false;
+  // True: the process may have other threads, which must not touch the bench.
+  bool allow_threads = false;
   // The processor time that one call of a handler may use.  A handler that uses more ends the
   // process with a failure that names the handler.  0s: no limit, as needed in a debugger.
   std::chrono::microseconds handler_limit = std::chrono::seconds(10);
@@ -345,7 +348,8 @@ class Bench {
 
   // system() and object() give access to everything that the functions above do not offer.
   openr_host::System& system() { return *system_; }
-  openr_host::Object& object(const std::string& name) const;  // throws std::invalid_argument
+  // Returns the object; throws std::invalid_argument if it does not exist.
+  openr_host::Object& object(const std::string& name) const;
   // Makes the bench call `see` for every message, just before its handler runs.
   void OnMessage(std::function<void(const SeenMessage&)> see) { see_.push_back(std::move(see)); }
 
@@ -390,7 +394,8 @@ class Bench {
   // Reports the failure `what` with Story() at the line `place`.  Always returns false, so that a
   // caller can return this result.
   bool Miss(const Place& place, const std::string& what);
-  bool IsRunning(const Place& place);  // reports a failure if Boot() was not called
+  // Returns whether Boot() was called; if not, reports a failure.
+  bool IsRunning(const Place& place);
   void See(const openr_host::Message& message);
 
   // Reports a failure if `spec` names an object or a service that does not exist.  Before Boot()
@@ -428,7 +433,8 @@ class Bench {
   // Number of the message at which StepToMessage() stops; 0 at other times.
   uint64_t goal_number_ = 0;
   bool goal_reached_ = false;
-  std::vector<std::pair<MessageSpec, Place>> unchecked_;  // Boot() will check their names
+  // Descriptions whose names Boot() will check.
+  std::vector<std::pair<MessageSpec, Place>> unchecked_;
   std::deque<ExpectedFinding> expected_findings_;
   bool findings_allowed_ = false;
   size_t findings_seen_ = 0;

@@ -18,7 +18,7 @@ enum class MessageKind : uint8_t {
   kReady,     // AssertReady() of an observer, for a subject
   kNotReady,  // DeassertReady() of an observer, for a subject
   kReply,     // answer to a Call(), or to a Send() that wants an answer
-  kOther,     // DoInit and the like, other handlers, messages of the system
+  kOther,     // any other message: DoInit and the like, other handlers, messages of the system
 };
 
 // Returns "notify", "ready", "not ready" or "reply".  Returns null for kOther, because the name of

@@ -55,7 +55,7 @@ class TcpClient : public openr_host::CodeObject {
   bool connected() const { return connected_; }
   bool ended() const { return ended_; }                // true: the robot has ended the connection
   bool broken() const { return broken_; }              // true: the robot has reset the connection
-  const std::string& heard() const { return heard_; }  // all bytes received
+  const std::string& heard() const { return heard_; }  // all bytes that the client has received
 
  private:
   enum class Kind { kConnect, kSend, kHear, kHearBytes, kHearEnd, kClose, kReset };
