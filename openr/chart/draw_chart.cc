@@ -67,8 +67,8 @@ void Widen(const std::vector<double>& values, Span* span) {
   }
 }
 
-// Replaces all bytes except printable ASCII by '?'.  Cairo refuses text that is not UTF-8, and
-// names in motion files may have any bytes.
+// Returns `text` with '?' in place of all bytes except printable ASCII.  Cairo refuses text that is
+// not UTF-8, and names in motion files may have any bytes.
 std::string Printable(std::string text) {
   for (char& c : text) {
     if (c < ' ' || c > '~') c = '?';

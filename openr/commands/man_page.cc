@@ -78,8 +78,8 @@ std::string Entries(const CommandInfo& command) {
   return text;
 }
 
-// Converts `footer`, the last part of a command's help, to the language of man(7).  Lines without
-// an indent become headings; all other lines are shown unchanged.
+// Returns `footer`, the last part of a command's help, in the language of man(7).  Lines without an
+// indent become headings; all other lines are shown unchanged.
 std::string Footer(const std::string& footer) {
   std::string text;
   bool is_in_block = false;

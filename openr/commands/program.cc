@@ -57,7 +57,8 @@ void TellFailure(const std::string& why, bool as_json) {
   std::printf("%s\n", nlohmann::json{{"error", why}}.dump(-1, ' ', false, replace).c_str());
 }
 
-// Prints the help or the version.  CLI11 reports a request for them as an `error` with exit code 0.
+// Prints the help or the version, and returns the exit code.  CLI11 reports a request for help or
+// version as an `error` with exit code 0.
 int PrintAskedFor(const CLI::App& app, const CLI::ParseError& error) {
   std::ostringstream text;
   const int exit_code = app.exit(error, text, text);

@@ -125,8 +125,8 @@ std::string Table(const std::vector<Row>& rows, size_t columns) {
   return text;
 }
 
-// Breaks `line` at spaces into lines of at most `columns` characters.  Indents all of these
-// lines except the first.
+// Returns `line`, broken at spaces into lines of at most `columns` characters.  All of these lines
+// except the first are indented.
 std::string Fold(const std::string& line, size_t columns) {
   constexpr size_t kIndent = 4;
   if (columns <= 2 * kIndent || line.size() <= columns) return line + "\n";

@@ -347,9 +347,10 @@ void RemotePort::Print(const char* text) {
 
 // ---- A controller that is an endless loop
 
-// Blocks in robot_step() until the core continues the loop of the controller.  On this computer the
-// controller may block, so it needs no second stack, which it has on the robot.  Each call of
-// on_step_() runs one iteration of the core, and one of these iterations sets is_continued_.
+// Blocks in robot_step() until the core continues the loop of the controller; then returns true.
+// On this computer the controller may block, so it needs no second stack, which it has on the
+// robot.  Each call of on_step_() runs one iteration of the core, and one of these iterations sets
+// is_continued_.
 bool RemotePort::LeaveLoop() {
   is_continued_ = false;
   while (!is_continued_) on_step_();

@@ -24,7 +24,8 @@ class TcpStream {
 
   enum class Result { kGood, kTimeout, kLost };
 
-  // Sends all of `bytes`; gives up at `deadline`.
+  // Sends all of `bytes`.  Returns kTimeout if not all of them were sent by `deadline`, and kLost
+  // if the connection was lost.
   Result Send(const uint8_t* bytes, size_t size, Clock::time_point deadline);
 
   // Waits for bytes and reads up to `capacity` of them.  Sets `*count` to the number of bytes read.
