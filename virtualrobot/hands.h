@@ -62,7 +62,7 @@ class Hands {
   };
 
   // The next functions read the words after the verb of an input ("press", "set", ...), as
-  // Inputs::Verb::read does.
+  // Inputs::Verb::read does.  Each returns "" or the error.
   std::string ReadPress(std::string_view rest, Inputs::Action* action);
   std::string ReadSet(std::string_view rest, Inputs::Action* action);
   std::string ReadRelease(std::string_view rest, Inputs::Action* action);

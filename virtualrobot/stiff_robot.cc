@@ -78,7 +78,8 @@ void SinkToSupport(const Hull& hull, const Matrix3d& R, const Vector3d& centre, 
       next[k] = p;
       if (Under(next, centre)) break;
     }
-    // The point p lies in line with an edge, so the new triangle has no area.
+    // Ends the search if the point p lies in line with an edge, because the new triangle then has
+    // no area.
     if (Cross2(next[0], next[1], next[2]) < 1e-12) return;
     *t = next;
   }
