@@ -97,7 +97,8 @@ ProcessResult CompileRun::Try(const Arguments& extra) {
 }
 
 // Compiles the sources.  If the host's compiler does not know some of the flags, compiles again
-// without these flags.  They are flags of an old compiler.
+// without these flags, which are flags of an old compiler.  Returns the result of the last
+// compilation.
 ProcessResult CompileRun::TryKnownFlags(const Arguments& extra) {
   ProcessResult result = Try(extra);
   while (!result.good()) {

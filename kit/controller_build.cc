@@ -66,8 +66,9 @@ class ControllerBuild {
     return RunMkbin(arguments) == 0;
   }
 
-  // Checks the files of the controller's folder that are copied to the stick: the name of a motion
-  // must be possible on a stick, and the robot must be able to boot with the WLANCONF.TXT.
+  // Returns whether the files of the controller's folder that are copied to the stick have no
+  // errors, and prints their errors and warnings.  The name of a motion must be possible on a
+  // stick, and the robot must be able to boot with the WLANCONF.TXT.
   bool HasGoodFiles() const {
     std::vector<Diagnostic> diagnostics;
     for (const auto& entry : fs::directory_iterator(folder_)) {
