@@ -398,8 +398,9 @@ class Bench {
   bool IsRunning(const Place& place);
   void See(const openr_host::Message& message);
 
-  // Reports a failure if `spec` names an object or a service that does not exist.  Before Boot()
-  // not all services are known, so the check is put off until Boot().
+  // Returns false, and reports a failure, if `spec` names an object or a service that does not
+  // exist.  Before Boot() not all services are known, so this function returns true and Boot()
+  // checks the names.
   bool CheckNames(const MessageSpec& spec, const Place& place);
   bool CheckName(const std::string& name, const Place& place);
 
