@@ -18,7 +18,7 @@ struct ExplorePlan {
   uint64_t first_seed = 1;
   uint64_t runs = 100;  // number of seeds; in a search, the largest number of runs
   int jobs = 1;         // number of child processes that make runs at the same time
-  // For a search.  True: of several orders with equal results, tries only one.
+  // True: a search tries only one of several orders with equal results.
   bool reduce = true;
   bool stop_at_first = true;  // true: stops at the first seed that breaks a property
   int shorten_runs = 2000;    // most runs that are made to shorten a failure; 0: no shortening
