@@ -37,9 +37,9 @@ namespace openr_host {
 // a battery, and a SharedFrame if other robots are in the same world.  Every member may be left
 // out.
 struct VirtualRobotOptions {
-  std::unique_ptr<SoundSink> speaker;       // null: sounds are not stored
-  std::unique_ptr<SoundSource> microphone;  // null: the microphone hears silence
-  std::unique_ptr<ImageSource> camera;      // null: the camera sees the robot's world
+  std::unique_ptr<SoundSink> speaker;       // receiver of sounds; null: they are not stored
+  std::unique_ptr<SoundSource> microphone;  // source of sound; null: silence
+  std::unique_ptr<ImageSource> camera;      // source of pictures; null: the robot's world
   Battery battery;  // the battery; by default it is full at boot, and drains
   std::shared_ptr<SharedFrame> shared_frame = nullptr;  // null: the robot is alone in its world
 };

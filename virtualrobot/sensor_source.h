@@ -36,7 +36,8 @@ struct SensorFault {
 
 class SensorSource {
  public:
-  static constexpr int kFramesPerVector = 4;  // source: Level 2 Reference Guide, 3.1
+  // Number of frames in a sensor vector (Level 2 Reference Guide, 3.1).
+  static constexpr int kFramesPerVector = 4;
 
   // Makes the sensors of a robot.  `noise` is the random generator of their noise; `fault_noise` is
   // the random generator of sensors with the fault kNoisy.  `model` and `primitives` must outlive

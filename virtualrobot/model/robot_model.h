@@ -172,7 +172,7 @@ struct RobotModel {
 
   // Returns the sensors that `name` names: the sensor with this short name, name or locator, or all
   // sensors whose short names begin with `name` and an underscore ("head" is head_front and
-  // head_back).  The case of letters does not count.  Sensors of joints have the names of their
+  // head_back).  Upper and lower case count as equal.  Sensors of joints have the names of their
   // joints.
   std::vector<int> SensorsNamed(std::string_view name) const;
 

@@ -46,7 +46,7 @@ PhysicsWorld::PhysicsWorld(const World& world, const OdeSettings& settings)
 }
 
 PhysicsWorld::~PhysicsWorld() {
-  // The finder is destroyed first, because it refers to bodies of the world.
+  // Destroys the finder first, because it refers to bodies of the world.
   finder_.reset();
   dWorldDestroy(ode_);  // destroys the world with its bodies
 }
