@@ -154,7 +154,7 @@ std::vector<std::string> CarriedFlags(const std::vector<std::string>& arguments,
                                       const std::string& folder) {
   const auto absolute = [&folder](const std::string& path) {
     const fs::path whole = (fs::path(folder) / path).lexically_normal();
-    // Removes the slash at the end of "a/".
+    // Removes the slash at the end of the name of a folder, such as "a/".
     return (whole.has_filename() ? whole : whole.parent_path()).string();
   };
   std::vector<std::string> flags;

@@ -38,10 +38,10 @@ struct KitLog {
     std::string place;  // place of the repair: "file:line"
     std::string what;
   };
-  std::vector<Image> images;      // for each image file only the newest entry
+  std::vector<Image> images;      // images; for each image file only the newest entry
   std::vector<Failure> failures;  // failures of files that were not made later
-  std::vector<Compile> compiles;  // for each file and folder only the newest entry
-  std::vector<Command> commands;  // for each file and folder only the newest entry
+  std::vector<Compile> compiles;  // compilations; for each file and folder only the newest entry
+  std::vector<Command> commands;  // commands; for each file and folder only the newest entry
   std::vector<Repair> repairs;
 };
 
