@@ -19,7 +19,8 @@ struct AsmUse {
   size_t begin = 0;             // position of the word asm
   size_t end = 0;               // position after the closing bracket
   bool is_in_function = false;  // false: the statement is outside of functions
-  bool names_register = false;  // asm gives a variable a register: register int x asm("$4")
+  // True: asm gives a variable a register, as in register int x asm("$4").
+  bool names_register = false;
 };
 
 // Returns whether `brace` opens a block of declarations, such as extern "C" { or namespace x {, and

@@ -112,9 +112,9 @@ class FolderBuild {
   std::vector<SourceCopy> copies_;
   std::vector<fs::path> copied_folders_;
   Project project_;
-  bool is_made_ = false;              // all runs of make have succeeded
+  bool is_made_ = false;              // true: all runs of make have succeeded
   std::string make_cause_;            // the reason why make failed; "": unknown
-  bool wants_all_ = false;            // there is no OBJECT.CFG, so all images are wanted
+  bool wants_all_ = false;            // true: there is no OBJECT.CFG, so all images are wanted
   std::vector<std::string> hurdles_;  // reasons why the build of some objects could not begin
   std::vector<std::string> missing_;  // images that OBJECT.CFG names and that were not made
   std::vector<std::string> problems_;

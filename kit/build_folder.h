@@ -15,8 +15,8 @@ struct BuildOptions {
   int jobs = 0;        // number of jobs that make runs at a time; 0: one job per processor
   bool is_verbose = false;
   BuildVariant variant = BuildVariant::kPlain;
-  bool writes_database = false;  // writes compile_commands.json into the folder
-  bool is_fresh = false;         // removes the results of earlier builds first
+  bool writes_database = false;  // true: writes compile_commands.json into the folder
+  bool is_fresh = false;         // true: removes the results of earlier builds first
 };
 
 // Builds the folder and prints the result.  Returns the exit code, which is 0 if every image

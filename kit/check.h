@@ -14,16 +14,17 @@ struct Remark {
   enum class Kind {
     kError,    // the program will not work
     kWarning,  // the program may do something else than wanted, here or on the robot
-    kNote,     // worth knowing; no fault
+    kNote,     // the remark tells something that is worth knowing; nothing is wrong
   };
   Kind kind;
   std::string file;
-  int line = 0;    // 0: the remark is about the whole file
-  int column = 0;  // 0: the column is not known, and no caret is shown
+  int line = 0;    // number of the line; 0: the remark is about the whole file
+  int column = 0;  // number of the column; 0: it is not known, so no caret is shown
   std::string text;
   std::string source_line;
-  std::string cause;   // remarks with the same cause are joined into one; "": never joined
-  uint64_t count = 1;  // number of places that the remark is about
+  // Text that is compared: remarks with the same cause are joined into one; "": never joined.
+  std::string cause;
+  uint64_t count = 1;                // number of places that the remark is about
   std::vector<std::string> also_at;  // the first few of the other places: "CONNECT.CFG:5"
 };
 

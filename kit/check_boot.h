@@ -16,8 +16,9 @@ struct StickSummary {
 };
 
 // Adds a remark for each part of the robot's system that is missing on the stick in the folder
-// `root`, which holds OPEN-R/: the base image and its system objects, DESIGN.CFG for `design`
-// ("ERS-210"; "": any), images for the robot's processor, network for objects that need it.
+// `root`, which holds OPEN-R/.  These parts are the base image with its system objects, DESIGN.CFG
+// for `design` ("ERS-210"; "": any design), images for the robot's processor, and the network if an
+// object needs it.
 StickSummary CheckBoot(const std::string& root, const std::string& design, Remarks* remarks);
 
 }  // namespace openr_host

@@ -99,7 +99,7 @@ class ImageCheck {
   const ObjectParts& parts_;
   const CheckTarget target_;
   Remarks* const remarks_;
-  std::vector<const ObjectFolder*> objects_;  // of the project, then Project::neighbours
+  std::vector<const ObjectFolder*> objects_;  // objects of the project, then of its neighbours
   bool has_sources_ = false;
   StickImages images_;
   std::vector<PlacedObject> placed_;

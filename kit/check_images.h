@@ -23,7 +23,7 @@ struct StickImages {
   std::multimap<std::string, ServiceOwner> services;  // key: full name of a service; value: its
                                                       // owner
   std::vector<StubService> declared;  // services in stub.cfg files of objects on the stick
-  bool has_gateway = false;           // OBJECT.CFG names the image of the TCP gateway
+  bool has_gateway = false;           // true: OBJECT.CFG names the image of the TCP gateway
   bool knows_all = true;              // false: some image is missing, so its services are unknown
 };
 

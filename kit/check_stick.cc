@@ -271,7 +271,7 @@ void StickCheck::CheckFileNames() {
   const fs::path openr = FindEntry(stick_.root, "OPEN-R");
   std::set<fs::path> seen;
   for (const fs::path& file : FilesBelow(openr)) {
-    if (file.extension() == ".DBG") continue;  // debug information, which only a host has
+    if (file.extension() == ".DBG") continue;  // skips debug information, which is only for a host
     for (fs::path part = file; part != openr; part = part.parent_path()) {
       const std::string name = part.filename();
       if (IsShortName(name) || name == "VERSION.txt" || !seen.insert(part).second) continue;

@@ -116,7 +116,7 @@ std::vector<std::string> StandardFlags(const std::string& name, Language languag
 CompileCommand TranslateCompile(const std::vector<std::string>& arguments, bool is_cxx) {
   CompileCommand command;
   std::string language, standard;
-  bool asks = false;  // the command only preprocesses, or prints the version or the like
+  bool asks = false;  // true: the command only preprocesses, or prints the version or the like
   for (size_t i = 0; i < arguments.size(); ++i) {
     const std::string& word = arguments[i];
     const bool has_next = i + 1 < arguments.size();
@@ -154,7 +154,7 @@ std::vector<std::string> CarriedFlags(const std::vector<std::string>& arguments,
                                       const std::string& folder) {
   const auto absolute = [&folder](const std::string& path) {
     const fs::path whole = (fs::path(folder) / path).lexically_normal();
-    // Removes the slash at the end of "a/".
+    // Removes the slash at the end of the name of a folder, such as "a/".
     return (whole.has_filename() ? whole : whole.parent_path()).string();
   };
   std::vector<std::string> flags;

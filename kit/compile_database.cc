@@ -18,7 +18,7 @@ using Words = std::vector<std::string>;
 Words WordsFor(const KitLog::Command& command, const std::string& original,
                const std::vector<SourceCopy>& copies) {
   Words words = command.words;
-  // The user's folders come before their copies, so that an editor opens the user's headers.
+  // Puts the user's folders before their copies, so that an editor opens the user's headers.
   Words originals;
   for (const std::string& flag : CarriedFlags(words, command.folder)) {
     const std::string in_originals = InTermsOfOriginals(flag, copies);

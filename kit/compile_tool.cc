@@ -58,8 +58,8 @@ class CompileRun {
   const Arguments given_;
   CompileCommand command_;
   Arguments compiler_;  // the host's compiler and the flags of the kit
-  Arguments extra_;     // further flags that this source needs
-  Arguments variant_;   // flags of the variant that is built
+  Arguments extra_;    // further flags, besides those of the user's command, that this source needs
+  Arguments variant_;  // flags of the variant that is built
 };
 
 CompileRun::CompileRun(const Arguments& arguments, bool is_cxx)
@@ -97,7 +97,8 @@ ProcessResult CompileRun::Try(const Arguments& extra) {
 }
 
 // Compiles the sources.  If the host's compiler does not know some of the flags, compiles again
-// without these flags.  They are flags of an old compiler.
+// without these flags, which are flags of an old compiler.  Returns the result of the last
+// compilation.
 ProcessResult CompileRun::TryKnownFlags(const Arguments& extra) {
   ProcessResult result = Try(extra);
   while (!result.good()) {

@@ -66,8 +66,9 @@ class ControllerBuild {
     return RunMkbin(arguments) == 0;
   }
 
-  // Checks the files of the controller's folder that are copied to the stick: the name of a motion
-  // must be possible on a stick, and the robot must be able to boot with the WLANCONF.TXT.
+  // Returns whether the files of the controller's folder that are copied to the stick have no
+  // errors, and prints their errors and warnings.  The name of a motion must be possible on a
+  // stick, and the robot must be able to boot with the WLANCONF.TXT.
   bool HasGoodFiles() const {
     std::vector<Diagnostic> diagnostics;
     for (const auto& entry : fs::directory_iterator(folder_)) {
@@ -99,7 +100,7 @@ class ControllerBuild {
     StickFolder stick;
     stick.root = stick_;
     const fs::path images = stick.ObjectsFolder();
-    fs::remove(images / "CONTROLL.DBG");  // debug information of the former image
+    fs::remove(images / "CONTROLL.DBG");  // removes the debug information of the former image
     Put(Made(), images / kImage);
     const fs::path open_r = FindEntry(stick_, "OPEN-R");
     for (const auto& entry : fs::directory_iterator(folder_)) {

@@ -7,9 +7,10 @@
 namespace openr_host {
 
 struct ControllerBuildOptions {
-  std::string folder;          // folder of the controller
-  std::string output;          // folder of the stick, which holds OPEN-R/; "": `folder` itself
-  std::string template_stick;  // this stick is copied to `output` if there is no stick yet
+  std::string folder;  // folder of the controller
+  std::string output;  // folder of the stick, which holds OPEN-R/; "": `folder` itself
+  // Path of a stick that is copied to `output` if `output` has no stick yet.
+  std::string template_stick;
 };
 
 // Builds the controller, puts CONTROLL.BIN and the folder's WLANCONF.TXT and *.MTN on the stick,

@@ -10,7 +10,7 @@ inline constexpr char kControllerMainName[] = "openr_controller_main";
 
 struct ControllerLibraryOptions {
   std::string source;          // folder of the controller, or one source file of it
-  std::string device_library;  // libopenr_controller.so, which has the device functions
+  std::string device_library;  // path of libopenr_controller.so, which has the device functions
   std::string output;          // the file to write; object files go into its folder
 };
 

@@ -8,7 +8,7 @@
 namespace openr_host {
 
 struct ControllerMain {
-  std::string source;   // C++ of 1998 that defines CallControllerMain()
+  std::string source;   // a source in C++ of 1998 that defines CallControllerMain()
   std::string problem;  // the reason why main() cannot be called, or ""
 };
 

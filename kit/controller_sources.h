@@ -9,9 +9,10 @@
 namespace openr_host {
 
 struct ControllerSources {
-  std::vector<std::filesystem::path> files;  // in the order of `list`, else by name
-  std::filesystem::path list;                // Makefile.sources; empty: there is none
-  std::vector<Diagnostic> diagnostics;       // about the list, such as a missing file
+  // The sources, in the order of `list` or, without a list, by name.
+  std::vector<std::filesystem::path> files;
+  std::filesystem::path list;           // path of Makefile.sources; empty: there is no such file
+  std::vector<Diagnostic> diagnostics;  // mistakes in the list, such as a missing file
 };
 
 // Returns the sources that Makefile.sources of `folder` names.  Its variables may have any names:

@@ -307,7 +307,8 @@ std::vector<std::string> BuildByConvention(const Project& project,
                             build.lexically_normal(), options);
     const std::string problem = attempt.Run();
     KitLog log = attempt.log();
-    log.compiles.clear();  // these flags are from the kit's Makefile, not the user's
+    // Drops these flags, because they are from the kit's Makefile, not the user's.
+    log.compiles.clear();
     AppendKitLog(options.log, log);
     if (!problem.empty()) {
       problems.push_back(fmt::format("{}: {}", object.folder.filename().string(), problem));

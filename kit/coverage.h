@@ -12,8 +12,8 @@ struct CoverageOptions {
   std::string folder;    // folder that was built with openr build --coverage
   std::string work;      // folder for private copies, as in BuildOptions
   std::string lcov;      // file to write in the format of lcov; "": none
-  bool is_json = false;  // prints JSON
-  bool resets = false;   // forgets the counts of earlier runs instead of showing them
+  bool is_json = false;  // true: prints JSON
+  bool resets = false;   // true: forgets the counts of earlier runs, and shows no counts
 };
 
 // Numbers of executions of the lines with code, by the path of the source and the line's number.

@@ -13,9 +13,10 @@
 namespace openr_host {
 
 struct HarvestedImage {
-  std::string name;    // HELLO.BIN
+  std::string name;    // file name of the image, such as HELLO.BIN
   std::string object;  // name of its object; "": this build has not made the image
-  std::string from;  // where the image came from: "Makefile", "found by name", "the kit's own", ...
+  // How the image was found: "Makefile", "by its name", "the kit's own" and others.
+  std::string from;
 };
 
 struct Harvest {
@@ -31,9 +32,10 @@ struct Harvest {
 
 // Puts on `stick` the images that its OBJECT.CFG names and that rules of Makefiles have not put
 // there.  `stick` is in the private copy of the user's folder.  If the stick has no OBJECT.CFG,
-// writes one that names all images.  With several sticks, a stick first gets images that were built
-// near it in the tree of folders.  An image that a Makefile puts on one stick has the same file
-// name on all other sticks.
+// writes one that names all images.  With several sticks, first looks for images that were built
+// nearer to this stick than to other sticks in the tree of folders.  Only for names that are then
+// still without an image, takes images from elsewhere.  An image that a Makefile puts on one stick
+// has the same file name on all other sticks.
 Harvest CompleteStick(const StickFolder& stick, const Project& project, const KitLog& log,
                       const std::string& sdk_root);
 

@@ -7,7 +7,8 @@
 namespace openr_host {
 namespace {
 
-constexpr size_t kPrefixMin = 3;  // if the common part of two names is shorter, it may be chance
+// A shorter common part of two names does not count, because it may be chance.
+constexpr size_t kPrefixMin = 3;
 constexpr size_t kSharedMin = 4;  // names with this many equal letters in a row may belong together
 
 // Returns the letters and digits of the name in lower case, without the extension.

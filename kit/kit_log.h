@@ -18,7 +18,7 @@ struct KitLog {
   };
   struct Failure {
     std::string file;    // source or image that could not be made
-    std::string why;     // "does not compile", or the undefined names
+    std::string why;     // reason: "does not compile", or the undefined names
     std::string output;  // file that the tool was to make; "" if unknown
   };
   // A compilation of one source, successful or not.
@@ -35,13 +35,13 @@ struct KitLog {
     std::vector<std::string> words;  // compiler and flags, without source and output
   };
   struct Repair {
-    std::string place;  // "file:line"
+    std::string place;  // place of the repair: "file:line"
     std::string what;
   };
-  std::vector<Image> images;      // for each image file only the newest entry
+  std::vector<Image> images;      // images; for each image file only the newest entry
   std::vector<Failure> failures;  // failures of files that were not made later
-  std::vector<Compile> compiles;  // for each file and folder only the newest entry
-  std::vector<Command> commands;  // for each file and folder only the newest entry
+  std::vector<Compile> compiles;  // compilations; for each file and folder only the newest entry
+  std::vector<Command> commands;  // commands; for each file and folder only the newest entry
   std::vector<Repair> repairs;
 };
 

@@ -34,7 +34,8 @@ LinkCommand TranslateMkbin(const std::vector<std::string>& arguments,
     } else if (word.starts_with("-l")) {
       wanted.push_back(ValueOf(arguments, &i));
     } else if (word == "-p") {
-      ValueOf(arguments, &i);  // skips the folder of the SDK, which is not needed
+      // Skips the value of this flag, the folder of the SDK, because it is not needed.
+      ValueOf(arguments, &i);
     } else if (word.ends_with(".ocf")) {
       command.ocf = word;
     } else if (word.ends_with(".a")) {

@@ -10,11 +10,11 @@ namespace openr_host {
 
 struct LinkCommand {
   std::string output;                  // value of -o
-  std::string ocf;                     // the .ocf file
+  std::string ocf;                     // path of the .ocf file
   std::string map;                     // value of -m, a file for the list of addresses; "": none
   std::vector<std::string> objects;    // object files, in order
   std::vector<std::string> libraries;  // archives that are given by name or found for -l
-  bool is_verbose = false;             // -v
+  bool is_verbose = false;             // true: -v was given
 };
 
 // Translates `arguments`, the arguments of mkbin.  `exists` returns whether a file exists.  A

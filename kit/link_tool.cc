@@ -129,7 +129,7 @@ void LinkIntermediates(const LinkCommand& command) {
   }
 }
 
-// Summarises the errors of the linker in one line.
+// Returns a summary of the linker's errors in one line.
 std::string Summarise(const std::string& output) {
   const std::vector<std::string> names = UndefinedNames(output);
   if (names.empty()) return "does not link";

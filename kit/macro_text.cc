@@ -41,7 +41,7 @@ size_t EndOfDirective(std::string_view code, size_t at) {
 struct Directive {
   size_t begin = 0;  // position of the character #
   size_t end = 0;
-  std::string_view word;  // such as "define"
+  std::string_view word;  // name of the directive, such as "define"
   size_t rest = 0;        // position after the word
 };
 

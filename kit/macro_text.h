@@ -38,8 +38,9 @@ class MacroTable {
 
  private:
   struct Macro {
-    std::optional<std::vector<std::string>> parameters;  // nullopt: a macro without brackets
-    std::string body;                                    // without comments and strings
+    // Names of the parameters; nullopt: a macro without brackets.
+    std::optional<std::vector<std::string>> parameters;
+    std::string body;  // text of the macro, without comments and strings
     std::string written;
   };
   using Names = std::set<std::string>;

@@ -57,7 +57,8 @@ ProcessResult Make(const fs::path& folder, const std::vector<std::string>& argum
   if (HasProgram("/bin/bash")) all.push_back("SHELL=/bin/bash");
   all.insert(all.end(), arguments.begin(), arguments.end());
   Environment environment = MakeEnvironment(options);
-  environment.emplace_back("PWD", folder);  // rules use it as the folder of their Makefile
+  // Sets PWD, because rules use it as the folder of their Makefile.
+  environment.emplace_back("PWD", folder);
   return RunProcess(all, {.environment = environment,
                           .folder = folder,
                           .captures_error = true,

@@ -18,7 +18,8 @@ struct MakeOptions {
   std::string variant;  // name of the variant to build (build_variant.h)
   int jobs = 1;
   bool is_verbose = false;
-  std::function<void()> while_waiting;  // called again and again while make runs; may be null
+  // A function that is called again and again while make runs; may be null.
+  std::function<void()> while_waiting;
   // Says when the output of make is printed: always, only if make succeeds, or never.
   enum class Says { kAlways, kIfGood, kNever } says = Says::kAlways;
 };

@@ -16,9 +16,10 @@ std::string AdaptMakefile(const std::string& text, const std::string& sdk_root);
 
 struct MakefileVariable {
   std::string name;
-  bool is_defined = false;          // the text assigns a value to it (=, := or the like)
-  std::vector<std::string> values;  // as written, one per assignment
-  std::string folder;               // the folder of the SDK that it names: "", or "/OPEN_R/bin"
+  bool is_defined = false;  // true: the text assigns a value to the variable (=, := or the like)
+  std::vector<std::string> values;  // the values as written, one per assignment
+  std::string folder;  // the folder in the SDK that the variable names, such as "/OPEN_R/bin"; "":
+                       // the folder of the SDK
 };
 
 // Returns the variables that stand for the SDK's folder or a folder in it.  The text after a

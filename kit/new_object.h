@@ -7,7 +7,7 @@
 namespace openr_host {
 
 struct NewFile {
-  std::string path;  // below the folder of the object
+  std::string path;  // path of the file, below the folder of the object
   std::string text;
 };
 

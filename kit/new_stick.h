@@ -9,7 +9,7 @@ namespace openr_host {
 struct NewStickOptions {
   std::string output;               // folder to make; OPEN-R/ will be in it
   std::vector<std::string> images;  // .BIN files, in the order of OBJECT.CFG
-  std::string connections;          // CONNECT.CFG to copy; "": an empty file is made
+  std::string connections;          // path of the CONNECT.CFG to copy; "": an empty file is made
   std::string base;                 // folder whose OPEN-R/ is the base of the stick; "": none
   std::string wlan;                 // text of WLANCONF.TXT; "": none is written
 };

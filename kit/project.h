@@ -14,16 +14,16 @@ namespace openr_host {
 struct ObjectFolder {
   std::filesystem::path folder;
   std::filesystem::path stub;  // path of stub.cfg; empty: the stub is written by hand
-  std::string class_name;      // from stub.cfg
+  std::string class_name;      // name of the object's class, from stub.cfg
   std::vector<std::filesystem::path> ocfs;
-  std::vector<std::filesystem::path> sources;  // in this folder only, without generated files
+  std::vector<std::filesystem::path> sources;  // sources in this folder, without generated files
   std::vector<std::string> image_names;        // files that rules of its Makefile put on a stick
 };
 
 // A Memory Stick in the form of a folder: it holds OPEN-R/MW.
 struct StickFolder {
   std::filesystem::path root;
-  std::vector<ObjectRecord> objects;    // from OBJECT.CFG, of every robot design, in file order
+  std::vector<ObjectRecord> objects;    // lines of OBJECT.CFG, for all designs of robot, in order
   std::filesystem::path object_config;  // path of OBJECT.CFG; empty: the stick has none
 
   // Returns the path of OPEN-R/MW/OBJS with the upper and lower case it has on the disk.
@@ -32,12 +32,12 @@ struct StickFolder {
 
 struct Project {
   std::filesystem::path root;
-  std::vector<ObjectFolder> objects;  // sorted by folder
+  std::vector<ObjectFolder> objects;  // the objects, sorted by folder
   // Objects in folders outside of `root`, which are not built.  If the root has no objects, this
   // list is empty and `objects` has the objects outside.
   std::vector<ObjectFolder> neighbours;
   std::vector<StickFolder> sticks;
-  std::vector<std::filesystem::path> makefiles;       // also Makefiles that others include
+  std::vector<std::filesystem::path> makefiles;  // all Makefiles, also those that others include
   std::vector<std::filesystem::path> shared_sources;  // sources in folders that belong to no object
   // Folders that have headers and belong to no object.  The compiler searches them for every
   // object.

@@ -16,13 +16,13 @@ struct Complaint {
   std::string message;  // text of the message, in English and with ASCII quotes
   std::string file;
   int line = 0;
-  int column = 0;  // in bytes, from 1
+  int column = 0;  // number of the column in bytes, from 1
 };
 
 // A change of one part of a source: `text` replaces the characters from `begin` to `end`.
 struct Edit {
-  size_t begin = 0;  // offset in the file that the complaint is about
-  size_t end = 0;    // equal to `begin` for an insertion
+  size_t begin = 0;  // begin of the replaced text: offset in the file of the complaint
+  size_t end = 0;    // end of the replaced text; equal to `begin` for an insertion
   std::string text;
   std::string what;  // description of the repair for the user; "" in further edits of a repair
 };

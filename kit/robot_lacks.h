@@ -7,7 +7,7 @@
 namespace openr_host {
 
 struct LackedCall {
-  bool is_error;    // the call fails on this host too
+  bool is_error;    // true: the call fails on this host too
   const char* why;  // text that follows "NAME(): "
 };
 

@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 struct RobotObject {
   const char* name;   // name of the object's class, folder and files
   const char* image;  // file name in OBJECT.CFG
-  bool has_common;    // is linked with the sources in objects/common
+  bool has_common;    // true: the object is linked with the sources in objects/common
   bool has_network;
 };
 
@@ -255,7 +255,8 @@ void MakeHostStick(const std::string& stick, const std::string& output) {
   for (const auto& entry : fs::recursive_directory_iterator(draft.stick()))
     if (entry.path().extension() == ".DBG") debug_files.push_back(entry);
   for (const fs::path& file : debug_files) fs::remove(file);
-  fs::create_directories(SpeltBelow(draft.stick(), "OPEN-R/MW/DATA/P"));  // programs write here
+  // Creates the folder in which programs write files.
+  fs::create_directories(SpeltBelow(draft.stick(), "OPEN-R/MW/DATA/P"));
   draft.Finish();
   fmt::print("{} run --stick {}\n", ShellWord(ProgramCall()), ShellWord(output));
 }

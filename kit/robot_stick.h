@@ -11,7 +11,7 @@ struct RobotStickOptions {
   std::string base;        // folder whose OPEN-R/ is the base of the stick; "": the base in the SDK
   std::string model = "ers210";
   std::string flavour = "WCONSOLE";
-  bool is_protected = true;  // take the base with memory protection
+  bool is_protected = true;  // true: takes the base with memory protection
   bool is_verbose = false;
   std::string sources;  // folder with the sources of the objects and stub.cfg/ (install_paths.h)
   std::string stick;    // default stick of the host; the motions are taken from it

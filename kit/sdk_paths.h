@@ -31,10 +31,12 @@ std::vector<std::string> ParseCompileFlags(const std::string& text, Language lan
 
 // Environment variables that `openr build` sets for the tools that `make` starts.  Without these
 // variables, the tools only do the work of the SDK's tools with the same names.
-inline constexpr char kLogVariable[] = "OPENR_KIT_LOG";          // file, see kit_log.h
-inline constexpr char kStickVariable[] = "OPENR_KIT_STICK";      // stick that rules write to
-inline constexpr char kCopiesVariable[] = "OPENR_KIT_COPIES";    // "copy=original:copy=original"
-inline constexpr char kVariantVariable[] = "OPENR_KIT_VARIANT";  // "debug", see build_variant.h
+inline constexpr char kLogVariable[] = "OPENR_KIT_LOG";      // log file, see kit_log.h
+inline constexpr char kStickVariable[] = "OPENR_KIT_STICK";  // stick that rules write to
+// Pairs of folders, "copy=original:copy=original"; see source_copies.h.
+inline constexpr char kCopiesVariable[] = "OPENR_KIT_COPIES";
+// Name of the variant to build, such as "debug"; see build_variant.h.
+inline constexpr char kVariantVariable[] = "OPENR_KIT_VARIANT";
 
 // Environment variable by which the user may name the C++ compiler of the host, with arguments if
 // needed.

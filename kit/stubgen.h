@@ -7,8 +7,8 @@
 namespace openr_host {
 
 struct StubgenOptions {
-  std::string file;          // "" or "-": standard input
-  std::string folder = ".";  // created if it does not exist
+  std::string file;          // path of the stub.cfg; "" or "-": standard input
+  std::string folder = ".";  // folder for the new files; created if it does not exist
 };
 
 // Reads a stub.cfg and writes def.h, entry.h and the two stub files.  Writes a summary to `out` and

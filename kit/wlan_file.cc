@@ -13,7 +13,8 @@ namespace {
 bool Always(const WlanConfig&) { return true; }
 bool WithoutDhcp(const WlanConfig& config) { return !config.use_dhcp; }
 bool WithWep(const WlanConfig& config) { return config.wep_enable; }
-// The channel is only for ad hoc networks; an access point has its own (Installation Guide 3.2.2).
+// Returns whether the network may be an ad hoc network.  Only for such a network the user gives a
+// channel; an access point has its own channel (Installation Guide 3.2.2).
 bool MayBeAdHoc(const WlanConfig& config) { return config.ap_mode != 1; }
 
 // Returns an address such as "10.0.1.100" as a number.  The parser has accepted the address before.

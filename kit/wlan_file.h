@@ -14,9 +14,9 @@ namespace openr_host {
 
 // One setting that a user can give: by a flag, or as the answer to a question.
 struct WlanQuestion {
-  const char* key;       // "ETHER_IP"
-  const char* flag;      // "--ip"
-  const char* question;  // "Address of the robot"
+  const char* key;       // key in the file, such as "ETHER_IP"
+  const char* flag;      // flag of the command, such as "--ip"
+  const char* question;  // text of the question, such as "Address of the robot"
   // Returns whether the setting has a meaning beside the other settings.  If not, it is not asked
   // for.
   bool (*is_asked)(const WlanConfig& config);

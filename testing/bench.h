@@ -71,8 +71,8 @@ struct StandIn {
   StandIn(std::string the_object, std::function<void(Bench&)> the_make)
       : object(std::move(the_object)), make(std::move(the_make)) {}
 
-  std::string object;                // "JointMover", or the file of its image, "JOINTMOV.BIN"
-  std::function<void(Bench&)> make;  // adds the replacement to the bench
+  std::string object;  // name of the object, "JointMover", or file of its image, "JOINTMOV.BIN"
+  std::function<void(Bench&)> make;  // a function that adds the replacement to the bench
 };
 
 // Returns the folder of the default stick, which comes with openr-host: its objects make the dog
@@ -86,16 +86,19 @@ struct BenchOptions {
   std::string stick = "";             // folder that holds OPEN-R/, which is copied; "": an empty
                                       // stick
   std::vector<StandIn> replace = {};  // objects of the stick that are replaced
-  std::string body = "none";          // "none"; "ideal": joints follow exactly; "ode": physics
-  std::string robot = "ers210";       // name of a robot model
+  // Kind of body: "none", "ideal" (joints follow exactly) or "ode" (physics).
+  std::string body = "none";
+  std::string robot = "ers210";  // name of a robot model
   // A world file, the user's own or one that came with the program ("corridor.json"); "": a flat
   // floor.
   std::string world = "";
-  // The charge of the battery.  "drain": full at boot, then it drains as on the robot (empty after
-  // 90 minutes).  "100%": always full.  "N%": N percent at boot, then it drains.
+  // The charge of the battery.  With "drain", the battery is full at boot and then drains as on the
+  // robot, where it is empty after 90 minutes.  With "100%", it is always full.  With "N%", it has
+  // N percent at boot and then drains.
   std::string battery = "drain";
-  // The pictures of the camera.  "world": the robot's world.  "pattern": a test pattern.  Any other
-  // text is a folder of pictures (.png, .ppm), which are shown in the order of their names.
+  // The pictures of the camera.  With "world", the camera sees the robot's world.  With "pattern",
+  // it sees a test pattern.  Any other text is a folder of pictures (.png, .ppm), which are shown
+  // in the order of their names.
   std::string images = "world";
   uint64_t seed = SeedOfEnvironment();
   bool strict = false;  // whether the limits of the robot (memory, stack) are enforced
@@ -105,8 +108,10 @@ struct BenchOptions {
   // to received data crashes at the line that writes.  A use of data after the observer has given
   // them back with AssertReady() is an error finding or a crash, because the copy is unmapped then.
   bool guard_regions = false;
-  bool measure_stacks = false;  // measures how much stack each object uses: Object::stack_max
-  bool allow_threads = false;  // allows other threads in the process; they must not touch the bench
+  // True: measures how much stack each object uses (Object::stack_max).
+  bool measure_stacks = false;
+  // True: the process may have other threads, which must not touch the bench.
+  bool allow_threads = false;
   // The processor time that one call of a handler may use.  A handler that uses more ends the
   // process with a failure that names the handler.  0s: no limit, as needed in a debugger.
   std::chrono::microseconds handler_limit = std::chrono::seconds(10);
@@ -212,9 +217,8 @@ class Bench {
   }
   bool InjectBytes(const MessageSpec& spec, std::string_view bytes, Place place = Place::Here());
 
-  // Makes the objects `objects` go first where the robot leaves the order open, the first object of
-  // the list before the others: which object starts next, and which object gets its message first
-  // if several messages are due at the same time.
+  // Makes the objects `objects` go first, in this order, where the robot leaves the order open:
+  // when objects start, and when several objects have a message due at the same time.
   void Reorder(std::vector<std::string> objects, Place place = Place::Here());
 
   // Hold(), Drop() and Refuse() make the test fail if too few fitting messages come.  Optional()
@@ -286,11 +290,12 @@ class Bench {
   // or its locator ("PRM:/r4/c1-Joint2:j1").  The functions throw std::invalid_argument if the
   // robot has no such device, and std::logic_error without a body.
   double JointDeg(std::string_view name) const;
-  int64_t SensorValue(std::string_view name) const;  // in the sensor's OPEN-R unit
-  int LedIntensity(std::string_view name) const;     // 0: dark
+  int64_t SensorValue(std::string_view name) const;  // value in the sensor's OPEN-R unit
+  int LedIntensity(std::string_view name) const;     // brightness of the light; 0: dark
   double RollDeg() const;
-  double PitchDeg() const;                     // right-handed: nose down is positive
-  bool Standing(Place place = Place::Here());  // after the next 0.6 s; rule: docs/cli.md
+  double PitchDeg() const;  // pitch; positive when the nose points down
+  // Runs for 0.6 s and returns whether the dog then stands (docs/cli.md has the rule).
+  bool Standing(Place place = Place::Here());
   openr_host::VirtualRobot& dog() const;
   const openr_host::RobotModel& model() const { return *model_; }
 
@@ -319,8 +324,8 @@ class Bench {
   };
   // Pushes the middle of the dog's trunk.  Needs a body with physics.
   bool Push(const Force& force, Duration duration = 100ms, Place place = Place::Here());
-  // Take the dog with a hand: lift it by `metres`, hold it at its place, set it down, or let it
-  // fall.
+  // The next functions take the dog with a hand: they lift it by `metres`, hold it at its place,
+  // set it down, or let it fall.
   bool Lift(double metres = 0.2, Place place = Place::Here());
   bool HoldDog(Place place = Place::Here()) { return Do("hold", place); }
   bool SetDown(Place place = Place::Here()) { return Do("setdown", place); }
@@ -343,7 +348,8 @@ class Bench {
 
   // system() and object() give access to everything that the functions above do not offer.
   openr_host::System& system() { return *system_; }
-  openr_host::Object& object(const std::string& name) const;  // throws std::invalid_argument
+  // Returns the object; throws std::invalid_argument if it does not exist.
+  openr_host::Object& object(const std::string& name) const;
   // Makes the bench call `see` for every message, just before its handler runs.
   void OnMessage(std::function<void(const SeenMessage&)> see) { see_.push_back(std::move(see)); }
 
@@ -388,11 +394,13 @@ class Bench {
   // Reports the failure `what` with Story() at the line `place`.  Always returns false, so that a
   // caller can return this result.
   bool Miss(const Place& place, const std::string& what);
-  bool IsRunning(const Place& place);  // reports a failure if Boot() was not called
+  // Returns whether Boot() was called; if not, reports a failure.
+  bool IsRunning(const Place& place);
   void See(const openr_host::Message& message);
 
-  // Reports a failure if `spec` names an object or a service that does not exist.  Before Boot()
-  // not all services are known, so the check is put off until Boot().
+  // Returns false, and reports a failure, if `spec` names an object or a service that does not
+  // exist.  Before Boot() not all services are known, so this function returns true and Boot()
+  // checks the names.
   bool CheckNames(const MessageSpec& spec, const Place& place);
   bool CheckName(const std::string& name, const Place& place);
 
@@ -422,10 +430,12 @@ class Bench {
   History history_;
   Expectations expectations_;
   std::vector<std::function<void(const SeenMessage&)>> see_;
-  std::optional<MessageSpec> goal_;  // set during StepTo(): the message to run to
-  uint64_t goal_number_ = 0;         // set during StepToMessage(): the number to run to
+  std::optional<MessageSpec> goal_;  // message at which StepTo() stops; nullopt at other times
+  // Number of the message at which StepToMessage() stops; 0 at other times.
+  uint64_t goal_number_ = 0;
   bool goal_reached_ = false;
-  std::vector<std::pair<MessageSpec, Place>> unchecked_;  // Boot() will check their names
+  // Descriptions whose names Boot() will check.
+  std::vector<std::pair<MessageSpec, Place>> unchecked_;
   std::deque<ExpectedFinding> expected_findings_;
   bool findings_allowed_ = false;
   size_t findings_seen_ = 0;

@@ -58,7 +58,7 @@ bool ControlledScope::Refuse(const char* what) {
 }
 
 int ThreadCount() {
-  if (!g_thread_was_made) return 1;  // saves time in the usual case
+  if (!g_thread_was_made) return 1;  // no thread was ever made, so only this thread exists
   // Counts again for up to 50 ms before it believes that a thread is left: pthread_join() returns
   // while the kernel still lists the joined thread.
   constexpr int kTries = 50;

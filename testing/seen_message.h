@@ -18,7 +18,7 @@ enum class MessageKind : uint8_t {
   kReady,     // AssertReady() of an observer, for a subject
   kNotReady,  // DeassertReady() of an observer, for a subject
   kReply,     // answer to a Call(), or to a Send() that wants an answer
-  kOther,     // DoInit and the like, other handlers, messages of the system
+  kOther,     // any other message: DoInit and the like, other handlers, messages of the system
 };
 
 // Returns "notify", "ready", "not ready" or "reply".  Returns null for kOther, because the name of
@@ -35,8 +35,9 @@ class SeenMessage {
   // the delivery, when the message no longer exists.
   SeenMessage Past() const;
 
-  uint64_t number() const { return number_; }  // 0: not numbered yet, or refused
-  uint64_t cause() const { return cause_; }    // number of the message whose handler sent this one
+  // Returns the number of the message; 0: it has no number yet, or was refused.
+  uint64_t number() const { return number_; }
+  uint64_t cause() const { return cause_; }  // number of the message whose handler sent this one
   int64_t time_us() const { return time_us_; }
   MessageKind kind() const { return kind_; }
   uint32_t size() const { return size_; }  // number of bytes of its data

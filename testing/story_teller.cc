@@ -12,13 +12,14 @@
 namespace openr::testing {
 namespace {
 
-// The first words of the last line of a story, the text about a bench that is added to a failure
-// (Bench::Story()).  The text of a failure with these words has a story already.
+// The words with which the last line of a story begins.  A story is the text that Bench::Story()
+// returns and that is added to the text of a failure.  A failure whose text contains these words
+// already has a story, so it gets no second one.
 constexpr char kMark[] = "To see it again: ";
 
 StoryTeller* g_newest = nullptr;
-// The running test.  Stored here, because GoogleTest holds a lock while it reports a failure; a
-// call that asks GoogleTest for the test would then wait for ever.
+// The running test.  It is stored here, because GoogleTest holds a lock while it reports a failure:
+// a call that asks GoogleTest for the running test would then wait for ever.
 const ::testing::TestInfo* g_test = nullptr;
 
 // Prints the story of the running test's bench after the first failure of the test.  Later failures

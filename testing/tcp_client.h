@@ -53,9 +53,9 @@ class TcpClient : public openr_host::CodeObject {
   // ---- The state of the connection
 
   bool connected() const { return connected_; }
-  bool ended() const { return ended_; }                // the robot has ended the connection
-  bool broken() const { return broken_; }              // the robot has reset the connection
-  const std::string& heard() const { return heard_; }  // all bytes received
+  bool ended() const { return ended_; }                // true: the robot has ended the connection
+  bool broken() const { return broken_; }              // true: the robot has reset the connection
+  const std::string& heard() const { return heard_; }  // all bytes that the client has received
 
  private:
   enum class Kind { kConnect, kSend, kHear, kHearBytes, kHearEnd, kClose, kReset };
@@ -63,7 +63,7 @@ class TcpClient : public openr_host::CodeObject {
     Kind kind;
     Place place;
     std::string bytes = {};
-    size_t count = 0;  // kHearBytes: number of bytes; kConnect: the port
+    size_t count = 0;  // number of bytes of a kHearBytes, or port of a kConnect
   };
 
   TcpClient& Add(Step step);

@@ -63,8 +63,8 @@ struct BodyState {
   // Gravity minus the acceleration of B's origin, averaged over the frame, in B, in m/s^2.  The
   // accelerometer of the robot reads this vector: about (0, 0, -9.8) when the robot stands still.
   Eigen::Vector3d gravity_B = Eigen::Vector3d::Zero();
-  std::vector<JointState> joints;  // in the order of RobotModel::joints
-  std::vector<bool> paws;          // whether each paw touches something; order of RobotModel::paws
+  std::vector<JointState> joints;  // states of the joints, in the order of RobotModel::joints
+  std::vector<bool> paws;  // for each paw, whether it touches something; order of RobotModel::paws
   // Force that presses each paw, averaged over the frame, in N; empty for a body without forces.
   std::vector<double> paw_forces_n;
 };

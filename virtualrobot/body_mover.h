@@ -28,7 +28,7 @@ class BodyMover {
   void RampTo(const std::vector<double>& to_rad);
 
   // Returns the angles of a posture of the model, limited to the software limits of the joints.
-  // Throws like PostureAngles().
+  // Throws std::runtime_error when the model has no such posture.
   std::vector<double> Posture(const std::string& name) const;
 
   // Enables all joints and stands up through the postures broadbase, sleep, crouch and stand.  A
@@ -38,7 +38,7 @@ class BodyMover {
   // Returns the largest distance of a joint from its set point, in degrees.
   double JointErrorDegrees() const;
 
-  std::vector<JointCommand> commands;  // in the order of RobotModel::joints
+  std::vector<JointCommand> commands;  // commands to the joints, in the order of RobotModel::joints
 
  private:
   const RobotModel& model_;

@@ -21,7 +21,8 @@ bool CommandQueue::Add(RCRegion* region) {
 
 bool CommandQueue::ReleaseFinished(int64_t frame) {
   if (!playing_ || frame < end_) return false;
-  // Done before Release(), because the elements point into the region that Release() gives back.
+  // Clears the elements before Release(), because they point into the region that Release() gives
+  // back.
   elements_.clear();
   playing_.Release();
   return true;

@@ -48,8 +48,8 @@ class CommandQueue {
   bool ReleaseFinished(int64_t frame);
 
   // Reports the first waiting vector to the robot's synchronisation keys, if no vector plays.
-  // REQUIRES: called for all queues of a robot before Apply() of any of them, so that vectors whose
-  // keys are parts of one key start in the same frame.
+  // REQUIRES: called for all queues of a robot before Apply() of any of them.  Otherwise vectors
+  // that wait for one another (sync_keys.h) could start in different frames.
   void AnnounceFirst();
 
   // Starts the first waiting vector if its turn has come, and then applies the set points of frame

@@ -150,8 +150,8 @@ void ReadCommandElements(const SentVector& vector, longword frame_number,
     element.data =
         reinterpret_cast<const OCommandData*>(vector.At(info.dataOffset, sizeof(OCommandData)));
     const Primitive* const primitive = primitives->Find(info.primitiveID);
-    // An element with a wrong offset has no data and sets nothing.  The element is kept all the
-    // same, because the length of the vector depends on its frames.
+    // An element with a wrong offset has no data and sets nothing.  It is kept in the list, because
+    // the length of the vector depends on its frames.
     if (element.data == nullptr || info.dataOffset % alignof(OCommandData) != 0) {
       element.data = nullptr;
       problem = fmt::format(

@@ -25,13 +25,13 @@ struct JointDevice {
   bool commanded = false;     // whether an object has sent a set point for this joint since boot
   ObjectId commander = kNoObject;  // the object that sent the set point
   bool gain_enabled = false;
-  GainWords gains{};  // all 0 while gain_enabled is false
+  GainWords gains{};  // gains of the servo; all are 0 while gain_enabled is false
   // The joint's default gains, which RegisterDefaultJointGain() has stored.
   std::optional<GainWords> registered;
 };
 
 struct LedDevice {
-  int intensity = 0;  // light of type LED2: 0 or 1; of type LED3: 0 to 255
+  int intensity = 0;  // brightness: 0 or 1 for a light of type LED2, 0 to 255 for LED3
   OLED3Mode mode = oled3_MODE_A;
 };
 

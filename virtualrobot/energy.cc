@@ -16,11 +16,12 @@ constexpr double kElectronicsMa = 1000;
 // Weight of a new frame in the mean current.  With this weight the mean has a time constant of 100
 // ms.
 constexpr double kMeanShare = 0.08;
-// Steady rise of the body's temperature for each W of motor heat, and the time constant of this
-// rise.
+// If the motors give a steady heat, the body's temperature rises in the end by kBodyPerW_k for each
+// W. kBodyTime_s is the time constant of this rise.
 constexpr double kBodyPerW_k = 2.5, kBodyTime_s = 600;
-// Steady rise of the battery's temperature for each unit by which the square of its current (in
-// units of kUsualMa) exceeds 1, and the time constant of this rise.
+// If the battery gives a steady current, its temperature rises in the end by
+// kBatteryUsual_k * (r^2 - 1), where r is the current divided by kUsualMa.  kBatteryTime_s is the
+// time constant of this rise.
 constexpr double kBatteryUsual_k = 5, kBatteryTime_s = 1200;
 // Steady rise of the battery's temperature while it is charged.
 constexpr double kChargingBattery_k = 6;

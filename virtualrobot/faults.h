@@ -62,7 +62,7 @@ class Faults {
   };
 
   // The next functions read the words after the verb of an input ("break", "heat", ...), as
-  // Inputs::Verb::read does.
+  // Inputs::Verb::read does.  Each returns "" or the error.
   std::string ReadBreak(std::string_view rest, Inputs::Action* action);
   std::string ReadHeat(std::string_view rest, Inputs::Action* action);
   std::string ReadDraw(std::string_view rest, Inputs::Action* action);

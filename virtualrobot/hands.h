@@ -58,11 +58,11 @@ class Hands {
   struct Grip {
     Eigen::Isometry3d X_WB;  // the pose to which the hand moves the base
     double goal_z_m = 0;     // the height at which the hand stops
-    bool sets_down = false;  // the hand lets go when the robot stands or lies on something
+    bool sets_down = false;  // true: the hand lets go when the robot stands or lies on something
   };
 
   // The next functions read the words after the verb of an input ("press", "set", ...), as
-  // Inputs::Verb::read does.
+  // Inputs::Verb::read does.  Each returns "" or the error.
   std::string ReadPress(std::string_view rest, Inputs::Action* action);
   std::string ReadSet(std::string_view rest, Inputs::Action* action);
   std::string ReadRelease(std::string_view rest, Inputs::Action* action);

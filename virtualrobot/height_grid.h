@@ -14,8 +14,9 @@
 namespace openr_host {
 
 struct HeightGrid {
-  int columns = 0, rows = 0;      // points along x and along y, 2 or more each
-  std::vector<double> heights_m;  // row by row, beginning at the least y; in a row, at the least x
+  int columns = 0, rows = 0;  // points along x and along y, 2 or more each
+  // Heights of the points, row by row; first the least y, in a row the least x.
+  std::vector<double> heights_m;
 
   double At(int column, int row) const {
     return heights_m[static_cast<size_t>(row) * static_cast<size_t>(columns) +

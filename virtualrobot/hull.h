@@ -42,16 +42,16 @@ class Hull {
   };
   struct Box {
     Eigen::Vector3d centre;
-    Eigen::Matrix3d half_edges;  // its columns are half the edges of the box
+    Eigen::Matrix3d half_edges;  // matrix whose columns are half the edges of the box
     int part;
   };
-  // Element i of around_: the balls that enclose the two boxes 2i and 2i + 1 of boxes_.
-  // LowestAlong() looks at a box only if the ball of the box reaches lower than the lowest point
-  // found so far.
+  // The balls that enclose two boxes: element i of around_ has the balls of the boxes 2i and 2i + 1
+  // of boxes_.  LowestAlong() looks at a box only if the ball of the box reaches lower than the
+  // lowest point found so far.
   struct BallPair {
     Pair x{}, y{}, z{};  // coordinates of the balls' centres
-    // The lowest point of a ball with this radius is at infinity.  So the second half of a pair
-    // that has only one box is never the lowest.
+    // At first both radii are minus infinity.  If the pair has only one box, the second radius
+    // keeps this value, so its ball has its lowest point infinitely high and is never the lowest.
     Pair radius = {-std::numeric_limits<double>::infinity(),
                    -std::numeric_limits<double>::infinity()};
   };
@@ -60,8 +60,8 @@ class Hull {
                           Eigen::Vector3d* lowest);
 
   const RobotModel* model_;
-  std::vector<Ball> balls_;  // in the order of RobotModel::paws
-  std::vector<Box> boxes_;   // in the order of RobotModel::bodies
+  std::vector<Ball> balls_;  // balls of the paws, in the order of RobotModel::paws
+  std::vector<Box> boxes_;   // boxes of the parts, in the order of RobotModel::bodies
   std::vector<BallPair> around_;
 };
 

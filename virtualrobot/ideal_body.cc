@@ -100,7 +100,7 @@ void IdealBody::HashState(Hasher* hasher) const {
   for (const double place : {start_.x_m, start_.y_m, start_.yaw_rad}) {
     if (place != 0) hasher->Add(place);
   }
-  // Only joints are hashed: poses and paws follow from their angles.
+  // Hashes only the joints, because poses and paws follow from the angles of the joints.
   for (const JointState& joint : state_.joints) {
     hasher->Add(joint.angle_rad);
     hasher->Add(joint.speed_rad_s);

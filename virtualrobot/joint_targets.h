@@ -57,7 +57,7 @@ class JointTargets {
 
   RobotParts& robot_;
   std::map<int, Way> ways_;  // the key is the index of the joint
-  // indices of joints; the keys are names that inputs have used
+  // Indices of joints; the keys are names that inputs have used.
   std::map<std::string, int, std::less<>> known_;
 };
 

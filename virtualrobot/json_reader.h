@@ -43,12 +43,12 @@ class JsonReader {
   void AllowOnly(std::initializer_list<const char*> keys) const;
 
   std::string Text() const;
-  bool Truth() const;     // reads true or false
-  double Number() const;  // fails for a number that is not finite
+  bool Truth() const;     // reads a value that is true or false
+  double Number() const;  // reads a number; fails if it is not finite
   double NumberAbove(double floor) const;
   double NumberWithin(double min, double max) const;
   int64_t Whole(int64_t min, int64_t max) const;
-  Eigen::Vector3d Vector() const;  // reads [x, y, z]
+  Eigen::Vector3d Vector() const;  // reads a vector from the array [x, y, z]
   std::vector<double> Numbers(size_t count) const;
 
  private:

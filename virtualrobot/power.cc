@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kZeroCelsius = 2731;       // 0 degrees Celsius in units of 0.1 K
 constexpr word kFullCapacityMah = 2000;  // capacity of a full battery; our choice
-constexpr word kVoltageMv = 7400;        // two lithium cells; our choice
+constexpr word kVoltageMv = 7400;        // voltage of two lithium cells; our choice
 constexpr int kChargingMa = 1000;        // charging current on the charging station; our choice
 constexpr int kCurrentMaxMa = 32767;     // largest current that OPowerStatus can tell
 
@@ -86,7 +86,8 @@ OPowerStatus Power::Status() const {
 }
 
 void Power::SetMotorPower(bool on) {
-  if (pause_ && on) return;  // motor power that the pause button has cut stays off
+  // Does nothing, because motor power that the pause button has cut stays off.
+  if (pause_ && on) return;
   motor_power_ = on;
   NotifyChange();
 }

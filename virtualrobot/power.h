@@ -49,8 +49,9 @@ class Power {
 
   // The load of the battery in a frame of 8 ms.
   struct Load {
-    int current_ma = 1300;  // drawn from the battery; without the charging current
-    int battery_c = 30;     // temperature of the battery
+    // Current that the robot draws from the battery, without the charging current.
+    int current_ma = 1300;
+    int battery_c = 30;  // temperature of the battery
     bool over_current = false, over_temperature = false;
     bool operator==(const Load&) const = default;
   };
@@ -93,7 +94,8 @@ class Power {
 
   Battery battery_;  // the battery as it was at the time capacity_since_us_
   int64_t capacity_since_us_ = 0;
-  // Charge drawn since capacity_since_us_, minus the charge that the usual current draws.
+  // Charge drawn since capacity_since_us_, minus the charge that the usual current draws in this
+  // time.
   int64_t extra_ma_us_ = 0;
   Load load_;
   bool charging_ = false;

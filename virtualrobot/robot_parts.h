@@ -37,10 +37,10 @@ namespace openr_host {
 // a battery, and a SharedFrame if other robots are in the same world.  Every member may be left
 // out.
 struct VirtualRobotOptions {
-  std::unique_ptr<SoundSink> speaker;                   // null: sounds are not stored
-  std::unique_ptr<SoundSource> microphone;              // null: the microphone hears silence
-  std::unique_ptr<ImageSource> camera;                  // null: the camera sees the robot's world
-  Battery battery;                                      // by default full at boot, and drains
+  std::unique_ptr<SoundSink> speaker;       // receiver of sounds; null: they are not stored
+  std::unique_ptr<SoundSource> microphone;  // source of sound; null: silence
+  std::unique_ptr<ImageSource> camera;      // source of pictures; null: the robot's world
+  Battery battery;  // the battery; by default it is full at boot, and drains
   std::shared_ptr<SharedFrame> shared_frame = nullptr;  // null: the robot is alone in its world
 };
 
@@ -98,7 +98,7 @@ struct RobotParts {
   Hands hands{this};
   Faults faults{this};
   JointTargets targets{this};
-  int64_t first_frame = 0;  // 0 unless a test sets it
+  int64_t first_frame = 0;  // number of the first frame; 0 unless a test sets it
   // Number of the frame that runs now, counted from the last boot.  All earlier frames are
   // complete.
   int64_t frame = 0;

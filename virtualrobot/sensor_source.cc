@@ -184,7 +184,8 @@ void SensorSource::ApplyFault(const SensorFault& fault, const Sensor& sensor, sl
     case SensorFaultKind::kNoisy: {
       const double noise = FaultNoise();
       const double share = fault.percent / 100.0;
-      // A switch has only two values, so an error inverts it.
+      // Adds no error to the value of a switch, but inverts it at random, because a switch has only
+      // two values.
       if (sensor.kind == SensorKind::kSwitch) {
         if (std::fabs(noise) < share) value->value = value->value == oswitchON ? 0 : oswitchON;
         break;
@@ -219,7 +220,7 @@ RCRegion* SensorSource::FreeVector() {
   constexpr size_t kInfo = sizeof(OSensorFrameInfo);
   constexpr size_t kData = sizeof(OSensorFrameData);
   RCRegion* const region = NewVectorRegion(odataSENSOR_FRAME_VECTOR, kInfo, count, count * kData);
-  // These fields never change, so they are written only when the region is made.
+  // Writes these fields only when the region is made, because they never change.
   auto* const vector = reinterpret_cast<OSensorFrameVectorData*>(region->Base());
   for (size_t i = 0; i < count; ++i) {
     OSensorFrameInfo& info = *vector->GetInfo(static_cast<int>(i));

@@ -31,12 +31,13 @@ enum class SensorFaultKind {
 };
 struct SensorFault {
   SensorFaultKind kind = SensorFaultKind::kDead;
-  int percent = 0;  // kNoisy: highest error, in percent of the sensor's range
+  int percent = 0;  // for kNoisy: the highest error, in percent of the sensor's range
 };
 
 class SensorSource {
  public:
-  static constexpr int kFramesPerVector = 4;  // source: Level 2 Reference Guide, 3.1
+  // Number of frames in a sensor vector (Level 2 Reference Guide, 3.1).
+  static constexpr int kFramesPerVector = 4;
 
   // Makes the sensors of a robot.  `noise` is the random generator of their noise; `fault_noise` is
   // the random generator of sensors with the fault kNoisy.  `model` and `primitives` must outlive
@@ -95,7 +96,8 @@ class SensorSource {
  private:
   // The state of a joint from which the newest sample of its sensor was computed.
   struct JointReading {
-    double angle_rad = std::numeric_limits<double>::infinity();  // at first: equal to no angle
+    // Infinity at first.  It equals no angle, so the first sample is always computed.
+    double angle_rad = std::numeric_limits<double>::infinity();
     double drive = 0;
     slongword target_urad = 0;
     bool is_dead = false;
@@ -113,7 +115,7 @@ class SensorSource {
   const RobotModel& model_;
   const PrimitiveTable& primitives_;
   Rng noise_, fault_noise_;
-  // Whether FaultNoise() was called; only then its generator is hashed.
+  // True: FaultNoise() was called.  HashState() leaves its generator out before that.
   bool is_fault_noise_used_ = false;
   std::vector<OSensorValue> latest_;
   std::vector<JointReading> readings_;          // one element for each joint

@@ -32,7 +32,7 @@ struct ServoSettings {
 // slope_nm_s * v.
 struct TorqueLine {
   double zero_speed_nm = 0;
-  double slope_nm_s = 0;  // N m s / rad, > 0
+  double slope_nm_s = 0;  // slope of the line, in N m s / rad; > 0
 };
 
 class Servo {
@@ -80,9 +80,11 @@ class Servo {
   PidGains gains_;
   double target_rad_ = 0;
   double target_speed_rad_s_ = 0;
-  double p_ = 0;         // in PWM counts per rad
-  double i_ = 0;         // in PWM counts per rad and frame; the servo integrates once a frame
-  double d_ = 0;         // in PWM counts per rad/s
+  double p_ = 0;  // factor of the P part, in PWM counts per rad
+  // Factor of the I part, in PWM counts per rad and frame, because the servo integrates once a
+  // frame.
+  double i_ = 0;
+  double d_ = 0;         // factor of the D part, in PWM counts per rad/s
   double integral_ = 0;  // integral of the control law, in PWM counts
   const JointTrouble* trouble_ = nullptr;
 };

@@ -19,7 +19,7 @@ class SharedFrame {
 
   // Ends the frame that ends at the virtual time `now_us`: the hands of people and the faults act,
   // and the bodies move for 8 ms under the present set points.  Each robot calls End() for each of
-  // its frames; all calls for one frame but the first do nothing.
+  // its frames; only the first call for a frame has an effect.
   void End(int64_t now_us);
 
  private:

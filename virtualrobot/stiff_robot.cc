@@ -34,7 +34,7 @@ Matrix3d LevelRotation(const Vector3d& up_B) {
   return R;
 }
 
-using Triangle = std::array<Vector3d, 3>;  // corners counterclockwise, seen from above
+using Triangle = std::array<Vector3d, 3>;  // its corners, counterclockwise when seen from above
 
 double Cross2(const Vector3d& o, const Vector3d& p, const Vector3d& q) {
   return (p.x() - o.x()) * (q.y() - o.y()) - (p.y() - o.y()) * (q.x() - o.x());
@@ -45,7 +45,7 @@ bool Under(const Triangle& t, const Vector3d& p) {
   return Cross2(t[0], t[1], p) >= 0 && Cross2(t[1], t[2], p) >= 0 && Cross2(t[2], t[0], p) >= 0;
 }
 
-struct Plane {  // z = a x + b y + c
+struct Plane {  // the plane of all points with z = a x + b y + c
   double a, b, c;
 };
 
@@ -65,7 +65,8 @@ Triangle HugeTriangleOver(const Vector3d& centre) {
 // corner is chosen so that `centre` still lies over the triangle.  `t` and `centre` are in a frame
 // that is turned by R from B.  REQUIRES: `centre` lies over `t`.
 void SinkToSupport(const Hull& hull, const Matrix3d& R, const Vector3d& centre, Triangle* t) {
-  constexpr int kSwapsMax = 64;  // far more than the hulls of these robots need
+  // Largest number of swaps; far more than the hulls of these robots need.
+  constexpr int kSwapsMax = 64;
   for (int swaps = 0; swaps < kSwapsMax; ++swaps) {
     const Plane plane = Through(*t);
     const Vector3d n_B = R.transpose() * Vector3d(-plane.a, -plane.b, 1);
@@ -77,7 +78,8 @@ void SinkToSupport(const Hull& hull, const Matrix3d& R, const Vector3d& centre, 
       next[k] = p;
       if (Under(next, centre)) break;
     }
-    // The point p lies in line with an edge, so the new triangle has no area.
+    // Ends the search if the point p lies in line with an edge, because the new triangle then has
+    // no area.
     if (Cross2(next[0], next[1], next[2]) < 1e-12) return;
     *t = next;
   }

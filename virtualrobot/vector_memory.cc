@@ -12,7 +12,9 @@
 namespace openr_host {
 namespace {
 
-constexpr longword kWaitFrames = 1250;  // 10 s; our choice: a longer wait is taken for a mistake
+// The longest wait that a vector may ask for, 10 s in frames.  A longer wait is taken for a
+// mistake. The number is our choice.
+constexpr longword kWaitFrames = 1250;
 
 // Returns how many bytes of the region may be read: the size that its sender says, limited by the
 // size of its memory.

@@ -46,7 +46,8 @@ class OVirtualRobotComm : public CodeObject {
   RegionReference exposed_;  // the image that the camera is reading out of its sensor
   Selector frame_;
   bool running_ = false;
-  std::vector<CommandQueue> queues_;  // in the order of the senders' first vectors
+  // A queue for each sender, in the order of their first vectors.
+  std::vector<CommandQueue> queues_;
 };
 
 }  // namespace openr_host

@@ -19,19 +19,21 @@ struct HeightGrid;  // defined in height_grid.h
 struct WorldThing {
   std::string name;  // name of the thing in error messages and reports
   ThingShape shape = ThingShape::kBox;
-  // Box: lengths of the edges.  Sphere: x, y and z are all the diameter.  Cylinder: x and y are the
-  // diameter, z is the length along its own z.  Heightfield: edges of the box that holds it.
-  // Each > 0.
+  // The size of the thing.  A box has these lengths of edges.  A sphere has its diameter in x, y
+  // and z.  A cylinder has its diameter in x and y, and its length in z.  A heightfield has the
+  // edges of the box that holds it.  All numbers are > 0.
   Eigen::Vector3d size_m{0, 0, 0};
   Eigen::Vector3d centre_m{0, 0, 0};                   // place of the centre in W
   Eigen::Matrix3d R_WT = Eigen::Matrix3d::Identity();  // rotation from the thing's own axes T to W
   Eigen::Vector3d colour{0.72, 0.60, 0.46};            // red, green and blue, 0 to 1
-  // Mass; > 0: robots and other things can move the thing; 0: the thing is fixed.
+  // Mass of the thing; 0: the thing is fixed.  If the mass is > 0, robots and other things can move
+  // the thing.
   double mass_kg = 0;
   // false: the thing is paint on the floor, which cameras see but nothing touches
   bool is_solid = true;
   double reflectance = 1;  // share of the infrared light of a distance sensor that comes back
-  std::shared_ptr<const HeightGrid> heights = {};  // heightfield: its surface; otherwise null
+  // Surface of a heightfield; null for other shapes.
+  std::shared_ptr<const HeightGrid> heights = {};
 };
 
 // The place of a robot at its first boot: where the origin of its base B is above the floor, and

@@ -41,7 +41,7 @@ struct Span {
   double low, high;
 };
 
-// The values at an axis beside which a number is drawn: `first`, `first` + `step`, ...
+// The values of an axis at which numbers are drawn: `first`, `first` + `step`, ...
 struct Ticks {
   double first, step;
   int decimals;
@@ -67,8 +67,8 @@ void Widen(const std::vector<double>& values, Span* span) {
   }
 }
 
-// Replaces all bytes except printable ASCII by '?'.  Cairo refuses text that is not UTF-8, and
-// names in motion files may have any bytes.
+// Returns `text` with '?' in place of all bytes except printable ASCII.  Cairo refuses text that is
+// not UTF-8, and names in motion files may have any bytes.
 std::string Printable(std::string text) {
   for (char& c : text) {
     if (c < ' ' || c > '~') c = '?';

@@ -65,8 +65,8 @@ const char* KindOf(Value value) {
   return value == Value::kFile ? "-f" : value == Value::kFolder ? "-d" : "";
 }
 
-// Adds a case to the script for each flag with a value.  The case says which words can follow the
-// flag.
+// Adds a pattern of the shell's `case` statement to the script for each flag with a value.  The
+// code after the pattern completes the words that can follow the flag.
 void AddValues(const CommandInfo& command, std::string* script) {
   for (const OptionInfo& option : command.options) {
     if (option.value == Value::kNone) continue;
@@ -85,8 +85,9 @@ void AddValues(const CommandInfo& command, std::string* script) {
   for (const CommandInfo& below : command.commands) AddValues(below, script);
 }
 
-// Adds a case to the script for each command.  The case has the words that may come next, then '|',
-// then the flags of the command.  It also says whether file or folder names may come next.
+// Adds a pattern of the shell's `case` statement to the script for each command.  The code after
+// the pattern sets `words` to the words that may come next, then '|', then the flags of the
+// command. It sets `kind`, which says whether file or folder names may come next.
 void AddWords(const CommandInfo& command, std::string* script) {
   std::vector<std::string> words, flags;
   for (const CommandInfo& below : command.commands) words.push_back(below.name);

@@ -42,9 +42,9 @@ struct PlacementFlags {
 // --free-running, --restart, --monitor, --run-name, --join-wait and the flags of AddBusFlags().
 void AddPlacementFlags(CLI::App* command, PlacementFlags* flags);
 
-// Throws CLI::ValidationError if a flag of the user has no effect in this run: a flag for worker
-// processes although all objects run in this process, or a flag for DDS although the run does not
-// use DDS.
+// Throws CLI::ValidationError if the user has given a flag that has no effect in this run.  Flags
+// for worker processes have no effect if all objects run in this process (`has_processes` is
+// false). Flags for DDS have no effect if the run does not use DDS (`has_dds` is false).
 void RefuseIdleFlags(const PlacementFlags& flags, bool has_processes, bool has_dds);
 
 // Values of the flags --ros2 and --ros2-namespace.

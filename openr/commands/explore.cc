@@ -306,7 +306,7 @@ void Tell(const Json& result, const std::string& text, bool as_json) {
 }
 
 // Shows the failing run of a schedule file on the panel.  `answer` is the answer of
-// ReplayDeviations().
+// ReplayDeviations().  Returns the exit code.
 int ShowFailure(const ExploreFlags& flags, const ExploredStick& stick, uint64_t seed,
                 const Json& deviations, const Json& answer) {
   ShowOptions show = flags.show;

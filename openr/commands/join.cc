@@ -172,8 +172,9 @@ int Join(JoinFlags flags, bool is_known = false) {
     const std::string file = flags.parent != 0 ? flags.crash_log
                              : is_own          ? own_stick->crash_log()
                                                : CrashLogOn(stick);
-    std::optional<std::string> place;  // text after the name of the crash record; nullopt: the
-                                       // record is on the run's stick
+    std::optional<std::string> place;  // text that the report adds after the path of the crash
+                                       // record, such as " on HOST"; nullopt: the report need not
+                                       // name the path, because the record is on the run's stick
     if (flags.parent == 0) {
       place = " on " + HostName();
     } else if (file != CrashLogOn(stick)) {
@@ -209,7 +210,8 @@ int JoinInChild(const JoinFlags& flags, bool is_known, pid_t* child) {
   if (*child < 0) throw std::runtime_error(fmt::format("fork: {}", strerror(errno)));
   if (*child == 0) exit(JoinHere(flags, is_known));
   g_child = *child;
-  if (g_ended_by != 0) kill(*child, SIGTERM);  // then the signal came before g_child was set
+  // Passes on a signal that came before g_child was set, because it has not reached the child.
+  if (g_ended_by != 0) kill(*child, SIGTERM);
   const int status = WaitForEnd(*child);
   g_child = 0;
   return status;
@@ -265,7 +267,7 @@ void AddJoinCommand(CLI::App* app, int* exit_code) {
   command->add_flag("--restart", flags->restarts,
                     "Come again, with objects as at the beginning, when it ends before the run is "
                     "over: by a crash, or because the run cannot be reached");
-  // A flag that openr run gives, not users.
+  // Hides the flags from the help, because only openr run gives them, and no user does.
   command->add_option("--child-of", flags->parent)->group("");
   command->add_option("--crash-log", flags->crash_log)->group("");
   command->add_option("--session", flags->worker.session)->group("");

@@ -339,8 +339,8 @@ void LogCompare(const LogFlags& flags) {
 
 using LogAction = void (*)(const LogFlags& flags);
 
-// Runs `action`.  If it throws an error, prints the error on standard error and, with --json, also
-// as JSON on standard output.
+// Runs `action` and returns the exit code.  If `action` throws an error, prints the error on
+// standard error and, with --json, also as JSON on standard output.
 int PerformLog(LogAction action, const LogFlags& flags) {
   try {
     action(flags);

@@ -10,8 +10,8 @@
 namespace openr_host {
 namespace {
 
-// Returns `text` in the language of man(7), such that man shows it unchanged: no line begins a
-// request, and '-' stays the character that can be copied as part of a flag.
+// Returns `text` with escapes, so that man(7) shows it unchanged.  No line of the result is taken
+// for a command of man(7), and '-' stays the character that can be copied as part of a flag.
 std::string Plain(const std::string& text) {
   std::string plain;
   bool begins_line = true;
@@ -78,8 +78,8 @@ std::string Entries(const CommandInfo& command) {
   return text;
 }
 
-// Converts `footer`, the last part of a command's help, to the language of man(7).  Lines without
-// an indent become headings; all other lines are shown unchanged.
+// Returns `footer`, the last part of a command's help, in the language of man(7).  Lines without an
+// indent become headings; all other lines are shown unchanged.
 std::string Footer(const std::string& footer) {
   std::string text;
   bool is_in_block = false;
@@ -102,8 +102,8 @@ std::string UpperCase(std::string text) {
   return text;
 }
 
-// Adds a section to the manual page for each subcommand of `command`, and for the subcommands of
-// those.
+// Adds a section to the manual page for each command below `command`: its subcommands, the
+// subcommands of these, and so on.
 void AddBelow(const CommandInfo& command, std::string* page) {
   for (const CommandInfo& below : command.commands) {
     *page += ".SS " + Plain(below.path) + "\n" + Synopsis(below) + ".PP\n" +

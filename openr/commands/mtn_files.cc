@@ -111,8 +111,8 @@ std::vector<OdaMember> MembersOf(const std::string& file, const std::string& byt
   }
 }
 
-// Replaces all bytes of `name` except printable ASCII by '?'.  A container file may come from
-// anywhere, so control bytes in its names must not reach the terminal.
+// Returns `name` with '?' in place of all bytes except printable ASCII.  A container file may come
+// from anywhere, so control bytes in its names must not reach the terminal.
 std::string Printable(std::string name) {
   for (char& c : name) {
     if (c < ' ' || c > '~') c = '?';

@@ -57,7 +57,8 @@ void TellFailure(const std::string& why, bool as_json) {
   std::printf("%s\n", nlohmann::json{{"error", why}}.dump(-1, ' ', false, replace).c_str());
 }
 
-// Prints the help or the version.  CLI11 reports a request for them as an `error` with exit code 0.
+// Prints the help or the version, and returns the exit code.  CLI11 reports a request for help or
+// version as an `error` with exit code 0.
 int PrintAskedFor(const CLI::App& app, const CLI::ParseError& error) {
   std::ostringstream text;
   const int exit_code = app.exit(error, text, text);
@@ -107,7 +108,8 @@ int RunProgram(int argc, char** argv) {
     TellFailure(Explain(error), as_json);
     return kExitWrong;
   } catch (const std::system_error& error) {
-    // Fmt::print() has thrown because standard output cannot be written.
+    // If standard output cannot be written, fmt::print() has thrown this error, so the answer of
+    // the command is lost.
     if (std::ferror(stdout) != 0) {
       NoteLostAnswer(error.code().value());
     } else {

@@ -20,8 +20,8 @@ namespace remote = openr::remote;
 struct RcFlags {
   std::string address;
   std::string with;    // address of a second robot; "": there is only one robot
-  bool track = false;  // whether a robot that follows another one ignores its limits of speed and
-                       // acceleration
+  bool track = false;  // true: the robot that follows the other one goes straight to each position,
+                       // and ignores its own limits of speed and acceleration
   int64_t timeout_us = 3'000'000;
   bool json = false;
   std::string device;  // the device that the user has named, by its name, title, locator or number
@@ -44,7 +44,7 @@ struct RcFlags {
   std::vector<std::string> goals;  // joints and their wanted positions, such as "neck_pan=30"
   std::string stream;              // name of the stream to print: "sensors" or "keyframes"
   int count = 0;           // number of events that are printed; 0: prints events until Ctrl-C
-  std::vector<int> gains;  // new gains P, I and D; empty: only shows the present gains
+  std::vector<int> gains;  // new gains P, I and D; empty: the present gains are only shown
 };
 
 // A function that carries out a command of openr rc: it sends requests to `robot` and prints the
@@ -65,7 +65,7 @@ void RcPowerAction(remote::Connection* robot, const RcFlags& flags);
 
 // Plays a motion on two robots at the same time (rc_play_with.cc).
 void RcPlayWithAction(remote::Connection* robot, const RcFlags& flags);
-// Converts the bytes of a log to the bytes of a simulated robot's log (rc_play_with.cc).
+// Returns the log `bytes`, changed into the log of a simulated robot (rc_play_with.cc).
 std::string SimulatedLog(const std::string& bytes);
 
 // Fetches a picture from the robot's camera (rc_camera.cc).

@@ -192,7 +192,7 @@ class CommandedRun {
   LiveEvents live_events_;
   const LiveContext live_context_;
   bool is_silent_ = false;     // true: this process is a copy of the run, so it prints nothing
-  bool is_assembled_ = false;  // `simulation_` has been assembled
+  bool is_assembled_ = false;  // true: `simulation_` has been assembled
   bool boots_ = false;
   RunFacts facts_;
 };
@@ -335,8 +335,8 @@ void CommandedRun::BeginDataLog() {
 // Boots the robots and runs the simulation to its end.  Returns false after printing an error.
 bool CommandedRun::RunToTheEnd() {
   const EndingAnswer answer(flags_.json ? StandardOutput() : -1, flags_.report_file);
-  // Gives `place` a value for a run on the default stick, because the finding about a crash must
-  // then name the record's file: users do not know the folder of this file.  The value is "",
+  // Users do not know the folder of the crash record of a run on the default stick.  So `place`
+  // gets a value, because the finding about a crash then names the record's file.  The value is "",
   // because no text needs to follow the file's name.
   std::optional<std::string> place;
   if (stick_.is_default()) place = "";

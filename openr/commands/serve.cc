@@ -28,7 +28,7 @@ int RunServe() {
   // Makes Mesa draw pictures without threads of its own.  The process is forked, and the fork would
   // not have these threads.
   setenv("LP_NUM_THREADS", "0", 0);
-  const Console console("");  // keeps the text that objects print out of the answers
+  const Console console("");  // keeps the text that objects print separate from the answers
   RequestPipe pipe(STDIN_FILENO, StandardOutput());
   auto server = std::make_unique<RunServer>(&pipe);
   const int exit_code = server->Serve();

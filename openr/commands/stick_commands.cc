@@ -87,7 +87,7 @@ void AskAll(WlanConfig* config) {
       "as well: openr help stick wlan");
 }
 
-// Prints warnings about wireless settings that make no sense on standard error.
+// Prints warnings on standard error about wireless settings that make no sense.
 void TellSense(const std::string& file, const std::string& text) {
   fmt::print(stderr, "{}", Render(CheckWlanSense(file, ParseWlanConfig(file, text))));
 }

@@ -37,7 +37,7 @@ class Top {
   explicit Top(const TopFlags& flags)
       : flags_(flags), bus_(flags.bus), reader_(&bus_), on_screen_(isatty(STDOUT_FILENO) == 1) {}
 
-  // Prints the table of runs again and again until Ctrl-C.
+  // Prints the table of runs again and again until Ctrl-C.  Returns the exit code.
   int Watch() {
     for (int64_t next_us = flags_.interval_us; interrupts_.count() == 0;
          next_us += flags_.interval_us) {
@@ -49,9 +49,10 @@ class Top {
     return kExitGood;
   }
 
-  // Prints one table of the runs that send their status.  Waits for the first run, but not longer
-  // than --wait.  Without --run-name, listens for kOthersUs at least, because each run sends its
-  // status only once a second.  Throws std::runtime_error if no run is heard.
+  // Prints one table of the runs that send their status, and returns the exit code.  Waits for the
+  // first run, but not longer than --wait.  Without --run-name, listens for kOthersUs at least,
+  // because each run sends its status only once a second.  Throws std::runtime_error if no run is
+  // heard.
   int Once() {
     while (runs_.empty() && NowUs() < flags_.wait_us && interrupts_.count() == 0) Listen();
     if (runs_.empty()) return Complain();

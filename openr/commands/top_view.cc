@@ -125,8 +125,8 @@ std::string Table(const std::vector<Row>& rows, size_t columns) {
   return text;
 }
 
-// Breaks `line` at spaces into lines of at most `columns` characters.  Indents all of these
-// lines except the first.
+// Returns `line`, broken at spaces into lines of at most `columns` characters.  All of these lines
+// except the first are indented.
 std::string Fold(const std::string& line, size_t columns) {
   constexpr size_t kIndent = 4;
   if (columns <= 2 * kIndent || line.size() <= columns) return line + "\n";
@@ -262,7 +262,8 @@ std::string OnScreen(const std::string& text, size_t rows, size_t columns) {
     lines.resize(rows - 1);
     lines.push_back(fmt::format("... {}", Counted(left_out, "more line")).substr(0, columns));
   }
-  std::string screen;  // the page; it clears each line to its end, and the rest of the screen
+  // The page, with codes that clear the end of each line and the rest of the screen.
+  std::string screen;
   for (const std::string& line : lines) screen += (screen.empty() ? "" : "\r\n") + line + "\x1b[K";
   return screen + "\x1b[J";
 }

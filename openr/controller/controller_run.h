@@ -11,7 +11,7 @@ struct ControllerRun {
   const char* address;       // address of the robot's remote control: "HOST[:PORT]"
   int timeout_ms;            // time limit for each answer of the robot
   const char* folder;        // folder of the controller, which has its motion files (*.MTN)
-  int (*controller_main)();  // calls main() of the controller
+  int (*controller_main)();  // a function that calls main() of the controller
 };
 
 // Runs the controller until its loop ends, Ctrl-C is pressed, or the connection ends.  Prints

@@ -57,8 +57,8 @@ void JointCommands::AddPosition(int joint, const BatchJoint& now, bool is_playin
   if ((now.flags & batchPOSITION_GIVEN) == 0 || is_playing) return;
   const Sint32 position = CdegFromUrad(now.position);
   if (!sent.is_off && sent.position == position) return;
-  // Switches the motor on as well, because MOVE alone leaves a joint off (docs/remote-control.md,
-  // MOTOR_ON).
+  // Adds a request that switches the motor on, because MOVE alone leaves a joint off
+  // (docs/remote-control.md, MOTOR_ON).
   if (sent.is_off) commands->push_back({{rcMOTOR_ON, {index}}, "the motor of " + name});
   sent.is_off = false;
   sent.position = position;

@@ -146,7 +146,8 @@ void RemotePort::TakeSensors(const remote::Sensors& sensors, uint32_t frame) {
   if (!playing_.empty()) TellMotion(key_frame, state_ == moverACCEPTING_COMMANDS && key_frame < 0);
   for (const auto& [joint, why] : busy_) {
     if (state_ > moverACCEPTING_COMMANDS) {
-      joints_.Forget(joint);  // sends the position again later, because a motion plays now
+      // Makes Changes() return the position again later, because a motion plays now.
+      joints_.Forget(joint);
     } else {
       WarnOfRefusal(why);
     }
@@ -197,8 +198,8 @@ void RemotePort::TakeAnswers(bool waits) {
       if (answers[i].status == rcOK) continue;
       const std::string why = fmt::format("{} was refused: {}", command.what, answers[i].error);
       if (answers[i].status == rcerrorBUSY && command.joint >= 0) {
-        busy_.emplace_back(command.joint,
-                           why);  // then the next sensor values tell whether a motion plays
+        // The next sensor values tell whether a motion that plays is the reason.
+        busy_.emplace_back(command.joint, why);
       } else {
         WarnOfRefusal(why);
       }
@@ -266,7 +267,7 @@ void RemotePort::SendMover(const MoverCommand& command) {
   const auto play = [&] {
     robot_.PlayMotion(playing_, command.loops, command.keyFramesPerVector);
     play_frame_ = robot_.frame();
-    state_ = moverPREPARE_MTN;  // until sensor values give the real state of JointMover
+    state_ = moverPREPARE_MTN;  // assumed until sensor values give the real state of JointMover
   };
   if (Guarded(play, &refusal)) return;
   Say(fmt::format("mtn_play: {} was refused: {}", playing_, refusal));
@@ -346,9 +347,10 @@ void RemotePort::Print(const char* text) {
 
 // ---- A controller that is an endless loop
 
-// Blocks in robot_step() until the core continues the loop of the controller.  On this computer the
-// controller may block, so it needs no second stack, which it has on the robot.  Each call of
-// on_step_() runs one iteration of the core, and one of these iterations sets is_continued_.
+// Blocks in robot_step() until the core continues the loop of the controller; then returns true.
+// On this computer the controller may block, so it needs no second stack, which it has on the
+// robot.  Each call of on_step_() runs one iteration of the core, and one of these iterations sets
+// is_continued_.
 bool RemotePort::LeaveLoop() {
   is_continued_ = false;
   while (!is_continued_) on_step_();

@@ -124,8 +124,9 @@ class RemotePort : public ControllerPort {
   int battery_percent_ = 0;
   std::string playing_;      // file of the motion that plays for the controller; "": none
   uint32_t play_frame_ = 0;  // frame number in the answer to MTN_PLAY for this motion
-  int step_ms_ = 0;          // time step of the lights sent last; 0: none sent since TakeStep()
-  int rounded_ms_ = 0;       // the rounded time step about which the user was told last
+  // Time step that came with the last SendLeds(); 0: no SendLeds() since TakeStep().
+  int step_ms_ = 0;
+  int rounded_ms_ = 0;  // the rounded time step about which the user was told last
   bool is_continued_ = false;
   std::chrono::steady_clock::time_point heard_{};   // time of the last event or answer
   std::chrono::steady_clock::time_point warned_{};  // time of the last WarnOfRefusal()

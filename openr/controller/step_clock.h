@@ -29,8 +29,8 @@ class StepClock {
 
   int64_t iterations() const { return iterations_; }  // number of iterations that have ended
 
-  // Describes the time steps that were asked for and achieved: "640 iterations in 41.0 s; asked for
-  // were 64 ms each, achieved 64.1 ms on average, 71 ms at most".
+  // Returns a text about the time steps that were asked for and achieved: "640 iterations in 41.0
+  // s; asked for were 64 ms each, achieved 64.1 ms on average, 71 ms at most".
   std::string Summary() const;
 
  private:

@@ -20,7 +20,8 @@ namespace {
 
 // Longest virtual time between the ends of two chunks of messages.
 constexpr int64_t kChunkUs = 1'000'000;
-constexpr size_t kChunkBytes = 1 << 20;      // number of bytes at which a chunk ends earlier
+// A chunk with so many bytes ends before kChunkUs have passed.
+constexpr size_t kChunkBytes = 1 << 20;
 constexpr int64_t kPoseDistanceUs = 32'000;  // least virtual time between two messages with poses
 // The largest number of characters of a finding's or an input's text.
 constexpr size_t kTextMax = 2000;

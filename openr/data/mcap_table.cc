@@ -15,7 +15,7 @@ namespace {
 // Largest depth of nested objects in a message; messages of openr have depth 1.
 constexpr int kLevelMax = 32;
 
-// Thrown when a record should be longer than the rest of the file, because the file was cut off.
+// Thrown when a field goes beyond the end of the bytes, because the file was cut off.
 struct FileIsCut {};
 
 // Reads the fields of a record of an MCAP file, one after the other.
@@ -154,8 +154,8 @@ class McapReader {
     if (json.is_object()) AddMembers(QuantityOfTopic(topic), time_s, json, 1);
   }
 
-  // Adds the numbers of a JSON object, and of the objects inside it, to the table.  `level` is 1
-  // for a whole message.
+  // Adds the numbers of a JSON object, and of the objects inside it, to the table.  `level` is the
+  // depth of the object in its message; a whole message has depth 1.
   void AddMembers(const std::string& name, double time_s, const nlohmann::json& json, int level) {
     if (level > kLevelMax)
       Refuse(fmt::format("has objects within objects, more than {} deep", kLevelMax));

@@ -12,7 +12,8 @@ class Replayer;
 
 // Replays a recording up to `until_us`.  Writes a log of data if `options.file` is not "", and a
 // timeline if `timeline` is not "".  Returns "", or the error that happened while a file was
-// written.  Throws as MakeDataLog() does.
+// written.  Throws std::runtime_error when a file cannot be created or another run is writing to
+// it.
 std::string LogReplay(Replayer* replayer, const DataLogOptions& options,
                       const std::string& timeline, int64_t until_us);
 

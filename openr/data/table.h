@@ -22,8 +22,8 @@ struct Table {
 // time_ms or time_us.  `bytes` is the content of `file`, whose name is used in error messages.
 // Throws std::runtime_error "FILE:LINE: what is wrong".
 Table ReadCsvTable(const std::string& file, std::string_view bytes);
-// Reads a table from an MCAP file without compression.  `file` and `bytes` are the same as for
-// ReadCsvTable().
+// Reads a table from `bytes`, the content of an MCAP file without compression.  `file` is the name
+// of the file for error messages.  Throws std::runtime_error if the content is wrong.
 Table ReadMcapTable(const std::string& file, std::string_view bytes);
 
 }  // namespace openr_host

@@ -44,9 +44,9 @@ std::string TextIn(const char (&text)[N]) {
 // Converts an angle of OPEN-R, in 10^-6 rad, to degrees.
 double DegreesOf(slongword urad) { return Degrees(urad * 1e-6); }
 
-// Calls tell(info) for each element of the data vector in `content`, and puts the lines that it
-// returns together.  Ends at an element that `content` does not have, because the content was cut
-// there, and when `tell` returns "".
+// Calls tell(info) for each element of the data vector in `content`, and returns all lines that
+// `tell` has returned.  Stops at the end of `content`, which may have been cut, or when `tell`
+// returns "".
 template <typename Info, typename Tell>
 std::string DecodeElements(const std::string& content, Tell tell) {
   ODataVectorInfo vector;

@@ -250,7 +250,7 @@ void UseAlternateStack(bool on) {
 // heap-use-after-free on address ...".  Only the kind of the error in this line is kept, here
 // heap-use-after-free.
 void OnSanitizerReport(const char* report) {
-  // Returns, because AddressSanitizer then ends the process.
+  // Does nothing if no object runs, because AddressSanitizer then ends the process itself.
   if (t_current.object == nullptr) return;
   static constexpr char kBegin[] = "AddressSanitizer: ";
   const char* const begin = std::strstr(report, kBegin);
@@ -268,7 +268,7 @@ void OnSanitizerReport(const char* report) {
 #if !OPENR_ASAN
 // AddressSanitizer calls this function before it prints a report.  From now on file functions use
 // the files of the host and not those of the object, because AddressSanitizer reads debug
-// information for its report.  The object does not go on.
+// information for its report.  This is not undone, because the object does not run again.
 extern "C" [[gnu::visibility("default")]] void __asan_on_error() {
   openr_host::t_current.image_code = false;
 }

@@ -46,8 +46,8 @@ void EndTheHandler() {
 }
 
 // Handles SIGVTALRM, which comes each time this thread has used 1/kTicks of the time limit.  Ends
-// the process at signal kTicks + 1 in a row during the same message: the handler may have begun
-// just before the first of these signals, and has used the whole limit only at the last one.
+// the process when kTicks + 1 of these signals in a row have come during the same message.  One
+// more than kTicks is needed, because the handler may have begun just before the first signal.
 void OnTickSignal(int) {
   const Object* const object = t_current.object;
   const uint64_t message =

@@ -19,18 +19,20 @@ class System;
 
 struct Deviation {
   enum class Kind : uint8_t {
-    kStart,  // `object` is chosen at the nth choice of the object that starts next
-    kTie,    // `object` goes first at the nth tie (several objects have a message due) at time_us
-    kDelay,  // nth message from `sender` to entry `selector` of `object` arrives `us` later
-    kCost,   // nth call of entry `selector` of `object` takes `us` longer (shorter if negative)
-    kFrame,  // the first frame of robot number nth has the number `us`
-    kFault,  // at time_us robot number `selector` gets the nth fault, FaultLine() of number `us`
+    kStart,  // at the nth choice of the object that starts next, `object` is chosen
+    kTie,    // at the nth tie at time_us, when several objects have a message due, `object` goes
+             // first
+    kDelay,  // the nth message from `sender` to entry `selector` of `object` arrives `us` later
+    kCost,   // the nth call of entry `selector` of `object` takes `us` longer (shorter if negative)
+    kFrame,  // the frame counter of the robot number `nth` begins with the frame number `us`
+    kFault,  // the nth fault of the run is FaultLine() number `us`, at time_us in robot number
+             // `selector`
   };
   Kind kind = Kind::kTie;
   // Virtual time of the deviation.  For a kTie it is a part of the place; for kDelay and kCost it
   // only informs people.
   int64_t time_us = 0;
-  uint64_t nth = 0;  // counted from 0
+  uint64_t nth = 0;  // number that is called nth in the comments of Kind; counted from 0
   ObjectId object = kNoObject;
   ObjectId sender = kNoObject;
   uint32_t selector = 0;

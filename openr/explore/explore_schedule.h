@@ -31,13 +31,15 @@ struct DeviationLog {
 // The kinds of choices that a schedule may make.  For a kind that is false, the schedule makes the
 // same choices as a run without exploration.
 struct Vary {
-  bool starts = true;   // the order in which objects get DoStart
-  bool ties = true;     // the order of objects that have messages due at the same time
-  bool delays = true;   // delays of messages to objects
-  bool network = true;  // delays of data from the network
-  bool costs = true;    // the jitter, that is the random part, of the handlers' processor times
-  bool frames = true;   // the number of the robot's first frame
-  int faults = 0;       // number of faults that the robots of a run get
+  bool starts = true;  // true: the schedule chooses the order in which objects get DoStart
+  // True: the schedule chooses the order of objects that have messages due at the same time.
+  bool ties = true;
+  bool delays = true;   // true: the schedule delays messages to objects
+  bool network = true;  // true: the schedule delays data from the network
+  // True: the schedule chooses the jitter, the random part, of the handlers' processor times.
+  bool costs = true;
+  bool frames = true;  // true: the schedule chooses the number of the robot's first frame
+  int faults = 0;      // number of faults that the robots of a run get
 };
 
 // Base class of the schedules for exploration.  For each choice it finds the place in the run and

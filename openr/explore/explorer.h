@@ -18,7 +18,7 @@ struct ExplorePlan {
   uint64_t first_seed = 1;
   uint64_t runs = 100;  // number of seeds; in a search, the largest number of runs
   int jobs = 1;         // number of child processes that make runs at the same time
-  // For a search.  True: of several orders with equal results, tries only one.
+  // True: a search tries only one of several orders with equal results.
   bool reduce = true;
   bool stop_at_first = true;  // true: stops at the first seed that breaks a property
   int shorten_runs = 2000;    // most runs that are made to shorten a failure; 0: no shortening
@@ -41,8 +41,8 @@ nlohmann::ordered_json ExploreSeeds(const ExplorePlan& plan);
 // differ only because of the other addresses.  Also returns the first seeds of both kinds.
 nlohmann::ordered_json VerifySeeds(const ExplorePlan& plan);
 
-// Tries all orders in which objects can start, and in which objects with messages due at the same
-// time can get them, depth first.  Returns a JSON object with
+// Tries, depth first, all orders in which objects can start, and all orders in which messages that
+// are due at the same time can be delivered.  Returns a JSON object with
 //   "runs", "orders" (runs with an order of their own), "cut" (runs stopped early because they
 //   repeated an earlier order), "broken", "ended_by", "complete" (all orders were tried), "covered"
 //   (explored share of the tree of choices, 0 to 1), "choices_max" (largest number of choices in a

@@ -77,7 +77,7 @@ void MoveMemory() {
   // lies behind the hole, so later blocks have other addresses than in other processes.
   const void* const heap_end = sbrk(13 * 4096 + 16);
   if (heap_end == reinterpret_cast<void*>(-1))
-    return;  // then sbrk() has failed, so the heap stays where it is
+    return;  // sbrk() has failed, so the heap stays where it is
   static void* volatile hole = malloc(4099);
   (void)hole;
   UseUpFreeBlocks(heap_end);

@@ -20,8 +20,9 @@ struct PreparedRun {
   Simulation* simulation = nullptr;
   std::vector<VirtualRobot*> robots;  // the robots; empty: the objects have no simulated body
   ExploredCost* cost = nullptr;       // the costs of handlers; null: handlers take no time
-  std::shared_ptr<void> owner;        // keeps the system, the robots and the costs alive
-  std::string problem;                // reason why the run cannot start; "": the run can start
+  // Owner of the system, the robots and the costs, which exist as long as it does.
+  std::shared_ptr<void> owner;
+  std::string problem;  // reason why the run cannot start; "": the run can start
 };
 
 // A function that assembles the same run each time it is called.  Each child process of the

@@ -54,7 +54,8 @@ class NotFallen : public Property {
   NotFallen() : Property("not-fallen") {}
 
   std::string Check(const RunView& view) override {
-    constexpr double kUprightMin = 0.7071;  // cosine of 45 degrees
+    // Smallest cosine of the tilt of an upright robot: 45 degrees.
+    constexpr double kUprightMin = 0.7071;
     has_stood_.resize(view.prepared->robots.size());
     for (size_t i = 0; i < has_stood_.size(); ++i) {
       if ((*view.standing)[i].standing()) has_stood_[i] = true;

@@ -158,7 +158,7 @@ class RuleProperty : public Property {
   const PropertyRule rule_;
   Quantity quantity_;
   Value last_;
-  bool has_been_ = false;  // used by kEventually: true if the comparison was true at least once
+  bool has_been_ = false;  // for kEventually: true if the comparison was true at least once
   bool was_looked_at_ = false;
 };
 

@@ -40,9 +40,10 @@ struct PropertyRule {
 std::vector<PropertyRule> ParseProperties(const std::string& file, std::string_view text,
                                           std::vector<Diagnostic>* diagnostics);
 
-// Compares `actual`, the value of a quantity, with the text `expected` by the operator `op`, such
-// as "<=".  If `actual` is a number, `expected` is read as a number.  Throws std::runtime_error
-// when `expected` is not a number in this case, or when `op` cannot compare texts.
+// Returns whether the comparison "`actual` `op` `expected`" is true.  `actual` is the value of a
+// quantity, and `op` an operator such as "<=".  If `actual` is a number, `expected` is read as a
+// number.  Throws std::runtime_error when `expected` is then not a number, or when `op` cannot
+// compare texts.
 bool Compares(const std::variant<double, std::string>& actual, const std::string& op,
               const std::string& expected);
 

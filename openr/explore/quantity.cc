@@ -127,7 +127,7 @@ Quantity FindSensor(const RobotModel& model, size_t robot, const std::string& na
 Eigen::Vector3d HeadingOf(const BodyState& state) {
   const Eigen::Vector3d x = state.X_WB.linear().col(0);
   const double length = std::sqrt(x.x() * x.x() + x.y() * x.y());
-  if (length < 1e-9) return {1, 0, 0};  // then the robot looks straight up or down
+  if (length < 1e-9) return {1, 0, 0};  // the robot looks up or down, so it has no heading
   return {x.x() / length, x.y() / length, 0};
 }
 
@@ -140,8 +140,9 @@ struct BaseQuantity {
   double (*of)(const BodyState& state);
 };
 
-// The quantities of a robot's base: its place, its attitude, and its speeds in its own directions:
-// forward and left along the floor, up, and the rate at which it turns left.
+// The quantities of a robot's base: its place, its attitude and its speeds.  The speeds are in the
+// robot's own directions: forward and left along the floor, up, and the rate at which it turns
+// left.
 constexpr BaseQuantity kOfBase[] = {
     {"x_m", [](const BodyState& s) -> double { return s.X_WB.translation().x(); }},
     {"y_m", [](const BodyState& s) -> double { return s.X_WB.translation().y(); }},

@@ -21,8 +21,8 @@ using Json = nlohmann::ordered_json;
 // the candidates that have been explored.
 struct Frame {
   std::vector<ObjectId> candidates;
-  SleepSet sleep;  // deliveries that sleep at this choice, so they need not be tried
-  SleepSet done;   // candidates that were explored, with the objects that each concerns
+  SleepSet sleep;  // deliveries that sleep at this choice, so the search need not try them
+  SleepSet done;   // candidates that were explored; value: the objects that each of them concerns
   size_t current = 0;
   Touched touched;  // objects that the current candidate's delivery concerns
 };

@@ -35,8 +35,8 @@ AnswerDifference CompareAnswer(const RobotModel& model, const std::string& entry
 // message is delivered.  REQUIRES: `message` is a notification or has plain bytes.
 void PutContent(const Message& message, const std::string& bytes);
 
-// Describes `difference`, the difference between a message and its recording, in lines of text for
-// a human reader.
+// Returns lines of text for a human reader that describe `difference`, the difference between a
+// message and its recording.
 std::string DescribeAnswer(const AnswerDifference& difference);
 
 }  // namespace openr_host

@@ -191,8 +191,8 @@ void Replayer::CompareFields(const TraceEntry& recorded, const TraceRecord& now)
   } else if (now.cause != then.cause) {
     Differ(recorded,
            fmt::format("is caused by message {} now, by {} when recorded", now.cause, then.cause));
-  } else if (now.size != then.size) {  // also for an answer of `only_`, because recorded bytes of
-                                       // another size do not fit in
+  } else if (now.size != then.size) {  // an answer of `only_` must have the recorded size, too,
+                                       // because the recorded bytes replace its bytes
     Differ(recorded, fmt::format("has {} bytes now, {} when recorded", now.size, then.size));
   }
 }
@@ -302,10 +302,10 @@ void Replayer::CompareEnd(const TraceEntry& end) {
   }
 }
 
-// Applies the next recorded input, such as "press pause", if its time has come.  Returns whether it
-// has applied an input.  At the end of the recording, instead compares the hashes of this run's
-// messages and state with the recorded hashes.  Where a worker process was lost, instead ends the
-// replay.
+// Handles the next entry of the recording if it is neither a message nor network input.  Applies a
+// recorded input, such as "press pause", if its time has come.  At the end of the recording,
+// compares the hashes of this run's messages and state with the recorded hashes.  Where a worker
+// process was lost, ends the replay.  Returns true only after it has applied an input.
 bool Replayer::ApplyInput() {
   SkipNames();
   const TraceEntry* const next = reader_.Peek();

@@ -49,7 +49,7 @@ const std::vector<std::string> kVerbs = {"step",   "back",   "goto",  "run",  "b
 // (stepper.h describes these processes).  A process that ends writes here what the waiting process
 // of an earlier snapshot has to do next.
 struct Shared {
-  bool went_back;    // a copy of the process has ended because the session goes back
+  bool went_back;    // true: a copy of the process has ended because the session goes back
   uint64_t target;   // number of messages after which going back ends
   int64_t until_us;  // virtual time up to which the session runs after going back; 0: none
   bool ends;         // true: the session is over
@@ -146,8 +146,9 @@ class Stepper {
   std::vector<std::string> WordsAfter(const std::vector<std::string>& words);
 
   // Runs forward by `count` messages, and takes snapshots on the way.  Returns false if the replay
-  // ends earlier.  Also returns false in a copy that is made later, when the user goes back to one
-  // of these snapshots, because the rest of the `count` messages must not follow there.
+  // ends earlier.  When the user later goes back to one of these snapshots, this function returns
+  // once more, in the new copy.  There it returns false, because the rest of the `count` messages
+  // must not follow.
   bool Forward(uint64_t count) {
     for (; count > 0; --count) {
       const uint64_t before = replayer_->count();

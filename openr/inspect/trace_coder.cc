@@ -10,9 +10,9 @@ namespace {
 // Largest payload that is read from a file.  No region of this size fits into the robot's memory,
 // so a larger size means that the file is damaged.
 constexpr uint64_t kPayloadMax = 64 << 20;
-// The most bytes of last payloads that a reader keeps.  A limit is needed, because a payload that
-// equals the one before takes no room in the file: a damaged file of some hundred bytes could make
-// the reader use all memory.
+// The most bytes that the last payloads of all senders may have together when a file is read.
+// Without this limit, a damaged file of some hundred bytes could make the reader use all memory,
+// because a payload that equals the one before takes no room in the file.
 constexpr uint64_t kKeptMax = 512 << 20;
 
 void WriteEvent(const NetworkEvent& event, ByteWriter* out) {
@@ -159,7 +159,7 @@ void TraceCoder::Write(const TraceEntry& entry, ByteWriter* out) {
       out->Text(entry.name);
       return;
     case TraceEntry::Kind::kMessage:
-      return;  // returns, because WriteMessage() has written the message already
+      return;  // does nothing, because WriteMessage() has written the message already
     case TraceEntry::Kind::kNetwork:
       out->Varint(static_cast<uint64_t>(entry.robot));
       out->Varint(entry.events.size());

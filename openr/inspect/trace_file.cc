@@ -72,7 +72,7 @@ TraceHeader HeaderOf(std::string_view text) {
   json.at("robots").get_to(h.robots);
   json.at("seed").get_to(h.seed);
   json.at("microphone").get_to(h.microphone);
-  // Takes the test pattern for "".  Older recordings have "", and their cameras saw only the test
+  // Replaces "" by the test pattern.  Older recordings have "", and their cameras saw only the test
   // pattern.
   json.at("images").get_to(h.images);
   if (h.images.empty()) h.images = kImagesOfPattern;

@@ -58,21 +58,23 @@ struct TraceHeader {
 struct TraceEntry {
   // The kinds of entries.  Each comment names the fields of TraceEntry that such an entry has.
   enum class Kind : uint8_t {
-    kObject = 1,       // id, robot, name; comes before the first message of the object
-    kEntry = 2,        // id (of the object), selector, name; comes before the first message to it
-    kOldMessage = 3,   // see kOldestTraceVersion
-    kNetwork = 4,      // robot, events: what Poll() returned during the message before
-    kOldPause = 5,     // see kOldestTraceVersion
-    kOldShutdown = 6,  // see kOldestTraceVersion
-    kEnd = 7,          // time_us, trace_hash, state_hash: the last entry
-    kOldConsole = 8,   // see kOldestTraceVersion
-    kStick = 9,        // what, name, payload: content before an object changed a file or folder
-    kLoss = 10,        // time_us, name: a worker process was lost; what follows cannot be replayed
-    // name, payload: how the run ended, as a word of EndName(), and the reason as text.  The entry
-    // is missing if the recorded process was killed.
+    kObject = 1,      // an object, before its first message; fields: id, robot, name
+    kEntry = 2,       // an entry of the object `id`, before the first message to it; fields: id,
+                      // selector, name
+    kOldMessage = 3,  // kind of an old version, see kOldestTraceVersion
+    kNetwork = 4,   // events that Poll() returned during the message before; fields: robot, events
+    kOldPause = 5,  // kind of an old version, see kOldestTraceVersion
+    kOldShutdown = 6,  // kind of an old version, see kOldestTraceVersion
+    kEnd = 7,          // the last entry; fields: time_us, trace_hash, state_hash
+    kOldConsole = 8,   // kind of an old version, see kOldestTraceVersion
+    kStick = 9,        // content of a file or folder before a change; fields: what, name, payload
+    kLoss = 10,  // loss of a worker process; what follows cannot be replayed; fields: time_us, name
+    // The end of the run.  The field `name` says how the run ended, as a word of EndName(), and
+    // `payload` is the reason as text.  This entry is missing if the recorded process was killed.
     kEnded = 11,
-    kInput = 12,    // time_us, robot (-1: every robot), name: the line of the input
-    kMessage = 13,  // record, payload: a delivered message
+    // An input; fields: time_us, robot (-1: every robot), name, which is the text of the input.
+    kInput = 12,
+    kMessage = 13,  // a delivered message; fields: record, payload
   };
   enum class OnStick : uint8_t { kNothing = 0, kFile = 1, kFolder = 2 };
   Kind kind = Kind::kEnd;
@@ -183,8 +185,9 @@ class TraceWriter {
   std::string Finish(System* system);
 
  private:
-  // The value of Object::predecessors of a link's sender and of its target when AddMessage() last
-  // made sure that their names are written; -1: there is no such object.
+  // The values of Object::predecessors of the two ends of a link, its sender and its target, when
+  // the file last had the names of both; -1: there is no such object.  If a value has changed since
+  // then, an object was replaced, and its names may have to be written again.
   struct Lives {
     int sender = -2;
     int target = -2;

@@ -209,7 +209,8 @@ constexpr double kRateMin = 0.001, kRateMax = 1000;
 
 int64_t InUs(double time_s) { return static_cast<int64_t>(std::llround(time_s * 1e6)); }
 
-// Makes a known run, such as a replay, go on to the later moment `time_us`.
+// Makes a known run, such as a replay, go on to the later moment `time_us`.  Returns the answer to
+// the client: the state of the clock, or an error.
 Json GoTo(const Asked& asked, int64_t time_us) {
   const KnownRun* const known = asked.context.known;
   if (known == nullptr) return Error("only a recording can go on to a given moment");
@@ -273,8 +274,8 @@ Json AnswerCamera(const Asked& asked) {
           {"png", Base64(png)}};
 }
 
-// Returns an event of the run at the present moment.  Used by the process that shows a past moment,
-// to get the events of that moment.
+// Answers a request for one event of the run, as it is now in this process.  If this process is a
+// view, which repeats the run up to a past moment, the event is about that moment.
 Json AnswerEvent(const Asked& asked) {
   const auto name = asked.request.at("name").get<std::string>();
   const auto& kinds = LiveEvents::Kinds();

@@ -158,8 +158,9 @@ void LiveServer::SendEvents(Client* client, int64_t now_ns) {
   if (!client->to_send.empty()) return;
   for (Watch& watch : client->watches) {
     if (now_ns < watch.next_ns) continue;
-    // Counts from the time when the event was due, not from now, because the run serves its clients
-    // only between frames: otherwise 16 ms would become 24 ms.
+    // Counts the time of the next event from the time when this event was due, and not from now.
+    // The run serves its clients only between frames, so an interval of 16 ms would become 24 ms if
+    // it were counted from now.
     watch.next_ns = std::max(watch.next_ns + watch.interval_ns, now_ns);
     const std::string line = events_->Line(LiveEvents::Kinds()[watch.kind].name, &client->cursor);
     if (!line.empty()) client->to_send += line + "\n";

@@ -7,9 +7,10 @@
 
 namespace openr_host {
 
-// Returns tables of the joints with their limits, of the other sensors, the lights, the ears, the
-// camera, speaker and microphone, each with its CPC locator, and the names of the postures.  Joints
-// and sensors are in the order of the model; a joint's line names its element in sensor vectors.
+// Returns tables of the joints with their limits, and of the other sensors, lights, ears, camera,
+// speaker and microphone.  Each has its CPC locator.  Also returns the names of the postures.
+// Joints and sensors are in the order of the model; a joint's line names its element in sensor
+// vectors.
 std::string ShowModel(const RobotModel& model);
 
 }  // namespace openr_host

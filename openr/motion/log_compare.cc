@@ -12,9 +12,10 @@ namespace openr_host {
 namespace {
 
 constexpr double kDegPerCdeg = 0.01;
-// Time between two neighbouring shifts that the first search tries.
+// Time between two neighbouring shifts that the first search for the lag tries.
 constexpr double kShiftStepMs = 4;
-// Largest distance of the second search's shifts from the first result.
+// Largest difference between a shift that the second search tries and the shift that the first
+// search has found.
 constexpr double kNearMs = 16;
 constexpr double kLagToleranceMs = 0.01;
 

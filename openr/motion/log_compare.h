@@ -25,10 +25,10 @@ JointTraces TracesOf(const LogFile& log, const std::vector<double>& times_ms, Lo
 
 // The difference between a joint's motion in B and its motion in A.
 //
-// The lag is the shift of time with which both motions fit best; their offset and gain do not
-// matter: the position in B at the time t + lag is about offset + gain * the position in A at the
-// time t.  Positions between records are interpolated by cubic curves, so the lag need not be a
-// multiple of the time between key frames.
+// The lag is the shift of time with which both motions fit best: the position in B at the time t +
+// lag is about offset + gain * the position in A at the time t.  So B may also differ from A by an
+// offset and a gain.  Positions between records are interpolated by cubic curves, so the lag need
+// not be a multiple of the time between key frames.
 struct JointDifference {
   double mean_deg = 0;  // mean of B - A
   double max_deg = 0;   // largest |B - A|
@@ -37,7 +37,8 @@ struct JointDifference {
   // records are left for the comparison, or when the best shift is the largest that was tried.
   std::optional<double> lag_ms;
   std::optional<double> gain;  // gain of the motion in B; nullopt when lag_ms is nullopt
-  std::optional<double> rms_after_lag_deg;  // the same as rms_deg, but with B shifted by the lag
+  // Root of the mean square of B - A after B was shifted by the lag.
+  std::optional<double> rms_after_lag_deg;
 };
 
 constexpr double kMovesDeg = 1;

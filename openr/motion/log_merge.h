@@ -21,7 +21,8 @@ LogFile AsSimulated(LogFile log);
 // differ by more than kSameCommandCdeg, because the motions were not the same then.
 LogFile MergeLogs(const LogFile& real, const LogFile& other);
 
-// Largest difference of equal commands, because each log rounds to 0.01 degree.
+// Largest difference at which two commanded positions count as equal.  Equal commands may differ a
+// little in the logs, because each log rounds to 0.01 degree.
 constexpr int kSameCommandCdeg = 2;
 
 }  // namespace openr_host

@@ -16,8 +16,8 @@ struct OdaMember {
   std::string_view bytes;  // content, a part of the container's bytes
 };
 
-// The largest number of members that a container may have, or it is refused.  Containers of the
-// robots' software have at most some hundred members.
+// The largest number of members that a container may have.  A container with more members is
+// refused.  Containers of the robots' software have at most some hundred members.
 constexpr size_t kOdaMembersMax = 4096;
 
 // Returns the members of a container, in its order.  `bytes` must outlive the members.  If the

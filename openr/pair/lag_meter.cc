@@ -11,8 +11,8 @@ constexpr size_t kSamplesMin = 10;
 // Largest misfit at which LagMs() returns a lag (see Misfit()).  A larger misfit means that the
 // follower does not follow the leader.
 constexpr double kMisfitMax = 0.25;
-constexpr double kNearBest = 0.05;  // misfits up to this much above the smallest one count as
-                                    // equally good
+// A misfit that is above the smallest one by at most this much counts as equally good.
+constexpr double kNearBest = 0.05;
 
 }  // namespace
 

@@ -39,7 +39,8 @@ struct PairOptions {
 // The wish of a person: what the two robots are to do.  It may change at any time.
 struct PairWish {
   Follow follow = Follow::kNone;
-  bool follows_motions = true;  // the first robot follows key frames of the second robot's motions
+  bool follows_motions =
+      true;  // true: the first robot follows the key frames of the second robot's motions
 };
 
 // The state of both robots, to be shown to a person.

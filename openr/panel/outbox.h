@@ -36,7 +36,7 @@ class Outbox {
 
  private:
   std::mutex mutex_;
-  // Makes the event loop look into the outbox; null: the outbox is closed.
+  // A function that makes the event loop look into the outbox; null: the outbox is closed.
   std::function<void()> wake_;
   std::vector<std::string> texts_;
 };

@@ -33,7 +33,7 @@ class Page : public WebPage {
  public:
   // The most bytes of an upload, which is one message of a page.
   static constexpr size_t kUploadMax = size_t{12} << 20;
-  // The most bytes of any other message of a page.
+  // The most bytes of a message, other than an upload, that a page sends.
   static constexpr size_t kMessageMax = size_t{64} << 10;
   // The most bytes that the server reads and drops after it has decided to close a page.
   static constexpr size_t kDropMax = size_t{64} << 20;
@@ -81,7 +81,8 @@ class Page : public WebPage {
   // The robots whose remote control the page uses.  The key is "HOST:PORT", or "run N" for robot N
   // of the run.
   std::map<std::string, std::unique_ptr<RcBridge>> bridges_;
-  // Key: number of the run's robot that has a second robot.
+  // The bridges that connect robots of the run with second robots.  The key is the number of the
+  // robot of the run.
   std::map<size_t, std::unique_ptr<PairBridge>> pairs_;
   // The first bytes of a message that is not complete yet.
   std::string received_;

@@ -24,8 +24,9 @@ constexpr int kPipeInServer = 3;
 // Makes this process the server of the panel, and does not return.  Calls only functions that are
 // allowed after fork().
 [[noreturn]] void BecomeServer(const char* program, int pipe, char* const* arguments) {
-  setsid();  // keeps Ctrl-C in the terminal of the run, and the end of the terminal, away from the
-             // server
+  // Makes a session of its own, so that Ctrl-C and the end of the run's terminal do not reach the
+  // server.
+  setsid();
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);

@@ -42,7 +42,8 @@ struct RcBridge::Queue {
   struct Call {
     nlohmann::json request;
     size_t size;
-    std::string joint_value;  // if the call sets a value of a joint, names call and joint; else ""
+    // Name of the joint's value that the call sets (JointValueOf()); "": it sets none.
+    std::string joint_value;
     std::vector<nlohmann::json> ids;
   };
 

@@ -182,7 +182,8 @@ class LwsLoop : public WebLoop {
 
   void Serve(int connection) override {
     setsockopt(connection, SOL_SOCKET, SO_SNDBUF, &kSendBufferSize, sizeof kSendBufferSize);
-    // If that fails, this function closes the descriptor.
+    // Does not test the result, because lws_adopt_socket_vhost() closes the descriptor itself when
+    // it fails.
     lws_adopt_socket_vhost(vhost_, connection);
   }
 

@@ -40,11 +40,12 @@ class WebConnection {
  public:
   // Makes the loop call WebPage::Next() as soon as the socket can take bytes.
   virtual void WantSend() = 0;
-  // Closes the WebSocket with `code` and `why` (RFC 6455, section 7.4) when Next() returns "".
+  // Closes the WebSocket with `code` and `why` (RFC 6455, section 7.4) as soon as WebPage::Next()
+  // returns "", so that waiting messages are sent before.
   virtual void CloseWhenSent(int code, const std::string& why) = 0;
   // Closes the socket at once, and sends no reason to the page.
   virtual void Abort() = 0;
-  // Stops reading from the page, or begins again (`is_on`).
+  // Begins to read from the page again if `is_on` is true, and stops reading if it is false.
   virtual void SetReading(bool is_on) = 0;
 
  protected:

@@ -323,7 +323,7 @@ Event Connection::NextEvent() {
   for (;;) {
     std::optional<Event> event = NextEvent(Clock::now() + options_.timeout);
     if (event) return *std::move(event);
-    Request(rcINFO);  // throws if the robot does not answer any more
+    Request(rcINFO);  // tests whether the robot still answers; throws if it does not
   }
 }
 

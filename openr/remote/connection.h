@@ -36,7 +36,8 @@ class TcpStream;
 using Info = RcInfo;  // describes the design of the robot and what the robot does now
 // Describes a device: its names, and the limits of a joint or the kind of a sensor.
 using Description = RcDescription;
-using JointState = RcJointState;  // its units are 0.01 degree, 0.01 degree/s and 0.01 degree/s^2
+using JointState =
+    RcJointState;  // the units of its fields are 0.01 degree, 0.01 degree/s and 0.01 degree/s^2
 using Gains = RcGains;
 using Power = RcPower;
 using Sensors = RcSensors;
@@ -138,8 +139,8 @@ class Connection {
   // power.
   void SwitchMotor(int joint, bool on);
   Gains GetGains(int joint);
-  Gains SetGains(int joint, int p, int i, int d);  // each gain is 0 to RC_MAX_GAIN; returns the new
-                                                   // gains
+  // Sets the gains, each 0 to RC_MAX_GAIN; returns the new gains.
+  Gains SetGains(int joint, int p, int i, int d);
 
   // ---- Sensors and power
 
@@ -206,10 +207,11 @@ class Connection {
   // Returns whether the answer to the request `id` has arrived, so that Wait() returns at once.
   // Throws Error (kTimeout) if the request was sent longer ago than the time limit of the options.
   bool IsAnswered(RequestId id);
-  Answer Wait(RequestId id);  // returns the answer; throws Error (kRefused) if the robot refuses
-  // Like Wait(), but also returns the answer of a robot that refuses.
+  Answer Wait(RequestId id);  // waits for the answer and returns it; throws Error (kRefused) if the
+                              // robot refuses the request
+  // Waits for the answer to the request `id` and returns it, even if the robot refuses the request.
   Answer WaitForAny(RequestId id);
-  void Drop(RequestId id);  // makes the answer be thrown away when it arrives
+  void Drop(RequestId id);  // makes the library throw the answer away when it arrives
 
   // Sends a request for each payload without waiting for answers in between, so that many requests
   // take few round trips.  If the robot refuses requests, throws the first refusal after all

@@ -8,9 +8,10 @@
 namespace openr::remote {
 
 enum class ErrorCode {
-  kAddress,      // the text is no address, or no host has the name in it
-  kUnreachable,  // no connection: no program listens at the address, or none answers in time
-  kTimeout,      // connected, but the robot has not answered or taken bytes in time
+  kAddress,  // the text is no address, or no host has the name in it
+  // No connection was made: no program listens at the address, or none answers in time.
+  kUnreachable,
+  kTimeout,      // the robot has not answered or taken bytes in time on an existing connection
   kLost,         // the connection to the robot has ended
   kProtocol,     // the bytes that arrived do not follow the protocol of the remote control
   kRefused,      // the robot refuses the request; status() and text() say why

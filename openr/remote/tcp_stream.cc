@@ -74,7 +74,7 @@ bool TcpStream::WaitFor(short events, Clock::time_point deadline) const {
     const int ready = poll(&wanted, 1, static_cast<int>(left_ms));
     if (ready > 0) return true;
     if (ready == 0 && left_ms < 1'000'000'000) return false;
-    // Then the next call on the socket finds the error.
+    // Returns true after an error of poll(), because the next call on the socket finds the error.
     if (ready < 0 && errno != EINTR) return true;
   }
 }

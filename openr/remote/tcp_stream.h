@@ -24,7 +24,8 @@ class TcpStream {
 
   enum class Result { kGood, kTimeout, kLost };
 
-  // Sends all of `bytes`; gives up at `deadline`.
+  // Sends all of `bytes`.  Returns kTimeout if not all of them were sent by `deadline`, and kLost
+  // if the connection was lost.
   Result Send(const uint8_t* bytes, size_t size, Clock::time_point deadline);
 
   // Waits for bytes and reads up to `capacity` of them.  Sets `*count` to the number of bytes read.
@@ -37,7 +38,8 @@ class TcpStream {
 
  private:
   bool WaitFor(short events, Clock::time_point deadline) const;
-  int WaitForConnection(Clock::time_point deadline) const;  // returns 0, or an errno after an error
+  // Waits until the connection is made; returns 0, or an errno after an error.
+  int WaitForConnection(Clock::time_point deadline) const;
   // Stores the reason why the connection was lost, for why_lost(), and returns kLost.  `error` is
   // an errno; 0: the other end has closed the connection.
   Result Lost(int error);

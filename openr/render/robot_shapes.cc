@@ -259,7 +259,7 @@ struct TouchPlace {
   const char* sensor;
   const char* body;
   double x, y, z;
-  double length, width;  // mm
+  double length, width;  // size of the sensor, in mm
 };
 constexpr TouchPlace kTouchPlaces[] = {
     {"head_back", "head", -0.22, 0, 0.5, 22, 34}, {"head_front", "head", 0.10, 0, 0.5, 22, 34},

@@ -19,14 +19,15 @@ struct Colour {
 struct Shape {
   Eigen::Isometry3d X_WS = Eigen::Isometry3d::Identity();  // centre and axes of the box in W
   Eigen::Vector3d size_m{0, 0, 0};                         // lengths of the box's edges
-  double radius_m = 0;       // radius of the edges; at most half of the shortest edge is used
-  bool is_cylinder = false;  // a cylinder along z fills the box; its edges are sharp
+  // Radius of the edges; a radius above half of the shortest edge is reduced to this half.
+  double radius_m = 0;
+  bool is_cylinder = false;  // true: a cylinder along z fills the box; its edges are sharp
   // Three corners for each triangle of a surface, counterclockwise from outside, in the axes of the
   // box.  If there are triangles, they are drawn instead of the box.
   std::vector<Eigen::Vector3f> triangles;
   Colour colour;
-  float gloss = 0.3f;  // from 0 (dull) to 1 (polished)
-  bool glows = false;  // the shape shines in its own colour, also in the shadow
+  float gloss = 0.3f;  // gloss of the surface, from 0 (dull) to 1 (polished)
+  bool glows = false;  // true: the shape shines in its own colour, even in the shadow
 };
 
 struct Camera {

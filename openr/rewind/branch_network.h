@@ -60,14 +60,13 @@ class BranchNetwork : public PassingNetwork {
     enum class Kind { kNew, kListener, kStream, kUdp, kName, kAddress };
     Kind kind = Kind::kNew;
     bool has_address = false;  // true: the robot has called At() with `address`
-    uint32_t address = 0;      // kAddress: the address for which the robot has asked the name
+    uint32_t address = 0;      // for a kAddress: the address whose name the robot has asked for
     uint16_t port = 0;
     bool any_port = false;
-    std::deque<NetHandle> accepts;  // kListener: sockets of the calls of Accept() that wait
+    std::deque<NetHandle> accepts;  // for a kListener: sockets of the calls of Accept() that wait
     // For kUdp: the number of datagrams for which ReceiveFrom() waits; 0: it does not wait.
     size_t datagrams = 0;
-    std::string name;  // kName: the host name for which the robot has asked the
-                       // address
+    std::string name;  // for a kName: the host name whose address the robot has asked for
   };
 
   void Follow(const NetworkEvent& event);
@@ -76,7 +75,8 @@ class BranchNetwork : public PassingNetwork {
   const int robot_;
   InputLog& log_;
   uint64_t poll_ = 0;  // number of calls of Poll()
-  // The function that was given to RepeatFrom(); null: inputs_ are repeated.
+  // The function that gives the events that Poll() returns, from RepeatFrom(); null: Poll() returns
+  // the events in inputs_.
   std::function<std::vector<NetworkEvent>()> say_;
   bool repeats_ = false;              // true: Poll() returns logged inputs, and nothing is sent
   std::deque<LoggedInput> inputs_;    // inputs that Poll() has still to return, in order of their

@@ -259,7 +259,8 @@ std::string Rewind::Show(Checkpoint* checkpoint, const PlainJson& target) {
   return "";
 }
 
-// Ends the view of a past moment.  The checkpoint of the view then waits for the next request.
+// Ends the view of a past moment, a process that a checkpoint has made.  The process of the
+// checkpoint then waits for its next request.
 void Rewind::LeaveView() {
   if (shown_ == nullptr) return;
   SendMessage(shown_->socket, {{"leave", true}});

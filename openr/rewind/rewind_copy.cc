@@ -122,7 +122,7 @@ void Rewind::Prepare(const SavedStick& stick, ProcessFiles* files, const PlainJs
   const std::string root = present->root();
   CopyStick(root, copy);
   SavedStick::Of(request.at("files")).CopyTo(copy);
-  stick.CopyTo(copy);  // has the files that objects had changed before the checkpoint
+  stick.CopyTo(copy);  // restores the files that objects had changed before the checkpoint
   files->OpenAgain(root, copy, temporary);
   for (int robot = 0; robot < system().robot_count(); ++robot)
     dynamic_cast<FolderStick*>(system().robot(robot).stick.get())->set_root(copy);

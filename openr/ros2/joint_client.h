@@ -22,7 +22,7 @@ namespace openr_host {
 
 struct JointTarget {
   double position_rad = 0;
-  double speed_rad_s = 0;  // new limit of the joint's speed; 0: keeps the limit as it is
+  double speed_rad_s = 0;  // new limit of the joint's speed; 0: the joint keeps its present limit
 };
 
 class JointClient : public PassingNetwork {
@@ -37,7 +37,7 @@ class JointClient : public PassingNetwork {
   // target of the same joint.
   void Want(const std::map<int, JointTarget>& targets);
 
-  // Returns whether the robot has not taken the stored targets yet.
+  // Returns whether stored targets still wait until the robot takes them.
   bool IsWaiting() const { return !wanted_.empty(); }
   // Drops the stored targets.  Called when the robot has not taken them for 1 s, because the robot
   // must not move much later by an old command.

@@ -86,7 +86,7 @@ std::vector<std::string> HandlersAmong(const std::vector<std::string>& functions
   static const std::regex kMethod(
       "(\\w+)::\\w+\\((?:O(System|Notify|Ready|Control|Connect)Event const&|void\\*)\\)");
   std::vector<std::string> methods;
-  // Classes with a DoInit(), because only classes of objects have one.
+  // The classes of objects, which are the classes with a function DoInit().
   std::vector<std::string> classes;
   for (const std::string& function : functions) {
     const std::string name = Demangled(function);

@@ -8,8 +8,8 @@ namespace openr_host {
 // closed.
 enum class HangUp {
   kEnds,     // the signal ends the process, which is its default action
-  kCounts,   // is counted like Ctrl-C
-  kIgnored,  // has no effect, because the run ends by itself
+  kCounts,   // the signal is counted like Ctrl-C
+  kIgnored,  // the signal has no effect, because the run ends by itself
 };
 
 // While an InterruptCounter exists, SIGINT and SIGTERM are counted and do not end the process.  The

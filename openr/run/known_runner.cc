@@ -62,7 +62,7 @@ class KnownRunner {
   }
 
   // Runs to the end of the frame, at the rate that the user wants.  If the user goes to a later
-  // moment, does not wait for the clock until this moment.
+  // moment, runs to this moment without waiting for the clock.
   void GoOn() {
     RunClock& clock = *parts_.clock;
     const bool has_goal = clock.goal_us() != INT64_MAX;

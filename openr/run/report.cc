@@ -20,7 +20,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Rounds `value` to a multiple of `step`, so that the report shows 0.3 and not 0.30000000000000004.
+// Returns `value` rounded to a multiple of `step`, so that the report shows 0.3 and not
+// 0.30000000000000004.
 double Rounded(double value, double step) {
   const double rounded = std::round(value / step) * step;
   return rounded == 0 ? 0 : std::round(rounded * 1e9) / 1e9;

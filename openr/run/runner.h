@@ -25,7 +25,8 @@ class Rewind;
 class Simulation;
 
 struct RunPlan {
-  // Value of --for, in virtual time; nullopt: until the robots are off.
+  // Value of --for, the virtual time that the run takes; nullopt: the run goes on until the robots
+  // are off.
   std::optional<int64_t> for_us;
   std::string for_text;    // value of --for as the user wrote it
   bool has_begun = false;  // true: the robots have booted already, as in a replay that goes on
@@ -120,8 +121,8 @@ class Runner {
   bool good_ = true;
   // Time at the start of the run by the clock of this computer; 0: not running.
   int64_t begin_ns_ = 0;
-  // Before and after the run, the duration of the run.  During the run, the negative of the time
-  // for drawing pictures.
+  // During the run, the negative of the time that drawing pictures has taken.  At other times, the
+  // duration of the run.
   int64_t wall_time_ns_ = 0;
 };
 

@@ -43,7 +43,8 @@ struct MessageFilter {
   std::string Text() const;
 };
 
-// Describes a message that is about to be delivered, in the form in which programs get it.
+// Returns the description of a message that is about to be delivered, in the form in which programs
+// get it.
 DeliveredMessage Describe(const System& system, const TraceRecord& record, const Message& message);
 
 }  // namespace openr_host

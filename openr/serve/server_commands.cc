@@ -86,7 +86,8 @@ ServedRunOptions OptionsOf(const nlohmann::json& request) {
   return options;
 }
 
-// Describes the robot as JSON: the names of its devices, and the limits of its joints.
+// Returns a description of the robot as JSON: the names of its devices, and the limits of its
+// joints.
 OrderedJson DescribeModel(const RobotModel& model) {
   OrderedJson joints = OrderedJson::array(), sensors = joints, leds = joints, limits = joints;
   OrderedJson locators = joints;

@@ -33,7 +33,7 @@ bool IsImageFolder(const std::string& images);
 
 // Returns the source of the pictures for a camera, as `images` (a value of --images) names it.
 // Returns null if `images` names the world, because null in VirtualRobotOptions::camera means the
-// world.  Throws std::runtime_error as OpenImageFolder() does.
+// world.  Throws std::runtime_error if `images` is a folder that cannot be used.
 std::unique_ptr<ImageSource> OpenImages(const std::string& images);
 
 struct RobotEquipment {

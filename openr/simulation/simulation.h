@@ -40,7 +40,7 @@ struct SimulationOptions {
   bool together = false;         // whether all robots are in one world; "ode" only
   uint64_t seed = 1;
   bool strict = false;
-  bool find_leaks = false;  // value of --leaks; see SystemOptions
+  bool find_leaks = false;  // value of --leaks; see SystemOptions::find_leaks
   // Sound files (WAV) for the first robot.  Without `speaker` its sound is discarded; without
   // `microphone` it hears silence.
   std::string speaker, microphone;  // paths of WAV files; "": none
@@ -127,7 +127,8 @@ class Simulation {
   // The frames of the shared world; null if each robot has a world of its own.
   const std::shared_ptr<SharedFrame> shared_frame_;
   const std::vector<std::string> sticks_;
-  const std::shared_ptr<ConfiguredCost> cost_;  // made from the cost file; null: no cost file
+  // Costs of the cost file; null: there is no cost file.
+  const std::shared_ptr<ConfiguredCost> cost_;
   std::unique_ptr<System> system_;
   std::vector<VirtualRobot*> robots_;
   std::vector<AssembledRobot> parts_;  // parts of each robot; the index is the number of the robot

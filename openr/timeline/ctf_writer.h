@@ -29,7 +29,7 @@ class CtfWriter : public TimelineWriter {
     uint64_t time_ns;
     uint64_t message;
     std::string bytes;
-    // The order makes the queue return the earliest end first.
+    // Orders the ends of handlers so that the queue ends_ returns the earliest end first.
     bool operator<(const End& other) const {
       return time_ns != other.time_ns ? time_ns > other.time_ns : message > other.message;
     }

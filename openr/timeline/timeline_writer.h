@@ -15,9 +15,9 @@ namespace openr_host {
 // A handler that has run, as a slice of the timeline.
 struct HandlerSlice {
   enum class Length {
-    kUnknown,  // not known, because a recording does not say how long a handler took
-    kCost,     // processor time of the robot, from the cost file
-    kWall,     // time by the clock of this computer
+    kUnknown,  // the length is not known, because a recording does not say how long a handler took
+    kCost,     // the length is processor time of the robot, from the cost file
+    kWall,     // the length is time by the clock of this computer
   };
   TraceRecord record{};
   int robot = 0;  // number of the robot that has the object

@@ -17,9 +17,9 @@ namespace {
 // temperatures (our choice, because no measurement is known).  The index of the tables is the
 // parameter of the request; their unit is 1/256.
 constexpr int kOne = 256;
-constexpr int kGain[] = {0, kOne, kOne, 2 * kOne};         // for 0 dB, 0 dB and 6 dB
-constexpr int kShutter[] = {0, 2 * kOne, kOne, kOne / 2};  // for 1/50, 1/100 and 1/200 s
-constexpr int kRed[] = {0, 207, 327, kOne};                // for 2800, 7000 and 4300 K
+constexpr int kGain[] = {0, kOne, kOne, 2 * kOne};  // factors for the gains 0 dB, 0 dB and 6 dB
+constexpr int kShutter[] = {0, 2 * kOne, kOne, kOne / 2};  // factors for 1/50, 1/100 and 1/200 s
+constexpr int kRed[] = {0, 207, 327, kOne};  // factors of red for 2800, 7000 and 4300 K
 constexpr int kBlue[] = {0, 317, 201, kOne};
 
 // The colours that stand for the channels in a picture of layer C.  They also differ in lightness,

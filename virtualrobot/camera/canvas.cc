@@ -170,7 +170,7 @@ void Canvas::DrawPaint(Face face, const RgbBytes& colour) {
 
 void Canvas::DrawFace(Face face, const Vector3d& normal_W, const RgbBytes& colour) {
   ASSERT(face.count() >= 3 && face.count() <= Face::kCornersMax, "{} corners", face.count());
-  // The face lies in the plane n . p = height of the camera's frame C.
+  // In the axes of the camera's frame C, the face lies in the plane of all p with n . p = height.
   const Vector3d n = R_CW_ * normal_W;
   const double height = normal_W.dot(face.corner(0) - p_WC_);
   if (!(height < 0)) return;

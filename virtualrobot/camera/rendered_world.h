@@ -11,7 +11,7 @@
 
 namespace openr_host {
 
-// Draws the floor, its paint, the things of Body::Surroundings(), and the robot's own parts but for
+// Draws the floor, its paint, the things of Body::Surroundings(), and the robot's own parts except
 // its head and mouth.
 class RenderedWorld : public ImageSource {
  public:

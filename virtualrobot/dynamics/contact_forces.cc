@@ -27,7 +27,7 @@ struct Friction {
   double x, y;
 };
 
-// Returns the next impulse along the ground after `now`, with at most the length `max`.  `a`, `b`
+// Returns a better impulse along the ground than `now`, with at most the length `max`.  `a`, `b`
 // and `c` are the contact's part of the matrix, with the rows (a, b) and (b, c).  `missing` is the
 // velocity that is still missing when the impulse is `now`.
 Friction NextFriction(const Friction& now, double a, double b, double c, const Friction& missing,
@@ -70,8 +70,8 @@ bool ContactForces::LiesInCone(int contact) const {
   return p[0] >= 0 && Length(p[1], p[2]) <= friction_ * p[0];
 }
 
-// Solves the equations as if all contacts that do not pull stuck.  Returns whether the result obeys
-// the laws of all contacts.
+// Solves the equations under the assumption that each contact sticks, or opens if it would pull.
+// Returns whether the result obeys the laws of all contacts.
 bool ContactForces::SolveSticking(const ContactEquations& equations) {
   closed_.resize(equations.contacts());
   for (int c = 0; c < equations.contacts(); ++c) closed_[c] = c;

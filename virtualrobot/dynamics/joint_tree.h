@@ -31,7 +31,7 @@ class Hasher;
 // own frame L, which coincides with B when all angles are 0.
 struct TreePart {
   double mass_kg = 0;                                       // mass of the part, > 0
-  Eigen::Matrix3d inertia_kg_m2 = Eigen::Matrix3d::Zero();  // about the centre of mass
+  Eigen::Matrix3d inertia_kg_m2 = Eigen::Matrix3d::Zero();  // inertia about the centre of mass
   Eigen::Vector3d centre_m{0, 0, 0};                        // place of the centre of mass
   int parent = -1;  // index of the parent, lower than the part's own index; -1 for the trunk
   Eigen::Vector3d axis{0, 0, 0};      // axis of the hinge, a unit vector
@@ -157,11 +157,12 @@ class JointTree {
   // For each part: force that the present motion and gravity demand for the part and all parts
   // behind it.
   std::vector<Spatial> force_;
-  std::vector<double> matrix_;  // lower triangle, row by row; after Factor() its factors L and D
-  std::vector<double> along_;   // for each unknown: its force; after Eliminate() its momentum
+  // Lower triangle of the matrix M + h B, row by row; after Factor() its factors L and D.
+  std::vector<double> matrix_;
+  std::vector<double> along_;  // for each unknown: its force; after Eliminate() its momentum
   bool is_eliminated_ = false;
-  std::vector<double> row_;         // row_[row][unknown]: the inverse of L^T times J^T
-  std::vector<double> row_scaled_;  // row_scaled_[row][unknown]: row_ divided by D
+  std::vector<double> row_;         // the inverse of L^T times J^T, as row_[row][unknown]
+  std::vector<double> row_scaled_;  // row_ divided by D, as row_scaled_[row][unknown]
   // For each row: the index of the unknown (UnknownOf()) of the part to which the row belongs.
   std::vector<int> row_unknown_;
   std::vector<double> row_speed_;  // for each row: the result of FreeSpeed()

@@ -32,7 +32,7 @@ struct Range {
 // of exactly one joint, and a parent comes before its children.
 struct BodyPart {
   std::string name;
-  double mass_kg = 0;    // >= 0; the body with physics requires > 0
+  double mass_kg = 0;    // mass of the part, >= 0; the body with physics requires > 0
   bool has_box = false;  // false: the shape is not known, and the robot has no body with physics
   Eigen::Vector3d size_m{0, 0, 0};    // lengths of the edges, parallel to B at zero angles
   Eigen::Vector3d centre_m{0, 0, 0};  // centre of the box and centre of mass
@@ -41,7 +41,7 @@ struct BodyPart {
 
 // The ball at the end of a leg.  The ball belongs to part `body` and has no mass of its own.
 struct Paw {
-  std::string leg;  // "LF", "LH", "RF" or "RH"
+  std::string leg;  // name of the leg: "LF", "LH", "RF" or "RH"
   int body = -1;
   Eigen::Vector3d centre_m{0, 0, 0};
   double radius_m = 0;
@@ -51,14 +51,14 @@ struct Paw {
 // A motor with its hinge.  The angle of the joint is the right-handed rotation of part `child`
 // about `axis`; it equals the joint value of OPEN-R.
 struct JointModel {
-  std::string name;     // "LF_j1"
-  std::string locator;  // "PRM:/r2/c1-Joint2:j1"
+  std::string name;     // name of the joint, such as "LF_j1"
+  std::string locator;  // locator, such as "PRM:/r2/c1-Joint2:j1"
   int parent = -1;
   int child = -1;
   Eigen::Vector3d axis{0, 0, 0};  // unit vector along a coordinate axis of B, in either direction
   Eigen::Vector3d anchor_m{0, 0, 0};
-  Range soft_rad;              // software limits, for set points
-  Range hard_rad;              // mechanical stops
+  Range soft_rad;              // software limits of the angle, for set points
+  Range hard_rad;              // mechanical stops: the limits that the joint cannot pass
   Range speed_rad_s;           // lowest and highest speed of planned movements
   PidGains gains;              // the standard gains of the vendor
   double stall_torque_nm = 0;  // torque at full drive and speed 0, in N m; 0: not known
@@ -71,8 +71,8 @@ struct JointModel {
 struct Led {
   std::string name;
   std::string locator;
-  std::string type;      // "LED2", "LED3"
-  std::string colour;    // "": not known
+  std::string type;      // type of the light: "LED2" or "LED3"
+  std::string colour;    // colour of the light; "": not known
   std::string colour_b;  // colour in mode B of the face lights of the ERS-7; "": same as `colour`
 };
 
@@ -80,7 +80,7 @@ struct Led {
 struct Plunger {
   std::string name;
   std::string locator;
-  std::string type;  // "Joint3", "Joint4"
+  std::string type;  // type of the plunger: "Joint3" or "Joint4"
   double on_rad = 0;
   double off_rad = 0;
   int settle_ms = 128;
@@ -108,14 +108,15 @@ struct Sensor {
   SensorKind kind = SensorKind::kRaw;
   bool has_range = false;
   int64_t min = 0, max = 0;  // limits in the sensor's OPEN-R unit (10^-6 rad, N, m, m/s^2; 0 or 1)
-  int joint = -1;            // kJoint: index of the joint whose angle is measured; otherwise -1
-  int paw = -1;              // kSwitch of a paw: index in RobotModel::paws; otherwise -1
-  int body = -1;             // kDistance: index of the part that carries the sensor; -1: not known
+  int joint = -1;            // index of the joint that a kJoint measures; -1 for other kinds
+  int paw = -1;              // index in RobotModel::paws of the paw with this kSwitch; -1: no paw
+  int body = -1;             // index of the part that carries a kDistance; -1: not known
   Eigen::Vector3d place_m{0, 0, 0};
-  // Unit vector.  kDistance: direction of the ray.  kAcceleration: direction of the measured axis,
-  // in B.
+  // Unit vector: the direction of the ray of a kDistance or, in B, of the axis that a kAcceleration
+  // measures.
   Eigen::Vector3d direction{0, 0, 0};
-  std::vector<DistanceRow> lookup;  // kDistance: at least two rows, in rising order of distance_m
+  // Table of a kDistance: at least two rows, in rising order of distance_m.
+  std::vector<DistanceRow> lookup;
 };
 
 struct Camera {
@@ -131,19 +132,19 @@ struct Camera {
 
 struct Posture {
   std::string name;
-  std::vector<double> angles_rad;  // in the order of RobotModel::joints
+  std::vector<double> angles_rad;  // angles of the joints, in the order of RobotModel::joints
 };
 
 // Limits at which a robot protects itself and shuts down; 0: the robot has no such limit.
 struct Limits {
-  int hot_c = 0;           // battery temperature while it discharges, in degrees Celsius
-  int hot_charging_c = 0;  // battery temperature while it is charged
-  int current_ma = 0;      // mean current of the battery over about 100 ms
-  int jam_frames = 0;      // frames of 8 ms for which a joint may be jammed
+  int hot_c = 0;  // highest temperature of the battery while it discharges, in degrees Celsius
+  int hot_charging_c = 0;  // highest temperature of the battery while it is charged
+  int current_ma = 0;      // highest mean current of the battery over about 100 ms
+  int jam_frames = 0;      // number of frames of 8 ms for which a joint may be jammed
 };
 
 struct RobotModel {
-  std::string name;                     // "ERS-210"
+  std::string name;                     // name of the model, such as "ERS-210"
   std::string design;                   // result of OPENR::GetRobotDesign()
   std::vector<std::string> mtn_labels;  // design labels of the motion files that fit this robot
   std::vector<BodyPart> bodies;
@@ -171,7 +172,7 @@ struct RobotModel {
 
   // Returns the sensors that `name` names: the sensor with this short name, name or locator, or all
   // sensors whose short names begin with `name` and an underscore ("head" is head_front and
-  // head_back).  The case of letters does not count.  Sensors of joints have the names of their
+  // head_back).  Upper and lower case count as equal.  Sensors of joints have the names of their
   // joints.
   std::vector<int> SensorsNamed(std::string_view name) const;
 

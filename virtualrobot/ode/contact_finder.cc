@@ -125,7 +125,8 @@ const std::vector<ContactPoint>& ContactFinder::Find() {
   for (Shape& thing : things_) {
     if (thing.body != nullptr) dGeomGetAABB(thing.geom, thing.room.edges);
   }
-  // The floor is tested without rooms, so a robot that is alone in an empty world needs no rooms.
+  // Finds the rooms (enclosing boxes) of robots only if there is anything to touch besides the
+  // floor. The tests with the floor need no rooms.
   if (!things_.empty() || robots_.size() > 1) {
     for (Robot& robot : robots_) FindRoom(&robot);
   }

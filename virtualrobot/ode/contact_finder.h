@@ -17,7 +17,7 @@
 
 namespace openr_host {
 
-// A part or a thing that touches another one.
+// One of the two sides of a contact: a part of a robot, a thing or the floor.
 struct ContactSide {
   int tree = -1;  // number of the JointTree that moves this side; -1: the floor or a fixed thing
   int part = 0;   // index of the part in the tree
@@ -62,7 +62,7 @@ class ContactFinder {
   // A shape that can touch others: a box or a ball of a robot, or a thing.
   struct Shape {
     ThingShape shape = ThingShape::kBox;
-    Eigen::Vector3d size_m{0, 0, 0};  // has the meaning of WorldThing::size_m
+    Eigen::Vector3d size_m{0, 0, 0};  // size of the shape, with the meaning of WorldThing::size_m
     ContactSide side;
     int paw = -1;
     dGeomID geom = nullptr;

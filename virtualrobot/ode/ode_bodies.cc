@@ -23,7 +23,7 @@ dBodyID MakeBodyOfThing(dWorldID world, const WorldThing& thing) {
   const Vector3d& size = thing.size_m;
   dMass mass;
   switch (thing.shape) {
-    // A heightfield never moves, because world files give it no mass.
+    // The mass of a heightfield does not matter, because no heightfield can move.
     case ThingShape::kHeightField:
     case ThingShape::kBox:
       dMassSetBoxTotal(&mass, thing.mass_kg, size.x(), size.y(), size.z());

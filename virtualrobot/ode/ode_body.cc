@@ -149,7 +149,7 @@ void OdeBody::EndFrame() {
     JointState& joint = state_.joints[j];
     joint.drive = servos_[j].Drive(joint.angle_rad, joint.speed_rad_s);
   }
-  // The acceleration is the mean over the frame.
+  // Computes the mean acceleration over the frame from the change of the velocity.
   const Vector3d acceleration_W = (state_.v_WB - v_before_W_) / kFrame_s;
   state_.gravity_B =
       state_.X_WB.linear().transpose() * (Vector3d(0, 0, -kGravity_m_s2) - acceleration_W);

@@ -81,9 +81,9 @@ class OdeBody : public Body {
   const std::shared_ptr<PhysicsWorld> world_;
   BodyState state_;
   Eigen::Vector3d v_before_W_{0, 0, 0};  // velocity of B's origin at the beginning of the frame
-  std::vector<dxBody*> bodies_;          // in the order of RobotModel::bodies
+  std::vector<dxBody*> bodies_;          // bodies of ODE, in the order of RobotModel::bodies
   std::unique_ptr<JointTree> tree_;
-  std::vector<Servo> servos_;  // in the order of RobotModel::joints
+  std::vector<Servo> servos_;  // servos of the joints, in the order of RobotModel::joints
   // The torque line of the joint that moves each part, in the order of RobotModel::bodies.
   std::vector<TorqueLine> lines_;
   std::vector<PushForce> pushes_;             // forces that act during the next Advance()

@@ -46,7 +46,7 @@ PhysicsWorld::PhysicsWorld(const World& world, const OdeSettings& settings)
 }
 
 PhysicsWorld::~PhysicsWorld() {
-  // The finder is destroyed first, because it refers to bodies of the world.
+  // Destroys the finder first, because it refers to bodies of the world.
   finder_.reset();
   dWorldDestroy(ode_);  // destroys the world with its bodies
 }
@@ -86,8 +86,8 @@ void PhysicsWorld::Advance() {
 
 // Moves all robots and movable things by one step of `step_s` seconds.
 void PhysicsWorld::Step(double step_s) {
-  // The code of a step uses SSE.  After AVX code has run, SSE code may run at a third of its speed
-  // until the upper halves of the registers are cleared.
+  // Clears the upper halves of the registers, because the code of a step uses SSE.  After AVX code
+  // has run, SSE code may run at a third of its speed until these halves are cleared.
   ClearUpperRegisters();
   static const std::vector<TorqueLine> kNoLine(1);
   for (Mover& mover : movers_) mover.tree.BeginStep(kNoLine, kGravity_m_s2, step_s);

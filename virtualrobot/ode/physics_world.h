@@ -104,16 +104,17 @@ class PhysicsWorld {
   const OdeSettings settings_;
   std::vector<WorldThing> things_;
   dxWorld* ode_;
-  std::vector<dxBody*> thing_bodies_;  // in the order of World::things; null: fixed
+  std::vector<dxBody*> thing_bodies_;  // bodies of ODE, in the order of World::things; null: fixed
   std::vector<Mover> movers_;
   std::vector<OdeBody*> robots_;
-  std::vector<JointTree*> trees_;  // trees of movers_, then trees of robots_
+  std::vector<JointTree*> trees_;  // all trees: first those of movers_, then those of robots_
   std::unique_ptr<ContactFinder> finder_;
   bool is_awaited_ = false;
 
   // The members below belong to the present step.
   std::vector<RowSides> rows_;  // three rows for each contact
-  // For each tree, the number of a tree of the same group, which is not higher (see GroupOf()).
+  // For each tree, the number of a tree of the same group: the tree itself, or a tree with a lower
+  // number (see GroupOf()).
   std::vector<int> groups_;
   std::vector<size_t> contacts_of_group_;  // contacts of the group that is solved
   // The impulses of the present step: impulses_[tree][row of the tree].

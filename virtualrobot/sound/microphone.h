@@ -47,7 +47,7 @@ class Microphone {
   RCRegion* FreeVector();
 
   struct Settings {
-    bool directional = false;  // how the microphones are set at boot is our choice
+    bool directional = false;  // setting of the directional mode; its value at boot is our choice
     bool level_control = false;
   };
 

@@ -11,8 +11,9 @@ namespace openr_host {
 
 struct WavSound {
   int rate_hz = 0;
-  int channels = 0;              // number of channels: 1 or 2
-  std::vector<int16_t> samples;  // interleaved; an 8-bit sample is in the upper byte
+  int channels = 0;  // number of channels: 1 or 2
+  // Samples of all channels, interleaved; an 8-bit sample is in the upper byte.
+  std::vector<int16_t> samples;
 };
 
 // Reads the whole file.  If the file is cut off, reads the samples up to its end.  Throws
