@@ -24,7 +24,8 @@ class MasterLink {
   virtual CallResult Ask(uint32_t function, const CallArguments& arguments) = 0;
 
   // Records that the handler of the current object is about to wait for a reply.  `box` is the
-  // number under which the object receives the reply; timeout_us < 0: the wait has no limit.
+  // number under which the object receives the reply.  If `timeout_us` is less than 0, the wait has
+  // no limit.
   virtual void Waits(uint64_t box, int64_t timeout_us, std::string_view why) = 0;
   // Records that the handler of the current object is about to wait for a line of the console, of
   // at most `size` bytes.  The line arrives as a reply with the number `box`.

@@ -27,11 +27,11 @@ namespace openr_host {
 
 struct WorkerOptions {
   BusOptions bus;
-  std::string process;                 // name of this process in the placement
-  std::string session;                 // session given by the run; "": the worker requests one
-  std::string stick;                   // folder of the Memory Stick here; "": the master's path
+  std::string process;  // name of this process in the placement
+  std::string session;  // session given by the run; "" if the worker requests a session
+  std::string stick;    // folder of the Memory Stick here; "" for the path of the master
   int64_t master_wait_ms = 60'000;     // time limit for finding the master, in ms of the wall clock
-  bool waits_for_predecessor = false;  // wait for the end of an earlier process of this name
+  bool waits_for_predecessor = false;  // whether to wait until an earlier process of this name ends
   std::function<bool()> is_ended;      // returns true once the user ends this process; may be null
   std::function<void(const std::string& line)> say;  // prints a line for the user
   // Returns a local folder to use as the Memory Stick when the run's folder is not on this host, or

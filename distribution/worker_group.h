@@ -28,7 +28,8 @@ struct WorkerGroupOptions {
   // Command line that is put before `command`, for a debugger or Valgrind.
   std::vector<std::string> wrapper;
   std::string stick;  // folder of the run's Memory Stick, as a path on the master's host
-  // True: a free run, in which the master does not wait for handlers (RemoteProcess::RunFree()).
+  // Whether the run is a free run, in which the master does not wait for handlers
+  // (RemoteProcess::RunFree()).
   bool is_free = false;
   int64_t wait_ms = 60'000;  // time limit for a worker to join, in ms of the wall clock
   int restarts = 0;          // how often each worker may be restarted
@@ -135,9 +136,9 @@ class WorkerGroup {
     std::string lost;
     bool is_external = false;  // a user starts the worker with openr join
     bool is_welcomed = false;
-    // The worker has received the first `robots` robots and the first `known` objects of the
-    // master's tables.
+    // Number of robots of the master's table that the worker has received, counted from the first.
     size_t robots = 0;
+    // Number of objects of the master's table that the worker has received, counted from the first.
     size_t known = 0;
     // ---- The state of the loss and the restart of this worker, from here to the end
     Stage stage = Stage::kRunning;
@@ -163,9 +164,9 @@ class WorkerGroup {
   void LoadNewObjects(Member* member);
   void SendNextLoad(Member* member);
   void WaitForAnotherWorker(Member* member, const std::string& why);
-  // IsEnding() returns whether the user has asked the run to end (Ctrl-C), IsInterrupted() whether
-  // the user has asked at least twice.
+  // Returns whether the user has asked the run to end (Ctrl-C).
   bool IsEnding() const { return options_.interrupts && options_.interrupts() >= 1; }
+  // Returns whether the user has asked at least twice, so that the run ends at once.
   bool IsInterrupted() const { return options_.interrupts && options_.interrupts() >= 2; }
   bool HandleReceived();
   void HandleLoss(const RemoteObject* about, RemoteObject::Loss loss, const std::string& why);
