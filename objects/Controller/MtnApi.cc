@@ -13,7 +13,7 @@
 struct MtnMotion {
     MtnFile file;
     char name[MTN_NAME_SIZE];
-    // The key frame that the motion has reached last; -1: the motion does not play.
+    // The key frame that the motion has reached last; -1 if the motion does not play.
     Sint32 keyFrame;
 };
 

@@ -40,7 +40,7 @@ struct MoverCommand {
         Sint32 loops;   // how often the motion is played, >= 1
         Sint32 frames;  // time for the movement to `value`, in frames of 8 ms, >= 1
     };
-    Sint32 keyFramesPerVector;  // 0: JointMover chooses the number
+    Sint32 keyFramesPerVector;  // number of key frames in a vector; 0 lets JointMover choose
     char file[MTN_NAME_SIZE];   // "WALK.MTN"
     Sint32 gain[3];             // P, I and D gain
 };

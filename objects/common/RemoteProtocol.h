@@ -38,8 +38,9 @@ enum RcCommand {
     rcUNSUBSCRIBE = 0x33,
     rcCAMERA = 0x34,  // RemoteCamera.h has the formats of pictures
     rcCAMERA_PART = 0x35,
-    rcEVENT = 0x3f,  // a packet of a stream; from a client it acknowledges packets and has no
-                     // answer
+    // A packet of a stream.  A client sends this command, which has no answer, to acknowledge
+    // packets of streams.
+    rcEVENT = 0x3f,
     rcMTN_LIST = 0x42,  // the commands for files are in RemoteFiles.h
     rcUPLOAD_BEGIN = 0x50,
     rcUPLOAD_DATA = 0x51,
@@ -61,10 +62,11 @@ enum RcStatus {
     rcerrorNO_SUCH_DEVICE = 6,   // the index is out of range
     rcerrorBUSY = 7,             // the robot cannot do this now
     rcerrorNO_SUCH_FILE = 8,
-    rcerrorBAD_FILE = 9,  // the file is no motion or image, or not for this robot; or it is broken
+    rcerrorBAD_FILE = 9,  // the file is broken, is no motion or image, or is not for this robot
     rcerrorBAD_VALUE = 10,
     rcerrorNOT_WRITTEN = 11,  // the stick is full or cannot be written
-    rcerrorNO_UPLOAD = 12,    // data for an upload that was not begun, or has ended with an error
+    // Data came for an upload that was not begun, or has ended with an error.
+    rcerrorNO_UPLOAD = 12,
     rcerrorNOT_IN_BATCH = 13,  // the command must be sent in a packet of its own
     rcerrorTOO_LONG = 14,      // the answer has no room in the batch
     rcerrorNO_PICTURE = 15     // the request is about a picture for which this client has not asked
@@ -81,7 +83,7 @@ const int RC_MAX_BATCH = (RC_MAX_PACKET - RC_ANSWER_HEADER_SIZE) / RC_SMALLEST_B
 // The header with which an answer begins.
 struct RcAnswerHeader {
     RcHeader header;
-    Uint32 frame;   // frame number of the newest sensor values; 0xffffffff: no values yet
+    Uint32 frame;  // frame number of the newest sensor values; 0xffffffff before the first values
     Uint16 status;  // a value of RcStatus
 
     // Reads the header from a packet.  Returns false when the packet is too short for an answer.
@@ -130,7 +132,9 @@ struct RcDescription {
     std::string name;   // short name, such as "LF_j1"
     std::string title;  // "Left fore leg J1"
     std::string locator;
-    std::vector<Sint32> values;  // joint: see RcJointValue; sensor: its SensorKind; others: empty
+    // For a joint, its numbers in the order of RcJointValue; for a sensor, its SensorKind; for all
+    // other devices, no value.
+    std::vector<Sint32> values;
 
     void Write(RcWriter* out) const;
     bool Read(RcReader* in);

@@ -46,8 +46,8 @@ struct RcSetValues {
     Uint8 motorsOff;   // 1: a command MOTOR_OFF has switched motor power off
     Uint8 earMask;     // ears that the motion moves: bit i stands for ear i
     Uint8 earOn;       // bits of earMask whose ears are on
-    Sint32 keyFrame;   // key frame to which the positions belong; -1: no motion plays
-    std::string file;  // file of the motion; "": no motion
+    Sint32 keyFrame;  // key frame to which the positions belong; -1 if no motion plays
+    std::string file;  // file of the motion; "" if no motion plays
     std::vector<Sint32> commanded;
     std::vector<Sint32> measured;  // as many positions as in `commanded`
 

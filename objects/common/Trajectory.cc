@@ -143,7 +143,7 @@ Trajectory::Step()
     if (step < speed - acceleration_) step = speed - acceleration_;
     position_ += forward ? step : -step;
     speed_ = forward ? step : -step;
-    // The joint reaches its goal and is slow enough to stop there.
+    // The joint reaches its goal and is slow enough to stop there, so from now on it rests.
     if (step == distance && step <= acceleration_) Rest();
     return Position();
 }
