@@ -139,7 +139,7 @@ class Worker : public MasterLink {
   bool has_reported_joined_ = false;
   // For each robot, the number of heap bytes used in other processes.
   std::map<int, uint64_t> heap_elsewhere_;
-  bool is_free_ = false;  // true: a free run, in which the master does not wait for handlers
+  bool is_free_ = false;             // whether the master does not wait for handlers (a free run)
   std::set<ObjectId> fast_objects_;  // objects whose last handler took less than kFastHandlerNs
   bool is_shutting_down_ = false;    // no handler runs any more; objects are being unloaded
   // Entries of objects in other processes.  The master has told that these entries exist, so a

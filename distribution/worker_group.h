@@ -130,7 +130,7 @@ class WorkerGroup {
   // The master's data about one worker.
   struct Member {
     std::string name;
-    std::unique_ptr<ChildProcess> child;  // null: a user starts the worker
+    std::unique_ptr<ChildProcess> child;  // the worker's process; null if a user starts the worker
     std::unique_ptr<RemoteProcess> process;
     std::map<ObjectId, RemoteObject*> objects;
     std::string lost;
@@ -193,7 +193,7 @@ class WorkerGroup {
   std::map<std::string, Member> members_;
   System* system_ = nullptr;
   int64_t next_check_ns_ = 0;  // time of the next check of the workers in a free run
-  std::string problem_;        // the first problem of a worker before Boot(); "": no problem
+  std::string problem_;        // the first problem of a worker before Boot(); "" if there is none
   std::function<void(const std::string&)> loss_listener_;
   std::function<void(Object*)> crash_listener_;
   std::function<void(Object*)> return_listener_;

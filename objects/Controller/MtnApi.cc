@@ -18,7 +18,7 @@ struct MtnMotion {
 };
 
 static MtnMotion* thePlaying = 0;  // the motion of the last mtn_play() while it plays; otherwise 0
-static std::string theError;       // error text of the last mtn_new(); "": no error
+static std::string theError;       // error text of the last mtn_new(); "" if it did not fail
 
 // Reads the file `filename` into `motion`.  On failure, returns false and sets theError.
 static bool

@@ -85,7 +85,8 @@ MoverCore::SwitchMotor(const MoverCommand& command)
         joints_.TurnOff(j);
         deferred_[j] = false;
     }
-    if (changesPower) Report(-1, 0);  // reports the change of motor power; -1: no motion plays now
+    // Reports the change of motor power.  The key frame -1 means that no motion plays.
+    if (changesPower) Report(-1, 0);
 }
 
 void

@@ -158,7 +158,7 @@ const int RC_MAX_GAIN = 127;
 
 // Gains of the servo of a joint.  A gain g with shift s acts like g x 2^(s-16).
 struct RcGains {
-    Uint8 isOn;      // 1: the gain is enabled; 0: the joint is limp
+    Uint8 isOn;      // 1 if the gain is enabled, 0 if the joint is limp
     Uint16 gain[3];  // P, I and D gain
     Uint16 shift[3];
 
@@ -197,7 +197,7 @@ struct RcSensors {
 struct RcPlayRequest {
     std::string file;          // such as "WALK.MTN"
     Uint16 loops;              // how often the motion is played, >= 1
-    Uint8 keyFramesPerVector;  // number of key frames in a command vector; 0: the robot chooses
+    Uint8 keyFramesPerVector;  // number of key frames in a command vector; 0 lets the robot choose
 
     void Write(RcWriter* out) const;
     bool Read(RcReader* in);

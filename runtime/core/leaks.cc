@@ -45,7 +45,7 @@ class HiddenAddress {
 struct Node {
   HiddenAddress begin;
   size_t bytes = 0;
-  // Owner of the block or region; null: the node is never reported as a leak.
+  // Owner of the block or region.  If it is null, the node is never reported as a leak.
   const Object* object = nullptr;
   bool is_region = false;
   // For a block: the calls that allocated the block.

@@ -35,11 +35,13 @@ class ObjectTable {
   ObjectId IdFor(int robot, std::string_view key) const;
   ObjectId NextId() const { return static_cast<ObjectId>(objects_.size()); }
 
-  // Get() and Find() return null if there is no such object.  Find() leaves out absent objects.
+  // Returns the object with this id; null if there is no such object.
   Object* Get(ObjectId id) const {
     const auto index = static_cast<size_t>(id);  // a negative id becomes a very large index
     return index < objects_.size() ? objects_[index].get() : nullptr;
   }
+  // Returns the object of `robot` with this name; null if there is no such object.  Leaves out
+  // absent objects.
   Object* Find(int robot, std::string_view name) const;
   const std::vector<std::unique_ptr<Object>>& all() const { return objects_; }
 

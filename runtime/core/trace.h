@@ -23,7 +23,7 @@ struct TraceRecord {
   int64_t time_us;
   int32_t sender;
   int32_t target;
-  uint32_t selector;  // UNDEF: the reply to a request
+  uint32_t selector;  // the entry of the receiver; UNDEF for the reply to a request
   uint32_t size;      // number of bytes that PayloadHash() hashes
   uint64_t payload_hash;
 };

@@ -27,7 +27,7 @@
 namespace openr_host {
 
 struct HostNetworkOptions {
-  uint32_t bind_ip = 0x7f000001;  // the host's address for server ports; 0: every interface
+  uint32_t bind_ip = 0x7f000001;  // the host's address for server ports; 0 for all interfaces
   // Fixed ports.  The key is a port of the robot, the value the host's port that it must get (0:
   // any free port).  A port without an entry keeps its number if that number is free on the host.
   std::map<uint16_t, uint16_t> tcp_ports;

@@ -102,7 +102,7 @@ class LoopbackNetwork : public Network {
   };
   struct Udp {
     uint16_t port = 0;
-    size_t want = 0;  // limit of the pending ReceiveFrom(); 0: no ReceiveFrom() is pending
+    size_t want = 0;  // limit of the pending ReceiveFrom(); 0 if none is pending
     std::deque<Datagram> waiting;
   };
 

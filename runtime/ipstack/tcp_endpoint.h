@@ -81,11 +81,11 @@ class TcpEndpoint : public Endpoint {
 
   State state_ = State::kNew;
   NetHandle socket_ = 0;
-  uint32_t local_ip_ = 0;  // the address that the program gave; 0: no address
+  uint32_t local_ip_ = 0;  // the address that the program gave; 0 if it gave no address
   uint16_t local_port_ = 0;
   bool own_port_ = false;  // true if the stack has chosen local_port_ for a Listen
   NetAddress remote_;
-  NetAddress wanted_;                     // the only peer that a Listen accepts; 0: any peer
+  NetAddress wanted_;  // the only peer that a Listen accepts; 0 if it accepts any peer
   TCPEndpointError error_ = TCP_SUCCESS;  // the error that broke the connection
 
   std::string in_;       // received bytes that no Receive has taken yet
