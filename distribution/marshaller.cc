@@ -102,8 +102,8 @@ void Marshaller::EncodeNotify(const Message& message, const PeerHasMemory& peer_
     part.offset = data.offset;
     part.size = static_cast<uint32_t>(data.size);
     // Sends the size of the whole region, because the receiver may have to make a copy of it.
-    // SizeOf() is 0 for a deleted region; then we send the end of the data, because the receiver
-    // refuses data beyond region_bytes.
+    // For a deleted region SizeOf() returns 0.  Then we send as its size the offset at which the
+    // data end, because the receiver refuses data beyond region_bytes.
     part.region_bytes = static_cast<uint32_t>(
         std::max(system_->regions().SizeOf(data.memID), data.offset + data.size));
     if (!peer_has || !peer_has(data.memID))

@@ -1,4 +1,4 @@
-// The part of RemoteProcess that applies in the master the effects of a worker's handlers, and
+// The part of RemoteProcess that applies the effects of a worker's handlers in the master, and
 // answers the worker's questions.  Effects are the messages that handlers sent and the functions
 // that they called.
 //

@@ -67,7 +67,7 @@ using WorkerCallList = CallList<
     &SystemCalls::Attach, &SystemCalls::Detach, &SystemCalls::CheckAccess,
     &SystemCalls::NoteMapping, &CheckedCalls::AddFindingAbout, &SystemCalls::Shutdown,
     &SystemCalls::PowerOff, &SystemCalls::NoteFileWritten, &CheckedCalls::SetColourTable,
-    // The functions below are the functions of OPENR:: about devices.
+    // From here on, the list has the functions of OPENR:: about devices.
     &RobotServices::OpenPrimitive, &RobotServices::ClosePrimitive, &CheckedCalls::ControlPrimitive,
     &RobotServices::EnableJointGain, &RobotServices::DisableJointGain, &RobotServices::SetJointGain,
     &RobotServices::GetJointGain, &RobotServices::RegisterDefaultJointGain,

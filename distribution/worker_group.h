@@ -84,10 +84,10 @@ class WorkerGroup {
   // Returns for each object of a worker the most bytes of heap that it has used.
   std::map<ObjectId, uint64_t> HeapMax() const;
 
-  // OnCrash() and OnReturn() set listeners that are called for each object of a worker: the
-  // listener of OnCrash() when the worker is lost while the run goes on, the listener of OnReturn()
-  // when the worker has been restarted.
+  // Sets a listener that is called for each object of a worker when the worker is lost while the
+  // run goes on.
   void OnCrash(std::function<void(Object*)> listener) { crash_listener_ = std::move(listener); }
+  // Sets a listener that is called for each object of a worker when the worker has been restarted.
   void OnReturn(std::function<void(Object*)> listener) { return_listener_ = std::move(listener); }
 
   // Sets a listener that is called with the name of a worker when the master notices that the

@@ -72,8 +72,8 @@ enum RcStatus {
     rcerrorNO_PICTURE = 15     // the request is about a picture for which this client has not asked
 };
 
-// Size of the smallest answer to a request in a batch, in bytes: any answer with a payload of up to
-// 24 bytes, or an error with at least 23 characters of its text.
+// Size of the smallest answer to a request in a batch, in bytes.  This size has room for a payload
+// of 24 bytes, or for an error with at least 23 characters of its text.
 const int RC_SMALLEST_BATCH_ANSWER = RC_ANSWER_HEADER_SIZE + 24;
 
 // Largest number of requests in a batch.  With this limit, the smallest answers to all requests fit

@@ -37,9 +37,9 @@ public:
 
     void SetGoal(Sint32 urad);
 
-    // Moves the joint in a straight line to `urad`, which it reaches after `frames` frames and
-    // where it rests, whatever its limits are.  Another goal, or Halt(), ends this movement: the
-    // joint then goes on with its present speed and within its limits.  REQUIRES: frames > 0.
+    // Moves the joint in a straight line to `urad`, whatever its limits are.  The joint reaches
+    // `urad` after `frames` frames and rests there.  Another goal, or Halt(), ends this movement;
+    // the joint then goes on with its present speed and within its limits.  REQUIRES: frames > 0.
     void Track(Sint32 urad, int frames);
 
     // Stops the joint: sets its goal to the nearest position at which it can stop.

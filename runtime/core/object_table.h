@@ -82,13 +82,13 @@ class ObjectTable {
   // is in place.
   void OnReplace(Listener listener) { replace_listeners_.push_back(std::move(listener)); }
 
-  // Replace() and AssertAgain() are steps of a replacement; ObjectManager::Begin() calls them.
-  // Replace() puts the objects of `fresh` in place of the objects with the same ids.  Messages to
-  // the old objects are lost.  Returns the observers that were ready for the old objects.
+  // Puts the objects of `fresh` in place of the objects with the same ids.  Messages to the old
+  // objects are lost.  Returns the observers that were ready for the old objects.  A step of a
+  // replacement, which ObjectManager::Begin() calls.
   Readies Replace(std::vector<std::unique_ptr<Object>> fresh);
   // Posts `readies`, which observers had sent to the old object, to the new object `id` in the name
   // of these observers.  The observers do not know of the replacement, so they would not assert
-  // ready again themselves.
+  // ready again themselves.  A step of a replacement, which ObjectManager::Begin() calls.
   void AssertAgain(ObjectId id, const std::vector<StandingReady>& readies);
 
  private:

@@ -74,10 +74,11 @@ class RegionTable {
   // Deletes all blocks of the object `owner`, which has ended or is being replaced.
   void DeleteAllOf(ObjectId owner);
 
-  // BaseOf() returns the address of block `id`, SizeOf() its size, OwnerOf() its owner.  If `id`
-  // names no block, they return null, 0 and kNoObject.
+  // Returns the address of block `id`, or null if there is no such block.
   char* BaseOf(uint32_t id) const;
+  // Returns the size of block `id`, or 0 if there is no such block.
   size_t SizeOf(uint32_t id) const;
+  // Returns the owner of block `id`, or kNoObject if there is no such block.
   ObjectId OwnerOf(uint32_t id) const;
   // Returns the object that made the block, even if another object owns it now.  In a run with
   // several processes, the bytes of the block are in the process of this object.  Returns kNoObject

@@ -180,11 +180,11 @@ class System {
   // Switches one robot off at once, as OPENR::Fatal() does.  Messages to its objects are dropped
   // from now on.
   void PowerOff(int robot, const RunEnd& why = {});
-  // BeginShutdown() does the work of Shutdown(), CutPower() the work of PowerOff().  Shutdown() and
-  // PowerOff() only pass the request to calls().  In a worker process, calls() sends the request to
-  // the master process.  In the master process, calls() is LocalCalls, which calls these two
-  // functions.  A robot that is off and waits for its boot timer stays off after BeginShutdown().
+  // Does the work of Shutdown(), which only passes the request to calls().  In a worker process,
+  // calls() sends the request to the master process.  In the master process, calls() is LocalCalls,
+  // which calls this function.  A robot that is off and waits for its boot timer then stays off.
   void BeginShutdown(int index, const RunEnd& why);
+  // Does the work of PowerOff(), which passes the request to calls() as Shutdown() does.
   void CutPower(int robot, const RunEnd& why);
 
   // Records the reason why a robot goes off.  The first reason is kept; only a PowerOff() during a
