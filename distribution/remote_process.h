@@ -221,7 +221,7 @@ class RemoteProcess {
   ProcessSlot slot_;
   System* system_ = nullptr;
   std::unique_ptr<Marshaller> marshaller_;
-  std::unique_ptr<CheckedCalls> calls_;  // null until Welcome() is called, like marshaller_
+  std::unique_ptr<CheckedCalls> calls_;  // checks calls of the worker; null before Welcome()
   std::map<ObjectId, RemoteObject*> objects_;
   std::set<ObjectId> awaited_objects_;  // objects that the worker is loading
   uint64_t session_ = 0;                // number of restarts of the worker so far
@@ -247,7 +247,7 @@ class RemoteProcess {
   // ReportSilence() compares it with the present time.
   int64_t last_heard_ms_ = 0;
   bool has_short_timeout_ = false;
-  bool is_silent_ = false;  // the user has been told that the worker is silent
+  bool is_silent_ = false;  // whether the user was told that the worker is silent
   std::string loss_;        // reason of the loss of the worker, or ""
   bool crashed_ = false;
   ObjectId crashed_object_ = kNoObject;

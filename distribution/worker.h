@@ -141,7 +141,8 @@ class Worker : public MasterLink {
   std::map<int, uint64_t> heap_elsewhere_;
   bool is_free_ = false;             // whether the master does not wait for handlers (a free run)
   std::set<ObjectId> fast_objects_;  // objects whose last handler took less than kFastHandlerNs
-  bool is_shutting_down_ = false;    // no handler runs any more; objects are being unloaded
+  bool is_shutting_down_ =
+      false;  // whether the objects are being unloaded, so that no handler runs
   // Entries of objects in other processes.  The master has told that these entries exist, so a
   // message to them needs no new question.
   std::set<std::pair<ObjectId, uint32_t>> known_entries_;

@@ -1,6 +1,6 @@
 // The functions of the master that a worker can call, by their numbers in samples.
 //
-// A new function of SystemCalls or RobotServices needs one line here and one in WorkerCalls or
+// A new function of SystemCalls or RobotServices needs a line here and a function in WorkerCalls or
 // RemoteServices; call_codec.h converts its arguments and its result.  The order of the list is
 // part of the protocol, so a change of the order needs a new openr_wire::VERSION.
 #pragma once

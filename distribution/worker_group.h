@@ -134,7 +134,7 @@ class WorkerGroup {
     std::unique_ptr<RemoteProcess> process;
     std::map<ObjectId, RemoteObject*> objects;
     std::string lost;
-    bool is_external = false;  // a user starts the worker with openr join
+    bool is_external = false;  // whether a user starts the worker with openr join
     bool is_welcomed = false;
     // Number of robots of the master's table that the worker has received, counted from the first.
     size_t robots = 0;
@@ -144,16 +144,17 @@ class WorkerGroup {
     Stage stage = Stage::kRunning;
     bool crashed = false;
     bool is_cleaned_up = false;
-    bool attempt_failed = false;  // the last attempt to restart the worker has failed
+    bool attempt_failed = false;  // whether the last attempt to restart the worker has failed
     int64_t since_ms = 0;         // wall time in ms when `stage` began
-    bool is_reported = false;     // the user has been told that the stage takes long
+    bool is_reported = false;     // whether the user was told that the stage takes long
     int restarts_left = 0;
     int losses = 0;
     int returns = 0;
     uint64_t undelivered_before = 0;  // number of undelivered messages before the loss
-    // The master's new stand-ins for the objects of a restarted worker; `successors` has the new
-    // stand-ins by id.  `new_objects` owns them until they replace the old stand-ins.
+    // The master's new stand-ins for the objects of a restarted worker, until they replace the old
+    // stand-ins.
     std::vector<std::unique_ptr<RemoteObject>> new_objects;
+    // The new stand-ins by the ids of their objects.
     std::map<ObjectId, RemoteObject*> successors;
   };
 

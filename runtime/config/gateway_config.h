@@ -37,7 +37,7 @@ struct GatewayRecord {
   bool is_proxy = false;
   FilePosition place;
 
-  std::string Name() const;  // the first word of the record
+  std::string Name() const;  // returns the first word of the record
 };
 
 struct GatewayConfig {

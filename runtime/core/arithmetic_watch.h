@@ -33,7 +33,7 @@ class ArithmeticWatch {
   // Pauses the watch.  Called before the image's code calls a function of the SDK or of the C
   // library.  Such calls may be nested.
   void Enter();
-  // Resumes the watch, when a function for which Enter() was called has returned.
+  // Resumes the watch.  Called when a function for which Enter() was called has returned.
   void Leave();
 
   // Ends the watch at the end of the handler: operations raise no SIGFPE any more.

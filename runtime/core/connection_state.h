@@ -78,8 +78,8 @@ struct ObserverLink {
   // data were last sent to it, or never; -1 if it has deasserted ready.  Two asserts in a row count
   // as one, as on the robot.
   int ready = 0;
-  bool is_lost = false;          // the last deassert came from the runtime (kDeassertOfLost)
-  bool told_deasserted = false;  // a finding about a notify after a deassert has been added
+  bool is_lost = false;          // whether the runtime sent the last deassert (kDeassertOfLost)
+  bool told_deasserted = false;  // whether a notify after a deassert was reported
 
   // The regions set since the last call of Notify(), at most MAX_NUM_DATA.
   std::vector<RCRegion*> fresh;

@@ -77,7 +77,7 @@ struct ReplyBoxes {
 
 // The object's use of the robot's processor, if handlers take time; see cpu.h.
 struct ProcessorState {
-  bool is_busy = false;  // a handler of the object has the processor
+  bool is_busy = false;  // whether a handler of the object has the processor
   // The virtual time since when a message has waited for the processor; -1: no message waits.
   int64_t starving_since_us = -1;
   struct Outgoing {
@@ -164,7 +164,7 @@ class Object {
   const ObjectId id;
   const int robot;
   bool is_system = false;   // whether the object is a part of the robot and not of the application
-  bool is_leaving = false;  // another object is about to replace this object
+  bool is_leaving = false;  // whether another object is about to replace this object
   // True if nothing is loaded for this id, because the robot was switched off.  When the robot
   // boots, the object with this path gets this id again.  If there is no path, the object with this
   // name gets the id.
@@ -226,8 +226,8 @@ class Object {
   ObjectLimits limits;
   // The class of the messages that the object posts.
   MessageClass post_class = MessageClass::kObject;
-  bool is_image = false;       // loaded from a file; its code sees only the Memory Stick
-  bool is_off = false;         // the object's robot is off: messages to the object are dropped
+  bool is_image = false;       // whether the object was loaded from a file (an image)
+  bool is_off = false;         // whether the robot is off; messages to the object are then dropped
   uint64_t message_count = 0;  // number of messages delivered to the object
   ProcessorState processor;
   HandlerState handler;

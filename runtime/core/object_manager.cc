@@ -353,7 +353,9 @@ void ObjectManager::Connect(const Connection& connection) {
   if (observer == directory.end()) ReportUnknown(connection, connection.observer);
   if (subject == directory.end() || observer == directory.end()) return;
 
-  const auto has_lost_end = [&] {  // an object of a lost process is connected when it is back
+  // Returns whether the process of one of the two objects is lost.  Then the objects are connected
+  // when the process is back.
+  const auto has_lost_end = [&] {
     return system().object(subject->second.first)->IsLost() ||
            system().object(observer->second.first)->IsLost();
   };

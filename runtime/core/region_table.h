@@ -138,9 +138,9 @@ class RegionTable {
     uint16_t generation = 0;
     bool live = false;         // true until the block is deleted; false for copies
     size_t capacity = 0;       // the size with which the block was made
-    bool is_reusable = false;  // New() chose this slot, so New() may choose it again
+    bool is_reusable = false;  // whether New() may choose this slot again
     bool is_copy = false;      // whether AdoptCopy() has made the block
-    bool is_idle = false;      // a copy that is not pinned, whose memory is kept for the next copy
+    bool is_idle = false;      // whether this is an unpinned copy, kept for the next copy
   };
 
   // Returns the slot of block `id`, also if the block is an idle copy; null if there is no such

@@ -257,8 +257,8 @@ class System {
   // ---- Schedule and gate ----
   //
   // A schedule and a gate are for tests and tools that explore orders of messages.  The System does
-  // not own them, so they must exist as long as the System delivers messages.  By default there is
-  // none.
+  // not own them, so they must exist as long as the System delivers messages.  A null pointer
+  // means that there is none.
 
   // Replaces the schedule that the seed has chosen.  The schedule decides the order of messages.
   // REQUIRES: before Boot().

@@ -84,8 +84,8 @@ class HostNetwork : public Network {
     size_t want = 0;     // size of the pending Receive()
     bool connecting = false;
     bool closing = false;
-    bool ended = false;   // this side has ended the stream
-    bool failed = false;  // the failure has been reported
+    bool ended = false;   // whether this side has ended the stream
+    bool failed = false;  // whether a failure of the connection was reported
   };
 
   // Translates the address `remote`, to which a program sends, to an address of the host.  `ports`

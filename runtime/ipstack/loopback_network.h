@@ -71,8 +71,8 @@ class LoopbackNetwork : public Network {
   // The bytes that go in one direction of a connection and are not read yet.
   struct Pipe {
     std::string bytes;
-    bool ended = false;  // the writer has ended the stream
-    bool gone = false;   // the reader has dropped the connection
+    bool ended = false;  // whether the writer has ended the stream
+    bool gone = false;   // whether the reader has dropped the connection
   };
   struct Link {
     Pipe to[2];

@@ -82,8 +82,8 @@ void TcpEndpoint::Bind(Operation operation) {
   stack_->Answer(&operation, TCP_SUCCESS);
 }
 
-// Answers a Bind, Listen or Connect that cannot be executed with an error and returns true.
-// Returns false if the operation can be executed: the endpoint is new, no Listen or Connect is
+// If a Bind, Listen or Connect cannot be executed, answers it with an error and returns true.
+// Otherwise returns false.  It can be executed if the endpoint is new, no Listen or Connect is
 // pending, and `local` is an address of the robot.
 bool TcpEndpoint::RefuseOpen(const Operation& operation, const IPAddress& local) {
   TCPEndpointError error = TCP_SUCCESS;
@@ -139,8 +139,8 @@ void TcpEndpoint::Connect(const Operation& operation) {
   state_ = State::kConnecting;
 }
 
-// Answers a Send or Receive that cannot be executed with an error and returns true.  Returns false
-// if the operation can be executed: the connection is open and no operation of the same kind is
+// If a Send or Receive cannot be executed, answers it with an error and returns true.  Otherwise
+// returns false.  It can be executed if the connection is open and no operation of the same kind is
 // pending (`busy`).
 bool TcpEndpoint::RefuseTransfer(const Operation& operation, bool busy) {
   TCPEndpointError error = TCP_SUCCESS;

@@ -89,9 +89,9 @@ class TcpEndpoint : public Endpoint {
   TCPEndpointError error_ = TCP_SUCCESS;  // the error that broke the connection
 
   std::string in_;       // received bytes that no Receive has taken yet
-  bool asked_ = false;   // a Network::Receive() that has not been answered is pending
-  bool ended_ = false;   // the peer has ended the stream
-  bool closed_ = false;  // both sides have ended the stream
+  bool asked_ = false;   // whether a Network::Receive() waits for its answer
+  bool ended_ = false;   // whether the peer has ended the stream
+  bool closed_ = false;  // whether both sides have ended the stream
   int64_t unsent_ = 0;   // number of bytes that were given to the network and are not accepted yet
   uint64_t sent_hash_ = 0;  // hash of all bytes that were sent
   int small_row_ = 0;       // number of small sends since the object last received something

@@ -112,9 +112,9 @@ NetAddress UdpEndpoint::DestinationOf(const UDPEndpointSendMsg& message) const {
   return ip == 0xffffffffu || message.port == 0 ? NetAddress{} : NetAddress{ip, message.port};
 }
 
-// Answers a Send or Receive that cannot be executed with an error and returns true.  Returns false
-// if the operation can be executed: the socket is bound and without error, no operation of the same
-// kind is pending (`busy`), and the `size` bytes at `buffer` lie in a shared buffer.
+// If a Send or Receive cannot be executed, answers it with an error and returns true.  Otherwise
+// returns false.  It can be executed if the socket is bound and without error, no operation of the
+// same kind is pending (`busy`), and the `size` bytes at `buffer` lie in a shared buffer.
 bool UdpEndpoint::RefuseTransfer(const Operation& operation, bool busy, const byte* buffer,
                                  int size) {
   UDPEndpointError error = error_;
