@@ -58,8 +58,8 @@ bool RemoteObject::Run() {
 }
 
 void RemoteObject::RecordReady() {
-  // Records also in the master that this observer is ready.  If the worker is lost, the master tells
-  // this to the restarted worker, which has no other way to know it.
+  // Records also in the master that this observer is ready.  If the worker is lost, the master
+  // tells this to the restarted worker, which has no other way to know it.
   const auto& ready = *reinterpret_cast<const OReadyMessage*>(handler.running->payload);
   const StandingReady standing = {handler.running->selector, ObjectIdOf(ready.observerID.GetOID()),
                                   ready.observerID.GetSelector()};

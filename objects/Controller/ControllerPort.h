@@ -64,9 +64,9 @@ public:
     // stack if there is one.  Returns when `body` has ended or has called LeaveLoop().
     virtual void RunLoop(void (*body)(void*), void* argument) = 0;
 
-    // Leaves the program that RunLoop() has called, in the middle of its loop.  Called by this
-    // program.  Returns true when ContinueLoop() continues the program.  Returns false at once when
-    // there is no second stack.
+    // Called by the program that RunLoop() has called, to be suspended in the middle of its loop.
+    // Returns true when ContinueLoop() continues the program.  Returns false at once when there is
+    // no second stack.
     virtual bool LeaveLoop() = 0;
 
     // Continues the program that has called LeaveLoop().  Returns when the program has ended or has

@@ -16,14 +16,14 @@
 // called LoopStackLeave().
 void LoopStackRun(void (*body)(void*), void* argument);
 
-// Leaves the function that runs on the second stack.  Called by this function.  LoopStackRun() or
-// LoopStackContinue() then returns.  LoopStackLeave() returns true when the function is continued,
-// and returns false at once when there is no second stack.
+// Called by the function that runs on the second stack, to leave this stack: LoopStackRun() or
+// LoopStackContinue() then returns.  Returns true when the function is continued.  Returns false at
+// once when there is no second stack.
 bool LoopStackLeave();
 
 // Continues the function that runs on the second stack after its last call of LoopStackLeave().
-// Returns when this function has ended or has called LoopStackLeave() again.  REQUIRES: the function
-// has called LoopStackLeave() and has not been continued since.
+// Returns when that function has ended or has called LoopStackLeave() again.  REQUIRES: the
+// function has called LoopStackLeave() and has not been continued since.
 void LoopStackContinue();
 
 // Adds `text`, a mistake of the controller program, to the findings of the run on a host.  Does

@@ -78,7 +78,7 @@ struct ReplyBoxes {
 // The object's use of the robot's processor, if handlers take time; see cpu.h.
 struct ProcessorState {
   bool is_busy = false;  // whether a handler of the object has the processor
-  // The virtual time since when a message has waited for the processor; -1: no message waits.
+  // The virtual time since when a message has waited for the processor; -1 if none waits.
   int64_t starving_since_us = -1;
   struct Outgoing {
     OwnedMessage message;

@@ -35,9 +35,9 @@ struct HostNetworkOptions {
   // Pairs of an address that programs use and the host's address in its place.  If several pairs
   // have the same address of the host, AddressMap::FromHost() chooses the program's address for it.
   std::vector<AddressPair> addresses;
-  // Shortest time, by the clock of the host, between two searches for new connections; 0: every
-  // Poll() searches.  A run at full speed polls much more often than connections come, so searching
-  // every time would waste time.
+  // Shortest time, by the clock of the host, between two searches for new connections.  With 0,
+  // every Poll() searches.  A run at full speed polls much more often than connections come, so
+  // searching every time would waste time.
   int64_t accept_interval_ns = 0;
   // Hosts by name.  Resolve() and ResolveAddress() look into this table first.  They ask the host's
   // resolver only if the table does not have the host, because the resolver may be slow or may not
