@@ -250,8 +250,8 @@ RCServer::ShutDownRobot()
 }
 
 // Converts the temperature of the battery to 0.01 degree Celsius.  The robot measures in 0.1
-// kelvin, from 0 to 5000.  Because the range in Hohl 2004, table 3.6, ends at 227.00 degrees, 0 degrees are
-// 273 kelvin here.
+// kelvin, from 0 to 5000.  Because the range in Hohl 2004, table 3.6, ends at 227.00 degrees,
+// 0 degrees are 273 kelvin here.
 static Sint32
 CentiCelsius(word temperature)
 {
