@@ -85,7 +85,7 @@ class Arena {
   // a large block.
   struct Span {
     int16_t use = kFree;      // the index of a size class, or kFree, kLarge, kInside
-    uint16_t span_count = 0;  // in the first span of a large block: the number of its spans
+    uint16_t span_count = 0;  // number of spans of a large block, kept in its first span
   };
   static constexpr int16_t kFree = -1, kLarge = -2, kInside = -3;
 

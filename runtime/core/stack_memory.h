@@ -31,9 +31,10 @@ class StackMemory {
   // that the address plan gives to an image for its stacks.  The assembly code of imported_calls.cc
   // uses the same number, and also the numbers of the next two offsets.
   static constexpr size_t kTopOffset = AddressPlace::kStackBytes - 4096;
-  // Offset of the bottom of the stack for the image's own code, from the same address.
+  // Offset of the bottom of the stack for the image's own code, from the same address as
+  // kTopOffset.
   static constexpr size_t kBottomOffset = kTopOffset - kBytes;
-  // Offset of the top of the stack for imported functions, from the same address.
+  // Offset of the top of the stack for imported functions, from the same address as kTopOffset.
   static constexpr size_t kImportsTopOffset = kBottomOffset - kGuardBytes;
 
   // Maps the memory at `address`.  If `address` is null or in use, the kernel chooses the address.
