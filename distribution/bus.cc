@@ -34,9 +34,9 @@ constexpr char kLargeHistory[] =
     "<WhcAdaptive>false</WhcAdaptive></Watermarks>"
     "<HeartbeatInterval min=\"2ms\" minsched=\"5ms\">6ms</HeartbeatInterval>";
 
-// Blocks all signals of this thread as long as it exists.  The threads of Cyclone DDS are created
-// meanwhile and inherit the blocked signals, so signals to the program are handled by the program's
-// own thread.
+// Blocks all signals of this thread while an object of this class exists.  The threads of Cyclone
+// DDS are created during this time and inherit the blocked signals.  So signals to the program are
+// handled by the program's own thread.
 class SignalsBlocked {
  public:
   SignalsBlocked() {
@@ -74,7 +74,7 @@ void Log(void*, const dds_log_data_t* data) {
 // process for dead.
 int LeaseOf(const BusOptions& options) { return options.lease_s == 0 ? kLease_s : options.lease_s; }
 
-// Makes the configuration of Cyclone DDS from the options.
+// Returns the settings of Cyclone DDS for `options`, as XML text.
 std::string SettingsXml(const BusOptions& options) {
   std::string peers = fmt::format("<Peer address=\"{}\"/>", options.address);
   for (const std::string& peer : options.peers)
@@ -128,10 +128,10 @@ Bus::Bus(const BusOptions& options) : run_(options.run), number_(options.domain)
 // processes do not take it for dead after a short network failure.
 //
 // Cyclone DDS by itself announces a participant only when four fifths of its lease are over.  With
-// a lease of 10 s, a network failure in the last 2 s would then be enough.  A writer with a shorter
-// liveliness lease makes its participant announce itself more often.  So we create a writer whose
-// liveliness lease is a fifth of `lease_s`, on a topic that nobody reads.  We choose no shorter
-// lease, because every participant receives each announcement.
+// a lease of 10 s, a network failure in the last 2 s would be enough to lose the announcement.  A
+// writer with a shorter liveliness lease makes its participant announce itself more often.  So we
+// create a writer whose liveliness lease is a fifth of `lease_s`, on a topic that nobody reads.  We
+// choose no shorter lease, because every participant has to receive each announcement.
 void Bus::AnnounceLiveliness(int lease_s) {
   dds_qos_t* const qos = Dds().dds_create_qos();
   Dds().dds_qset_liveliness(qos, DDS_LIVELINESS_AUTOMATIC, DDS_MSECS(lease_s * 200));
@@ -230,7 +230,7 @@ void* ChannelBase::ReceiveUntyped(int timeout_ms) {
       received_.pop_front();
       return sample;
     }
-    // Sends the samples that SendBatched() has kept before this end waits, because the other end
+    // Before this end waits, sends the samples that SendBatched() has kept, because the other end
     // may be waiting for them.
     FlushBatch();
     if (timeout_ms == 0) return nullptr;
@@ -252,7 +252,8 @@ void ChannelBase::ReceiveMore() {
       Check(Dds().dds_take(reader_, samples, infos, kSamplesPerPacketMax, wanted), "take");
   free_samples_.resize(free_samples_.size() - static_cast<size_t>(count));
   for (int i = 0; i < count; ++i) {
-    // Gives a sample without valid data back to DDS: it only says that a writer no longer exists.
+    // A sample without valid data only says that a writer no longer exists.  We do not need this
+    // information, so we give the sample back to DDS.
     if (infos[i].valid_data) {
       received_.push_back(samples[i]);
     } else {

@@ -1,9 +1,10 @@
 // Sets up Cyclone DDS and sends samples over it.
 //
 // Each process of a distributed run has one DDS participant.  The master exchanges samples with
-// each worker over a Channel: two topics in a DDS partition named RUN/PROCESS/SESSION, reliable,
-// with all history.  Each start of a worker gets a new SESSION name.  Participants find each other
-// without multicast, at addresses given to them; the default is 127.0.0.1, this host alone.
+// each worker over a Channel.  A Channel consists of two topics in a DDS partition named
+// RUN/PROCESS/SESSION; its samples arrive in order, and none is lost.  Each start of a worker gets
+// a new SESSION name.  Participants find each other without multicast, at addresses given to them.
+// The default address is 127.0.0.1, at which only processes of this host find each other.
 #pragma once
 
 #include <dds/dds.h>
@@ -21,15 +22,15 @@ namespace openr_host {
 // Lease of a process: the time without a sign of life after which the others take the process for
 // dead.
 //
-// kWatchedLease_s is for workers that the master started itself.  The master sees at once when such
-// a worker ends, so a short lease is not needed.  A worker that a debugger has stopped must not be
-// taken for dead, so we use the longest lease that Cyclone DDS accepts.
+// kWatchedLease_s is for workers that the master has started and will not restart.  The master sees
+// at once when such a worker ends, so a short lease is not needed.  A worker that a debugger has
+// stopped must not be taken for dead, so we use the longest lease that Cyclone DDS accepts.
 //
-// kReturningLease_s is for workers that the master started and may restart.  Until the lease of a
-// killed process is over, every participant of the domain takes the process for a slow reader and
+// kReturningLease_s is for workers that the master has started and may restart.  Until the lease of
+// a killed process is over, every participant of the domain takes the process for a slow reader and
 // keeps data for it.  That makes each restart slower, so this lease is shorter.
 //
-// kLease_s is for all processes that are not such workers.
+// kLease_s is for all other processes.
 constexpr int kWatchedLease_s = 3600;
 constexpr int kReturningLease_s = 60;
 constexpr int kLease_s = 10;
@@ -43,7 +44,7 @@ struct BusOptions {
   int participants_max = 120;         // largest number of processes on one host
   // Lease of this process in seconds, such as kWatchedLease_s; 0 means kLease_s.
   int lease_s = 0;
-  // True: Cyclone DDS keeps many sent samples, so that a write does not block while a receiving
+  // If true, Cyclone DDS keeps many sent samples, so that a write does not block while a receiving
   // process is stopped.
   bool has_large_history = false;
 };
@@ -111,9 +112,9 @@ class ChannelBase {
   // Returns whether DDS has found the reader and the writer of the channel's other end.
   bool IsConnected() const;
 
-  // Waits until the other end has received all samples, at most `timeout_ms`.  Must be called
-  // before the channel is destroyed if the last samples matter, because samples not yet received
-  // are then lost.
+  // Waits until the other end has received all samples, at most `timeout_ms`.  To be called before
+  // the channel is destroyed if no sample may be lost, because the samples that the other end has
+  // not received by then are lost.
   void WaitForAcks(int timeout_ms);
 
   // Sends the samples that SendBatched() has kept.
@@ -127,8 +128,8 @@ class ChannelBase {
   // Sends `sample` now, together with the samples that WriteBatched() has kept.
   void Write(const void* sample);
   void WriteBatched(const void* sample);
-  // Returns the next sample of the other end, which the caller gives back to Return(); null when no
-  // sample came within `timeout_ms`.
+  // Returns the next sample of the other end, or null if no sample came within `timeout_ms`.  The
+  // caller gives the sample back with Return().
   void* ReceiveUntyped(int timeout_ms);
   void Return(void* sample);
   // Records how many bytes of memory regions the last received sample had.  After a large sample

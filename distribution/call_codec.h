@@ -1,5 +1,6 @@
-// Converts calls of functions to data and back: the arguments on the way to the master, the result
-// and the output parameters on the way back.
+// Converts calls that a worker makes to functions of the master.  The arguments of a call are
+// converted to data, which is sent to the master and converted back there.  The result and the
+// output parameters are sent back to the worker in the same way.
 //
 // The type of a parameter decides how it is converted:
 //   integers, enumerations, bool   a number
@@ -255,8 +256,9 @@ struct Parameter<T*> {
   T value;
 };
 
-// Converts calls of a member function.  The type of the function gives its class, its parameters
-// and its result.
+// Converts a call of a member function of type Function: the arguments to CallArguments, the result
+// to CallResult, and both back.  The type gives the class of the function, its parameters and its
+// result.
 template <typename Function>
 struct Signature;
 template <typename Result_, typename Class_, typename... Parameters>
@@ -271,7 +273,8 @@ struct Signature<Result_ (Class_::*)(Parameters...)> {
     return encoded;
   }
 
-  // Copies the output parameters in `result` to `arguments`, and returns the function's result.
+  // Copies the output parameters in `result` to the places to which `arguments` point, and returns
+  // the function's result.
   template <typename... Arguments>
   static Result Decode(const CallResult& result, const Arguments&... arguments) {
     NumberReader numbers(result.numbers);

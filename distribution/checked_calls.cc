@@ -21,7 +21,8 @@ namespace {
 // refused.
 constexpr int64_t kTimeMaxUs = int64_t{1} << 53;
 
-// Largest number of bytes that a ControlPrimitive() request returns.
+// Largest number of bytes that the master returns for a ControlPrimitive() request.  A faulty
+// worker may ask for more.
 constexpr uint64_t kResultMax = 1024;
 
 bool IsTime(int64_t time_us) { return time_us >= 0 && time_us <= kTimeMaxUs; }

@@ -12,8 +12,9 @@ namespace openr_host {
 class ChildProcess {
  public:
   // Starts `command`; its first word is searched for in PATH.  Standard output of the new process
-  // goes to standard error of this process.  An interactive process, such as a debugger, shares the
-  // terminal and its process group.  Throws std::runtime_error.
+  // goes to standard error of this process.  If `is_interactive` is true, the new process, such as
+  // a debugger, stays in the process group of this process, so that it can use the terminal.
+  // Throws std::runtime_error if the process cannot be started.
   ChildProcess(std::string name, const std::vector<std::string>& command, bool is_interactive);
   ~ChildProcess();  // kills the process if it still runs
   ChildProcess(const ChildProcess&) = delete;

@@ -6,7 +6,8 @@ namespace openr_host {
 namespace {
 
 DdsFunctions Load() {
-  // The symbols are global, because the security plugins of Cyclone DDS may need them.
+  // Makes the symbols of the library global (the argument `true`), because the security plugins of
+  // Cyclone DDS may need them.
   const LateLibrary library(OPENR_DDS_LIBRARY, "Cyclone DDS, by which processes exchange data,",
                             "libddsc0debian", true);
   DdsFunctions functions;

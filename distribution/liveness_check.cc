@@ -15,7 +15,8 @@ namespace openr_host {
 namespace {
 
 struct ProcessStat {
-  // State of the process, one letter (see proc(5)); "": hidden, or no such process.
+  // State of the process as one letter (see proc(5)); "" if the state is hidden or there is no such
+  // process.
   std::string state;
   std::string start_time;
 };

@@ -12,8 +12,8 @@ namespace openr_host {
 // have the same host name.  Returns "" if the id cannot be read.
 std::string MachineId();
 
-// Tests whether one process still exists.  A default-constructed check has no process to test, and
-// always reports that the process exists.
+// Tests whether one process still exists.  A LivenessCheck that was made without arguments has no
+// process to test, and always reports that the process exists.
 class LivenessCheck {
  public:
   LivenessCheck() = default;
@@ -26,9 +26,9 @@ class LivenessCheck {
   bool HasEnded() const;
 
  private:
-  int64_t pid_ = 0;  // id of the tested process; 0: no process, or a process that cannot be tested
-  // Start time of the tested process in clock ticks since the boot of this machine; "": hidden from
-  // this process.
+  int64_t pid_ = 0;  // id of the tested process; 0 if there is no process to test
+  // Start time of the tested process in clock ticks since the boot of this machine; "" if the start
+  // time is hidden from this process.
   std::string start_time_;
 };
 

@@ -102,8 +102,8 @@ void Marshaller::EncodeNotify(const Message& message, const PeerHasMemory& peer_
     part.offset = data.offset;
     part.size = static_cast<uint32_t>(data.size);
     // Sends the size of the whole region, because the receiver may have to make a copy of it.
-    // SizeOf() is 0 for a deleted region; then we send the end of the data, because the receiver
-    // refuses data beyond region_bytes.
+    // For a deleted region SizeOf() returns 0.  Then we send as its size the offset at which the
+    // data end, because the receiver refuses data beyond region_bytes.
     part.region_bytes = static_cast<uint32_t>(
         std::max(system_->regions().SizeOf(data.memID), data.offset + data.size));
     if (!peer_has || !peer_has(data.memID))
@@ -113,9 +113,10 @@ void Marshaller::EncodeNotify(const Message& message, const PeerHasMemory& peer_
   out->parts = arena->Sequence<decltype(out->parts)>(parts);
 }
 
-// Compares the region's bytes with the bytes that were received.  Most observers give a region back
-// in the handler that received it.  Then the sample still exists, and a comparison with its bytes
-// is faster than a hash.  After that handler, the sample is released and we compare hashes.
+// Returns whether the region's bytes differ from the bytes that were received.  Most observers give
+// a region back in the handler that received it.  Then the sample still exists, and a comparison
+// with its bytes is faster than a hash.  After that handler, the sample is released and we compare
+// hashes.
 bool Marshaller::IsChanged(const RCRegion& region, const ImportedRegion& imported) {
   if (imported.bytes != nullptr)
     return std::memcmp(region.Base(), imported.bytes, region.Size()) != 0;
@@ -176,8 +177,8 @@ std::vector<RCRegion*> Marshaller::TakeExportedBy(ObjectId subject) {
 std::vector<uint64_t> Marshaller::TakeDroppedTokens() {
   std::vector<uint64_t> tokens;
   std::erase_if(dropped_, [&](const auto& entry) {
-    // Keeps the token while the memory of the region is still here.  An object may still pass the
-    // region on, and the peer refuses a region whose token it has forgotten.
+    // Keeps the token while the memory of the region still exists in this process.  An object may
+    // still pass the region on, and the peer refuses a region whose token it has forgotten.
     if (system_->regions().BaseOf(entry.second) != nullptr) return false;
     tokens.push_back(entry.first);
     return true;
@@ -341,8 +342,8 @@ std::string Marshaller::DecodeReady(const openr_wire_Ready& in, Message* out) {
   out->kind = PayloadKind::kReady;
   for (uint32_t i = 0; i < in.regions._length; ++i) {
     const openr_wire_ReturnedRegion& returned = in.regions._buffer[i];
-    // Removes only the token of a region that TakeExportedBy() has released already because the
-    // object of its subject was replaced.
+    // If TakeExportedBy() has already released the region, only its token is removed here.  This
+    // happens when the object of the region's subject was replaced.
     const auto found = exported_.find(returned.token);
     if (withdrawn_.erase(returned.token) > 0) continue;
     if (found == exported_.end()) return "a ready with an unknown region";

@@ -69,10 +69,10 @@ class Marshaller {
   struct ExportedRegion {
     RCRegion* region;
     size_t size;
-    int32_t subject;  // object of the sending subject; the next member is its selector
-    uint32_t subject_selector;
-    int32_t observer;  // object of the receiving observer; the next member is its selector
-    uint32_t observer_selector;
+    int32_t subject;             // the object that has the sending subject
+    uint32_t subject_selector;   // the selector of the subject in this object
+    int32_t observer;            // the object that has the receiving observer
+    uint32_t observer_selector;  // the selector of the observer in this object
   };
   // Returns all regions that were sent to the peer and not given back, and forgets them.  Called
   // when the peer is lost, because a lost peer gives no region back.
@@ -114,7 +114,7 @@ class Marshaller {
   System* const system_;
   const bool makes_copies_;
   struct ImportedRegion {
-    uint64_t token;  // the peer's token for the region; 0: the peer is lost
+    uint64_t token;  // the peer's token for the region; 0 if the peer is lost
     // The received bytes while the sample is valid, else null.  IsChanged() compares the region
     // with these bytes, or later with their `hash`.
     const uint8_t* bytes;

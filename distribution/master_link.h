@@ -17,14 +17,17 @@ class MasterLink {
   // Posts `message` as SystemCalls::Post() does.
   virtual int32_t Post(OwnedMessage message, int64_t delay_us) = 0;
 
-  // Tell() and Ask() make the master call function number `function` of WorkerCallList.  Ask()
-  // waits and returns the result.  Tell() does not wait and has no result.  The arguments of Tell()
-  // must have no `bytes`, because the samples that it sends have no member for bytes.
+  // Makes the master call function number `function` of WorkerCallList.  Does not wait for the
+  // call, so there is no result.  `arguments` must have no `bytes`, because the sample that carries
+  // them has no member for bytes.
   virtual void Tell(uint32_t function, const CallArguments& arguments) = 0;
+  // Makes the master call function number `function` of WorkerCallList, waits for the call and
+  // returns its result.
   virtual CallResult Ask(uint32_t function, const CallArguments& arguments) = 0;
 
   // Records that the handler of the current object is about to wait for a reply.  `box` is the
-  // number under which the object receives the reply; timeout_us < 0: the wait has no limit.
+  // number under which the object receives the reply.  If `timeout_us` is less than 0, the wait has
+  // no limit.
   virtual void Waits(uint64_t box, int64_t timeout_us, std::string_view why) = 0;
   // Records that the handler of the current object is about to wait for a line of the console, of
   // at most `size` bytes.  The line arrives as a reply with the number `box`.

@@ -45,8 +45,9 @@ void Monitor::Publish(Clock::time_point now, bool has_ended) {
     return std::chrono::duration<double>(time).count();
   };
   const double passed_s = std::max(seconds(now - std::exchange(published_, now)), kIntervalMin_s);
-  // Returns the increase of `count` since the status before, per second.  An object in a restarted
-  // worker counts from 0 again, so a count below the old count is taken as the increase.
+  // Returns the increase of `count` since the previous status, per second.  An object in a
+  // restarted worker counts from 0 again, so a count that is below the old count is itself the
+  // increase.
   const auto rate = [passed_s](uint64_t count, uint64_t* before) {
     const uint64_t old = std::exchange(*before, count);
     return static_cast<double>(count < old ? count : count - old) / passed_s;
@@ -90,7 +91,7 @@ void Monitor::Publish(Clock::time_point now, bool has_ended) {
   last_status_ = std::move(status);
 }
 
-// Returns how long the handlers of `object` have taken since the status before was published.
+// Returns how long the handlers of `object` have taken since the previous status was published.
 RunStatus::Times Monitor::TimesOf(const RemoteObject& object) {
   Latency& before = latency_of_[object.id];
   const Latency now = object.process()->LatencyOf(object.id);

@@ -23,7 +23,7 @@ class System;
 
 class Monitor {
  public:
-  // `workers` are the workers of the run; null: all objects are in this process.
+  // `workers` are the workers of the run; null if all objects are in this process.
   Monitor(const System* system, Bus* bus, const WorkerGroup* workers);
 
   // Publishes the status if a second has passed since the last time.  Must not be called from a
@@ -40,7 +40,7 @@ class Monitor {
   RunStatus::Times TimesOf(const RemoteObject& object);
 
   const System* const system_;
-  const WorkerGroup* const workers_;  // workers of the run; null: all objects are in this process
+  const WorkerGroup* const workers_;  // workers of the run; null if the run has no workers
   const std::string run_;
   StatusWriter writer_;
   const Clock::time_point begin_ = Clock::now();

@@ -15,8 +15,8 @@ namespace {
 
 // Name of the topic of claims, on which no sample is ever sent.
 constexpr char kClaimTopic[] = "openr_run";
-// Number of digits of the time in a claim: nanoseconds since 1970 with leading zeros, so that
-// comparing claims as text compares their times.
+// Number of digits of the time in a claim.  The time is in nanoseconds since 1970 and has leading
+// zeros, so that comparing two claims as texts compares their times.
 constexpr size_t kSinceDigits = 20;
 constexpr size_t kClaimsMax = 64;  // largest number of claims that are compared
 
@@ -83,8 +83,9 @@ void NameClaim::Announce(const std::string& claim) {
 
 void NameClaim::MakePermanent() {
   if (std::exchange(is_permanent_, true)) return;
-  // Makes the claim begin with a time of zeros, which comes before every real time.  Because the
-  // earliest claim wins, this run now wins against every run whose claim is not permanent.
+  // Announces a second claim of this run, whose time consists of zeros and so is earlier than every
+  // real time.  The earliest claim wins, so from now on this run wins against every run that has
+  // not made such a claim, too.
   Announce(std::string(kSinceDigits, '0') + own_.substr(kSinceDigits));
 }
 

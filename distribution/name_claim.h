@@ -14,7 +14,8 @@ class NameClaim {
   // runs.
   explicit NameClaim(Bus* bus);
 
-  // Returns the run that has claimed the name earlier, as "pid 12 on host", or "".
+  // Returns the run that has claimed the name earlier, as "pid 12 on host"; "" if there is no such
+  // run.
   std::string EarlierRun() const;
 
   // Makes this claim earlier than every claim with a real time.  Called when a worker has joined
@@ -26,7 +27,7 @@ class NameClaim {
   void Announce(const std::string& claim);
 
   Bus* const bus_;
-  // The claim of this run; of two claims, the earlier wins, and claims are compared as text.
+  // The claim of this run.  Claims are compared as texts, and of two claims the earlier one wins.
   const std::string own_;
   bool is_permanent_ = false;
   dds_entity_t topic_ = 0;

@@ -41,9 +41,9 @@ struct Placement {
 Placement ParsePlacement(const std::string& file, std::string_view text,
                          std::vector<Diagnostic>* diagnostics);
 
-// Returns errors about the hosts of the placement: a host whose address is not found, or a host on
-// another machine if `own_address` (--dds-address) is a loopback address, which no other machine
-// can reach.  Queries the name service.
+// Returns errors about the hosts of the placement.  One error is that the address of a host is not
+// found.  The other error is that a host is another machine although `own_address` (--dds-address)
+// is a loopback address, which no other machine can reach.  Queries the name service.
 std::vector<Diagnostic> WrongHosts(const Placement& placement, const std::string& own_address);
 
 // Adds an object and its process, given on the command line as "RCServer=network".  Returns "" or

@@ -13,8 +13,9 @@
 namespace openr_host {
 namespace {
 
-// Time for a process to join after it has got a session.  After this time another process that asks
-// to join gets a new session in its place.  So a process that never joins does not keep the slot.
+// Time within which a process must join after it has got a session.  After this time, another
+// process that asks to join gets a new session.  So a process that never joins does not keep the
+// slot.
 constexpr int64_t kSessionClaimMs = 5'000;
 // Limit of the length of a requester's id.  A real id, such as "host-1234-5", is far shorter.
 // Requests with longer ids are ignored, because they come from the network and may be forged.

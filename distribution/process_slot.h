@@ -29,7 +29,8 @@ constexpr ChannelTopics kJoinTopics = {&openr_wire_JoinAnswer_desc, "openr_join_
 using MasterJoinChannel = Channel<openr_wire_JoinAnswer, openr_wire_JoinRequest>;
 using WorkerJoinChannel = Channel<openr_wire_JoinRequest, openr_wire_JoinAnswer>;
 
-// The session name in the answer to a join request while another process has the worker's place.
+// The answer to a join request has this text as its session if another process has the worker's
+// place.
 constexpr const char* kTakenSession = "taken";
 
 // Returns a name such as "host-1234-5", unique in the run.
@@ -47,7 +48,7 @@ class ProcessSlot {
     int64_t pid = 0;
   };
 
-  // `is_external` means that a user starts the worker with openr join.
+  // `is_external` is true if a user starts the worker with openr join.
   ProcessSlot(Bus* bus, std::string process, bool is_external);
 
   // Gives up the present worker, if there is one, and opens the channel by which a new process with
@@ -81,7 +82,7 @@ class ProcessSlot {
   const Identity& last_identity() const { return identity_.pid == 0 ? previous_ : identity_; }
 
  private:
-  // The next three functions are steps of AwaitJoin() and RefuseOtherRequests().
+  // These three functions are steps of AwaitJoin() and RefuseOtherRequests().
   bool ReceiveHello(int timeout_ms);
   void NotifyAbandoned();
   void AnswerJoinRequest(const openr_wire_JoinRequest& request);

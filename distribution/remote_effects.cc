@@ -1,4 +1,4 @@
-// The part of RemoteProcess that applies in the master the effects of a worker's handlers, and
+// The part of RemoteProcess that applies the effects of a worker's handlers in the master, and
 // answers the worker's questions.  Effects are the messages that handlers sent and the functions
 // that they called.
 //
@@ -24,10 +24,10 @@ namespace {
 // refused.
 constexpr int64_t kDelayMaxUs = int64_t{1} << 53;
 
-// The argument of WorkerCallList::Call() that returns the C++ object on which a function is called.
-// Call() passes a null pointer to the class of the function, and this type selects the overload.
-// For RobotServices, the C++ object is the services of the current object's robot.  For the other
-// classes, it is the CheckedCalls, which check the call of the worker.
+// A function object for WorkerCallList::Call(), which asks it on which C++ object a function is to
+// be called.  Call() passes a null pointer to the class of the function; the type of this pointer
+// selects the overload.  For RobotServices, the C++ object is the services of the current object's
+// robot.  For the other classes, it is the CheckedCalls, which check the call of the worker.
 struct CallTargets {
   System* system;
   CheckedCalls* calls;
@@ -40,8 +40,8 @@ struct CallTargets {
 };
 
 // Returns whether a worker may call function number `function` while no handler runs and there is
-// no current object.  Workers call the functions of this list also while they load their objects.
-// All other calls without a current object are ignored.
+// no current object.  Workers call the functions of kFunctions also while they load their objects.
+// Calls of all other functions without a current object are ignored.
 bool MayLackCaller(uint32_t function) {
   constexpr uint32_t kFunctions[] = {
       WorkerCallList::NumberOf<&SystemCalls::DeleteRegion>(),
@@ -128,8 +128,8 @@ bool RemoteProcess::Answers(const Message& message, const Object* self) {
          (message.is_reply ? message.target : message.sender) == request->sender;
 }
 
-// Returns whether the worker may send bytes of `region`.  It may if the region belongs to an object
-// of the worker or was sent to the worker.
+// Returns whether the worker may send bytes of `region`: true if the region belongs to an object of
+// the worker or was sent to the worker.
 bool RemoteProcess::MayUse(uint32_t region) const {
   return calls_->HasRegion(region) || marshaller_->HasExported(region);
 }

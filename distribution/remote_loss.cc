@@ -62,8 +62,8 @@ void RemoteProcess::ReleaseAll() {
     if (object->handler.blocked != nullptr) WakeHandler(id, object->handler.blocked_box);
   }
   calls_->ReleasePins();
-  // Removes the dropped counts and the heap use of the lost process, because the next process
-  // counts from 0.
+  // Removes the lost process's counts of dropped notifications and its heap use, because the next
+  // process counts from 0.
   dropped_.clear();
   for (const auto& [robot, bytes] : std::exchange(heap_by_robot_, {}))
     system_->robot(robot).memory.used_bytes -= bytes;

@@ -58,8 +58,8 @@ bool RemoteObject::Run() {
 }
 
 void RemoteObject::RecordReady() {
-  // Records in the master the observers that are ready.  A restarted worker must be told of them,
-  // because only the lost process knew them.
+  // Records also in the master that this observer is ready.  If the worker is lost, the master
+  // tells this to the restarted worker, which has no other way to know it.
   const auto& ready = *reinterpret_cast<const OReadyMessage*>(handler.running->payload);
   const StandingReady standing = {handler.running->selector, ObjectIdOf(ready.observerID.GetOID()),
                                   ready.observerID.GetSelector()};
@@ -82,9 +82,9 @@ void RemoteObject::ReturnRegion(RCRegion* region) { process_->ReturnRegion(regio
 
 bool RemoteObject::IsLost() const { return process_->is_lost(); }
 
-// Returns whether a handler of the object runs in its worker, in a free run.  The caller then
-// ignores a time-out, because the worker takes wall time and not virtual time.  DoStop and
-// DoDestroy do not count, because the end of a run has a time limit that no worker may extend.
+// Returns whether, in a free run, a handler of the object runs in its worker.  If so, the caller
+// ignores a time-out of virtual time, because the worker needs only wall time.  Returns false for
+// DoStop and DoDestroy, because the end of a run has a time limit that no worker may extend.
 bool RemoteObject::IsAtWorkElsewhere() const {
   return process_->IsAtWork(id) && handler.running->selector != oentrySTOP &&
          handler.running->selector != oentryDESTROY;

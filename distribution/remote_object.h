@@ -21,9 +21,9 @@ class RemoteProcess;
 
 class RemoteObject : public Object {
  public:
-  // The ways to lose a worker.  kGone: the worker has ended or cannot be reached.  kCrashed: a
-  // handler has crashed.  kAtEnd: the worker was lost after the run, when the master asked only for
-  // the state of its objects.
+  // The ways in which a worker can be lost.  kGone means that the worker has ended or cannot be
+  // reached.  kCrashed means that a handler has crashed.  kAtEnd means that the worker was lost
+  // after the run, when the master asked only for the state of its objects.
   enum class Loss { kGone, kCrashed, kAtEnd };
   // A function that is called when a stand-in finds that its worker is lost.  `why` is a text for
   // the user.
@@ -41,17 +41,17 @@ class RemoteObject : public Object {
   // Number of messages that came for the object after its worker was lost.  No handler ran for
   // these messages.
   uint64_t undelivered_count = 0;
-  // Number of notifications that waited in the object's subjects, for observers that were not
-  // ready, when its last handler ended.  These notifications are lost with the worker; the report
-  // tells their number.
+  // Number of notifications that waited in the object's subjects when its last handler ended,
+  // because their observers were not ready.  These notifications are lost with the worker; the
+  // report tells their number.
   uint64_t pending_count = 0;
   uint64_t heap_max = 0;  // the most bytes of heap that the object has used
 
   // Makes the RemoteObject that replaces this RemoteObject when the worker is restarted.
   std::unique_ptr<RemoteObject> NewInstance() const;
 
-  // Records that a subject of this object has notified the observer `ready`.  From then on this
-  // observer is not ready until it asserts ready again.
+  // Records that a subject of this object has notified an observer.  `ready` was the observer's
+  // assert.  From now on this observer is not ready until it asserts ready again.
   void UseReady(const StandingReady& ready) { readies_.erase(ready); }
 
   // Forgets the ready events that came from the object `observer`, because that object has been

@@ -17,7 +17,8 @@
 namespace openr_host {
 namespace {
 
-// The interval of checks that the worker still exists while the master waits for its sample.
+// While the master waits for a sample of the worker, it checks at this interval that the worker
+// still exists.
 constexpr int kWorkerPollMs = 10;
 // Time after which the user is told to start an external worker.  A worker that has already been
 // started joins in less time, and the user is told nothing.
@@ -260,7 +261,8 @@ bool RemoteProcess::RunHandler(RemoteObject* object, const Message& message) {
     } else {
       ResumeWithReply(object, *stop, session);
     }
-    // Checks whether the worker was lost, or lost and restarted, while the stand-in waited.
+    // Returns false if the worker was lost while the stand-in waited, even if it has been restarted
+    // since.
     if (is_lost_ || session != session_) return false;
   }
 }
@@ -408,8 +410,8 @@ void RemoteProcess::ResumeWithReply(RemoteObject* object, const Stop& stop, uint
   openr_wire_Resume& resume = to_worker.body._u.resume;
   const OwnedMessage reply =
       system_->requests().Await(stop.box, stop.timeout_us, stop.why, &resume.timed_out);
-  // Checks whether the worker was lost while the handler waited for its reply, for example because
-  // the handler of another object of this worker crashed.
+  // Stops if the worker was lost while the handler waited for its reply, for example because the
+  // handler of another object of this worker crashed.  There is no handler to continue then.
   if (is_lost_ || session != session_) return;
   WireArena arena;
   resume.now_us = system_->now_us();

@@ -37,15 +37,15 @@ struct ProcessCrashed : ProcessLost {
   using ProcessLost::ProcessLost;
 };
 
-// Thrown if the worker has refused the run before taking part.  The run does not fail: the master
-// waits for another process of the same name instead.
+// Thrown if the worker has refused the run before taking part.  The run does not fail, because the
+// master then waits for another process of the same name.
 struct ProcessRefused : ProcessLost {
   using ProcessLost::ProcessLost;
 };
 
 class RemoteProcess {
  public:
-  // `is_external` means that a user starts the worker.  `health` returns the problem of the worker
+  // `is_external` is true if a user starts the worker.  `health` returns the problem of the worker
   // process, or "".  `say` prints a line for the user.
   RemoteProcess(Bus* bus, std::string name, bool is_external, std::function<std::string()> health,
                 std::function<void(const std::string&)> say);
@@ -76,11 +76,11 @@ class RemoteProcess {
   // Adds `object`, the master's stand-in for an object that the worker will load.
   void Add(RemoteObject* object);
 
-  // BeginLoad() and HasLoaded() do the same as Load() in two steps, without waiting, for a
-  // restarted worker.  BeginLoad() sends the entries.  HasLoaded() returns true when the worker has
-  // loaded its objects, and `objects` are the new stand-ins of these objects.  The worker counts as
-  // lost until Rejoin().
+  // Begins to load the objects of a restarted worker: sends new entries as Load() does, but does
+  // not wait.  The worker counts as lost until Rejoin().
   void BeginLoad(const openr_wire_Load& load);
+  // Returns whether the worker has loaded its objects after BeginLoad().  `objects` are the new
+  // stand-ins of these objects.
   bool HasLoaded(const std::map<ObjectId, RemoteObject*>& objects);
   // Ends a restart: the worker does not count as lost any more.  `objects` are the new stand-ins in
   // the master for the worker's objects; they have replaced the old stand-ins.
@@ -158,8 +158,9 @@ class RemoteProcess {
   // Returns the problem of the worker, or "".  Needs no answer of the worker, so it also finds the
   // loss of a worker that has nothing to do.
   std::string FindProblem() const;
-  // Returns what FindProblem() does, but prefers the reason in the worker's goodbye, if one has
-  // arrived.  A goodbye is the sample by which a worker tells that it ends.
+  // Returns the problem of the worker as FindProblem() does.  If the worker has sent a goodbye,
+  // returns the reason in the goodbye, which is more exact.  A goodbye is the sample by which a
+  // worker tells that it ends.
   std::string FindLoss();
 
   // Ends the worker and tells it `why` the run has ended: the text of DescribeEnd(), or "".
@@ -216,11 +217,11 @@ class RemoteProcess {
   const std::string name_;
   const std::function<std::string()> health_;
   const std::function<void(const std::string&)> say_;
-  const std::string wait_reason_;  // text for the user: the reply for which an object waits
+  const std::string wait_reason_;  // text for the user, which says for what a stand-in waits
   ProcessSlot slot_;
   System* system_ = nullptr;
   std::unique_ptr<Marshaller> marshaller_;
-  std::unique_ptr<CheckedCalls> calls_;  // null until Welcome() is called, like marshaller_
+  std::unique_ptr<CheckedCalls> calls_;  // checks calls of the worker; null before Welcome()
   std::map<ObjectId, RemoteObject*> objects_;
   std::set<ObjectId> awaited_objects_;  // objects that the worker is loading
   uint64_t session_ = 0;                // number of restarts of the worker so far
@@ -237,16 +238,16 @@ class RemoteProcess {
   // While a handler runs in the worker, the object's stand-in waits in the master for a reply.
   // HandleFreeSample() posts this reply when the handler has stopped.
   bool is_free_ = false;
-  uint64_t wake_box_count_ = 0;  // number of reply boxes made for these waits
+  uint64_t wake_box_count_ = 0;  // number of reply boxes that were made for stand-ins
   // The objects with a handler in the worker; the value is the reply box for which the stand-in
   // waits.
   std::map<ObjectId, uint64_t> running_;
-  std::map<ObjectId, Stop> stops_;  // for each object: why its handler has stopped
+  std::map<ObjectId, Stop> stops_;  // the reason why the handler of each object has stopped
   // The time of the worker's last sample, or the time when an idle worker was given work.
   // ReportSilence() compares it with the present time.
   int64_t last_heard_ms_ = 0;
   bool has_short_timeout_ = false;
-  bool is_silent_ = false;  // the user has been told that the worker is silent
+  bool is_silent_ = false;  // whether the user was told that the worker is silent
   std::string loss_;        // reason of the loss of the worker, or ""
   bool crashed_ = false;
   ObjectId crashed_object_ = kNoObject;

@@ -47,8 +47,8 @@ void Put(const std::string& text, char (*out)[N]) {
   (*out)[size] = '\0';
 }
 
-// Returns `text` with its control characters replaced, because the text comes from the network and
-// is shown on terminals.
+// Returns `text` with '?' for every character that is not printable ASCII, because the text comes
+// from the network and is shown on terminals.
 std::string Printable(const char* text) {
   std::string printable = text;
   for (char& c : printable) {

@@ -26,9 +26,9 @@ constexpr int kGoodbyeFlushMs = 1'000;  // time for the master to receive a good
 // Longest time that a crashed process waits until the master has received its report.  The time is
 // long, because the process ends afterwards and cannot repeat the report.
 constexpr int kCrashFlushMs = 3'000;
-// In a free run, effects of earlier handlers are kept while a fast handler runs, to share a packet
-// with its own effects.  A handler is fast if it takes less than this time, so that no effect is
-// kept for long.
+// In a free run, the worker keeps the effects of earlier handlers while a fast handler runs, and
+// then sends all of them in one packet.  A handler is fast if it takes less than this time, so that
+// no effect is kept for long.
 constexpr int64_t kFastHandlerNs = 50'000;
 constexpr int kJoinRetryMs = 1'000;  // time after which a join request is repeated
 
@@ -168,8 +168,8 @@ std::string Worker::SetUp(const openr_wire_Welcome& welcome) {
     return std::make_unique<WorkerCalls>(system, this);
   };
   options.console = [this](std::string_view text) {
-    // Keeps the watchdog's signal from ending the process during a call of Cyclone DDS, whose locks
-    // ReportCrash() needs.
+    // The watchdog's signal must not end the process during a call of Cyclone DDS.  Such a call may
+    // hold locks that ReportCrash() needs.
     const Indivisible indivisible;
     WireArena arena;
     openr_wire_ToMaster to_master = NewToMaster(openr_wire_TO_MASTER_CONSOLE);
@@ -301,9 +301,9 @@ void Worker::Deliver(const openr_wire_Deliver& deliver, bool timed_out) {
 }
 
 // Runs a handler in a free run, and measures whether the handler is fast.  If the last handler of
-// this object was fast, effects of earlier handlers that were kept are sent together with the
-// effects of this handler.  If not, they are sent first, so that they do not wait for a slow
-// handler.
+// this object was fast, the kept effects of earlier handlers are sent together with the effects of
+// this handler.  If it was slow, the kept effects are sent before this handler runs, so that they
+// do not wait for it.
 void Worker::RunTimed(ObjectId id) {
   if (!fast_objects_.contains(id)) channel_->FlushBatch();
   const int64_t begin_ns = WallClockNs();
@@ -363,7 +363,8 @@ void Worker::SendStopped(Object* object) {
     for (const auto& link : subject->links) stopped.pending += link->units.size();
   }
   MoveEffectsTo(&to_master);
-  // Lets the sample wait in a free run, to share a packet with the sample of the next handler.
+  // In a free run, keeps the sample for a moment, so that it shares a packet with the sample of the
+  // next handler.
   Send(to_master, is_free_);
   // Releases the memory of the sent regions, which is possible because Send() has copied their
   // bytes.
@@ -401,8 +402,9 @@ void Worker::SendState(ObjectId id) {
   Send(to_master);
 }
 
-// Disconnects the objects of this worker from object `id` of another process, which has been
-// replaced.  The object manager in the master connects them with the new object later.
+// Disconnects the objects of this worker from object `id` of another process, because a new object
+// has replaced that object.  The object manager in the master connects them with the new object
+// later.
 void Worker::Forget(ObjectId id) {
   if (system_->object(id) != nullptr) system_->object_table().Forget(id);
   // Forgets which entries the old object had, because the new object may have others.

@@ -27,11 +27,11 @@ namespace openr_host {
 
 struct WorkerOptions {
   BusOptions bus;
-  std::string process;                 // name of this process in the placement
-  std::string session;                 // session given by the run; "": the worker requests one
-  std::string stick;                   // folder of the Memory Stick here; "": the master's path
+  std::string process;  // name of this process in the placement
+  std::string session;  // session given by the run; "" if the worker requests a session
+  std::string stick;    // folder of the Memory Stick here; "" for the path of the master
   int64_t master_wait_ms = 60'000;     // time limit for finding the master, in ms of the wall clock
-  bool waits_for_predecessor = false;  // wait for the end of an earlier process of this name
+  bool waits_for_predecessor = false;  // whether to wait until an earlier process of this name ends
   std::function<bool()> is_ended;      // returns true once the user ends this process; may be null
   std::function<void(const std::string& line)> say;  // prints a line for the user
   // Returns a local folder to use as the Memory Stick when the run's folder is not on this host, or
@@ -139,9 +139,10 @@ class Worker : public MasterLink {
   bool has_reported_joined_ = false;
   // For each robot, the number of heap bytes used in other processes.
   std::map<int, uint64_t> heap_elsewhere_;
-  bool is_free_ = false;  // true: a free run, in which the master does not wait for handlers
+  bool is_free_ = false;             // whether the master does not wait for handlers (a free run)
   std::set<ObjectId> fast_objects_;  // objects whose last handler took less than kFastHandlerNs
-  bool is_shutting_down_ = false;    // no handler runs any more; objects are being unloaded
+  bool is_shutting_down_ =
+      false;  // whether the objects are being unloaded, so that no handler runs
   // Entries of objects in other processes.  The master has told that these entries exist, so a
   // message to them needs no new question.
   std::set<std::pair<ObjectId, uint32_t>> known_entries_;

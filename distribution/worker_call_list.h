@@ -1,6 +1,6 @@
 // The functions of the master that a worker can call, by their numbers in samples.
 //
-// A new function of SystemCalls or RobotServices needs one line here and one in WorkerCalls or
+// A new function of SystemCalls or RobotServices needs a line here and a function in WorkerCalls or
 // RemoteServices; call_codec.h converts its arguments and its result.  The order of the list is
 // part of the protocol, so a change of the order needs a new openr_wire::VERSION.
 #pragma once
@@ -67,7 +67,7 @@ using WorkerCallList = CallList<
     &SystemCalls::Attach, &SystemCalls::Detach, &SystemCalls::CheckAccess,
     &SystemCalls::NoteMapping, &CheckedCalls::AddFindingAbout, &SystemCalls::Shutdown,
     &SystemCalls::PowerOff, &SystemCalls::NoteFileWritten, &CheckedCalls::SetColourTable,
-    // The functions below are the functions of OPENR:: about devices.
+    // From here on, the list has the functions of OPENR:: about devices.
     &RobotServices::OpenPrimitive, &RobotServices::ClosePrimitive, &CheckedCalls::ControlPrimitive,
     &RobotServices::EnableJointGain, &RobotServices::DisableJointGain, &RobotServices::SetJointGain,
     &RobotServices::GetJointGain, &RobotServices::RegisterDefaultJointGain,

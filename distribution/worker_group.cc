@@ -279,7 +279,7 @@ void WorkerGroup::HandleLoss(const RemoteObject* about, RemoteObject::Loss loss,
     process.set_lost();
     return StopRun({EndKind::kLostProcess, text});
   }
-  // Only for a crash, because for other losses `why` names the process already.
+  // Names the process only after a crash, because for other losses `why` names the process already.
   if (member->crashed)
     text += fmt::format("; process '{}' (pid {}) is gone", process.name(), process.identity().pid);
   const bool waits = !options_.is_free && MayRestart(*member);

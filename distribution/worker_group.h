@@ -28,7 +28,8 @@ struct WorkerGroupOptions {
   // Command line that is put before `command`, for a debugger or Valgrind.
   std::vector<std::string> wrapper;
   std::string stick;  // folder of the run's Memory Stick, as a path on the master's host
-  // True: a free run, in which the master does not wait for handlers (RemoteProcess::RunFree()).
+  // Whether the run is a free run, in which the master does not wait for handlers
+  // (RemoteProcess::RunFree()).
   bool is_free = false;
   int64_t wait_ms = 60'000;  // time limit for a worker to join, in ms of the wall clock
   int restarts = 0;          // how often each worker may be restarted
@@ -83,10 +84,10 @@ class WorkerGroup {
   // Returns for each object of a worker the most bytes of heap that it has used.
   std::map<ObjectId, uint64_t> HeapMax() const;
 
-  // OnCrash() and OnReturn() set listeners that are called for each object of a worker: the
-  // listener of OnCrash() when the worker is lost while the run goes on, the listener of OnReturn()
-  // when the worker has been restarted.
+  // Sets a listener that is called for each object of a worker when the worker is lost while the
+  // run goes on.
   void OnCrash(std::function<void(Object*)> listener) { crash_listener_ = std::move(listener); }
+  // Sets a listener that is called for each object of a worker when the worker has been restarted.
   void OnReturn(std::function<void(Object*)> listener) { return_listener_ = std::move(listener); }
 
   // Sets a listener that is called with the name of a worker when the master notices that the
@@ -129,30 +130,31 @@ class WorkerGroup {
   // The master's data about one worker.
   struct Member {
     std::string name;
-    std::unique_ptr<ChildProcess> child;  // null: a user starts the worker
+    std::unique_ptr<ChildProcess> child;  // the worker's process; null if a user starts the worker
     std::unique_ptr<RemoteProcess> process;
     std::map<ObjectId, RemoteObject*> objects;
     std::string lost;
-    bool is_external = false;  // a user starts the worker with openr join
+    bool is_external = false;  // whether a user starts the worker with openr join
     bool is_welcomed = false;
-    // The worker has received the first `robots` robots and the first `known` objects of the
-    // master's tables.
+    // Number of robots of the master's table that the worker has received, counted from the first.
     size_t robots = 0;
+    // Number of objects of the master's table that the worker has received, counted from the first.
     size_t known = 0;
     // ---- The state of the loss and the restart of this worker, from here to the end
     Stage stage = Stage::kRunning;
     bool crashed = false;
     bool is_cleaned_up = false;
-    bool attempt_failed = false;  // the last attempt to restart the worker has failed
+    bool attempt_failed = false;  // whether the last attempt to restart the worker has failed
     int64_t since_ms = 0;         // wall time in ms when `stage` began
-    bool is_reported = false;     // the user has been told that the stage takes long
+    bool is_reported = false;     // whether the user was told that the stage takes long
     int restarts_left = 0;
     int losses = 0;
     int returns = 0;
     uint64_t undelivered_before = 0;  // number of undelivered messages before the loss
-    // The master's new stand-ins for the objects of a restarted worker; `successors` has the new
-    // stand-ins by id.  `new_objects` owns them until they replace the old stand-ins.
+    // The master's new stand-ins for the objects of a restarted worker, until they replace the old
+    // stand-ins.
     std::vector<std::unique_ptr<RemoteObject>> new_objects;
+    // The new stand-ins by the ids of their objects.
     std::map<ObjectId, RemoteObject*> successors;
   };
 
@@ -163,9 +165,9 @@ class WorkerGroup {
   void LoadNewObjects(Member* member);
   void SendNextLoad(Member* member);
   void WaitForAnotherWorker(Member* member, const std::string& why);
-  // IsEnding() returns whether the user has asked the run to end (Ctrl-C), IsInterrupted() whether
-  // the user has asked at least twice.
+  // Returns whether the user has asked the run to end (Ctrl-C).
   bool IsEnding() const { return options_.interrupts && options_.interrupts() >= 1; }
+  // Returns whether the user has asked at least twice, so that the run ends at once.
   bool IsInterrupted() const { return options_.interrupts && options_.interrupts() >= 2; }
   bool HandleReceived();
   void HandleLoss(const RemoteObject* about, RemoteObject::Loss loss, const std::string& why);
@@ -192,7 +194,7 @@ class WorkerGroup {
   std::map<std::string, Member> members_;
   System* system_ = nullptr;
   int64_t next_check_ns_ = 0;  // time of the next check of the workers in a free run
-  std::string problem_;        // the first problem of a worker before Boot(); "": no problem
+  std::string problem_;        // the first problem of a worker before Boot(); "" if there is none
   std::function<void(const std::string&)> loss_listener_;
   std::function<void(Object*)> crash_listener_;
   std::function<void(Object*)> return_listener_;

@@ -67,9 +67,9 @@ void WorkerGroup::CleanUp(Member* member) {
 }
 
 // Advances the restart of one worker by a step.  `may_load` says whether the worker may load its
-// images now.  AdvanceRestarts() lets only one worker load at a time, so that the order is the same
-// in every run.  In lockstep a run that is ending restarts nothing, because it would have to wait
-// for the worker.
+// images now.  AdvanceRestarts() lets only one worker load at a time, so that objects are loaded in
+// the same order in every run.  In lockstep a run that is ending restarts nothing, because it would
+// have to wait for the worker.
 void WorkerGroup::AdvanceRestart(Member* member, bool may_load) {
   RemoteProcess& process = *member->process;
   if (IsEnding() && !options_.is_free && member->stage != Stage::kRunning) return;
@@ -129,9 +129,9 @@ void WorkerGroup::FailAttempt(Member* member, const std::string& why) {
   EnterStage(member, Stage::kCleaningUp);
 }
 
-// Ends the old process of the lost worker if it still runs, and starts a new one; a new external
-// worker is started by a user.  If the worker may not be restarted, closes its slot instead, so
-// that no process can join.
+// Ends the old process of the lost worker if it still runs, and starts a new process.  A new
+// external worker is not started here, but by its user.  If the worker may not be restarted, only
+// closes its slot, so that no process can join.
 void WorkerGroup::Restart(Member* member) {
   if (!member->is_cleaned_up || !system_->booted()) return;
   if (member->attempt_failed && WallClockMs() - member->since_ms < kRetryPauseMs) return;
@@ -189,8 +189,9 @@ void WorkerGroup::ReplaceObjects(Member* member) {
 // again.
 void WorkerGroup::OnReplaced(ObjectId id) {
   for (auto& [name, member] : members_) {
-    // Skips workers whose objects have no connections to the old object: the worker of the object
-    // itself, which knows only the new object; workers that have not joined the run; lost workers.
+    // Skips workers whose objects have no connections to the old object.  These are the worker of
+    // the object itself, which knows only the new object, workers that have not joined the run, and
+    // lost workers.
     if (member.objects.contains(id) || !member.is_welcomed || member.process->is_lost()) continue;
     try {
       member.process->Forget(id);

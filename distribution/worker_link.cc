@@ -105,8 +105,8 @@ int32_t Worker::Post(OwnedMessage message, int64_t delay_us) {
   const bool may_be_refused = MayBeRefused(*message);
   const openr_wire_PostedMessage posted = Encode(*message, delay_us);
   int32_t error = sSUCCESS;
-  // Sends a message that may be refused at once, because the sender must know the result.  Other
-  // messages are sent with the effects of the handler.
+  // If the master may refuse the message, sends the message immediately, because the sender must
+  // know the result.  All other messages are sent with the effects of the handler.
   if (may_be_refused) {
     openr_wire_ToMaster to_master = NewToMaster(openr_wire_TO_MASTER_POST);
     to_master.body._u.post = {t_current.object == nullptr ? kNoObject : t_current.object->id,
@@ -126,10 +126,10 @@ int32_t Worker::Post(OwnedMessage message, int64_t delay_us) {
   return error;
 }
 
-// Removes the latest call PinRegion() for `region` from the effects that are not sent yet.  The
-// call UnpinRegion() that is about to be sent would undo it, so then neither call is sent.  Returns
-// false if there is no such PinRegion().  Most observers take a region and give it back in one
-// handler, so most of these calls are never sent.
+// Removes the latest call PinRegion() for `region` from the effects that are not sent yet, and
+// returns true.  The call UnpinRegion() that is about to be sent would undo that PinRegion(), so
+// neither call is sent.  Returns false if there is no such PinRegion().  Most observers take a
+// region and give it back in one handler, so most of these calls are never sent.
 bool Worker::CancelPendingPin(uint64_t region) {
   const auto is_pin = [region](const openr_wire_Effect& effect) {
     return effect._d == openr_wire_EFFECT_NOTE && effect._u.note.kind == kPinRegion &&

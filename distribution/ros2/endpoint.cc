@@ -5,8 +5,8 @@
 namespace openr_host {
 namespace {
 
-// The quality of service of our ROS 2 writers and readers.  ROS 2 messages are "plain CDR" (XCDR
-// version 1).
+// The quality of service of our ROS 2 writers and readers.  The data representation is set to XCDR
+// version 1, because ROS 2 messages are "plain CDR".
 class Qos {
  public:
   explicit Qos(int depth, LateReaders late = LateReaders::kMissSamples)
@@ -86,7 +86,7 @@ void* Ros2Reader::Take() {
     void* sample = nullptr;
     dds_sample_info_t info;
     if (Dds().dds_take(reader_, &sample, &info, 1, 1) <= 0) return nullptr;
-    // Skips a sample without valid data: it only says that a writer no longer exists.
+    // Skips a sample without valid data, because it only says that a writer no longer exists.
     if (info.valid_data) return sample;
     Return(sample);
   }

@@ -10,8 +10,8 @@
 
 namespace openr_host {
 
-// What a reader gets that comes after a sample was written: nothing, or the newest sample, as with
-// the quality of service "transient local" of ROS 2.
+// Whether a reader that is made after a sample was written still receives samples.  With kGetNewest
+// it receives the newest sample, as with the quality of service "transient local" of ROS 2.
 enum class LateReaders { kMissSamples, kGetNewest };
 
 // A writer that keeps the newest `depth` samples.  The writer is reliable, so that both reliable
@@ -28,7 +28,8 @@ class Ros2Writer {
   Ros2Writer& operator=(const Ros2Writer&) = delete;
 
   bool HasReaders() const;
-  // Writes a sample if there are readers, or if readers that come later get it.
+  // Writes `sample`.  Does nothing if the topic has no reader now and the writer keeps no sample
+  // for later readers (LateReaders::kMissSamples).
   void Write(const void* sample);
 
  private:

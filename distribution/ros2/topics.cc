@@ -19,8 +19,9 @@
 namespace openr_host {
 namespace {
 
-// Numbers of messages that are kept for a slow reader: 5 for sensor data, as in ROS 2, and fewer
-// for large messages.  For the clock, only the newest message matters.
+// Numbers of newest messages that are kept for a slow reader.  ROS 2 keeps 5 messages of sensor
+// data, and so do we.  We keep fewer large messages, and only one message of the clock, because
+// only the newest time matters.
 constexpr int kSensorDepth = 5;
 constexpr int kImageDepth = 2;
 constexpr int kClockDepth = 1;

@@ -1,4 +1,5 @@
-// Publishes the state of a robot on ROS 2 topics and receives its commands, as plain data.
+// Publishes the state of a robot on ROS 2 topics and receives commands for the robot.  Callers use
+// plain data and no types of ROS 2.
 //
 // Times are virtual, in microseconds since the boot.  Angles are in radians, all else in SI units;
 // x is forward, y left, z up.  Topics are named without the leading slash: "aibo/imu".  The message
@@ -162,7 +163,7 @@ class Ros2Diagnostics {
  public:
   Ros2Diagnostics(Bus* bus, const std::string& topic);
   bool HasReaders() const { return writer_.HasReaders(); }
-  // Publishes `statuses`.  `hardware` names the thing that all of them describe.
+  // Publishes `statuses`.  `hardware` is the name of the device that all of them describe.
   void Publish(int64_t time_us, const std::string& hardware,
                const std::vector<Ros2Status>& statuses);
 
@@ -173,7 +174,7 @@ class Ros2Diagnostics {
 // Receives texts as std_msgs/String.
 class Ros2Texts {
  public:
-  // Largest number of texts that wait for Take(); the oldest are lost.
+  // Largest number of texts that wait for Take().  If more texts arrive, the oldest are lost.
   static constexpr int kWaitingMax = 32;
   // Largest number of characters of a text; the rest is cut off.
   static constexpr size_t kTextMax = 65536;
@@ -198,7 +199,7 @@ struct Ros2JointCommand {
 // have any size, so the number and the size of kept messages are limited.
 class Ros2JointCommands {
  public:
-  // Largest number of messages that wait for Take(); the oldest are lost.
+  // Largest number of messages that wait for Take().  If more messages arrive, the oldest are lost.
   static constexpr int kWaitingMax = 32;
   // Largest number of joints in a message; further joints are ignored.
   static constexpr size_t kJointsMax = 256;

@@ -184,8 +184,8 @@ Controller::IsBatchMoverReady()
     return subject[sbjBatchMover]->IsReady() != 0;
 }
 
-// Returns a vector in a free region, whose elements are not filled yet; 0 when all regions are in
-// use.
+// Finds a free region and returns the vector in it, whose elements the caller has to fill.  Returns
+// 0 when all regions are in use.
 OCommandVectorData*
 Controller::BeginVector(RCRegion** regions, int numElements, RCRegion** region)
 {
@@ -242,7 +242,7 @@ Controller::SendLeds(Uint32 on, int frames)
 }
 
 // Sends one command frame for each ear.  An ear needs 128 ms for the frame (Hohl 2004, 5.3.4); more
-// frames would only warm its coil.  STATE1 means on (see the robot model).
+// frames would only warm its coil.  An ear that is on gets STATE1 (see the robot model).
 void
 Controller::SendEars(Uint32 on)
 {

@@ -1,6 +1,6 @@
 //
-// Controller runs a controller program on the robot that is written in the style of the simulator
-// Webots (Hohl 2004, section 5.3).
+// Controller runs a controller program on the robot.  Such a program is written in the style of the
+// simulator Webots (Hohl 2004, section 5.3).
 //
 //   Controller.Led, Controller.Ear -> OVirtualRobotComm.Effector
 //   Controller.BatchMover          -> JointMover: the buffer of joint commands
@@ -85,7 +85,7 @@ private:
     RCRegion* earRegion_[NUM_REGIONS];
     SensorReader sensorReader_;
     SensorValues sensors_;
-    // The time step, in ms, for which TimeStepRounded() has reported the rounding last.
+    // The time step, in ms, whose rounding TimeStepRounded() has reported last.
     int roundedMs_;
     bool hasStepped_;
     bool isCameraOn_;

@@ -6,14 +6,15 @@
 
 #include "Angle.h"
 
-// Time step, in frames, while no controller program runs and until the program asks for another
-// time step: 32 ms, the shorter of the two time steps that Hohl 2004, 5.3.4, recommends.
+// Time step, in frames of 8 ms, while no controller program runs, and until a program asks for
+// another time step.  It is 32 ms, the shorter of the two time steps that Hohl 2004, 5.3.4,
+// recommends.
 static const int DEFAULT_STEP_FRAMES = 4;
 
 static const int FRAME_MS = 8;
 
-// Longest time step of a program, in frames.  An LED command lasts one time step, and its period is
-// a 16-bit number of frames.
+// Longest time step of a program, in frames.  An LED command lasts one time step, and the command
+// has room for 16 bits of its length.
 static const int MAX_STEP_FRAMES = 65535;
 
 ControllerCore::ControllerCore(ControllerPort* port)
@@ -213,15 +214,18 @@ ControllerCore::SendBatchIfChanged()
     port_->SendBatch(batch_);
 }
 
-// Sends a change of the ears that could not be sent before.  A program with a loop sends this
-// change in its next iteration instead.
+// Called when the observer of ear vectors has become ready.  Sends a change of the ears that could
+// not be sent before.  Does nothing if the program has a loop, because its next iteration sends the
+// change.
 void
 ControllerCore::EarReady()
 {
     if (!HasLoop()) SendEarsIfChanged();
 }
 
-// Sends joint commands that could not be sent before, as EarReady() does for ears.
+// Called when JointMover has become ready for joint commands.  Sends changes of joint commands that
+// could not be sent before.  Does nothing if the program has a loop, because its next iteration
+// sends the changes.
 void
 ControllerCore::BatchMoverReady()
 {

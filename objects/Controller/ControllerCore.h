@@ -8,9 +8,9 @@
 // messages after the function has returned.  Values of the remote control go into the same buffers
 // when they arrive, so later values of the run function replace them.
 //
-// A program that is an endless loop calls robot_step() instead.  robot_step() returns at the end of
-// the LED vector.  This works only where ControllerPort has a second stack, which the robot does
-// not have.
+// A program may also be an endless loop that calls robot_step() in each iteration.  robot_step()
+// returns at the end of the LED vector.  This works only where ControllerPort has a second stack,
+// which the robot does not have.
 //
 
 #ifndef ControllerCore_h_DEFINED
@@ -41,11 +41,11 @@ public:
     // Stores the newest sensor values, which the controller program can then read.
     void SetSensors(const SensorValues& values) { sensors_ = values; }
 
-    // LedReady() is called when the observer of LED vectors has become ready, EarReady() when the
-    // observer of ear vectors and BatchMoverReady() when the observer of batch commands has become
-    // ready.
+    // Called when the observer of LED vectors has become ready.
     void LedReady();
+    // Called when the observer of ear vectors has become ready.
     void EarReady();
+    // Called when the observer of batch commands has become ready.
     void BatchMoverReady();
 
     // Puts `change`, LEDs and ears that the remote control has set, into the buffers.

@@ -64,12 +64,13 @@ public:
     // stack if there is one.  Returns when `body` has ended or has called LeaveLoop().
     virtual void RunLoop(void (*body)(void*), void* argument) = 0;
 
-    // Leaves the loop of `body`, which calls this function.  Returns true when ContinueLoop()
-    // continues `body`.  Returns false at once when there is no second stack.
+    // Called by the program that RunLoop() has called, to be suspended in the middle of its loop.
+    // Returns true when ContinueLoop() continues the program.  Returns false at once when there is
+    // no second stack.
     virtual bool LeaveLoop() = 0;
 
-    // Continues `body` after its call of LeaveLoop().  Returns when `body` has ended or has called
-    // LeaveLoop() again.
+    // Continues the program that has called LeaveLoop().  Returns when the program has ended or has
+    // called LeaveLoop() again.
     virtual void ContinueLoop() = 0;
 
     // Ends the program, after LeaveLoop() has failed, by ending the method of the object that runs

@@ -1,6 +1,6 @@
 //
-// The tags of a robot's devices.  A tag is the number that robot_get_device() returns: from 1 for
-// joints, LEDs, ears, sensors and the camera, in this order.
+// The tags of a robot's devices.  A tag is the number that robot_get_device() returns.  Tags count
+// from 1: first the joints, then the LEDs, the ears, the sensors and the camera.
 //
 
 #ifndef DeviceTable_h_DEFINED
@@ -22,11 +22,13 @@ public:
     // Returns the locators (OPEN-R names) of all devices of the robot.
     std::vector<const char*> Locators() const;
 
-    // Joint(), Led(), Ear() and Sensor() return the index of the device in its table of
-    // RobotConstants; -1 when `tag` is the tag of a device of another kind.
+    // Returns the index of a joint in RobotConstants::joints; -1 when `tag` is no joint's tag.
     int Joint(int tag) const;
+    // Returns the index of an LED in RobotConstants::leds; -1 when `tag` is no LED's tag.
     int Led(int tag) const;
+    // Returns the index of an ear in RobotConstants::plungers; -1 when `tag` is no ear's tag.
     int Ear(int tag) const;
+    // Returns the index of a sensor in RobotConstants::sensors; -1 when `tag` is no sensor's tag.
     int Sensor(int tag) const;
     bool IsCamera(int tag) const;
 
@@ -37,7 +39,7 @@ private:
     int FirstSensor() const { return FirstEar() + robot_->numPlungers; }
     int CameraTag() const { return FirstSensor() + robot_->numSensors; }
 
-    const RobotConstants* robot_;  // 0: there is no robot, so there are no devices
+    const RobotConstants* robot_;  // the robot; 0 if there is none, so that there are no devices
 };
 
 #endif  // DeviceTable_h_DEFINED

@@ -16,22 +16,22 @@
 // called LoopStackLeave().
 void LoopStackRun(void (*body)(void*), void* argument);
 
-// Leaves `body` (the function that runs on the second stack), which calls this function: makes
-// LoopStackRun() or LoopStackContinue() return.  Returns true when `body` is continued; returns
-// false at once when there is no second stack.
+// Called by the function that runs on the second stack, to leave this stack: LoopStackRun() or
+// LoopStackContinue() then returns.  Returns true when the function is continued.  Returns false at
+// once when there is no second stack.
 bool LoopStackLeave();
 
-// Continues `body` (the function that runs on the second stack) after its last call of
-// LoopStackLeave().  Returns when `body` has ended or has called LoopStackLeave() again.  REQUIRES:
-// `body` has called LoopStackLeave() and has not been continued since.
+// Continues the function that runs on the second stack after its last call of LoopStackLeave().
+// Returns when that function has ended or has called LoopStackLeave() again.  REQUIRES: the
+// function has called LoopStackLeave() and has not been continued since.
 void LoopStackContinue();
 
 // Adds `text`, a mistake of the controller program, to the findings of the run on a host.  Does
 // nothing on the robot.
 void TellRunner(const char* text);
 
-// Reports the text of a mistake with `name`, which is not one of the `count` known names.  The host
-// adds the name that was probably meant.
+// Adds `text` to the findings as TellRunner() does.  `text` is a mistake with `name`, which is not
+// one of the `count` names in `known`.  The host adds the known name that was probably meant.
 void TellRunnerOfName(const char* text, const char* name, const char* const* known, int count);
 
 #endif  // LoopStack_h_DEFINED

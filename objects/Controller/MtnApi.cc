@@ -13,12 +13,12 @@
 struct MtnMotion {
     MtnFile file;
     char name[MTN_NAME_SIZE];
-    // The key frame that the motion has reached last; -1: the motion does not play.
+    // The key frame that the motion has reached last; -1 if the motion does not play.
     Sint32 keyFrame;
 };
 
 static MtnMotion* thePlaying = 0;  // the motion of the last mtn_play() while it plays; otherwise 0
-static std::string theError;       // error text of the last mtn_new(); "": no error
+static std::string theError;       // error text of the last mtn_new(); "" if it did not fail
 
 // Reads the file `filename` into `motion`.  On failure, returns false and sets theError.
 static bool

@@ -8,9 +8,8 @@
 //   JointMover.SetValue       -> state, key frame and positions, to RCServer and Controller
 //   JointMover.MainExecution  -> tells Controller that the robot stands
 //
-// Mover and BatchMover become ready when the robot stands, so that their senders can see that no
-// command is accepted before.  MoverCore decides what to do; this class connects MoverCore with
-// OPEN-R.
+// Mover and BatchMover become ready only when the robot stands, so that their senders can see when
+// commands are accepted.  MoverCore decides what to do; this class connects MoverCore with OPEN-R.
 //
 
 #ifndef JointMover_h_DEFINED
@@ -68,7 +67,7 @@ private:
     const RobotConstants* robot_;
     OPrimitiveID joint_[MAX_JOINTS];
     RCRegion* region_[NUM_REGIONS];
-    int numUnderWay_;  // number of vectors that were sent and whose end MoverCore was not told yet
+    int numUnderWay_;  // number of sent vectors about whose end MoverCore was not told yet
     int numReports_;   // number of messages that were set on SetValue and not sent yet
     bool isStopped_;
     bool isUp_;  // whether the robot has reached its initial posture

@@ -24,11 +24,14 @@ public:
     int NumJoints() const { return robot_->numJoints; }
     void EnableAllGains();
 
-    // SetGoal() sets the goal of a joint (urad, 10^-6 rad), SetSpeed() its speed (0.01 degree/s),
-    // SetAcceleration() its acceleration (0.01 degree/s^2).  A value beyond a limit of the robot
-    // becomes the limit.
+    // Sets the goal of a joint, in urad (10^-6 rad).  A goal beyond a limit of the robot becomes
+    // the limit.
     void SetGoal(int joint, Sint32 urad);
+    // Sets the limit of speed of a joint, in 0.01 degree/s.  A value beyond a limit of the robot
+    // becomes that limit.
     void SetSpeed(int joint, Sint32 cdeg);
+    // Sets the limit of acceleration of a joint, in 0.01 degree/s^2.  A value beyond a limit of the
+    // robot becomes that limit.
     void SetAcceleration(int joint, Sint32 cdeg);
 
     // Moves the joint to `urad` in `frames` frames, whatever its limits of speed and acceleration
@@ -61,8 +64,8 @@ public:
     // they are used when the joint is switched on.
     void SetGain(int joint, const Sint32 gain[3]);
 
-    // Returns whether there is a vector to send.  There is one if a joint moves, or if the gain of
-    // a joint is to be switched on together with the next vector.
+    // Returns whether there is a vector to send.  This is so if a joint moves, or if the gain of a
+    // joint is to be switched on together with the next vector.
     bool IsBusy() const;
     bool IsMoving(int joint) const;
 
@@ -81,8 +84,9 @@ public:
     void VectorEnded(Sint32 vector);
 
 private:
-    enum Gain { gainOFF, gainON, gainWAITING };  // gainWAITING: off until vector wakeVector_ has
-                                                 // ended
+    // The states of a joint's gain.  gainWAITING means that the gain is off until vector number
+    // wakeVector_ has ended.
+    enum Gain { gainOFF, gainON, gainWAITING };
 
     MoverPort* port_;
     const RobotConstants* robot_;
@@ -90,8 +94,8 @@ private:
     Gain gain_[MAX_JOINTS];
     Sint32 pid_[MAX_JOINTS][3];  // P, I and D gain of each joint
     bool hasPower_;
-    Sint32 wakeVector_[MAX_JOINTS];  // number of the vector for which the joint waits; -1: the
-                                     // vector was not made yet
+    // Number of the vector for whose end each joint waits; -1 if this vector was not made yet.
+    Sint32 wakeVector_[MAX_JOINTS];
     Sint32 wakeGoal_[MAX_JOINTS];
 };
 

@@ -7,8 +7,8 @@
 
 #include <string.h>
 
-// Sets the position of a joint: now, or after the motion if a motion moves the joint.  A joint that
-// is off is switched on if `wake` is true, and otherwise stays off.
+// Sets the position of a joint immediately, or after the motion if a motion moves the joint.  A
+// joint that is off is switched on if `wake` is true, and otherwise stays off.
 void
 MoverCore::SetPosition(int joint, Sint32 urad, bool wake)
 {
@@ -36,9 +36,10 @@ MoverCore::MoveJoint(const MoverCommand& command)
         joints_.SetAcceleration(command.joint, command.value);
 }
 
-// Moves a joint that follows another robot, whose positions come again and again.  The joint moves
-// to a near position in the number of frames that the command has.  It moves to a far position
-// within its limits of speed and acceleration, as to the first key frame of a motion.
+// Moves a joint that follows a joint of another robot.  Positions of that robot come again and
+// again.  The joint moves to a near position in the number of frames that the command has.  It
+// moves to a far position within its limits of speed and acceleration, as to the first key frame of
+// a motion.
 void
 MoverCore::Track(const MoverCommand& command)
 {
@@ -52,8 +53,9 @@ MoverCore::Track(const MoverCommand& command)
     }
 }
 
-// Returns the position at which a limp joint is to be held.  This is its old position if it has
-// hardly moved; otherwise the joint would creep a little each time it is switched off and on.
+// Returns the position at which a limp joint is to be held.  This is its measured position.  But if
+// the joint has hardly moved, it is its old position, so that the joint does not creep a little
+// each time it is switched off and on.
 Sint32
 MoverCore::HoldPosition(int joint) const
 {
@@ -84,7 +86,8 @@ MoverCore::SwitchMotor(const MoverCommand& command)
         joints_.TurnOff(j);
         deferred_[j] = false;
     }
-    if (changesPower) Report(-1, 0);  // reports the change of motor power; -1: no motion plays now
+    // Reports the change of motor power.  The key frame -1 means that no motion plays.
+    if (changesPower) Report(-1, 0);
 }
 
 void
@@ -172,8 +175,8 @@ MoverCore::Play(const MoverCommand& command, const Uint8* bytes, size_t size, st
     return true;
 }
 
-// Returns whether the robot must first move to key frame 0.  For a motion of one key frame, this
-// movement is the whole motion.
+// Returns whether the robot must first move to key frame 0.  Always returns true for a motion of
+// one key frame, because this movement is the whole motion.
 bool
 MoverCore::NeedsPreparation() const
 {

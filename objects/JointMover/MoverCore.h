@@ -83,8 +83,9 @@ public:
     // Sets the P, I and D gain of the joint that `command` names.
     void SetGain(const MoverCommand& command);
 
-    // Carries out the differences between this buffer of a controller and the buffer that came
-    // before.  A buffer can also switch joints off and on again, which MoveJoint() cannot do.
+    // Carries out the differences between `command`, the new buffer of a controller, and the buffer
+    // that came before.  A buffer can also switch joints off and on again, which MoveJoint() cannot
+    // do.
     void Batch(const BatchMoverCommand& command);
 
     // Begins the motion in `bytes`, the content of a motion file.  Returns false and sets `error`

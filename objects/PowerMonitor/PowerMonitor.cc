@@ -58,8 +58,8 @@ PowerMonitor::UpdatePowerStatus(void* msg)
     ShutdownRobot();
 }
 
-// Shuts the robot down.  Continues when a step fails, because the robot must be switched off
-// nevertheless.
+// Shuts the robot down.  Continues when a step fails, because the robot must be switched off even
+// then.
 void
 PowerMonitor::ShutdownRobot()
 {

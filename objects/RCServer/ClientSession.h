@@ -47,20 +47,20 @@ public:
     void Take(const Uint8* bytes, int size);
 
     // Answers requests that have arrived completely, as many as one send has room for.  Writes the
-    // answers to `buffer`, which must be the same in each call, and returns their size; 0: more
-    // bytes are needed.
+    // answers to `buffer`, which must be the same in each call, and returns their size.  Returns 0
+    // if no request is complete.
     int NextAnswers(Uint8* buffer);
 
     // Writes the packets that are due for the client's subscriptions to `buffer` and returns their
-    // size; 0: no packet is due.  REQUIRES: NextAnswers() has just returned 0.
+    // size.  Returns 0 if no packet is due.  REQUIRES: NextAnswers() has just returned 0.
     int NextEvents(Uint8* buffer);
 
-    // Writes to `buffer` an answer, which says that the client gets no place, and returns the
-    // answer's size.  The session ends after this answer.  Used when the client has sent no
-    // request.
+    // Writes to `buffer` an answer that says that the client gets no place, and returns its size.
+    // The session ends after this answer.  Used when the client has sent no request.
     int TurnAway(Uint8* buffer) { return TurnAway(buffer, 0); }
 
-    // Returns whether the connection ends after the last bytes were sent.
+    // Returns whether the connection must be closed now: the last answer was made, and no part of
+    // it is left to send.
     bool IsLast() const { return isLast_ && heldSize_ == 0; }
     void SetLast() { isLast_ = true; }
 
@@ -96,7 +96,7 @@ private:
     bool hasSpoken_;
     Uint32 eventFrame_;  // frame in which the newest packet of a subscription was sent
     int heldAt_;         // offset in the buffer of an answer that did not fit into the last send
-    int heldSize_;       // size of the answer at heldAt_; 0: there is no such answer
+    int heldSize_;  // size of the answer at heldAt_; 0 if there is no such answer
 };
 
 #endif  // ClientSession_h_DEFINED

@@ -27,7 +27,7 @@ public:
     // number of the newest sensor values.
     void NewValues(int stream, Uint32 frame);
 
-    // Returns the stream with a packet that is due in `frame`; -1: no packet is due.
+    // Returns the stream with a packet that is due in `frame`; -1 if no packet is due.
     int Due(Uint32 frame) const;
 
     // Records that a packet of `stream` is made in `frame`.  Returns the number of values that were

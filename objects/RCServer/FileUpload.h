@@ -54,7 +54,7 @@ private:
     int CheckImage(std::string* why) const;
     int PutInPlace(StickStore* store, std::string* why);
 
-    FILE* file_;  // the temporary file; 0: there is no upload
+    FILE* file_;  // the temporary file; 0 if there is no upload
     std::string path_;
     StickName target_;
     int place_;

@@ -21,7 +21,7 @@ class PictureSlot {
 public:
     PictureSlot() : owner_(-1), layer_(0), lastFrame_(0), isHere_(false) {}
 
-    // Returns the client to which the slot belongs; -1: no client.
+    // Returns the client to which the slot belongs; -1 if it belongs to no client.
     int Owner() const { return owner_; }
 
     // Returns whether the owner has not asked for the picture or for a part of it in the last two

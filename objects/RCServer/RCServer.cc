@@ -228,8 +228,9 @@ RCServer::EndRunInTime(Uint32 frame)
     ShutDownRobot();
 }
 
-// Shuts the robot down as PowerMonitor does.  After a shutdown the robot boots when the pause
-// button is pressed; a reboot is a boot by the timer after 0 s (robot.md 15.3).
+// Shuts the robot down as PowerMonitor does.  The boot condition says when the robot boots again.
+// After a shutdown this is when the pause button is pressed.  For a reboot it is the end of a timer
+// that is set to 0 s (robot.md 15.3).
 void
 RCServer::ShutDownRobot()
 {
@@ -248,9 +249,9 @@ RCServer::ShutDownRobot()
     }
 }
 
-// Converts the temperature of the battery to 0.01 degree Celsius.  The robot measures in 0.1 kelvin,
-// from 0 to 5000.  Because the range in Hohl 2004, table 3.6, ends at 227.00 degrees, 0 degrees are
-// 273 kelvin here.
+// Converts the temperature of the battery to 0.01 degree Celsius.  The robot measures in 0.1
+// kelvin, from 0 to 5000.  Because the range in Hohl 2004, table 3.6, ends at 227.00 degrees,
+// 0 degrees are 273 kelvin here.
 static Sint32
 CentiCelsius(word temperature)
 {

@@ -147,8 +147,8 @@ RCServer::PlaceWaiting(Uint32 frame)
     }
 }
 
-// Answers client `index`, which has sent no request, that all places are taken, and ends its
-// connection.
+// Tells client `index` that all places are taken, and ends its connection.  Called when this client
+// has sent no request.
 void
 RCServer::TurnAway(int index)
 {

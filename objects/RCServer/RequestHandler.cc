@@ -55,9 +55,10 @@ RequestHandler::SetMover(const SetValueMessage& message)
     motorsOff_ = message.motorsOff != 0;
 }
 
-// Records that JointMover is ready, which it is only when the robot stands.  Because JointMover
-// reports its state only when the state changes, an RCServer that has replaced another RCServer
-// gets no report.  So RCServer learns here that commands are accepted.
+// Records that commands are accepted.  JointMover is ready only when the robot stands, and from
+// then on it accepts commands.  RCServer usually learns this from a report of JointMover.  But
+// JointMover reports its state only when the state changes, so an RCServer that has replaced
+// another RCServer gets no report.
 void
 RequestHandler::MoverIsReady()
 {

@@ -38,7 +38,7 @@ public:
     // Stores `message`, the newest report of JointMover, for answers.
     void SetMover(const SetValueMessage& message);
 
-    // Returns the layer of the picture that a client waits for; -1: no client waits.
+    // Returns the layer of the picture that a client waits for; -1 if no client waits.
     int WantedLayer() const { return picture_.IsWaiting() ? picture_.Layer() : -1; }
     // Stores the picture for the client that waits for it.
     void SetPicture(const CameraLayer& layer);
@@ -127,11 +127,12 @@ private:
     RequestPort* port_;
     const RobotConstants* robot_;
     SensorValues sensors_;
-    int state_;  // MoverState in the newest report of JointMover; -1: no report yet
+    int state_;  // MoverState in the newest report of JointMover; -1 if there is no report yet
     SetValueMessage report_;  // the newest report of JointMover
     bool motorsOff_;  // whether a client has switched motor power off
-    // The limits of speed and acceleration that the remote control has set last (Hohl 2004, 5.3.6).
+    // For each joint, the limit of speed that the remote control has set last (Hohl 2004, 5.3.6).
     Sint32 speed_[MAX_JOINTS];
+    // For each joint, the limit of acceleration that the remote control has set last.
     Sint32 acceleration_[MAX_JOINTS];
     int version_;        // protocol version of the present request
     bool isInBatch_;     // whether the present request is a part of a batch

@@ -39,7 +39,7 @@ public:
     // disabled; then all six values are 0.
     virtual bool ReadGains(int joint, Uint16 gains[6]) = 0;
 
-    // Begins or ends to receive images of the camera.
+    // Begins to receive images of the camera if `wanted` is true, and otherwise ends it.
     virtual void WantImage(bool wanted) = 0;
 
     // Shuts the robot down as soon as the present answer was sent.  With `reboot`, the robot boots

@@ -35,11 +35,13 @@ public:
     std::string Path(int kind, const std::string& name) const;
     std::string Path(const StickName& file) const { return Path(file.kind, file.name); }
 
-    // Reads the names of all motions.  Count() returns their number, Name() their names, sorted.
-    // Reads at most 682 motions and leaves out any others, because the robot's file system lists no
-    // more than 682 files of a folder.
+    // Reads the names of all motions and sorts them, for Count() and Name().  Reads at most 682
+    // names and leaves out all others, because the robot's file system lists no more than 682 files
+    // of a folder.
     void ReadMotions();
+    // Returns the number of motions that ReadMotions() has read.
     int Count() const { return count_; }
+    // Returns the name of motion number `index` in the sorted list.
     const char* Name(int index) const { return names_[index]; }
 
     // Returns the size of a file in bytes, or -1 when there is no such file.

@@ -1,6 +1,6 @@
 //
-// The commands of version 2 of the protocol, with the functions that answer them, and BATCH, which
-// has several requests in one packet.
+// Answers the requests that version 2 of the protocol has added.  One of them is BATCH, a packet
+// that contains several requests.
 //
 
 #include "RequestHandler.h"

@@ -20,10 +20,11 @@ const int IMAGE_HEAD_SIZE = 20;
 // begin an image.
 ImageProcessor ImageProcessorOf(const Uint8* bytes, int size);
 
-// Returns the processor for which this code was compiled, which runs only images of its own kind.
+// Returns the processor for which this code was compiled.  An image can be run only if it was made
+// for this processor.
 ImageProcessor OwnProcessor();
 
-// Returns a name for messages, such as "the robot (MIPS)".
+// Returns the name of a processor for messages to people, such as "the robot (MIPS)".
 const char* ImageProcessorName(int processor);
 
 #endif  // ImageFile_h_DEFINED

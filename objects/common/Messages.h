@@ -40,7 +40,7 @@ struct MoverCommand {
         Sint32 loops;   // how often the motion is played, >= 1
         Sint32 frames;  // time for the movement to `value`, in frames of 8 ms, >= 1
     };
-    Sint32 keyFramesPerVector;  // 0: JointMover chooses the number
+    Sint32 keyFramesPerVector;  // number of key frames in a vector; 0 lets JointMover choose
     char file[MTN_NAME_SIZE];   // "WALK.MTN"
     Sint32 gain[3];             // P, I and D gain
 };
@@ -73,12 +73,12 @@ COMPILE_TIME_CHECK(BatchMoverCommandHasNoPadding, sizeof(BatchMoverCommand) == M
 // itself: Controller moves the ears as these messages say.
 struct SetValueMessage {
     Sint32 state;              // a value of MoverState
-    Sint32 keyFrame;           // key frame at the time of the positions; -1: no motion plays
-    Uint8 isOver;              // 1: the motion of `file` has ended or was refused
+    Sint32 keyFrame;           // key frame at the time of the positions; -1 if no motion plays
+    Uint8 isOver;              // 1 if the motion of `file` has ended or was refused
     Uint8 earMask;             // plungers (ears) that the motion moves: bit i stands for plunger i
     Uint8 earOn;               // bits of earMask whose plungers are on in `keyFrame`
-    Uint8 motorsOff;           // 1: a command has switched motor power off
-    char file[MTN_NAME_SIZE];  // file of the motion; "": no motion
+    Uint8 motorsOff;           // 1 if a command has switched motor power off
+    char file[MTN_NAME_SIZE];  // file of the motion; "" if there is no motion
     Sint32 commanded[MAX_JOINTS];
     Sint32 measured[MAX_JOINTS];
 };

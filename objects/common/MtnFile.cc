@@ -55,7 +55,7 @@ private:
     size_t at_;
 
 public:
-    int section;      // number of the section that is being read; -1: no section yet
+    int section;      // number of the section that is being read; -1 before the first section
     size_t start;     // offset in the file at which this section begins
     Uint32 declared;  // size in bytes that the section itself says
 };

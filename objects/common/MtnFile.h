@@ -126,7 +126,8 @@ private:
     std::vector<size_t> locatorAt_;       // offset of each locator in the file
     std::vector<Sint32> angles_;          // angles_[key frame * NumJoints() + joint], in urad
     std::vector<Sint32> attitudes_;       // roll, pitch and yaw of each key frame, in urad
-    std::vector<Sint32> interpolations_;  // for each gap: number of interpolation frames
+    // Number of interpolation frames of each gap between key frames.
+    std::vector<Sint32> interpolations_;
     std::vector<int> robotJoint_, robotPlunger_;
 };
 

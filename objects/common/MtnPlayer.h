@@ -61,7 +61,7 @@ private:
     int FramesOfGap(int gap) const { return 2 * (motion_->Interpolation(gap) + 1); }
     void EndLoop();
 
-    const MtnFile* motion_;  // motion that plays; 0: no motion plays
+    const MtnFile* motion_;  // motion that plays; 0 if no motion plays
     const MtnFile* shown_;   // motion that Position() shows, also after the last frame
     int loopsLeft_;          // number of loops that are not over yet, with the present loop
     int keyFramesPerVector_;

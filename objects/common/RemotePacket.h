@@ -55,8 +55,9 @@ public:
     int Size() const { return size_; }
     bool HasOverflowed() const { return hasOverflowed_; }
 
-    // End() returns the place of the next byte, Room() the number of free bytes from this place on.
+    // Returns the place in the buffer at which the next byte will be written.
     Uint8* End() const { return buffer_ + size_; }
+    // Returns the number of free bytes from End() on.
     int Room() const { return capacity_ - size_; }
 
     // Counts `count` bytes that the caller has written at End().  REQUIRES: count <= Room().
@@ -99,8 +100,9 @@ public:
         if (Has(count)) at_ += count;
     }
 
-    // Rest() returns the bytes that were not read yet, RestSize() their number.
+    // Returns the bytes of the packet that were not read yet.
     const Uint8* Rest() const { return bytes_ + at_; }
+    // Returns the number of bytes that were not read yet.
     int RestSize() const { return size_ - at_; }
 
     // Returns whether all reads found their bytes and no byte is left over.

@@ -38,8 +38,9 @@ enum RcCommand {
     rcUNSUBSCRIBE = 0x33,
     rcCAMERA = 0x34,  // RemoteCamera.h has the formats of pictures
     rcCAMERA_PART = 0x35,
-    rcEVENT = 0x3f,  // a packet of a stream; from a client it acknowledges packets and has no
-                     // answer
+    // A packet of a stream.  A client sends this command, which has no answer, to acknowledge
+    // packets of streams.
+    rcEVENT = 0x3f,
     rcMTN_LIST = 0x42,  // the commands for files are in RemoteFiles.h
     rcUPLOAD_BEGIN = 0x50,
     rcUPLOAD_DATA = 0x51,
@@ -61,17 +62,18 @@ enum RcStatus {
     rcerrorNO_SUCH_DEVICE = 6,   // the index is out of range
     rcerrorBUSY = 7,             // the robot cannot do this now
     rcerrorNO_SUCH_FILE = 8,
-    rcerrorBAD_FILE = 9,  // the file is no motion or image, or not for this robot; or it is broken
+    rcerrorBAD_FILE = 9,  // the file is broken, is no motion or image, or is not for this robot
     rcerrorBAD_VALUE = 10,
     rcerrorNOT_WRITTEN = 11,  // the stick is full or cannot be written
-    rcerrorNO_UPLOAD = 12,    // data for an upload that was not begun, or has ended with an error
+    // Data came for an upload that was not begun, or has ended with an error.
+    rcerrorNO_UPLOAD = 12,
     rcerrorNOT_IN_BATCH = 13,  // the command must be sent in a packet of its own
     rcerrorTOO_LONG = 14,      // the answer has no room in the batch
     rcerrorNO_PICTURE = 15     // the request is about a picture for which this client has not asked
 };
 
-// Size of the smallest answer to a request in a batch, in bytes: any answer with a payload of up to
-// 24 bytes, or an error with at least 23 characters of its text.
+// Size of the smallest answer to a request in a batch, in bytes.  This size has room for a payload
+// of 24 bytes, or for an error with at least 23 characters of its text.
 const int RC_SMALLEST_BATCH_ANSWER = RC_ANSWER_HEADER_SIZE + 24;
 
 // Largest number of requests in a batch.  With this limit, the smallest answers to all requests fit
@@ -81,7 +83,7 @@ const int RC_MAX_BATCH = (RC_MAX_PACKET - RC_ANSWER_HEADER_SIZE) / RC_SMALLEST_B
 // The header with which an answer begins.
 struct RcAnswerHeader {
     RcHeader header;
-    Uint32 frame;   // frame number of the newest sensor values; 0xffffffff: no values yet
+    Uint32 frame;  // frame number of the newest sensor values; 0xffffffff before the first values
     Uint16 status;  // a value of RcStatus
 
     // Reads the header from a packet.  Returns false when the packet is too short for an answer.
@@ -130,7 +132,9 @@ struct RcDescription {
     std::string name;   // short name, such as "LF_j1"
     std::string title;  // "Left fore leg J1"
     std::string locator;
-    std::vector<Sint32> values;  // joint: see RcJointValue; sensor: its SensorKind; others: empty
+    // For a joint, its numbers in the order of RcJointValue; for a sensor, its SensorKind; for all
+    // other devices, no value.
+    std::vector<Sint32> values;
 
     void Write(RcWriter* out) const;
     bool Read(RcReader* in);
@@ -154,7 +158,7 @@ const int RC_MAX_GAIN = 127;
 
 // Gains of the servo of a joint.  A gain g with shift s acts like g x 2^(s-16).
 struct RcGains {
-    Uint8 isOn;      // 1: the gain is enabled; 0: the joint is limp
+    Uint8 isOn;      // 1 if the gain is enabled, 0 if the joint is limp
     Uint16 gain[3];  // P, I and D gain
     Uint16 shift[3];
 
@@ -193,7 +197,7 @@ struct RcSensors {
 struct RcPlayRequest {
     std::string file;          // such as "WALK.MTN"
     Uint16 loops;              // how often the motion is played, >= 1
-    Uint8 keyFramesPerVector;  // number of key frames in a command vector; 0: the robot chooses
+    Uint8 keyFramesPerVector;  // number of key frames in a command vector; 0 lets the robot choose
 
     void Write(RcWriter* out) const;
     bool Read(RcReader* in);

@@ -42,12 +42,12 @@ struct RcEventHead {
 // 0.01 degree.
 struct RcSetValues {
     Uint8 state;       // a value of MoverState
-    Uint8 isOver;      // 1: the motion of `file` has ended or was refused
-    Uint8 motorsOff;   // 1: a command MOTOR_OFF has switched motor power off
+    Uint8 isOver;      // 1 if the motion of `file` has ended or was refused
+    Uint8 motorsOff;   // 1 if a command MOTOR_OFF has switched motor power off
     Uint8 earMask;     // ears that the motion moves: bit i stands for ear i
     Uint8 earOn;       // bits of earMask whose ears are on
-    Sint32 keyFrame;   // key frame to which the positions belong; -1: no motion plays
-    std::string file;  // file of the motion; "": no motion
+    Sint32 keyFrame;  // key frame to which the positions belong; -1 if no motion plays
+    std::string file;  // file of the motion; "" if no motion plays
     std::vector<Sint32> commanded;
     std::vector<Sint32> measured;  // as many positions as in `commanded`
 

@@ -23,15 +23,16 @@ struct JointConstants {
     const char* name;     // "LF_j1"
     const char* title;    // "Left fore leg J1"
     const char* locator;  // "PRM:/r2/c1-Joint2:j1"
-    Sint32 minUrad;       // software limits in urad (10^-6 rad)
-    Sint32 maxUrad;
-    Sint32 minCdeg;  // software limits in 0.01 degree
-    Sint32 maxCdeg;
-    Sint32 minSpeedCdeg;  // speed limits in 0.01 degree/s
-    Sint32 maxSpeedCdeg;  // upper limit of speed; also the speed limit after start-up
+    Sint32 minUrad;  // lower software limit in urad (10^-6 rad)
+    Sint32 maxUrad;  // upper software limit in urad
+    Sint32 minCdeg;  // lower software limit in 0.01 degree
+    Sint32 maxCdeg;  // upper software limit in 0.01 degree
+    Sint32 minSpeedCdeg;  // lowest speed limit in 0.01 degree/s
+    Sint32 maxSpeedCdeg;  // highest speed limit; also the speed limit after start-up
     Uint16 gain[6];       // P, I, D gain, then P, I, D shift, as OPENR::SetJointGain() takes them
     Sint16 sensorIndex;   // index of the joint's element in sensor vectors
-    Sint16 mtnIndex;      // index of the joint in the vendor's MTN files; -1: not in these files
+    // Index of the joint in the vendor's MTN files; -1 if these files lack the joint.
+    Sint16 mtnIndex;
 };
 
 // The kinds of LEDs.  An LED gets its commands as OLEDCommandValue2 or 3.
@@ -70,7 +71,7 @@ struct SensorConstants {
     const char* locator;
     Sint32 group;        // a value of SensorGroup
     Sint32 kind;         // a value of SensorKind
-    Sint32 touchLimit;   // a value above this limit means touched; -1: no touch sensor
+    Sint32 touchLimit;  // a value above this limit means touched; -1 if this is no touch sensor
     Sint16 sensorIndex;  // index of the sensor's element in sensor vectors
     Sint16 reserved;
 };
@@ -79,7 +80,7 @@ struct CameraConstants {
     const char* locator;
     Sint32 width;  // width of the largest image layer, in pixels
     Sint32 height;
-    Sint32 fovUrad;  // field of view from left to right
+    Sint32 fovUrad;  // field of view from left to right, in urad
 };
 
 // A posture: angles in the order of RobotConstants::joints, inside the software limits.

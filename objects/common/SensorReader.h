@@ -31,8 +31,9 @@ private:
     OPrimitiveID joint_[MAX_JOINTS];
     OPrimitiveID sensor_[MAX_SENSORS];
     bool isFound_;                  // whether jointElement_ and sensorElement_ are set
-    // Index of the joint's element in a vector; -1: the vector has none.
+    // For each joint, the index of its element in a vector; -1 if the vector has no such element.
     int jointElement_[MAX_JOINTS];
+    // For each sensor, the index of its element in a vector; -1 if the vector has no such element.
     int sensorElement_[MAX_SENSORS];
 };
 

@@ -4,9 +4,11 @@
 
 static const Sint64 ONE_URAD = 65536;
 
-// Factors from 0.01 degree/s and 0.01 degree/s^2 to 2^-16 urad per frame and per frame^2, times
-// 10^6.  With frames of 0.008 s, 0.01 degree/s is 0.008 x URAD_PER_CDEG urad per frame, and 0.01
-// degree/s^2 is 0.008 times as much per frame^2.  Both factors are rounded to the nearest.
+// The first factor converts a speed from 0.01 degree/s to 2^-16 urad per frame.  The second factor
+// converts an acceleration from 0.01 degree/s^2 to 2^-16 urad per frame^2.  Both factors are
+// multiplied by 10^6.  With frames of 0.008 s, 0.01 degree/s is 0.008 x URAD_PER_CDEG urad per
+// frame, and 0.01 degree/s^2 is 0.008 times as much per frame^2.  Both factors are rounded to the
+// nearest.
 static const Sint64 SPEED_SCALE_E6 = (URAD_PER_CDEG_E9 * ONE_URAD * 8 + 500000) / 1000000;
 static const Sint64 ACCELERATION_SCALE_E6 = (SPEED_SCALE_E6 * 8 + 500) / 1000;
 COMPILE_TIME_CHECK(SpeedScaleIsExact, SPEED_SCALE_E6 == 91505518287LL);
@@ -143,7 +145,7 @@ Trajectory::Step()
     if (step < speed - acceleration_) step = speed - acceleration_;
     position_ += forward ? step : -step;
     speed_ = forward ? step : -step;
-    // The joint reaches its goal and is slow enough to stop there.
+    // The joint reaches its goal and is slow enough to stop there, so from now on it rests.
     if (step == distance && step <= acceleration_) Rest();
     return Position();
 }

@@ -1,5 +1,5 @@
-// The functions of OCdtInfo, a table of colour detection: for each of 32 segments of brightness,
-// the colours that the camera shall detect.
+// The functions of OCdtInfo, a table of colour detection.  For each of 32 segments of brightness,
+// the table has the colours that the camera shall detect.
 #include <OPENR/ODataFormats.h>
 
 void OCdtInfo::Init(OPrimitiveID id, OCdtChannel chan) {

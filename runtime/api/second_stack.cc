@@ -17,25 +17,25 @@ using openr_host::ApiScope;
 using openr_host::ArithmeticWatch;
 using openr_host::t_current;
 
-// A stack on which an object runs a function, the body, that may leave in the middle and be
-// continued later.  A controller's endless loop is such a body (kit/controller).  The functions
-// that switch stacks make no ApiScope.  With an ApiScope the body would count as code of the
-// runtime and would use the heap and files of the host.
+// A stack on which an object runs a function that may leave in the middle and be continued later.
+// This function is the member `body`.  It can be the endless loop of a controller (kit/controller).
+// The functions that switch stacks make no ApiScope.  With an ApiScope the function `body` would
+// count as code of the runtime and would use the heap and files of the host.
 struct OpenrSecondStack {
   // Like the stack of handlers, this stack lies at addresses that are planned for the object
   // (core/address_plan.h).  It is cleared after use, so that its content is the same in every run.
   openr_host::HandlerStack stack{Address()};
-  openr_host::Fiber fiber;     // calls the body on `stack`
+  openr_host::Fiber fiber;     // calls the function `body` on `stack`
   openr_host::MainFiber home;  // the handler that switched to `stack`
   void (*body)(void*) = nullptr;
   void* argument = nullptr;
-  // Finds floating-point operations in the body that would stop the robot, such as 0 / 0.
+  // Finds floating-point operations in the function `body` that would stop the robot, such as 0/0.
   std::optional<ArithmeticWatch> watch;
-  // The floating-point flags (NaN, overflow ...) that the body has raised.  The switch back to the
-  // handler would lose them, so GoHome() stores them and GoThere() adds them to the handler's
-  // flags.
+  // The floating-point flags (NaN, overflow ...) that the function `body` has raised.  The switch
+  // back to the handler would lose them, so GoHome() stores them and GoThere() adds them to the
+  // handler's flags.
   unsigned fp_flags = 0;
-  bool has_left = false;  // true while the body waits to be continued
+  bool has_left = false;  // true while the function `body` waits to be continued
 
   static char* Address() {
     const auto& place = t_current.object->place;
@@ -48,22 +48,22 @@ struct OpenrSecondStack {
     if (watch) watch->Begin(openr_host::kFpCaught);
     stack.Call(body, argument);
     GoHome();
-    // Never reached, because nothing switches back to a body that has ended.
+    // Never reached, because nothing switches back to a function that has ended.
     __builtin_unreachable();
   }
 
   // Switches from `stack` back to the handler.  The switch restores the handler's floating-point
-  // flags, and so loses the flags that the body has raised.  These are stored in `fp_flags` first,
-  // because the object is checked for them when the handler ends.
+  // flags, and so loses the flags that the function `body` has raised.  These are stored in
+  // `fp_flags` first, because the object is checked for them when the handler ends.
   void GoHome() {
     fp_flags = openr_host::FpFlags();
     if (fp_flags != 0) openr_host::ClearFpFlags();
     home.SwitchFrom(&fiber);
   }
 
-  // Switches to `stack` and returns when the body has left or ended.  Afterwards records how many
-  // bytes the body has used, because on the robot the body would run on the only stack of the
-  // object.
+  // Switches to `stack` and returns when the function `body` has left or ended.  Afterwards records
+  // how many bytes of stack this function has used, because on the robot it would run on the only
+  // stack of the object.
   void GoThere() {
     ArithmeticWatch* const outer = t_current.watch;
     if (watch) t_current.watch = &*watch;

@@ -10,8 +10,8 @@ namespace {
 constexpr int kSecondsPerHour = 3600;
 constexpr uint32_t kMicrosecondsPerSecond = 1000000;
 
-// Returns whether `dif` is a time difference: hours by which local time is ahead of UTC, or
-// unknown.
+// Returns whether `dif` is a valid time difference.  Valid are the numbers of hours by which local
+// time is ahead of UTC, and the value for an unknown difference.
 bool IsTimeDif(sbyte dif) { return dif == otimeTIME_DIF_UNDEF || (dif >= -12 && dif <= 12); }
 
 // Returns the time difference in seconds.  With an unknown difference, local time is UTC.

@@ -1,4 +1,4 @@
-// Includes the headers whose functions old programs call without including the header.
+// Includes headers for old programs that call functions without including their headers.
 //
 // In the SDK's library <string> also declared strlen(), and <iostream> exit(), so a missing
 // #include was not noticed.  The compiler wrappers of the host kit include this header before a

@@ -12,15 +12,16 @@
 namespace openr_host {
 
 struct ConnectRecord {
-  ServiceName subject;         // name of the subject, with direction 'S'
-  ServiceName observer;        // direction 'O', same data type as that of the subject
+  ServiceName subject;  // name of the subject, with direction 'S'
+  // Name of the observer, with direction 'O' and the data type of the subject.
+  ServiceName observer;
   std::string section;         // the robot design for which the line is valid; "" for every robot
   FilePosition subject_place;  // lets a later message point to the subject's name
   FilePosition observer_place;
 };
 
 struct ConnectConfig {
-  std::vector<ConnectRecord> connections;  // in the order of the file; connected in this order
+  std::vector<ConnectRecord> connections;  // in the order of the file, in which they are connected
   std::vector<Diagnostic> diagnostics;
 };
 

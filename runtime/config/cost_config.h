@@ -28,7 +28,7 @@ struct CostRule {
   std::string object;
   std::string entry;
   int64_t cost_us = 0;
-  // 0 to 100; the cost varies at random by up to this percentage of cost_us.
+  // The cost varies at random by up to this percentage of cost_us (0 to 100), up or down.
   int jitter_percent = 0;
 };
 

@@ -14,7 +14,7 @@ namespace openr_host {
 inline constexpr int kDesignKeywordBytesMax = 127;
 
 struct DesignRecord {
-  std::string keyword;  // a keyword in other case is another keyword
+  std::string keyword;  // keywords that differ in upper or lower case are different
   // The path as the file has it, e.g. /MS/OPEN-R/MW/DATA/P/BOW.MTN; upper and lower case letters
   // are equal.
   std::string path;

@@ -31,12 +31,13 @@ enum class GatewaySide { kRobot, kHost };
 struct GatewayRecord {
   ServiceName service;
   uint16_t port = 0;
-  std::string host;       // address of the robot to connect to; "": this side listens
-  std::string section;    // the robot design for which the line is valid; "" for every robot
-  bool is_proxy = false;  // true: the record is for OPEN-R calls of remote programs, not a service
+  std::string host;     // address of the robot to connect to; "" if this side listens
+  std::string section;  // the robot design for which the line is valid; "" for every robot
+  // Whether the record is for OPEN-R calls of remote programs and not for a service.
+  bool is_proxy = false;
   FilePosition place;
 
-  std::string Name() const;  // the first word of the record
+  std::string Name() const;  // returns the first word of the record
 };
 
 struct GatewayConfig {

@@ -16,8 +16,9 @@ namespace openr_host {
 // NUL.
 inline constexpr int kObjectNameBytesMax = 63;
 
-// The description of an object.  Fields that the short form does not have keep the defaults below,
-// which the short form implies; the other defaults are the values of Sony's samples.
+// The description of an object.  If the file has the short form, some fields are missing and keep
+// the defaults below, which the short form implies.  The other defaults are the values of Sony's
+// samples.
 struct Ocf {
   std::string name;    // run-time object name, unique among all objects
   std::string module;  // equal to `name` if the file has the short form
@@ -31,7 +32,8 @@ struct Ocf {
   std::string install_selector = "-1";
   int64_t stack_bytes = 3072;  // fixed size on the robot
   int64_t heap_bytes = 16384;  // step by which the heap grows on the robot
-  // 0..255; upper 4 bits: priority class; lower 4 bits: share of the processor in this class.
+  // The priority, 0 to 255.  The upper 4 bits are the priority class, the lower 4 bits are the
+  // share of the processor in this class.
   int priority = 128;
   bool is_cached = true;      // true for the word "cache", false for "nocache"
   bool is_translated = true;  // true for "tlb", false for "notlb"

@@ -13,9 +13,11 @@ namespace openr_host {
 inline constexpr int kServiceNameBytesMax = 127;
 
 struct ServiceName {
-  std::string object;    // used only to find the service; may differ from ObjectName in stub.cfg
-  std::string service;   // becomes sbj<Service> or obs<Service> in def.h
-  std::string data;      // any text without a dot; equal at both ends of a connection
+  // Name of the object, used only to find the service.  It may differ from ObjectName in stub.cfg.
+  std::string object;
+  // Name of the service.  For the service Move, def.h has the constant sbjMove or obsMove.
+  std::string service;
+  std::string data;      // data type: any text without a dot, equal at both ends of a connection
   char direction = 'S';  // 'S': subject, 'O': observer
 
   bool is_subject() const { return direction == 'S'; }

@@ -17,12 +17,12 @@ namespace {
 struct Side {
   const char* noun;        // "subject" or "observer"
   const char* count_word;  // usual spelling of the keyword that declares the number
-  const char* dummy;       // the end of a dummy service's name, after the object's name
+  const char* dummy;       // what follows the object's name in the name of a dummy service
   std::vector<StubService>* services;
 
   bool has_count = false;
   StubLine count_line = {};  // the line that declares the number; set only if has_count is true
-  int count = -1;            // -1: not given, or not a number
+  int count = -1;            // declared number; -1 if it is missing or no number
 };
 
 class StubParser {
@@ -58,7 +58,7 @@ class StubParser {
                   &result_.config.observers};
   bool has_object_name_ = false;
   bool in_block_comment_ = false;
-  // Number of the last Service line that was ignored; 0: no line was ignored.
+  // Number of the last Service line that was ignored; 0 if no line was ignored.
   int ignored_service_line_ = 0;
 };
 

@@ -13,7 +13,8 @@
 namespace openr_host {
 namespace {
 
-// Far above the limit of 64 selectors, but so low that sums fit an int.
+// The largest number of services that a line may declare.  The number is far above the limit of 64
+// selectors, but so low that sums fit an int.
 constexpr int kCountMax = 10'000;
 
 struct KeywordName {

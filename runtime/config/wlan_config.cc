@@ -12,7 +12,8 @@
 namespace openr_host {
 namespace {
 
-constexpr size_t kHostNameMax = 8;  // source of all limits in this file: Installation Guide 3.2.2
+// All limits in this file are from the Installation Guide, 3.2.2.
+constexpr size_t kHostNameMax = 8;
 constexpr size_t kEssidMax = 32;
 
 // Parses a number without a sign; returns -1 if `text` is no such number or is greater than `max`.

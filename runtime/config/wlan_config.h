@@ -20,7 +20,7 @@ struct WlanConfig {
   bool wep_enable = true;
   // The key as the file has it: characters, or 0x and hexadecimal digits.
   std::string wep_key = "AIBO2";
-  int ap_mode = 2;                 // 0 ad hoc demo, 1 infrastructure, 2 automatic
+  int ap_mode = 2;                 // kind of network: 0 ad hoc demo, 1 infrastructure, 2 automatic
   int channel = 3;                 // radio channel 1..11, used in ad hoc mode only
   std::string dns_server_1;        // "" when not given
   std::string dns_default_domain;  // "" when not given

@@ -20,7 +20,8 @@ namespace {
 constexpr uintptr_t kTiB = uintptr_t{1} << 40;
 constexpr uintptr_t kAreaBytes = 12 * kTiB;
 constexpr uintptr_t kFirstArea = 2 * kTiB;
-// May overlap kFirstArea, because a process uses only one of the two areas.
+// First address of the plan after UseOtherAddresses().  This area may overlap the area at
+// kFirstArea, because a process uses only one of the two areas.
 constexpr uintptr_t kOtherArea = 5 * kTiB;
 
 // Offsets of the ranges (heaps, images ...) from the first address of the plan, which is kFirstArea
@@ -42,7 +43,7 @@ static_assert(kCopies + AddressPlace::kPlaces * AddressPlace::kCopyBytes <= kAre
 // The plan of this process: the plan's first address, and which places of objects and which region
 // areas are taken.  It has no lock, because only the thread that makes Systems uses it.
 struct Plan {
-  uintptr_t area = 0;  // 0: addresses are not planned
+  uintptr_t area = 0;  // first address of the plan; 0 if addresses are not planned
   std::array<bool, AddressPlace::kPlaces> taken = {};
   std::array<bool, kRegionAreas> regions_taken = {};
 };

@@ -50,14 +50,18 @@ class AddressPlace {
   AddressPlace(const AddressPlace&) = delete;
   AddressPlace& operator=(const AddressPlace&) = delete;
 
-  // heap(), image(), thunks(), stack() and copies() return the first address of the part of each
-  // range that belongs to this place (the thunks lie behind the image), or null if addresses are
-  // not planned.
+  // Returns the first address of the heap of this place, or null if addresses are not planned.
   char* heap() const;
+  // Returns the first address of the image of this place, or null if addresses are not planned.
   char* image() const;
+  // Returns the first address of the thunks of this place, which lie behind the image, or null if
+  // addresses are not planned.
   char* thunks() const;
+  // Returns the first address of a stack of this place, or null if addresses are not planned.
   // Stack 0 is for handlers, stack 1 for a controller's endless loop.
   char* stack(int number) const;
+  // Returns the first address of the area for copies of received regions, or null if addresses are
+  // not planned.
   char* copies() const;
 
   // Returns the number of the place in whose heap area `address` lies, or -1 if `address` is in no
@@ -65,7 +69,7 @@ class AddressPlace {
   static int OfHeap(const void* address);
 
  private:
-  int index_ = -1;  // the number of the place; -1: addresses are not planned
+  int index_ = -1;  // the number of the place; -1 if addresses are not planned
 };
 
 // Takes an area of kRegionAreaBytes for the regions (blocks of shared memory) of one System and

@@ -25,8 +25,8 @@ namespace openr_host {
 struct MemoryBudget {
   size_t limit_bytes = SIZE_MAX;
   size_t used_bytes = 0;
-  // Number of the allocation that fails, counted from now, for tests.  1: the next allocation
-  // fails; < 0: no allocation fails.
+  // For tests: the number of the allocation that fails.  The next allocation has the number 1.  If
+  // the number is less than 0, no allocation fails.
   int allocations_until_failure = -1;
 };
 
@@ -85,7 +85,7 @@ class Arena {
   // a large block.
   struct Span {
     int16_t use = kFree;      // the index of a size class, or kFree, kLarge, kInside
-    uint16_t span_count = 0;  // in the first span of a large block: the number of its spans
+    uint16_t span_count = 0;  // number of spans of a large block, kept in its first span
   };
   static constexpr int16_t kFree = -1, kLarge = -2, kInside = -3;
 
@@ -118,11 +118,11 @@ class Arena {
   FreeBlock* free_[kClasses] = {};
   char* bump_[kClasses] = {};  // for each class, the next block that was never used
   char* bump_end_[kClasses] = {};
-  // For each 16 bytes of mapped memory: whether a block in use begins at these bytes.
+  // Tells for each 16 bytes of mapped memory whether a block in use begins at these bytes.
   std::vector<bool> begins_;
-  // The calls that have allocated each block; the key is the result of PlaceOf().  Null: calls are
-  // not kept.  The keys are no addresses, because ReportLeaks() searches the memory of this process
-  // for addresses of blocks and must not find addresses in this map.
+  // The calls that have allocated each block; the key is the result of PlaceOf().  Null if calls
+  // are not kept.  The keys are no addresses, because ReportLeaks() searches the memory of this
+  // process for addresses of blocks and must not find addresses in this map.
   std::unique_ptr<std::map<uint32_t, Calls>> calls_;
   size_t in_use_ = 0;
   size_t in_use_max_ = 0;

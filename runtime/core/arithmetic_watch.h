@@ -30,9 +30,10 @@ class ArithmeticWatch {
   // does not raise SIGFPE again.
   void GiveUpCatching(unsigned kind) { kinds_ &= ~kind; }
 
-  // Enter() pauses the watch and Leave() resumes it.  Called before and after the image's code
-  // calls a function of the SDK or of the C library.  Such calls may be nested.
+  // Pauses the watch.  Called before the image's code calls a function of the SDK or of the C
+  // library.  Such calls may be nested.
   void Enter();
+  // Resumes the watch.  Called when a function for which Enter() was called has returned.
   void Leave();
 
   // Ends the watch at the end of the handler: operations raise no SIGFPE any more.

@@ -34,7 +34,7 @@ struct SourcePlace {
 constexpr uint32_t kSaid = UINT32_MAX;
 
 struct TypeText {
-  uint16_t kind;  // 0: an integer, 1: a floating-point number
+  uint16_t kind;  // kind of the type: 0 is an integer, 1 is a floating-point number
   uint16_t info;  // width and sign of an integer, width of a floating-point number
   char name[1];   // the first byte of the name, which goes on behind the struct: "'int'"
 
@@ -82,7 +82,7 @@ std::string Render(const SourcePlace& place) {
 // processor ("exception 15").  With --strict the object crashes.  Otherwise a finding is added,
 // once for each place in the source.
 void Report(SourcePlace* place, const std::string& what, const char* exception) {
-  // The failed check is not in code of an object.
+  // Does nothing if the failed check is not in code of an object.
   if (t_current.system == nullptr || t_current.object == nullptr) return;
   if (t_current.system->options().strict)
     StopAsTheRobotDoes(fmt::format("{} at {} ({})", what, Render(*place), exception));

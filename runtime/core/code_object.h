@@ -47,13 +47,14 @@ class CodeObject : public OObject {
     void operator()(const T&) const {}
   };
 
-  // AddSubject() adds a subject (sending end of connections), AddObserver() adds an observer
-  // (receiving end).  Both register it as `service`, a full name such as
-  // "Blinker.Blink.OCommandVectorData.S".  `ready(const OReadyEvent&)` or `notify(const
-  // ONotifyEvent&)` is called for each ready or notification.  This CodeObject owns the returned
-  // subject or observer.  REQUIRES: called in the constructor.
+  // Adds a subject (the sending end of connections) and registers it as `service`, a full name such
+  // as "Blinker.Blink.OCommandVectorData.S".  `ready(const OReadyEvent&)` is called for each ready.
+  // This CodeObject owns the returned subject.  REQUIRES: called in the constructor.
   template <typename Ready = Nothing>
   OSubject* AddSubject(const std::string& service, Ready ready = {});
+  // Adds an observer (the receiving end of connections) and registers it as `service`.
+  // `notify(const ONotifyEvent&)` is called for each notification.  This CodeObject owns the
+  // returned observer.  REQUIRES: called in the constructor.
   template <typename Notify = Nothing>
   OObserver* AddObserver(const std::string& service, Notify notify = {});
 
@@ -121,10 +122,10 @@ class CodeObject : public OObject {
   };
 
   Selector AddEntry(const std::string& name, std::unique_ptr<Entry> entry);
-  // AddSubjectEntries() adds the entries of a subject, AddObserverEntries() the entries of an
-  // observer.  `entry` becomes the last of these entries.
+  // Adds the entries of a subject.  `entry` becomes the last of these entries.
   void AddSubjectEntries(const std::string& service, OSubject* subject,
                          std::unique_ptr<Entry> entry);
+  // Adds the entries of an observer.  `entry` becomes the last of these entries.
   void AddObserverEntries(const std::string& service, OObserver* observer,
                           std::unique_ptr<Entry> entry);
 

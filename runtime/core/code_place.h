@@ -27,7 +27,8 @@ std::string NameOfPlace(const void* address);
 const void* CallerInImage();
 
 // Returns the calls on the stack that were made by code of the current object's image, the
-// innermost first, at most kCallsMax.  Returns none if the image is not at its planned address.
+// innermost first, at most kCallsMax.  Returns an empty list if the image is not at its planned
+// address.
 std::vector<const void*> CallsInImage();
 constexpr size_t kCallsMax = 8;
 

@@ -78,8 +78,8 @@ struct ObserverLink {
   // data were last sent to it, or never; -1 if it has deasserted ready.  Two asserts in a row count
   // as one, as on the robot.
   int ready = 0;
-  bool is_lost = false;          // the last deassert came from the runtime (kDeassertOfLost)
-  bool told_deasserted = false;  // a finding about a notify after a deassert has been added
+  bool is_lost = false;          // whether the runtime sent the last deassert (kDeassertOfLost)
+  bool told_deasserted = false;  // whether a notify after a deassert was reported
 
   // The regions set since the last call of Notify(), at most MAX_NUM_DATA.
   std::vector<RCRegion*> fresh;
@@ -91,7 +91,7 @@ struct ObserverLink {
   size_t min = 1;
   size_t max = 1;
   size_t skipped = 0;  // number of notifications that were skipped since the last kept notification
-  // Virtual time since which a notification waits; -1: no notification waits.
+  // Virtual time since which a notification waits; -1 if no notification waits.
   int64_t waiting_since_us = -1;
   uint64_t sent = 0;               // number of messages that were sent to the observer
   int64_t sent_us = 0;             // virtual time of the newest message to the observer

@@ -271,7 +271,8 @@ void Dispatcher::DeliverReply(Object* object, OwnedMessage message) {
   if (!object->boxes.open.contains(box)) return;
   object->boxes.arrived[box] = std::move(message);
   // If the handler does not wait for this reply, the reply stays in its box until the object asks
-  // for it.  Reply events post their messages now.
+  // for it.  If the object has ordered messages for the arrival of this reply (reply events), they
+  // are posted now.
   if (object->handler.blocked == nullptr || object->handler.blocked_box != box) {
     system_->time_events_.ReplyArrived(object->id, box);
     return;

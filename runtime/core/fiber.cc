@@ -60,8 +60,8 @@ void Fiber::SwitchFrom(Fiber* from) {
                                    stack_bytes_);
   }
   const context::transfer_t transfer = context::jump_fcontext(context_, nullptr);
-  // This code runs when another fiber has switched back to `from`.  That other fiber is t_left now,
-  // and the state of its stack is known only here.
+  // This code runs when another fiber has switched back to `from`.  That other fiber is t_left now.
+  // The state of its stack is known only here, so it is stored here.
   t_left->context_ = transfer.fctx;
   from->FinishSwitch();
 }

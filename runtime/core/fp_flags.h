@@ -30,11 +30,13 @@ constexpr unsigned kFpCaught = kFpInvalid | kFpDenormal | kFpDivByZero | kFpOver
 // set, the operation raises no SIGFPE.
 constexpr int kFpMaskShift = 7;
 
-// FpState() and SetFpState() save and restore MXCSR.  CatchFp() lets exactly the flags `kinds`
-// raise SIGFPE, and clears these flags.  Without SSE2 these functions do nothing.
+// Without SSE2 the next three functions do nothing.
 #if defined(__SSE2__)
+// Returns the register MXCSR, so that SetFpState() can restore it later.
 inline unsigned FpState() { return _mm_getcsr(); }
+// Restores the register MXCSR to a result of FpState().
 inline void SetFpState(unsigned state) { _mm_setcsr(state); }
+// Lets exactly the flags `kinds` raise SIGFPE, and clears these flags.
 inline void CatchFp(unsigned kinds) {
   _mm_setcsr((_mm_getcsr() | kFpAll << kFpMaskShift) & ~(kinds << kFpMaskShift | kinds));
 }

@@ -24,8 +24,9 @@ namespace openr_host {
 class GuardPages {
  public:
   enum class GivenBack {
-    kGone,    // a copy that was given back cannot be accessed: every access is a fault
-    kReused,  // such a copy can be read until a later copy replaces it, as on the robot
+    kGone,  // a copy that was given back cannot be accessed: every access is a fault
+    // A copy that was given back can be read until a later copy replaces it, as on the robot.
+    kReused,
   };
   explicit GuardPages(GivenBack given_back) : given_back_(given_back) {}
   ~GuardPages();

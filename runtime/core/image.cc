@@ -154,7 +154,7 @@ std::string ImageObject::RunConstructors() {
 }
 
 // Calls `function` of the image on the stack of this object, or on the current stack if the object
-// has none.
+// has no stack of its own.
 void ImageObject::Run(void (*function)(void*), void* argument) {
   if (stack_ == nullptr) {
     function(argument);

@@ -12,7 +12,7 @@ struct ImageFile {
   std::string bytes;  // bytes of the shared object, decompressed
   // True if the file is compressed with gzip.  The Makefiles of some programs compress the images.
   bool is_compressed = false;
-  bool is_for_robot = false;  // the file is a MIPS binary
+  bool is_for_robot = false;  // whether the file is a MIPS binary
   std::string problem;        // the reason why the file cannot be loaded; "" if it can be loaded
 };
 

@@ -45,12 +45,12 @@ class HiddenAddress {
 struct Node {
   HiddenAddress begin;
   size_t bytes = 0;
-  // Owner of the block or region; null: the node is never reported as a leak.
+  // Owner of the block or region.  If it is null, the node is never reported as a leak.
   const Object* object = nullptr;
   bool is_region = false;
-  // For a block: the calls that allocated the block.
+  // The calls that allocated the block, if this is a block.
   const std::vector<const void*>* calls = nullptr;
-  const void* made_at = nullptr;  // for a region: the instruction that made the region
+  const void* made_at = nullptr;  // the instruction that made the region, if this is a region
   bool is_reachable = false;
 };
 

@@ -11,10 +11,10 @@ namespace openr_host {
 
 class System;
 
-// Functions that are called instead of loading an image: for objects that run in a worker process,
-// and for objects that a test replaces.  The key is the name of the object in the image
-// ("JointMover") or the name of the file ("JOINTMOV.BIN").  A function gets the path of the image
-// and may add another object to the system instead.
+// Functions that LoadStick() calls in place of loading an image.  They are used for objects that
+// run in a worker process, and for objects that a test replaces.  The key is the name of the object
+// in the image ("JointMover") or the name of the file ("JOINTMOV.BIN").  A function gets the path
+// of the image and may add another object to the system.
 using StandIns = std::map<std::string, std::function<void(const std::string& path)>>;
 
 // A part of the system that is an image on the robot and is built into the runtime here, such as

@@ -46,15 +46,15 @@ struct alignas(64) Message {
   ObjectId target = kNoObject;
   uint32_t selector = 0;  // number of the receiver's entry, the function that handles the message
   uint32_t size = 0;      // number of bytes in `payload`
-  // In a request: the number of the sender's reply box (requests.h).  In a reply: the number of the
-  // target's reply box.  0: the message is neither a request nor a reply.
+  // In a request, the number of the sender's reply box (requests.h).  In a reply, the number of the
+  // target's reply box.  0 if the message is neither a request nor a reply.
   uint64_t reply_box = 0;
   uint64_t payload_hash = 0;  // hash of the payload; used only if `kind` is kHashed
   Message* next = nullptr;    // the next message in a list of MessageQueue
   MessageClass message_class = MessageClass::kObject;
   PayloadKind kind = PayloadKind::kBytes;
   bool is_reply = false;  // a reply goes into `reply_box` of the target and calls no entry
-  // The queue to whose pool the message goes back; null: the message is from no pool.
+  // The queue to whose pool the message goes back; null if the message is from no pool.
   MessageQueue* pool = nullptr;
 
   // The largest number of bytes that a message can carry.  The robot's limit is 256; an

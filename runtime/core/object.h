@@ -27,7 +27,7 @@ struct SubjectState;
 // Values of an object's .ocf file, the file with its name, priority and memory sizes.
 struct ObjectLimits {
   int priority = 128;        // 0 to 255; the upper four bits are the priority class
-  uint32_t stack_bytes = 0;  // size of the object's stack; 0: unknown
+  uint32_t stack_bytes = 0;  // size of the object's stack; 0 if it is not known
   uint32_t heap_bytes = 0;   // step by which the object's heap grows on the robot
 };
 
@@ -45,14 +45,14 @@ struct StandingReady {
 
 // The state of an object's handler while the handler runs or waits.
 struct HandlerState {
-  OwnedMessage running;  // the message being handled; null: no handler runs
+  OwnedMessage running;  // the message being handled; null if no handler runs
   // The number of calls of GetSystemTime() in this handler.  Each call adds 1 us to the time, so
   // that a loop that waits for a certain time ends.
   uint64_t time_calls = 0;
   // Messages that the object cannot handle yet, oldest first, because its handler waits or has the
   // processor, or because it is in its boot (ObjectManager::IsTooEarly()).
   std::vector<OwnedMessage> held;
-  // The stack of the handler while the handler waits; null: it does not wait.
+  // The stack of the handler while the handler waits; null if no handler waits.
   Fiber* blocked = nullptr;
   uint64_t blocked_box = 0;      // the reply box for which the handler waits
   int64_t blocked_since_us = 0;  // virtual time when the wait began
@@ -65,7 +65,7 @@ struct HandlerState {
     size_t size;
     uint32_t selector;  // the entry that is called
   };
-  SelfReply* self_reply = nullptr;  // null: no such call runs
+  SelfReply* self_reply = nullptr;  // null if the object calls no entry of its own now
 };
 
 // The numbered boxes in which an object receives replies; see requests.h.
@@ -77,8 +77,8 @@ struct ReplyBoxes {
 
 // The object's use of the robot's processor, if handlers take time; see cpu.h.
 struct ProcessorState {
-  bool is_busy = false;  // a handler of the object has the processor
-  // The virtual time since when a message has waited for the processor; -1: no message waits.
+  bool is_busy = false;  // whether a handler of the object has the processor
+  // The virtual time since when a message has waited for the processor; -1 if none waits.
   int64_t starving_since_us = -1;
   struct Outgoing {
     OwnedMessage message;
@@ -163,10 +163,11 @@ class Object {
   System* const system;
   const ObjectId id;
   const int robot;
-  bool is_system = false;   // true: the object is a part of the robot and not of the application
-  bool is_leaving = false;  // another object is about to replace this object
-  // Nothing is loaded here: the robot was switched off.  When the robot boots, the object with this
-  // path, or without a path with this name, gets this id again.
+  bool is_system = false;   // whether the object is a part of the robot and not of the application
+  bool is_leaving = false;  // whether another object is about to replace this object
+  // True if nothing is loaded for this id, because the robot was switched off.  When the robot
+  // boots, the object with this path gets this id again.  If there is no path, the object with this
+  // name gets the id.
   bool is_absent = false;
   std::string name;  // OBJECT_NAME of the .ocf file, unique per robot
   std::string path;  // /MS/... of an image; empty for objects built in code
@@ -175,8 +176,8 @@ class Object {
   // names of entries.
   int predecessors = 0;
 
-  // The next four members are statistics for the report of the run.
-  // Text after "state: " in the last INFO line that the object has printed with OSYSLOG1.
+  // Text after "state: " in the last INFO line that the object has printed with OSYSLOG1.  This
+  // member and the next three members are statistics for the report of the run.
   std::string state;
   // Number of data that were replaced before they were read, and of refused messages.
   uint64_t dropped_count = 0;
@@ -190,7 +191,7 @@ class Object {
   uint32_t random_state = 1;  // state of the object's own rand()
 
   // For each floating-point flag, by its bit number (fp_flags.h), the instruction that first raised
-  // it, set by CrashLog.  Null: no instruction raised the flag, or the instruction is not known.
+  // it, set by CrashLog.  Null if no instruction raised the flag or the instruction is not known.
   const void* number_faults[kFpKinds] = {};
   // True if checked_code.cc has reported, in the running handler, a floating-point number that is
   // too large for the integer type to which it is converted.
@@ -225,8 +226,8 @@ class Object {
   ObjectLimits limits;
   // The class of the messages that the object posts.
   MessageClass post_class = MessageClass::kObject;
-  bool is_image = false;       // loaded from a file; its code sees only the Memory Stick
-  bool is_off = false;         // the object's robot is off: messages to the object are dropped
+  bool is_image = false;       // whether the object was loaded from a file (an image)
+  bool is_off = false;         // whether the robot is off; messages to the object are then dropped
   uint64_t message_count = 0;  // number of messages delivered to the object
   ProcessorState processor;
   HandlerState handler;

@@ -19,8 +19,8 @@ namespace openr_host {
 namespace {
 
 // Returns the message that calls DoInit, DoStart, DoStop or DoDestroy of `object`.  A message with
-// the reason boot carries the state of the Memory Stick, one with another reason an OShutdownParam.
-// No document says so; we infer it from the names of these types (core.md, 1.4).
+// the reason boot carries the state of the Memory Stick; a message with any other reason carries an
+// OShutdownParam.  No document says so; we infer it from the names of these types (core.md, 1.4).
 OReasonMessage MessageOf(const Object& object, OReason reason) {
   if (reason != oreasonBOOT) {
     const OShutdownParam param(true);
@@ -325,7 +325,7 @@ void ObjectManager::ReportUnknown(const Connection& connection, const std::strin
   const auto wanted = ParseServiceName(service, nullptr);
   for (const auto& [name, entry] : system().robot(connection.robot).directory) {
     known.push_back(name);
-    // The object has other services, so only this service is missing.
+    // The object has other services, so the cause is only that this service is missing.
     if (name.starts_with(object)) cause = service;
     const auto registered = ParseServiceName(name, nullptr);
     if (!wanted || !registered || !DifferInDataOnly(*wanted, *registered)) continue;
@@ -353,7 +353,9 @@ void ObjectManager::Connect(const Connection& connection) {
   if (observer == directory.end()) ReportUnknown(connection, connection.observer);
   if (subject == directory.end() || observer == directory.end()) return;
 
-  const auto has_lost_end = [&] {  // an object of a lost process is connected when it is back
+  // Returns whether the process of one of the two objects is lost.  Then the objects are connected
+  // when the process is back.
+  const auto has_lost_end = [&] {
     return system().object(subject->second.first)->IsLost() ||
            system().object(observer->second.first)->IsLost();
   };

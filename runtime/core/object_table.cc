@@ -67,8 +67,8 @@ void TakeOutgoing(Object* sender, ObjectId id, std::vector<OwnedMessage>* messag
   std::erase_if(outbox, [](const auto& outgoing) { return outgoing.message == nullptr; });
 }
 
-// The place of an object whose robot was switched off: it keeps id, name and path for the next
-// boot.
+// Stands in the table for an object whose robot was switched off.  It keeps the id, name and path
+// of this object for the next boot.
 class AbsentObject : public Object {
  public:
   explicit AbsentObject(const Object& gone) : Object(gone.system, gone.id, gone.robot) {
@@ -93,8 +93,8 @@ void PassStatistics(const Object& old, Object* fresh) {
   fresh->waiting_max = old.waiting_max;
   fresh->handler_ns_max = old.handler_ns_max;
   fresh->stack_max = old.stack_max;
-  // Takes over the whole count, which includes messages that a gate keeps, because `fresh` will
-  // receive them.
+  // Takes over the whole count.  It includes messages that a gate (schedule.h) keeps, which `fresh`
+  // will receive.
   fresh->waiting = old.waiting;
 }
 

@@ -35,11 +35,13 @@ class ObjectTable {
   ObjectId IdFor(int robot, std::string_view key) const;
   ObjectId NextId() const { return static_cast<ObjectId>(objects_.size()); }
 
-  // Get() and Find() return null if there is no such object.  Find() leaves out absent objects.
+  // Returns the object with this id; null if there is no such object.
   Object* Get(ObjectId id) const {
     const auto index = static_cast<size_t>(id);  // a negative id becomes a very large index
     return index < objects_.size() ? objects_[index].get() : nullptr;
   }
+  // Returns the object of `robot` with this name; null if there is no such object.  Leaves out
+  // absent objects.
   Object* Find(int robot, std::string_view name) const;
   const std::vector<std::unique_ptr<Object>>& all() const { return objects_; }
 
@@ -80,13 +82,13 @@ class ObjectTable {
   // is in place.
   void OnReplace(Listener listener) { replace_listeners_.push_back(std::move(listener)); }
 
-  // Replace() and AssertAgain() are steps of a replacement; ObjectManager::Begin() calls them.
-  // Replace() puts the objects of `fresh` in place of the objects with the same ids.  Messages to
-  // the old objects are lost.  Returns the observers that were ready for the old objects.
+  // Puts the objects of `fresh` in place of the objects with the same ids.  Messages to the old
+  // objects are lost.  Returns the observers that were ready for the old objects.  A step of a
+  // replacement, which ObjectManager::Begin() calls.
   Readies Replace(std::vector<std::unique_ptr<Object>> fresh);
   // Posts `readies`, which observers had sent to the old object, to the new object `id` in the name
   // of these observers.  The observers do not know of the replacement, so they would not assert
-  // ready again themselves.
+  // ready again themselves.  A step of a replacement, which ObjectManager::Begin() calls.
   void AssertAgain(ObjectId id, const std::vector<StandingReady>& readies);
 
  private:

@@ -38,8 +38,9 @@ class OffRobots {
 
  private:
   struct Times {
-    int64_t frame_us;  // end of the frame that runs now; INT64_MAX: its boot was posted
-    int64_t boot_us;   // the robot boots at the end of the first frame that ends then or later
+    // End of the frame that runs now; INT64_MAX when the boot of the robot was posted.
+    int64_t frame_us;
+    int64_t boot_us;  // the robot boots at the end of the first frame that ends then or later
   };
 
   System* const system_;

@@ -34,12 +34,13 @@ std::optional<ServiceEnd> FindService(const System& system, int robot, std::stri
 // Returns the names of all subjects that are connected with `observer`, the name of an observer.
 std::vector<std::string> SubjectsOf(const System& system, int robot, std::string_view observer);
 
-// PostNotification() posts a notification with one datum to `observer`, as if `subject` had sent
-// it. The notification arrives even if the observer is not ready.  PostReady() posts a ready to
-// `subject`, as if `observer` had sent it.  Both return "", or the reason why nothing was posted:
+// Posts a notification with one datum to `observer`, as if `subject` had sent it.  The notification
+// arrives even if the observer is not ready.  Returns "", or the reason why nothing was posted:
 // subject and observer are not connected, or the queue is full.
 std::string PostNotification(System* system, const ServiceEnd& subject, const ServiceEnd& observer,
                              std::string_view datum);
+// Posts a ready to `subject`, as if `observer` had sent it.  Returns "", or the reason why nothing
+// was posted, as PostNotification() does.
 std::string PostReady(System* system, const ServiceEnd& observer, const ServiceEnd& subject,
                       bool is_ready);
 

@@ -156,8 +156,8 @@ bool RegionTable::WasDeleted(uint32_t id) const {
 
 std::pair<const void*, int> RegionTable::MostCommonPlace() const {
   // Counts how many blocks each instruction has made, and keeps the counts in the order of slots.
-  // The order of addresses would differ from run to run, and with it the choice between two equal
-  // counts.
+  // The order of addresses would differ from run to run, so the choice between two equal counts
+  // would differ, too.
   std::vector<std::pair<const void*, int>> counts;
   for (const Slot& slot : slots_) {
     if (!slot.live || slot.made_at == nullptr) continue;

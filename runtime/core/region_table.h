@@ -29,13 +29,14 @@ class RegionTable {
 
   static constexpr uint32_t kNoRegion = 0;
 
-  // AdoptOwn() and AdoptCopy() make a block with a given `id` in the table of a worker process.  In
-  // a run with several processes, only the table of the master process chooses ids.  AdoptOwn()
-  // makes the block of an object in this process.  AdoptCopy() makes a copy of a block of another
-  // process; the copy must be pinned at once with KeepCopy(), and is free after the last
-  // DropCopy().  A copy is not always filled with zeros: it may hold the bytes of an earlier copy
-  // of the same block.  Both functions return null if there is no memory.
+  // Makes block `id` for an object in this process.  Used only in the table of a worker process,
+  // for which the table of the master process has chosen the id.  Returns null if there is no
+  // memory.
   char* AdoptOwn(uint32_t id, size_t size, ObjectId owner);
+  // Makes a copy of block `id` of another process.  Used only in the table of a worker process.
+  // The copy must be pinned at once with KeepCopy(), and is free after the last DropCopy().  A copy
+  // is not always filled with zeros, because it may hold the bytes of an earlier copy of the same
+  // block.  Returns null if there is no memory.
   char* AdoptCopy(uint32_t id, size_t size);
   void KeepCopy(uint32_t id) { Pin(id); }
   void DropCopy(uint32_t id) { Unpin(id); }
@@ -73,10 +74,11 @@ class RegionTable {
   // Deletes all blocks of the object `owner`, which has ended or is being replaced.
   void DeleteAllOf(ObjectId owner);
 
-  // BaseOf() returns the address of block `id`, SizeOf() its size, OwnerOf() its owner.  If `id`
-  // names no block, they return null, 0 and kNoObject.
+  // Returns the address of block `id`, or null if there is no such block.
   char* BaseOf(uint32_t id) const;
+  // Returns the size of block `id`, or 0 if there is no such block.
   size_t SizeOf(uint32_t id) const;
+  // Returns the owner of block `id`, or kNoObject if there is no such block.
   ObjectId OwnerOf(uint32_t id) const;
   // Returns the object that made the block, even if another object owns it now.  In a run with
   // several processes, the bytes of the block are in the process of this object.  Returns kNoObject
@@ -136,9 +138,9 @@ class RegionTable {
     uint16_t generation = 0;
     bool live = false;         // true until the block is deleted; false for copies
     size_t capacity = 0;       // the size with which the block was made
-    bool is_reusable = false;  // New() chose this slot, so New() may choose it again
-    bool is_copy = false;      // true: AdoptCopy() has made the block
-    bool is_idle = false;      // a copy that is not pinned, whose memory is kept for the next copy
+    bool is_reusable = false;  // whether New() may choose this slot again
+    bool is_copy = false;      // whether AdoptCopy() has made the block
+    bool is_idle = false;      // whether this is an unpinned copy, kept for the next copy
   };
 
   // Returns the slot of block `id`, also if the block is an idle copy; null if there is no such

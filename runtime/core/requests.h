@@ -32,10 +32,10 @@ class Requests {
   int32_t Call(ObjectId target, uint32_t selector, const void* data, size_t size, void* reply,
                size_t reply_size, int64_t timeout_us = -1);
 
-  // Send() posts the request `message` and sets `*box` to a new box for the reply.  Wait() then
-  // waits for the reply as Call() does.  If `got` is not null, Wait() sets `*got` to the number of
-  // copied bytes.  `why` is a text for users, as in Await().
+  // Posts the request `message` and sets `*box` to a new box for the reply.
   int32_t Send(OwnedMessage message, uint64_t* box);
+  // Waits for the reply in `box`, and copies it to `reply` as Call() does.  If `got` is not null,
+  // sets `*got` to the number of copied bytes.  `why` is a text for users, as in Await().
   int32_t Wait(uint64_t box, void* reply, size_t reply_size, size_t* got, int64_t timeout_us,
                std::string_view why);
 

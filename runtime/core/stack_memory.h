@@ -25,13 +25,16 @@ class StackMemory {
   // were touched use memory.
   static constexpr size_t kBytes = size_t{256} << 10;
 
-  // The size of a guard page.  The next three numbers are offsets from the first address of the
-  // memory that the address plan gives to an image for its stacks: the top and the bottom of the
-  // stack for the image's own code, and the top of the stack for imported functions.  The assembly
-  // code of imported_calls.cc uses the same numbers.
+  // The size of a guard page.
   static constexpr size_t kGuardBytes = 4096;
+  // Offset of the top of the stack for the image's own code, from the first address of the memory
+  // that the address plan gives to an image for its stacks.  The assembly code of imported_calls.cc
+  // uses the same number, and also the numbers of the next two offsets.
   static constexpr size_t kTopOffset = AddressPlace::kStackBytes - 4096;
+  // Offset of the bottom of the stack for the image's own code, from the same address as
+  // kTopOffset.
   static constexpr size_t kBottomOffset = kTopOffset - kBytes;
+  // Offset of the top of the stack for imported functions, from the same address as kTopOffset.
   static constexpr size_t kImportsTopOffset = kBottomOffset - kGuardBytes;
 
   // Maps the memory at `address`.  If `address` is null or in use, the kernel chooses the address.
@@ -71,15 +74,16 @@ class StackMemory {
   // an address was a fault, the stack above the guard page has overflowed.
   static bool AnyGuardContains(const void* address);
 
-  // Returns the mappings of all stacks of this thread, as first address and number of bytes, with
-  // the bytes that may be read: the guard pages are left out.
+  // Returns the memory of all stacks of this thread that may be read.  Each part is given by its
+  // first address and its number of bytes.  Guard pages are left out, because they cannot be read.
   static std::vector<std::pair<const char*, size_t>> All();
 
  private:
   char* mapping_;
   size_t mapped_bytes_ = kGuardBytes + kBytes;
   char* bottom_;
-  // The stack of this thread that was made before this stack; a list of all stacks.
+  // The stack of this thread that was made before this stack.  These pointers make a list of all
+  // stacks of the thread.
   StackMemory* older_;
   unsigned valgrind_id_ = 0;
 };

@@ -177,7 +177,7 @@ void System::NoteWhetherAllAreOff(const RunEnd& why) {
 }
 
 bool System::LoadAgain(int index) {
-  // The robot was switched off for good while its boot was posted.
+  // Returns false if the robot was switched off for good while its boot was posted.
   if (!off_robots_.Remove(index)) return false;
   Robot& dog = robot(index);
   table_.RemoveAllOf(index);
@@ -239,8 +239,8 @@ int32_t System::RefuseAsFull(const Message& message, Object* target) {
   return sFULLMSGQENTRY;
 }
 
-// Reports that the queue of `target` is full.  Returns sSUCCESS if the message is accepted all the
-// same.
+// Reports that the queue of `target` is full.  Returns sSUCCESS if the message is accepted
+// nevertheless.
 int32_t System::ReportFullQueue(const Message& message, Object* target) {
   AddFindingAbout(
       target, options_.strict ? Severity::kError : Severity::kWarning,
@@ -330,7 +330,8 @@ void System::RecordFinding(const Object* object, Severity severity, std::string 
   finding.message = running == nullptr ? 0 : running->number;
   finding.time_us = now_us_;
   finding.text = std::move(text);
-  // Only a new finding is worth the time, because some are added in every frame.
+  // Describes the running message only for a new finding.  The description takes time, and some
+  // findings are added again in every frame.
   Finding* const added = findings_.Add(std::move(finding));
   if (added != nullptr && running != nullptr && options_.say != nullptr)
     added->said = options_.say(*this, *running);

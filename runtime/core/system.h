@@ -67,7 +67,7 @@ struct SystemOptions {
   // read-only copies of data (guard_pages.h), because on a real robot writing to received data is
   // such a mistake.
   bool strict = false;
-  // A function that receives what objects print.  Null: objects print to standard output.
+  // A function that receives what objects print.  If it is null, they print to standard output.
   std::function<void(std::string_view text)> console = {};
   // OSYSLOG lines with a priority above this are not printed (1 error, 2 warning, 3 info).  Debug
   // lines are always printed.
@@ -76,23 +76,25 @@ struct SystemOptions {
   // message takes 1 us.  Otherwise objects that answer each other without waiting would stop the
   // clock.
   int64_t free_deliveries = 10'000;
-  // Wall clock in nanoseconds, which measures Object::handler_ns_max; null: not measured.  Nothing
-  // else may depend on this clock, because it differs from run to run.
+  // Wall clock in nanoseconds, which measures Object::handler_ns_max.  If it is null, nothing is
+  // measured.  Nothing else may depend on this clock, because it differs from run to run.
   int64_t (*wall_clock_ns)() = nullptr;
-  // The model of how much processor time handlers take (cpu.h); null: they take none.
+  // The model of how much processor time handlers take (cpu.h).  If it is null, they take no time.
   std::shared_ptr<CostModel> cost = {};
-  // True: Object::stack_max is measured for images (objects that were loaded from files).
+  // If true, Object::stack_max is measured for images (objects that were loaded from files).
   bool measure_stacks = false;
-  // True: objects receive read-only copies of data, which are unmapped when the object asserts
+  // If true, objects receive read-only copies of data, which are unmapped when the object asserts
   // ready (guard_pages.h).  So every later access is a fault.  If a subject changes data before
-  // they are received, an error finding is added.  Costs some microseconds per notification.
+  // they are received, an error finding is added.  The copies cost some microseconds per
+  // notification.
   bool guard_regions = false;
-  // True: the heaps of images keep where each block was allocated, for ReportLeaks() (leaks.h).
+  // If true, the heaps of images record where each block was allocated, for ReportLeaks()
+  // (leaks.h).
   bool find_leaks = false;
   // Returns the content of `message`, which an object handles now, in words.  Findings get this
-  // text (Finding::said).  Null: they do not.
+  // text (Finding::said).  If this function is null, findings have no such text.
   std::string (*say)(const System& system, const Message& message) = nullptr;
-  // Makes the SystemCalls of this System, the functions that handlers call; null: LocalCalls.
+  // Makes the SystemCalls of this System, the functions that handlers call.  Null for LocalCalls.
   std::function<std::unique_ptr<SystemCalls>(System*)> make_calls = {};
 };
 
@@ -108,13 +110,14 @@ struct Connection {
 struct Robot {
   int index = 0;
   std::string design;                       // "ERS-210"
-  std::shared_ptr<MemoryStick> stick;       // null: the robot has no stick
+  std::shared_ptr<MemoryStick> stick;       // null if the robot has no stick
   std::unique_ptr<RobotServices> services;  // the robot's simulated devices (robot_services.h)
   // The object and selector of each registered service.  The key is the service's name.
   std::map<std::string, std::pair<ObjectId, uint32_t>> directory;
-  // The lines of DESIGNDB.CFG: keyword -> path of a file.
+  // The path of a file for each keyword in DESIGNDB.CFG.  The key is the keyword.
   std::map<std::string, std::string> design_data;
-  std::map<std::string, ObjectId> names;  // the names given to Register() (MCOOP.h): name -> object
+  // The object of each name that was given to Register() (MCOOP.h).
+  std::map<std::string, ObjectId> names;
   MemoryBudget memory;      // memory that its objects use; limited only with SystemOptions::strict
   uint64_t stick_hash = 0;  // hash of the stick's content when LoadStick() was called
   bool powered_off = false;
@@ -123,7 +126,7 @@ struct Robot {
   int64_t booted_us = 0;  // virtual time of the robot's last boot
   int boots = 1;          // number of times the robot has booted
   // Adds the robot's system objects and loads its stick once more, for a boot after a shutdown.
-  // Returns false if the robot does not boot.  Null: the robot cannot boot again.
+  // Returns false if the robot does not boot.  Null if the robot cannot boot again.
   std::function<bool()> load_again;
 };
 
@@ -177,17 +180,18 @@ class System {
   // Switches one robot off at once, as OPENR::Fatal() does.  Messages to its objects are dropped
   // from now on.
   void PowerOff(int robot, const RunEnd& why = {});
-  // BeginShutdown() does the work of Shutdown(), CutPower() the work of PowerOff().  Shutdown() and
-  // PowerOff() only pass the request to calls().  In a worker process, calls() sends the request to
-  // the master process.  In the master process, calls() is LocalCalls, which calls these two
-  // functions.  A robot that is off and waits for its boot timer stays off after BeginShutdown().
+  // Does the work of Shutdown(), which only passes the request to calls().  In a worker process,
+  // calls() sends the request to the master process.  In the master process, calls() is LocalCalls,
+  // which calls this function.  A robot that is off and waits for its boot timer then stays off.
   void BeginShutdown(int index, const RunEnd& why);
+  // Does the work of PowerOff(), which passes the request to calls() as Shutdown() does.
   void CutPower(int robot, const RunEnd& why);
 
-  // NoteEnd() records the reason why a robot goes off, NoteRunEnd() the reason why the run ends if
-  // no robot is the reason.  The first reason is kept; only a PowerOff() during a shutdown replaces
-  // the reason of the shutdown.  Shutdown() and PowerOff() call NoteEnd() themselves.
+  // Records the reason why a robot goes off.  The first reason is kept; only a PowerOff() during a
+  // shutdown replaces the reason of the shutdown.  Shutdown() and PowerOff() call this function
+  // themselves.
   void NoteEnd(int robot, const RunEnd& why);
+  // Records the reason why the run ends if no robot is the reason.  The first reason is kept.
   void NoteRunEnd(const RunEnd& why);
   // Returns why the run has ended: the reason given to NoteRunEnd(), or, when all robots are off,
   // the reason of the robot that went off last.  Has no value while the run goes on.
@@ -253,7 +257,8 @@ class System {
   // ---- Schedule and gate ----
   //
   // A schedule and a gate are for tests and tools that explore orders of messages.  The System does
-  // not own them, so they must exist as long as the System delivers messages.  Null: there is none.
+  // not own them, so they must exist as long as the System delivers messages.  A null pointer
+  // means that there is none.
 
   // Replaces the schedule that the seed has chosen.  The schedule decides the order of messages.
   // REQUIRES: before Boot().
@@ -282,7 +287,7 @@ class System {
   RegionTable& regions() { return regions_; }
   const RegionTable& regions() const { return regions_; }
   RegionShares& region_shares() { return region_shares_; }
-  GuardPages* guard_pages() { return guard_pages_.get(); }  // null: received data are not copied
+  GuardPages* guard_pages() { return guard_pages_.get(); }  // null if received data are not copied
   // Returns how long a frame of the robot's devices lasts in virtual time: kFrameUs, or the length
   // that the cost model gives.
   int64_t frame_us() const { return options_.cost ? options_.cost->FrameUs() : kFrameUs; }
@@ -330,10 +335,10 @@ class System {
   CodeObject* FinishCodeObject(Object* host, std::unique_ptr<CodeObject> code);
   Object* NewCodeHost(int robot, const std::string& name);
 
-  // NextInstant() returns the time of the next event that is no message: the end of a handler's
-  // processor time, a time event, an input or a step of a robot that is off.  DoWhatIsDue() handles
-  // such events that are due now.
+  // Returns the time of the next event that is no message: the end of a handler's processor time, a
+  // time event, an input or a step of a robot that is off.
   int64_t NextInstant() const;
+  // Handles the events of NextInstant() that are due now.
   void DoWhatIsDue();
   int32_t RefuseSelector(const Message& message, const Object& target);
   int32_t RefuseAsFull(const Message& message, Object* target);

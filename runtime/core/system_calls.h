@@ -36,10 +36,11 @@ class SystemCalls {
   // the way to the queue, which makes notifications slower.
   virtual int32_t Post(OwnedMessage&& message, int64_t delay_us) = 0;
 
-  // Each request has a number, its box, under which the reply arrives.  OpenBox() lets the caller
-  // receive a reply to `box`.  After CloseBox() the caller receives no reply to `box`; a reply that
-  // has already arrived is released.
+  // Lets the caller receive a reply to `box`.  Each request has a number, its box, under which the
+  // reply arrives.
   virtual void OpenBox(uint64_t box) = 0;
+  // Ends the use of `box`: from now on the caller receives no reply to it, and a reply that has
+  // already arrived is released.
   virtual void CloseBox(uint64_t box) = 0;
 
   // Returns whether object `asker` accepts a reply to `box`.  In a worker process returns true for
@@ -47,11 +48,11 @@ class SystemCalls {
   // when the reply is posted.
   virtual bool AcceptsReply(ObjectId asker, uint64_t box) const = 0;
 
-  // Prepares a wait of the caller for the reply to `box`, of at most `timeout_us` (< 0: without
-  // limit).  `why` describes for users what the caller waits for.  Returns the queued message that
-  // will end the wait at its limit, so that the caller can remove this message if the reply comes
-  // first.  Returns null if there is no such message: without a limit, and in a worker process,
-  // where the master ends the wait.
+  // Prepares a wait of the caller for the reply to `box`, of at most `timeout_us`, or without limit
+  // if `timeout_us` is less than 0.  `why` describes for users what the caller waits for.  Returns
+  // the queued message that will end the wait at its limit, so that the caller can remove this
+  // message if the reply comes first.  Returns null if there is no such message: without a limit,
+  // and in a worker process, where the master ends the wait.
   virtual const Message* BeginWait(uint64_t box, int64_t timeout_us, std::string_view why) = 0;
 
   // Waits for a line of the console and copies it to `buffer`; see ConsoleInput::Read().
@@ -90,10 +91,10 @@ class SystemCalls {
   virtual uint32_t NewRegion(size_t size, ObjectId owner) = 0;
   virtual bool DeleteRegion(uint32_t region) = 0;
   virtual bool ResizeRegion(uint32_t region, size_t size) = 0;
-  // Pinning keeps the memory of a region, even if the region is deleted, until it is unpinned.
-  // Observers pin regions that they have received.  Both functions return false if there is no such
-  // region.  UnpinRegion() also returns false if the region is not pinned.
+  // Keeps the memory of a region until UnpinRegion(), even if the region is deleted.  Observers pin
+  // regions that they have received.  Returns false if there is no such region.
   virtual bool PinRegion(uint32_t region) = 0;
+  // Ends a PinRegion().  Returns false if there is no such region or the region is not pinned.
   virtual bool UnpinRegion(uint32_t region) = 0;
 
   // The next four functions change or check the access rights `info` of the caller, or of object
@@ -114,14 +115,14 @@ class SystemCalls {
   // Adds a finding about the object `about`, or about the system if `about` is null.
   virtual void AddFinding(const Object* about, Severity severity, std::string_view text) = 0;
 
-  // Shutdown() shuts one robot down, PowerOff() switches it off at once; see the functions of
-  // System with the same names.
+  // Shuts one robot down; see System::Shutdown().
   virtual void Shutdown(int robot, const RunEnd& why) = 0;
+  // Switches one robot off at once; see System::PowerOff().
   virtual void PowerOff(int robot, const RunEnd& why) = 0;
 
   // Tells all processes of the run that use the caller's stick that the file `path` is about to
-  // change.  Each process records the changed files (MemoryStick::NoteWritten()).  Returns when all
-  // these processes have been told.
+  // change.  Each process records the changed files (MemoryStick::NoteWritten()).  Waits until all
+  // these processes have been told, and then returns true.
   virtual bool NoteFileWritten(std::string_view path) = 0;
 };
 

@@ -71,7 +71,7 @@ std::string AppendHex(std::string_view text, std::string* bytes) {
 struct SentDatum {
   int robot = 0;
   std::string observer;
-  std::string subject;  // "": the only subject that is connected with the observer
+  std::string subject;  // "" for the only subject that is connected with the observer
   std::string bytes;
 };
 

@@ -55,9 +55,9 @@ class TimeEvents {
  private:
   struct Event {
     Letter letter;
-    int64_t due_us = INT64_MAX;  // INT64_MAX: the event waits for a reply
+    int64_t due_us = INT64_MAX;  // INT64_MAX if the event waits for a reply
     int64_t period_us = 0;
-    uint64_t box = 0;    // the box whose reply the event waits for; 0: a timed event
+    uint64_t box = 0;    // the box whose reply the event waits for; 0 for a timed event
     uint64_t cause = 0;  // number of the message whose handler has ordered the event
   };
 

@@ -23,7 +23,7 @@ struct TraceRecord {
   int64_t time_us;
   int32_t sender;
   int32_t target;
-  uint32_t selector;  // UNDEF: the reply to a request
+  uint32_t selector;  // the entry of the receiver; UNDEF for the reply to a request
   uint32_t size;      // number of bytes that PayloadHash() hashes
   uint64_t payload_hash;
 };
@@ -81,8 +81,9 @@ uint64_t PayloadHash(const Message& message, uint32_t* size);
 // hold addresses, which differ from run to run, so comparing them would be useless.
 std::string PayloadBytes(const Message& message);
 
-// Returns the bytes of PayloadBytes() without a copy where they are in one piece, otherwise in
-// `*copy`.  The result is valid until the message ends or `*copy` changes.
+// Returns the same bytes as PayloadBytes().  If they are in one piece in memory, the result points
+// to them.  Otherwise they are copied to `*copy`, and the result points to the copy.  The result is
+// valid until the message ends or `*copy` changes.
 std::string_view PayloadView(const Message& message, std::string* copy);
 
 }  // namespace openr_host

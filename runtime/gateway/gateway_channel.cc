@@ -105,8 +105,8 @@ void IncomingChannel::Received(std::string_view bytes) {
   GatewayStream::Result result;
   while ((result = stream_.NextSet(&set)) == GatewayStream::Result::kTaken) {
     // Warns if the peer sends data without a ready, because a peer must wait for a ready before it
-    // sends data.  The warning is no error, because nothing is lost: the local subject keeps the
-    // data until its observer is ready.
+    // sends data.  This is not reported as an error, because nothing is lost: the local subject
+    // keeps the data until its observer is ready.
     if (!std::exchange(asked_, false)) {
       gateway_->Warn(
           "the peer sends data before it was told that the observer is ready; they wait, and newer "

@@ -53,7 +53,7 @@ class OutgoingChannel : public GatewayChannel {
   TcpGateway* const gateway_;
   OObserver* observer_ = nullptr;
   bool peer_is_ready_ = false;
-  std::string held_;  // the encoded set that waits for the peer's ready; "": none
+  std::string held_;  // the encoded set that waits for the peer's ready; "" if no set waits
 };
 
 // A channel that receives data of the peer and, as a subject, sends the data to an observer of this
@@ -79,7 +79,7 @@ class IncomingChannel : public GatewayChannel {
 
   TcpGateway* const gateway_;
   OSubject* subject_ = nullptr;
-  // The word to send when the earlier word has been sent; 0: no word waits.  There is no queue,
+  // The word to send when the earlier word has been sent; 0 if no word waits.  There is no queue,
   // because a newer word replaces an older one: only the observer's last state counts.
   uint32_t waiting_word_ = 0;
   // True if "ready" was sent to the peer, and the peer has not sent data since then.  If false, the

@@ -82,8 +82,8 @@ void GatewayConnection::Open() {
   }
 }
 
-// Warns before the connect itself fails, because a connect to an address that drops packets fails
-// only after minutes.
+// Warns that the peer does not answer.  Does so before the connect itself fails, because a connect
+// to an address that drops packets fails only after minutes.
 void GatewayConnection::LookForAnswer() {
   const std::string hint = HintFor(IPAddress(record_.host.c_str()));
   if (had_answer_ || hint.empty()) return;

@@ -79,7 +79,7 @@ class GatewayConnection {
   const int index_;
   const GatewayRecord record_;
   Owner* const owner_;
-  // The shared buffer: first the received bytes, then the bytes to send.
+  // The shared buffer.  It begins with the received bytes; the bytes to send follow.
   byte* receive_bytes_ = nullptr;
   antModuleRef listener_;  // the endpoint that waits for the next client
   antModuleRef endpoint_;  // the endpoint of the connection, also while it is being made

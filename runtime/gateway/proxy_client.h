@@ -70,10 +70,10 @@ class ProxyClient : public GatewayChannel {
   TcpGateway* const gateway_;
   std::deque<Request> requests_;
   std::map<std::string, uint32_t> oids_;  // OIDs on the robot, by name; valid for one connection
-  bool waits_ = false;                    // true: the first request was sent but not answered yet
+  bool waits_ = false;                    // whether the first request was sent but not answered yet
   // True after a call has had no answer.  Then a new call fails at once if there is no connection.
   bool gave_up_ = false;
-  bool watches_ = false;  // true: a message that will call Expire() is posted
+  bool watches_ = false;  // whether a message that will call Expire() is posted
 };
 
 }  // namespace openr_host

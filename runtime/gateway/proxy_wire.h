@@ -34,11 +34,11 @@ inline constexpr uint32_t kProxyBytesMax = 256;
 
 struct ProxyFrame {
   ProxyCommand command = ProxyCommand::kUndefined;
-  std::string name = {};    // kFind: at most 63 characters
-  uint32_t error = 0;       // in an answer: the result of the command, an sError
+  std::string name = {};    // used in kFind: at most 63 characters
+  uint32_t error = 0;       // used in answers: the result of the command, an sError
   uint32_t oid = 0;         // used in kFindReply, kSend and kCall
   uint32_t selector = 0;    // used in kSend and kCall
-  uint32_t reply_size = 0;  // kCall: the answer is cut to this number of bytes
+  uint32_t reply_size = 0;  // used in kCall: the answer is cut to this number of bytes
   std::string bytes = {};   // used in kSend, kCall and kCallReply
 };
 

@@ -47,7 +47,7 @@ class DnsEndpoint : public Endpoint {
   // without a final dot, appends the default domain.
   std::string FullName(const std::string& name) const;
 
-  std::string domain_;    // the default domain; "": none
+  std::string domain_;    // the default domain; "" if there is none
   NetHandle socket_ = 0;  // the handle of the pending query
   int64_t asked_us_ = 0;
   std::optional<Operation> query_;  // the pending GetHostByName or GetHostByAddr

@@ -45,7 +45,7 @@ class FailingNetwork : public Network {
   const std::unique_ptr<Network> inner_;
   int left_;
   const NetError error_;
-  // Handle of the failed command until Poll() reports the failure; 0: no failed command.
+  // Handle of the failed command until Poll() reports the failure; 0 if there is none.
   NetHandle failed_ = 0;
 };
 

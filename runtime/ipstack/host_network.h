@@ -27,7 +27,7 @@
 namespace openr_host {
 
 struct HostNetworkOptions {
-  uint32_t bind_ip = 0x7f000001;  // the host's address for server ports; 0: every interface
+  uint32_t bind_ip = 0x7f000001;  // the host's address for server ports; 0 for all interfaces
   // Fixed ports.  The key is a port of the robot, the value the host's port that it must get (0:
   // any free port).  A port without an entry keeps its number if that number is free on the host.
   std::map<uint16_t, uint16_t> tcp_ports;
@@ -35,9 +35,9 @@ struct HostNetworkOptions {
   // Pairs of an address that programs use and the host's address in its place.  If several pairs
   // have the same address of the host, AddressMap::FromHost() chooses the program's address for it.
   std::vector<AddressPair> addresses;
-  // Shortest time, by the clock of the host, between two searches for new connections; 0: every
-  // Poll() searches.  A run at full speed polls much more often than connections come, so searching
-  // every time would waste time.
+  // Shortest time, by the clock of the host, between two searches for new connections.  With 0,
+  // every Poll() searches.  A run at full speed polls much more often than connections come, so
+  // searching every time would waste time.
   int64_t accept_interval_ns = 0;
   // Hosts by name.  Resolve() and ResolveAddress() look into this table first.  They ask the host's
   // resolver only if the table does not have the host, because the resolver may be slow or may not
@@ -84,8 +84,8 @@ class HostNetwork : public Network {
     size_t want = 0;     // size of the pending Receive()
     bool connecting = false;
     bool closing = false;
-    bool ended = false;   // this side has ended the stream
-    bool failed = false;  // the failure has been reported
+    bool ended = false;   // whether this side has ended the stream
+    bool failed = false;  // whether a failure of the connection was reported
   };
 
   // Translates the address `remote`, to which a program sends, to an address of the host.  `ports`

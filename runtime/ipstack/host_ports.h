@@ -21,8 +21,8 @@ class HostPorts {
   static constexpr int kNextPorts = 100;
 
   // `wished` has the fixed ports that the user asked for: key is a port of the robot, value the
-  // host's port that it must get (0: any free port).  A port without an entry keeps its number if
-  // that number is free.
+  // host's port that it must get (0 means any free port).  A port without an entry keeps its number
+  // if that number is free.
   HostPorts(NetProtocol protocol, std::map<uint16_t, uint16_t> wished)
       : protocol_(protocol), wished_(std::move(wished)) {}
 

@@ -8,12 +8,12 @@
 
 namespace openr_host {
 
-// ResolveOnHost() asks the host's resolver for a name, ResolveAddressOnHost() for an address; both
-// wait for the answer.  The wait takes seconds of real time if the resolver's servers do not
-// answer.  But it does not change the run, because virtual time stands still during the wait.  Both
-// return kNone if there was an answer; an answer without addresses means that there is no such
-// host.
+// Asks the host's resolver for a name and waits for the answer.  The wait takes seconds of real
+// time if the resolver's servers do not answer.  But it does not change the run, because virtual
+// time stands still during the wait.  Returns kNone if there was an answer; an answer without
+// addresses means that there is no such host.
 NetError ResolveOnHost(const std::string& name, HostInfo* host);
+// Asks the host's resolver for an address.  Waits and returns as ResolveOnHost() does.
 NetError ResolveAddressOnHost(uint32_t ip, HostInfo* host);
 
 }  // namespace openr_host

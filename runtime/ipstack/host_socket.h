@@ -9,7 +9,7 @@
 
 namespace openr_host {
 
-// The owner of a file descriptor; the descriptor is -1 if the Fd owns none.
+// The owner of a file descriptor; the descriptor is -1 if the Fd owns no descriptor.
 class Fd {
  public:
   Fd() = default;
@@ -35,11 +35,12 @@ NetError NetErrorOf(int error);
 // Opens a socket.  On failure returns an invalid Fd and sets errno.
 Fd OpenSocket(NetProtocol protocol);
 
-// BindSocket() binds a socket, ListenOn() listens on a socket, ConnectTo() connects a socket.  Each
-// of them returns 0 or an errno.
+// Binds a socket to `local`.  Returns 0 or an errno.
 int BindSocket(const Fd& fd, NetAddress local);
-int ListenOn(const Fd& fd, NetAddress local, int backlog);  // also binds the socket to `local`
-// Returns EINPROGRESS if the connection takes time; then ConnectResult() returns the result.
+// Binds a socket to `local` and listens on it.  Returns 0 or an errno.
+int ListenOn(const Fd& fd, NetAddress local, int backlog);
+// Connects a socket to `remote`.  Returns 0 or an errno.  The errno EINPROGRESS means that the
+// connection takes time; then ConnectResult() returns the result.
 int ConnectTo(const Fd& fd, NetAddress remote);
 
 // Asks whether `fd` is connected after ConnectTo(): returns EINPROGRESS while the connection is
@@ -50,18 +51,18 @@ int ConnectResult(const Fd& fd);
 // invalid Fd and sets errno.
 Fd AcceptFrom(const Fd& listener, NetAddress* remote);
 
-// SendBytes() sends bytes to the connected peer, SendDatagram() sends them as a datagram to
-// `remote`. Both return the number of bytes sent, or -1 with errno set.
+// Sends bytes to the connected peer.  Returns the number of bytes sent, or -1 with errno set.
 int64_t SendBytes(const Fd& fd, const void* data, size_t size);
+// Sends bytes as a datagram to `remote`.  Returns the number of bytes sent, or -1 with errno set.
 int64_t SendDatagram(const Fd& fd, NetAddress remote, const void* data, size_t size);
-// Receives at most `size_max` bytes into `bytes`, which gets the size of the bytes that have
-// arrived.  Stores the sender's address in `*remote` unless `remote` is null.  Returns their
-// number, or -1 with errno set.
+// Receives at most `size_max` bytes into `bytes`, whose size becomes the number of received bytes.
+// Stores the sender's address in `*remote` unless `remote` is null.  Returns the number of received
+// bytes, or -1 with errno set.
 int64_t ReceiveBytes(const Fd& fd, size_t size_max, std::string* bytes,
                      NetAddress* remote = nullptr);
 
-void EndStream(const Fd& fd);     // the peer reads an end of the stream
-void ResetOnClose(const Fd& fd);  // the peer sees a broken connection when the socket is closed
-uint16_t PortOf(const Fd& fd);    // the local port; 0: not bound
+void EndStream(const Fd& fd);     // lets the peer read an end of the stream
+void ResetOnClose(const Fd& fd);  // lets the peer see a broken connection when the socket is closed
+uint16_t PortOf(const Fd& fd);    // returns the local port; 0 if the socket is not bound
 
 }  // namespace openr_host

@@ -35,7 +35,7 @@ struct IpStackOptions {
   // The state of the network card that the functions of ERA201D1.h report.
   enum class Card { kPresent, kNoCard, kNoDriver };
 
-  std::string address;  // the robot's dotted address; "": ETHER_IP of the robot's WLANCONF.TXT
+  std::string address;  // the robot's dotted address; "" for ETHER_IP of its WLANCONF.TXT
   Card card = Card::kPresent;
   // Pairs of an address that programs use and the host's address that replaces it.  Programs may
   // bind to AddressPair::robot of each pair, besides the robot's own address (address_config.h).

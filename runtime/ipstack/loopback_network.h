@@ -71,8 +71,8 @@ class LoopbackNetwork : public Network {
   // The bytes that go in one direction of a connection and are not read yet.
   struct Pipe {
     std::string bytes;
-    bool ended = false;  // the writer has ended the stream
-    bool gone = false;   // the reader has dropped the connection
+    bool ended = false;  // whether the writer has ended the stream
+    bool gone = false;   // whether the reader has dropped the connection
   };
   struct Link {
     Pipe to[2];
@@ -102,7 +102,7 @@ class LoopbackNetwork : public Network {
   };
   struct Udp {
     uint16_t port = 0;
-    size_t want = 0;  // limit of the pending ReceiveFrom(); 0: no ReceiveFrom() is pending
+    size_t want = 0;  // limit of the pending ReceiveFrom(); 0 if none is pending
     std::deque<Datagram> waiting;
   };
 

@@ -20,7 +20,7 @@ namespace openr_host {
 using NetHandle = uint32_t;
 
 struct NetAddress {
-  uint32_t ip = 0;  // host byte order: 10.0.1.2 is 0x0a000102; 0: any
+  uint32_t ip = 0;  // in host byte order: 10.0.1.2 is 0x0a000102; 0 is any address
   uint16_t port = 0;
   bool operator==(const NetAddress&) const = default;
 };
@@ -57,7 +57,7 @@ struct NetworkEvent {
     kEnd,        // answer to Receive(): the peer has ended the stream
     kClosed,     // answer to Close(): both sides have ended
     kDatagram,   // answer to ReceiveFrom(): `bytes` came from `remote`
-    // Answer to Resolve(), ResolveAddress(): `host`; without addresses there is no such host.
+    // Answer to Resolve() or ResolveAddress().  If there is no such host, `host` has no addresses.
     kResolved,
     kFailed,  // `error` tells why; the socket can only be dropped
     kNote,    // `bytes` is a text for the user
@@ -120,9 +120,10 @@ class Network {
 
   // ---- Names
 
-  // Resolve() asks for the addresses of a name, ResolveAddress() for the name of an address.  An
-  // event kResolved answers.  `name` is complete (with its domain) and has no final dot.
+  // Asks for the addresses of `name`, which is complete (with its domain) and has no final dot.  An
+  // event kResolved answers.
   virtual void Resolve(NetHandle handle, const std::string& name) = 0;
+  // Asks for the name of the host with the address `ip`.  An event kResolved answers.
   virtual void ResolveAddress(NetHandle handle, uint32_t ip) = 0;
 
   // ---- All handles

@@ -33,15 +33,17 @@ class SharedBuffers {
   // is mapped.
   antError Destroy(const antSharedBuffer& buffer);
 
-  // Map() makes a buffer usable and sets `*base` to the address of its first byte; UnMap() ends the
-  // use.  A second call of either function for the same buffer changes nothing.
+  // Makes a buffer usable and sets `*base` to the address of its first byte.  A second call for the
+  // same buffer changes nothing.
   antError Map(const antSharedBuffer& buffer, void** base);
+  // Ends the use that Map() has begun.  A second call for the same buffer changes nothing.
   antError UnMap(const antSharedBuffer& buffer);
 
-  // Adopt() adds a buffer to this table in a worker process, which runs objects outside of the
-  // master process; Forget() removes the buffer.  Called after the stack, which runs in the master,
-  // has created or destroyed the buffer.
+  // Adds a buffer to this table in a worker process, which runs objects outside of the master
+  // process.  Called after the stack, which runs in the master, has created the buffer.
   void Adopt(const antSharedBuffer& buffer, ObjectId owner);
+  // Removes a buffer from this table in a worker process.  Called after the stack in the master has
+  // destroyed the buffer.
   void Forget(const antSharedBuffer& buffer) { buffers_.erase(buffer.GetCookie()); }
 
   // Returns whether `size` bytes from `begin` on lie inside one mapped buffer, and `size` > 0.

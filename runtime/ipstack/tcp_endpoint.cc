@@ -82,9 +82,9 @@ void TcpEndpoint::Bind(Operation operation) {
   stack_->Answer(&operation, TCP_SUCCESS);
 }
 
-// Checks whether a Bind, Listen or Connect can be executed: the endpoint must be new, no Listen or
-// Connect may be pending, and `local` must be an address of the robot.  Otherwise answers with an
-// error and returns true.
+// If a Bind, Listen or Connect cannot be executed, answers it with an error and returns true.
+// Otherwise returns false.  It can be executed if the endpoint is new, no Listen or Connect is
+// pending, and `local` is an address of the robot.
 bool TcpEndpoint::RefuseOpen(const Operation& operation, const IPAddress& local) {
   TCPEndpointError error = TCP_SUCCESS;
   if (opening_) {
@@ -139,8 +139,9 @@ void TcpEndpoint::Connect(const Operation& operation) {
   state_ = State::kConnecting;
 }
 
-// Checks whether a Send or Receive can be executed: the connection must be open and no operation of
-// the same kind may be pending (`busy`).  Otherwise answers with an error and returns true.
+// If a Send or Receive cannot be executed, answers it with an error and returns true.  Otherwise
+// returns false.  It can be executed if the connection is open and no operation of the same kind is
+// pending (`busy`).
 bool TcpEndpoint::RefuseTransfer(const Operation& operation, bool busy) {
   TCPEndpointError error = TCP_SUCCESS;
   switch (state_) {

@@ -81,17 +81,17 @@ class TcpEndpoint : public Endpoint {
 
   State state_ = State::kNew;
   NetHandle socket_ = 0;
-  uint32_t local_ip_ = 0;  // the address that the program gave; 0: no address
+  uint32_t local_ip_ = 0;  // the address that the program gave; 0 if it gave no address
   uint16_t local_port_ = 0;
   bool own_port_ = false;  // true if the stack has chosen local_port_ for a Listen
   NetAddress remote_;
-  NetAddress wanted_;                     // the only peer that a Listen accepts; 0: any peer
+  NetAddress wanted_;  // the only peer that a Listen accepts; 0 if it accepts any peer
   TCPEndpointError error_ = TCP_SUCCESS;  // the error that broke the connection
 
   std::string in_;       // received bytes that no Receive has taken yet
-  bool asked_ = false;   // a Network::Receive() that has not been answered is pending
-  bool ended_ = false;   // the peer has ended the stream
-  bool closed_ = false;  // both sides have ended the stream
+  bool asked_ = false;   // whether a Network::Receive() waits for its answer
+  bool ended_ = false;   // whether the peer has ended the stream
+  bool closed_ = false;  // whether both sides have ended the stream
   int64_t unsent_ = 0;   // number of bytes that were given to the network and are not accepted yet
   uint64_t sent_hash_ = 0;  // hash of all bytes that were sent
   int small_row_ = 0;       // number of small sends since the object last received something

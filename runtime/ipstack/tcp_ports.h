@@ -22,7 +22,7 @@ class TcpPorts {
   static constexpr size_t kPortsMax = 64;  // limits the number of sockets on the host
 
   // Lets `endpoint` wait for a connection to `port`.  If the port is not open yet, opens it at the
-  // address `ip` (0: the robot's own address).  `socket` becomes the handle of the connection.
+  // address `ip` (0 means the robot's own address).  `socket` becomes the handle of the connection.
   // Returns false if too many ports are open.
   bool Accept(uint16_t port, uint32_t ip, NetHandle socket, EventSink* endpoint);
 

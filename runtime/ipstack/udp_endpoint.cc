@@ -107,14 +107,14 @@ void UdpEndpoint::ResetConnect(Operation operation) {
 NetAddress UdpEndpoint::DestinationOf(const UDPEndpointSendMsg& message) const {
   if (peer_.ip != 0) return peer_;
   const uint32_t ip = message.address.Address();
-  // Returns no destination for a broadcast, so that Send refuses the broadcast.  The reason:
-  // broadcasts failed on the robot, too (BBS 402, a message of Sony's developer board).
+  // Returns no destination for a broadcast, so that Send refuses the broadcast, because broadcasts
+  // failed on the robot, too (BBS 402, a message of Sony's developer board).
   return ip == 0xffffffffu || message.port == 0 ? NetAddress{} : NetAddress{ip, message.port};
 }
 
-// Checks whether a Send or Receive can be executed: the socket must be bound and without error, no
-// operation of the same kind may be pending (`busy`), and the `size` bytes at `buffer` must lie in
-// a shared buffer.  Otherwise answers with an error and returns true.
+// If a Send or Receive cannot be executed, answers it with an error and returns true.  Otherwise
+// returns false.  It can be executed if the socket is bound and without error, no operation of the
+// same kind is pending (`busy`), and the `size` bytes at `buffer` lie in a shared buffer.
 bool UdpEndpoint::RefuseTransfer(const Operation& operation, bool busy, const byte* buffer,
                                  int size) {
   UDPEndpointError error = error_;

@@ -38,8 +38,8 @@ class UdpEndpoint : public Endpoint {
   void Close(Operation operation);
   void Address(Operation operation);
 
-  // Returns the address to which a Send goes; ip 0: the Send has no valid destination and is
-  // refused.
+  // Returns the address to which a Send goes.  Its ip is 0 if the Send has no valid destination;
+  // such a Send is refused.
   NetAddress DestinationOf(const UDPEndpointSendMsg& message) const;
   bool RefuseTransfer(const Operation& operation, bool busy, const byte* buffer, int size);
   void Refuse(Operation operation, UDPEndpointError error);
@@ -49,10 +49,10 @@ class UdpEndpoint : public Endpoint {
   void Finish(std::optional<Operation>* operation, UDPEndpointError error,
               const void* data = nullptr, size_t size = 0);
 
-  NetHandle socket_ = 0;   // handle of the bound socket; 0: not bound
-  uint32_t local_ip_ = 0;  // the address that the program gave; 0: any address
+  NetHandle socket_ = 0;   // handle of the bound socket; 0 if no socket is bound
+  uint32_t local_ip_ = 0;  // the address that the program gave; 0 for any address
   uint16_t port_ = 0;
-  NetAddress peer_;  // the peer that Connect has set; ip 0: no peer
+  NetAddress peer_;  // the peer that Connect has set; its ip is 0 if there is no peer
   // The error that ended the use of the socket; UDP_SUCCESS: the socket works.
   UDPEndpointError error_ = UDP_SUCCESS;
   // True while a Network::ReceiveFrom() has not been answered.

@@ -63,7 +63,7 @@ std::optional<std::vector<std::string>> PartsOf(std::string_view name) {
     const std::string_view part = name.substr(0, end);
     name.remove_prefix(end);
     if (part == "..") {
-      // Leaves /MS, because the root folder has no entry "..".
+      // Refuses a name that leaves /MS, because the root folder has no entry "..".
       if (parts.empty()) return std::nullopt;
       parts.pop_back();
     } else if (!part.empty() && part != ".") {
