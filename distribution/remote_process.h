@@ -147,9 +147,9 @@ class RemoteProcess {
   // Returns the object of the handler that has ended the worker; kNoObject if it is not known.
   ObjectId crashed_object() const { return crashed_object_; }
 
-  // Releases a memory region that was received from the worker, without a ready message.  To be
-  // called when the object that sent the region was lost or replaced, because then no subject waits
-  // for the region.
+  // Releases a memory region that the worker sent, and sends no ready message for it.  To be called
+  // when the object that sent the region was lost or replaced, because then no subject waits for
+  // the region.
   void ReturnRegion(RCRegion* region);
   // Handles a message that the lost worker did not receive.  If `message` is a ready message,
   // releases the regions that it gives back.  Messages of other kinds are ignored.

@@ -98,8 +98,9 @@ Language LanguageOf(const CompileCommand& command, const std::string& given, boo
 }
 
 // Returns the flags for `name`, the value of a -std flag such as "c99"; no flags if `name` is a
-// level of another language than `language`.  A strict level is replaced by the same level with GNU
-// extensions, because the headers of the SDK's compiler declared the same functions in both levels.
+// standard of another language than `language`.  A strict standard such as c99 is replaced by the
+// one with GNU extensions, gnu99, because the headers of the SDK's compiler declared the same
+// functions in both, while the host's headers hide some functions in a strict standard.
 // C99 gets -fgnu89-inline, because gcc took `inline` in the meaning of GNU C until version 4.3.
 std::vector<std::string> StandardFlags(const std::string& name, Language language) {
   const bool is_cxx = name.find("++") != std::string::npos;

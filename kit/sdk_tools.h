@@ -34,8 +34,8 @@ int RunGzcp(const Arguments& arguments);
 // needs the debug information in the files.  With -o, it copies the file.
 int RunStrip(const Arguments& arguments);
 
-// The tools ar, ld and others, which run the host's tool without the flags for the robot's
-// processor.
+// Does the work of the SDK's ar, ld and other tools: runs the host's tool of the name `tool` with
+// `arguments`, without the flags for the robot's processor.
 int RunHostTool(const std::string& tool, const Arguments& arguments);
 
 }  // namespace openr_host

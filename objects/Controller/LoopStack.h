@@ -30,8 +30,8 @@ void LoopStackContinue();
 // nothing on the robot.
 void TellRunner(const char* text);
 
-// Adds `text` to the findings as TellRunner() does.  `text` is a mistake with `name`, which is not
-// one of the `count` names in `known`.  The host adds the known name that was probably meant.
+// Adds `text` to the findings as TellRunner() does.  `text` says that `name` is none of the `count`
+// names in `known`.  The host adds the known name that was probably meant.
 void TellRunnerOfName(const char* text, const char* name, const char* const* known, int count);
 
 #endif  // LoopStack_h_DEFINED

@@ -18,8 +18,9 @@ struct EventCursor {
   // Whether the client has got the lines that were printed before it began to watch.
   bool has_console = false;
   uint64_t findings = UINT64_MAX;
-  std::map<std::string, uint64_t> versions;  // key: name of the event; value: version of the run in
-                                             // the last event of this name
+  // For each kind of event, by its name: the counter of changes of the run when the client got its
+  // last event of this kind.
+  std::map<std::string, uint64_t> versions;
 };
 
 class LiveEvents {

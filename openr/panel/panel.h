@@ -11,9 +11,9 @@ struct PanelOptions {
   // The run for pages that name no run.  It is given by its name, its process id or both; "": no
   // run.
   std::string run;
-  // Descriptor of a pipe.  The server ends when the other end of the pipe is closed; -1: the server
-  // ends with SIGINT or SIGTERM.  The server of a run prints its address on standard error, and
-  // then writes nothing more to standard error.
+  // Descriptor of a pipe of which the run that has started this server holds the other end.  The
+  // server ends with the run, and writes nothing to standard error after its address.  -1: no run
+  // has started the server, and it ends with SIGINT or SIGTERM.
   int run_pipe = -1;
 };
 

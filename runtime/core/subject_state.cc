@@ -42,11 +42,12 @@ void SubjectState::DropOldestUnit(ObserverLink* link) {
 
 namespace {
 
-// Reports data that were replaced before the observer was ready, because the robot prints nothing.
-// No finding is added if one of the two objects is a system service.  If the sender is a system
-// service, replacing is intended: a slow program sees the newest sensor values.  If the observer is
-// a system service, replacing is common: programs that work send command vectors and sounds without
-// asking whether the robot is ready (docs/body.md).  In both cases the data still count as dropped.
+// Reports data that newer data replaced before the observer was ready.  The robot prints nothing
+// about such a loss, so a user would not notice it.  No finding is added if one of the two objects
+// is a system service.  If the sender is a system service, replacing is intended: a slow program
+// sees the newest sensor values.  If the observer is a system service, replacing is common:
+// programs that work send command vectors and sounds without asking whether the robot is ready
+// (docs/body.md).  In both cases the data still count as dropped.
 void ReportReplaced(const SubjectState& subject, const ObserverLink& link) {
   if (subject.object->is_system) return;
   const Object* const observer = subject.system->object(ObjectIdOf(link.observer.GetOID()));

@@ -217,9 +217,9 @@ bool System::RunUntil(const std::function<bool()>& predicate, int64_t budget_us)
   return predicate();
 }
 
-// Refuses a message to an entry that the target does not have.  Such messages come from objects
-// whose stub (the generated code with their entries) was made from another stub.cfg than their
-// sources.
+// Refuses a message to an entry that the target does not have.  The usual cause is that the stub of
+// one of the two objects, the generated code with its entries, was made from a stub.cfg that does
+// not fit the object's sources.
 int32_t System::RefuseSelector(const Message& message, const Object& target) {
   AddFindingAbout(&target, Severity::kError,
                   fmt::format("MCOOPMailer::intraDeliver selector is out of range: sel={}, "

@@ -19,7 +19,9 @@ class TcpPorts {
  public:
   explicit TcpPorts(IpStack* stack) : stack_(stack) {}
 
-  static constexpr size_t kPortsMax = 64;  // limits the number of sockets on the host
+  // The most ports that can be open at a time.  There is a limit because each of them needs a
+  // socket of the host.
+  static constexpr size_t kPortsMax = 64;
 
   // Lets `endpoint` wait for a connection to `port`.  If the port is not open yet, opens it at the
   // address `ip` (0 means the robot's own address).  `socket` becomes the handle of the connection.
