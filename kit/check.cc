@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "cli/colour.h"
+#include "cli/json_text.h"
 #include "kit/check_controller.h"
 #include "kit/check_data.h"
 #include "kit/check_objects.h"
@@ -173,7 +174,7 @@ std::string RemarksToJson(const Remarks& remarks, const std::string& folder) {
                                       {"warnings", remarks.CountOf(Remark::Kind::kWarning)},
                                       {"notes", remarks.CountOf(Remark::Kind::kNote)},
                                       {"remarks", list}};
-  return all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  return JsonText(all, 2) + "\n";
 }
 
 }  // namespace openr_host

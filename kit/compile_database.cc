@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "cli/json_text.h"
 #include "kit/compile_command.h"
 #include "kit/text_files.h"
 
@@ -47,7 +48,7 @@ std::string CompileDatabase(const KitLog& log, const std::vector<SourceCopy>& co
                         {"file", original},
                         {"arguments", WordsFor(command, original, copies)}});
   }
-  return commands.dump(2) + "\n";
+  return JsonText(commands, 2) + "\n";
 }
 
 void WriteCompileDatabase(const fs::path& folder, const KitLog& log,

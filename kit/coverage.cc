@@ -133,7 +133,7 @@ void AddGcovCounts(const std::string& json, LineCounts* counts) {
   std::istringstream documents(json);
   for (std::string line; std::getline(documents, line);) {
     if (line.empty()) continue;
-    const auto document = nlohmann::json::parse(line, nullptr, false);
+    const auto document = TryParseJson<nlohmann::json>(line);
     if (!document.is_object() || !document.contains("files"))
       throw std::runtime_error("gcov printed no JSON; gcov 9 or later is needed");
     const fs::path here = document.value("current_working_directory", "");

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/json_text.h"
 #include "kit/gdb_settings.h"
 
 namespace openr_host {
@@ -73,7 +74,7 @@ std::vector<NewFile> EditorFiles(const EditorPlaces& places) {
       {"C_Cpp.default.compileCommands", std::string(kFolder) + "/compile_commands.json"},
       {"files.associations", {{"stub.cfg", "plaintext"}, {"*.ocf", "plaintext"}}}};
   const Json extensions = {{"recommendations", Json::array({"ms-vscode.cpptools"})}};
-  const auto text = [](const Json& json) { return json.dump(2) + "\n"; };
+  const auto text = [](const Json& json) { return JsonText(json, 2) + "\n"; };
   return {{".vscode/tasks.json", text(Tasks(places))},
           {".vscode/launch.json", text(Launch(places))},
           {".vscode/settings.json", text(settings)},

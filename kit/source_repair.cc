@@ -12,6 +12,7 @@
 #include <regex>
 #include <sstream>
 
+#include "cli/json_text.h"
 #include "kit/asm_repair.h"
 #include "kit/repair_rules.h"
 #include "kit/sdk_paths.h"
@@ -29,7 +30,7 @@ std::vector<Complaint> ReadComplaints(const std::string& diagnostics) {
   std::vector<Complaint> complaints;
   std::istringstream lines(diagnostics);
   for (std::string line; std::getline(lines, line);) {
-    const auto parsed = nlohmann::json::parse(line, nullptr, false);
+    const auto parsed = TryParseJson<nlohmann::json>(line);
     if (!parsed.is_array()) continue;
     for (const auto& entry : parsed) {
       const std::string kind = entry.value("kind", "");

@@ -24,7 +24,8 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 FAILED = re.compile(r"^\[  FAILED  \] ([\w/]+\.[\w/]+)", re.MULTILINE)
 TOTALS = re.compile(r"^(\d+) passed, (\d+) failed(?:, (\d+) skipped)?$")
 LIMIT_S = 1800  # for one program: enough with sanitizers on two busy cores
-SHARDS = {"distribution_tests": 4}  # they wait for leases; ros2_run.h has 4 domains
+# distribution_tests wait for leases (ros2_run.h has 4 domains), openr_tests for runs in real time.
+SHARDS = {"distribution_tests": 4, "openr_tests": 2}
 # As one program each of these would be the last to end: kit_tests compile, the others step physics,
 # which takes minutes with sanitizers.
 BUSY_SHARDS = {"graph_tests": 2, "kit_tests": 3, "virtualrobot_tests": 2}

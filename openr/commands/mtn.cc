@@ -17,6 +17,7 @@
 #include "cli/counted.h"
 #include "cli/exit_code.h"
 #include "cli/input_file.h"
+#include "cli/json_text.h"
 #include "openr/commands/commands.h"
 #include "openr/commands/mtn_files.h"
 #include "openr/motion/mtn_csv.h"
@@ -159,7 +160,7 @@ using ForFile = bool (*)(const std::string& name, MtnFlags* flags);
 // Prints the answers as JSON: for one file its answer, for several files a list of answers.
 void PrintAnswers(const Json& answers) {
   const Json& document = answers.size() == 1 ? answers[0] : answers;
-  fmt::print("{}\n", document.dump(-1, ' ', false, Json::error_handler_t::replace));
+  fmt::print("{}\n", JsonText(document));
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 
 #include "cli/colour.h"
 #include "cli/exit_code.h"
+#include "cli/json_text.h"
 #include "cli/output_file.h"
 #include "cli/standard_streams.h"
 #include "openr/commands/command_examples.h"
@@ -52,9 +53,7 @@ void TellFailure(const std::string& why, bool as_json) {
   const std::string name = Coloured(Colour::kError, "openr:", HasColours(STDERR_FILENO));
   std::fprintf(stderr, "%s %s\n", name.c_str(), why.c_str());
   if (!as_json) return;
-  // Replaces bytes that are not UTF-8, because dump() would throw otherwise.
-  const auto replace = nlohmann::json::error_handler_t::replace;
-  std::printf("%s\n", nlohmann::json{{"error", why}}.dump(-1, ' ', false, replace).c_str());
+  std::printf("%s\n", JsonText(nlohmann::json{{"error", why}}).c_str());
 }
 
 // Prints the help or the version, and returns the exit code.  CLI11 reports a request for help or

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "cli/exit_code.h"
+#include "cli/json_text.h"
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
 #include "openr/commands/rc_actions.h"
@@ -44,7 +45,7 @@ int Perform(const RcFlags& flags, const RcAction& action) {
     if (!flags.json) return kExitWrong;
     const nlohmann::ordered_json json = {
         {"frame", FrameJson(error.frame())}, {"error", error.text()}, {"status", error.status()}};
-    fmt::print("{}\n", json.dump());
+    fmt::print("{}\n", JsonText(json));
     return kExitWrong;
   }
 }

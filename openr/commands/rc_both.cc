@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "cli/exit_code.h"
+#include "cli/json_text.h"
 #include "cli/standard_streams.h"
 #include "openr/commands/rc_format.h"
 #include "openr/pair/remote_pair.h"
@@ -85,7 +86,7 @@ void PrintFollowing(const RcFlags& flags, const std::vector<RcDescription>& join
                  {"refusal", status.refusal[kFirst]}};
     for (const auto& each : status.round_trip_ms)
       json["round_trip_ms"].push_back(each ? Json(*each) : Json());
-    PrintAnswer(json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
+    PrintAnswer(JsonText(json) + "\n");
   } else {
     const std::string lag = status.lag_ms ? fmt::format("{} ms", *status.lag_ms) : "unknown";
     const std::string& why = status.refusal[kFirst];
@@ -115,8 +116,7 @@ int PerformAtBoth(const RcFlags& flags, const RcAction& action) {
   for (const Partner& robot : robots) {
     if (robot.problem.empty()) continue;
     fmt::print(stderr, "openr: {}\n", robot.problem);
-    if (flags.json && !robot.refusal.is_null())
-      fmt::print("{}\n", robot.refusal.dump(-1, ' ', false, Json::error_handler_t::replace));
+    if (flags.json && !robot.refusal.is_null()) fmt::print("{}\n", JsonText(robot.refusal));
     exit_code = kExitWrong;
   }
   return exit_code;

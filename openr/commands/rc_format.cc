@@ -4,6 +4,7 @@
 
 #include <mutex>
 
+#include "cli/json_text.h"
 #include "cli/standard_streams.h"
 
 namespace openr_host {
@@ -35,7 +36,7 @@ void PrintRcAnswer(bool as_json, uint32_t frame, const Json& json, const std::st
     Json answer = {{"frame", FrameJson(frame)}};
     if (!t_robot.empty()) answer["robot"] = t_robot;
     answer.update(json);
-    PrintAnswer(answer.dump() + "\n");
+    PrintAnswer(JsonText(answer) + "\n");
   } else {
     const std::string robot = t_robot.empty() ? "" : t_robot + " ";
     PrintAnswer(fmt::format("{}{} {}\n", robot, FrameText(frame), text));

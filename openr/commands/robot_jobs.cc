@@ -231,7 +231,7 @@ void RobotJobs::RunInCopy(int robot, int answer) {
 // Stores `said`, the report that the process of `robot` has sent.  If the report is not complete,
 // stores a report about the end of the process instead; `status` is its exit status.
 void RobotJobs::Take(int robot, const std::string& said, int status) {
-  Json report = Json::parse(said, nullptr, false);
+  Json report = TryParseJson<Json>(said);
   if (!report.is_object() || !report.contains("robots"))
     report = LostReport(simulation_.model().name, status);
   reports_[static_cast<size_t>(robot)] = std::move(report);

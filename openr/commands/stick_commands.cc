@@ -15,6 +15,7 @@
 #include "cli/counted.h"
 #include "cli/exit_code.h"
 #include "cli/install_paths.h"
+#include "cli/json_text.h"
 #include "cli/output_file.h"
 #include "cli/standard_streams.h"
 #include "kit/check.h"
@@ -139,12 +140,12 @@ int Check(const CheckCommand& command) {
       CheckBoot(std::filesystem::canonical(command.stick), model.design, &remarks);
   const int errors = remarks.CountOf(Remark::Kind::kError);
   if (command.json) {
-    auto json = nlohmann::ordered_json::parse(RemarksToJson(remarks, command.stick));
+    auto json = ParseJson<nlohmann::ordered_json>(RemarksToJson(remarks, command.stick));
     json["robot"] = model.design;
     json["base"] = summary.base;
     json["files"] = summary.num_files;
     json["bytes"] = summary.num_bytes;
-    PrintAnswer(json.dump(2) + "\n");
+    PrintAnswer(JsonText(json, 2) + "\n");
   } else {
     PrintAnswer(RenderRemarks(remarks, HasColours(StandardOutput())) + SummaryOf(summary));
     PrintAnswer(errors == 0

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/exit_code.h"
+#include "cli/json_text.h"
 #include "openr/commands/commands.h"
 
 namespace openr_host {
@@ -15,7 +16,7 @@ void AddVersionCommand(CLI::App* app, int* exit_code) {
   command->add_flag("--json", *json, "One JSON object");
   command->callback([json, text, exit_code] {
     if (*json) {
-      std::printf("%s\n", nlohmann::json{{"version", OPENR_VERSION}}.dump().c_str());
+      std::printf("%s\n", JsonText(nlohmann::json{{"version", OPENR_VERSION}}).c_str());
     } else {
       std::printf("%s\n", text);
     }

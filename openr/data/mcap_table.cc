@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "cli/json_text.h"
 #include "openr/data/mcap_writer.h"
 #include "openr/data/table.h"
 
@@ -150,7 +151,7 @@ class McapReader {
     const double time_s = static_cast<double>(record->U64()) / 1e9;
     record->Take(8);
     if (topic.empty()) return;
-    const auto json = nlohmann::json::parse(record->Rest(), nullptr, false);
+    const auto json = TryParseJson<nlohmann::json>(record->Rest());
     if (json.is_object()) AddMembers(QuantityOfTopic(topic), time_s, json, 1);
   }
 

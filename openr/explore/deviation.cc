@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "cli/json_text.h"
 #include "openr/explore/fault_line.h"
 #include "runtime/core/system.h"
 #include "virtualrobot/virtual_robot.h"
@@ -107,7 +108,7 @@ Deviation DeviationFromJson(const Json& json, const System& system) try {
   if (kind != Kind::kStart && kind != Kind::kTie) deviation.us = json.at("us").get<int64_t>();
   return deviation;
 } catch (const Json::exception& error) {
-  throw std::runtime_error(fmt::format("deviation {}: {}", json.dump(), error.what()));
+  throw std::runtime_error(fmt::format("deviation {}: {}", JsonText(json), error.what()));
 }
 
 }  // namespace openr_host

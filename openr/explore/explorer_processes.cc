@@ -127,7 +127,7 @@ void Serve(PlanServer* server, int channel) {
     heard.append(buffer, static_cast<size_t>(size));
     const size_t end = heard.find('\n');
     if (end == std::string::npos) continue;
-    const Json plan = Json::parse(heard.substr(0, end));
+    const Json plan = ParseJson<Json>(heard.substr(0, end));
     heard.erase(0, end + 1);
     if (!Send(channel, JsonText(server->Run(plan)) + "\n")) return;
   }
@@ -159,7 +159,7 @@ void ExplorerProcesses::Job::Work(int channel) const try {
   PreparedRun prepared = prepare_run();
   if (!prepared.problem.empty()) throw std::runtime_error(prepared.problem);
   PlanServer server(std::move(prepared), options, limits, elsewhere.get());
-  Send(channel, Json(kReady).dump() + "\n");
+  Send(channel, JsonText(Json(kReady)) + "\n");
   Serve(&server, channel);
 } catch (const std::exception& error) {
   Send(channel, JsonText(Json{{"problem", error.what()}}) + "\n");
@@ -172,7 +172,7 @@ ExplorerProcesses::ExplorerProcesses(const PrepareRun& prepare_run, const RunOpt
   for (int i = 0; i < count; ++i)
     Start({prepare_run, options, limits, twice, memory, outer_channel});
   for (Child& child : children_) {
-    const Json hello = Json::parse(WaitForLine(&child));
+    const Json hello = ParseJson<Json>(WaitForLine(&child));
     if (hello != kReady)
       throw std::runtime_error(hello.value("problem", "a process of the explorer is lost"));
   }
@@ -252,7 +252,7 @@ void ExplorerProcesses::Run(const std::function<std::optional<Json>()>& next,
       if (wanted[i].revents == 0) continue;
       const auto line = ReadLine(&children_[i]);
       if (!line) continue;
-      Json answer = Json::parse(*line);
+      Json answer = ParseJson<Json>(*line);
       if (answer.contains("problem")) throw std::runtime_error(answer["problem"]);
       take(children_[i].number, std::move(answer));
       give_plan(&children_[i]);

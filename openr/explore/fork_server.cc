@@ -76,7 +76,7 @@ Json ForkServer::Broken(const Json& plan, const char* property, const std::strin
 // it ends.  If `said` is only an error (EndingAnswer), the answer is made from this error.  If
 // `said` is "", the answer is made from `status`, the exit status of the copy.
 Json ForkServer::AnswerOfEndedCopy(const Json& plan, const std::string& said, int status) {
-  const Json json = Json::parse(said, nullptr, false);
+  const Json json = TryParseJson<Json>(said);
   if (json.is_object() && json.contains("broken")) return json;
   if (json.is_object() && json.contains("error")) {
     const std::string text = json["error"].get<std::string>();
@@ -118,7 +118,7 @@ Json ForkServer::Run(const Json& plan) {
                   fmt::format("the run did not end within {} s of real time", limits_.wall_s));
   }
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) return AnswerOfEndedCopy(plan, said, status);
-  return Json::parse(said);
+  return ParseJson<Json>(said);
 }
 
 }  // namespace openr_host

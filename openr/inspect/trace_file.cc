@@ -48,7 +48,7 @@ std::string HeaderText(const TraceHeader& h) {
                {"strict", h.strict},
                {"battery", h.battery},
                {"payloads", h.payloads}};
-  if (!h.schedule.empty()) json["schedule"] = Json::parse(h.schedule);
+  if (!h.schedule.empty()) json["schedule"] = ParseJson<Json>(h.schedule);
   if (h.is_free) json["free_running"] = true;
   if (!h.addresses.empty()) json["ip"] = h.addresses;
   if (h.together) json["together"] = true;

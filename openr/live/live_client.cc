@@ -55,7 +55,7 @@ nlohmann::ordered_json LiveClient::Ask(const nlohmann::ordered_json& request) {
   }
   const std::string answer = received_.substr(0, end);
   received_.erase(0, end + 1);
-  return nlohmann::ordered_json::parse(answer);
+  return ParseJson<nlohmann::ordered_json>(answer);
 }
 
 }  // namespace openr_host

@@ -125,7 +125,7 @@ nlohmann::ordered_json LiveServer::BeginWatch(Client* client, const nlohmann::js
       return wanted.get<std::string>() == each.name;
     });
     if (kind == kinds.end())
-      throw std::runtime_error(fmt::format("there is no event {}", wanted.dump()));
+      throw std::runtime_error(fmt::format("there is no event {}", JsonText(wanted)));
     const int64_t interval_ns = std::max<int64_t>(kind->interval_ns, period_ms * kNsPerMs);
     watches.push_back({static_cast<size_t>(kind - kinds.begin()), interval_ns, 0});
   }

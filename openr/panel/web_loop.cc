@@ -33,7 +33,14 @@ class LwsConnection : public WebConnection {
   void Abort() override {
     lws_set_timeout(wsi_, PENDING_TIMEOUT_KILLED_BY_PARENT, LWS_TO_KILL_ASYNC);
   }
-  void SetReading(bool is_on) override { lws_rx_flow_control(wsi_, is_on ? 1 : 0); }
+  void SetReading(bool is_on) override {
+    // Reading is switched on when the run has taken requests, in a callback of another connection.
+    // Without PROCESS_NOW, libwebsockets may leave the change to the next callback of this one,
+    // which never comes if the page waits for the answer to a request that was not read yet.
+    constexpr int kOn = LWS_RXFLOW_REASON_USER_BOOL | LWS_RXFLOW_REASON_APPLIES_ENABLE |
+                        LWS_RXFLOW_REASON_FLAG_PROCESS_NOW;
+    lws_rx_flow_control(wsi_, is_on ? kOn : 0);
+  }
 
   // Sends the next message to the page.  Returns the result for libwebsockets' callback: not 0 if
   // the connection must be closed.

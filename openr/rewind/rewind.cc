@@ -16,6 +16,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "cli/json_text.h"
 #include "openr/rewind/branch_network.h"
 #include "openr/rewind/message_pipe.h"
 #include "openr/simulation/simulation.h"
@@ -276,7 +277,7 @@ nlohmann::ordered_json Rewind::Forward(const PlainJson& request) {
   if (SendMessage(shown_->socket, {{"answer", request}}))
     answer = ReceiveMessage(shown_->socket, kViewTimeoutMs);
   if (!answer) return {{"error", "the process that shows the past has ended or hangs"}};
-  return nlohmann::ordered_json::parse(answer->at("line").get<std::string>());
+  return ParseJson<nlohmann::ordered_json>(answer->at("line").get<std::string>());
 }
 
 nlohmann::ordered_json Rewind::Branch(double rate) {

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "cli/json_text.h"
 #include "runtime/base/spelling.h"
 
 namespace openr_host {
@@ -235,7 +236,7 @@ nlohmann::ordered_json DescribeRunCommands() {
       nlohmann::ordered_json each = {
           {"name", parameter.name}, {"type", parameter.type}, {"help", parameter.help}};
       if (parameter.otherwise != nullptr)
-        each["otherwise"] = nlohmann::ordered_json::parse(parameter.otherwise);
+        each["otherwise"] = ParseJson<nlohmann::ordered_json>(parameter.otherwise);
       parameters.push_back(std::move(each));
     }
     all.push_back({{"name", command.name},
@@ -265,7 +266,7 @@ std::string CompleteRequest(nlohmann::json* request) {
   for (const CommandParameter& parameter : command->parameters) {
     if (request->contains(parameter.name)) continue;
     if (parameter.otherwise == nullptr) return fmt::format("{} needs '{}'", name, parameter.name);
-    (*request)[parameter.name] = nlohmann::json::parse(parameter.otherwise);
+    (*request)[parameter.name] = ParseJson<nlohmann::json>(parameter.otherwise);
   }
   return "";
 }

@@ -70,7 +70,7 @@ bool RunServer::ServeOne() {
   Answer answer;
   try {
     if (!pipe_.Receive(&text, &bytes)) return false;
-    Json json = Json::parse(text);
+    Json json = ParseJson<Json>(text);
     const std::string problem = CompleteRequest(&json);
     answer = problem.empty() ? Do({json, bytes}) : Refusal(problem);
   } catch (const Json::exception&) {

@@ -1,0 +1,50 @@
+#include "cli/json_text.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace openr_host {
+namespace {
+
+// Throws std::runtime_error if `fractions` does not include `number`.
+template <typename Json>
+void CheckFraction(const Json& number, Fractions fractions) {
+  if (fractions == Fractions::kNone)
+    throw std::runtime_error(fmt::format("the number {} is no whole number", number.dump()));
+  if (std::abs(number.template get<double>()) >= 0x1p31)
+    throw std::runtime_error(fmt::format("the number {} is too large", number.dump()));
+}
+
+}  // namespace
+
+template <typename Json>
+std::string JsonText(const Json& json, int indent) {
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
+template <typename Json>
+Json ParseJson(std::string_view text, Fractions fractions) {
+  if (fractions == Fractions::kAll) return Json::parse(text);
+  return Json::parse(text, [fractions](int, typename Json::parse_event_t event, Json& value) {
+    if (event == Json::parse_event_t::value && value.is_number_float())
+      CheckFraction(value, fractions);
+    return true;
+  });
+}
+
+template <typename Json>
+Json TryParseJson(std::string_view text) {
+  return Json::parse(text, nullptr, false);
+}
+
+template std::string JsonText(const nlohmann::json&, int);
+template std::string JsonText(const nlohmann::ordered_json&, int);
+template nlohmann::json ParseJson(std::string_view, Fractions);
+template nlohmann::ordered_json ParseJson(std::string_view, Fractions);
+template nlohmann::json TryParseJson(std::string_view);
+template nlohmann::ordered_json TryParseJson(std::string_view);
+
+}  // namespace openr_host
