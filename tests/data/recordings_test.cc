@@ -203,16 +203,22 @@ TEST_F(RecordingsTest, TimelineHasASliceForEachMessage) {
   uint64_t slices = 0;
   double last = -1;
   for (const json& event : timeline["traceEvents"]) {
+  int boots = 0, vectors = 0;
     if (event["ph"] != "X") continue;
     ++slices;
     EXPECT_GE(event["ts"].get<double>(), last);
     last = event["ts"];
+    const std::string said = event["args"].value("said", "");
+    boots += said == "boot";
+    vectors += said.starts_with("PRM:/r1/c1-Joint2:j1 ");
     EXPECT_TRUE(event["args"].contains("wall_us"));
     EXPECT_GE(event["ts"].get<double>(), event["args"]["virtual_time_s"].get<double>() * 1e6 - 1);
   }
   EXPECT_EQ(slices, messages);
   const ProgramResult wrong = Openr({"replay", At("run.rec"), "--timeline", At("a.txt")});
   EXPECT_EQ(wrong.status, 2);
+  EXPECT_GE(boots, 8);  // DoInit and DoStart of four objects
+  EXPECT_GT(vectors, 50);
   EXPECT_THAT(wrong.err, HasSubstr("ends in .json"));
 }
 
