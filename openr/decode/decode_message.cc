@@ -404,6 +404,16 @@ std::string OneLineOf(const std::string& text, size_t size_max) {
   return line.substr(0, size_max - 3) + "...";
 }
 
+std::string MessageText(uint64_t number, const std::string& said) {
+  constexpr size_t kSaidMax = 60;
+  return said.empty() ? fmt::format("message {}", number)
+                      : fmt::format("message {}: {}", number, OneLineOf(said, kSaidMax));
+}
+
+std::string MessageInParentheses(uint64_t number, const std::string& said) {
+  return number == 0 ? "" : fmt::format(" ({})", MessageText(number, said));
+}
+
 std::string_view ContentView(const Message& message, std::string* copy) {
   if (message.kind != PayloadKind::kHashed) return PayloadView(message, copy);
   // Returns early for a message without an antEnvMsg, because it only wakes an object whose wait

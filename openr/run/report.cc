@@ -162,11 +162,9 @@ std::string DescribeFindings(Simulation* simulation, bool has_colours) {
   for (const Finding& finding : findings.all()) {
     std::string about;
     if (!finding.object.empty()) {
-      constexpr size_t kSaidMax = 60;
-      const std::string said = OneLineOf(finding.said, kSaidMax);
-      about =
-          fmt::format("{} (message {}{}, t={:.3f} s): ", finding.object, finding.message,
-                      said.empty() ? "" : ": " + said, static_cast<double>(finding.time_us) / 1e6);
+      about = fmt::format("{} ({}, t={:.3f} s): ", finding.object,
+                          MessageText(finding.message, finding.said),
+                          static_cast<double>(finding.time_us) / 1e6);
     }
     const std::string word = fmt::format("{}:", SeverityName(finding.severity));
     text += fmt::format("{} {}{}{}\n", Coloured(ColourOf(finding.severity), word, has_colours),

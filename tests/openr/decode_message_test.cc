@@ -213,6 +213,14 @@ TEST_F(DecodeMessageTest, OneLineOfIsCut) {
   EXPECT_EQ(OneLineOf(std::string(kDecodedLineMax, 'x')), std::string(kDecodedLineMax, 'x'));
 }
 
+TEST_F(DecodeMessageTest, AMessageOfAFindingHasItsNumberAndItsContentOnOneLine) {
+  EXPECT_EQ(MessageText(12, "a\nb"), "message 12: a; b");
+  EXPECT_EQ(MessageText(12, ""), "message 12");
+  EXPECT_EQ(MessageText(12, std::string(200, 'x')), "message 12: " + std::string(57, 'x') + "...");
+  EXPECT_EQ(MessageInParentheses(12, "boot"), " (message 12: boot)");
+  EXPECT_EQ(MessageInParentheses(0, ""), "");
+}
+
 // ---- messages of the network stack
 
 // Makes a Message with `request` as its payload, as antEnvMsg::Send() does.
