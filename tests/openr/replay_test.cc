@@ -1,5 +1,6 @@
 // Recordings: written, read, replayed, damaged, stepped through.
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -19,6 +20,7 @@ namespace openr_host {
 namespace {
 
 namespace fs = std::filesystem;
+using ::testing::ContainsRegex;
 
 class ReplayTest : public testing::Test {
  protected:
@@ -383,6 +385,9 @@ TEST_F(ReplayTest, BreaksStopWhereTheySayAndOutliveGoingBack) {
   EXPECT_NE(text.find(") 1: service Effector.OCommandVectorData.O (Notify)\n"), std::string::npos)
       << text;
   EXPECT_NE(text.find("neck_pan"), std::string::npos) << text;
+  // Each message has its content on a line of its own, and so has each one that waits.
+  EXPECT_THAT(text, ContainsRegex("Effector.OCommandVectorData.O \\(Notify\\)\" [^\n]*\n"
+                                  "        PRM:/r1/c1-Joint2:j1 to [^\n]* frames; "));
   EXPECT_NE(text.find("break object NAME, break service"), std::string::npos) << text;
   EXPECT_NE(text.find("no command 'stop'; did you mean 'step'?"), std::string::npos) << text;
 }
