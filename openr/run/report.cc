@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <variant>
 
 #include "cli/colour.h"
 #include "cli/counted.h"
 #include "openr/decode/decode_message.h"
+#include "openr/ending/ending.h"
 #include "openr/explore/quantity.h"
 #include "openr/simulation/simulation.h"
 #include "runtime/core/api.h"
@@ -172,6 +174,13 @@ std::string DescribeFindings(Simulation* simulation, bool has_colours) {
   }
   if (findings.not_kept() > 0) text += "and " + Counted(findings.not_kept(), "more finding") + "\n";
   return text;
+}
+
+void TellHandled(const Ending& ending) {
+  if (ending.object == nullptr || ending.object->handler.running == nullptr) return;
+  const Message& message = *ending.object->handler.running;
+  const std::string said = DecodeHandled(*ending.object->system, message);
+  fmt::print(stderr, "openr: {}\n", MessageText(message.number, said));
 }
 
 }  // namespace openr_host
