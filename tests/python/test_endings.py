@@ -1,4 +1,5 @@
 """Objects that crash, or do not return: the exception says which object, and the recording is good."""
+import os
 import pathlib
 import subprocess
 import tempfile
@@ -46,6 +47,23 @@ class EndingTest(unittest.TestCase):
             openr_host.replay(record, self.sticks["Crasher"])
         with self.assertRaises(openr_host.ProcessError):
             run.step()
+
+    def test_standard_error_says_what_the_message_of_a_crash_said(self):
+        self.addCleanup((self.sticks["Crasher"] / "OPEN-R/EMON.LOG").unlink)
+        with tempfile.TemporaryFile() as heard:
+            before = os.dup(2)
+            os.dup2(heard.fileno(), 2)  # standard error of the process of the run
+            try:
+                with openr_host.Run(self.sticks["Crasher"], body="ideal") as run:
+                    with self.assertRaises(openr_host.RunEnded):
+                        run.run(10)
+            finally:
+                os.dup2(before, 2)
+                os.close(before)
+            heard.seek(0)
+            text = heard.read().decode()
+        self.assertRegex(text, r"\nMESSAGE notification from OVirtualRobotComm, \d+ bytes\nSTACK\n")
+        self.assertRegex(text, r"\nopenr: message \d+: PRM:/r1/c1-Joint2:j1 ")
 
     def test_a_finding_says_what_the_message_said(self):
         with openr_host.Run(self.sticks["Divider"], body="ideal") as run:
