@@ -13,6 +13,7 @@
 #include <filesystem>
 
 #include "cli/install_paths.h"
+#include "openr/decode/decode_message.h"
 #include "openr/simulation/assemble_robot.h"
 #include "runtime/base/spelling.h"
 #include "runtime/config/connect_config.h"
@@ -47,6 +48,7 @@ std::unique_ptr<System> MakeSystem(const BenchOptions& options, std::string* con
   system_options.cost = options.cost;
   system_options.guard_regions = options.guard_regions;
   system_options.measure_stacks = options.measure_stacks;
+  system_options.say = &openr_host::DecodeHandled;
   system_options.console = [console](std::string_view text) { console->append(text); };
   return std::make_unique<System>(std::move(system_options));
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "openr/decode/decode_message.h"
 #include "openr/simulation/standing.h"
 #include "runtime/base/spelling.h"
 #include "testing/bench.h"
@@ -66,7 +67,8 @@ std::string Bench::Findings() const {
   std::string text;
   for (const Finding& finding : findings()) {
     text +=
-        fmt::format("{}: {}: {}\n", SeverityName(finding.severity), finding.object, finding.text);
+        fmt::format("{}: {}: {}{}\n", SeverityName(finding.severity), finding.object, finding.text,
+                    openr_host::MessageInParentheses(finding.message, finding.said));
   }
   return text;
 }

@@ -1,6 +1,7 @@
 // Bench: functions that run the robot, and functions that check the test's expectations.
 #include <fmt/format.h>
 
+#include "openr/decode/decode_message.h"
 #include "testing/bench.h"
 #include "virtualrobot/virtual_robot.h"
 
@@ -71,9 +72,10 @@ bool Bench::ReportFindings(const Place& place) {
       is_expected = true;
     }
     if (is_expected) continue;
-    good = Miss(place,
-                fmt::format("The runtime found an error{}: {}",
-                            finding.object.empty() ? "" : " of " + finding.object, finding.text));
+    good =
+        Miss(place, fmt::format("The runtime found an error{}: {}{}",
+                                finding.object.empty() ? "" : " of " + finding.object, finding.text,
+                                openr_host::MessageInParentheses(finding.message, finding.said)));
   }
   return good;
 }

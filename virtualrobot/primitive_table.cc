@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "runtime/base/hasher.h"
+#include "virtualrobot/primitive_locator.h"
 
 namespace openr_host {
 namespace {
@@ -30,24 +31,42 @@ OPrimitiveType TypeOf(const std::string& locator) {
   return oprimitiveUNDEF;
 }
 
-}  // namespace
-
-PrimitiveTable::PrimitiveTable(const RobotModel& model) {
+// Calls visit(locator, kind, index, sensor) for each primitive of a robot, in the order of their
+// ids.  The last two arguments are the members of Primitive with these names.
+template <typename Visit>
+void VisitPrimitives(const RobotModel& model, const Visit& visit) {
   for (size_t i = 0; i < model.sensors.size(); ++i) {
     const Sensor& sensor = model.sensors[i];
     const bool is_joint = sensor.kind == SensorKind::kJoint && sensor.joint >= 0;
-    Add(sensor.locator, is_joint ? PrimitiveKind::kJoint : PrimitiveKind::kSensor,
-        is_joint ? sensor.joint : static_cast<int>(i), static_cast<int>(i));
+    visit(sensor.locator, is_joint ? PrimitiveKind::kJoint : PrimitiveKind::kSensor,
+          is_joint ? sensor.joint : static_cast<int>(i), static_cast<int>(i));
   }
   for (size_t i = 0; i < model.plungers.size(); ++i) {
-    Add(model.plungers[i].locator, PrimitiveKind::kPlunger, static_cast<int>(i), -1);
+    visit(model.plungers[i].locator, PrimitiveKind::kPlunger, static_cast<int>(i), -1);
   }
   for (size_t i = 0; i < model.leds.size(); ++i) {
-    Add(model.leds[i].locator, PrimitiveKind::kLed, static_cast<int>(i), -1);
+    visit(model.leds[i].locator, PrimitiveKind::kLed, static_cast<int>(i), -1);
   }
-  Add(model.speaker_locator, PrimitiveKind::kSpeaker, 0, -1);
-  Add(model.microphone_locator, PrimitiveKind::kMicrophone, 0, -1);
-  Add(model.camera.locator, PrimitiveKind::kCamera, 0, -1);
+  visit(model.speaker_locator, PrimitiveKind::kSpeaker, 0, -1);
+  visit(model.microphone_locator, PrimitiveKind::kMicrophone, 0, -1);
+  visit(model.camera.locator, PrimitiveKind::kCamera, 0, -1);
+}
+
+}  // namespace
+
+PrimitiveTable::PrimitiveTable(const RobotModel& model) {
+  VisitPrimitives(model, [this](const std::string& locator, PrimitiveKind kind, int index,
+                                int sensor) { Add(locator, kind, index, sensor); });
+}
+
+const std::string* PrimitiveLocator(const RobotModel& model, OPrimitiveID id) {
+  static const OPrimitiveID first = PrimitiveTable(RobotModel()).IdOfSensor(0);
+  const std::string* found = nullptr;
+  OPrimitiveID next = first;
+  VisitPrimitives(model, [&](const std::string& locator, PrimitiveKind, int, int) {
+    if (next++ == id) found = &locator;
+  });
+  return found;
 }
 
 void PrimitiveTable::Add(const std::string& locator, PrimitiveKind kind, int index, int sensor) {

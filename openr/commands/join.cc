@@ -24,6 +24,7 @@
 #include "openr/ending/crash_log.h"
 #include "openr/ending/ending.h"
 #include "openr/ending/watchdog.h"
+#include "openr/run/report.h"
 #include "openr/simulation/run_stick.h"
 
 namespace openr_host {
@@ -134,6 +135,7 @@ Outcome Work(const WorkerOptions& options, bool is_known) {
     if (ending->object == nullptr) return;
     const CurrentScope scope(ending->object->system, ending->object);
     worker->ReportCrash(ending->finding.text());
+    TellHandled(*ending);  // after the report, so that a fault here does not keep it from the run
   });
   const std::string problem = worker->Run();
   return {problem, worker->is_refused()};

@@ -18,6 +18,7 @@
 #include "cli/prompt.h"
 #include "cli/standard_streams.h"
 #include "openr/commands/commands.h"
+#include "openr/decode/decode_message.h"
 #include "openr/live/live_client.h"
 #include "virtualrobot/faults.h"
 
@@ -107,9 +108,11 @@ std::string JointsText(const Json& answer) {
 std::string FindingsText(const Json& answer) {
   std::string text;
   for (const Json& finding : answer.at("findings")) {
-    text += fmt::format("{}: {} (t={:.3f} s): {}\n", finding.at("severity").get<std::string>(),
-                        finding.at("object").get<std::string>(), finding.at("time_s").get<double>(),
-                        finding.at("text").get<std::string>());
+    text += fmt::format(
+        "{}: {} (t={:.3f} s): {}{}\n", finding.at("severity").get<std::string>(),
+        finding.at("object").get<std::string>(), finding.at("time_s").get<double>(),
+        finding.at("text").get<std::string>(),
+        MessageInParentheses(finding.at("message").get<uint64_t>(), finding.value("said", "")));
   }
   return text.empty() ? "no findings\n" : text;
 }

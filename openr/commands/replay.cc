@@ -26,6 +26,7 @@
 #include "openr/ending/watchdog.h"
 #include "openr/inspect/replayer.h"
 #include "openr/inspect/stepper.h"
+#include "openr/run/report.h"
 
 namespace openr_host {
 namespace {
@@ -177,9 +178,10 @@ int Replay(ReplayFlags flags) {
   }
   if (flags.panel) return Show(flags);
   Replayer replayer(flags.replay);
-  const EndingAction ending_action([&replayer](Ending*) {
+  const EndingAction ending_action([&replayer](Ending* ending) {
     fmt::print(stderr, "openr: {} {} equal up to here\n", Counted(replayer.count(), "message"),
                replayer.count() == 1 ? "was" : "were");
+    TellHandled(*ending);
   });
   if (flags.data_log.file.empty() && flags.timeline_file.empty()) {
     RunToTheEnd(&replayer, flags);

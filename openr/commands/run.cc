@@ -99,6 +99,7 @@ void ReportTheEnding(Ending* ending, Simulation* simulation, DistributedRun* dis
     simulation->system().AddFinding(Severity::kError, std::string(ending->finding.text()));
     simulation->system().NoteRunEnd(EndOf(*ending));
   }
+  TellHandled(*ending);
   distribution->ShortenTimeouts();
   simulation->CloseFiles();
   nlohmann::ordered_json report = MakeReport(simulation, facts);

@@ -67,7 +67,7 @@ void AddTraceCommand(CLI::App* app, int* exit_code) {
                       "Only messages to entries with this in their name");
   command->add_flag(
       "--values", flags->filter.values,
-      "With text and perfetto: the content of messages of known types, with names and units");
+      "The content of messages of known types, with names and units; csv: in the column said");
   AddDurationFlag(command, "--from", &flags->filter.from_us, "Only from this virtual time on");
   AddDurationFlag(
       command, "--until", [flags](int64_t us) { flags->filter.until_us = us; },

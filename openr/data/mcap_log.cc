@@ -13,6 +13,7 @@
 #include "cli/json_text.h"
 #include "openr/data/mcap_schemas.h"
 #include "openr/data/scene_messages.h"
+#include "openr/decode/decode_message.h"
 #include "openr/render/png_file.h"
 #include "openr/simulation/simulation.h"
 
@@ -183,7 +184,8 @@ void McapLog::AddFindings() {
     const int level = finding.severity == Severity::kError     ? kLogError
                       : finding.severity == Severity::kWarning ? kLogWarning
                                                                : kLogInfo;
-    AddText(findings_, finding.time_us, level, finding.object, finding.text);
+    AddText(findings_, finding.time_us, level, finding.object,
+            finding.text + MessageInParentheses(finding.message, finding.said));
   }
 }
 

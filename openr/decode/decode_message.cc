@@ -19,7 +19,7 @@
 #include "runtime/core/system.h"
 #include "runtime/ipstack/ant_message.h"
 #include "virtualrobot/det_math.h"
-#include "virtualrobot/primitive_table.h"
+#include "virtualrobot/primitive_locator.h"
 #include "virtualrobot/virtual_robot.h"
 
 namespace openr_host {
@@ -71,9 +71,9 @@ bool ReadLastFrame(const std::string& content, const Info& info, size_t frames_m
   return ReadAt(content, info.dataOffset + last * sizeof *value, value);
 }
 
-std::string LocatorOf(PrimitiveTable* table, OPrimitiveID id) {
-  const Primitive* const primitive = table->Find(id);
-  return primitive == nullptr ? fmt::format("primitive {:#x}", id) : primitive->locator;
+std::string LocatorOf(const RobotModel& model, OPrimitiveID id) {
+  const std::string* const locator = PrimitiveLocator(model, id);
+  return locator == nullptr ? fmt::format("primitive {:#x}", id) : *locator;
 }
 
 // Returns one frame of the commands for a primitive as text.
@@ -99,22 +99,20 @@ std::string CommandText(ODataType type, const OCommandValue& frame) {
 
 // Returns the last frame of each primitive of a command vector as text.
 std::string DecodeCommands(const RobotModel& model, const std::string& content) {
-  PrimitiveTable table(model);
   return DecodeElements<OCommandInfo>(content, [&](const OCommandInfo& info) -> std::string {
     OCommandValue value;
     if (!ReadLastFrame(content, info, ocommandMAX_FRAMES, &value)) return "";
-    return fmt::format("{} to {} in {} frames", LocatorOf(&table, info.primitiveID),
+    return fmt::format("{} to {} in {} frames", LocatorOf(model, info.primitiveID),
                        CommandText(info.type, value), info.numFrames);
   });
 }
 
 // Returns the last frame of each element of a sensor vector as text.
 std::string DecodeSensors(const RobotModel& model, const std::string& content) {
-  PrimitiveTable table(model);
   return DecodeElements<OSensorFrameInfo>(content, [&](const OSensorFrameInfo& info) {
     OSensorValue value;
     if (!ReadLastFrame(content, info, osensorframeMAX_FRAMES, &value)) return std::string();
-    const std::string name = LocatorOf(&table, info.primitiveID);
+    const std::string name = LocatorOf(model, info.primitiveID);
     return info.type == odataJOINT_VALUE
                ? fmt::format("{} {:.2f} deg", name, DegreesOf(value.value))
                : fmt::format("{} {}", name, value.value);
@@ -128,9 +126,8 @@ std::string JointName(const RobotModel& model, int joint) {
 
 // Returns the sounds of a sound vector as text, without their samples.
 std::string DecodeSounds(const RobotModel& model, const std::string& content) {
-  PrimitiveTable table(model);
   return DecodeElements<OSoundInfo>(content, [&](const OSoundInfo& info) {
-    std::string text = fmt::format("{} {} bytes, frame {}", LocatorOf(&table, info.primitiveID),
+    std::string text = fmt::format("{} {} bytes, frame {}", LocatorOf(model, info.primitiveID),
                                    info.dataSize, info.frameNumber);
     // Leaves the format out if the sampling rate is 0, because programs that play a sound may leave
     // it open.
@@ -402,6 +399,16 @@ std::string OneLineOf(const std::string& text, size_t size_max) {
   }
   if (line.size() <= size_max) return line;
   return line.substr(0, size_max - 3) + "...";
+}
+
+std::string MessageText(uint64_t number, const std::string& said) {
+  constexpr size_t kSaidMax = 60;
+  return said.empty() ? fmt::format("message {}", number)
+                      : fmt::format("message {}: {}", number, OneLineOf(said, kSaidMax));
+}
+
+std::string MessageInParentheses(uint64_t number, const std::string& said) {
+  return number == 0 ? "" : fmt::format(" ({})", MessageText(number, said));
 }
 
 std::string_view ContentView(const Message& message, std::string* copy) {

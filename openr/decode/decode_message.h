@@ -1,6 +1,7 @@
 // Converts the content of messages to text that people can read.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -36,6 +37,15 @@ std::string DecodeHandled(const System& system, const Message& message);
 // size_max >= 3.
 constexpr size_t kDecodedLineMax = 120;
 std::string OneLineOf(const std::string& text, size_t size_max = kDecodedLineMax);
+
+// Returns the number and the content of a message for people, such as "message 12: move neck_pan to
+// 30.00 deg".  `said` is the content, as DecodeContent() has returned it.  It is shown on one line,
+// and its end is cut off if it is long.  If `said` is "", the text is only "message 12".
+std::string MessageText(uint64_t number, const std::string& said);
+
+// Returns MessageText() in parentheses after a blank, for the end of a finding's text.  Returns ""
+// if `number` is 0, because the finding was then added while no message was handled.
+std::string MessageInParentheses(uint64_t number, const std::string& said);
 
 // Returns the data type in the name of a service, such as MoverCommand in
 // "RCServer.Mover.MoverCommand.S".

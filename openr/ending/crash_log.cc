@@ -222,6 +222,7 @@ void OnCrashSignal(int signal, siginfo_t* info, void* context) {
     return;  // the instruction runs again, and its signal now has the default action
   }
   text.Add("\n");
+  AddCurrentMessage(&text);
   ending.finding.Add("crash: ").Add(name.text()).Add(" in ");
   AddCurrentEntry(&ending.finding);
   if (is_overflow) {

@@ -1,5 +1,8 @@
 #include "openr/ending/signal_text.h"
 
+#include <OPENR/ObjcommMessages.h>
+
+#include <algorithm>
 #include <cstring>
 
 #include "cli/output_file.h"
@@ -21,6 +24,37 @@ const char* EntryOf(const Object& object, uint32_t selector) {
   if (service != object.services.end()) return service->second.c_str();
   const auto extra = object.entry_names.find(selector);
   return extra == object.entry_names.end() ? "" : extra->second.c_str();
+}
+
+// Returns the kind of `message` in words, with a blank in front; "" for plain bytes.
+const char* KindInWords(const Message& message) {
+  switch (message.kind) {
+    case PayloadKind::kNotify:
+      return " notification";
+    case PayloadKind::kReady:
+      return reinterpret_cast<const OReadyMessage*>(message.payload)->command ==
+                     objcommCMD_ASSERT_READY
+                 ? " ready (assert)"
+                 : " not ready (deassert)";
+    case PayloadKind::kHashed:
+      return " request or answer of the network stack";
+    case PayloadKind::kBytes:
+      break;
+  }
+  return "";
+}
+
+// Adds the number of bytes that `message` has; for a notification, the bytes of its regions.
+void AddSize(const Message& message, SignalText* text) {
+  size_t size = message.size;
+  if (message.kind == PayloadKind::kNotify) {
+    const auto& notify = *reinterpret_cast<const ONotifyMessage*>(message.payload);
+    // Limits the count, because the object that crashed may have damaged the message.
+    const int count = std::min<int>(notify.numOfData, MAX_NUM_DATA);
+    size = 0;
+    for (int i = 0; i < count; ++i) size += notify.data[i].size;
+  }
+  text->AddNumber(size).Add(size == 1 ? " byte" : " bytes");
 }
 
 }  // namespace
@@ -84,6 +118,21 @@ bool AddCurrentHandler(SignalText* text) {
     text->Add(", message ").AddNumber(object->handler.running->number);
   text->Add(", t=").AddNumber(static_cast<uint64_t>(system->now_us())).Add(" us");
   return true;
+}
+
+void AddCurrentMessage(SignalText* text) {
+  const Object* const object = t_current.object;
+  if (object == nullptr || object->handler.running == nullptr) return;
+  const Message& message = *object->handler.running;
+  text->Add("MESSAGE").Add(KindInWords(message));
+  // Looks the sender up only if a signal has interrupted the object's own code, because the runtime
+  // may have been changing the table of objects.
+  const Object* const sender =
+      t_current.image_code ? t_current.system->object(message.sender) : nullptr;
+  if (sender != nullptr) text->Add(" from ").Add(sender->name.c_str());
+  text->Add(", ");
+  AddSize(message, text);
+  text->Add("\n");
 }
 
 // Writes the JSON in several SignalTexts, because each SignalText has a fixed size.

@@ -33,6 +33,13 @@ class SignalText {
 // nothing, if no object runs.
 bool AddCurrentHandler(SignalText* text);
 
+// Adds a line about the message that is being handled on this thread: its kind, its sender and its
+// number of bytes, such as "MESSAGE notification from RCServer, 84 bytes".  The kind is left out
+// for plain bytes, and the sender if the runtime may be changing its table of objects.  Adds
+// nothing if no message is handled.  Leaves the values in the message to Finding::said of the
+// finding about the end, because making text of them allocates memory.
+void AddCurrentMessage(SignalText* text);
+
 // Adds less than AddCurrentHandler(): only the name and the number (selector) of the object's
 // handler that runs, "NotifyMover (selector 7)".  REQUIRES: an object runs.
 void AddCurrentEntry(SignalText* text);

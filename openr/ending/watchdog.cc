@@ -37,6 +37,7 @@ void EndTheHandler() {
   ending.record.Add("; it");
   add_limit(&ending.record);
   ending.record.Add("\n");
+  AddCurrentMessage(&ending.record);
   ending.finding.Add("a handler does not return: ");
   AddCurrentEntry(&ending.finding);
   add_limit(&ending.finding);

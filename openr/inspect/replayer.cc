@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "cli/counted.h"
 #include "cli/json_text.h"
 #include "cli/output_file.h"
 #include "openr/decode/decode_message.h"
@@ -20,6 +21,25 @@ namespace openr_host {
 namespace {
 
 using Kind = TraceEntry::Kind;
+
+// Returns `said`, the content of a message in words, on one line with ": " before it; "" if `said`
+// is "".
+std::string AfterColon(const std::string& said) {
+  return said.empty() ? "" : ": " + OneLineOf(said);
+}
+
+// Returns the first value that differs between `now`, the content of a message, and `then`, its
+// recorded content, and how many others differ.  Returns "" if no value differs in words.
+std::string ValuesThatDiffer(const RobotModel& model, const std::string& entry,
+                             const std::string& now, const std::string& then) {
+  if (now.size() != then.size()) return "";
+  const AnswerDifference values = CompareAnswer(model, entry, now, then);
+  if (values.now.empty()) return "";
+  std::string text = fmt::format(": '{}' now, '{}' when recorded", OneLineOf(values.now[0]),
+                                 OneLineOf(values.then[0]));
+  if (values.now.size() > 1) text += ", and " + Counted(values.now.size() - 1, "more value");
+  return text;
+}
 
 }  // namespace
 
@@ -164,15 +184,22 @@ std::vector<NetworkEvent> Replayer::SayNetwork(int robot) {
   return reader_.Take().events;
 }
 
-void Replayer::Differ(const TraceEntry& recorded, const std::string& what) {
-  const TraceRecord& r = recorded.record;
-  difference_ =
-      fmt::format("message {} (t={:.6f} s, {} -> {} \"{}\"): {}", r.number, Seconds(r.time_us),
-                  reader_.ObjectName(r.sender), reader_.ObjectName(r.target),
-                  reader_.EntryName(r.target, r.selector), what);
+std::string Replayer::EntryOf(const TraceEntry& message) const {
+  return reader_.EntryName(message.record.target, message.record.selector);
 }
 
-void Replayer::CompareFields(const TraceEntry& recorded, const TraceRecord& now) {
+void Replayer::Differ(const TraceEntry& recorded, const std::string& what) {
+  const TraceRecord& r = recorded.record;
+  const std::string entry = EntryOf(recorded);
+  const std::string said =
+      recorded.payload.empty() ? "" : DecodeContent(simulation_->model(), entry, recorded.payload);
+  difference_ = fmt::format("message {} (t={:.6f} s, {} -> {} \"{}\"{}): {}", r.number,
+                            Seconds(r.time_us), reader_.ObjectName(r.sender),
+                            reader_.ObjectName(r.target), entry, AfterColon(said), what);
+}
+
+void Replayer::CompareFields(const TraceEntry& recorded, const TraceRecord& now,
+                             const Message& message) {
   const TraceRecord& then = recorded.record;
   const auto name = [&](ObjectId id) {
     const Object* const object = system().object(id);
@@ -180,8 +207,9 @@ void Replayer::CompareFields(const TraceEntry& recorded, const TraceRecord& now)
   };
   if (now.number != then.number) {
     Differ(recorded,
-           fmt::format("now it is message {} to {} \"{}\" that comes here", now.number,
-                       name(now.target), system().object(now.target)->EntryName(now.selector)));
+           fmt::format("now it is message {} to {} \"{}\" that comes here{}", now.number,
+                       name(now.target), system().object(now.target)->EntryName(now.selector),
+                       AfterColon(DecodeHandled(system(), message))));
   } else if (now.time_us != then.time_us) {
     Differ(recorded, fmt::format("is delivered at t={:.6f} s now", Seconds(now.time_us)));
   } else if (now.target != then.target || now.selector != then.selector) {
@@ -241,8 +269,9 @@ void Replayer::ComparePayload(const TraceEntry& recorded, const Message& message
       now.begin());
   if (at < common) {
     Differ(recorded,
-           fmt::format("byte {} of {} is 0x{:02x} now, 0x{:02x} when recorded", at, now.size(),
-                       static_cast<uint8_t>(now[at]), static_cast<uint8_t>(then[at])));
+           fmt::format("byte {} of {} is 0x{:02x} now, 0x{:02x} when recorded{}", at, now.size(),
+                       static_cast<uint8_t>(now[at]), static_cast<uint8_t>(then[at]),
+                       ValuesThatDiffer(simulation_->model(), EntryOf(recorded), now, then)));
   } else if (now.size() != then.size()) {
     Differ(recorded, fmt::format("has {} bytes now, {} when recorded", now.size(), then.size()));
   }
@@ -261,12 +290,12 @@ void Replayer::Compare(const TraceRecord& record, const Message& message) {
   if (next->kind != Kind::kMessage) {
     difference_ = fmt::format(
         "after message {}: the recording has input here, the run has "
-        "message {} now",
-        last_.record.number, record.number);
+        "{} now",
+        last_.record.number, MessageText(record.number, DecodeHandled(system(), message)));
     return;
   }
   last_ = reader_.Take();
-  CompareFields(last_, record);
+  CompareFields(last_, record, message);
   if (difference_.empty() && IsAnswer(record)) {
     CompareAnswerOf(message, record);
     if (difference_.empty()) ++count_;

@@ -84,7 +84,8 @@ class Replayer : public KnownRun {
   const std::string& loss() const { return loss_; }
 
   // Returns a text about the first difference between the replay and the recording: message, time,
-  // sender, receiver, entry, and what differs.  Returns "" while no difference was found.
+  // sender, receiver, entry, content in words, and what differs.  Returns "" while no difference
+  // was found.
   const std::string& difference() const { return difference_; }
   // Returns texts about damaged places of the recording that have been found so far.
   const std::vector<std::string>& problems() const { return reader_.problems(); }
@@ -96,8 +97,12 @@ class Replayer : public KnownRun {
   std::vector<NetworkEvent> SayNetwork(int robot);
   void SkipNames();
   void Compare(const TraceRecord& record, const Message& message);
+  // Returns the name of the entry (handler) that gets the recorded message `message`.
+  std::string EntryOf(const TraceEntry& message) const;
+  // Sets difference_ to a text about the recorded message `recorded`.  `what` tells how the replay
+  // differs from it.
   void Differ(const TraceEntry& recorded, const std::string& what);
-  void CompareFields(const TraceEntry& recorded, const TraceRecord& record);
+  void CompareFields(const TraceEntry& recorded, const TraceRecord& record, const Message& message);
   bool IsAnswer(const TraceRecord& record) const;
   void CompareAnswerOf(const Message& message, const TraceRecord& record);
   void MakeRun(SimulationOptions options);

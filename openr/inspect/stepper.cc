@@ -221,6 +221,8 @@ class Stepper {
       fmt::print("at the start; 'help' tells the commands\n");
     } else {
       fmt::print("{}\n", DescribeMessage(replayer_->reader(), replayer_->last().record));
+      const std::string said = OneLineOf(LastInWords());
+      if (!said.empty()) fmt::print("        {}\n", said);
     }
     if (!replayer_->difference().empty()) fmt::print("difference: {}\n", replayer_->difference());
     if (!replayer_->loss().empty()) fmt::print("{}\n", replayer_->loss());
@@ -240,6 +242,9 @@ class Stepper {
   }
 
   void Print(const std::string& what);
+  // Returns the recorded content of the message that was delivered last, in words; "" if the
+  // recording does not have it.
+  std::string LastInWords() const;
   void PrintMessage();
   void PrintQueue();
   void PrintQuantity(const std::string& name);
@@ -331,17 +336,21 @@ std::vector<std::string> Stepper::WordsAfter(const std::vector<std::string>& wor
   return names;
 }
 
+std::string Stepper::LastInWords() const {
+  const TraceEntry& last = replayer_->last();
+  if (last.payload.empty()) return "";
+  const std::string entry = replayer_->reader().EntryName(last.record.target, last.record.selector);
+  return DecodeContent(replayer_->simulation().model(), entry, last.payload);
+}
+
 // Prints the values in the message that was delivered last.
 void Stepper::PrintMessage() {
-  const TraceEntry& last = replayer_->last();
   if (replayer_->count() == 0) {
     fmt::print("no message has come yet\n");
-  } else if (last.payload.empty()) {
+  } else if (replayer_->last().payload.empty()) {
     fmt::print("the recording has no bytes of it\n");
   } else {
-    const std::string entry =
-        replayer_->reader().EntryName(last.record.target, last.record.selector);
-    fmt::print("{}\n", DecodeContent(replayer_->simulation().model(), entry, last.payload));
+    fmt::print("{}\n", LastInWords());
   }
 }
 
@@ -349,9 +358,11 @@ void Stepper::PrintQueue() {
   System& system = replayer_->system();
   system.queue().ForEach([&](const Message& message) {
     const Object* const target = system.object(message.target);
-    fmt::print("{:>7} due t={:.6f} to {} \"{}\"\n", message.number,
+    const std::string said = OneLineOf(DecodeHandled(system, message));
+    fmt::print("{:>7} due t={:.6f} to {} \"{}\"{}{}\n", message.number,
                static_cast<double>(message.due_us) / 1e6, target->name,
-               target->EntryName(message.is_reply ? UNDEF : message.selector));
+               target->EntryName(message.is_reply ? UNDEF : message.selector),
+               said.empty() ? "" : ": ", said);
   });
 }
 
@@ -379,7 +390,8 @@ void Stepper::Print(const std::string& what) {
     }
   } else if (what == "findings") {
     for (const Finding& finding : system.findings().all())
-      fmt::print("{}: {}\n", finding.object, finding.text);
+      fmt::print("{}: {}{}\n", finding.object, finding.text,
+                 MessageInParentheses(finding.message, finding.said));
     if (system.findings().all().empty()) fmt::print("none so far\n");
   } else if (what == "message") {
     PrintMessage();

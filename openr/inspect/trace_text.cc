@@ -81,6 +81,15 @@ std::optional<RobotModel> ModelForValues(const TraceReader& reader, const TraceF
   return LoadRobotModel(ModelFile(reader.header().robot));
 }
 
+// Returns the content of the message `entry` in words.  Returns "" if `model` has no value or the
+// recording does not have the content.
+std::string WordsOf(const std::optional<RobotModel>& model, const TraceReader& reader,
+                    const TraceEntry& entry) {
+  if (!model || entry.payload.empty()) return "";
+  return DecodeContent(*model, reader.EntryName(entry.record.target, entry.record.selector),
+                       entry.payload);
+}
+
 }  // namespace
 
 std::string DescribeMessage(const TraceReader& reader, const TraceRecord& record) {
@@ -101,9 +110,7 @@ void WriteTraceText(TraceReader* reader, const TraceFilter& filter, const TextSi
       const TraceRecord& record = entry.record;
       if (!Shows(filter, *reader, record)) continue;
       out(DescribeMessage(*reader, record) + "\n");
-      if (!model || entry.payload.empty()) continue;
-      const std::string entry_name = reader->EntryName(record.target, record.selector);
-      out(Indented(DecodeContent(*model, entry_name, entry.payload)));
+      out(Indented(WordsOf(model, *reader, entry)));
     } else if (const std::string text = DescribeInput(entry); !text.empty()) {
       out(text + "\n");
     }
@@ -111,16 +118,21 @@ void WriteTraceText(TraceReader* reader, const TraceFilter& filter, const TextSi
 }
 
 void WriteTraceCsv(TraceReader* reader, const TraceFilter& filter, const TextSink& out) {
-  out("number,cause,time_us,robot,sender,receiver,entry,selector,bytes,payload_hash\n");
+  const std::optional<RobotModel> model = ModelForValues(*reader, filter);
+  out("number,cause,time_us,robot,sender,receiver,entry,selector,bytes,payload_hash");
+  out(model ? ",said\n" : "\n");
   while (reader->Peek() != nullptr) {
     const TraceEntry entry = reader->Take();
     const TraceRecord& r = entry.record;
     if (entry.kind != Kind::kMessage || !Shows(filter, *reader, r)) continue;
-    out(fmt::format("{},{},{},{},{},{},{},{},{},{:016x}\n", r.number, r.cause, r.time_us,
+    out(fmt::format("{},{},{},{},{},{},{},{},{},{:016x}", r.number, r.cause, r.time_us,
                     reader->RobotOf(r.target), CsvField(reader->ObjectName(r.sender)),
                     CsvField(reader->ObjectName(r.target)),
                     CsvField(reader->EntryName(r.target, r.selector)), r.selector, r.size,
                     r.payload_hash));
+    // Does not cut the content, because programs read the table.
+    if (model) out("," + CsvField(OneLineOf(WordsOf(model, *reader, entry), SIZE_MAX)));
+    out("\n");
   }
 }
 
@@ -143,8 +155,7 @@ void WriteTracePerfetto(TraceReader* reader, const TraceFilter& filter, const Te
     slice.entry = reader->EntryName(record.target, record.selector);
     slice.sender = reader->ObjectName(record.sender);
     slice.at_us = at_us;
-    if (model && !entry.payload.empty())
-      slice.said = OneLineOf(DecodeContent(*model, slice.entry, entry.payload));
+    slice.said = OneLineOf(WordsOf(model, *reader, entry));
     writer.AddSlice(slice);
   }
   writer.Finish();

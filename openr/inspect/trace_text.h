@@ -20,7 +20,7 @@ struct TraceFilter {
   std::string service;  // part of the name of the receiver's entry (handler of a message)
   int64_t from_us = 0;
   int64_t until_us = INT64_MAX;  // largest time of a message that is shown
-  bool values = false;           // true: text and Perfetto have the content of messages, too
+  bool values = false;           // true: the content of messages is shown in words, too
 };
 
 using TextSink = std::function<void(std::string_view)>;
@@ -28,7 +28,9 @@ using TextSink = std::function<void(std::string_view)>;
 // Writes one line for each message that matches `filter`, and for each input from outside.
 void WriteTraceText(TraceReader* reader, const TraceFilter& filter, const TextSink& out);
 
-// Writes the messages that match `filter` as a CSV table, with a line of headings.
+// Writes the messages that match `filter` as a CSV table, with a line of headings.  With
+// `filter.values` the table has one column more, which has the whole content of each message on one
+// line.
 void WriteTraceCsv(TraceReader* reader, const TraceFilter& filter, const TextSink& out);
 
 // Writes the messages that match `filter` as JSON events for ui.perfetto.dev: a process per robot,

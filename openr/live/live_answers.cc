@@ -142,7 +142,8 @@ Json AnswerObject(const Asked& asked) {
   }
   for (const Finding& finding : system.findings().all()) {
     if (finding.object == object->name && finding.robot == object->robot)
-      findings.push_back(fmt::format("{}: {}", SeverityName(finding.severity), finding.text));
+      findings.push_back(fmt::format("{}: {}{}", SeverityName(finding.severity), finding.text,
+                                     MessageInParentheses(finding.message, finding.said)));
   }
   return {{"time_s", TimeOf(asked)},
           {"name", object->name},

@@ -70,6 +70,7 @@ Json FindingsJson(const LiveContext& context) {
                         {"object", finding.object},
                         {"time_s", InSeconds(finding.time_us)},
                         {"message", finding.message},
+                        {"said", finding.said},
                         {"count", finding.count},
                         {"text", finding.text}});
   }

@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <variant>
 
 #include "cli/colour.h"
 #include "cli/counted.h"
 #include "openr/decode/decode_message.h"
+#include "openr/ending/ending.h"
 #include "openr/explore/quantity.h"
 #include "openr/simulation/simulation.h"
 #include "runtime/core/api.h"
@@ -162,11 +164,9 @@ std::string DescribeFindings(Simulation* simulation, bool has_colours) {
   for (const Finding& finding : findings.all()) {
     std::string about;
     if (!finding.object.empty()) {
-      constexpr size_t kSaidMax = 60;
-      const std::string said = OneLineOf(finding.said, kSaidMax);
-      about =
-          fmt::format("{} (message {}{}, t={:.3f} s): ", finding.object, finding.message,
-                      said.empty() ? "" : ": " + said, static_cast<double>(finding.time_us) / 1e6);
+      about = fmt::format("{} ({}, t={:.3f} s): ", finding.object,
+                          MessageText(finding.message, finding.said),
+                          static_cast<double>(finding.time_us) / 1e6);
     }
     const std::string word = fmt::format("{}:", SeverityName(finding.severity));
     text += fmt::format("{} {}{}{}\n", Coloured(ColourOf(finding.severity), word, has_colours),
@@ -174,6 +174,13 @@ std::string DescribeFindings(Simulation* simulation, bool has_colours) {
   }
   if (findings.not_kept() > 0) text += "and " + Counted(findings.not_kept(), "more finding") + "\n";
   return text;
+}
+
+void TellHandled(const Ending& ending) {
+  if (ending.object == nullptr || ending.object->handler.running == nullptr) return;
+  const Message& message = *ending.object->handler.running;
+  const std::string said = DecodeHandled(*ending.object->system, message);
+  fmt::print(stderr, "openr: {}\n", MessageText(message.number, said));
 }
 
 }  // namespace openr_host

@@ -12,6 +12,7 @@
 namespace openr_host {
 
 class Simulation;
+struct Ending;
 
 // Facts for the report that the simulation does not know.
 struct RunFacts {
@@ -32,5 +33,10 @@ std::string DescribeObjects(Simulation* simulation);
 // Returns one line for each finding, such as "error: JointMover (message 12, t=0.096 s): text".
 // If `has_colours` is true, the first word of each line has the colour of the finding's severity.
 std::string DescribeFindings(Simulation* simulation, bool has_colours = false);
+
+// Prints on standard error the message whose handler has ended the process, such as "openr: message
+// 24: boot".  Prints nothing if no message was handled.  Must be called by an EndingAction, because
+// this function allocates memory.
+void TellHandled(const Ending& ending);
 
 }  // namespace openr_host

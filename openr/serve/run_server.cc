@@ -12,6 +12,7 @@
 
 #include "cli/exit_code.h"
 #include "cli/json_text.h"
+#include "openr/run/report.h"
 #include "openr/serve/command_table.h"
 #include "openr/serve/request_too_long.h"
 #include "runtime/core/system.h"
@@ -151,6 +152,7 @@ void RunServer::TellEnding(Ending* ending) {
                                          {"ended", {{"by", EndName(end.kind)}, {"why", end.why}}}};
   pipe_.Send(JsonText(answer), "");
   ending->answered = true;
+  TellHandled(*ending);
 }
 
 }  // namespace openr_host

@@ -44,7 +44,7 @@ event {
   name = "handler_begin"; id = 0; stream_id = 0;
   fields := struct {
     uint64_t message; uint64_t cause; uint32_t robot; uint32_t bytes;
-    string object; string entry; string from;
+    string object; string entry; string from; string said;
   };
 };
 event {
@@ -105,6 +105,7 @@ void CtfWriter::AddSlice(const HandlerSlice& slice) {
           .Text(slice.object)
           .Text(slice.entry)
           .Text(slice.sender)
+          .Text(slice.said)
           .bytes());
   const bool is_cost = slice.length == HandlerSlice::Length::kCost;
   const bool is_wall = slice.length == HandlerSlice::Length::kWall;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "openr/decode/decode_message.h"
 #include "openr/timeline/ctf_writer.h"
 #include "runtime/base/wall_clock.h"
 #include "runtime/core/system.h"
@@ -75,6 +76,7 @@ void Timeline::Deliver(const TraceRecord& record, const Message& message) {
   slice.entry = object->EntryName(record.selector);
   const Object* const sender = system_->object(record.sender);
   slice.sender = sender == nullptr ? "(system)" : sender->name;
+  slice.said = OneLineOf(DecodeHandled(*system_, message));
   slice.at_us = static_cast<double>(record.time_us);
   if (const std::optional<double> cost_us = CostOf(*object, message)) {
     slice.length = HandlerSlice::Length::kCost;

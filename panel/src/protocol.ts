@@ -144,7 +144,8 @@ export interface Finding {
   object: string;
   time_s: number;
   count?: number;
-  message?: number;
+  message?: number; // number of the message that was handled; 0: none
+  said?: string; // content of this message in words; '' if it is not known
   text: string;
 }
 

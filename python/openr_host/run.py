@@ -52,12 +52,18 @@ class Message(NamedTuple):
 
 
 class Finding(NamedTuple):
-    """An error, a warning or a note about a program."""
+    """An error, a warning or a note about a program.
+
+    `message` is the number of the message that an object handled when the finding was added; 0:
+    none.  `said` is the content of this message in words; "" if it is not known.
+    """
 
     severity: str
     object: str
     time_s: float
     text: str
+    message: int = 0
+    said: str = ""
 
 
 class State:
@@ -378,7 +384,8 @@ class Run:
 
     def findings(self) -> list[Finding]:
         found = self._commands.findings()[0]["findings"]
-        return [Finding(each["severity"], each["object"], each["time_s"], each["text"]) for each in found]
+        return [Finding(each["severity"], each["object"], each["time_s"], each["text"], each["message"],
+                        each["said"]) for each in found]
 
     def console(self, first: int = 0) -> list[str]:
         """Returns the lines that objects have printed, at most the last 1000."""

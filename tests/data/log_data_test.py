@@ -125,6 +125,20 @@ class LogDataTest(unittest.TestCase):
         self.assertEqual(topics["/inputs"]["schema"], "foxglove.Log")
         self.assertIn("battery", topics["/findings"]["first"]["message"])
 
+    def test_a_finding_names_its_message_and_what_that_said(self):
+        stick = self.folder / "stick"
+        objects, conf = stick / "OPEN-R/MW/OBJS", stick / "OPEN-R/MW/CONF"
+        for folder in (objects, conf, stick / "OPEN-R/MW/DATA/P"):
+            folder.mkdir(parents=True)
+        shutil.copy(BUILD / "images/TROUBLE.BIN", objects)
+        (conf / "OBJECT.CFG").write_text("/MS/OPEN-R/MW/OBJS/TROUBLE.BIN\n")
+        (conf / "CONNECT.CFG").write_text("")
+        (stick / "OPEN-R/MW/DATA/P/TROUBLE.TXT").write_text("nan")
+        file = self.folder / "run.mcap"
+        run(file, "--for", "1s", "--stick", stick)
+        message = read(file)["topics"]["/findings"]["first"]["message"]
+        self.assertRegex(message, r"made NaN.* \(message [0-9]+: boot\)$")
+
     def test_two_robots_have_topics_of_their_own(self):
         file = self.folder / "run.mcap"
         run(file, "--for", "1s", "--robots", "2", "--log-images", "0s")

@@ -39,7 +39,7 @@ def events(folder):
         match = LINE.match(line)
         if match is None:
             raise AssertionError(f"not understood: {line}")
-        fields = dict(re.findall(r'(\w+) = ("[^"]*"|\d+)', match[4]))
+        fields = dict(re.findall(r'(\w+) = ("(?:[^"\\]|\\.)*"|\d+)', match[4]))
         found.append((int(match[1]) * 10**9 + int(match[2]), match[3], fields))
     return found
 
@@ -65,6 +65,17 @@ class TimelineTest(unittest.TestCase):
         self.assertEqual(times, sorted(times))
         self.assertIn('"JointMover"', {f["object"] for _, _, f in found})
 
+    def test_a_begin_says_what_its_message_says(self):
+        run(self.folder / "a.ctf")
+        said = {}
+        for _, name, fields in events(self.folder / "a.ctf"):
+            if name == "handler_begin":
+                said.setdefault(fields["entry"].strip('"'), []).append(fields["said"].strip('"'))
+        self.assertEqual(set(said["DoInit"]), {"boot"})
+        vectors = said["RCServer.Sensor.OSensorFrameVectorData.O (Notify)"]
+        self.assertTrue(all(text.startswith("PRM:/r1/c1-Joint2:j1 ") for text in vectors), vectors)
+        self.assertTrue(all(len(text) == 120 and text.endswith("...") for text in vectors), vectors)
+
     def test_costs_are_the_lengths_of_a_run_with_a_cost_file(self):
         cost = self.folder / "a.cost"
         cost.write_text("JointMover DoStart 20000\n")
@@ -88,7 +99,7 @@ class TimelineTest(unittest.TestCase):
         process.wait()
 
     def test_the_json_of_a_killed_run_is_complete(self):
-        self.killed(self.folder / "a.json", 300_000)
+        self.killed(self.folder / "a.json", 500_000)
         slices = [event for event in json.loads((self.folder / "a.json").read_text())["traceEvents"]
                   if event["ph"] == "X"]
         self.assertGreater(len(slices), 500)

@@ -7,6 +7,7 @@
 #include <OPENR/ObjcommMessages.h>
 #include <TCPEndpointMsg.h>
 #include <UDPEndpointMsg.h>
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -22,6 +23,7 @@
 #include "runtime/core/system.h"
 #include "runtime/ipstack/ant_message.h"
 #include "virtualrobot/model/robot_model.h"
+#include "virtualrobot/primitive_locator.h"
 #include "virtualrobot/primitive_table.h"
 
 namespace openr_host {
@@ -211,6 +213,30 @@ TEST_F(DecodeMessageTest, OneLineOfIsCut) {
   const std::string cut = OneLineOf(std::string(500, 'x'));
   EXPECT_EQ(cut, std::string(kDecodedLineMax - 3, 'x') + "...");
   EXPECT_EQ(OneLineOf(std::string(kDecodedLineMax, 'x')), std::string(kDecodedLineMax, 'x'));
+}
+
+TEST_F(DecodeMessageTest, EachPrimitiveHasTheLocatorOfTheTable) {
+  for (const char* const robot : {"ers210", "ers220", "ers7"}) {
+    const RobotModel model = LoadRobotModel(fmt::format("{}/{}.json", OPENR_MODEL_DIR, robot));
+    PrimitiveTable table(model);
+    const OPrimitiveID first = table.IdOfSensor(0);
+    OPrimitiveID id = first;
+    for (; table.Find(id) != nullptr; ++id) {
+      ASSERT_NE(PrimitiveLocator(model, id), nullptr) << id;
+      EXPECT_EQ(*PrimitiveLocator(model, id), table.Find(id)->locator);
+    }
+    EXPECT_GT(id, first + model.sensors.size());
+    EXPECT_EQ(PrimitiveLocator(model, id), nullptr);
+    EXPECT_EQ(PrimitiveLocator(model, first - 1), nullptr);
+  }
+}
+
+TEST_F(DecodeMessageTest, AMessageOfAFindingHasItsNumberAndItsContentOnOneLine) {
+  EXPECT_EQ(MessageText(12, "a\nb"), "message 12: a; b");
+  EXPECT_EQ(MessageText(12, ""), "message 12");
+  EXPECT_EQ(MessageText(12, std::string(200, 'x')), "message 12: " + std::string(57, 'x') + "...");
+  EXPECT_EQ(MessageInParentheses(12, "boot"), " (message 12: boot)");
+  EXPECT_EQ(MessageInParentheses(0, ""), "");
 }
 
 // ---- messages of the network stack

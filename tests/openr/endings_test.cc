@@ -12,6 +12,7 @@ namespace openr_host {
 namespace {
 
 using nlohmann::json;
+using ::testing::ContainsRegex;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -246,6 +247,8 @@ TEST(EndingTest, AReplayHasAHandlerLimitOfItsOwn) {
   const ProgramResult result = RunProgram({"replay", file, "--handler-limit", "300ms"});
   EXPECT_EQ(result.status, 1);
   EXPECT_THAT(result.err, HasSubstr("has used more than 0.3 s of processor time"));
+  EXPECT_THAT(result.err, ContainsRegex("\nMESSAGE from oobjectManager, [0-9]+ bytes\n"));
+  EXPECT_THAT(result.err, ContainsRegex("\nopenr: message [0-9]+: boot\n"));
   EXPECT_EQ(RunProgram({"replay", file, "--step", "--handler-limit", "1s"}).status, 2);
 }
 

@@ -19,10 +19,12 @@
 #include "openr/live/live_server.h"
 #include "runtime/base/temp_folder.h"
 #include "tests/openr/program_run.h"
+#include "tests/openr/watcher.h"
 
 namespace openr_host {
 namespace {
 
+using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using Json = nlohmann::ordered_json;
 
@@ -64,6 +66,26 @@ TEST_F(LiveRunTest, APokeReachesTheRunAndItsRecording) {
   EXPECT_THAT(result.err, HasSubstr("ended by pause: PowerMonitor shut the robot down"));
   EXPECT_THAT(Openr({"trace", file}).output, HasSubstr("press chin\n"));
   EXPECT_EQ(Openr({"replay", file}).status, 0);
+}
+
+TEST_F(LiveRunTest, FindingsSayWhichMessageWasHandledAndWhatItSaid) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("nan");
+  ProgramRun run({"run", "--rc-port", "0", "--body", "ideal", "--no-panel", "--run-name", "alive",
+                  "--stick", stick.path()});
+  ASSERT_TRUE(run.WaitFor("is running"));
+  const std::string handled = "[^\n]*made NaN[^\n]* \\(message [0-9]+: boot\\)\n";
+  const ProcessResult look = Openr({"attach", "alive"}, "findings\nobject Trouble\n");
+  EXPECT_THAT(look.output, ContainsRegex("warning: Trouble \\(t=0.000 s\\): " + handled));
+  EXPECT_THAT(look.output, ContainsRegex("  warning: " + handled));
+  Watcher watcher(LiveRuns().at(0).socket);
+  watcher.Ask(R"({"do":"watch","period_ms":16,"events":["findings"]})");
+  const Json event = watcher.WaitFor("findings");
+  for (const Json& source : {event, watcher.Ask(R"({"do":"findings"})")}) {
+    const Json& finding = source.at("findings").at(0);
+    EXPECT_GT(finding.at("message"), 0);
+    EXPECT_EQ(finding.at("said"), "boot");
+  }
 }
 
 TEST_F(LiveRunTest, ARunThatIsLookedAtIsTheSameRun) {

@@ -1,5 +1,6 @@
 // Recordings: written, read, replayed, damaged, stepped through.
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -19,6 +20,7 @@ namespace openr_host {
 namespace {
 
 namespace fs = std::filesystem;
+using ::testing::ContainsRegex;
 
 class ReplayTest : public testing::Test {
  protected:
@@ -383,8 +385,27 @@ TEST_F(ReplayTest, BreaksStopWhereTheySayAndOutliveGoingBack) {
   EXPECT_NE(text.find(") 1: service Effector.OCommandVectorData.O (Notify)\n"), std::string::npos)
       << text;
   EXPECT_NE(text.find("neck_pan"), std::string::npos) << text;
+  // A message has its content on a line of its own.
+  EXPECT_THAT(text, ContainsRegex("Effector.OCommandVectorData.O \\(Notify\\)\" [^\n]*\n"
+                                  "        PRM:/r1/c1-Joint2:j1 to [^\n]* frames; "));
   EXPECT_NE(text.find("break object NAME, break service"), std::string::npos) << text;
   EXPECT_NE(text.find("no command 'stop'; did you mean 'step'?"), std::string::npos) << text;
+}
+
+TEST_F(ReplayTest, MessagesThatWaitHaveTheirContent) {
+  Record();
+  EXPECT_THAT(Step("step 5\nprint queue\nquit\n"),
+              ContainsRegex("[0-9]+ due t=0.000000 to IPStack \"DoInit\": boot\n"));
+}
+
+TEST_F(ReplayTest, FindingsNameTheirMessages) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("nan");
+  const ProgramResult run = RunProgram({"run", "--rate", "max", "--for", "1s", "--no-panel",
+                                        "--stick", stick.path(), "--record", file_});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(Step("run\nprint findings\nquit\n"),
+              ContainsRegex("Trouble: [^\n]*made NaN[^\n]* \\(message [0-9]+: boot\\)\n"));
 }
 
 TEST_F(ReplayTest, AConditionBreaksWhereItBeginsToHold) {

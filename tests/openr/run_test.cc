@@ -226,6 +226,17 @@ TEST(CrashTest, ACrashLeavesARecordOnTheStick) {
   EXPECT_EQ(record.find("STACK overflow"), std::string::npos) << record;
 }
 
+TEST(CrashTest, TheRecordNamesTheMessageAndStandardErrorSaysItsContent) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("crash");
+  const ProgramResult result = RunFor("1s", {"--stick", stick.path(), "--json"});
+  EXPECT_THAT(stick.Read("OPEN-R/EMON.LOG"),
+              ContainsRegex("\nOBJECT [^\n]*\nMESSAGE from oobjectManager, [0-9]+ bytes\nSTACK\n"));
+  const json finding = json::parse(result.out)["findings"].at(0);
+  EXPECT_EQ(finding["said"], "boot");
+  EXPECT_THAT(result.err, HasSubstr("\nopenr: message " + finding["message"].dump() + ": boot\n"));
+}
+
 TEST(CrashTest, ARecordThatCannotBeWrittenIsNamedWithTheReason) {
   const ScratchFolder stick;
   stick.MakeTrouble("crash");

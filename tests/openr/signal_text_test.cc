@@ -1,12 +1,17 @@
 #include "openr/ending/signal_text.h"
 
+#include <OPENR/ObjcommMessages.h>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <new>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "runtime/core/code_object.h"
 #include "runtime/core/current.h"
+#include "runtime/core/system.h"
 
 namespace openr_host {
 namespace {
@@ -48,6 +53,79 @@ TEST(SignalTextTest, TheFindingIsThatOfAReport) {
   EXPECT_EQ(found["severity"], "error");
   EXPECT_EQ(found["text"], "crash");
   EXPECT_EQ(found["time_s"], 0.0);
+}
+
+class Receiver : public CodeObject {};
+
+// A message that an object handles.
+class CurrentMessageTest : public testing::Test {
+ protected:
+  CurrentMessageTest() {
+    const int robot = system_.AddRobot("ERS-210", nullptr);
+    sender_ = &system_.AddObject<Receiver>(robot, "Sender")->host();
+    receiver_ = &system_.AddObject<Receiver>(robot, "Receiver")->host();
+    receiver_->handler.running = system_.queue().Allocate();
+    message().sender = sender_->id;
+  }
+  ~CurrentMessageTest() override { receiver_->handler.running.reset(); }
+
+  Message& message() const { return *receiver_->handler.running; }
+
+  // Returns the line about the message.  `image_code` is true if a signal has interrupted code of
+  // the object.
+  std::string Line(bool image_code = true) {
+    SignalText text;
+    {
+      const CurrentScope scope(&system_, receiver_, image_code);
+      AddCurrentMessage(&text);
+    }
+    return std::string(text.text());
+  }
+
+  System system_;
+  Object* sender_ = nullptr;
+  Object* receiver_ = nullptr;
+};
+
+TEST_F(CurrentMessageTest, EachKindIsNamed) {
+  message().size = 1;
+  EXPECT_EQ(Line(), "MESSAGE from Sender, 1 byte\n");
+  message().kind = PayloadKind::kHashed;
+  message().size = 40;
+  EXPECT_EQ(Line(), "MESSAGE request or answer of the network stack from Sender, 40 bytes\n");
+  message().kind = PayloadKind::kReady;
+  auto& ready = *new (message().payload) OReadyMessage();
+  ready.command = objcommCMD_ASSERT_READY;
+  EXPECT_EQ(Line(), "MESSAGE ready (assert) from Sender, 40 bytes\n");
+  ready.command = objcommCMD_DEASSERT_READY;
+  EXPECT_EQ(Line(), "MESSAGE not ready (deassert) from Sender, 40 bytes\n");
+}
+
+TEST_F(CurrentMessageTest, TheBytesOfANotificationAreThoseOfItsRegions) {
+  message().kind = PayloadKind::kNotify;
+  auto& notify = *new (message().payload) ONotifyMessage();
+  notify.numOfData = 2;
+  notify.data[0].size = 80;
+  notify.data[1].size = 4;
+  EXPECT_EQ(Line(), "MESSAGE notification from Sender, 84 bytes\n");
+  notify.numOfData = -1;  // damaged
+  EXPECT_EQ(Line(), "MESSAGE notification from Sender, 0 bytes\n");
+  for (auto& data : notify.data) data.size = 1;
+  notify.numOfData = 30'000;
+  EXPECT_EQ(Line(), fmt::format("MESSAGE notification from Sender, {} bytes\n", MAX_NUM_DATA));
+}
+
+// The runtime may be changing its table of objects when the signal comes.
+TEST_F(CurrentMessageTest, TheSenderIsLeftOutWhileTheRuntimeRuns) {
+  message().size = 8;
+  EXPECT_EQ(Line(false), "MESSAGE, 8 bytes\n");
+  message().sender = kNoObject;
+  EXPECT_EQ(Line(), "MESSAGE, 8 bytes\n");
+}
+
+TEST_F(CurrentMessageTest, WithoutAMessageThereIsNoLine) {
+  receiver_->handler.running.reset();
+  EXPECT_EQ(Line(), "");
 }
 
 }  // namespace

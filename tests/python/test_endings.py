@@ -1,4 +1,5 @@
 """Objects that crash, or do not return: the exception says which object, and the recording is good."""
+import os
 import pathlib
 import subprocess
 import tempfile
@@ -17,7 +18,8 @@ class EndingTest(unittest.TestCase):
         cls.root = pathlib.Path(cls.folder.name)
         cls.sticks = {}
         for name, does in (("Crasher", "if (vectors == 20) *(volatile int*)0 = 1;"),
-                           ("Sleeper", "if (vectors == 20) for (volatile int i = 0;;) i++;")):
+                           ("Sleeper", "if (vectors == 20) for (volatile int i = 0;;) i++;"),
+                           ("Divider", "if (vectors == 20) { volatile double i = 0; i = i / i; }")):
             openr = find_program()
             subprocess.run([openr, "new", name, str(cls.root / name)], check=True,
                            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
@@ -45,6 +47,30 @@ class EndingTest(unittest.TestCase):
             openr_host.replay(record, self.sticks["Crasher"])
         with self.assertRaises(openr_host.ProcessError):
             run.step()
+
+    def test_standard_error_says_what_the_message_of_a_crash_said(self):
+        self.addCleanup((self.sticks["Crasher"] / "OPEN-R/EMON.LOG").unlink)
+        with tempfile.TemporaryFile() as heard:
+            before = os.dup(2)
+            os.dup2(heard.fileno(), 2)  # standard error of the process of the run
+            try:
+                with openr_host.Run(self.sticks["Crasher"], body="ideal") as run:
+                    with self.assertRaises(openr_host.RunEnded):
+                        run.run(10)
+            finally:
+                os.dup2(before, 2)
+                os.close(before)
+            heard.seek(0)
+            text = heard.read().decode()
+        self.assertRegex(text, r"\nMESSAGE notification from OVirtualRobotComm, \d+ bytes\nSTACK\n")
+        self.assertRegex(text, r"\nopenr: message \d+: PRM:/r1/c1-Joint2:j1 ")
+
+    def test_a_finding_says_what_the_message_said(self):
+        with openr_host.Run(self.sticks["Divider"], body="ideal") as run:
+            run.run(2)
+            finding = next(each for each in run.findings() if "made NaN" in each.text)
+        self.assertGreater(finding.message, 0)
+        self.assertTrue(finding.said.startswith("PRM:/r1/c1-Joint2:j1 "), finding)
 
     def test_a_handler_that_does_not_return_ends_the_run(self):
         with openr_host.Run(self.sticks["Sleeper"], body="ideal", handler_limit_s=0.3) as run:

@@ -5,6 +5,7 @@
 namespace openr::testing {
 namespace {
 
+using ::testing::ContainsRegex;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::UnorderedElementsAre;
@@ -265,7 +266,8 @@ TEST(FindingsTest, AnErrorFailsTheTestUnlessItIsExpected) {
   build(expecting);
   expecting.RunFor(1ms);
   expecting.Verify();
-  EXPECT_THAT(expecting.Findings(), HasSubstr("error: Doubler: uncaught exception"));
+  EXPECT_THAT(expecting.Findings(), ContainsRegex("error: Doubler: uncaught exception in Alarm: "
+                                                  "boom; .* \\(message [0-9]+: 1\\)\n"));
   expecting.ExpectFinding(HasSubstr("crash"));
   EXPECT_NONFATAL_FAILURE(
       expecting.Verify(),

@@ -7,6 +7,7 @@ import type { Session } from '../session';
 
 const LINES_KEPT = 2000;
 const LINES_SHOWN = 500;
+const SAID_MAX = 120; // characters of a message that are shown with a finding
 
 export function matches(text: string, filter: string): boolean {
   const words = filter.toLowerCase().split(/\s+/).filter(Boolean);
@@ -64,6 +65,15 @@ class LogView {
 
 const signs: Record<string, string> = { error: '✕', warning: '▲', note: '·', info: '·' };
 
+// Returns the message that was handled when the finding was added, such as "message 12: boot"; '' if
+// there was none.
+export function handledText(finding: Finding): string {
+  if (!finding.message) return '';
+  const said = (finding.said ?? '').replaceAll('\n', '; ');
+  if (said === '') return `message ${finding.message}`;
+  return `message ${finding.message}: ${said.length > SAID_MAX ? said.slice(0, SAID_MAX - 3) + '...' : said}`;
+}
+
 // Makes a button that goes to the moment of a finding.
 export function findingButton(session: Session, finding: Finding): HTMLElement {
   const severity = finding.severity ?? '';
@@ -79,7 +89,7 @@ export function findingButton(session: Session, finding: Finding): HTMLElement {
     el('span', { class: 'severity' }, severity),
     el('time', {}, clockTime(finding.time_s)),
     el('span', { class: 'object' }, finding.object ?? ''),
-    el('span', { class: 'text' }, finding.text ?? ''),
+    el('span', { class: 'text' }, finding.text ?? '', el('small', { class: 'handled' }, handledText(finding))),
     el('span', { class: 'count' }, (finding.count ?? 1) > 1 ? `${finding.count}×` : ''),
   );
   return target;

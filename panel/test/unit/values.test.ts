@@ -3,7 +3,7 @@ import { clockTime, costText, degrees, fixed, rateText, sensorText } from '../..
 import { LastValue } from '../../src/last_value';
 import { Ring } from '../../src/ring';
 import { byError, errorOf, JointGoal } from '../../src/panels/joint_goal';
-import { matches } from '../../src/panels/log';
+import { handledText, matches } from '../../src/panels/log';
 import { waitBeforeAttemptMs } from '../../src/connection';
 
 describe('numbers', () => {
@@ -130,6 +130,21 @@ describe('the filter of the log', () => {
     expect(matches('state: standing', 'stand -state')).toBe(false);
     expect(matches('anything', '')).toBe(true);
     expect(matches('a - b', '-')).toBe(true);
+  });
+});
+
+describe('a finding', () => {
+  const finding = { severity: 'warning', robot: 0, object: 'A', time_s: 1, text: 'is slow' };
+
+  it('names the message that was handled, and what it says on one line', () => {
+    expect(handledText({ ...finding, message: 12, said: 'a\nb' })).toBe('message 12: a; b');
+    expect(handledText({ ...finding, message: 12, said: '' })).toBe('message 12');
+    expect(handledText({ ...finding, message: 12, said: 'x'.repeat(200) })).toBe(`message 12: ${'x'.repeat(117)}...`);
+  });
+
+  it('has no message if none was handled, or in a run of an older program', () => {
+    expect(handledText({ ...finding, message: 0, said: '' })).toBe('');
+    expect(handledText(finding)).toBe('');
   });
 });
 
