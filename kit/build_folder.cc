@@ -319,7 +319,7 @@ bool FolderBuild::SomeImageIsMissing() const {
   for (const StickFolder& stick : project_.sticks) {
     if (stick.objects.empty()) continue;
     has_list = true;
-    const Harvest harvest = CompleteStick(stick, project_, log, sdk_root_);
+    const Harvest harvest = CompleteStick(stick, project_, log, sdk_root_, {});
     for (const fs::path& file : harvest.placed) fs::remove(file);
     if (!harvest.problems.empty()) return true;
   }
@@ -344,7 +344,7 @@ void FolderBuild::Deliver() {
   std::set<std::string> used;
   size_t good = 0;
   for (const StickFolder& stick : after.sticks) {
-    const Harvest harvest = CompleteStick(stick, after, log, sdk_root_);
+    const Harvest harvest = CompleteStick(stick, after, log, sdk_root_, OriginalName(stick.root));
     for (const fs::path& file : harvest.placed) placed += file.string() + "\n";
     used.insert(harvest.used.begin(), harvest.used.end());
     const fs::path name = stick.root.lexically_relative(after.root);

@@ -3,16 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
+#include <utility>
 
 #include "cli/output_file.h"
 #include "kit/image_match.h"
 #include "kit/text_files.h"
 #include "runtime/base/spelling.h"
 #include "runtime/config/gateway_config.h"
+#include "runtime/config/ocf.h"
 #include "runtime/core/image_file.h"
+#include "runtime/stick/memory_stick.h"
 
 namespace openr_host {
 namespace {
@@ -28,14 +33,24 @@ struct BuiltImage {
   std::vector<std::string> names;
 };
 
-// Returns the files in the folder for images (OPEN-R/MW/OBJS) of `stick`.
-std::vector<fs::path> InstalledFiles(const StickFolder& stick) {
+std::string UpperCase(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return text;
+}
+
+// Returns the files in `folder`, sorted by name; none if there is no such folder.
+std::vector<fs::path> FilesIn(const fs::path& folder) {
   std::vector<fs::path> files;
   std::error_code error;
-  for (const auto& entry : fs::directory_iterator(stick.ObjectsFolder(), error))
+  for (const auto& entry : fs::directory_iterator(folder, error))
     if (entry.is_regular_file(error)) files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   return files;
+}
+
+// Returns the files in the folder for images (OPEN-R/MW/OBJS) of `stick`.
+std::vector<fs::path> InstalledFiles(const StickFolder& stick) {
+  return FilesIn(stick.ObjectsFolder());
 }
 
 std::vector<BuiltImage> ReadBuiltImages(const KitLog& log, const Project& project) {
@@ -67,11 +82,12 @@ std::vector<BuiltImage> ReadBuiltImages(const KitLog& log, const Project& projec
 class StickCompletion {
  public:
   StickCompletion(const StickFolder& stick, const Project& project, const KitLog& log,
-                  const std::string& sdk_root)
+                  const std::string& sdk_root, const fs::path& users_stick)
       : stick_(stick),
         project_(project),
         objects_(stick.ObjectsFolder()),
         sdk_root_(sdk_root),
+        users_stick_(users_stick),
         built_(ReadBuiltImages(log, project)),
         has_failures_(built_.size() < project.objects.size()) {}
 
@@ -201,35 +217,109 @@ class StickCompletion {
   }
 
   // Puts on this stick all images to which no other stick is nearer (IsOfThisStick()), and writes
-  // an OBJECT.CFG that names them.  Called when the stick has no OBJECT.CFG, because without this
-  // file nothing says which images the stick needs.
+  // an OBJECT.CFG that names them and the other images in the stick's folder OBJS.  Called when the
+  // stick has no OBJECT.CFG, because without this file nothing says which images the stick needs.
   void ListEverything() {
-    std::string text;
+    if (built_.empty()) return;
+    ListInstalled();
     for (size_t i = 0; i < built_.size(); ++i) {
-      if (!IsOfThisStick(built_[i])) continue;
+      if (used_.contains(i) || !IsOfThisStick(built_[i])) continue;
       const std::string name = ShortImageName(built_[i].log.object);
       Take(i, name, "by its name");
-      text += fmt::format("/MS/OPEN-R/MW/OBJS/{}\n", name);
+      listed_.emplace_back(name, i);
     }
-    if (built_.empty()) return;
+    ListForeign();
+    std::string foreign, own;
+    for (const auto& [name, index] : listed_)
+      (index == kNone ? foreign : own) += fmt::format("/MS/OPEN-R/MW/OBJS/{}\n", name);
     const fs::path folder = objects_.parent_path() / "CONF";
-    WriteText(folder / "OBJECT.CFG", text);
+    // Lists images of others first: one of them may be POWERMON.BIN, which the robot's own sticks
+    // name in the first line.
+    WriteText(folder / "OBJECT.CFG", foreign + own);
     const bool has_connections = !FindEntry(folder, "CONNECT.CFG").empty();
     if (!has_connections) WriteText(folder / "CONNECT.CFG", "");
     harvest_.notes.push_back(
         fmt::format("there is no OBJECT.CFG; one that lists every object was written{}",
                     has_connections ? "" : ", and a CONNECT.CFG without connections"));
+    harvest_.notes.insert(harvest_.notes.end(), unlisted_.begin(), unlisted_.end());
+  }
+
+  // Lists the images of this build that rules of Makefiles have put on the stick, each under the
+  // name that it has there.
+  void ListInstalled() {
+    for (const fs::path& file : InstalledFiles(stick_)) {
+      const size_t index = IndexOf(ReadImageFile(file).bytes);
+      if (index == kNone || !IsShortName(file.filename().string())) continue;
+      if (!used_.insert(index).second) continue;
+      listed_.emplace_back(file.filename(), index);
+      harvest_.images.push_back({file.filename(), built_[index].log.object, "Makefile"});
+    }
+  }
+
+  // Lists the images in OBJS that this build has not made: those that rules of Makefiles have
+  // copied there, and those of the user's stick for which the kit has an image.  Adds a note about
+  // each image that stays out of OBJECT.CFG.
+  void ListForeign() {
+    std::map<std::string, fs::path> files;  // by their names in upper case
+    for (const fs::path& folder :
+         {FindBelow(users_stick_, "OPEN-R/MW/OBJS"), stick_.ObjectsFolder()}) {
+      for (const fs::path& file : FilesIn(folder)) {
+        if (LowerCase(file.extension()) == ".bin") files[UpperCase(file.filename())] = file;
+      }
+    }
+    for (const auto& [name, index] : listed_) files.erase(UpperCase(name));
+    for (const auto& [name, file] : files) ListForeign(name, file);
+  }
+
+  void ListForeign(const std::string& name, const fs::path& file) {
+    const ImageFile image = ReadImageFile(file);
+    const bool is_of_make = IsBelow(file, stick_.root);
+    const fs::path kits = FindEntry(fs::path(sdk_root_) / "images", name);
+    if (!kits.empty() && !(is_of_make && image.problem.empty())) {
+      Copy(kits, name);
+      harvest_.images.push_back({name, "", "the kit's own"});
+    } else if (name == kGatewayImage) {
+      harvest_.images.push_back({name, "", "the runtime's own"});
+    } else if (std::string why = WhyUnlisted(name, image, is_of_make); !why.empty()) {
+      unlisted_.push_back(fmt::format("OBJS/{} is not in this OBJECT.CFG: {}", name, why));
+      return;
+    } else {
+      harvest_.images.push_back({name, "", "Makefile"});
+    }
+    listed_.emplace_back(name, kNone);
+  }
+
+  // Returns why an image that this build has not made cannot be listed; "" if it can.  `is_of_make`
+  // is true if a rule of a Makefile has put it on the stick.
+  std::string WhyUnlisted(const std::string& name, const ImageFile& image, bool is_of_make) const {
+    if (image.is_for_robot) return "it is for the robot (MIPS), and its sources are not here";
+    if (!image.problem.empty()) return "it " + image.problem;
+    const std::optional<Ocf> ocf = ParseOcf("", OcfTextOf(image.bytes)).ocf;
+    for (const auto& [listed, index] : listed_) {
+      if (index != kNone && ocf && built_[index].log.object == ocf->name)
+        return fmt::format("it is an image of {}, as {} is, which is listed", ocf->name, listed);
+    }
+    if (!IsShortName(name)) return "its name is not 8.3, so the robot cannot open it";
+    if (!is_of_make)
+      return "it lay there before this build, and no Makefile puts it there; add its line if the "
+             "program needs it";
+    return "";
   }
 
   const StickFolder& stick_;
   const Project& project_;
   const fs::path objects_;
   const std::string sdk_root_;
+  const fs::path users_stick_;  // the stick of which `stick_` is a copy; empty: there is none
   const std::vector<BuiltImage> built_;
   const bool has_failures_;
   std::set<size_t> used_;  // indexes in built_ of the images on the stick
   std::vector<std::string> missing_;
   std::map<std::string, bool> is_for_robot_;
+  // The images of the OBJECT.CFG that ListEverything() writes: the names of their files, and their
+  // indexes in built_, or kNone if this build has not made them.
+  std::vector<std::pair<std::string, size_t>> listed_;
+  std::vector<std::string> unlisted_;  // notes about the images that it does not name
   Harvest harvest_;
 };
 
@@ -251,8 +341,8 @@ void MakeDataFolder(const StickFolder& stick, const fs::path& target) {
 }  // namespace
 
 Harvest CompleteStick(const StickFolder& stick, const Project& project, const KitLog& log,
-                      const std::string& sdk_root) {
-  return StickCompletion(stick, project, log, sdk_root).Run();
+                      const std::string& sdk_root, const fs::path& users_stick) {
+  return StickCompletion(stick, project, log, sdk_root, users_stick).Run();
 }
 
 void RemoveImages(const std::vector<KitLog::Image>& images, const Project& project) {

@@ -31,13 +31,14 @@ struct Harvest {
 };
 
 // Puts on `stick` the images that its OBJECT.CFG names and that rules of Makefiles have not put
-// there.  `stick` is in the private copy of the user's folder.  If the stick has no OBJECT.CFG,
-// writes one that names all images.  With several sticks, first looks for images that were built
-// nearer to this stick than to other sticks in the tree of folders.  Only for names that are then
-// still without an image, takes images from elsewhere.  An image that a Makefile puts on one stick
-// has the same file name on all other sticks.
+// there.  `stick` is in the private copy of the user's folder, and `users_stick` is its original;
+// empty: there is none.  If the stick has no OBJECT.CFG, writes one that names all images, and
+// notes which images of its folder OBJS are left out and why.  With several sticks, first looks for
+// images that were built nearer to this stick than to other sticks in the tree of folders.  Only
+// for names that are then still without an image, takes images from elsewhere.  An image that a
+// Makefile puts on one stick has the same file name on all other sticks.
 Harvest CompleteStick(const StickFolder& stick, const Project& project, const KitLog& log,
-                      const std::string& sdk_root);
+                      const std::string& sdk_root, const std::filesystem::path& users_stick);
 
 // Deletes `images`, which are out of date: the file that the linker wrote, and every file with the
 // same content on the sticks of `project`.

@@ -12,6 +12,9 @@
 #include "kit/stick_merge.h"
 #include "kit/text_files.h"
 #include "runtime/base/read_file.h"
+#include "runtime/base/spelling.h"
+#include "runtime/config/line_file.h"
+#include "runtime/config/object_config.h"
 
 namespace openr_host {
 namespace {
@@ -61,9 +64,29 @@ void MergeInto(const fs::path& file, const std::string& ours) {
   Write(file, MergeConfig(ReadText(file).value_or(""), ours));
 }
 
+// Returns the names of the images in OPEN-R/MW/OBJS of the stick `root` that its OBJECT.CFG does
+// not name, for any robot.
+std::vector<std::string> UnlistedImages(const fs::path& root) {
+  const std::string text = ReadText(SpeltBelow(root, "OPEN-R/MW/CONF/OBJECT.CFG")).value_or("");
+  const std::vector<ObjectRecord> records =
+      ParseObjectConfig("OBJECT.CFG", text, kEveryDesign).objects;
+  std::vector<std::string> unlisted;
+  for (const auto& entry : fs::directory_iterator(SpeltBelow(root, "OPEN-R/MW/OBJS"))) {
+    const std::string name = entry.path().filename();
+    const auto names_it = [&name](const ObjectRecord& record) {
+      return EqualsIgnoringCase(record.path, "/MS/OPEN-R/MW/OBJS/" + name);
+    };
+    if (LowerCase(entry.path().extension()) == ".bin" &&
+        std::none_of(records.begin(), records.end(), names_it))
+      unlisted.push_back(name);
+  }
+  std::sort(unlisted.begin(), unlisted.end());
+  return unlisted;
+}
+
 }  // namespace
 
-void MakeNewStick(const NewStickOptions& options) {
+std::vector<std::string> MakeNewStick(const NewStickOptions& options) {
   StickDraft draft(options.output);
   const fs::path root = draft.stick();
   if (!options.base.empty()) {
@@ -80,7 +103,9 @@ void MakeNewStick(const NewStickOptions& options) {
       options.connections.empty() ? kNoConnections : ReadFileOrThrow(options.connections);
   MergeInto(SpeltBelow(root, "OPEN-R/MW/CONF/CONNECT.CFG"), connections);
   if (!options.wlan.empty()) PutWlanFile(root, options.wlan);
+  std::vector<std::string> unlisted = UnlistedImages(root);
   draft.Finish();
+  return unlisted;
 }
 
 std::string PutWlanFile(const std::string& stick, const std::string& text) {

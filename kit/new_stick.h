@@ -14,9 +14,10 @@ struct NewStickOptions {
   std::string wlan;                 // text of WLANCONF.TXT; "": none is written
 };
 
-// Makes the stick completely or, if anything fails, not at all.  Throws std::runtime_error with the
-// reason of a failure.
-void MakeNewStick(const NewStickOptions& options);
+// Makes the stick completely or, if anything fails, not at all.  Returns the names of the images in
+// OPEN-R/MW/OBJS of the base that the OBJECT.CFG of the stick does not name.  Throws
+// std::runtime_error with the reason of a failure.
+std::vector<std::string> MakeNewStick(const NewStickOptions& options);
 
 // Writes `text` as the network settings of the stick in the folder `stick`, which holds OPEN-R/.
 // Returns the path of the file.  Throws std::runtime_error if the file cannot be written.

@@ -164,9 +164,15 @@ struct NewCommand {
 
 int MakeNew(NewCommand command) {
   if (command.wlan.is_given) command.stick.wlan = WlanText(command.wlan.config);
-  MakeNewStick(command.stick);
+  const std::vector<std::string> unlisted = MakeNewStick(command.stick);
   const std::string word = ShellWord(command.stick.output);
   PrintAnswer(fmt::format("made {}\n", command.stick.output));
+  for (const std::string& name : unlisted) {
+    PrintAnswer(
+        fmt::format("OBJS/{} of the base is not in OBJECT.CFG, so no robot loads it; name "
+                    "it among the images if it is needed\n",
+                    name));
+  }
   if (command.wlan.is_given) TellSense("WLANCONF.TXT", command.stick.wlan);
   const std::string openr = ShellWord(ProgramCall());
   PrintAnswer(fmt::format("\nwhat a robot needs beyond that:\n{0} stick check {1} --robot {2}\n",
