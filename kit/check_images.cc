@@ -83,7 +83,7 @@ class ImageCheck {
 
  private:
   void CheckRecord(const ObjectRecord& record);
-  void CheckImage(const ObjectRecord& record, const ImageFile& image);
+  void CheckImage(const ObjectRecord& record, const fs::path& file, const ImageFile& image);
   bool HasOcfName(const ObjectFolder& object, const std::string& name) const;
   bool HasServicesIn(const ObjectFolder& object, const ObjectRecord& record) const;
   void ExpectFromProject();
@@ -135,10 +135,11 @@ void ImageCheck::CheckRecord(const ObjectRecord& record) {
     remarks_->Add(Remark::Kind::kError, record.place,
                   fmt::format("{} {}", record.path, image.problem));
   }
-  CheckImage(record, image);
+  CheckImage(record, file, image);
 }
 
-void ImageCheck::CheckImage(const ObjectRecord& record, const ImageFile& image) {
+void ImageCheck::CheckImage(const ObjectRecord& record, const fs::path& file,
+                            const ImageFile& image) {
   for (const std::string& name : ServicesInImage(image.bytes))
     images_.services.insert({name, {FileNameOf(record), record.section}});
   const std::string name = image.bytes.empty() ? "" : ObjectNameIn(image.bytes);
@@ -164,6 +165,7 @@ void ImageCheck::CheckImage(const ObjectRecord& record, const ImageFile& image) 
     std::erase_if(namesakes,
                   [&](const ObjectFolder* object) { return !HasServicesIn(*object, record); });
   for (const ObjectFolder* object : namesakes) Place(*object, record.section);
+  if (namesakes.size() == 1) images_.built.push_back({namesakes.front(), file});
 }
 
 bool ImageCheck::HasOcfName(const ObjectFolder& object, const std::string& name) const {

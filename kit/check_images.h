@@ -2,6 +2,7 @@
 // project that these images are made from.
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
@@ -19,10 +20,17 @@ struct ServiceOwner {
   std::string section;
 };
 
+// An object of the project and the image on the stick that was built from it.
+struct BuiltObject {
+  const ObjectFolder* folder = nullptr;
+  std::filesystem::path image;
+};
+
 struct StickImages {
   std::multimap<std::string, ServiceOwner> services;  // key: full name of a service; value: its
                                                       // owner
   std::vector<StubService> declared;  // services in stub.cfg files of objects on the stick
+  std::vector<BuiltObject> built;     // the images that the host can load
   bool has_gateway = false;           // true: OBJECT.CFG names the image of the TCP gateway
   bool knows_all = true;              // false: some image is missing, so its services are unknown
 };

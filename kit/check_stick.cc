@@ -6,6 +6,7 @@
 #include <set>
 
 #include "kit/check_images.h"
+#include "kit/check_layouts.h"
 #include "kit/check_objects.h"
 #include "kit/text_files.h"
 #include "kit/wlan_file.h"
@@ -135,6 +136,7 @@ void StickCheck::CheckConnections() {
     connected.insert(Compose(record.observer));
   }
   CheckUnconnected(connected);
+  CheckLayouts(wires_, images_, parts_, remarks_);
 }
 
 void StickCheck::CheckUnconnected(const std::set<std::string>& connected) {

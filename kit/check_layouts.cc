@@ -1,0 +1,174 @@
+#include "kit/check_layouts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <map>
+#include <regex>
+#include <string>
+
+#include "kit/source_text.h"
+#include "kit/struct_layout.h"
+#include "kit/text_files.h"
+#include "runtime/config/service_name.h"
+#include "runtime/config/stub_config.h"
+
+namespace openr_host {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The text of the sources and headers of an object without comments.
+struct ObjectCode {
+  std::string all;      // sources and headers
+  std::string sources;  // sources only, in which members are used and not declared
+};
+
+ObjectCode CodeOf(const ObjectFolder& object, const ObjectParts& parts) {
+  ObjectCode code;
+  for (const fs::path& file : parts.CodeOf(object)) {
+    const std::string text = WithoutComments(parts.TextOf(file)) + "\n";
+    code.all += text;
+    if (IsSourceName(file)) code.sources += text;
+  }
+  return code;
+}
+
+bool Matches(const std::string& text, const std::string& pattern) {
+  return std::regex_search(text, std::regex(pattern));
+}
+
+// Returns whether the object passes a whole struct `type` to SetData(): a variable of this type, or
+// a region of its size.
+bool Sends(const ObjectCode& code, const std::string& type) {
+  const std::string size_of_type = "sizeof\\s*\\(?\\s*" + type + "\\b";
+  if (Matches(code.sources, "\\b(SetData|RCRegion)\\s*\\([^;]*" + size_of_type)) return true;
+  static const std::regex kCall(
+      "\\bSetData\\s*\\(\\s*&\\s*(\\w+)\\s*,\\s*sizeof\\s*\\(?\\s*\\1\\b");
+  for (std::sregex_iterator it(code.sources.begin(), code.sources.end(), kCall), end; it != end;
+       ++it) {
+    if (Matches(code.all, "\\b" + type + "\\s+" + (*it)[1].str() + "\\s*[;=(,]")) return true;
+  }
+  return false;
+}
+
+// Returns whether the object uses received data as a struct `type`: (const Line*)event.Data(0).
+bool Receives(const ObjectCode& code, const std::string& type) {
+  return Matches(code.sources, "\\b" + type + "\\b\\s*(const\\s*)?\\*[^;]*\\b(Data|Base)\\s*\\(");
+}
+
+bool AsksForSize(const ObjectCode& code) {
+  return Matches(code.sources, "(->|\\.)\\s*Size\\s*\\(");
+}
+
+// One end of a connection.
+struct End {
+  std::string object;  // name of the object's folder
+  const ObjectCode& code;
+  const StructLayout& layout;
+};
+
+const StructLayout::Member* FindMember(const StructLayout& layout, const std::string& name) {
+  const auto found =
+      std::find_if(layout.members.begin(), layout.members.end(),
+                   [&name](const StructLayout::Member& member) { return member.name == name; });
+  return found == layout.members.end() ? nullptr : &*found;
+}
+
+// Returns the first difference between the layouts that lets `receiver` read something else than
+// `sender` has sent, as a text for the user; "" if there is none.
+std::string DifferenceOf(const End& sender, const End& receiver) {
+  for (const StructLayout::Member& theirs : receiver.layout.members) {
+    if (!HasWord(receiver.code.sources, theirs.name)) continue;
+    const StructLayout::Member* const ours = FindMember(sender.layout, theirs.name);
+    if (ours == nullptr) {
+      const bool is_behind = theirs.begin >= sender.layout.bytes;
+      if (!is_behind || theirs.bytes == 0 || AsksForSize(receiver.code)) continue;
+      return fmt::format("{} reads '{}' at byte {}, and {} sends {} bytes", receiver.object,
+                         theirs.name, theirs.begin, sender.object, sender.layout.bytes);
+    }
+    if (!HasWord(sender.code.sources, theirs.name)) continue;
+    if (ours->begin != theirs.begin) {
+      return fmt::format("'{}' begins at byte {} in {}, at byte {} in {}", theirs.name, ours->begin,
+                         sender.object, theirs.begin, receiver.object);
+    }
+    const bool is_variable = ours->is_array && theirs.is_array &&
+                             theirs == receiver.layout.members.back() &&
+                             *ours == sender.layout.members.back();
+    if (ours->bytes != theirs.bytes && !is_variable) {
+      return fmt::format("'{}' has {} bytes in {}, {} in {}", theirs.name, ours->bytes,
+                         sender.object, theirs.bytes, receiver.object);
+    }
+  }
+  return "";
+}
+
+class LayoutCheck {
+ public:
+  LayoutCheck(const StickImages& images, const ObjectParts& parts, Remarks* remarks)
+      : parts_(parts), remarks_(remarks) {
+    for (const BuiltObject& object : images.built) {
+      const fs::path& file = object.folder->stub;
+      const StubConfig stub = ParseStubConfig(file, ReadText(file).value_or("")).config;
+      for (const auto* side : {&stub.subjects, &stub.observers}) {
+        for (const StubService& service : *side) owners_.emplace(Compose(service.name), &object);
+      }
+    }
+  }
+
+  void Check(const ConnectRecord& record) {
+    const std::string& type = record.subject.data;
+    const bool is_identifier = std::all_of(type.begin(), type.end(), &IsWordCharacter);
+    if (record.observer.data != type || !is_identifier) return;
+    const BuiltObject* const subject = OwnerOf(record.subject);
+    const BuiltObject* const observer = OwnerOf(record.observer);
+    if (subject == nullptr || observer == nullptr || subject == observer) return;
+    const ObjectCode& sending = CodeOfObject(*subject->folder);
+    const ObjectCode& receiving = CodeOfObject(*observer->folder);
+    // Looks for the word first, because that is fast and regular expressions are not.
+    if (!HasWord(sending.all, type) || !HasWord(receiving.sources, type)) return;
+    if (!Sends(sending, type) || !Receives(receiving, type)) return;
+    const auto ours = LayoutIn(subject->image, type), theirs = LayoutIn(observer->image, type);
+    if (!ours || !theirs || *ours == *theirs) return;
+    const std::string difference =
+        DifferenceOf({subject->folder->folder.filename(), sending, *ours},
+                     {observer->folder->folder.filename(), receiving, *theirs});
+    if (difference.empty()) return;
+    remarks_->AddConsequence(
+        Remark::Kind::kWarning, record.observer_place, "layout " + type,
+        fmt::format("'{}' is not the same struct in both images: {}; include one header in both "
+                    "objects, and build both",
+                    type, difference));
+  }
+
+ private:
+  // Returns the object that declares the service `name` and is built; null if there is none or
+  // more than one.
+  const BuiltObject* OwnerOf(const ServiceName& name) const {
+    const auto [begin, end] = owners_.equal_range(Compose(name));
+    return begin != end && std::next(begin) == end ? begin->second : nullptr;
+  }
+
+  const ObjectCode& CodeOfObject(const ObjectFolder& object) {
+    const auto known = codes_.find(&object);
+    return known != codes_.end() ? known->second
+                                 : codes_.emplace(&object, CodeOf(object, parts_)).first->second;
+  }
+
+  std::multimap<std::string, const BuiltObject*> owners_;  // by the full names of their services
+  std::map<const ObjectFolder*, ObjectCode> codes_;
+  const ObjectParts& parts_;
+  Remarks* const remarks_;
+};
+
+}  // namespace
+
+void CheckLayouts(const ConnectConfig& wires, const StickImages& images, const ObjectParts& parts,
+                  Remarks* remarks) {
+  LayoutCheck check(images, parts, remarks);
+  for (const ConnectRecord& record : wires.connections) check.Check(record);
+}
+
+}  // namespace openr_host

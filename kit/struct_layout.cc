@@ -1,0 +1,110 @@
+#include "kit/struct_layout.h"
+
+#include <dwarf.h>
+#include <elfutils/libdw.h>
+
+#include <memory>
+
+#include "kit/text_files.h"
+#include "runtime/core/image_file.h"
+
+namespace openr_host {
+namespace {
+
+namespace fs = std::filesystem;
+
+using OpenElf = std::unique_ptr<Elf, decltype(&elf_end)>;
+using OpenDwarf = std::unique_ptr<Dwarf, decltype(&dwarf_end)>;
+
+// Returns the entry for the type of `die`, without typedefs, const and volatile.  Returns nullopt
+// if the entry has no type.
+std::optional<Dwarf_Die> TypeOf(Dwarf_Die* die) {
+  Dwarf_Attribute attribute;
+  Dwarf_Die type, peeled;
+  if (dwarf_formref_die(dwarf_attr(die, DW_AT_type, &attribute), &type) == nullptr ||
+      dwarf_peel_type(&type, &peeled) != 0)
+    return std::nullopt;
+  return peeled;
+}
+
+std::optional<uint64_t> NumberOf(Dwarf_Die* die, unsigned attribute_name) {
+  Dwarf_Attribute attribute;
+  Dwarf_Word value = 0;
+  if (dwarf_formudata(dwarf_attr(die, attribute_name, &attribute), &value) != 0)
+    return std::nullopt;
+  return value;
+}
+
+bool IsStruct(Dwarf_Die* die) {
+  return dwarf_tag(die) == DW_TAG_structure_type || dwarf_tag(die) == DW_TAG_class_type;
+}
+
+std::optional<StructLayout::Member> MemberOf(Dwarf_Die* die) {
+  const char* const name = dwarf_diename(die);
+  const std::optional<uint64_t> begin = NumberOf(die, DW_AT_data_member_location);
+  const bool is_bit_field = dwarf_hasattr(die, DW_AT_bit_size) != 0;
+  if (dwarf_tag(die) != DW_TAG_member || name == nullptr || !begin || is_bit_field)
+    return std::nullopt;
+  std::optional<Dwarf_Die> type = TypeOf(die);
+  if (!type) return std::nullopt;
+  Dwarf_Word bytes = 0;
+  if (dwarf_aggregate_size(&*type, &bytes) != 0) bytes = 0;
+  return StructLayout::Member{name, *begin, bytes, dwarf_tag(&*type) == DW_TAG_array_type};
+}
+
+// Returns the layout of the struct `die`; nullopt if the entry only declares the struct.
+std::optional<StructLayout> LayoutOf(Dwarf_Die* die) {
+  const std::optional<uint64_t> bytes = NumberOf(die, DW_AT_byte_size);
+  if (!bytes || dwarf_hasattr(die, DW_AT_declaration) != 0) return std::nullopt;
+  StructLayout layout{*bytes, {}};
+  Dwarf_Die child;
+  for (int end = dwarf_child(die, &child); end == 0; end = dwarf_siblingof(&child, &child)) {
+    if (const auto member = MemberOf(&child)) layout.members.push_back(*member);
+  }
+  return layout;
+}
+
+// Adds to `layouts` each layout that a compilation of `dwarf` gives the type `name`.
+void Collect(Dwarf* dwarf, const std::string& name, std::vector<StructLayout>* layouts) {
+  Dwarf_CU* unit = nullptr;
+  Dwarf_Die root, child;
+  while (dwarf_get_units(dwarf, unit, &unit, nullptr, nullptr, &root, nullptr) == 0) {
+    for (int end = dwarf_child(&root, &child); end == 0; end = dwarf_siblingof(&child, &child)) {
+      const char* const child_name = dwarf_diename(&child);
+      if (child_name == nullptr || child_name != name) continue;
+      std::optional<Dwarf_Die> type;
+      if (IsStruct(&child)) type = child;
+      if (dwarf_tag(&child) == DW_TAG_typedef) type = TypeOf(&child);
+      if (!type || !IsStruct(&*type)) continue;
+      if (const auto layout = LayoutOf(&*type)) layouts->push_back(*layout);
+    }
+  }
+}
+
+// Returns the layouts in the bytes of an ELF file, which need not have debug information.
+std::vector<StructLayout> LayoutsIn(std::string bytes, const std::string& name) {
+  std::vector<StructLayout> layouts;
+  elf_version(EV_CURRENT);
+  const OpenElf elf(elf_memory(bytes.data(), bytes.size()), &elf_end);
+  if (elf == nullptr) return layouts;
+  const OpenDwarf dwarf(dwarf_begin_elf(elf.get(), DWARF_C_READ, nullptr), &dwarf_end);
+  if (dwarf != nullptr) Collect(dwarf.get(), name, &layouts);
+  return layouts;
+}
+
+}  // namespace
+
+std::optional<StructLayout> LayoutIn(const fs::path& image, const std::string& name) {
+  const ImageFile file = ReadImageFile(image);
+  if (!file.problem.empty()) return std::nullopt;
+  std::vector<StructLayout> layouts = LayoutsIn(file.bytes, name);
+  const fs::path beside = FindEntry(image.parent_path(), image.stem().string() + ".DBG");
+  if (layouts.empty() && !beside.empty()) layouts = LayoutsIn(ReadText(beside).value_or(""), name);
+  for (const StructLayout& layout : layouts) {
+    if (layout != layouts.front()) return std::nullopt;
+  }
+  if (layouts.empty()) return std::nullopt;
+  return layouts.front();
+}
+
+}  // namespace openr_host

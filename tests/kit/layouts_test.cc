@@ -1,0 +1,122 @@
+// openr check: a struct that is sent and that sender and receiver lay out in different ways.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "cli/process.h"
+#include "tests/kit/kit_folder.h"
+
+namespace openr_host {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+constexpr char kBoth[] = "longword number; char text[LINE_SIZE];";
+
+// examples/TalkListen, in which Talker sends Listener a Line with number and text.
+class LayoutsTest : public ::testing::Test {
+ protected:
+  LayoutsTest() {
+    std::filesystem::copy(std::string(OPENR_DOCS) + "/../examples/TalkListen", folder_.File(""),
+                          std::filesystem::copy_options::recursive);
+    std::filesystem::remove_all(folder_.File("common"));
+  }
+
+  // Writes the header of one object.
+  void Declare(const std::string& object, const std::string& members) const {
+    folder_.Write(
+        object + "/Line.h",
+        "#include <Types.h>\nconst size_t LINE_SIZE = 32;\nstruct Line { " + members + " };\n");
+  }
+  void Replace(const std::string& file, const std::string& from, const std::string& to) const {
+    std::string text = folder_.Read(file);
+    const size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << file;
+    folder_.Write(file, text.replace(at, from.size(), to));
+  }
+  std::string Built() const {
+    const ProgramResult built = folder_.Build();
+    EXPECT_EQ(built.status, 0) << built.err;
+    return Checked();
+  }
+  std::string Checked() const { return RunProgram({"check", folder_.File("")}).out; }
+  std::string BuiltWith(const std::string& talker, const std::string& listener) const {
+    Declare("Talker", talker);
+    Declare("Listener", listener);
+    return Built();
+  }
+
+  const KitFolder folder_{""};
+};
+
+TEST_F(LayoutsTest, FieldsInAnotherOrderAreAWarningWithTheirPlaces) {
+  EXPECT_THAT(BuiltWith(kBoth, "char text[LINE_SIZE]; longword number;"),
+              HasSubstr("CONNECT.CFG:2: warning: 'Line' is not the same struct in both images: "
+                        "'text' begins at byte 4 in Talker, at byte 0 in Listener; include one "
+                        "header in both objects, and build both"));
+}
+
+TEST_F(LayoutsTest, AFieldOfAnotherSizeIsAWarning) {
+  EXPECT_THAT(BuiltWith(kBoth, "word number; char text[LINE_SIZE];"),
+              HasSubstr("'number' has 4 bytes in Talker, 2 in Listener"));
+}
+
+TEST_F(LayoutsTest, AFieldThatNobodySendsIsAWarningUnlessTheObserverAsksForTheSize) {
+  Replace("Listener/Listener.cc", "line->text));", "line->text));\n if (line->mood) return;");
+  EXPECT_THAT(BuiltWith(kBoth, std::string(kBoth) + " longword mood;"),
+              HasSubstr("Listener reads 'mood' at byte 36, and Talker sends 36 bytes"));
+  Replace("Listener/Listener.cc", "if (line->mood)",
+          "if (event.RCData(i)->Size() > 36 && line->mood)");
+  EXPECT_THAT(Built(), Not(HasSubstr("same struct")));
+}
+
+// One object was built before the header changed and one after.
+TEST_F(LayoutsTest, AnImageOfAnOlderHeaderIsAWarning) {
+  EXPECT_THAT(BuiltWith(kBoth, kBoth), Not(HasSubstr("same struct")));
+  const std::string image = "MS/OPEN-R/MW/OBJS/LISTENER.BIN";
+  const std::string old = folder_.Read(image);
+  const std::string changed = "longword mood; longword number; char text[LINE_SIZE];";
+  EXPECT_THAT(BuiltWith(changed, changed), Not(HasSubstr("same struct")));
+  folder_.Write(image, old);
+  EXPECT_THAT(Checked(), HasSubstr("'number' begins at byte 4 in Talker, at byte 0 in Listener"));
+}
+
+// ---- Programs that work on the robot
+
+TEST_F(LayoutsTest, DataOfVariableLengthAreNoWarning) {
+  EXPECT_THAT(BuiltWith(kBoth, "longword number; char text[256];"), Not(HasSubstr("same struct")));
+  EXPECT_THAT(BuiltWith(kBoth, "longword number; char text[1];"), Not(HasSubstr("same struct")));
+}
+
+TEST_F(LayoutsTest, FieldsThatOneSideDoesNotUseAreNoWarning) {
+  EXPECT_THAT(BuiltWith(std::string(kBoth) + " longword mood;", kBoth),
+              Not(HasSubstr("same struct")));
+  EXPECT_THAT(BuiltWith(kBoth, std::string(kBoth) + " longword mood;"),
+              Not(HasSubstr("same struct")));
+}
+
+TEST_F(LayoutsTest, BytesAndTypesOfTheSameNameByChanceAreNoWarning) {
+  // The listener takes bytes, and its Line is something of its own.
+  Replace("Listener/Listener.cc", "const Line* line = (const Line*)event.Data(i);",
+          "const byte* bytes = (const byte*)event.Data(i);\n        Line own = {{0}, bytes[0]};\n"
+          "        const Line* line = &own;");
+  EXPECT_THAT(BuiltWith(kBoth, "char text[LINE_SIZE]; longword number;"),
+              Not(HasSubstr("same struct")));
+  // The talker sends bytes, and the listener takes a Line.
+  Replace("Listener/Listener.cc", "const Line* line = &own;", "line = (const Line*)event.Data(i);");
+  Replace("Listener/Listener.cc", "Line own = {{0}, bytes[0]};", "const Line* line = 0;");
+  Replace("Talker/Talker.cc", "SetData(&line, sizeof(line))", "SetData(line.text, 8)");
+  EXPECT_THAT(Built(), Not(HasSubstr("same struct")));
+}
+
+TEST_F(LayoutsTest, AnImageWithoutDebugInformationIsNoWarning) {
+  EXPECT_THAT(BuiltWith(kBoth, "char text[LINE_SIZE]; longword number;"), HasSubstr("same struct"));
+  const std::string image = folder_.File("MS/OPEN-R/MW/OBJS/LISTENER.BIN");
+  ASSERT_TRUE(RunProcess({"strip", "--strip-debug", image}).good());
+  EXPECT_THAT(Checked(), Not(HasSubstr("same struct")));
+}
+
+}  // namespace
+}  // namespace openr_host
