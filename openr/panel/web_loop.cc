@@ -8,6 +8,8 @@
 #include <array>
 #include <cstring>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace openr_host {
 namespace {
@@ -202,9 +204,19 @@ class LwsLoop : public WebLoop {
     if (wsi != nullptr) lws_set_opaque_user_data(wsi, handler);
     return wsi;
   }
-  void WantWrite(Watched watched) override { lws_callback_on_writable(static_cast<lws*>(watched)); }
+  void WantWrite(Watched watched) override {
+    lws* const wsi = static_cast<lws*>(watched);
+    if (wsi != writing_) {
+      lws_callback_on_writable(wsi);
+      return;
+    }
+    // Asks later, because libwebsockets forgets what a descriptor asks for in its own callback.
+    write_again_.push_back(wsi);
+    Wake();
+  }
   void Forget(Watched watched) override {
     lws* const wsi = static_cast<lws*>(watched);
+    std::erase(write_again_, wsi);
     lws_set_opaque_user_data(wsi, nullptr);
     lws_set_timeout(wsi, PENDING_TIMEOUT_KILLED_BY_PARENT, LWS_TO_KILL_ASYNC);
   }
@@ -233,6 +245,7 @@ class LwsLoop : public WebLoop {
         return SendText(wsi, *refusal) ? 1 : -1;
       }
       case LWS_CALLBACK_EVENT_WAIT_CANCELLED:
+        LoopOf(wsi)->AskToWriteAgain();
         LoopOf(wsi)->service_->OnWake();
         return 0;
       default:
@@ -262,14 +275,27 @@ class LwsLoop : public WebLoop {
     }
   }
 
+  // Lets `handler` write to the descriptor of `wsi`.  Returns false if it must be closed.
+  bool Write(lws* wsi, WebDescriptor* handler) {
+    writing_ = wsi;
+    const bool is_good = handler != nullptr && handler->OnWritable();
+    writing_ = nullptr;
+    return is_good;
+  }
+
+  void AskToWriteAgain() {
+    for (lws* const wsi : std::exchange(write_again_, {})) lws_callback_on_writable(wsi);
+  }
+
   static int OnDescriptor(lws* wsi, lws_callback_reasons reason, void*, void*, size_t) {
     auto* const handler = static_cast<WebDescriptor*>(lws_get_opaque_user_data(wsi));
     switch (reason) {
       case LWS_CALLBACK_RAW_RX_FILE:
         return handler != nullptr && handler->OnReadable() ? 0 : -1;
       case LWS_CALLBACK_RAW_WRITEABLE_FILE:
-        return handler != nullptr && handler->OnWritable() ? 0 : -1;
+        return LoopOf(wsi)->Write(wsi, handler) ? 0 : -1;
       case LWS_CALLBACK_RAW_CLOSE_FILE:
+        std::erase(LoopOf(wsi)->write_again_, wsi);
         lws_set_opaque_user_data(wsi, nullptr);
         if (handler != nullptr) handler->OnClosed();
         return 0;
@@ -291,6 +317,8 @@ class LwsLoop : public WebLoop {
   lws_context* context_ = nullptr;
   lws_vhost* vhost_ = nullptr;
   StopTimer stop_timer_{{}, this};
+  lws* writing_ = nullptr;         // the connection whose descriptor is written to now
+  std::vector<lws*> write_again_;  // the connections whose descriptors have more to write
   bool is_stopped_ = false;
 };
 
