@@ -35,6 +35,10 @@ endif()
 if(OPENR_FUZZ)
   # Counters of branches, by which libFuzzer sees how far an input has come.
   add_compile_options(-fsanitize=fuzzer-no-link)
+  # Two checks that take a fifth of the compiler's time.  AddressSanitizer sees what object-size would
+  # see, and an unaligned word is an error on the robot only, so the robot's code keeps the other one.
+  # The preset asan has both.
+  add_compile_options(-fno-sanitize=object-size,alignment)
 endif()
 if(OPENR_COVERAGE)
   add_compile_options(--coverage)
@@ -52,6 +56,7 @@ set(OPENR_OBJECT_FLAGS -g -Wall -Wextra -Werror -fno-strict-aliasing -ftrivial-a
   # clang's UBSan ends the process where a robot goes on with a number it does not have; the runtime
   # reports these conversions itself.
   $<$<CXX_COMPILER_ID:Clang>:-fno-sanitize=float-cast-overflow>
+  $<$<BOOL:${OPENR_FUZZ}>:-fsanitize=alignment>
   $<$<CXX_COMPILER_ID:Clang>:-enable-trivial-auto-var-init-zero-knowing-it-will-be-removed-from-clang>
   $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-fno-gnu-unique>)
 
