@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <vector>
 
 namespace openr_host {
 namespace {
@@ -26,13 +27,21 @@ std::string JsonText(const Json& json, int indent) {
 }
 
 template <typename Json>
-Json ParseJson(std::string_view text, Fractions fractions) {
-  if (fractions == Fractions::kAll) return Json::parse(text);
-  return Json::parse(text, [fractions](int, typename Json::parse_event_t event, Json& value) {
-    if (event == Json::parse_event_t::value && value.is_number_float())
-      CheckFraction(value, fractions);
-    return true;
-  });
+Json ParseJson(std::string_view text) {
+  return Json::parse(text);
+}
+
+template <typename Json>
+void CheckFractions(const Json& json, Fractions fractions) {
+  // A list instead of a recursion, because JSON of another program may be nested deeply.
+  std::vector<const Json*> unchecked{&json};
+  while (!unchecked.empty()) {
+    const Json* const next = unchecked.back();
+    unchecked.pop_back();
+    if (next->is_number_float()) CheckFraction(*next, fractions);
+    if (!next->is_structured()) continue;
+    for (const Json& part : *next) unchecked.push_back(&part);
+  }
 }
 
 template <typename Json>
@@ -42,8 +51,10 @@ Json TryParseJson(std::string_view text) {
 
 template std::string JsonText(const nlohmann::json&, int);
 template std::string JsonText(const nlohmann::ordered_json&, int);
-template nlohmann::json ParseJson(std::string_view, Fractions);
-template nlohmann::ordered_json ParseJson(std::string_view, Fractions);
+template nlohmann::json ParseJson(std::string_view);
+template nlohmann::ordered_json ParseJson(std::string_view);
+template void CheckFractions(const nlohmann::json&, Fractions);
+template void CheckFractions(const nlohmann::ordered_json&, Fractions);
 template nlohmann::json TryParseJson(std::string_view);
 template nlohmann::ordered_json TryParseJson(std::string_view);
 

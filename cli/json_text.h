@@ -14,22 +14,24 @@ namespace openr_host {
 template <typename Json>
 std::string JsonText(const Json& json, int indent = -1);
 
-// Which numbers with a fraction or an exponent ParseJson() accepts.
+// Returns the JSON in `text`.  Throws Json::parse_error if `text` is no JSON.
+template <typename Json>
+Json ParseJson(std::string_view text);
+
+// Which numbers with a fraction or an exponent CheckFractions() accepts.
 enum class Fractions {
-  kAll,
-  kBounded,  // those between -2^31 and 2^31, which fit into each signed integer
+  kBounded,  // those between -2^31 and 2^31, which fit into an int
   kNone,
 };
 
-// Returns the JSON in `text`.
+// Throws std::runtime_error if `json` has a number with a fraction or an exponent that `fractions`
+// does not include.  Other numbers are not checked.
 //
 // C++ gives no meaning to the conversion of a number like 1e30 to an integer, and the JSON library
-// converts without a check.  So whoever reads the JSON of a file or of another program refuses such
-// numbers with `fractions`, before anybody asks for an integer.
-//
-// Throws Json::parse_error if `text` is no JSON, and std::runtime_error for a refused number.
+// converts without a check.  So whoever reads the JSON of a file or of another program calls this
+// function before anybody asks for an integer.
 template <typename Json>
-Json ParseJson(std::string_view text, Fractions fractions = Fractions::kAll);
+void CheckFractions(const Json& json, Fractions fractions);
 
 // Returns the JSON in `text`, or a value of which is_discarded() is true if `text` is no JSON.
 template <typename Json>

@@ -165,7 +165,12 @@ void ImageCheck::CheckImage(const ObjectRecord& record, const fs::path& file,
     std::erase_if(namesakes,
                   [&](const ObjectFolder* object) { return !HasServicesIn(*object, record); });
   for (const ObjectFolder* object : namesakes) Place(*object, record.section);
-  if (namesakes.size() == 1) images_.built.push_back({namesakes.front(), file});
+  if (namesakes.size() != 1) return;
+  // An image that several sections of OBJECT.CFG list is the same image.
+  const bool is_known = std::any_of(
+      images_.built.begin(), images_.built.end(),
+      [&](const auto& built) { return built.folder == namesakes.front() && built.image == file; });
+  if (!is_known) images_.built.push_back({namesakes.front(), file});
 }
 
 bool ImageCheck::HasOcfName(const ObjectFolder& object, const std::string& name) const {

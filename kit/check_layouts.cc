@@ -40,11 +40,16 @@ bool Matches(const std::string& text, const std::string& pattern) {
   return std::regex_search(text, std::regex(pattern));
 }
 
+// A part of a statement.  Its length is limited, because std::regex_search() calls itself for each
+// character that a repetition takes.
+const std::string kRestOfStatement = "[^;]{0,400}";
+
 // Returns whether the object passes a whole struct `type` to SetData(): a variable of this type, or
 // a region of its size.
 bool Sends(const ObjectCode& code, const std::string& type) {
   const std::string size_of_type = "sizeof\\s*\\(?\\s*" + type + "\\b";
-  if (Matches(code.sources, "\\b(SetData|RCRegion)\\s*\\([^;]*" + size_of_type)) return true;
+  if (Matches(code.sources, "\\b(SetData|RCRegion)\\s*\\(" + kRestOfStatement + size_of_type))
+    return true;
   static const std::regex kCall(
       "\\bSetData\\s*\\(\\s*&\\s*(\\w+)\\s*,\\s*sizeof\\s*\\(?\\s*\\1\\b");
   for (std::sregex_iterator it(code.sources.begin(), code.sources.end(), kCall), end; it != end;
@@ -56,7 +61,8 @@ bool Sends(const ObjectCode& code, const std::string& type) {
 
 // Returns whether the object uses received data as a struct `type`: (const Line*)event.Data(0).
 bool Receives(const ObjectCode& code, const std::string& type) {
-  return Matches(code.sources, "\\b" + type + "\\b\\s*(const\\s*)?\\*[^;]*\\b(Data|Base)\\s*\\(");
+  return Matches(code.sources, "\\b" + type + "\\b\\s*(const\\s*)?\\*" + kRestOfStatement +
+                                   "\\b(Data|Base)\\s*\\(");
 }
 
 bool AsksForSize(const ObjectCode& code) {

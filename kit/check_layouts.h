@@ -15,9 +15,8 @@ namespace openr_host {
 // warns only if all of this holds:
 //   - the data type in the names of the services is the name of the struct;
 //   - both images are built, and their debug information has one definition of the struct;
-//   - sources of the subject's object pass such a struct to SetData(), with its size, and sources
-//   of
-//     the observer's object use received data as such a struct;
+//   - sources of the subject's object pass such a struct to SetData(), with its size;
+//   - sources of the observer's object use received data as such a struct;
 //   - a member that sources of both objects name lies at another place or has another size, or the
 //     observer's object names a member that is behind the last byte which the subject sends, and
 //     asks nowhere for the size of the data.

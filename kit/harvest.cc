@@ -292,7 +292,7 @@ class StickCompletion {
   // Returns why an image that this build has not made cannot be listed; "" if it can.  `is_of_make`
   // is true if a rule of a Makefile has put it on the stick.
   std::string WhyUnlisted(const std::string& name, const ImageFile& image, bool is_of_make) const {
-    if (image.is_for_robot) return "it is for the robot (MIPS), and its sources are not here";
+    if (image.is_for_robot) return "it is an image for the robot (MIPS), not for this machine";
     if (!image.problem.empty()) return "it " + image.problem;
     const std::optional<Ocf> ocf = ParseOcf("", OcfTextOf(image.bytes)).ocf;
     for (const auto& [listed, index] : listed_) {
@@ -319,7 +319,7 @@ class StickCompletion {
   // The images of the OBJECT.CFG that ListEverything() writes: the names of their files, and their
   // indexes in built_, or kNone if this build has not made them.
   std::vector<std::pair<std::string, size_t>> listed_;
-  std::vector<std::string> unlisted_;  // notes about the images that it does not name
+  std::vector<std::string> unlisted_;  // notes about the images that this OBJECT.CFG does not name
   Harvest harvest_;
 };
 

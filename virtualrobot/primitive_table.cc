@@ -66,7 +66,8 @@ const std::string* PrimitiveLocator(const RobotModel& model, OPrimitiveID id) {
   VisitPrimitives(model, [&](const std::string& locator, PrimitiveKind, int, int) {
     if (next++ == id) found = &locator;
   });
-  return found;
+  // The microphone of a model without parts, for example, has no locator.
+  return found == nullptr || found->empty() ? nullptr : found;
 }
 
 void PrimitiveTable::Add(const std::string& locator, PrimitiveKind kind, int index, int sensor) {

@@ -179,8 +179,11 @@ int Replay(ReplayFlags flags) {
   if (flags.panel) return Show(flags);
   Replayer replayer(flags.replay);
   const EndingAction ending_action([&replayer](Ending* ending) {
-    fmt::print(stderr, "openr: {} {} equal up to here\n", Counted(replayer.count(), "message"),
-               replayer.count() == 1 ? "was" : "were");
+    // Not fmt::print(), which throws if nobody reads standard error.
+    std::fputs(fmt::format("openr: {} {} equal up to here\n", Counted(replayer.count(), "message"),
+                           replayer.count() == 1 ? "was" : "were")
+                   .c_str(),
+               stderr);
     TellHandled(*ending);
   });
   if (flags.data_log.file.empty() && flags.timeline_file.empty()) {

@@ -99,7 +99,6 @@ void ReportTheEnding(Ending* ending, Simulation* simulation, DistributedRun* dis
     simulation->system().AddFinding(Severity::kError, std::string(ending->finding.text()));
     simulation->system().NoteRunEnd(EndOf(*ending));
   }
-  TellHandled(*ending);
   distribution->ShortenTimeouts();
   simulation->CloseFiles();
   nlohmann::ordered_json report = MakeReport(simulation, facts);
@@ -110,6 +109,7 @@ void ReportTheEnding(Ending* ending, Simulation* simulation, DistributedRun* dis
   WriteReport(report, flags);
   ending->answered = true;
   distribution->EndProcesses();
+  TellHandled(*ending);  // last, so that a fault here does not keep the report from being written
 }
 
 // Reads the script of --events.  Throws CLI::ValidationError, with the place in the file, if the

@@ -377,7 +377,9 @@ std::string DecodeHandled(const System& system, const Message& message) {
     // Looks regions up by their ids.  The pointers of the message may lead to regions that do not
     // exist any more, but an id is never used again.
     const auto& notify = *reinterpret_cast<const ONotifyMessage*>(message.payload);
-    for (int i = 0; i < notify.numOfData; ++i) {
+    // Limits the count, because the handler may have damaged the message before it crashed.
+    const int count = std::min<int>(notify.numOfData, MAX_NUM_DATA);
+    for (int i = 0; i < count; ++i) {
       const TransferedData& data = notify.data[i];
       const char* const base = system.regions().BaseOf(data.memID);
       const size_t bytes = system.regions().SizeOf(data.memID);

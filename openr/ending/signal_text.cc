@@ -32,10 +32,14 @@ const char* KindInWords(const Message& message) {
     case PayloadKind::kNotify:
       return " notification";
     case PayloadKind::kReady:
-      return reinterpret_cast<const OReadyMessage*>(message.payload)->command ==
-                     objcommCMD_ASSERT_READY
-                 ? " ready (assert)"
-                 : " not ready (deassert)";
+      switch (reinterpret_cast<const OReadyMessage*>(message.payload)->command) {
+        case objcommCMD_ASSERT_READY:
+          return " ready (assert)";
+        case objcommCMD_DEASSERT_READY:
+          return " not ready (deassert)";
+        default:
+          return " ready";
+      }
     case PayloadKind::kHashed:
       return " request or answer of the network stack";
     case PayloadKind::kBytes:

@@ -79,7 +79,8 @@ Json ScheduleToJson(const ExploredStick& stick, const Json& failure) {
 ScheduleFile ReadScheduleFile(const std::string& path, Json* deviations) try {
   const std::optional<std::string> text = ReadFile(path);
   if (!text) throw std::runtime_error(fmt::format("cannot be read: {}", std::strerror(errno)));
-  const Json json = ParseJson<Json>(*text, Fractions::kNone);
+  const auto json = ParseJson<Json>(*text);
+  CheckFractions(json, Fractions::kNone);
   if (json.value("openr_explore", 0) != kVersion) {
     throw std::runtime_error(fmt::format("no schedule of openr explore, version {}", kVersion));
   }

@@ -100,7 +100,7 @@ void Replayer::MakeRun(SimulationOptions options) {
     simulation_ = own_simulation_.get();
     return;
   }
-  const auto json = ParseJson<nlohmann::ordered_json>(text, Fractions::kNone);
+  const auto json = ParseJson<nlohmann::ordered_json>(text);
   options.guard_regions = json.at("guard");
   prepared_ = PrepareSimulation(options);
   if (!prepared_.problem.empty()) throw std::runtime_error(prepared_.problem);

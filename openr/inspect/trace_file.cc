@@ -60,7 +60,8 @@ std::string HeaderText(const TraceHeader& h) {
 }
 
 TraceHeader HeaderOf(std::string_view text) {
-  const Json json = ParseJson<Json>(text, Fractions::kNone);
+  const auto json = ParseJson<Json>(text);
+  CheckFractions(json, Fractions::kNone);
   TraceHeader h;
   json.at("program").get_to(h.program);
   json.at("stick").get_to(h.stick);

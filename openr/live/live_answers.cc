@@ -208,7 +208,12 @@ Json AnswerScene(const Asked& asked) {
 // Limits of the rate that a client can set; the option --rate has the same limits.
 constexpr double kRateMin = 0.001, kRateMax = 1000;
 
-int64_t InUs(double time_s) { return static_cast<int64_t>(std::llround(time_s * 1e6)); }
+// Returns `time_s` in microseconds; times beyond 30 years are shortened to 30 years, so that sums
+// of two times do not overflow.
+int64_t InUs(double time_s) {
+  constexpr double kTimeMax_s = 1e9;
+  return static_cast<int64_t>(std::llround(std::clamp(time_s, -kTimeMax_s, kTimeMax_s) * 1e6));
+}
 
 // Makes a known run, such as a replay, go on to the later moment `time_us`.  Returns the answer to
 // the client: the state of the clock, or an error.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cli/json_text.h"
+#include "openr/decode/decode_message.h"
 #include "openr/live/console_log.h"
 #include "openr/live/message_history.h"
 #include "openr/live/run_clock.h"
@@ -70,7 +71,7 @@ Json FindingsJson(const LiveContext& context) {
                         {"object", finding.object},
                         {"time_s", InSeconds(finding.time_us)},
                         {"message", finding.message},
-                        {"said", finding.said},
+                        {"said", OneLineOf(finding.said)},
                         {"count", finding.count},
                         {"text", finding.text}});
   }

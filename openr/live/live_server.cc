@@ -93,7 +93,8 @@ bool LiveServer::AnswerLines(Client* client) {
     nlohmann::ordered_json answer;
     nlohmann::json request;
     try {
-      request = ParseJson<nlohmann::json>(line, Fractions::kBounded);
+      request = ParseJson<nlohmann::json>(line);
+      CheckFractions(request, Fractions::kBounded);
       answer = AnswerTo(client, request);
     } catch (const std::exception& error) {
       answer = {{"error", error.what()}};

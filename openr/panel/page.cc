@@ -120,16 +120,10 @@ void Page::Take(std::string_view part, bool is_text, bool is_last) {
 }
 
 void Page::Obey(const std::string& text) {
-  nlohmann::json request;
-  try {
-    request = ParseJson<nlohmann::json>(text, Fractions::kBounded);
-  } catch (const nlohmann::json::exception&) {
-    return Refuse({}, "the request is no JSON object");
-  } catch (const std::runtime_error& error) {
-    return Refuse({}, error.what());
-  }
+  auto request = TryParseJson<nlohmann::json>(text);
   if (!request.is_object()) return Refuse({}, "the request is no JSON object");
   try {
+    CheckFractions(request, Fractions::kBounded);
     if (text.size() > kMessageMax && !IsUpload(request)) {
       End(kCloseTooLong, fmt::format("a message of more than {} bytes", kMessageMax));
     } else if (const std::string what = request.value("do", ""); what == "runs") {

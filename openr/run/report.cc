@@ -180,7 +180,9 @@ void TellHandled(const Ending& ending) {
   if (ending.object == nullptr || ending.object->handler.running == nullptr) return;
   const Message& message = *ending.object->handler.running;
   const std::string said = DecodeHandled(*ending.object->system, message);
-  fmt::print(stderr, "openr: {}\n", MessageText(message.number, said));
+  // Uses fputs() because fmt::print() throws if nobody reads standard error, and no exception may
+  // leave an action at the end of a run.
+  std::fputs(fmt::format("openr: {}\n", MessageText(message.number, said)).c_str(), stderr);
 }
 
 }  // namespace openr_host

@@ -13,7 +13,7 @@ using Json = nlohmann::json;
 
 std::string Problem(const std::string& text, Fractions fractions) {
   try {
-    ParseJson<Json>(text, fractions);
+    CheckFractions(ParseJson<Json>(text), fractions);
     return "";
   } catch (const std::runtime_error& error) {
     return error.what();
@@ -22,8 +22,9 @@ std::string Problem(const std::string& text, Fractions fractions) {
 
 TEST(JsonTextTest, WholeNumbersAreAlwaysAccepted) {
   const std::string text = R"({"a":[0,-9223372036854775808,18446744073709551615],"b":"1e30"})";
-  EXPECT_EQ(ParseJson<Json>(text, Fractions::kNone).dump(), text);
-  EXPECT_EQ(ParseJson<Json>(text, Fractions::kBounded).dump(), text);
+  EXPECT_EQ(Problem(text, Fractions::kNone), "");
+  EXPECT_EQ(Problem(text, Fractions::kBounded), "");
+  EXPECT_EQ(JsonText(ParseJson<Json>(text)), text);
 }
 
 TEST(JsonTextTest, AFractionIsRefusedWhereAllNumbersAreWhole) {
@@ -41,8 +42,14 @@ TEST(JsonTextTest, AFractionBeyondEveryIntegerIsRefused) {
             "the number -2147483648.0 is too large");
 }
 
+TEST(JsonTextTest, DeeplyNestedNumbersAreChecked) {
+  const std::string deep = std::string(100'000, '[') + "1e30" + std::string(100'000, ']');
+  EXPECT_EQ(Problem(deep, Fractions::kBounded), "the number 1e+30 is too large");
+}
+
 TEST(JsonTextTest, WhatIsNoJsonIsAParseError) {
-  EXPECT_THROW(ParseJson<Json>("{\"a\":", Fractions::kNone), Json::parse_error);
+  EXPECT_THROW(ParseJson<Json>("{\"a\":"), Json::parse_error);
+  EXPECT_TRUE(TryParseJson<Json>("{\"a\":").is_discarded());
 }
 
 }  // namespace

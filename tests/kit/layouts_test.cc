@@ -83,6 +83,25 @@ TEST_F(LayoutsTest, AnImageOfAnOlderHeaderIsAWarning) {
   EXPECT_THAT(Checked(), HasSubstr("'number' begins at byte 4 in Talker, at byte 0 in Listener"));
 }
 
+// OBJECT.CFG may list one image for several models.
+TEST_F(LayoutsTest, ImagesOfTwoSectionsAreCompared) {
+  BuiltWith(kBoth, "word number; char text[LINE_SIZE];");
+  const std::string config = "MS/OPEN-R/MW/CONF/OBJECT.CFG";
+  const std::string lines = folder_.Read(config);
+  folder_.Write(config, "[ERS-210]\n" + lines + "[ERS-7]\n" + lines);
+  EXPECT_THAT(Checked(), HasSubstr("'number' has 4 bytes in Talker, 2 in Listener"));
+}
+
+TEST_F(LayoutsTest, ALongTextWithoutASemicolonIsRead) {
+  std::string table =
+      "#define LINE_OF(e) ((const Line*)(e).Data(0))\nstatic const int table[] = {1";
+  for (int i = 0; i < 100'000; ++i) table += ", 1";
+  const std::string source = folder_.Read("Talker/Talker.cc");
+  folder_.Write("Talker/Talker.cc", source + table + "};\nconst int* Table() { return table; }\n");
+  EXPECT_THAT(BuiltWith(kBoth, "word number; char text[LINE_SIZE];"),
+              HasSubstr("'number' has 4 bytes in Talker, 2 in Listener"));
+}
+
 // ---- Programs that work on the robot
 
 TEST_F(LayoutsTest, DataOfVariableLengthAreNoWarning) {

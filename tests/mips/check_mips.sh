@@ -98,6 +98,7 @@ stack() {
 # Compiles one source at a time for a minute, so it runs beside all that follows.
 python3 "$here/robot_stick_test.py" --build "$build" >"$work/robot_stick.log" 2>&1 &
 robot_stick=$!
+trap 'kill "$robot_stick" 2>/dev/null' EXIT
 
 make_with host dump -DCMAKE_BUILD_TYPE=Release
 make_with clang dump -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_C_COMPILER=clang

@@ -122,10 +122,14 @@ TEST(EndingTest, ABatteryThatIsLowFromTheBootOnEndsNothingAndANoteSaysSo) {
     const ProgramResult result = RunProgram(
         RunWords({"--battery", is_low ? "9%" : "10%", "--for", "1s", "--robots", "2", "--json"}));
     EXPECT_EQ(result.status, 0) << result.err;
-    const json report = json::parse(result.out);
-    ASSERT_EQ(report["findings"].size(), is_low ? 1u : 0u);
+    std::vector<json> notes;
+    for (const json& finding : json::parse(result.out)["findings"]) {
+      // Another run on this machine may have the port of the second robot, which is a finding too.
+      if (finding["text"].get<std::string>().starts_with("--battery")) notes.push_back(finding);
+    }
+    ASSERT_EQ(notes.size(), is_low ? 1u : 0u);
     if (!is_low) continue;
-    EXPECT_EQ(report["findings"][0]["severity"], "note");
+    EXPECT_EQ(notes[0]["severity"], "note");
     EXPECT_THAT(result.err, HasSubstr("note: --battery 9%: "));
     EXPECT_THAT(result.err, HasSubstr("so the battery does not end the run; give 10% or more"));
   }

@@ -141,8 +141,8 @@ TEST_F(PanelServerTest, WhatIsNoRequestIsRefusedAndThePageGoesOn) {
     page->Send(text);
     EXPECT_EQ(page->Receive(), R"({"error":"the request is no JSON object"})");
   }
-  page->Send(R"({"do":"rc","call":"info","robot":1e300})");
-  EXPECT_EQ(page->Receive(), R"({"error":"the number 1e+300 is too large"})");
+  page->Send(R"({"do":"rc","call":"info","robot":1e300,"id":2})");
+  EXPECT_EQ(page->Receive(), R"({"error":"the number 1e+300 is too large","id":2})");
   page->Send(R"({"do":"rc","call":"info","robot":-1})");
   EXPECT_EQ(page->Receive(), R"({"error":"there is no robot -1"})");
   page->Send(R"({"do":7,"id":3})");
