@@ -81,8 +81,8 @@ TEST_F(ObjectListTest, AnImageThatIsNotListedIsNamedWithTheReason) {
       "\tcp $(OPENRSDK_ROOT)/images/POWERMON.BIN $(OBJS)/ALONGNAME.BIN\n");
   const ProgramResult built = Build();
   EXPECT_EQ(folder_.Read(kList), "/MS/OPEN-R/MW/OBJS/HELLO.BIN\n");
-  EXPECT_THAT(built.err, HasSubstr("note: OBJS/WALK.BIN is not in this OBJECT.CFG: it is for the "
-                                   "robot (MIPS), not for this machine\n"));
+  EXPECT_THAT(built.err, HasSubstr("note: OBJS/WALK.BIN is not in this OBJECT.CFG: it is an "
+                                   "image for the robot (MIPS), not for this machine\n"));
   EXPECT_THAT(built.err, HasSubstr("note: OBJS/NOTES.BIN is not in this OBJECT.CFG: it is not an "
                                    "object image"));
   EXPECT_THAT(built.err, HasSubstr("note: OBJS/TWICE.BIN is not in this OBJECT.CFG: it is an image "
