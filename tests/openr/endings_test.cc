@@ -122,8 +122,9 @@ TEST(EndingTest, ABatteryThatIsLowFromTheBootOnEndsNothingAndANoteSaysSo) {
     const ProgramResult result = RunProgram(
         RunWords({"--battery", is_low ? "9%" : "10%", "--for", "1s", "--robots", "2", "--json"}));
     EXPECT_EQ(result.status, 0) << result.err;
+    const json report = json::parse(result.out);
     std::vector<json> notes;
-    for (const json& finding : json::parse(result.out)["findings"]) {
+    for (const json& finding : report["findings"]) {
       // Another run on this machine may have the port of the second robot, which is a finding too.
       if (finding["text"].get<std::string>().starts_with("--battery")) notes.push_back(finding);
     }
