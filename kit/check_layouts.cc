@@ -69,7 +69,7 @@ bool AsksForSize(const ObjectCode& code) {
   return Matches(code.sources, "(->|\\.)\\s*Size\\s*\\(");
 }
 
-// One end of a connection.
+// Describes one end of a connection: the object, its code, and how its image lays out the struct.
 struct End {
   std::string object;  // name of the object's folder
   const ObjectCode& code;

@@ -179,7 +179,7 @@ int Replay(ReplayFlags flags) {
   if (flags.panel) return Show(flags);
   Replayer replayer(flags.replay);
   const EndingAction ending_action([&replayer](Ending* ending) {
-    // Not fmt::print(), which throws if nobody reads standard error.
+    // Uses fputs() because fmt::print() throws if nobody reads standard error.
     std::fputs(fmt::format("openr: {} {} equal up to here\n", Counted(replayer.count(), "message"),
                            replayer.count() == 1 ? "was" : "were")
                    .c_str(),

@@ -1,27 +1,15 @@
 // openr build: programs as they were written for the robot, with nothing added and nothing changed.
-#include <elf.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstring>
-
 #include "tests/kit/kit_folder.h"
+#include "tests/kit/robot_binary.h"
 
 namespace openr_host {
 namespace {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
-
-// The beginning of a binary for the robot.
-std::string RobotBinary() {
-  Elf32_Ehdr header{};
-  std::memcpy(header.e_ident, ELFMAG, SELFMAG);
-  header.e_ident[EI_CLASS] = ELFCLASS32;
-  header.e_type = ET_REL;
-  header.e_machine = EM_MIPS;
-  return std::string(reinterpret_cast<const char*>(&header), sizeof header) + std::string(64, 'x');
-}
 
 // One build that several tests look at.
 class BuiltProgram : public ::testing::Test {

@@ -72,7 +72,7 @@ TEST_F(LayoutsTest, AFieldThatNobodySendsIsAWarningUnlessTheObserverAsksForTheSi
   EXPECT_THAT(Built(), Not(HasSubstr("same struct")));
 }
 
-// One object was built before the header changed and one after.
+// The header of the struct changed between the builds of the two objects.
 TEST_F(LayoutsTest, AnImageOfAnOlderHeaderIsAWarning) {
   EXPECT_THAT(BuiltWith(kBoth, kBoth), Not(HasSubstr("same struct")));
   const std::string image = "MS/OPEN-R/MW/OBJS/LISTENER.BIN";

@@ -1,12 +1,11 @@
 // openr build without OBJECT.CFG, and openr stick new: which images the list names that is written.
-#include <elf.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <filesystem>
 
 #include "tests/kit/kit_folder.h"
+#include "tests/kit/robot_binary.h"
 
 namespace openr_host {
 namespace {
@@ -16,16 +15,6 @@ using ::testing::Not;
 
 constexpr char kObjects[] = "MS/OPEN-R/MW/OBJS/";
 constexpr char kList[] = "MS/OPEN-R/MW/CONF/OBJECT.CFG";
-
-// The beginning of a binary for the robot.
-std::string BinaryForTheRobot() {
-  Elf32_Ehdr header{};
-  std::memcpy(header.e_ident, ELFMAG, SELFMAG);
-  header.e_ident[EI_CLASS] = ELFCLASS32;
-  header.e_type = ET_REL;
-  header.e_machine = EM_MIPS;
-  return std::string(reinterpret_cast<const char*>(&header), sizeof header) + std::string(64, 'x');
-}
 
 // The object Greeter, and a stick without OBJECT.CFG.
 class ObjectListTest : public ::testing::Test {
@@ -64,7 +53,7 @@ TEST_F(ObjectListTest, ImagesThatAMakefileHasCopiedAreListedUnderTheirNames) {
 }
 
 TEST_F(ObjectListTest, OfABinaryForTheRobotTheKitsOwnIsListed) {
-  folder_.Write(std::string(kObjects) + "POWERMON.BIN", BinaryForTheRobot());
+  folder_.Write(std::string(kObjects) + "POWERMON.BIN", RobotBinary());
   const ProgramResult built = Build();
   EXPECT_EQ(folder_.Read(kList),
             "/MS/OPEN-R/MW/OBJS/POWERMON.BIN\n/MS/OPEN-R/MW/OBJS/GREETER.BIN\n");
@@ -73,7 +62,7 @@ TEST_F(ObjectListTest, OfABinaryForTheRobotTheKitsOwnIsListed) {
 }
 
 TEST_F(ObjectListTest, AnImageThatIsNotListedIsNamedWithTheReason) {
-  folder_.Write(std::string(kObjects) + "WALK.BIN", BinaryForTheRobot());
+  folder_.Write(std::string(kObjects) + "WALK.BIN", RobotBinary());
   folder_.Write(std::string(kObjects) + "NOTES.BIN", "some text");
   Install(
       "\tcp greeter.bin $(OBJS)/HELLO.BIN\n"
@@ -105,9 +94,9 @@ TEST_F(ObjectListTest, AnImageOfAnEarlierBuildIsNotListedByItself) {
 
 TEST_F(ObjectListTest, ANewStickNamesTheImagesOfItsBaseThatNobodyLoads) {
   folder_.Write("base/OPEN-R/MW/CONF/OBJECT.CFG", "/MS/OPEN-R/MW/OBJS/POWERMON.BIN\n");
-  folder_.Write("base/OPEN-R/MW/OBJS/POWERMON.BIN", BinaryForTheRobot());
-  folder_.Write("base/OPEN-R/MW/OBJS/TINYFTPD.BIN", BinaryForTheRobot());
-  folder_.Write("HELLO.BIN", BinaryForTheRobot());
+  folder_.Write("base/OPEN-R/MW/OBJS/POWERMON.BIN", RobotBinary());
+  folder_.Write("base/OPEN-R/MW/OBJS/TINYFTPD.BIN", RobotBinary());
+  folder_.Write("HELLO.BIN", RobotBinary());
   const ProgramResult made = RunProgram({"stick", "new", "-o", folder_.File("new"), "--base",
                                          folder_.File("base"), folder_.File("HELLO.BIN")});
   ASSERT_EQ(made.status, 0) << made.err;
