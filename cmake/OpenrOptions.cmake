@@ -46,7 +46,7 @@ if(OPENR_COVERAGE)
 endif()
 
 # Warnings for our own C++20; objects/ has its own list in OpenrObject.cmake.
-set(OPENR_WARNINGS -Wall -Wextra -Werror)
+set(OPENR_WARNINGS -Wall -Wextra -Werror $<$<COMPILE_LANGUAGE:CXX>:-Wsuggest-override>)
 
 # What openr_add_object() needs (OpenrObject.cmake).
 set(OPENR_STUBGEN2 stubgen2)

@@ -92,11 +92,18 @@ void JointClient::Close(NetHandle handle) {
 void JointClient::Drop(NetHandle handle, bool reset) {
   if (handle == listener_) listener_ = 0;
   std::erase(accepts_, handle);
-  if (handle == handle_) return Forget();
+  if (handle == handle_) return EndConnection();
   PassingNetwork::Drop(handle, reset);
 }
 
 void JointClient::Forget() {
+  listener_ = 0;
+  accepts_.clear();
+  EndConnection();
+  PassingNetwork::Forget();
+}
+
+void JointClient::EndConnection() {
   handle_ = 0;
   out_.clear();
   unanswered_ = 0;
@@ -155,7 +162,7 @@ std::vector<NetworkEvent> JointClient::Poll() {
   }
   if (is_closing_) {
     events.push_back(EventOf(NetworkEvent::Kind::kClosed, handle_));
-    Forget();
+    EndConnection();
     return events;
   }
   // Sends no more requests after an invalid answer and ends the connection, because the object that

@@ -50,13 +50,14 @@ class JointClient : public PassingNetwork {
   void Close(NetHandle handle) override;
   void Drop(NetHandle handle, bool reset) override;
   std::vector<NetworkEvent> Poll() override;
+  void Forget() override;
 
  private:
   bool TakePlace(std::vector<NetworkEvent>* events);
   void WriteRequests();
   void Request(int command, int joint, double value);
   void HearAnswers();
-  void Forget();
+  void EndConnection();
 
   const Refused refused_;
   std::map<int, JointTarget> wanted_;  // stored targets; key: number of the joint

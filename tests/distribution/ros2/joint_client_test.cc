@@ -17,10 +17,21 @@ constexpr NetHandle kListener = 1;
 constexpr NetHandle kFirst = 2;
 constexpr NetHandle kSecond = 3;
 
+// Counts the calls of Forget().
+class ForgettingNetwork : public ReplayedNetwork {
+ public:
+  ForgettingNetwork(Say say, int* count) : ReplayedNetwork(std::move(say)), count_(*count) {}
+  void Forget() override { ++count_; }
+
+ private:
+  int& count_;
+};
+
 class JointClientTest : public testing::Test {
  protected:
   JointClientTest()
-      : client_(std::make_unique<ReplayedNetwork>([this] { return std::exchange(outside_, {}); }),
+      : client_(std::make_unique<ForgettingNetwork>([this] { return std::exchange(outside_, {}); },
+                                                    &forgotten_),
                 [this](const std::string& why) { refusals_.push_back(why); }) {
     client_.Listen(kListener, RC_PORT);
     client_.Accept(kListener, kFirst);
@@ -55,6 +66,7 @@ class JointClientTest : public testing::Test {
 
   std::vector<NetworkEvent> outside_;  // events for the next Poll()
   std::vector<std::string> refusals_;
+  int forgotten_ = 0;
   JointClient client_;
 };
 
@@ -174,6 +186,16 @@ TEST_F(JointClientTest, AfterTheRobotHasClosedItConnectsAnew) {
   client_.Want({{1, {0.2, 0}}});
   client_.Poll();
   EXPECT_EQ(Read(kSecond), Packet(rcMOVE, 1, 1146));
+}
+
+TEST_F(JointClientTest, AForkForgetsTheSocketsOfTheHost) {
+  client_.Want({{1, {0.1, 0}}});
+  client_.Poll();
+  EXPECT_EQ(forgotten_, 0);
+  client_.Forget();
+  EXPECT_EQ(forgotten_, 1);
+  client_.Want({{1, {0.1, 0}}});
+  EXPECT_TRUE(client_.Poll().empty());  // no Accept() waits any more
 }
 
 TEST_F(JointClientTest, PositionsBeyondAllJointsAreCut) {
