@@ -39,6 +39,9 @@ if(OPENR_FUZZ)
   # see, and an unaligned word is an error on the robot only, so the robot's code keeps the other one.
   # The preset asan has both.
   add_compile_options(-fno-sanitize=object-size,alignment)
+  add_compile_options(-fsanitize-ignorelist=${PROJECT_SOURCE_DIR}/cmake/clang-unchecked.txt
+    -fsanitize-coverage-ignorelist=${PROJECT_SOURCE_DIR}/cmake/clang-uncounted.txt
+    -Wno-unused-command-line-argument)  # the tests have no counters
 endif()
 if(OPENR_COVERAGE)
   add_compile_options(--coverage)

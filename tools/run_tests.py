@@ -26,9 +26,8 @@ TOTALS = re.compile(r"^(\d+) passed, (\d+) failed(?:, (\d+) skipped)?$")
 LIMIT_S = 1800  # for one program: enough with sanitizers on two busy cores
 # distribution_tests wait for leases (ros2_run.h has 4 domains), openr_tests for runs in real time.
 SHARDS = {"distribution_tests": 4, "openr_tests": 2}
-# As one program each of these would be the last to end: kit_tests compile, the others step physics,
-# which takes minutes with sanitizers.
-BUSY_SHARDS = {"graph_tests": 2, "kit_tests": 3, "virtualrobot_tests": 2}
+# These take longest and begin first: kit_tests compile, the others step physics.
+BUSY_SHARDS = {"kit_tests": 3, "testing_tests": 2, "graph_tests": 2, "virtualrobot_tests": 2}
 
 
 def environment(shard):
@@ -80,7 +79,7 @@ def jobs(build, pattern, quick):
 
     The lists: programs that mostly wait, the other programs, programs that have to run alone.
     """
-    waiting, found, alone = [], [], []
+    waiting, longest, found, alone = [], [], [], []
     gtest = [f"--gtest_filter=*{pattern}*"] if pattern else []
     for program in quick_programs(build) if quick else sorted((build / "bin").glob("*_tests")):
         command = [str(program)] + gtest
@@ -88,10 +87,11 @@ def jobs(build, pattern, quick):
             waiting += [(name, command, shard)
                         for name, shard in parts(program.name, SHARDS[program.name])]
         elif program.name in BUSY_SHARDS:
-            found += [(name, command, shard)
-                      for name, shard in parts(program.name, BUSY_SHARDS[program.name])]
+            longest += [(name, command, shard)
+                        for name, shard in parts(program.name, BUSY_SHARDS[program.name])]
         else:
             found.append((program.name, command, {}))
+    found = longest + found  # begun first, so that no processor has nothing to do at the end
     if quick:
         return waiting, found, alone
     header_check = ROOT / "tests/runtime/include/check_headers.sh"
