@@ -21,15 +21,18 @@ const SLOW_PICTURES = 15;
 const QUALITIES = [
   { ratio: 2, isRich: true, gapMs: 0 },
   { ratio: 1, isRich: true, gapMs: 0 },
-  { ratio: 0.85, isRich: false, gapMs: 60 },
+  { ratio: 1, isRich: false, gapMs: 60 },
   { ratio: 0.7, isRich: false, gapMs: 150 },
 ] as const;
 
-// Returns whether the processor draws, because the computer has no graphics card.
-function isDrawnBySoftware(renderer: THREE.WebGLRenderer): boolean {
-  const gl = renderer.getContext();
+// Returns whether the processor draws, because the computer has no graphics card. Asks a canvas of
+// its own, because the answer decides how the canvas of the page is made.
+function isDrawnBySoftware(): boolean {
+  const gl = document.createElement('canvas').getContext('webgl2');
+  if (gl === null) return false;
   const info = gl.getExtension('WEBGL_debug_renderer_info');
   const name = info === null ? '' : String(gl.getParameter(info.UNMASKED_RENDERER_WEBGL));
+  gl.getExtension('WEBGL_lose_context')?.loseContext(); // a browser has only a few contexts
   return /swiftshader|llvmpipe|softpipe|software/i.test(name);
 }
 
@@ -59,8 +62,9 @@ export class Stage {
   private readonly calm = window.matchMedia('(prefers-reduced-motion: reduce)');
 
   constructor() {
-    this.renderer = this.makeRenderer();
-    if (this.renderer !== null && isDrawnBySoftware(this.renderer)) this.quality = 2;
+    const isBySoftware = isDrawnBySoftware();
+    this.renderer = this.makeRenderer(isBySoftware);
+    if (isBySoftware) this.quality = 2;
     onTheme(() => this.setColours());
     new ResizeObserver(() => this.touch()).observe(this.canvas);
   }
@@ -154,11 +158,11 @@ export class Stage {
     return pose === undefined ? [1, 0, 0, 0] : [pose[3], pose[4], pose[5], pose[6]];
   }
 
-  private makeRenderer(): THREE.WebGLRenderer | null {
+  private makeRenderer(isBySoftware: boolean): THREE.WebGLRenderer | null {
     try {
       const renderer = new THREE.WebGLRenderer({
         canvas: this.canvas,
-        antialias: true,
+        antialias: !isBySoftware, // smooth edges take a processor too long
         alpha: true,
         powerPreference: 'high-performance',
       });
