@@ -19,7 +19,7 @@ LAYERS = {
     "distribution": "distribution",
     "cli": "cli",
     "kit": "kit",
-    "openr": "openr/ending openr/decode openr/simulation openr/model openr/graph openr/chart openr/motion openr/remote "
+    "openr": "openr/ending openr/emon openr/decode openr/simulation openr/model openr/graph openr/chart openr/motion openr/remote "
              "openr/pair openr/controller openr/upload openr/render openr/explore openr/timeline openr/inspect openr/data "
              "openr/rewind openr/live openr/panel openr/run openr/serve openr/ros2 openr/commands openr",
     "testing": "testing",

@@ -97,6 +97,8 @@ constexpr Example kExamples[] = {
     {"controller new", "openr controller new wag"},
     {"check", "openr check Greeter"},
     {"check", "openr check mystick --json"},
+    {"emon", "openr emon EMON.LOG"},
+    {"emon", "openr emon EMON.LOG --image DANCER.BIN"},
     {"model", "openr model check ers210"},
     {"model check", "openr model check ers210 --json"},
     {"model measure", "openr model measure ers210 --servo steps.svg"},

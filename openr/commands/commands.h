@@ -37,6 +37,7 @@ void AddCoverageCommand(CLI::App* app, int* exit_code);
 void AddNewCommand(CLI::App* app, int* exit_code);
 void AddControllerCommand(CLI::App* app, int* exit_code);
 void AddCheckCommand(CLI::App* app, int* exit_code);
+void AddEmonCommand(CLI::App* app, int* exit_code);
 void AddModelCommand(CLI::App* app, int* exit_code);
 void AddStickCommand(CLI::App* app, int* exit_code);
 void AddStubgenCommand(CLI::App* app, int* exit_code);

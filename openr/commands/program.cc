@@ -44,7 +44,7 @@ constexpr Command kCommands[] = {
     {"stick", &AddStickCommand},     {"stubgen", &AddStubgenCommand},
     {"serve", &AddServeCommand},     {"help", &AddHelpCommand},
     {"version", &AddVersionCommand}, {"completion", &AddCompletionCommand},
-    {"man", &AddManCommand},
+    {"man", &AddManCommand},         {"emon", &AddEmonCommand},
 };
 
 // Prints the error `why` on standard error.  With `as_json`, because the user gave --json, also

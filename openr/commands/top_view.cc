@@ -106,7 +106,7 @@ Widths WidthsFor(const std::vector<Row>& rows, size_t columns) {
   return widths;
 }
 
-std::string Table(const std::vector<Row>& rows, size_t columns) {
+std::string TableText(const std::vector<Row>& rows, size_t columns) {
   // Aligns columns of words left and columns of numbers right.
   constexpr Column kLeft[] = {kObject, kProcess, kHost, kState};
   const Widths widths = WidthsFor(rows, columns);
@@ -210,7 +210,7 @@ std::string TopText(const std::vector<Run>& runs, double now_s, size_t columns) 
                               "P99 us", "QUEUE", "DROPS", "STATE"}};
     for (const RunStatus::Object& object : status.objects)
       rows.push_back(RowOf(status, object, has_robots));
-    text += Fold(Headline(run, now_s), columns) + Table(rows, columns);
+    text += Fold(Headline(run, now_s), columns) + TableText(rows, columns);
     if (status.objects_left_out > 0)
       text += fmt::format("  ... {}: a run tells of {}\n",
                           Counted(status.objects_left_out, "more object"), status.objects.size());

@@ -15,8 +15,8 @@ namespace {
 
 using Session = std::unique_ptr<Dwfl, decltype(&dwfl_end)>;
 
-// The load address that we tell libdwfl for the file.  Any address is good, because instructions
-// are looked up by their distance from this address.
+// The load address that we tell libdwfl for a shared object.  Any address is good, because
+// instructions are looked up by their distance from this address.
 constexpr GElf_Addr kBase = 0x10000;
 
 std::string Readable(const char* symbol) {
@@ -59,7 +59,11 @@ CodeLookup LookUpCode(const char* file, uintptr_t offset) {
       dwfl_report_elf(session.get(), file, file, -1, kBase, /*add_p_vaddr=*/false);
   dwfl_report_end(session.get(), nullptr, nullptr);
   if (module == nullptr) return {};
-  const GElf_Addr address = kBase + offset;
+  // What libdwfl adds to the addresses of the file: kBase for a shared object, nothing for a
+  // program that was linked for fixed addresses.
+  GElf_Addr added = 0;
+  if (dwfl_module_getelf(module, &added) == nullptr) return {};
+  const GElf_Addr address = added + offset;
   CodeLookup result;
   if (const char* const name = dwfl_module_addrname(module, address))
     result.function = Readable(name);

@@ -14,9 +14,10 @@ struct CodeLookup {
   std::string line;      // file and line, such as "Trouble.cc:57"
 };
 
-// Looks up the instruction at `offset` bytes from the address at which the ELF file `file` is
-// loaded.  The debug information is read from `file` itself, or from the file beside it that `file`
-// names (NAME.DBG).
+// Looks up the instruction at `offset` bytes from the address at which the ELF file `file`, a
+// shared object, is loaded.  In a file that was linked for fixed addresses, `offset` is the
+// address.  The debug information is read from `file` itself, or from the file beside it that
+// `file` names (NAME.DBG).
 CodeLookup LookUpCode(const char* file, uintptr_t offset);
 
 // Returns the source line of the machine instruction at `address` in memory; "" if the line is not

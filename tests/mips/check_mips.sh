@@ -7,6 +7,7 @@
 #   openr stick robot makes a stick with a stand-in for the SDK;
 #   what they call is of the SDK or of the robot's C library;
 #   the stacks of the .ocf files suffice;
+#   openr emon finds the line of a crash;
 #   and one text of many values is the same, byte for byte, as on the host with g++ and clang++.
 #
 #   check_mips.sh BUILD [WORK]     BUILD: a build of the host; WORK: default BUILD/../mips
@@ -137,6 +138,7 @@ total abi qemu-mipsel-static "$work/mipsel/bin/abi"
 total logic qemu-mipsel-static "$work/mipsel/bin/logic"
 wait "$robot_stick"
 add_total robot_stick $?
+total emon python3 "$here/emon_test.py" --build "$build"
 
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

@@ -1,0 +1,120 @@
+#include "openr/emon/emon_text.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+namespace openr_host {
+namespace {
+
+constexpr size_t kCallsMax = 30;
+
+CodePlace PlaceOf(const RobotCode& code, uint32_t address) {
+  return {address, code.InFile(address), code.LookUp(address)};
+}
+
+// The instruction of the call whose return address is `address`.
+CodePlace CallBefore(const RobotCode& code, uint32_t address) { return PlaceOf(code, address - 8); }
+
+std::vector<CodePlace> CallsIn(const EmonLog& log, const RobotCode& code) {
+  std::vector<CodePlace> calls;
+  const auto add = [&](uint32_t address) {
+    if (calls.size() < kCallsMax && code.IsAfterCall(address))
+      calls.push_back(CallBefore(code, address));
+  };
+  if (log.registers[kRobotRa]) add(*log.registers[kRobotRa]);
+  const uint32_t sp = log.registers[kRobotSp].value_or(0);
+  for (auto word = log.stack.lower_bound(sp); word != log.stack.end(); ++word) add(word->second);
+  return calls;
+}
+
+std::string TextOf(const CodePlace& place) {
+  std::string text = fmt::format("0x{:08x}, 0x{:x} in the image", place.address, place.in_file);
+  if (!place.code.function.empty()) text += "  " + place.code.function;
+  if (!place.code.line.empty()) text += fmt::format(" ({})", place.code.line);
+  return text;
+}
+
+nlohmann::ordered_json JsonOf(const CodePlace& place) {
+  return {{"address", place.address},
+          {"in_image", place.in_file},
+          {"function", place.code.function},
+          {"line", place.code.line}};
+}
+
+}  // namespace
+
+EmonStory TellStory(const EmonLog& log, RobotCode* code) {
+  EmonStory story;
+  story.log = log;
+  if (log.code) story.meaning = MeaningOfException(*log.code);
+  if (code == nullptr) {
+    story.problem = "give --image to get the function and the line";
+    return story;
+  }
+  if (!log.registers[kRobotGp]) {
+    story.problem =
+        "the log has no register gp, so it is not known where the robot had loaded the image";
+    return story;
+  }
+  code->SetGp(*log.registers[kRobotGp]);
+  if (log.epc && code->Contains(*log.epc)) story.place = PlaceOf(*code, *log.epc);
+  story.calls = CallsIn(log, *code);
+  if (!story.place) {
+    story.problem =
+        "the instruction that failed is not in this image: the image is that of another object or "
+        "of another build, or a pointer to a function was wrong";
+  } else if (code->names().empty()) {
+    story.problem =
+        "the image has no names of functions; put the ELF file from which it was made beside it, "
+        "with the extension .DBG or .elf";
+  } else if (story.place->code.line.empty()) {
+    story.problem = fmt::format("{} has no line numbers; compile with -g and do not strip it",
+                                code->names().string());
+  }
+  return story;
+}
+
+std::string StoryText(const EmonStory& story) {
+  const EmonLog& log = story.log;
+  std::string text;
+  if (log.code) text += fmt::format("EXCEPTION {}: {}\n", *log.code, story.meaning);
+  if (log.bad_address) text += fmt::format("ADDRESS 0x{:08x}\n", *log.bad_address);
+  if (const EmonLog::Object* const object = log.Crashed()) {
+    text += fmt::format("OBJECT {} (OID 0x{:08x}", object->name, object->oid);
+    if (!object->meta_space.empty()) text += ", " + object->meta_space;
+    text += ")\n";
+  } else if (log.context) {
+    text +=
+        fmt::format("OBJECT unknown: none in the list has the context 0x{:08x}\n", *log.context);
+  }
+  if (story.place) {
+    text += "AT " + TextOf(*story.place) + "\n";
+  } else if (log.epc) {
+    text += fmt::format("AT 0x{:08x}\n", *log.epc);
+  }
+  if (!story.calls.empty()) text += "CALLS that may have led there, the last one first\n";
+  for (const CodePlace& call : story.calls) text += "  " + TextOf(call) + "\n";
+  if (!story.problem.empty()) text += fmt::format("note: {}\n", story.problem);
+  return text;
+}
+
+nlohmann::ordered_json StoryJson(const EmonStory& story) {
+  const EmonLog& log = story.log;
+  nlohmann::ordered_json json;
+  if (log.code) json["code"] = *log.code;
+  if (log.code) json["meaning"] = story.meaning;
+  if (log.bad_address) json["bad_address"] = *log.bad_address;
+  if (log.epc) json["epc"] = *log.epc;
+  if (const EmonLog::Object* const object = log.Crashed()) {
+    json["object"] = object->name;
+    json["oid"] = object->oid;
+  }
+  if (story.place) json["place"] = JsonOf(*story.place);
+  json["calls"] = nlohmann::ordered_json::array();
+  for (const CodePlace& call : story.calls) json["calls"].push_back(JsonOf(call));
+  json["problem"] = story.problem;
+  return json;
+}
+
+}  // namespace openr_host

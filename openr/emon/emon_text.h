@@ -1,0 +1,40 @@
+// Says what an EMON.LOG of a robot means: the cause, the object, the function and the line.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "openr/emon/emon_log.h"
+#include "openr/emon/robot_code.h"
+
+namespace openr_host {
+
+// A place in the code of the image.
+struct CodePlace {
+  uint32_t address = 0;  // on the robot
+  uint32_t in_file = 0;  // address in the image file
+  CodeLookup code;
+};
+
+// What is known of a crash.
+struct EmonStory {
+  EmonLog log;
+  std::string meaning;  // of the exception code; "" if the log has no code
+  // The instruction that failed, if it is in the image.
+  std::optional<CodePlace> place;
+  // Calls that may have led there, the last one first: the return address in register ra, and each
+  // word of the stack that is an address after a call.  An old word may be one that is no longer in
+  // use.
+  std::vector<CodePlace> calls;
+  std::string problem;  // why there is no place or no name; "" if there is nothing to say
+};
+
+// `code`: the image of the object that crashed; null without one.
+EmonStory TellStory(const EmonLog& log, RobotCode* code);
+
+std::string StoryText(const EmonStory& story);
+nlohmann::ordered_json StoryJson(const EmonStory& story);
+
+}  // namespace openr_host

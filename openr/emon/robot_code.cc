@@ -1,0 +1,142 @@
+#include "openr/emon/robot_code.h"
+
+#include <elf.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <stdexcept>
+#include <utility>
+
+#include "runtime/base/read_file.h"
+#include "runtime/core/image_file.h"
+
+namespace openr_host {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr uint32_t kLinkedAt = 0x400000;  // address at which the SDK links images
+
+// Headers of a 32-bit ELF file that are needed to find code.
+struct Headers {
+  std::optional<Elf32_Shdr> text;
+  std::optional<uint32_t> gp;  // from the section .reginfo
+  uint32_t first_load = 0;     // lowest address of a segment
+};
+
+template <typename T>
+std::optional<T> ReadAt(const std::string& bytes, uint64_t at) {
+  if (at > bytes.size() || sizeof(T) > bytes.size() - at) return std::nullopt;
+  T value;
+  std::memcpy(&value, bytes.data() + at, sizeof value);
+  return value;
+}
+
+// Returns the headers; nullopt if the bytes are no 32-bit ELF file for MIPS.
+std::optional<Headers> HeadersIn(const std::string& bytes) {
+  const auto header = ReadAt<Elf32_Ehdr>(bytes, 0);
+  if (!header || std::memcmp(header->e_ident, ELFMAG, SELFMAG) != 0 ||
+      header->e_ident[EI_CLASS] != ELFCLASS32 || header->e_ident[EI_DATA] != ELFDATA2LSB ||
+      header->e_machine != EM_MIPS)
+    return std::nullopt;
+  Headers result;
+  result.first_load = UINT32_MAX;
+  for (uint32_t i = 0; i < header->e_phnum; ++i) {
+    const auto segment =
+        ReadAt<Elf32_Phdr>(bytes, uint64_t{header->e_phoff} + i * sizeof(Elf32_Phdr));
+    if (segment && segment->p_type == PT_LOAD)
+      result.first_load = std::min(result.first_load, segment->p_vaddr);
+  }
+  const auto section = [&](uint32_t i) {
+    return ReadAt<Elf32_Shdr>(bytes, uint64_t{header->e_shoff} + i * sizeof(Elf32_Shdr));
+  };
+  const auto names = section(header->e_shstrndx);
+  for (uint32_t i = 0; names && i < header->e_shnum; ++i) {
+    const auto here = section(i);
+    if (!here) break;
+    if (here->sh_type == SHT_MIPS_REGINFO) {
+      if (const auto info = ReadAt<Elf32_RegInfo>(bytes, here->sh_offset))
+        result.gp = static_cast<uint32_t>(info->ri_gp_value);
+    }
+    const uint64_t name = uint64_t{names->sh_offset} + here->sh_name;
+    if (name < bytes.size() && bytes.compare(name, sizeof ".text", std::string(".text", 6)) == 0)
+      result.text = here;
+  }
+  return result;
+}
+
+// Returns how far the headers were moved away from the addresses of the code.
+uint32_t MovedBy(const Headers& headers) {
+  return headers.first_load == 0 && headers.gp.value_or(0) >= kLinkedAt ? kLinkedAt : 0;
+}
+
+// Returns the file with names of functions: one beside the image, or the image itself.
+fs::path NamesBeside(const fs::path& image) {
+  for (const char* const extension : {".DBG", ".dbg", ".nosnap.elf", ".elf"}) {
+    fs::path beside = image;
+    beside.replace_extension(extension);
+    if (fs::exists(beside)) return beside;
+  }
+  return {};
+}
+
+}  // namespace
+
+RobotCode::RobotCode(const fs::path& file)
+    : RobotCode(file.string(), ReadFileOrThrow(file.string())) {
+  names_ = NamesBeside(file);
+  if (names_.empty() && !is_compressed_) names_ = file;
+  if (names_.empty()) return;
+  if (const auto headers = HeadersIn(ReadFile(names_.string()).value_or("")))
+    names_moved_by_ = MovedBy(*headers);
+}
+
+RobotCode::RobotCode(const std::string& name, std::string bytes) {
+  ImageFile image = CheckImage(std::move(bytes));
+  bytes_ = std::move(image.bytes);
+  is_compressed_ = image.is_compressed;
+  ReadHeaders(name);
+}
+
+void RobotCode::ReadHeaders(const std::string& name) {
+  const std::optional<Headers> headers = HeadersIn(bytes_);
+  if (!headers)
+    throw std::runtime_error(fmt::format(
+        "{}: is no image for the robot; give the .BIN of the robot's stick, or the ELF file from "
+        "which it was made",
+        name));
+  if (!headers->text || !headers->gp)
+    throw std::runtime_error(
+        fmt::format("{}: has no section {}, so it is not known where its code is", name,
+                    headers->text ? ".reginfo" : ".text"));
+  moved_by_ = MovedBy(*headers);
+  text_ = headers->text->sh_addr;
+  text_offset_ = headers->text->sh_offset;
+  text_bytes_ = headers->text->sh_size;
+  file_gp_ = *headers->gp;
+}
+
+bool RobotCode::Contains(uint32_t address) const {
+  const uint32_t at = InFile(address);
+  return at >= text_ && at - text_ < text_bytes_ && address % 4 == 0;
+}
+
+bool RobotCode::IsAfterCall(uint32_t address) const {
+  constexpr uint32_t kDelay = 8;  // the call, and the instruction after it, which runs before
+  if (!Contains(address) || !Contains(address - kDelay)) return false;
+  const auto word =
+      ReadAt<uint32_t>(bytes_, uint64_t{text_offset_} + InFile(address) - kDelay - text_);
+  if (!word) return false;
+  const uint32_t operation = *word >> 26;
+  const bool is_jalr = operation == 0 && (*word & 63) == 9;
+  const bool is_bal = operation == 1 && (*word >> 16 & 31) == 17;  // bgezal
+  return operation == 3 || is_jalr || is_bal;                      // 3: jal
+}
+
+CodeLookup RobotCode::LookUp(uint32_t address) const {
+  if (names_.empty()) return {};
+  return LookUpCode(names_.c_str(), address - loaded_by_ - names_moved_by_);
+}
+
+}  // namespace openr_host

@@ -1,0 +1,58 @@
+// The code of an image for the robot (MIPS): finds the function and the source line of an address
+// in a crash record of the robot.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "openr/ending/code_lookup.h"
+
+namespace openr_host {
+
+class RobotCode {
+ public:
+  // Reads the image `file`: an ELF file, or a .BIN, which may be compressed.  A .BIN has no names
+  // of functions; they come from a file beside it with the same name and another extension: .DBG,
+  // .elf or .nosnap.elf.  Throws std::runtime_error "FILE: reason" if the file cannot be read or is
+  // no image for the robot.
+  explicit RobotCode(const std::filesystem::path& file);
+  // Reads an image from its bytes, without names of functions.  `name` is for the error message.
+  RobotCode(const std::string& name, std::string bytes);
+
+  // Says where the robot had loaded the image.  `gp` is the value of the register gp while code of
+  // the image ran; the file says which value gp would have at the addresses of the file.
+  void SetGp(uint32_t gp) { loaded_by_ = gp - file_gp_; }
+
+  // Returns whether the robot's address `address` is in the code.  REQUIRES: SetGp() was called.
+  bool Contains(uint32_t address) const;
+  // Returns whether the instruction before the delay slot before `address` is a call, so that
+  // `address` may be an address to which a function returns.
+  bool IsAfterCall(uint32_t address) const;
+  // Returns function and line of the robot's address `address`.
+  CodeLookup LookUp(uint32_t address) const;
+  // Returns the address in the file of the robot's address `address`, as disassemblers print it.
+  uint32_t InFile(uint32_t address) const { return address - loaded_by_ - moved_by_; }
+
+  // The file with names of functions and lines; empty if none was found.
+  const std::filesystem::path& names() const { return names_; }
+
+ private:
+  void ReadHeaders(const std::string& name);
+
+  std::string bytes_;  // of the image, decompressed
+  bool is_compressed_ = false;
+  std::filesystem::path names_;
+  uint32_t names_moved_by_ = 0;  // as moved_by_, for the file with the names
+  uint32_t text_ = 0;            // address of the code in the file
+  uint32_t text_offset_ = 0;     // its place among the bytes
+  uint32_t text_bytes_ = 0;
+  uint32_t file_gp_ = 0;  // value of gp for the addresses of the code
+  // What must be added to addresses of the headers: a .BIN was linked at 0x400000, and only its
+  // headers were moved to 0 (binary.md 1.5).
+  uint32_t moved_by_ = 0;
+  uint32_t loaded_by_ = 0;  // the robot's address less the linked address
+};
+
+}  // namespace openr_host

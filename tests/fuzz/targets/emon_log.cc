@@ -1,0 +1,18 @@
+// The fuzz target emon_log: crash records of robots (EMON.LOG).
+#include "openr/emon/emon_log.h"
+
+#include "openr/emon/emon_text.h"
+#include "tests/fuzz/fuzz_targets.h"
+#include "tests/fuzz/target_list.h"
+
+namespace openr_host {
+
+bool fuzz::emon_log(std::string_view bytes) {
+  const std::optional<EmonLog> log = ParseEmonLog(std::string(bytes));
+  if (!log) return false;
+  FuzzCheck(log->stack.size() <= size_t{1} << 18, "a stack of that size");
+  FuzzCheck(!StoryText(TellStory(*log, nullptr)).empty(), "a text");
+  return log->Crashed() != nullptr && log->code == 15u && log->registers[kRobotGp].has_value();
+}
+
+}  // namespace openr_host

@@ -1,0 +1,28 @@
+// The fuzz target robot_code: images for the robot, in which openr emon looks for the code of a
+// crash.
+#include "openr/emon/robot_code.h"
+
+#include <cstring>
+#include <stdexcept>
+
+#include "tests/fuzz/fuzz_targets.h"
+#include "tests/fuzz/target_list.h"
+
+namespace openr_host {
+
+bool fuzz::robot_code(std::string_view bytes) {
+  try {
+    RobotCode code("X.BIN", std::string(bytes));
+    code.SetGp(0x30000000);
+    bool is_after_call = false;
+    for (uint32_t address = 0x2fff0000; address < 0x30010000; address += 4) {
+      is_after_call = is_after_call || code.IsAfterCall(address);
+      FuzzCheck(!code.IsAfterCall(address) || code.Contains(address), "a call outside of the code");
+    }
+    return is_after_call && code.InFile(0x30000000) < 0x400000;
+  } catch (const std::runtime_error&) {
+    return false;
+  }
+}
+
+}  // namespace openr_host

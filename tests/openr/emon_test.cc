@@ -1,0 +1,113 @@
+#include <gmock/gmock.h>
+
+#include "openr/emon/emon_log.h"
+#include "tests/openr/program_run.h"
+
+namespace openr_host {
+namespace {
+
+using ::testing::HasSubstr;
+
+// The parts of a record in the order of field-notes.md 4.5.
+constexpr char kLog[] =
+    "[Exception Information]\n"
+    " time stamp : 2004/03/05 10:11:12\n"
+    " status : 0x0000ff03  cause : 0x00000010\n"
+    " badvaddr : 0x00a01003\n"
+    " epc : 0x00b00450\n"
+    "[Object Information]\n"
+    " context : 0x80410000\n"
+    "[Register Dump]\n"
+    " r0(zero): 00000000 00000001 00000002 00000003\n"
+    " r28(gp): 00b18000 r29(sp): 00c00ff0 r30(fp): 00000000 r31(ra): 00b00480\n"
+    " exception code : 4\n"
+    "[Object List]\n"
+    " name       context    thread     oid        metaspace\n"
+    " powerMon   0x80400000 0x80400100 0x80000050 mCOOP\n"
+    " dancer     0x80410000 0x80410100 0x80000051 mCOOP\n"
+    "[Stack Information]\n"
+    " area : 0x00c00000 sp : 0x00c00ff0\n"
+    "[Stack Dump]\n"
+    " 00c00ff0: 11111111 22222222 33333333 44444444\n"
+    " *\n"
+    " 00c01010: 55555555 66666666\n";
+
+TEST(EmonLogTest, PartsAreFoundByTheirNames) {
+  const std::optional<EmonLog> log = ParseEmonLog(kLog);
+  ASSERT_TRUE(log);
+  EXPECT_EQ(log->code, 4u);
+  EXPECT_EQ(log->cause, 0x10u);
+  EXPECT_EQ(log->bad_address, 0xa01003u);
+  EXPECT_EQ(log->epc, 0xb00450u);
+  EXPECT_EQ(log->registers[1], 1u);
+  EXPECT_EQ(log->registers[3], 3u);
+  EXPECT_EQ(log->registers[kRobotGp], 0xb18000u);
+  EXPECT_EQ(log->registers[kRobotRa], 0xb00480u);
+  EXPECT_FALSE(log->registers[4]);
+  ASSERT_EQ(log->objects.size(), 2u);
+  ASSERT_NE(log->Crashed(), nullptr);
+  EXPECT_EQ(log->Crashed()->name, "dancer");
+  EXPECT_EQ(log->Crashed()->oid, 0x80000051u);
+  EXPECT_EQ(log->Crashed()->meta_space, "mCOOP");
+}
+
+TEST(EmonLogTest, AStarRepeatsTheLineBefore) {
+  const std::optional<EmonLog> log = ParseEmonLog(kLog);
+  ASSERT_TRUE(log);
+  EXPECT_EQ(log->stack.size(), 10u);
+  EXPECT_EQ(log->stack.at(0xc01000), 0x11111111u);
+  EXPECT_EQ(log->stack.at(0xc0100c), 0x44444444u);
+  EXPECT_EQ(log->stack.at(0xc01014), 0x66666666u);
+}
+
+TEST(EmonLogTest, ADamagedAddressDoesNotFillTheMemory) {
+  const auto log = ParseEmonLog("epc: 0x00400000\n00000000: 11111111\n*\nfffffff0: 22222222\n");
+  ASSERT_TRUE(log);
+  EXPECT_LE(log->stack.size(), size_t{1} << 18);
+}
+
+TEST(EmonLogTest, TheCodeMayComeFromTheCause) {
+  const auto log = ParseEmonLog("CAUSE=0x0000003c EPC=0x00400010\r\n");
+  ASSERT_TRUE(log);
+  EXPECT_EQ(log->code, 15u);
+}
+
+TEST(EmonLogTest, OtherTextIsNoLog) {
+  EXPECT_FALSE(ParseEmonLog(""));
+  EXPECT_FALSE(ParseEmonLog("hello\n12345678 12345678\n"));
+}
+
+TEST(EmonCommandTest, SaysCauseAndObjectWithoutAnImage) {
+  const ScratchFolder folder;
+  folder.Write("EMON.LOG", kLog);
+  const ProgramResult result = RunProgram({"emon", folder.File("EMON.LOG")});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.out,
+            "EXCEPTION 4: a load from an address that is not a multiple of its size, or beyond the "
+            "program's addresses\n"
+            "ADDRESS 0x00a01003\n"
+            "OBJECT dancer (OID 0x80000051, mCOOP)\n"
+            "AT 0x00b00450\n"
+            "note: give --image to get the function and the line\n");
+}
+
+TEST(EmonCommandTest, RefusesWhatItCannotRead) {
+  const ScratchFolder folder;
+  folder.Write("own.log", "EXCEPTION SIGSEGV (an address that is not the object's)\n");
+  folder.Write("text.log", "hello\n");
+  folder.Write("EMON.LOG", kLog);
+  folder.Write("X.BIN", "hello\n");
+  EXPECT_THAT(RunProgram({"emon", folder.File("own.log")}).err,
+              HasSubstr("was written by a run on a computer"));
+  EXPECT_THAT(RunProgram({"emon", folder.File("text.log")}).err,
+              HasSubstr("is no EMON.LOG of a robot"));
+  const ProgramResult image =
+      RunProgram({"emon", folder.File("EMON.LOG"), "--image", folder.File("X.BIN")});
+  EXPECT_EQ(image.status, 1);
+  EXPECT_THAT(image.err, HasSubstr("X.BIN: is no image for the robot"));
+  EXPECT_THAT(RunProgram({"emon", folder.File("EMON.LOG"), "--image", folder.File("no.BIN")}).err,
+              HasSubstr("no.BIN: No such file or directory"));
+}
+
+}  // namespace
+}  // namespace openr_host
