@@ -49,8 +49,10 @@ if(OPENR_COVERAGE)
 endif()
 
 # For code that runs once for a command, a request or a build: compiles in three quarters of the time.
-# clang's builds have their own levels, in the presets.
-set(OPENR_RARELY_RUN $<$<AND:$<CXX_COMPILER_ID:GNU>,$<CONFIG:RelWithDebInfo>,$<NOT:$<BOOL:${OPENR_SANITIZE}>>>:-Og>)
+# Only where the level is the default one; presets with another level mean all code.
+if(OPENR_OPTIMISATION STREQUAL "-O2 -g1")
+  set(OPENR_RARELY_RUN $<$<CONFIG:RelWithDebInfo>:-Og>)
+endif()
 
 # Warnings for our own C++20; objects/ has its own list in OpenrObject.cmake.
 set(OPENR_WARNINGS -Wall -Wextra -Werror $<$<COMPILE_LANGUAGE:CXX>:-Wsuggest-override>)

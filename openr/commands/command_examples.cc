@@ -98,7 +98,7 @@ constexpr Example kExamples[] = {
     {"check", "openr check Greeter"},
     {"check", "openr check mystick --json"},
     {"emon", "openr emon EMON.LOG"},
-    {"emon", "openr emon EMON.LOG --image DANCER.BIN"},
+    {"emon", "openr emon EMON.LOG --image dancer.nosnap.elf"},
     {"model", "openr model check ers210"},
     {"model check", "openr model check ers210 --json"},
     {"model measure", "openr model measure ers210 --servo steps.svg"},

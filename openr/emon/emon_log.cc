@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <iterator>
 #include <sstream>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 namespace openr_host {
@@ -20,40 +22,51 @@ constexpr const char* kRegisterNames[kRobotRegisters] = {
     "t3",   "t4", "t5", "t6", "t7", "s0", "s1", "s2", "s3", "s4", "s5",
     "s6",   "s7", "t8", "t9", "k0", "k1", "gp", "sp", "fp", "ra"};
 
-// A number of a line, and the letters and digits between the number before it and this one.
+// Words before a number whose value is always hexadecimal.
+constexpr const char* kHexNames[] = {"cause", "epc", "badvaddr", "context", "gp", "ra", "sp"};
+
+// A number of a line, with the words between the number before it and this one, in lower case.
 struct NamedNumber {
-  std::string name;  // in lower case; "" if there are none
+  std::vector<std::string> words;
   uint32_t value = 0;
   bool is_hex = false;  // false: a decimal number
 };
 
-// A line of the log: its numbers, and what follows the last number.
-struct Line {
-  std::vector<NamedNumber> numbers;
-  std::string rest;
-};
-
 bool IsWordLetter(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
-// Returns the number that `word` is; nullopt if it is a name.
-std::optional<NamedNumber> NumberIn(std::string_view word) {
+bool IsHexName(const std::string& word) {
+  return std::find(std::begin(kHexNames), std::end(kHexNames), word) != std::end(kHexNames);
+}
+
+std::string LowerCase(std::string_view text) {
+  std::string result;
+  for (const char c : text)
+    result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
+}
+
+// Returns the number that `word` is, after the words `before`; nullopt if it is no number.
+std::optional<NamedNumber> NumberIn(std::string_view word, const std::vector<std::string>& before) {
   NamedNumber number;
   std::string_view digits = word;
+  number.is_hex = word.size() == kHexDigits || (!before.empty() && IsHexName(before.back()));
   if (word.starts_with("0x") || word.starts_with("0X")) {
     digits.remove_prefix(2);
     number.is_hex = true;
-  } else {
-    number.is_hex = word.size() == kHexDigits;
   }
+  // The time stamp has 16 digits.  Its last 8 are kept, which nobody reads.
+  if (number.is_hex && digits.size() > kHexDigits) digits.remove_prefix(digits.size() - kHexDigits);
   const char* const end = digits.data() + digits.size();
   const auto result = std::from_chars(digits.data(), end, number.value, number.is_hex ? 16 : 10);
   if (digits.empty() || result.ec != std::errc() || result.ptr != end) return std::nullopt;
   return number;
 }
 
-Line Split(std::string_view text) {
-  Line line;
-  std::string name;
+// Returns the numbers of a line.  The number of a register of the coprocessor, such as "$14" in
+// "epc:$14: 0x00400010", belongs to the name.
+std::vector<NamedNumber> Split(std::string_view text) {
+  std::vector<NamedNumber> numbers;
+  std::vector<std::string> words;
   for (size_t at = 0; at < text.size();) {
     if (!IsWordLetter(text[at])) {
       ++at;
@@ -62,55 +75,48 @@ Line Split(std::string_view text) {
     size_t end = at;
     while (end < text.size() && IsWordLetter(text[end])) ++end;
     const std::string_view word = text.substr(at, end - at);
+    const bool is_of_name = at > 0 && text[at - 1] == '$';
     at = end;
-    if (std::optional<NamedNumber> number = NumberIn(word)) {
-      number->name = std::exchange(name, "");
-      line.numbers.push_back(*std::move(number));
+    if (is_of_name) continue;
+    if (std::optional<NamedNumber> number = NumberIn(word, words)) {
+      number->words = std::exchange(words, {});
+      numbers.push_back(*std::move(number));
     } else {
-      name += word;
+      words.push_back(LowerCase(word));
     }
   }
-  line.rest = name;
-  return line;
+  return numbers;
 }
 
-std::string Letters(const std::string& name) {
-  std::string letters;
-  for (const char c : name) {
-    if (c != '_') letters += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  }
-  return letters;
-}
-
-// Returns the number of the register `name`, such as "gp", "r28" or "r28gp"; nullopt if it is the
-// name of no register.
-std::optional<int> RegisterOf(std::string name) {
+// Returns the number of the register `word`, such as "gp" or "r28"; nullopt if it is the name of no
+// register.
+std::optional<int> RegisterOf(const std::string& word) {
+  if (word == "s8") return RegisterOf("fp");
+  const auto* const found = std::find(std::begin(kRegisterNames), std::end(kRegisterNames), word);
+  if (found != std::end(kRegisterNames))
+    return static_cast<int>(found - std::begin(kRegisterNames));
   int number = 0;
-  if (name.size() > 1 && name[0] == 'r' && std::isdigit(static_cast<unsigned char>(name[1]))) {
-    const char* const end = name.data() + name.size();
-    const auto digits = std::from_chars(name.data() + 1, end, number);
-    name.erase(0, static_cast<size_t>(digits.ptr - name.data()));
-    if (name.empty()) return number < kRobotRegisters ? std::optional(number) : std::nullopt;
-  }
-  if (name == "s8") name = "fp";
-  const auto* const found = std::find(std::begin(kRegisterNames), std::end(kRegisterNames), name);
-  if (found == std::end(kRegisterNames)) return std::nullopt;
-  return static_cast<int>(found - std::begin(kRegisterNames));
+  const char* const end = word.data() + word.size();
+  if (word.size() < 2 || word[0] != 'r') return std::nullopt;
+  const auto digits = std::from_chars(word.data() + 1, end, number);
+  if (digits.ec != std::errc() || digits.ptr != end || number < 0 || number >= kRobotRegisters)
+    return std::nullopt;
+  return number;
 }
 
 // Reads an EMON.LOG line by line.
 class Reader {
  public:
-  void Read(const std::string& text) {
-    const Line line = Split(text);
-    if (IsRepeat(text)) {
+  void Read(const std::string& line) {
+    const size_t begin = line.find_first_not_of(" \t\r");
+    if (begin == std::string::npos) return;
+    const std::string text = line.substr(begin);
+    if (text[0] == '[') {
+      section_ = LowerCase(text);
+    } else if (text[0] == '*') {
       repeats_ = true;
-    } else if (IsDump(line)) {
-      AddDump(line);
-    } else if (IsObject(line)) {
-      AddObject(text, line);
-    } else {
-      AddFields(line);
+    } else if (!ReadDump(text) && !ReadObject(text)) {
+      ReadFields(text);
     }
   }
 
@@ -121,48 +127,34 @@ class Reader {
   }
 
  private:
-  static bool IsRepeat(const std::string& text) {
-    const size_t at = text.find_first_not_of(" \t\r");
-    return at != std::string::npos && text[at] == '*' &&
-           text.find_first_not_of(" \t\r", at + 1) == std::string::npos;
+  // Returns the words of a line of the stack dump, after its address; none if it is another line.
+  // Two blanks end the words, because the same bytes as text follow them.
+  static std::vector<uint32_t> WordsOfDump(const std::string& text) {
+    std::vector<uint32_t> words;
+    const std::string numbers = text.substr(0, text.find("  ", kHexDigits + 2));
+    for (const NamedNumber& number : Split(numbers)) {
+      if (!number.is_hex || !number.words.empty()) return {};
+      words.push_back(number.value);
+    }
+    return words;
   }
 
-  // A line of the stack dump has an address and the words there, all without names.
-  static bool IsDump(const Line& line) {
-    return line.numbers.size() >= 2 &&
-           std::all_of(line.numbers.begin(), line.numbers.end(),
-                       [](const NamedNumber& n) { return n.is_hex && n.name.empty(); });
-  }
-
-  // A line of the list of objects has a name and at least three numbers: context, thread and OID.
-  static bool IsObject(const Line& line) {
-    if (line.numbers.size() < 3 || line.numbers[0].name.empty()) return false;
-    if (RegisterOf(Letters(line.numbers[0].name))) return false;
-    return std::all_of(line.numbers.begin(), line.numbers.begin() + 3,
-                       [](const NamedNumber& n) { return n.is_hex; }) &&
-           line.numbers[1].name.empty() && line.numbers[2].name.empty();
-  }
-
-  void AddObject(const std::string& text, const Line& line) {
-    EmonLog::Object object;
-    // The name as it stands in the line, because a name may have a '.' or a '-'.
-    std::istringstream words(text);
-    words >> object.name;
-    object.context = line.numbers[0].value;
-    object.thread = line.numbers[1].value;
-    object.oid = line.numbers[2].value;
-    object.meta_space = line.rest;
-    log_.objects.push_back(std::move(object));
-  }
-
-  void AddDump(const Line& line) {
-    const uint32_t address = line.numbers[0].value;
-    if (std::exchange(repeats_, false)) RepeatUpTo(address);
-    row_.clear();
-    for (size_t i = 1; i < line.numbers.size(); ++i) row_.push_back(line.numbers[i].value);
-    row_at_ = address;
+  // Reads a line of the stack dump: an address, ':' and the words there.
+  bool ReadDump(const std::string& text) {
+    const std::string address_text = text.substr(0, text.find(':'));
+    const std::vector<NamedNumber> address = Split(address_text);
+    if (address_text.size() == text.size() || address.size() != 1 || !address[0].is_hex ||
+        !address[0].words.empty())
+      return false;
+    std::vector<uint32_t> words = WordsOfDump(text);
+    if (words.size() < 2) return false;
+    words.erase(words.begin());
+    if (std::exchange(repeats_, false)) RepeatUpTo(address[0].value);
+    row_at_ = address[0].value;
+    row_ = std::move(words);
     for (size_t i = 0; i < row_.size(); ++i)
-      AddWord(address + kWordBytes * static_cast<uint32_t>(i), row_[i]);
+      AddWord(row_at_ + kWordBytes * static_cast<uint32_t>(i), row_[i]);
+    return true;
   }
 
   // Fills the stack with the words of the line before, as '*' says, up to `address`.
@@ -179,27 +171,54 @@ class Reader {
     if (log_.stack.size() < kStackWordsMax) log_.stack.emplace(address, value);
   }
 
-  void AddFields(const Line& line) {
+  // Reads a line of the list of objects: a name, context, thread and OID, perhaps the meta space.
+  bool ReadObject(const std::string& text) {
+    if (!section_.empty() && section_.find("object list") == std::string::npos) return false;
+    const size_t end = text.find_first_of(" \t");
+    if (end == std::string::npos ||
+        RegisterOf(LowerCase(text.substr(0, text.find_first_of("(: \t")))))
+      return false;
+    const std::vector<NamedNumber> numbers = Split(std::string_view(text).substr(end));
+    if (numbers.size() < 3) return false;
+    for (size_t i = 0; i < 3; ++i) {
+      if (!numbers[i].is_hex || !numbers[i].words.empty()) return false;
+    }
+    EmonLog::Object object;
+    object.name = text.substr(0, end);
+    object.context = numbers[0].value;
+    object.thread = numbers[1].value;
+    object.oid = numbers[2].value;
+    std::istringstream last(text.substr(text.find_last_of(" \t", text.find_last_not_of(" \t\r"))));
+    last >> object.meta_space;
+    if (!Split(object.meta_space).empty()) object.meta_space.clear();
+    log_.objects.push_back(std::move(object));
+    return true;
+  }
+
+  void ReadFields(const std::string& text) {
     std::optional<int> last;  // register of the number before; numbers without names follow it
-    for (const NamedNumber& number : line.numbers) {
-      const std::string name = Letters(number.name);
-      std::optional<int> reg = RegisterOf(name);
-      if (name.empty() && last) reg = *last + 1;
+    for (const NamedNumber& number : Split(text)) {
+      std::optional<int> reg;
+      if (!number.words.empty()) reg = RegisterOf(number.words.back());
+      if (number.words.empty() && last && *last + 1 < kRobotRegisters) reg = *last + 1;
       last = reg;
-      if (reg && *reg < kRobotRegisters && number.is_hex) {
+      if (reg && number.is_hex) {
         Keep(&log_.registers[static_cast<size_t>(*reg)], number.value);
-        continue;
+      } else {
+        ReadField(number);
       }
-      AddField(name, number);
     }
   }
 
-  void AddField(const std::string& name, const NamedNumber& number) {
+  void ReadField(const NamedNumber& number) {
+    std::string name;
+    for (const std::string& word : number.words) name += word;
+    if (name == "exceptioncode" || name == "exccode") Keep(&log_.code, number.value);
+    if (!number.is_hex) return;
     if (name == "cause") Keep(&log_.cause, number.value);
     if (name == "epc") Keep(&log_.epc, number.value);
-    if (name == "badvaddr" || name == "badaddr") Keep(&log_.bad_address, number.value);
-    if (name.ends_with("context")) Keep(&log_.context, number.value);
-    if (name.ends_with("exceptioncode") || name == "exccode") Keep(&log_.code, number.value);
+    if (name == "badvaddr") Keep(&log_.bad_address, number.value);
+    if (name == "context") Keep(&log_.context, number.value);
   }
 
   static void Keep(std::optional<uint32_t>* field, uint32_t value) {
@@ -207,12 +226,18 @@ class Reader {
   }
 
   EmonLog log_;
+  std::string section_;        // the last heading in brackets, in lower case; "": there was none
   std::vector<uint32_t> row_;  // words of the last line of the dump
   uint32_t row_at_ = 0;        // their address
   bool repeats_ = false;       // the last line was '*'
 };
 
 }  // namespace
+
+std::optional<uint32_t> EmonLog::Failed() const {
+  if (!epc) return std::nullopt;
+  return *epc + (cause.value_or(0) >> 31 != 0 ? kWordBytes : 0);
+}
 
 const EmonLog::Object* EmonLog::Crashed() const {
   if (!context) return nullptr;
@@ -238,7 +263,7 @@ std::string MeaningOfException(uint32_t code) {
       return "a store with a null or wild pointer";
     case 4:
       return "a load from an address that is not a multiple of its size, or beyond the program's "
-             "addresses";
+             "addresses, or a jump there";
     case 5:
       return "a store to an address that is not a multiple of its size, or beyond the program's "
              "addresses";
@@ -248,7 +273,7 @@ std::string MeaningOfException(uint32_t code) {
     case 9:
       return "a division of integers by zero, or a breakpoint";
     case 10:
-      return "no instruction: data were executed";
+      return "an unknown instruction: the program probably jumped into data";
     case 11:
       return "an instruction of a coprocessor that is not there";
     case 12:
@@ -257,7 +282,7 @@ std::string MeaningOfException(uint32_t code) {
       return "a NaN, an infinite or a denormal number was used; it was made earlier, perhaps "
              "elsewhere";
     default:
-      return "no cause that programs are known to have";
+      return "an unusual cause";
   }
 }
 

@@ -1,8 +1,8 @@
 // Reads EMON.LOG, the record that the emergency monitor of a robot writes when a program crashes.
 //
-// The parts of the record are known (field-notes.md 4.5), their exact form is not.  So this reader
-// takes every number with the words before it as its name, in whatever order the parts come, and
-// needs no part.
+// The record has parts (field-notes.md 4.5) under headings in brackets.  Records differ, so this
+// reader takes the words before a number as its name.  It does not need all parts, nor the
+// headings.
 #pragma once
 
 #include <array>
@@ -33,11 +33,16 @@ struct EmonLog {
   std::optional<uint32_t> code;
   std::optional<uint32_t> cause;        // register Cause
   std::optional<uint32_t> bad_address;  // register BadVAddr
-  std::optional<uint32_t> epc;          // address of the instruction that failed
-  std::optional<uint32_t> context;      // context of the object that crashed
+  // Address of the instruction that failed, or of the branch before it.
+  std::optional<uint32_t> epc;
+  std::optional<uint32_t> context;  // context of the object that crashed
   std::array<std::optional<uint32_t>, kRobotRegisters> registers;
   std::vector<Object> objects;
   std::map<uint32_t, uint32_t> stack;  // words of the stack dump by their address
+
+  // Returns the address of the instruction that failed.  If it comes right after a branch, in the
+  // branch's delay slot, `epc` is the branch, and bit 31 of `cause` is set.
+  std::optional<uint32_t> Failed() const;
 
   // Returns the object that crashed, the one with `context`; null if the log does not have it.
   const Object* Crashed() const;
@@ -47,8 +52,8 @@ struct EmonLog {
 // instruction nor an exception code.
 std::optional<EmonLog> ParseEmonLog(const std::string& text);
 
-// Returns what the exception code `code` says about the program, such as "a division by zero, or a
-// breakpoint".
+// Returns what the exception code `code` says about the program, such as "a division of
+// integers by zero, or a breakpoint".
 std::string MeaningOfException(uint32_t code);
 
 }  // namespace openr_host

@@ -16,16 +16,37 @@ CodePlace PlaceOf(const RobotCode& code, uint32_t address) {
 // The instruction of the call whose return address is `address`.
 CodePlace CallBefore(const RobotCode& code, uint32_t address) { return PlaceOf(code, address - 8); }
 
-std::vector<CodePlace> CallsIn(const EmonLog& log, const RobotCode& code) {
-  std::vector<CodePlace> calls;
+void FindCalls(const RobotCode& code, EmonStory* story) {
+  const EmonLog& log = story->log;
   const auto add = [&](uint32_t address) {
-    if (calls.size() < kCallsMax && code.IsAfterCall(address))
-      calls.push_back(CallBefore(code, address));
+    if (!code.IsAfterCall(address)) return;
+    story->has_more_calls = story->calls.size() == kCallsMax;
+    if (!story->has_more_calls) story->calls.push_back(CallBefore(code, address));
   };
-  if (log.registers[kRobotRa]) add(*log.registers[kRobotRa]);
+  // In a function that has called another one, register ra leads back into this function.
+  const uint32_t ra = log.registers[kRobotRa].value_or(0);
+  const std::string& function = story->place->code.function;
+  if (function.empty() || code.LookUp(ra - 8).function != function) add(ra);
   const uint32_t sp = log.registers[kRobotSp].value_or(0);
   for (auto word = log.stack.lower_bound(sp); word != log.stack.end(); ++word) add(word->second);
-  return calls;
+}
+
+// Returns why the story has no place, or no line.
+std::string ProblemOf(const EmonStory& story, const RobotCode& code) {
+  const EmonLog& log = story.log;
+  if (!log.epc) return "the log has no epc, the address of the instruction that failed";
+  if (!story.place && log.epc == log.bad_address)
+    return "the program jumped to an address that is no code: a pointer to a function, a virtual "
+           "table or a return address was overwritten";
+  if (!story.place)
+    return "the instruction that failed is not in this image: the image is that of another object "
+           "or of another build";
+  if (code.names().empty())
+    return "the image has no names of functions; give the ELF file from which mkbin made it "
+           "(NAME.nosnap.elf), or put that file beside the image, with the image's name";
+  if (story.place->code.line.empty())
+    return "this function has no line: it is in a library, or was compiled without -g";
+  return "";
 }
 
 std::string TextOf(const CodePlace& place) {
@@ -58,20 +79,12 @@ EmonStory TellStory(const EmonLog& log, RobotCode* code) {
     return story;
   }
   code->SetGp(*log.registers[kRobotGp]);
-  if (log.epc && code->Contains(*log.epc)) story.place = PlaceOf(*code, *log.epc);
-  story.calls = CallsIn(log, *code);
-  if (!story.place) {
-    story.problem =
-        "the instruction that failed is not in this image: the image is that of another object or "
-        "of another build, or a pointer to a function was wrong";
-  } else if (code->names().empty()) {
-    story.problem =
-        "the image has no names of functions; put the ELF file from which it was made beside it, "
-        "with the extension .DBG or .elf";
-  } else if (story.place->code.line.empty()) {
-    story.problem = fmt::format("{} has no line numbers; compile with -g and do not strip it",
-                                code->names().string());
+  const std::optional<uint32_t> failed = log.Failed();
+  if (failed && code->Contains(*failed)) {
+    story.place = PlaceOf(*code, *failed);
+    FindCalls(*code, &story);
   }
+  story.problem = ProblemOf(story, *code);
   return story;
 }
 
@@ -95,6 +108,7 @@ std::string StoryText(const EmonStory& story) {
   }
   if (!story.calls.empty()) text += "CALLS that may have led there, the last one first\n";
   for (const CodePlace& call : story.calls) text += "  " + TextOf(call) + "\n";
+  if (story.has_more_calls) text += "  and more\n";
   if (!story.problem.empty()) text += fmt::format("note: {}\n", story.problem);
   return text;
 }
@@ -113,7 +127,8 @@ nlohmann::ordered_json StoryJson(const EmonStory& story) {
   if (story.place) json["place"] = JsonOf(*story.place);
   json["calls"] = nlohmann::ordered_json::array();
   for (const CodePlace& call : story.calls) json["calls"].push_back(JsonOf(call));
-  json["problem"] = story.problem;
+  json["has_more_calls"] = story.has_more_calls;
+  if (!story.problem.empty()) json["problem"] = story.problem;
   return json;
 }
 

@@ -24,11 +24,12 @@ struct EmonStory {
   std::string meaning;  // of the exception code; "" if the log has no code
   // The instruction that failed, if it is in the image.
   std::optional<CodePlace> place;
-  // Calls that may have led there, the last one first: the return address in register ra, and each
-  // word of the stack that is an address after a call.  An old word may be one that is no longer in
-  // use.
+  // Calls that may have led there, the last one first: those that belong to the return address in
+  // register ra and to each word on the stack that could be a return address.  Some may be left
+  // from functions that had already returned.
   std::vector<CodePlace> calls;
-  std::string problem;  // why there is no place or no name; "" if there is nothing to say
+  bool has_more_calls = false;  // calls were left out
+  std::string problem;          // why there is no place or no name; "" if there is nothing to say
 };
 
 // `code`: the image of the object that crashed; null without one.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstring>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include "runtime/base/read_file.h"
@@ -23,6 +24,7 @@ struct Headers {
   std::optional<Elf32_Shdr> text;
   std::optional<uint32_t> gp;  // from the section .reginfo
   uint32_t first_load = 0;     // lowest address of a segment
+  bool has_names = false;      // there is a table of symbols
 };
 
 template <typename T>
@@ -55,6 +57,7 @@ std::optional<Headers> HeadersIn(const std::string& bytes) {
   for (uint32_t i = 0; names && i < header->e_shnum; ++i) {
     const auto here = section(i);
     if (!here) break;
+    if (here->sh_type == SHT_SYMTAB) result.has_names = true;
     if (here->sh_type == SHT_MIPS_REGINFO) {
       if (const auto info = ReadAt<Elf32_RegInfo>(bytes, here->sh_offset))
         result.gp = static_cast<uint32_t>(info->ri_gp_value);
@@ -66,55 +69,59 @@ std::optional<Headers> HeadersIn(const std::string& bytes) {
   return result;
 }
 
-// Returns how far the headers were moved away from the addresses of the code.
+// Returns what must be added to an address in the headers to get the linked address.
 uint32_t MovedBy(const Headers& headers) {
   return headers.first_load == 0 && headers.gp.value_or(0) >= kLinkedAt ? kLinkedAt : 0;
-}
-
-// Returns the file with names of functions: one beside the image, or the image itself.
-fs::path NamesBeside(const fs::path& image) {
-  for (const char* const extension : {".DBG", ".dbg", ".nosnap.elf", ".elf"}) {
-    fs::path beside = image;
-    beside.replace_extension(extension);
-    if (fs::exists(beside)) return beside;
-  }
-  return {};
 }
 
 }  // namespace
 
 RobotCode::RobotCode(const fs::path& file)
     : RobotCode(file.string(), ReadFileOrThrow(file.string())) {
-  names_ = NamesBeside(file);
-  if (names_.empty() && !is_compressed_) names_ = file;
-  if (names_.empty()) return;
-  if (const auto headers = HeadersIn(ReadFile(names_.string()).value_or("")))
-    names_moved_by_ = MovedBy(*headers);
+  if (!is_compressed_) FindNames(file);
+  for (const char* const extension : {".nosnap.elf", ".elf", ".DBG"})
+    FindNames(fs::path(file).replace_extension(extension));
 }
 
 RobotCode::RobotCode(const std::string& name, std::string bytes) {
   ImageFile image = CheckImage(std::move(bytes));
   bytes_ = std::move(image.bytes);
   is_compressed_ = image.is_compressed;
-  ReadHeaders(name);
+  ReadHeaders(name, is_compressed_ && !image.is_for_robot ? image.problem : "");
 }
 
-void RobotCode::ReadHeaders(const std::string& name) {
+void RobotCode::ReadHeaders(const std::string& name, const std::string& problem) {
+  if (!problem.empty()) throw std::runtime_error(fmt::format("{}: {}", name, problem));
   const std::optional<Headers> headers = HeadersIn(bytes_);
   if (!headers)
     throw std::runtime_error(fmt::format(
         "{}: is no image for the robot; give the .BIN of the robot's stick, or the ELF file from "
         "which it was made",
         name));
-  if (!headers->text || !headers->gp)
-    throw std::runtime_error(
-        fmt::format("{}: has no section {}, so it is not known where its code is", name,
-                    headers->text ? ".reginfo" : ".text"));
+  if (!headers->text || headers->text->sh_type != SHT_PROGBITS || headers->gp.value_or(0) == 0)
+    throw std::runtime_error(fmt::format(
+        "{}: has no section {}, so it is not known where its code is; give the ELF file from which "
+        "mkbin made the image",
+        name, headers->gp.value_or(0) != 0 ? ".text with code" : ".reginfo"));
   moved_by_ = MovedBy(*headers);
   text_ = headers->text->sh_addr;
   text_offset_ = headers->text->sh_offset;
   text_bytes_ = headers->text->sh_size;
   file_gp_ = *headers->gp;
+}
+
+// Takes the names of functions from `file`, if it has a table of symbols, is of the same build, and
+// no file with names was found before.
+void RobotCode::FindNames(const fs::path& file) {
+  std::error_code error;
+  if (!names_.empty() || !fs::is_regular_file(file, error)) return;
+  const std::optional<Headers> headers = HeadersIn(ReadFile(file.string()).value_or(""));
+  if (!headers || !headers->text || !headers->has_names || headers->gp != file_gp_) return;
+  if (headers->text->sh_addr + MovedBy(*headers) != text_ + moved_by_ ||
+      headers->text->sh_size != text_bytes_)
+    return;
+  names_ = file;
+  names_moved_by_ = MovedBy(*headers);
 }
 
 bool RobotCode::Contains(uint32_t address) const {
@@ -130,8 +137,9 @@ bool RobotCode::IsAfterCall(uint32_t address) const {
   if (!word) return false;
   const uint32_t operation = *word >> 26;
   const bool is_jalr = operation == 0 && (*word & 63) == 9;
-  const bool is_bal = operation == 1 && (*word >> 16 & 31) == 17;  // bgezal
-  return operation == 3 || is_jalr || is_bal;                      // 3: jal
+  const uint32_t condition = *word >> 16 & 31;
+  const bool is_branch = operation == 1 && (condition == 16 || condition == 17);  // bltzal, bgezal
+  return operation == 3 || is_jalr || is_branch;                                  // 3: jal
 }
 
 CodeLookup RobotCode::LookUp(uint32_t address) const {

@@ -27,8 +27,8 @@ class RobotCode {
 
   // Returns whether the robot's address `address` is in the code.  REQUIRES: SetGp() was called.
   bool Contains(uint32_t address) const;
-  // Returns whether the instruction before the delay slot before `address` is a call, so that
-  // `address` may be an address to which a function returns.
+  // Returns whether the instruction at `address` - 8 is a call, so that `address` may be a return
+  // address.  The instruction between them runs before the call does.
   bool IsAfterCall(uint32_t address) const;
   // Returns function and line of the robot's address `address`.
   CodeLookup LookUp(uint32_t address) const;
@@ -39,12 +39,13 @@ class RobotCode {
   const std::filesystem::path& names() const { return names_; }
 
  private:
-  void ReadHeaders(const std::string& name);
+  void ReadHeaders(const std::string& name, const std::string& problem);
+  void FindNames(const std::filesystem::path& file);
 
   std::string bytes_;  // of the image, decompressed
   bool is_compressed_ = false;
   std::filesystem::path names_;
-  uint32_t names_moved_by_ = 0;  // as moved_by_, for the file with the names
+  uint32_t names_moved_by_ = 0;  // moved_by_ of the file with the names
   uint32_t text_ = 0;            // address of the code in the file
   uint32_t text_offset_ = 0;     // its place among the bytes
   uint32_t text_bytes_ = 0;

@@ -99,6 +99,7 @@ void JointClient::Drop(NetHandle handle, bool reset) {
 void JointClient::Forget() {
   listener_ = 0;
   accepts_.clear();
+  GiveUp();
   EndConnection();
   PassingNetwork::Forget();
 }

@@ -102,7 +102,8 @@ class TimelineTest(unittest.TestCase):
         self.killed(self.folder / "a.json", 500_000)
         text = (self.folder / "a.json").read_text(errors="replace")
         if not text.endswith("]}\n"):
-            # SIGKILL has cut the write of a block: its whole lines are there, and the end is not.
+            # SIGKILL has cut the write of a block: the file ends within a line.
+            self.assertFalse(text.endswith("\n"))
             text = text[:text.rindex(",\n")] + "]}\n"
         slices = [event for event in json.loads(text)["traceEvents"] if event["ph"] == "X"]
         self.assertGreater(len(slices), 500)
