@@ -23,7 +23,8 @@ void FindCalls(const RobotCode& code, EmonStory* story) {
     story->has_more_calls = story->calls.size() == kCallsMax;
     if (!story->has_more_calls) story->calls.push_back(CallBefore(code, address));
   };
-  // In a function that has called another one, register ra leads back into this function.
+  // Register ra leads back into the function that failed if that function has called another one.
+  // So it names no caller then.
   const uint32_t ra = log.registers[kRobotRa].value_or(0);
   const std::string& function = story->place->code.function;
   if (function.empty() || code.LookUp(ra - 8).function != function) add(ra);

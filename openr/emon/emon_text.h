@@ -18,7 +18,7 @@ struct CodePlace {
   CodeLookup code;
 };
 
-// What is known of a crash.
+// The story of a crash: its record, explained with the image of the object.
 struct EmonStory {
   EmonLog log;
   std::string meaning;  // of the exception code; "" if the log has no code

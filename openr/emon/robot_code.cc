@@ -69,7 +69,7 @@ std::optional<Headers> HeadersIn(const std::string& bytes) {
   return result;
 }
 
-// Returns what must be added to an address in the headers to get the linked address.
+// Returns the linked address of the code less its address in the headers.
 uint32_t MovedBy(const Headers& headers) {
   return headers.first_load == 0 && headers.gp.value_or(0) >= kLinkedAt ? kLinkedAt : 0;
 }

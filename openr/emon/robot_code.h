@@ -14,9 +14,9 @@ namespace openr_host {
 class RobotCode {
  public:
   // Reads the image `file`: an ELF file, or a .BIN, which may be compressed.  A .BIN has no names
-  // of functions; they come from a file beside it with the same name and another extension: .DBG,
-  // .elf or .nosnap.elf.  Throws std::runtime_error "FILE: reason" if the file cannot be read or is
-  // no image for the robot.
+  // of functions; they come from a file of the same build beside it, with the same name and the
+  // extension .nosnap.elf, .elf or .DBG.  Throws std::runtime_error "FILE: reason" if the file
+  // cannot be read or is no image for the robot.
   explicit RobotCode(const std::filesystem::path& file);
   // Reads an image from its bytes, without names of functions.  `name` is for the error message.
   RobotCode(const std::string& name, std::string bytes);
@@ -50,7 +50,7 @@ class RobotCode {
   uint32_t text_offset_ = 0;     // its place among the bytes
   uint32_t text_bytes_ = 0;
   uint32_t file_gp_ = 0;  // value of gp for the addresses of the code
-  // What must be added to addresses of the headers: a .BIN was linked at 0x400000, and only its
+  // The linked address less the address in the headers: a .BIN was linked at 0x400000, and only its
   // headers were moved to 0 (binary.md 1.5).
   uint32_t moved_by_ = 0;
   uint32_t loaded_by_ = 0;  // the robot's address less the linked address

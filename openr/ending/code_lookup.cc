@@ -59,7 +59,7 @@ CodeLookup LookUpCode(const char* file, uintptr_t offset) {
       dwfl_report_elf(session.get(), file, file, -1, kBase, /*add_p_vaddr=*/false);
   dwfl_report_end(session.get(), nullptr, nullptr);
   if (module == nullptr) return {};
-  // What libdwfl adds to the addresses of the file: kBase for a shared object, nothing for a
+  // The distance of libdwfl's addresses from those of the file: kBase for a shared object, 0 for a
   // program that was linked for fixed addresses.
   GElf_Addr added = 0;
   if (dwfl_module_getelf(module, &added) == nullptr) return {};
