@@ -91,7 +91,12 @@ std::optional<LiveRun> FindRun(const std::string& wanted) {
   return FindLiveRun(wanted);
 }
 
-std::string NameOf(const std::optional<LiveRun>& run) {
+// Returns NAME.PROCESS of the run that pages show first; "" if they let the user choose.
+std::string FirstRun(const PanelOptions& options) {
+  // The server of a run gets NAME.PROCESS.  It is not looked up, because a short run may have ended
+  // already, which is no error.
+  if (options.run_pipe >= 0) return options.run;
+  const std::optional<LiveRun> run = FindRun(options.run);
   return run ? std::filesystem::path(run->socket).filename().string() : "";
 }
 
@@ -181,7 +186,7 @@ Panel::Panel(const PanelOptions& options)
       listener_descriptor_(Listen(&port_)),
       access_(NewToken(), port_),
       folder_(PanelFolder()),
-      own_run_(NameOf(FindRun(options.run))),
+      own_run_(FirstRun(options)),
       runs_(own_run_),
       listener_([this] { return Accept(); }),
       signal_listener_([this] {

@@ -233,12 +233,14 @@ TEST_F(PanelRunTest, TheRunGivesItsDescriptorsToNoProgram) {
 
 TEST_F(PanelRunTest, ARunWhosePageOnlyLooksIsTheSameRun) {
   const std::string shown = folder_.path() + "/shown.json", alone = folder_.path() + "/alone.json";
-  const auto run = Start({"--rate", "max", "--for", "120s", "--report", shown});
+  const auto run = Start({"--for", "120s", "--report", shown});
   WebSocketClient page(port_, Known());
   for (const char* const what : {"scene", "status", "objects", "sensors", "joints", "runs"})
     page.Send(Json({{"do", what}, {"id", what}}).dump());
   page.Send(
       R"({"do":"watch","period_ms":16,"events":["pose","values","graph","log","findings","clock"]})");
+  // The run is in real time until now, so that it cannot end before the page is connected.
+  page.Send(R"({"do":"clock","rate":0,"id":"rate"})");
   std::set<std::string> seen;
   std::string message = page.Receive();
   for (; message[0] == '{'; message = page.Receive()) {
@@ -255,6 +257,14 @@ TEST_F(PanelRunTest, ARunWhosePageOnlyLooksIsTheSameRun) {
                                           "--rate", "max", "--for", "120s", "--report", alone});
   EXPECT_EQ(other.status, 0);
   EXPECT_EQ(Hashes(shown), Hashes(alone));
+}
+
+TEST_F(PanelRunTest, ARunMayEndBeforeItsPanelIsThere) {
+  const ProgramResult result =
+      RunProgram({"run", "--rc-port", "0", "--body", "ideal", "--panel", "--panel-port", "0",
+                  "--rate", "max", "--for", "100ms"});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.err.find("there is no run"), std::string::npos) << result.err;
 }
 
 TEST_F(PanelRunTest, WithoutATerminalThereIsNoPanel) {
