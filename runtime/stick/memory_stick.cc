@@ -77,8 +77,8 @@ std::optional<std::vector<std::string>> PartsOf(std::string_view name) {
 bool IsBelow(const std::string& path, const std::string& folder) {
   std::error_code error;
   const auto real_path = std::filesystem::canonical(path, error);
-  // Accepts a dangling link, because it leads to no file outside of `folder`.
-  if (error) return true;
+  // Refuses a dangling link, because a file that is created there may be outside of `folder`.
+  if (error) return false;
   const auto real_folder = std::filesystem::canonical(folder, error);
   const auto [end, rest] =
       std::mismatch(real_folder.begin(), real_folder.end(), real_path.begin(), real_path.end());
@@ -144,7 +144,11 @@ MemoryStick::Location FolderStick::Locate(std::string_view name) {
     if (error != 0) return {"", false, error};
     const bool is_last = i + 1 == parts->size();
     if (entry.empty() && !is_last) return {"", false, ENOENT};
-    if (entry.empty()) return {path + "/" + UpperCase(part), false, 0};
+    if (entry.empty()) {
+      // Checks the folder, because it may be a link that leads out of the stick.
+      if (!IsBelow(path, root_)) return {"", false, EACCES};
+      return {path + "/" + UpperCase(part), false, 0};
+    }
     path += "/" + entry;
   }
   if (!IsBelow(path, root_)) return {"", false, EACCES};

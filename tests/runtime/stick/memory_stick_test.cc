@@ -58,6 +58,29 @@ TEST(MemoryStickTest, ALargeFileIsNotReadIntoMemoryWhole) {
   EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
 }
 
+TEST(MemoryStickTest, NoLinkLeadsOutOfTheStick) {
+  const TempFolder folder, outside;
+  std::ofstream(outside.path() + "/OLD.TXT") << "old";
+  const auto link = [&](const std::string& to, const std::string& name) {
+    fs::create_symlink(to, folder.path() + "/" + name);
+  };
+  link(outside.path() + "/OLD.TXT", "FILE.TXT");
+  link(outside.path() + "/NEW.TXT", "DANGLING.TXT");
+  link(outside.path(), "DIR");
+  link("/proc/self/fd/0", "FD.TXT");
+  FolderStick stick(folder.path());
+  for (const char* const name :
+       {"FILE.TXT", "DANGLING.TXT", "DIR", "DIR/OLD.TXT", "DIR/NEW.TXT", "FD.TXT"}) {
+    EXPECT_EQ(stick.Locate(std::string("/MS/") + name).error, EACCES) << name;
+  }
+  // Links within the stick work, and new files can be made through them.
+  fs::create_directory(folder.path() + "/REAL");
+  link("REAL", "NEAR");
+  const MemoryStick::Location made = stick.Locate("/MS/NEAR/NEW.TXT");
+  EXPECT_EQ(made.error, 0);
+  EXPECT_EQ(made.path, folder.path() + "/NEAR/NEW.TXT");
+}
+
 TEST(MemoryStickTest, WhatIsNotThereIsToldFromWhatIsNoFile) {
   const TempFolder folder;
   fs::create_directories(folder.path() + "/OPEN-R/MW");
