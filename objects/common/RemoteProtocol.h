@@ -49,7 +49,10 @@ enum RcCommand {
     rcDOWNLOAD = 0x54,
     rcLOG = 0x60,  // RemoteLog.h has the format of the log
     rcREBOOT = 0x70,
-    rcSHUTDOWN = 0x71
+    rcSHUTDOWN = 0x71,
+    // Shows a server beyond the robot, which the host has, that the client knows its token.  The
+    // robot itself does not know this command.
+    rcTOKEN = 0x72
 };
 
 enum RcStatus {
@@ -69,7 +72,8 @@ enum RcStatus {
     rcerrorNO_UPLOAD = 12,
     rcerrorNOT_IN_BATCH = 13,  // the command must be sent in a packet of its own
     rcerrorTOO_LONG = 14,      // the answer has no room in the batch
-    rcerrorNO_PICTURE = 15     // the request is about a picture for which this client has not asked
+    rcerrorNO_PICTURE = 15,    // the request is about a picture for which this client has not asked
+    rcerrorNOT_ALLOWED = 16    // the token is missing or wrong, or the server forbids the request
 };
 
 // Size of the smallest answer to a request in a batch, in bytes.  This size has room for a payload

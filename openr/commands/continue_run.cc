@@ -163,7 +163,8 @@ int ContinueRun(const ContinueOptions& options) {
   rewind.Begin(std::move(parts));
   std::unique_ptr<PanelProcess> panel;
   const std::string socket = std::filesystem::path(LiveSocketPath(name)).filename();
-  if (options.panel) panel = std::make_unique<PanelProcess>(socket, options.panel_port);
+  if (options.panel)
+    panel = std::make_unique<PanelProcess>(PanelOptions{.port = options.panel_port, .run = socket});
   plan.live = &live;
   plan.clock = &clock;
   plan.after_frame = [&run] { run.ForgetEvents(); };

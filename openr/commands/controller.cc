@@ -19,6 +19,7 @@
 #include "openr/controller/controller_run.h"
 #include "openr/remote/address.h"
 #include "openr/remote/error.h"
+#include "openr/remote/token_file.h"
 #include "runtime/base/temp_folder.h"
 
 namespace openr_host {
@@ -32,6 +33,7 @@ struct ControllerFlags {
   std::string source;   // folder or file with the source of the controller
   std::string address;  // address of the robot that the controller commands
   int64_t timeout_us = 3'000'000;
+  std::string token_file;  // file with the token of the robot's server; "": it needs none
 };
 
 // Builds the controller for the robot.  The build for the host adds only CONTROLL.BIN to a stick of
@@ -107,8 +109,10 @@ int Run(const ControllerFlags& flags) {
   auto* const controller_main = LoadController(flags);
   if (controller_main == nullptr) return kExitWrong;
   const std::string folder = FolderOfController(flags.source);
-  return run({flags.address.c_str(), static_cast<int>(flags.timeout_us / 1000), folder.c_str(),
-              controller_main});
+  const std::string token =
+      flags.token_file.empty() ? "" : openr::remote::ReadTokenFile(flags.token_file);
+  return run({flags.address.c_str(), static_cast<int>(flags.timeout_us / 1000), token.c_str(),
+              folder.c_str(), controller_main});
 }
 
 }  // namespace
@@ -143,6 +147,8 @@ void AddControllerCommand(CLI::App* app, int* exit_code) {
       ->required()
       ->check(IsRemoteAddress());
   AddDurationFlag(run, "--timeout", &flags->timeout_us, "How long to wait for an answer");
+  run->add_option("--token-file", flags->token_file,
+                  "File with the token that openr run --listen asks for");
   run->callback([flags, exit_code] { *exit_code = Run(*flags); });
 
   CLI::App* const make = command->add_subcommand("new", "Makes a controller that builds and runs");

@@ -8,6 +8,7 @@
 
 #include "cli/exit_code.h"
 #include "openr/commands/commands.h"
+#include "openr/commands/listen_flags.h"
 
 namespace openr_host {
 
@@ -20,6 +21,11 @@ void AddPanelCommand(CLI::App* app, int* exit_code) {
   command->add_option("--run", options->run,
                       "Name or process id of the run that the page shows first; without it the "
                       "only run there is");
+  AddListenFlags(command, &options->listen);
+  command
+      ->add_option("--robots", options->robots, "How many robots' remote controls --listen opens")
+      ->check(CLI::Range(1, 64))
+      ->capture_default_str();
   // Adds the flag that openr run gives to the server that it starts (PanelProcess).  The flag is
   // hidden, because it is not for users.
   command->add_option("--fd", options->run_pipe, "Descriptor whose end of file ends the server")

@@ -35,8 +35,7 @@ int Perform(const RcFlags& flags, const RcAction& action) {
     return PerformAtBoth(flags, action);
   }
   try {
-    remote::Connection robot(AddressOf(flags),
-                             {.timeout = std::chrono::milliseconds(flags.timeout_us / 1000)});
+    remote::Connection robot(AddressOf(flags), OptionsOf(flags));
     action(&robot, flags);
     return kExitGood;
   } catch (const remote::Error& error) {
@@ -112,6 +111,8 @@ class RcCommands {
     rc_->add_option("--with", flags_->with, "Does the same at a second robot: HOST[:PORT]")
         ->check(IsRemoteAddress());
     AddDurationFlag(rc_, "--timeout", &flags_->timeout_us, "How long to wait for an answer");
+    rc_->add_option("--token-file", flags_->token_file,
+                    "File with the token that openr run --listen asks for");
     rc_->add_flag("--json", flags_->json, "One JSON object per answer");
     rc_->require_subcommand(1);
     rc_->fallthrough();

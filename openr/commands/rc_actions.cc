@@ -14,6 +14,7 @@
 #include "openr/remote/connection.h"
 #include "openr/remote/log_reader.h"
 #include "openr/remote/sensor_format.h"
+#include "openr/remote/token_file.h"
 
 namespace openr_host {
 namespace {
@@ -59,6 +60,11 @@ double LimitValue(remote::Connection* robot, RcCommand command, int joint, doubl
 }
 
 }  // namespace
+
+remote::Options OptionsOf(const RcFlags& flags) {
+  return {.timeout = std::chrono::milliseconds(flags.timeout_us / 1000),
+          .token = flags.token_file.empty() ? "" : remote::ReadTokenFile(flags.token_file)};
+}
 
 void RcInfoAction(remote::Connection* robot, const RcFlags& flags) {
   const remote::Info info = robot->GetInfo();

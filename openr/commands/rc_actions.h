@@ -8,10 +8,7 @@
 #include <vector>
 
 #include "RemoteProtocol.h"
-
-namespace openr::remote {
-class Connection;
-}
+#include "openr/remote/connection.h"
 
 namespace openr_host {
 
@@ -23,6 +20,7 @@ struct RcFlags {
   bool track = false;  // true: the robot that follows the other one goes straight to each position,
                        // and ignores its own limits of speed and acceleration
   int64_t timeout_us = 3'000'000;
+  std::string token_file;  // file with the token of the robots' servers; "": they need none
   bool json = false;
   std::string device;  // the device that the user has named, by its name, title, locator or number
   double value = 0;
@@ -46,6 +44,10 @@ struct RcFlags {
   int count = 0;           // number of events that are printed; 0: prints events until Ctrl-C
   std::vector<int> gains;  // new gains P, I and D; empty: the present gains are only shown
 };
+
+// Returns the options of the connections to robots.  Throws std::runtime_error if the file of
+// --token-file has no token.
+remote::Options OptionsOf(const RcFlags& flags);
 
 // A function that carries out a command of openr rc: it sends requests to `robot` and prints the
 // answers to standard output.  Throws remote::Error.

@@ -105,9 +105,8 @@ int PerformAtBoth(const RcFlags& flags, const RcAction& action) {
   // Connects to both robots before the action begins, so that nothing is done at one robot if the
   // other cannot be reached.
   for (Partner& robot : robots) {
-    robot.connection = std::make_unique<remote::Connection>(
-        remote::ParseAddress(robot.address),
-        remote::Options{.timeout = std::chrono::milliseconds(flags.timeout_us / 1000)});
+    robot.connection =
+        std::make_unique<remote::Connection>(remote::ParseAddress(robot.address), OptionsOf(flags));
   }
   std::thread second([&] { Act(&robots[1], flags, action); });
   Act(&robots[0], flags, action);
@@ -126,7 +125,7 @@ int FollowRobot(const RcFlags& flags) {
   if (flags.stream_us < kFollowVectorUs || flags.stream_us > kFollowPeriodMaxUs)
     throw std::runtime_error("--every is 32ms to 10s");
   PairOptions options;
-  options.timeout_ms = static_cast<int>(flags.timeout_us / 1000);
+  options.connection = OptionsOf(flags);
   options.period = static_cast<int>(flags.stream_us / kFollowVectorUs) * RC_FRAMES_PER_VECTOR;
   options.tracks[kFirst] = flags.track;
   RemotePair pair(remote::ParseAddress(flags.address), remote::ParseAddress(flags.with), options);

@@ -68,9 +68,7 @@ std::string SimulatedLog(const std::string& bytes) {
 }
 
 void RcPlayWithAction(remote::Connection* robot, const RcFlags& flags) {
-  remote::Options options;
-  options.timeout = std::chrono::milliseconds(flags.timeout_us / 1000);
-  remote::Connection other(remote::ParseAddress(flags.with), options);
+  remote::Connection other(remote::ParseAddress(flags.with), OptionsOf(flags));
   remote::LogReader log(robot), other_log(&other);
   log.SkipOld();
   other_log.SkipOld();

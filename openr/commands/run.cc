@@ -142,8 +142,13 @@ std::unique_ptr<LiveServer> MakeLiveServer(const LiveContext& context, const std
 std::unique_ptr<PanelProcess> StartPanel(const RunFlags& flags, const LiveServer* live,
                                          const std::string& name) {
   if (live == nullptr || !WantsPanel(flags)) return nullptr;
+  // Reads the token in the run too, so that a run whose file is wrong does not begin.
+  if (flags.listen.is_on()) ReadOrMakeToken(flags.listen.token_file);
   const std::filesystem::path socket = LiveSocketPath(name);
-  return std::make_unique<PanelProcess>(socket.filename(), flags.panel_port);
+  return std::make_unique<PanelProcess>(PanelOptions{.port = flags.panel_port,
+                                                     .run = socket.filename(),
+                                                     .listen = flags.listen,
+                                                     .robots = flags.simulation.robots});
 }
 
 // A run of `openr run`, from the flags of the user to the report.

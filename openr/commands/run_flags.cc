@@ -14,6 +14,7 @@
 #include "cli/output_file.h"
 #include "cli/standard_streams.h"
 #include "openr/commands/common_flags.h"
+#include "openr/commands/listen_flags.h"
 #include "openr/panel/panel_process.h"
 #include "openr/simulation/network_setup.h"
 #include "openr/timeline/timeline.h"
@@ -147,6 +148,8 @@ void DescribeOutput(CLI::App* command, RunFlags* flags) {
       ->add_option("--panel-port", flags->panel_port,
                    "Port of the web panel, or the next free one; 0: any free one")
       ->capture_default_str();
+  AddListenFlags(command, &flags->listen);
+  no_panel->excludes(command->get_option("--listen"));
 }
 
 // Returns the reason why a run with the flags `flags` cannot take the picture that `plan`, a value
@@ -244,6 +247,7 @@ void AddDataLogFlags(CLI::App* command, DataLogOptions* options, std::string* ti
 
 bool WantsPanel(const RunFlags& flags) {
   if (flags.panel || flags.no_panel) return flags.panel;
+  if (flags.listen.is_on()) return true;
   return !flags.json && isatty(StandardOutput()) == 1 && HasPanel();
 }
 

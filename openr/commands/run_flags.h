@@ -9,6 +9,7 @@
 
 #include "openr/commands/distribution_flags.h"
 #include "openr/data/data_log.h"
+#include "openr/panel/listen.h"
 #include "openr/run/runner.h"
 #include "openr/simulation/simulation.h"
 
@@ -32,6 +33,7 @@ struct RunFlags {
   bool panel = false;     // value of the flag --panel
   bool no_panel = false;  // value of the flag --no-panel
   uint16_t panel_port = 8210;
+  ListenOptions listen;
   std::string log = "info";
   std::string console_file;
   std::string stdin_file;
@@ -51,9 +53,9 @@ void DescribeRunFlags(CLI::App* command, RunFlags* flags);
 // Adds the flags --log-data, --log-images and --timeline, which openr run and openr replay have.
 void AddDataLogFlags(CLI::App* command, DataLogOptions* options, std::string* timeline);
 
-// Returns whether the run has a panel.  The flags --panel and --no-panel decide.  Without them, the
-// run has a panel if the panel is built and standard error is a terminal, on which a person sees
-// the address of the panel.
+// Returns whether the run has a panel.  The flags --panel, --no-panel and --listen decide.  Without
+// them, the run has a panel if the panel is built and standard error is a terminal, on which a
+// person sees the address of the panel.
 bool WantsPanel(const RunFlags& flags);
 
 // Returns the plan of the run that the flags describe.  Throws CLI::ValidationError if two flags

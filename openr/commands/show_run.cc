@@ -76,7 +76,7 @@ int ShowRun(const MakeKnownRun& make, const ShowOptions& options) {
   };
   rewind.Begin(std::move(parts));
   const std::string socket = std::filesystem::path(LiveSocketPath(options.name)).filename();
-  const PanelProcess panel(socket, options.panel_port);
+  const PanelProcess panel({.port = options.panel_port, .run = socket});
   const auto say = [](const std::string& line) { fmt::print(stderr, "openr: {}\n", line); };
   say(fmt::format("{:.3f} s can be watched; Ctrl-C ends this",
                   static_cast<double>(run->length_us()) / 1e6));

@@ -47,8 +47,8 @@ class Session {
   explicit Session(const ControllerRun& run)
       : run_(run),
         port_(remote::ParseAddress(run.address),
-              {.timeout = std::chrono::milliseconds(run.timeout_ms)}, run.folder,
-              [this] { StepInMain(); }) {}
+              {.timeout = std::chrono::milliseconds(run.timeout_ms), .token = run.token},
+              run.folder, [this] { StepInMain(); }) {}
 
   int Run();
 

@@ -106,9 +106,7 @@ RemotePair::RemotePair(const remote::Address& first, const remote::Address& seco
   const remote::Address* const addresses[] = {&first, &second};
   for (const PairSide side : {kFirst, kSecond}) {
     sides_[side].address = addresses[side]->Text();
-    sides_[side].robot = std::make_unique<remote::Connection>(
-        *addresses[side],
-        remote::Options{.timeout = std::chrono::milliseconds(options.timeout_ms)});
+    sides_[side].robot = std::make_unique<remote::Connection>(*addresses[side], options.connection);
     sides_[side].info = InfoOf(sides_[side].robot.get());
     sides_[side].tracks = options.tracks[side];
   }
@@ -369,10 +367,10 @@ void RemotePair::MeasureRoundTrip(PairSide side) {
 // Throws remote::Error if a robot is silent for too long.
 void RemotePair::CheckAlive(PairSide side) const {
   if (side == kFirst && options_.first_may_pause) return;
-  if (now_ms_ - sides_[side].heard_ms <= options_.timeout_ms) return;
-  throw remote::Error(
-      remote::ErrorCode::kTimeout,
-      fmt::format("{}: silent for {} ms", sides_[side].address, options_.timeout_ms));
+  const auto timeout_ms = options_.connection.timeout.count();
+  if (now_ms_ - sides_[side].heard_ms <= timeout_ms) return;
+  throw remote::Error(remote::ErrorCode::kTimeout,
+                      fmt::format("{}: silent for {} ms", sides_[side].address, timeout_ms));
 }
 
 }  // namespace openr_host

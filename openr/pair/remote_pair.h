@@ -26,7 +26,7 @@ enum PairSide { kFirst = 0, kSecond = 1 };
 enum class Follow { kNone, kFirst, kSecond };
 
 struct PairOptions {
-  int timeout_ms = 3000;
+  remote::Options connection;         // options of the connections to both robots
   int period = RC_FRAMES_PER_VECTOR;  // number of frames between two sensor values
   // Whether a robot that follows goes straight to each position (TRACK) instead of within its
   // limits of speed and acceleration (MOVE).  The index is a PairSide.

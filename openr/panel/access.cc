@@ -1,5 +1,6 @@
 #include "openr/panel/access.h"
 
+#include <arpa/inet.h>
 #include <fmt/format.h>
 #include <sys/random.h>
 
@@ -10,6 +11,12 @@
 #include <utility>
 
 namespace openr_host {
+namespace {
+
+constexpr char kLoopback[] = "127.0.0.1";
+constexpr char kAnyAddress[] = "0.0.0.0";
+
+}  // namespace
 
 std::string NewToken() {
   std::array<unsigned char, 16> bytes;
@@ -31,19 +38,32 @@ bool IsSameSecret(std::string_view a, std::string_view b) {
   return difference == 0;
 }
 
-Access::Access(std::string token, uint16_t port) : token_(std::move(token)), port_(port) {}
+Access::Access(std::string token, std::string address, uint16_t port)
+    : token_(std::move(token)), address_(std::move(address)), port_(fmt::format(":{}", port)) {}
 
-std::string Access::Url() const {
-  return fmt::format("http://127.0.0.1:{}/?token={}", port_, token_);
+std::string Access::Url(const std::string& token) const {
+  return fmt::format("http://{}{}/?token={}", address_ == kAnyAddress ? "HOST" : address_, port_,
+                     token);
 }
 
 bool Access::IsOurs(std::string_view host) const {
-  return host == fmt::format("127.0.0.1:{}", port_) || host == fmt::format("localhost:{}", port_);
+  if (!host.ends_with(port_)) return false;
+  const std::string name(host.substr(0, host.size() - port_.size()));
+  // Accepts no names but this one, because a foreign name can be made to lead to this computer.
+  if (name == "localhost") return address_ == kLoopback || address_ == kAnyAddress;
+  in_addr number{};
+  return address_ == kAnyAddress ? inet_pton(AF_INET, name.c_str(), &number) == 1
+                                 : name == address_;
+}
+
+std::string Access::SocketSource(const std::string& host) const {
+  return IsOurs(host) ? "ws://" + host : "";
 }
 
 std::string Access::WhyNoFile(const WebRequest& request) const {
   if (IsOurs(request.host)) return "";
-  return fmt::format("this is the panel of openr; open it as http://127.0.0.1:{}/", port_);
+  return fmt::format("this is the panel of openr; open it as http://{}{}/",
+                     address_ == kAnyAddress ? "ADDRESS" : address_, port_);
 }
 
 std::string Access::WhyNoSocket(const WebRequest& request) const {

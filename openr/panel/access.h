@@ -18,12 +18,19 @@ bool IsSameSecret(std::string_view a, std::string_view b);
 
 class Access {
  public:
-  Access(std::string token, uint16_t port);
+  // `address` is the IPv4 address at which the server listens; 0.0.0.0: all addresses of this
+  // computer.
+  Access(std::string token, std::string address, uint16_t port);
 
   // Returns the WebSocket subprotocol by which a page shows that it knows the token.
   std::string protocol() const { return "openr." + token_; }
-  // Returns the address of the panel, with the token, to open in a browser.
-  std::string Url() const;
+  // Returns the address of the panel to open in a browser, with `token` in it.
+  std::string Url(const std::string& token) const;
+  const std::string& token() const { return token_; }
+
+  // Returns the source of WebSockets that a page at the address `host` may use, for its content
+  // policy; "" if `host`, a header Host, is not that of the panel.
+  std::string SocketSource(const std::string& host) const;
 
   // Returns the reason why a request for a file is refused; "" if it is allowed.  Checks the header
   // Host, because a foreign host name can be made to lead to this computer (DNS rebinding).
@@ -37,7 +44,8 @@ class Access {
   bool IsOurs(std::string_view host) const;
 
   const std::string token_;
-  const uint16_t port_;
+  const std::string address_;
+  const std::string port_;  // ":8210"
 };
 
 }  // namespace openr_host

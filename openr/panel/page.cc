@@ -33,10 +33,11 @@ size_t RobotOf(const nlohmann::json& request) {
 
 }  // namespace
 
-Page::Page(WebLoop* loop, WebConnection* connection, RunsLister* runs)
+Page::Page(WebLoop* loop, WebConnection* connection, RunsLister* runs, bool allows_controllers)
     : loop_(loop),
       connection_(connection),
       runs_(runs),
+      allows_controllers_(allows_controllers),
       outbox_(std::make_shared<Outbox>([loop] { loop->Wake(); })) {}
 
 Page::~Page() { Leave(); }
@@ -150,6 +151,11 @@ void Page::PassOn(const std::string& text, const nlohmann::json& request) {
 }
 
 void Page::CallRobot(nlohmann::json request, size_t size) {
+  if (!allows_controllers_ && IsUpload(request) && request.value("kind", "") != "motion") {
+    throw std::runtime_error(
+        "a controller is code, so it cannot be uploaded through a panel that other computers "
+        "reach; openr run --listen takes it with --allow-uploads");
+  }
   RcBridge* const bridge = BridgeTo(request);
   bridge->Add(std::move(request), size);
 }

@@ -40,7 +40,8 @@ class Page : public WebPage {
   // The most robots whose remote control one page may use at a time.
   static constexpr size_t kEndpointsMax = 4;
 
-  Page(WebLoop* loop, WebConnection* connection, RunsLister* runs);
+  // `allows_controllers` says whether the page may upload controllers.
+  Page(WebLoop* loop, WebConnection* connection, RunsLister* runs, bool allows_controllers);
   ~Page() override;
 
   // Connects the page to the run `run`.  If that is not possible, tells the page why.
@@ -75,6 +76,7 @@ class Page : public WebPage {
   WebLoop* const loop_;
   WebConnection* const connection_;
   RunsLister* const runs_;
+  const bool allows_controllers_;
   const std::shared_ptr<Outbox> outbox_;
   std::optional<LiveRun> run_;
   std::unique_ptr<RunLink> link_;  // the connection to the run; null: the page has no run

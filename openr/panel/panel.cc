@@ -1,10 +1,8 @@
 #include "openr/panel/panel.h"
 
-#include <arpa/inet.h>
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <netinet/in.h>
 #include <poll.h>
 #include <signal.h>
 #include <sys/signalfd.h>
@@ -13,11 +11,13 @@
 
 #include <cerrno>
 #include <cstring>
+#include <deque>
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -25,7 +25,10 @@
 #include "cli/standard_streams.h"
 #include "openr/live/live_folder.h"
 #include "openr/panel/access.h"
+#include "openr/panel/endpoints.h"
+#include "openr/panel/listen.h"
 #include "openr/panel/page.h"
+#include "openr/panel/rc_forwarder.h"
 #include "openr/panel/runs_lister.h"
 #include "openr/panel/static_files.h"
 #include "openr/panel/web_loop.h"
@@ -34,8 +37,6 @@ namespace openr_host {
 namespace {
 
 constexpr size_t kPagesMax = 16;
-// The largest number of ports that are tried, beginning with the port that the user wants.
-constexpr int kPortsMax = 100;
 // The time that the server waits before it ends, so that pages can receive the message that the run
 // has ended.
 constexpr int kFarewellMs = 300;
@@ -49,36 +50,6 @@ panel_page</code>.</p>
 <p>All else works: <code>openr poke</code>, <code>openr attach</code> and <code>openr rc</code> act
 on a run.</p></html>
 )";
-
-// Returns a socket that listens on 127.0.0.1, on the first free port from `*port` on.  Sets `*port`
-// to this port.
-int Listen(uint16_t* port) {
-  const int first = *port;
-  for (int number = first; number < first + kPortsMax && number <= 65535; ++number) {
-    const int listener = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
-    const int on = 1;
-    setsockopt(listener, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    address.sin_port = htons(static_cast<uint16_t>(number));
-    socklen_t size = sizeof address;
-    auto* const any = reinterpret_cast<sockaddr*>(&address);
-    if (bind(listener, any, size) == 0 && listen(listener, 64) == 0 &&
-        getsockname(listener, any, &size) == 0) {
-      *port = ntohs(address.sin_port);
-      return listener;
-    }
-    const int error = errno;
-    close(listener);
-    if (error != EADDRINUSE)
-      throw std::runtime_error(
-          fmt::format("port {} of 127.0.0.1: {}", number, std::strerror(error)));
-  }
-  throw std::runtime_error(
-      fmt::format("the {} ports of 127.0.0.1 from {} on are taken; give another with --port",
-                  kPortsMax, first));
-}
 
 // Returns the run that `wanted` names by NAME.PROCESS, by its name or by its process id.  If
 // `wanted` is "", returns the only run that goes on, or nullopt if several runs or none go on.
@@ -98,6 +69,19 @@ std::string FirstRun(const PanelOptions& options) {
   if (options.run_pipe >= 0) return options.run;
   const std::optional<LiveRun> run = FindRun(options.run);
   return run ? std::filesystem::path(run->socket).filename().string() : "";
+}
+
+std::string AddressOf(const ListenOptions& listen) {
+  return listen.is_on() ? listen.address : "127.0.0.1";
+}
+
+// Accepts all connections that wait at `listener`, and gives each to `take`.  Returns true.
+bool AcceptAll(int listener, const std::function<void(int connection)>& take) {
+  for (;;) {
+    const int connection = accept4(listener, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);
+    if (connection < 0) return true;
+    take(connection);
+  }
 }
 
 // A descriptor that calls a function when it can be read, and is closed when the function returns
@@ -138,7 +122,8 @@ class Panel : public WebService {
   explicit Panel(const PanelOptions& options);
   ~Panel();
 
-  std::string Url() const { return access_.Url(); }
+  // Returns the lines that tell the user what this server has opened, and where.
+  std::string Announcement() const;
   void Run() { loop_->Run(); }
 
   WebAnswer Answer(const WebRequest& request) override;
@@ -150,12 +135,14 @@ class Panel : public WebService {
   // A page that removes itself from the set of pages when its WebSocket is closed.
   class OpenPage;
 
-  WebAnswer WithHeaders(WebAnswer answer) const;
-  bool Accept();
+  WebAnswer WithHeaders(WebAnswer answer, const std::string& host) const;
+  void Watch(int descriptor, WebDescriptor* listener);
+  void ForwardRemoteControl(int robot);
   void WatchSignals();
   void WatchRun(int run_pipe);
   void EndPages();
 
+  const ListenOptions listen_;
   bool is_leaving_ = false;
   uint16_t port_;
   const int listener_descriptor_;
@@ -166,13 +153,23 @@ class Panel : public WebService {
   std::set<OpenPage*> pages_;
   int signals_ = -1;
   Listener listener_, signal_listener_, run_listener_;
+  // The remote control that is forwarded, one for each robot (--listen).
+  struct Forwarded {
+    uint16_t port;
+    int descriptor;
+    RcForwarder forwarder;
+    Listener listener;
+  };
+  std::deque<Forwarded> forwarded_;
   std::unique_ptr<WebLoop> loop_;
 };
 
 class Panel::OpenPage : public Page {
  public:
   OpenPage(Panel* panel, WebConnection* connection)
-      : Page(panel->loop_.get(), connection, &panel->runs_), panel_(panel) {
+      : Page(panel->loop_.get(), connection, &panel->runs_,
+             !panel->listen_.is_on() || panel->listen_.allows_controllers),
+        panel_(panel) {
     panel_->pages_.insert(this);
   }
   ~OpenPage() override { panel_->pages_.erase(this); }
@@ -182,21 +179,26 @@ class Panel::OpenPage : public Page {
 };
 
 Panel::Panel(const PanelOptions& options)
-    : port_(options.port),
-      listener_descriptor_(Listen(&port_)),
-      access_(NewToken(), port_),
+    : listen_(options.listen),
+      port_(options.port),
+      listener_descriptor_(Listen(AddressOf(listen_), &port_)),
+      access_(listen_.is_on() ? ReadOrMakeToken(listen_.token_file) : NewToken(),
+              AddressOf(listen_), port_),
       folder_(PanelFolder()),
       own_run_(FirstRun(options)),
       runs_(own_run_),
-      listener_([this] { return Accept(); }),
+      listener_([this] {
+        return AcceptAll(listener_descriptor_, [this](int client) { loop_->Serve(client); });
+      }),
       signal_listener_([this] {
         loop_->Stop();
         return false;
       }),
       run_listener_([] { return false; }, [this] { EndPages(); }),
       loop_(LoadLoop(this, access_.protocol())) {
-  if (loop_->Watch(listener_descriptor_, &listener_) == nullptr)
-    throw std::runtime_error("libwebsockets cannot watch the panel's port");
+  Watch(listener_descriptor_, &listener_);
+  for (int robot = 0; listen_.is_on() && robot < options.robots; ++robot)
+    ForwardRemoteControl(robot);
   WatchSignals();
   if (options.run_pipe >= 0) loop_->Watch(options.run_pipe, &run_listener_);
 }
@@ -216,13 +218,49 @@ void Panel::WatchSignals() {
   if (signals_ >= 0) loop_->Watch(signals_, &signal_listener_);
 }
 
-bool Panel::Accept() {
-  for (;;) {
-    const int connection =
-        accept4(listener_descriptor_, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);
-    if (connection < 0) return true;
-    loop_->Serve(connection);
+void Panel::Watch(int descriptor, WebDescriptor* listener) {
+  if (loop_->Watch(descriptor, listener) == nullptr)
+    throw std::runtime_error("libwebsockets cannot watch the port");
+}
+
+// Opens a port for the remote control of the robot number `robot` of the run.
+void Panel::ForwardRemoteControl(int robot) {
+  uint16_t port =
+      forwarded_.empty() ? listen_.rc_port : static_cast<uint16_t>(forwarded_.back().port + 1);
+  const int descriptor = Listen(listen_.address, &port);
+  const auto find = [own_run = own_run_, robot] {
+    const std::optional<LiveRun> run = FindRun(own_run);
+    if (!run) throw std::runtime_error("there is no run, or several: openr panel --run names one");
+    return AddressInRun(*run, static_cast<size_t>(robot));
+  };
+  const size_t index = forwarded_.size();
+  const auto accept = [this, descriptor, index] {
+    return AcceptAll(descriptor,
+                     [this, index](int client) { forwarded_[index].forwarder.Take(client); });
+  };
+  forwarded_.push_back({port, descriptor,
+                        RcForwarder(find, access_.token(), listen_.allows_controllers),
+                        Listener(accept)});
+  Watch(descriptor, &forwarded_.back().listener);
+}
+
+std::string Panel::Announcement() const {
+  if (!listen_.is_on()) return fmt::format("panel: {}\n", access_.Url(access_.token()));
+  // Names the file and not the token, because the output may go into a log.
+  std::string text = fmt::format("panel: {}, where TOKEN is the first line of {}\n",
+                                 access_.Url("TOKEN"), listen_.token_file);
+  for (size_t i = 0; i < forwarded_.size(); ++i) {
+    text += fmt::format("remote control{}: openr rc {}:{} --token-file {} info\n",
+                        forwarded_.size() == 1 ? "" : fmt::format(" of robot {}", i),
+                        listen_.address == "0.0.0.0" ? "HOST" : listen_.address, forwarded_[i].port,
+                        listen_.token_file);
   }
+  return text +
+         fmt::format("other computers reach both at {}, with the token; nothing is encrypted; {}\n",
+                     listen_.address,
+                     listen_.allows_controllers
+                         ? "they may upload controllers, which run as code of this user"
+                         : "uploads of controllers are off (--allow-uploads)");
 }
 
 void Panel::EndPages() {
@@ -231,18 +269,18 @@ void Panel::EndPages() {
   loop_->StopAfter(pages_.empty() ? 1 : kFarewellMs);
 }
 
-WebAnswer Panel::WithHeaders(WebAnswer answer) const {
+WebAnswer Panel::WithHeaders(WebAnswer answer, const std::string& host) const {
   const auto add = [&answer](const char* name, const std::string& value) {
     answer.headers.emplace_back(name, value);
   };
   // Allows data: and blob: for pictures, because pages make pictures and plots themselves.  Allows
   // inline styles, because pages set styles of elements.
   add("content-security-policy",
-      fmt::format("default-src 'self'; connect-src 'self' ws://127.0.0.1:{0} ws://localhost:{0}; "
+      fmt::format("default-src 'self'; connect-src 'self' {}; "
                   "img-src 'self' data: blob:; font-src 'self' data:; worker-src 'self' blob:; "
                   "style-src 'self' 'unsafe-inline'; object-src 'none'; base-uri 'none'; "
                   "form-action 'none'; frame-ancestors 'none'",
-                  port_));
+                  access_.SocketSource(host)));
   add("x-content-type-options", "nosniff");
   // Forbids the browser to send the address of the page to other sites, because the address has the
   // token.
@@ -272,7 +310,7 @@ WebAnswer Panel::Answer(const WebRequest& request) {
   }
   answer.headers.emplace_back("cache-control",
                               answer.status == 200 ? CacheControlOf(request.path) : "no-store");
-  return WithHeaders(std::move(answer));
+  return WithHeaders(std::move(answer), request.host);
 }
 
 std::unique_ptr<WebAnswer> Panel::Refuse(const WebRequest& request) {
@@ -285,7 +323,7 @@ std::unique_ptr<WebAnswer> Panel::Refuse(const WebRequest& request) {
   }
   if (answer.text.empty()) return nullptr;
   answer.text += '\n';
-  return std::make_unique<WebAnswer>(WithHeaders(std::move(answer)));
+  return std::make_unique<WebAnswer>(WithHeaders(std::move(answer), request.host));
 }
 
 std::unique_ptr<WebPage> Panel::Open(const WebRequest& request, WebConnection* connection) {
@@ -314,16 +352,17 @@ bool HasRunEnded(int run_pipe) {
   return poll(&wanted, 1, 0) > 0;
 }
 
-// Prints the address of the panel.  The server of a run prints it on standard error, like all
+// Prints what the server has opened.  The server of a run prints it on standard error, like all
 // messages of a run to the user.  It uses one write(), so that text of the run does not mix in.
-void PrintAddress(const std::string& url, bool is_of_run) {
-  const std::string line = fmt::format("panel: {}\n", url);
+void Print(const std::string& announcement, bool is_of_run) {
   if (!is_of_run) {
-    PrintAnswer(line);
+    PrintAnswer(announcement);
     FlushAnswer();
     return;
   }
-  const std::string text = "openr: " + line;
+  std::string text;
+  std::istringstream lines(announcement);
+  for (std::string line; std::getline(lines, line);) text += "openr: " + line + "\n";
   [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text.data(), text.size());
   // Replaces standard error by /dev/null.  A program that reads the output of the run waits until
   // all processes have closed this output, and the server must not keep it waiting.
@@ -341,10 +380,12 @@ void ServePanel(const PanelOptions& options) {
     // Prints nothing if the run has ended already, because the last line of a run must be the
     // reason for its end.
     if (options.run_pipe >= 0 && HasRunEnded(options.run_pipe)) return;
-    PrintAddress(panel.Url(), options.run_pipe >= 0);
+    Print(panel.Announcement(), options.run_pipe >= 0);
     panel.Run();
   }
-  if (!RcBridge::HasThreads() && !PairBridge::HasThreads() && !RunsLister::HasThreads()) return;
+  if (!RcBridge::HasThreads() && !PairBridge::HasThreads() && !RunsLister::HasThreads() &&
+      !RcForwarder::HasThreads())
+    return;
   // Ends the process without destructors of static variables, because a thread still waits for a
   // robot and may use them.
   const int exit_code = FinishStandardOutput(0, "openr");

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <string>
 
+#include "openr/panel/listen.h"
+
 namespace openr_host {
 
 struct PanelOptions {
@@ -15,6 +17,8 @@ struct PanelOptions {
   // server ends with the run, and writes nothing to standard error after its address.  -1: no run
   // has started the server, and it ends with SIGINT or SIGTERM.
   int run_pipe = -1;
+  ListenOptions listen = {};
+  int robots = 1;  // number of robots whose remote control is forwarded (--listen)
 };
 
 // Runs the server of the panel until it must end.  Throws std::runtime_error if the server cannot

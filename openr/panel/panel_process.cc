@@ -6,11 +6,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <vector>
 
 #include "cli/install_paths.h"
 #include "cli/process_copy.h"
@@ -46,9 +46,24 @@ constexpr int kPipeInServer = 3;
   _exit(127);
 }
 
+// Returns the command line of the server.
+std::vector<std::string> WordsOf(const PanelOptions& options) {
+  std::vector<std::string> words = {"openr",  "panel",
+                                    "--run",  options.run,
+                                    "--port", std::to_string(options.port),
+                                    "--fd",   std::to_string(kPipeInServer)};
+  const ListenOptions& listen = options.listen;
+  if (!listen.is_on()) return words;
+  words.insert(words.end(),
+               {"--listen", listen.address, "--token-file", listen.token_file, "--listen-rc-port",
+                std::to_string(listen.rc_port), "--robots", std::to_string(options.robots)});
+  if (listen.allows_controllers) words.push_back("--allow-uploads");
+  return words;
+}
+
 }  // namespace
 
-PanelProcess::PanelProcess(const std::string& run, uint16_t port) {
+PanelProcess::PanelProcess(const PanelOptions& options) {
   int ends[2];
   const auto warn = [] {
     fmt::print(stderr, "openr: no panel: it cannot be started: {}\n", std::strerror(errno));
@@ -57,12 +72,10 @@ PanelProcess::PanelProcess(const std::string& run, uint16_t port) {
     warn();
     return;
   }
-  std::string words[] = {"openr",  "panel",
-                         "--run",  run,
-                         "--port", std::to_string(port),
-                         "--fd",   std::to_string(kPipeInServer)};
-  std::array<char*, std::size(words) + 1> arguments{};
-  for (size_t i = 0; i < std::size(words); ++i) arguments[i] = words[i].data();
+  std::vector<std::string> words = WordsOf(options);
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
   const std::string program = ProgramFile();
   const pid_t child = fork();
   if (child == 0) {

@@ -1,8 +1,9 @@
 // PanelProcess, with which a run starts the server of its panel.
 #pragma once
 
-#include <cstdint>
 #include <string>
+
+#include "openr/panel/panel.h"
 
 namespace openr_host {
 
@@ -13,9 +14,9 @@ namespace openr_host {
 // of the run.  So the server goes on when the run goes on in a fork.
 class PanelProcess {
  public:
-  // Starts the server of the panel for the run `run` (such as "default.123"), on the first free
-  // port from `port` on.  Prints a warning if the server cannot be started.
-  PanelProcess(const std::string& run, uint16_t port);
+  // Starts the server of the panel for the run `options.run` (such as "default.123"); ignores
+  // `options.run_pipe`.  Prints a warning if the server cannot be started.
+  explicit PanelProcess(const PanelOptions& options);
   // Makes the server end, and does not wait until it has ended.
   ~PanelProcess();
   PanelProcess(const PanelProcess&) = delete;

@@ -59,15 +59,27 @@ Answer AnswerFrom(const RcAnswerHeader& header, const RcFramer& framer) {
 }  // namespace
 
 Connection::Connection(const Address& address, Options options)
-    : Connection(address, options, false) {}
+    : Connection(address, std::move(options), false) {}
 
 Connection::Connection(const Address& address, Options options, bool is_probe)
     : address_(address),
-      options_(options),
+      options_(std::move(options)),
       is_probe_(is_probe),
-      stream_(std::make_unique<TcpStream>(address, options.timeout)) {}
+      stream_(std::make_unique<TcpStream>(address, options_.timeout)) {
+  if (!options_.token.empty()) ShowToken();
+}
 
 Connection::~Connection() = default;
+
+void Connection::ShowToken() {
+  Bytes payload(1 + options_.token.size());
+  RcWriter writer(payload.data(), static_cast<int>(payload.size()));
+  writer.String(options_.token);
+  const Answer answer = WaitForAny(Send(rcTOKEN, payload));
+  // Accepts these two refusals, because a robot that does not know the command needs no token.
+  if (answer.status == rcerrorUNKNOWN_COMMAND || answer.status == rcerrorVERSION) return;
+  if (answer.status != rcOK) throw Error(answer.status, answer.frame, answer.error);
+}
 
 // ---- Errors
 

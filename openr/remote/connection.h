@@ -50,6 +50,8 @@ using Bytes = std::vector<uint8_t>;
 struct Options {
   // Time limit for connecting, and for each answer.
   std::chrono::milliseconds timeout{3000};
+  // The token for a server that asks for one (openr run --listen); "": no token is sent.
+  std::string token = {};
 };
 
 // The number of a request that was sent.  It is never 0.
@@ -286,6 +288,7 @@ class Connection {
   Picture WaitForPicture();
   [[noreturn]] void Throw(ErrorCode code, const std::string& text,
                           const std::string& advice = "") const;
+  void ShowToken();
   [[noreturn]] void ThrowMalformed() const;
   [[noreturn]] void ThrowSilent() const;
   [[noreturn]] void ThrowLost() const;

@@ -260,9 +260,8 @@ TEST_F(PanelRunTest, ARunWhosePageOnlyLooksIsTheSameRun) {
 }
 
 TEST_F(PanelRunTest, ARunMayEndBeforeItsPanelIsThere) {
-  const ProgramResult result =
-      RunProgram({"run", "--rc-port", "0", "--body", "ideal", "--panel", "--panel-port", "0",
-                  "--rate", "max", "--for", "100ms"});
+  const ProgramResult result = RunProgram({"run", "--rc-port", "0", "--body", "ideal", "--panel",
+                                           "--panel-port", "0", "--rate", "max", "--for", "100ms"});
   EXPECT_EQ(result.status, 0);
   EXPECT_EQ(result.err.find("there is no run"), std::string::npos) << result.err;
 }

@@ -13,7 +13,7 @@
 namespace openr_host {
 
 bool fuzz::panel(std::string_view bytes) {
-  static const Access access("0123456789abcdef0123456789abcdef", 8080);
+  static const Access access("0123456789abcdef0123456789abcdef", "127.0.0.1", 8080);
   FuzzBytes input(bytes);
   WebRequest request;
   request.path = input.Text(input.U8());

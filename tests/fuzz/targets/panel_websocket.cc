@@ -57,7 +57,7 @@ bool fuzz::panel_websocket(std::string_view bytes) {
   static RunsLister runs("");
   NoLoop loop;
   Socket socket;
-  Page page(&loop, &socket, &runs);
+  Page page(&loop, &socket, &runs, true);
   FuzzBytes input(bytes);
   std::string message;
   int parts = 0;

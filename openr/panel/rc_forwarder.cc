@@ -1,0 +1,292 @@
+#include "openr/panel/rc_forwarder.h"
+
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <chrono>
+#include <exception>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include "RemoteFiles.h"
+#include "RemotePacket.h"
+#include "RemoteProtocol.h"
+#include "openr/panel/access.h"
+#include "openr/remote/tcp_stream.h"
+
+namespace openr_host {
+
+struct RcForwarder::Rules {
+  RcCalls::FindAddress find_address;
+  std::string token;
+  bool allows_controllers;
+};
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Longest time for which a client that was refused may still send, so that it can read the reason.
+constexpr std::chrono::milliseconds kFarewell{500};
+constexpr std::chrono::milliseconds kConnectTimeout{3000};
+
+constexpr size_t kReceiveMax = 2 * RC_MAX_PACKET;  // the size of an RcFramer
+
+std::atomic<int> g_clients = 0, g_strangers = 0;
+
+// Waits until one of `events` has come for `socket`.  Returns false at `deadline`.
+bool WaitFor(int socket, short events, Clock::time_point deadline) {
+  const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now());
+  pollfd wanted = {socket, events, 0};
+  return poll(&wanted, 1, static_cast<int>(std::max<int64_t>(left.count(), 0))) > 0;
+}
+
+// Sends all of `bytes`.  Returns false if the connection was lost, or takes no bytes for too long.
+bool SendAll(int socket, const uint8_t* bytes, size_t size) {
+  const auto deadline = Clock::now() + std::chrono::milliseconds(RcForwarder::kSendTimeoutMs);
+  for (size_t sent = 0; sent < size;) {
+    const ssize_t n = send(socket, bytes + sent, size - sent, MSG_NOSIGNAL | MSG_DONTWAIT);
+    if (n > 0) {
+      sent += static_cast<size_t>(n);
+    } else if (errno == EAGAIN) {
+      if (!WaitFor(socket, POLLOUT, deadline)) return false;
+    } else if (errno != EINTR) {
+      return false;
+    }
+  }
+  return true;
+}
+
+enum class Received { kBytes, kEnd, kLost };
+
+// Gives the bytes that have come on `socket` to `framer`.
+Received Receive(int socket, RcFramer* framer) {
+  uint8_t bytes[kReceiveMax];
+  const ssize_t n = recv(socket, bytes, static_cast<size_t>(framer->Room()), MSG_DONTWAIT);
+  if (n > 0) framer->Take(bytes, static_cast<int>(n));
+  if (n == 0) return Received::kEnd;
+  return n > 0 || errno == EAGAIN || errno == EINTR ? Received::kBytes : Received::kLost;
+}
+
+// An answer that this server gives itself, in place of the robot.
+struct OwnAnswer {
+  RcHeader request;
+  int status;
+  std::string error;
+  bool ends_connection;
+};
+
+// The connection of one client, with the robot at its other end.
+class Forwarding {
+ public:
+  Forwarding(int client, const RcForwarder::Rules& rules) : client_(client), rules_(rules) {}
+
+  // Reads the first packet of the client.  Returns whether it has the token; if not, tells the
+  // client so.
+  bool TakeToken();
+  // Connects to the robot, and forwards packets until one side ends its connection.
+  void Forward();
+  // Tells the client that it is refused, and ends the connection.
+  void Refuse(int status, const std::string& why);
+
+ private:
+  void Answer(const OwnAnswer& answer);
+  void EndStream() const;
+  bool ForwardRequests();
+  bool TakeRequests();
+  bool TakeAnswers();
+  std::optional<OwnAnswer> WhyNot() const;
+
+  const int client_;
+  const RcForwarder::Rules& rules_;
+  int robot_ = -1;
+  RcFramer requests_, answers_;
+  RcHeader first_ = {RC_HEADER_SIZE, RC_VERSION_FILES, 0,
+                     0};         // header of the client's first packet
+  bool is_client_there_ = true;  // false: the client has ended its sending side
+  int unanswered_ = 0;           // number of requests that the robot has not answered yet
+  // An answer that waits until the robot has answered the requests before, because answers come in
+  // the order of the requests.  No request is read meanwhile.
+  std::optional<OwnAnswer> held_;
+};
+
+void Forwarding::Answer(const OwnAnswer& answer) {
+  uint8_t packet[RC_MAX_PACKET];
+  RcWriter writer(packet, sizeof packet);
+  for (int i = 0; i < RC_HEADER_SIZE; ++i) writer.U8(0);
+  writer.U32(0xffffffff);  // the server knows no frame
+  writer.U16(static_cast<Uint32>(answer.status));
+  writer.U16(0);
+  if (answer.status != rcOK) writer.String(answer.error);
+  writer.PutHeader(answer.request.command, answer.request.tag, answer.request.version);
+  SendAll(client_, packet, static_cast<size_t>(writer.Size()));
+}
+
+// Ends the stream to the client, and drops what the client still sends.  If the socket were closed
+// with unread bytes, the client could not read the answer.
+void Forwarding::EndStream() const {
+  shutdown(client_, SHUT_WR);
+  const auto deadline = Clock::now() + kFarewell;
+  uint8_t bytes[4096];
+  while (Clock::now() < deadline && WaitFor(client_, POLLIN, deadline)) {
+    if (recv(client_, bytes, sizeof bytes, MSG_DONTWAIT) <= 0) return;
+  }
+}
+
+void Forwarding::Refuse(int status, const std::string& why) {
+  Answer({first_, status, why, true});
+  EndStream();
+}
+
+bool Forwarding::TakeToken() {
+  const auto deadline = Clock::now() + std::chrono::milliseconds(RcForwarder::kTokenTimeoutMs);
+  RcFramer::Result result = requests_.Next();
+  while (result == RcFramer::NEEDS_MORE) {
+    if (!WaitFor(client_, POLLIN, deadline) || Receive(client_, &requests_) != Received::kBytes)
+      return false;
+    result = requests_.Next();
+  }
+  if (result == RcFramer::PACKET) {
+    first_ = requests_.Header();
+    RcReader reader(requests_.Payload(), requests_.PayloadSize());
+    const std::string token = reader.String();
+    if (first_.command == rcTOKEN && reader.IsComplete() && IsSameSecret(token, rules_.token))
+      return true;
+  }
+  Refuse(
+      rcerrorNOT_ALLOWED,
+      first_.command == rcTOKEN
+          ? "the token is wrong"
+          : "a token is needed here: openr rc HOST --token-file FILE, with the file of --listen");
+  return false;
+}
+
+// Returns the answer to the request that was received last, if the request must not reach the
+// robot.
+std::optional<OwnAnswer> Forwarding::WhyNot() const {
+  const RcHeader& header = requests_.Header();
+  // Each kind but a motion is refused, so that a kind that comes later is not allowed by mistake.
+  const bool is_code = header.command == rcUPLOAD_BEGIN && requests_.PayloadSize() > 0 &&
+                       requests_.Payload()[0] != rcfileMOTION;
+  if (!is_code || rules_.allows_controllers) return std::nullopt;
+  return OwnAnswer{header, rcerrorNOT_ALLOWED,
+                   "a controller is code, so it cannot be uploaded from another computer; openr "
+                   "run --listen takes it with --allow-uploads",
+                   false};
+}
+
+// Sends the requests that have come to the robot, and answers those that must not reach it.
+// Returns false if the connection must end.
+bool Forwarding::ForwardRequests() {
+  for (;;) {
+    if (held_) {
+      if (unanswered_ > 0) return true;
+      Answer(*held_);
+      if (held_->ends_connection) return false;
+      held_.reset();
+    }
+    const RcFramer::Result result = requests_.Next();
+    if (result == RcFramer::NEEDS_MORE) return true;
+    if (result == RcFramer::BROKEN) {
+      held_ =
+          OwnAnswer{{RC_HEADER_SIZE, RC_VERSION, 0, 0}, rcerrorBAD_PACKET, requests_.Error(), true};
+    } else if (held_ = WhyNot(); !held_) {
+      // A client acknowledges events with the command EVENT, which has no answer.
+      if (requests_.Header().command != rcEVENT) ++unanswered_;
+      if (!SendAll(robot_, requests_.Payload() - RC_HEADER_SIZE, requests_.Header().size))
+        return false;
+    }
+  }
+}
+
+bool Forwarding::TakeRequests() {
+  switch (Receive(client_, &requests_)) {
+    case Received::kBytes:
+      return ForwardRequests();
+    case Received::kEnd:
+      is_client_there_ = false;
+      shutdown(robot_, SHUT_WR);  // the robot answers all requests that it has got, and then ends
+      return true;
+    case Received::kLost:
+      return false;
+  }
+  return false;
+}
+
+bool Forwarding::TakeAnswers() {
+  if (Receive(robot_, &answers_) != Received::kBytes) return false;
+  RcFramer::Result result = answers_.Next();
+  for (; result == RcFramer::PACKET; result = answers_.Next()) {
+    const RcHeader& header = answers_.Header();
+    // Events, and the packet that tells a ninth client that all places are taken, are no answers.
+    const bool is_answer = header.command != rcEVENT && (header.command != 0 || header.tag != 0);
+    if (is_answer && unanswered_ > 0) --unanswered_;
+    if (!SendAll(client_, answers_.Payload() - RC_HEADER_SIZE, header.size)) return false;
+  }
+  return result == RcFramer::NEEDS_MORE && ForwardRequests();
+}
+
+void Forwarding::Forward() {
+  std::optional<remote::TcpStream> robot;
+  try {
+    robot.emplace(rules_.find_address(), kConnectTimeout);
+  } catch (const std::exception& error) {
+    return Refuse(rcerrorBUSY, error.what());
+  }
+  robot_ = robot->descriptor();
+  Answer({first_, rcOK, "", false});
+  if (!ForwardRequests()) return EndStream();
+  for (;;) {
+    const bool is_reading = is_client_there_ && !held_;
+    pollfd both[2] = {{is_reading ? client_ : -1, POLLIN, 0}, {robot_, POLLIN, 0}};
+    if (poll(both, 2, -1) < 0 && errno != EINTR) return;
+    const bool goes_on =
+        (both[1].revents == 0 || TakeAnswers()) && (both[0].revents == 0 || TakeRequests());
+    if (!goes_on) return EndStream();
+  }
+}
+
+void Serve(int client, const RcForwarder::Rules& rules) {
+  const int on = 1;
+  setsockopt(client, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
+  Forwarding forwarding(client, rules);
+  const bool knows_token = forwarding.TakeToken();
+  --g_strangers;
+  if (!knows_token) return;
+  if (++g_clients <= RcForwarder::kClientsMax) {
+    forwarding.Forward();
+  } else {
+    forwarding.Refuse(rcerrorBUSY, "too many clients are connected");
+  }
+  --g_clients;
+}
+
+}  // namespace
+
+RcForwarder::RcForwarder(RcCalls::FindAddress find_address, std::string token,
+                         bool allows_controllers)
+    : rules_(std::make_shared<const Rules>(
+          Rules{std::move(find_address), std::move(token), allows_controllers})) {}
+
+void RcForwarder::Take(int connection) {
+  if (++g_strangers > kStrangersMax) {
+    --g_strangers;
+    close(connection);
+    return;
+  }
+  std::thread([connection, rules = rules_] {
+    Serve(connection, *rules);
+    close(connection);
+  }).detach();
+}
+
+bool RcForwarder::HasThreads() { return g_clients > 0 || g_strangers > 0; }
+
+}  // namespace openr_host

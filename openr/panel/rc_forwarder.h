@@ -1,0 +1,41 @@
+// RcForwarder, through which other computers use the remote control of a robot (--listen).
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "openr/panel/rc_calls.h"
+
+namespace openr_host {
+
+// Forwards the packets of clients to the robot, and its answers to the clients.  The first packet
+// of a client must be TOKEN (docs/remote-control.md).  The robot gets no byte of a client that does
+// not know the token.
+class RcForwarder {
+ public:
+  // The most clients that may be connected at a time, and the most of them that have shown no token
+  // yet.  The robot itself serves eight clients.
+  static constexpr int kClientsMax = 16;
+  static constexpr int kStrangersMax = 16;
+  // The longest time in which a new client must show the token.
+  static constexpr int kTokenTimeoutMs = 10'000;
+  // The longest time for which a client, or the robot, may take no bytes that wait for it.
+  static constexpr int kSendTimeoutMs = 30'000;
+
+  // `find_address` is called in threads of this class.
+  RcForwarder(RcCalls::FindAddress find_address, std::string token, bool allows_controllers);
+
+  // Serves the client at the other end of `connection`, a socket, in a thread of its own.  Owns the
+  // socket from now on.
+  void Take(int connection);
+
+  // Returns whether a thread of any RcForwarder of this process still runs.
+  static bool HasThreads();
+
+  struct Rules;  // what the threads have to know
+
+ private:
+  const std::shared_ptr<const Rules> rules_;
+};
+
+}  // namespace openr_host
