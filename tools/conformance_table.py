@@ -5,8 +5,10 @@
     tools/conformance_table.py --check   prints each fault: an unknown test, a bad line, a table
                                          that is out of date
 
-Every test named has to exist below tests/: Suite.Name of a *_test.cc, or a file.
+Every test named has to exist below tests/: Suite.Name of a *_test.cc, or a file.  That holds for
+the tests that other documents name in backticks as well, with * for any part of a name.
 """
+import fnmatch
 import re
 import sys
 from pathlib import Path
@@ -33,6 +35,18 @@ def tests_of_tree():
         for suite, name in re.findall(r"^TEST(?:_F|_P)?\((\w+),\s*(\w+)\)", source.read_text(), re.M):
             names.add(f"{suite}.{name}")
     return names
+
+
+def unknown_tests(known):
+    """Returns FILE:LINE and name of each test that a document names and that is not there."""
+    problems = []
+    for file in sorted((ROOT / "docs").glob("*.md")):
+        for number, line in enumerate(file.read_text().splitlines(), 1):
+            for name in re.findall(r"`(\*?[A-Z]\w*(?:Test|Conformance)\*?\.[\w.*]+)`", line):
+                pattern = name[:-3] + "*" if name.endswith("...") else name
+                if not fnmatch.filter(known, pattern):
+                    problems.append(f"{file.relative_to(ROOT)}:{number}: there is no test '{name}'")
+    return problems
 
 
 def read_statements(problems):

@@ -177,8 +177,11 @@ std::string ImageObject::ReadTables() {
   }
   for (const ObjectEntry* entry = table; entry->selector != UNDEF; ++entry) {
     if (entry->selector >= kSelectorMax) {
-      return fmt::format("ContextManager::InitObjectEntry selector out of range: sel={}, size={}",
-                         entry->selector, kSelectorMax);
+      return fmt::format(
+          "ContextManager::InitObjectEntry selector out of range: sel={}, size={}; "
+          "an object has 4 selectors of the system, 2 for each subject and "
+          "observer, and 1 for each Extra line: put services together",
+          entry->selector, kSelectorMax);
     }
     if (entry->selector >= entries_.size()) entries_.resize(entry->selector + 1, nullptr);
     entries_[entry->selector] = entry->entry;

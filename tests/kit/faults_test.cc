@@ -1,5 +1,6 @@
 // What programs that `openr build` has built say when they do what stops the robot: the line, in
 // the program's own files.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
@@ -36,6 +37,24 @@ class FaultyProgram {
  private:
   const KitFolder folder_;
 };
+
+TEST(BuiltFaultsTest, AnObjectWithMoreThan64SelectorsDoesNotBoot) {
+  const KitFolder folder("handmade");
+  const auto run_with = [&](int selector) {
+    std::string entries = folder.Read("Greeter/GreeterEntries.cc");
+    const size_t end = entries.find("    { UNDEF, ");
+    entries.insert(end, fmt::format("    {{ {}, (Entry)StopEntry }},\n", selector));
+    folder.Write("Greeter/GreeterEntries.cc", entries);
+    EXPECT_EQ(folder.Build().status, 0);
+    return RunProgram({"run", "--stick", folder.File("MS"), "--for", "100ms", "--rate", "max",
+                       "--no-panel", "--rc-port", "0"});
+  };
+  EXPECT_EQ(run_with(63).status, 0);
+  const ProgramResult result = run_with(64);
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.err, HasSubstr("selector out of range: sel=64, size=64; an object has 4"));
+  EXPECT_THAT(result.err, HasSubstr("ended by no-boot"));
+}
 
 TEST(BuiltFaultsTest, ACrashNamesTheLine) {
   const ProgramResult result = FaultyProgram("    *(volatile int*)16 = 1;").Run();
