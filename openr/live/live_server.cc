@@ -49,9 +49,13 @@ void LiveServer::Open() {
   unlink(path_.c_str());  // removes a socket that an earlier process with the same id may have left
   listener_ = socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
   if (listener_ < 0 ||
-      bind(listener_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 ||
-      listen(listener_, kClientsMax) != 0)
+      bind(listener_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0)
     fail(std::strerror(errno));
+  if (listen(listener_, kClientsMax) != 0) {
+    const int error = errno;
+    unlink(path_.c_str());
+    fail(std::strerror(error));
+  }
 }
 
 void LiveServer::Forget() {

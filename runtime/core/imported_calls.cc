@@ -304,8 +304,8 @@ std::string Redirection::Run(size_t bytes_max) {
            mprotect(reinterpret_cast<void*>(image_.read_only_begin),
                     image_.read_only_end - image_.read_only_begin, access) == 0;
   };
-  if (!MapAt(thunks_, bytes) || !set_access(PROT_READ | PROT_WRITE))
-    return "has no memory for the calls of imported functions";
+  constexpr char kNoMemory[] = "has no memory for the calls of imported functions";
+  if (!MapAt(thunks_, bytes) || !set_access(PROT_READ | PROT_WRITE)) return kNoMemory;
   const std::array<void (*)(), 2> targets = {&openr_call_import, &openr_call_variadic_import};
   std::memcpy(thunks_, targets.data(), sizeof targets);
   // A function gets only one thunk even if several tables of the image name it.  A program may
@@ -315,8 +315,8 @@ std::string Redirection::Run(size_t bytes_max) {
     const auto index = static_cast<size_t>(same - imports_.begin());
     *imports_[i].slot = index < i ? *imports_[index].slot : MakeThunk(imports_[i], i);
   }
-  set_access(PROT_READ);
-  mprotect(thunks_, bytes, PROT_READ | PROT_EXEC);
+  if (!set_access(PROT_READ) || mprotect(thunks_, bytes, PROT_READ | PROT_EXEC) != 0)
+    return kNoMemory;
   return "";
 }
 

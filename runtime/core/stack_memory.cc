@@ -1,13 +1,17 @@
 #include "runtime/core/stack_memory.h"
 
+#include <fmt/format.h>
 #include <sys/mman.h>
 
 #include <cstdint>
 #include <cstring>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
-#include "runtime/base/assert.h"
+#include "runtime/core/current.h"
 #include "runtime/core/memory_tools.h"
+#include "runtime/core/robot_fault.h"
 
 #if __has_include(<valgrind/valgrind.h>)
 #include <valgrind/valgrind.h>
@@ -37,6 +41,14 @@ bool IsZero(const char* bytes) {
   return (even[0] | even[1]) == 0;
 }
 
+[[noreturn]] void ReportNoMemory() {
+  const std::string why =
+      fmt::format("this computer has no memory for a stack of {} bytes", StackMemory::kBytes);
+  // Does not throw while a handler runs: an exception cannot leave the handler's own stack.
+  if (t_current.object != nullptr) StopAsTheRobotDoes(why);
+  throw std::runtime_error(why);
+}
+
 }  // namespace
 
 StackMemory::StackMemory(char* address) : mapping_(address) {
@@ -47,7 +59,7 @@ StackMemory::StackMemory(char* address) : mapping_(address) {
   } else {
     void* const mapping = mmap(nullptr, mapped_bytes_, PROT_READ | PROT_WRITE,
                                MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE | MAP_STACK, -1, 0);
-    ASSERT(mapping != MAP_FAILED, "no memory for a stack of {} bytes", kBytes);
+    if (mapping == MAP_FAILED) ReportNoMemory();
     mapping_ = static_cast<char*>(mapping);
     bottom_ = mapping_ + kGuardBytes;
   }

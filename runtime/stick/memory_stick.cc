@@ -1,6 +1,7 @@
 #include "runtime/stick/memory_stick.h"
 
 #include <dirent.h>
+#include <fmt/format.h>
 #include <strings.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -8,8 +9,10 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <stdexcept>
 #include <vector>
 
 #include "runtime/base/assert.h"
@@ -34,7 +37,7 @@ std::string UpperCase(std::string_view text) {
 
 // Returns the entry of `folder` whose name equals `part` if upper and lower case letters count as
 // equal.  If several names match, prefers the name that is exactly `part`, then the first name in
-// the order of bytes.  Returns "" if no name matches.  Sets `error` if the folder may not be read.
+// the order of bytes.  Returns "" if no name matches.  Sets `error` if the folder cannot be read.
 std::string FindEntry(const std::string& folder, const std::string& part, int* error) {
   if (Exists(folder + "/" + part)) return part;
   if (errno == EACCES) *error = EACCES;
@@ -44,8 +47,8 @@ std::string FindEntry(const std::string& folder, const std::string& part, int* e
       if (strcasecmp(entry->d_name, part.c_str()) == 0) matches.push_back(entry->d_name);
     }
     closedir(dir);
-  } else if (errno == EACCES) {
-    *error = EACCES;
+  } else if (errno != ENOENT && errno != ENOTDIR) {
+    *error = errno == EACCES ? EACCES : EIO;
   }
   return matches.empty() ? "" : *std::min_element(matches.begin(), matches.end());
 }
@@ -85,6 +88,10 @@ bool IsBelow(const std::string& path, const std::string& folder) {
   return end == real_folder.end();
 }
 
+[[noreturn]] void ThrowUnreadable(const std::string& path, const std::string& why) {
+  throw std::runtime_error(fmt::format("{}: the stick cannot be read: {}", path, why));
+}
+
 }  // namespace
 
 std::optional<std::string> MemoryStick::ReadFile(std::string_view name) {
@@ -112,8 +119,15 @@ void MemoryStick::HashFile(std::string_view name, std::string_view otherwise, Ha
   std::ifstream file;
   if (location.error == 0 && std::filesystem::is_regular_file(location.path, error))
     file.open(location.path, std::ios::binary);
-  const uint64_t size = file.is_open() ? std::filesystem::file_size(location.path, error) : 0;
-  if (!file.is_open() || error) return hasher->AddText(otherwise);
+  if (!file.is_open()) {
+    const int why = WhyUnread(name);
+    // Two runs of a stick must not differ in their hashes because the host was in trouble once.
+    if (why != ENOENT && why != EACCES && why != EISDIR && why != EINVAL)
+      ThrowUnreadable(location.path, std::strerror(why));
+    return hasher->AddText(otherwise);
+  }
+  const uint64_t size = std::filesystem::file_size(location.path, error);
+  if (error) ThrowUnreadable(location.path, error.message());
   hasher->Add(size);
   // Reads the file piece by piece, because it may be larger than the memory of the host.
   std::string piece;
@@ -122,6 +136,7 @@ void MemoryStick::HashFile(std::string_view name, std::string_view otherwise, Ha
     file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
     piece.resize(static_cast<size_t>(file.gcount()));
     hasher->AddBytes(piece.data(), piece.size());
+    if (file.bad() || piece.empty()) ThrowUnreadable(location.path, std::strerror(EIO));
   }
 }
 
@@ -167,15 +182,19 @@ uint64_t FolderStick::ContentHash() {
   namespace fs = std::filesystem;
   std::error_code error;
   std::vector<std::string> names;
-  for (fs::recursive_directory_iterator it(root_, error), end; !error && it != end;
+  constexpr auto kOptions = fs::directory_options::skip_permission_denied;
+  for (fs::recursive_directory_iterator it(root_, kOptions, error), end; !error && it != end;
        it.increment(error)) {
     const std::string extension = UpperCase(it->path().extension().string());
     // Leaves out the record of a crash in an earlier run, because this run does not read that file.
     const bool is_crash_record = UpperCase(it->path().filename().string()) == kCrashRecord;
-    if (it->is_regular_file(error) && extension != ".BIN" && extension != ".DBG" &&
+    std::error_code no_file;  // set for a link to nothing, which is no file
+    if (it->is_regular_file(no_file) && extension != ".BIN" && extension != ".DBG" &&
         !is_crash_record)
       names.push_back(it->path().lexically_relative(root_).string());
   }
+  if (error && error != std::errc::no_such_file_or_directory)
+    ThrowUnreadable(root_, error.message());
   if (names.empty()) return 0;
   std::sort(names.begin(), names.end());
   Hasher hasher;
