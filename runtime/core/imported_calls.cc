@@ -310,14 +310,16 @@ std::string Redirection::Run(size_t bytes_max) {
   std::memcpy(thunks_, targets.data(), sizeof targets);
   // A function gets only one thunk even if several tables of the image name it.  A program may
   // compare the addresses of functions, so they must be equal.
+  std::vector<uint64_t> thunks(imports_.size());
   for (size_t i = 0; i < imports_.size(); ++i) {
     const auto same = std::ranges::find(imports_, imports_[i].symbol, &Import::symbol);
     const auto index = static_cast<size_t>(same - imports_.begin());
-    *imports_[i].slot = index < i ? *imports_[index].slot : MakeThunk(imports_[i], i);
+    thunks[i] = index < i ? thunks[index] : MakeThunk(imports_[i], i);
   }
-  if (!set_access(PROT_READ) || mprotect(thunks_, bytes, PROT_READ | PROT_EXEC) != 0)
-    return kNoMemory;
-  return "";
+  // Changes the image last, because after a failure it is unloaded, which calls its functions.
+  if (mprotect(thunks_, bytes, PROT_READ | PROT_EXEC) != 0) return kNoMemory;
+  for (size_t i = 0; i < imports_.size(); ++i) *imports_[i].slot = thunks[i];
+  return set_access(PROT_READ) ? "" : kNoMemory;
 }
 
 }  // namespace
