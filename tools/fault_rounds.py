@@ -77,7 +77,7 @@ class Scenario:
     def words_of_run(self):
         """A run that writes all files of a run but pictures, from a stick of its own.
 
-        Pictures are drawn by Mesa, which waits without end when it gets no thread.
+        A picture is left out: the run was seen to wait without end when it got no thread to draw it.
         """
         stick = self.folder / "stick"
         subprocess.run([self.openr, "stick", "host", "-o", str(stick)], env=self.env, check=True,
