@@ -73,7 +73,10 @@ set(OPENR_OBJECT_FLAGS -g -Wall -Wextra -Werror -fno-strict-aliasing -ftrivial-a
 # sources at a time.  Large batches build faster from nothing, small ones after an edit.
 option(OPENR_BATCHES "Compile several sources at a time" ON)
 set(OPENR_BATCH_SIZE 24 CACHE STRING "The sources that are compiled at a time")
+set(OPENR_ALONE "" CACHE STRING "Sources that are compiled alone: names in the source folder")
+list(TRANSFORM OPENR_ALONE PREPEND ${PROJECT_SOURCE_DIR}/ OUTPUT_VARIABLE OPENR_ALONE_PATHS)
 function(openr_in_batches)
+  set_source_files_properties(${OPENR_ALONE_PATHS} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ${OPENR_BATCHES}
     UNITY_BUILD_BATCH_SIZE ${OPENR_BATCH_SIZE})
 endfunction()
