@@ -96,6 +96,13 @@ TEST_F(ScheduleTest, SeedsDrawOrdersOfTheirOwnAndRepeatThem) {
   EXPECT_EQ(hashes.size(), orders.size());
 }
 
+TEST_F(ScheduleTest, ASeedChangesOrdersButDelaysNothing) {
+  SeedSchedule schedule(7);
+  system->set_schedule(&schedule);
+  for (const std::string& entry : RunTies()) EXPECT_EQ(entry.substr(entry.find('@')), "@0");
+  EXPECT_EQ(log.size(), 6u);
+}
+
 TEST_F(ScheduleTest, ItDelaysAndRefuses) {
   LastFirst schedule;
   system->set_schedule(&schedule);
