@@ -230,6 +230,27 @@ TEST_F(ReadyNotifyTest, WithSkipOneEverySecondNotifyIsDropped) {
   EXPECT_EQ(receiver->events, (Events{"2", "4"}));
 }
 
+TEST_F(ReadyNotifyTest, WithSkipTwoEveryThirdNotifyArrives) {
+  RunAs(receiver, [&] { receiver->in->SetSkip(2); });
+  receiver->on_notify = [&](const ONotifyEvent& event) {
+    receiver->in->AssertReady(event.SenderID());
+  };
+  Boot();
+  AssertReady();
+  for (int value = 1; value <= 7; ++value) Send(value);
+  EXPECT_EQ(receiver->events, (Events{"3", "6"}));
+}
+
+TEST_F(ReadyNotifyTest, NoRegionIsNoData) {
+  Boot();
+  RunAs(sender, [&] {
+    EXPECT_EQ(sender->out->SetData(static_cast<RCRegion*>(nullptr)), oINVALID_ARG);
+    EXPECT_EQ(sender->out->SetData(receiver->in->GetID(), static_cast<RCRegion*>(nullptr)),
+              oINVALID_ARG);
+    EXPECT_EQ(sender->out->RemainBuffer(), 13u);
+  });
+}
+
 TEST_F(ReadyNotifyTest, SetNotifyUnitSizeIsRefusedOnceConnected) {
   RunAs(sender, [&] { EXPECT_EQ(sender->out->SetNotifyUnitSize(3), oSUCCESS); });
   Boot();

@@ -132,7 +132,25 @@ TEST_F(WatchTest, ADeassertBetweenMakesReadyGood) {
   EXPECT_TRUE(findings().empty());
 }
 
+TEST_F(WatchTest, TheCountOfReadiesBeginsAnewAfterADeassert) {
+  Boot();
+  RunAs(receiver, [&] { receiver->in->DeassertReady(); });
+  system->RunFor(1000);
+  for (int i = 0; i < 8; ++i) AssertReady();
+  EXPECT_TRUE(findings().empty());
+  AssertReady();
+  EXPECT_EQ(findings().size(), 1u);
+}
+
 // ---- Stalls
+
+TEST_F(WatchTest, DataThatWereClearedWaitForNobody) {
+  Boot();
+  Send(1);
+  RunAs(sender, [&] { sender->out->ClearBuffer(); });
+  system->RunFor(1'000'000);
+  EXPECT_THAT(Stalls(), testing::ElementsAre(HasSubstr("receiver has never asserted ready")));
+}
 
 TEST_F(WatchTest, DataThatWaitForReadyAreAStallAfterASecond) {
   Boot();
