@@ -9,6 +9,7 @@
 #include <random>
 
 #include "Crc32.h"
+#include "FileUpload.h"
 #include "RequestHandler.h"
 #include "image_bytes.h"
 #include "mtn_bytes.h"
@@ -36,7 +37,7 @@ class FilesTest : public testing::Test, private RequestPort {
   // Begins anew, as a robot does after a run that was killed.
   void Boot() {
     handler_.reset(new RequestHandler(this));  // make_unique() may not convert to a private base
-    handler_->Begin(FindRobot("ERS-210"), root_);
+    kept_ = handler_->Begin(FindRobot("ERS-210"), root_);
   }
 
   std::string Motion(const std::string& name) const {
@@ -141,6 +142,7 @@ class FilesTest : public testing::Test, private RequestPort {
   Bytes payload_;
   std::string error_;
   std::vector<bool> ends_;  // calls of EndRun()
+  std::string kept_;        // the result of RequestHandler::Begin()
 
  private:
   bool PostMover(const MoverCommand&) override { return true; }
@@ -169,13 +171,16 @@ TEST_F(FilesTest, MotionsAreListedByNameWithTheirSizes) {
   for (const char* name : {"WALK.MTN", "NOD.MTN", "SIT.MTN", "README.TXT", "long-name.MTN", "MTN"})
     Write(Motion(name), Bytes(std::string(name).size()));
   std::filesystem::create_directory(Motion("SUB"));
+  std::filesystem::create_directory(Motion("XSUB.MTN"));
   const RcList list = List(0);
-  EXPECT_EQ(list.total, 3);
-  ASSERT_EQ(list.entries.size(), 3u);
+  EXPECT_EQ(list.total, 4);
+  ASSERT_EQ(list.entries.size(), 4u);
   EXPECT_EQ(list.entries[0].name, "NOD.MTN");
   EXPECT_EQ(list.entries[0].size, 7u);
   EXPECT_EQ(list.entries[1].name, "SIT.MTN");
   EXPECT_EQ(list.entries[2].name, "WALK.MTN");
+  EXPECT_EQ(list.entries[3].name, "XSUB.MTN");
+  EXPECT_EQ(list.entries[3].size, 0u) << "a folder";
 }
 
 TEST_F(FilesTest, AListComesInPartsThatFitIntoAPacket) {
@@ -370,6 +375,29 @@ TEST_F(FilesTest, WhatAKilledRunHasLeftIsRemovedAtTheStart) {
   Write(Motion("UPLOAD.MTN"), {1});
   Boot();
   EXPECT_EQ(Files(), std::vector<std::string>{"UPLOAD.MTN"});
+  EXPECT_EQ(kept_, "");
+  Boot();
+  EXPECT_EQ(kept_, "") << "nothing was left";
+}
+
+TEST_F(FilesTest, AFileThatCannotBeRemovedAtTheStartIsNamed) {
+  std::filesystem::create_directory(ImagePath("UPLOAD4.OLD"));
+  Write(ImagePath("UPLOAD4.OLD/A"), {1});  // remove() leaves a folder with a file
+  Boot();
+  EXPECT_EQ(kept_, ImagePath("UPLOAD4.OLD"));
+}
+
+TEST_F(FilesTest, AMalformedRequestEndsTheUpload) {
+  for (const auto& [command, request] : {std::pair<int, Bytes>{rcUPLOAD_DATA, {3, 0, 0}},
+                                         {rcUPLOAD_DATA, {3, 0, 0, 0}},
+                                         {rcUPLOAD_END, {0}},
+                                         {rcUPLOAD_BEGIN, {0, 200, 'A'}}}) {
+    ASSERT_EQ(Begin(rcfileMOTION, "A.MTN", kGoodMotion), rcOK);
+    ASSERT_EQ(Data(0, {1, 2, 3}), rcOK);
+    EXPECT_EQ(Ask(command, request), rcerrorMALFORMED);
+    EXPECT_TRUE(Files().empty()) << command;
+    EXPECT_EQ(Data(3, {4}), rcerrorNO_UPLOAD) << command;
+  }
 }
 
 TEST_F(FilesTest, MalformedRequestsAreRefused) {
@@ -477,6 +505,43 @@ TEST_F(FilesTest, ShutdownAndRebootAreHandedOn) {
   EXPECT_EQ(Ask(rcSHUTDOWN, {}), rcOK);
   EXPECT_EQ(Ask(rcREBOOT, {}), rcOK);
   EXPECT_EQ(ends_, (std::vector<bool>{false, true}));
+}
+
+// ---- The store and an upload on their own
+
+TEST_F(FilesTest, AStoreListsNothingBeforeItHasRead) {
+  StickStore store;
+  store.SetRoot(root_);
+  EXPECT_EQ(store.Count(), 0);
+}
+
+TEST_F(FilesTest, AFileIsReplacedOnlyByAnotherFile) {
+  Write(Motion("OLD"), {1});
+  EXPECT_FALSE(StickStore::Replace(Motion("NONE"), Motion("OLD")));
+  EXPECT_EQ(Read(Motion("OLD")), Bytes{1});
+  std::filesystem::create_directory(Motion("SUB"));
+  EXPECT_FALSE(StickStore::Replace(Motion("SUB"), Motion("OLD")));
+  EXPECT_FALSE(StickStore::Replace(Motion("OLD"), Motion("SUB")));
+  EXPECT_EQ(Read(Motion("OLD")), Bytes{1});
+  Write(Motion("NEW"), {2});
+  EXPECT_TRUE(StickStore::Replace(Motion("NEW"), Motion("OLD")));
+  EXPECT_EQ(Read(Motion("OLD")), Bytes{2});
+  EXPECT_EQ(Files(), std::vector<std::string>{"OLD"});
+}
+
+TEST_F(FilesTest, AnUploadThatBeginsAnewRemovesItsFirstFile) {
+  StickStore store;
+  store.SetRoot(root_);
+  FileUpload upload;
+  std::string why;
+  ASSERT_EQ(upload.Begin(store, RcUploadBegin{rcfileMOTION, "A.MTN", 3, 0}, &why), rcOK) << why;
+  ASSERT_EQ(upload.Begin(store, RcUploadBegin{rcfileIMAGE, "CONTROLL.BIN", 3, 0}, &why), rcOK);
+  EXPECT_TRUE(upload.IsOpen());
+  EXPECT_FALSE(std::filesystem::exists(Motion("UPLOAD0.TMP")));
+  EXPECT_TRUE(std::filesystem::exists(ImagePath("UPLOAD0.TMP")));
+  upload.Abort();
+  EXPECT_FALSE(upload.IsOpen());
+  EXPECT_TRUE(Files().empty());
 }
 
 TEST_F(FilesTest, RandomRequestsAlwaysGetAnAnswerAndStayInTheFolders) {
