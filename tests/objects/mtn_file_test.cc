@@ -107,6 +107,15 @@ TEST(MtnFileTest, MissingKeyFramesAreNamedWithSectionOffsetAndSizes) {
             "section 3, offset 144: 4 key frames of 2 joints need 92 bytes, the file has 68 left");
 }
 
+TEST(MtnFileTest, ASectionThatEndsInItsHeaderIsNamedWithTheBytesItNeeds) {
+  std::vector<uint8_t> bytes = TwoJoints().Bytes();
+  bytes.resize(144);
+  EXPECT_EQ(ErrorIn(bytes),
+            "section 3, offset 144: 3 key frames of 2 joints need 68 bytes, the file has 0 left");
+  bytes.resize(143);
+  EXPECT_EQ(ErrorIn(bytes), "section 3, offset 132: needs 12 bytes, the file has 11 left");
+}
+
 TEST(MtnFileTest, RefusesAbsurdCounts) {
   MtnBytes none = TwoJoints();
   none.key_frame_count = 0;

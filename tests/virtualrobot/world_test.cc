@@ -158,6 +158,7 @@ TEST(WorldThingTest, StairsAreBoxesThatRise) {
   ASSERT_EQ(world.things.size(), 3u);
   for (int i = 0; i < 3; ++i) {
     const WorldThing& step = world.things[i];
+    EXPECT_EQ(step.name, fmt::format("s {}", i + 1));
     EXPECT_NEAR(step.centre_m.x() - step.size_m.x() / 2, 1 + 0.2 * i, 1e-12);
     EXPECT_NEAR(step.centre_m.x() + step.size_m.x() / 2, 1.2 + 0.2 * i, 1e-12);
     EXPECT_NEAR(step.centre_m.z() - step.size_m.z() / 2, 0, 1e-12);
@@ -185,6 +186,9 @@ TEST(WorldThingTest, MistakesAreNamedWithTheirPlace) {
   EXPECT_EQ(ErrorOfThing(R"({"shape":"cylinder","name":"c","radius_m":1,"height_m":1e200,
                              "centre_m":[0,0,0]})"),
             "w.json: things[0]: 'c' is larger, or further away, than 1000 m");
+  EXPECT_EQ(ErrorOfThing(R"({"shape":"heightfield","name":"h","size_m":[1,1],"centre_m":[0,0,0],
+                             "heights_m":[]})"),
+            "w.json: things[0].heights_m: has 0 rows of 0 numbers, must have 2 to 64 of each");
 }
 
 TEST(CastRayTest, SeesSpheresAndCylinders) {

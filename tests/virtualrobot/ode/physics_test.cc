@@ -20,7 +20,7 @@ Vector3d CentreOfAll(const std::vector<Isometry3d>& X_WL) {
 
 // Returns the kinetic and potential energy, in J, of parts that moved from `before` to `now` in one
 // frame.
-double Energy(const std::vector<Isometry3d>& before, const std::vector<Isometry3d>& now) {
+double EnergyIn(const std::vector<Isometry3d>& before, const std::vector<Isometry3d>& now) {
   double energy_j = 0;
   for (size_t i = 0; i < now.size(); ++i) {
     const BodyPart& part = Ers210().bodies[i];
@@ -62,12 +62,12 @@ TEST(PhysicsTest, EnergyOfTheUnpoweredDogNeverGrows) {
   OdeBody body = InTheAir(0.4);
   BodyHarness harness(Ers210(), &body);
   std::vector<Isometry3d> before = body.BodyPoses();
-  const double start_j = Energy(before, before);
+  const double start_j = EnergyIn(before, before);
   double least_j = start_j, grown_j = 0;
   for (int i = 0; i < FramesIn(5); ++i) {
     harness.Frame();
     const std::vector<Isometry3d> now = body.BodyPoses();
-    const double energy_j = Energy(before, now);
+    const double energy_j = EnergyIn(before, now);
     grown_j = std::max(grown_j, energy_j - least_j);
     least_j = std::min(least_j, energy_j);
     before = now;
