@@ -102,21 +102,24 @@ int JointTargets::JointNamed(std::string_view name) {
 // point of the joint, or at its measured angle if no set point was sent for the joint since boot.
 void JointTargets::Begin(const std::vector<Goal>& goals, int64_t frames) {
   robot_.devices.set_commander(kNoObject);
+  // True if DoFrame() has run for the frame that begins now.  Then the first step is made here.  If
+  // not, DoFrame() makes it; a step here would move the body in the frame that is just over.
+  const bool is_frame_done = frame_begin_us_ == robot_.system.now_us();
   for (const Goal& goal : goals) {
     const auto j = static_cast<size_t>(goal.joint);
     const JointDevice& device = robot_.devices.joints[j];
     const double measured_urad = robot_.body->state().joints[j].angle_rad * 1e6;
     const int32_t from_urad = device.commanded ? static_cast<int32_t>(device.target_urad)
                                                : static_cast<int32_t>(std::lround(measured_urad));
-    // Makes the first step of the set point at once, because the commands of this frame were
-    // already applied.
-    ways_[goal.joint] = {from_urad, goal.urad, frames, 1};
+    ways_[goal.joint] = {from_urad, goal.urad, frames, is_frame_done ? 1 : 0};
+    if (!is_frame_done) continue;
     const int64_t step_urad = (int64_t{goal.urad} - from_urad) / frames;
     robot_.devices.SetTarget(goal.joint, static_cast<slongword>(from_urad + step_urad));
   }
 }
 
 void JointTargets::DoFrame() {
+  frame_begin_us_ = robot_.system.now_us();
   if (ways_.empty()) return;
   robot_.devices.set_commander(kNoObject);
   for (auto& [joint, way] : ways_) {

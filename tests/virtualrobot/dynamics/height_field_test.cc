@@ -141,6 +141,44 @@ TEST(HeightFieldTest, CornersOfABoxTouchTheSlope) {
   }
 }
 
+// Level ground of 4 m x 4 m at a height of 1 m.
+WorldThing Level() {
+  return FieldWith(R"({"shape":"heightfield","name":"l","size_m":[4,4],"centre_m":[0,0,0],
+                       "heights_m":[[1,1],[1,1]]})")
+      .things.at(0);
+}
+
+// All numbers of this test are exact in binary.
+TEST(HeightFieldTest, WhatOnlyReachesTheGroundDoesNotTouchIt) {
+  std::vector<TouchPoint> points;
+  TouchBoxOnHeights({0.5, 0.5, 1.25}, Matrix3d::Identity(), {0.5, 0.5, 0.5}, Level(), &points);
+  TouchBallOnHeights({0.5, 0.5, 1.25}, 0.25, Level(), &points);
+  EXPECT_TRUE(points.empty());
+}
+
+// A box of 0.2 m x 0.4 m x 0.6 m, 0.01 m deep in level ground, whichever of its sides is below.
+TEST(HeightFieldTest, TheFourLowerCornersOfABoxTouchLevelGround) {
+  for (const double roll_deg : {0.0, 90.0, 180.0, 270.0}) {
+    const Matrix3d R_WB = RotationFromRpy({Radians(roll_deg), 0, 0});
+    const Vector3d half = (R_WB * Vector3d(0.1, 0.2, 0.3)).cwiseAbs();
+    std::vector<TouchPoint> points;
+    TouchBoxOnHeights({0.5, 0.6, 1 - 0.01 + half.z()}, R_WB, {0.2, 0.4, 0.6}, Level(), &points);
+    ASSERT_EQ(points.size(), 4u) << roll_deg;
+    for (const double x : {0.5 - half.x(), 0.5 + half.x()}) {
+      for (const double y : {0.6 - half.y(), 0.6 + half.y()}) {
+        const Vector3d corner(x, y, 0.99);
+        EXPECT_TRUE(std::any_of(points.begin(), points.end(),
+                                [&](const TouchPoint& point) {
+                                  return point.p_W.isApprox(corner, 1e-12) &&
+                                         point.normal_W.isApprox(Vector3d::UnitZ(), 1e-12) &&
+                                         std::fabs(point.depth_m - 0.01) < 1e-12;
+                                }))
+            << roll_deg << " degrees: " << corner.transpose();
+      }
+    }
+  }
+}
+
 TEST(HeightFieldTest, APeakTouchesTheFaceAboveIt) {
   const WorldThing peak = FieldWith(R"({"shape":"heightfield","name":"p","size_m":[2,2],
       "centre_m":[0,0,0],"heights_m":[[0,0,0],[0,0.3,0],[0,0,0]]})")

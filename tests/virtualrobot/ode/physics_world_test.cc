@@ -181,6 +181,17 @@ TEST_F(ThingsTest, CylindersPushEachOther) {
   EXPECT_GT((Centre(0) - Centre(1)).norm(), 0.0595);
 }
 
+// The can has a radius of 30 mm, the brick edges of 100 mm and 60 mm.
+TEST_F(ThingsTest, ACanFeelsTheCornersOfABrickAndNoCircleAroundThem) {
+  WorldOf({Brick({0, 0, 0.02}), Can({0, 0.065, 0.05})});  // 5 mm beside its long side
+  Run(1);
+  EXPECT_NEAR(Centre(1).y(), 0.065, 1e-4);
+  WorldOf({Brick({0, 0, 0.02}), Can({0.07, 0.05, 0.05})});  // 2 mm too near to its corner
+  Run(1);
+  const Vector3d way = Centre(1) - Centre(0) - Vector3d(0.05, 0.03, 0);
+  EXPECT_GT(way.head<2>().norm(), 0.0295);
+}
+
 TEST_F(ThingsTest, PutThingLaysAThingSomewhereElse) {
   PhysicsWorld& world = WorldOf({Ball({0, 0, 0.04})});
   world.PutThing(0, {1, 2, 0.3});
