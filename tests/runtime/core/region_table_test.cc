@@ -211,6 +211,17 @@ TEST(RegionTableTest, ACopyThatNobodyHasLendsItsMemoryToTheNext) {
 }
 #endif
 
+#ifndef __SANITIZE_ADDRESS__
+TEST(RegionTableTest, ALaterBlockHasTheAddressOfItsSlot) {
+  RegionTable table;
+  char* const base = table.AdoptCopy(0x10005, 64);
+  table.KeepCopy(0x10005);
+  table.DropCopy(0x10005);
+  EXPECT_EQ(table.AdoptCopy(0x20005, 64), base);
+  EXPECT_EQ(table.used_count(), 1);
+}
+#endif
+
 TEST(RegionTableTest, ACopyOfAnotherSizeOrBlockGetsFreshMemory) {
   RegionTable table;
   const auto use = [&table](uint32_t id, size_t size) {

@@ -114,6 +114,17 @@ TEST(TouchTest, AFaceRestsOnTheRimOfAPole) {
   }
 }
 
+// All points of the rims of a pole are in the box, 8 of each end.
+TEST(TouchTest, OnlyTheDeepestPointsOfABoxCount) {
+  std::vector<TouchPoint> points;
+  TouchBox({0, 0, 0.3}, Matrix3d::Identity(), {2, 2, 1}, Pole(0.05, 0.4), &points);
+  ASSERT_EQ(points.size(), static_cast<size_t>(kBoxPointsMax));
+  for (size_t i = 0; i + 1 < points.size(); ++i) {
+    EXPECT_GE(points[i].depth_m, points[i + 1].depth_m) << i;
+    EXPECT_NEAR(points[i].p_W.z(), 0.4, 1e-12) << "the upper end is deeper, 0.4 m to 0.2 m";
+  }
+}
+
 TEST(TouchTest, WhatIsApartDoesNotTouch) {
   std::vector<TouchPoint> points;
   TouchBox({0.16, 0, 0.2}, Matrix3d::Identity(), {0.2, 0.3, 0.1}, Pole(0.05, 0.4), &points);
