@@ -57,7 +57,7 @@ class JointTargets {
 
   RobotParts& robot_;
   int64_t frame_begin_us_ = -1;  // virtual time of the last call of DoFrame(); -1 before the first
-  std::map<int, Way> ways_;  // the key is the index of the joint
+  std::map<int, Way> ways_;      // the key is the index of the joint
   // Indices of joints; the keys are names that inputs have used.
   std::map<std::string, int, std::less<>> known_;
 };
