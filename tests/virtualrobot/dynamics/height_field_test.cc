@@ -106,6 +106,36 @@ TEST(HeightFieldTest, ABallInTheValleyTouchesBothSides) {
   }
 }
 
+// A ridge of 0.1 m along y between slopes of 1 in 10.  The plane of the other slope goes on above
+// the slope on which the ball lies, but that slope ends at the ridge.
+TEST(HeightFieldTest, ABallBesideARidgeTouchesOneSlope) {
+  const WorldThing along_y = FieldWith(R"({"shape":"heightfield","name":"r","size_m":[2,2],
+      "centre_m":[0,0,0],"heights_m":[[0,0.1,0],[0,0.1,0],[0,0.1,0]]})")
+                                 .things.at(0);
+  WorldThing along_x = along_y;
+  along_x.R_WT = RotationFromRpy({0, 0, Radians(90)});
+  const WorldThing other_grid = FieldWith(R"({"shape":"heightfield","name":"r","size_m":[2,2],
+      "centre_m":[0,0,0],"heights_m":[[0,0,0],[0.1,0.1,0.1],[0,0,0]]})")
+                                    .things.at(0);
+  for (const double side : {-1.0, 1.0}) {
+    for (const double along : {-0.7, -0.3, 0.2, 0.6}) {
+      const Vector3d normal = Vector3d(side * 0.1, 0, 1).normalized();
+      const Vector3d centre = Vector3d(side * 0.06, along, 0.094) + 0.09 * normal;
+      const auto turned = [](const Vector3d& v) { return Vector3d(-v.y(), v.x(), v.z()); };
+      for (const WorldThing* const ridge :
+           std::initializer_list<const WorldThing*>{&along_y, &along_x, &other_grid}) {
+        const bool is_turned = ridge != &along_y;
+        std::vector<TouchPoint> points;
+        TouchBallOnHeights(is_turned ? turned(centre) : centre, 0.1, *ridge, &points);
+        ASSERT_EQ(points.size(), 1u) << side << " " << along;
+        EXPECT_TRUE(points[0].normal_W.isApprox(is_turned ? turned(normal) : normal, 1e-9));
+        EXPECT_GT(points[0].depth_m, 0.009);
+        EXPECT_LT(points[0].depth_m, 0.011);
+      }
+    }
+  }
+}
+
 TEST(HeightFieldTest, ABallTouchesTheWallAtTheEdge) {
   std::vector<TouchPoint> points;
   TouchBallOnHeights({1.08, 0, 0.5}, 0.1, Slope(), &points);

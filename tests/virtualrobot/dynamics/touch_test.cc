@@ -81,6 +81,25 @@ TEST(TouchTest, EdgeOfABoxAtAPole) {
   EXPECT_NEAR(points[0].normal_W.x(), 1, 1e-6);
 }
 
+// The edge leans over the pole: it is nearer to the axis the higher it is, so the box is deepest at
+// the rim of the upper end.
+TEST(TouchTest, AnEdgeThatLeansOverAPoleTouchesItsRim) {
+  const double lean = -0.1, reach = 0.1 * std::sqrt(2);
+  // Place of the box at which its edge is 0.03 m from the axis at the upper end, 0.4 m high.
+  const double along = (0.2 - reach * std::sin(lean)) / std::cos(lean);
+  const double x = 0.03 + reach * std::cos(lean) - along * std::sin(lean);
+  const Matrix3d R = RotationFromRpy({0, lean, 0}) * RotationFromRpy({0, 0, Radians(45)});
+  std::vector<TouchPoint> points;
+  TouchBox({x, 0, 0.2}, R, {0.2, 0.2, 1}, Pole(0.05, 0.4), &points);
+  ASSERT_FALSE(points.empty());
+  EXPECT_GT(points[0].depth_m, 0.013);
+  for (const TouchPoint& point : points) {
+    if (std::fabs(point.p_W.z() - 0.4) > 0.01) {
+      EXPECT_LT(point.depth_m, 0.001) << point.p_W.transpose();
+    }
+  }
+}
+
 TEST(TouchTest, CornersOfABoxOnAStool) {
   std::vector<TouchPoint> points;
   TouchBox({0, 0, 0.448}, Matrix3d::Identity(), {0.1, 0.1, 0.1}, Pole(0.2, 0.4), &points);
