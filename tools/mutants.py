@@ -49,6 +49,24 @@ def one_line(code):
     return " ".join(code.split())
 
 
+def run_group(command, seconds_max=None, **options):
+    """Runs a command; returns its exit status, or -1 if it needs more than `seconds_max`.
+
+    Ends the processes that it has started, also when this program is interrupted.
+    """
+    process = subprocess.Popen(command, start_new_session=True, stdin=subprocess.DEVNULL, **options)
+    try:
+        return process.wait(seconds_max)
+    except subprocess.TimeoutExpired:
+        return -1
+    finally:
+        try:
+            os.killpg(process.pid, signal.SIGKILL)
+        except ProcessLookupError:
+            pass
+        process.wait()
+
+
 class Choice:
     """A mutant of an area, with the texts that name it."""
 
@@ -150,8 +168,8 @@ class Copy:
         environment = dict(self.environment)
         if self.changed:
             environment["CCACHE_DISABLE"] = "1"  # a mutant is compiled once
-        return subprocess.run(["cmake", "--build", self.build, "-j1", "--target", *programs],
-                              env=environment, stdout=output, stderr=output).returncode == 0
+        return run_group(["cmake", "--build", self.build, "-j1", "--target", *programs],
+                         env=environment, stdout=output, stderr=output) == 0
 
     def run_test(self, test, processor_max_s):
         """Runs one test program; returns whether it passed, and its processor time in s."""
@@ -165,26 +183,10 @@ class Copy:
                    f"--gtest_filter={test.get('filter', '*')}"]
         before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
         with tempfile.TemporaryDirectory(prefix="openr-mutant-") as scratch:
-            process = subprocess.Popen(command, cwd=scratch, preexec_fn=limit,
-                                       env={**os.environ, "GTEST_FAIL_FAST": "1"},
-                                       stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
-                                       stderr=subprocess.DEVNULL, start_new_session=True)
-            try:
-                status = process.wait(WAIT_MAX_S)
-            except subprocess.TimeoutExpired:
-                status = -1
-            finally:
-                self.end_group(process)
+            status = run_group(command, WAIT_MAX_S, cwd=scratch, preexec_fn=limit,
+                               env={**os.environ, "GTEST_FAIL_FAST": "1"},
+                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         return status == 0, resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
-
-    @staticmethod
-    def end_group(process):
-        """Ends a test program and the processes that it has started."""
-        try:
-            os.killpg(process.pid, signal.SIGKILL)
-        except ProcessLookupError:
-            pass
-        process.wait()
 
 
 class Runner:
