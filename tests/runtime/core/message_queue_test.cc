@@ -101,13 +101,11 @@ TEST_F(MessageQueueTest, AMessageThatIsPutBackComesFirst) {
 }
 
 TEST_F(MessageQueueTest, ForEachVisitsInTheOrderOfDelivery) {
-  Push(1, 30);
-  Push(2, 10);
-  Push(3, 20);
-  Push(4, 10);
-  Push(5);
-  Push(6, 0, 1, kPriority + 1);
-  EXPECT_THAT(Queued(), ElementsAre(6, 5, 2, 4, 3, 1));
+  for (uint64_t number = 1; number <= 6; ++number) Push(number, 70 - 10 * static_cast<int>(number));
+  Push(7, 10);
+  Push(8);
+  Push(9, 0, 1, kPriority + 1);
+  EXPECT_THAT(Queued(), ElementsAre(9, 8, 6, 7, 5, 4, 3, 2, 1));
 }
 
 TEST_F(MessageQueueTest, MessagesThatAreTakenOutLeaveTheOrderOfTheOthers) {
