@@ -5,7 +5,7 @@
 
 #include "runtime/ipstack/ant_message.h"
 #include "runtime/ipstack/ip_stack.h"
-#include "tests/distribution/marshaller_fixture.h"
+#include "tests/marshalling/marshaller_fixture.h"
 
 namespace openr_host {
 namespace {
