@@ -17,6 +17,9 @@ namespace {
 constexpr size_t kMapBytes = 64 << 10;
 // Cells that are larger than this are unmapped when they are freed.
 constexpr size_t kKeepBytes = 256 << 10;
+// Most bytes of free cells of kMapBytes and more that stay mapped.  After a reboot of the robot the
+// same regions are in other slots, so without a limit each reboot would leave mapped cells behind.
+constexpr size_t kKeptBytesMax = 1 << 20;
 
 // Sets flag `index` of a list to `value`.  Flags beyond the end of the list are false.  So the list
 // grows only when needed: most runs use few of the 65,536 slots.
@@ -72,6 +75,7 @@ char* RegionMemory::New(uint32_t slot, size_t bytes) {
     if (!IsSet(in_use, slot)) {
       char* const block = MappedCell(size_class, slot);
       if (block != nullptr) {
+        NoLongerKept({size_class, slot});
         Set(&in_use, slot, true);
         std::memset(block, 0, bytes);
         return block;
@@ -91,12 +95,33 @@ void RegionMemory::Free(char* block) {
   while (size_class + 1 < kClasses && OffsetOf(size_class + 1) <= offset) ++size_class;
   const size_t cell = CellBytes(size_class);
   const size_t slot = (offset - OffsetOf(size_class)) / cell;
-  Cells& cells = cells_[static_cast<size_t>(size_class)];
-  ASSERT(IsSet(cells.in_use, slot), "the block of slot {} is freed twice", slot);
-  cells.in_use[slot] = false;
-  if (cell <= kKeepBytes) return;
-  munmap(block, cell);
-  cells.is_mapped[slot] = false;
+  std::vector<bool>& in_use = cells_[static_cast<size_t>(size_class)].in_use;
+  ASSERT(IsSet(in_use, slot), "the block of slot {} is freed twice", slot);
+  in_use[slot] = false;
+  if (cell < kMapBytes) return;
+  if (cell > kKeepBytes) {
+    Unmap({size_class, static_cast<uint32_t>(slot)});
+    return;
+  }
+  kept_.push_back({size_class, static_cast<uint32_t>(slot)});
+  kept_bytes_ += cell;
+  while (kept_bytes_ > kKeptBytesMax) {
+    const Cell oldest = kept_.front();
+    NoLongerKept(oldest);
+    Unmap(oldest);
+  }
+}
+
+// Removes the cell from the list of kept cells if it is there.
+void RegionMemory::NoLongerKept(const Cell& cell) {
+  kept_bytes_ -= std::erase(kept_, cell) * CellBytes(cell.size_class);
+}
+
+// Unmaps a cell that is a piece of its own.
+void RegionMemory::Unmap(const Cell& cell) {
+  const size_t bytes = CellBytes(cell.size_class);
+  munmap(area_ + OffsetOf(cell.size_class) + cell.slot * bytes, bytes);
+  cells_[static_cast<size_t>(cell.size_class)].is_mapped[cell.slot] = false;
 }
 
 }  // namespace openr_host

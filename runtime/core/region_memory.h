@@ -39,7 +39,15 @@ class RegionMemory {
   static size_t CellBytes(int size_class) { return size_t{64} << (2 * size_class); }
   static size_t OffsetOf(int size_class);
 
+  struct Cell {
+    int size_class;
+    uint32_t slot;
+    bool operator==(const Cell&) const = default;
+  };
+
   char* MappedCell(int size_class, uint32_t slot);
+  void Unmap(const Cell& cell);
+  void NoLongerKept(const Cell& cell);
 
   struct Cells {
     std::vector<bool> in_use;  // one element for each slot
@@ -50,6 +58,10 @@ class RegionMemory {
 
   char* area_;  // null when addresses are not planned
   std::array<Cells, kClasses> cells_;
+  // Free cells that are pieces of their own and still mapped, oldest first, and the sum of their
+  // bytes.
+  std::vector<Cell> kept_;
+  size_t kept_bytes_ = 0;
 };
 
 }  // namespace openr_host
