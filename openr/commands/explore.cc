@@ -278,6 +278,12 @@ std::string Summary(const Json& result, const ExploreFlags& flags) {
         "other addresses, as on the robot after each start; the first is seed {}\n",
         dependent, result["address_dependent_seeds"][0].get<uint64_t>());
   }
+  if (const uint64_t count = result.value("not_compared", uint64_t{0}); count > 0) {
+    text += fmt::format(
+        "{} of these seeds were not compared, because a run did not end within {} s of real time; "
+        "the first is seed {}\n",
+        count, ForkLimits().wall_s, result["not_compared_seeds"][0].get<uint64_t>());
+  }
   return text;
 }
 
@@ -432,7 +438,8 @@ int Explore(ExploreFlags flags) {
   result["runs_per_s"] = result["runs"].get<double>() / wall_time_s;
   Tell(result, Summary(result, flags), flags.json);
   const bool written = WriteFailure(result, flags);
-  const bool good = result["broken"] == 0 && result.value("differences", 0) == 0;
+  const bool good = result["broken"] == 0 && result.value("differences", 0) == 0 &&
+                    result.value("not_compared", 0) == 0;
   if (result.contains("failure") && !flags.record_file.empty()) {
     const Json& failure = result["failure"];
     const uint64_t seed = failure["seed"];

@@ -136,11 +136,12 @@ Json VerifySeeds(const ExplorePlan& plan) {
       if (answer[mark] && ++count <= kSeedsNamed) seeds.push_back(answer["seed"]);
     }
   };
-  Marked different, dependent;
+  Marked different, dependent, not_compared;
   InOrder in_order([&](const Json& answer) {
     if (sum.wants_more()) {
       different.Add(answer, "differs");
       dependent.Add(answer, "depends_on_addresses");
+      not_compared.Add(answer, "not_compared");
     }
     sum.Add(answer);
   });
@@ -156,6 +157,8 @@ Json VerifySeeds(const ExplorePlan& plan) {
   result["different_seeds"] = std::move(different.seeds);
   result["address_dependent"] = dependent.count;
   result["address_dependent_seeds"] = std::move(dependent.seeds);
+  result["not_compared"] = not_compared.count;
+  result["not_compared_seeds"] = std::move(not_compared.seeds);
   return result;
 }
 

@@ -36,9 +36,10 @@ nlohmann::ordered_json ExploreSeeds(const ExplorePlan& plan);
 
 // Makes two runs for each seed; the second one is in a process with other memory addresses, and is
 // advanced in time slices of another length.  Both runs of a correct program have the same result.
-// Returns the fields of ExploreSeeds() and two more.  "differences" is the number of seeds whose
+// Returns the fields of ExploreSeeds() and three more.  "differences" is the number of seeds whose
 // two runs differ in the hash of trace or state.  "address_dependent" is the number of seeds that
-// differ only because of the other addresses.  Also returns the first seeds of both kinds.
+// differ only because of the other addresses.  "not_compared" is the number of seeds of which a run
+// was killed after ForkLimits::wall_s.  Also returns the first seeds of each kind.
 nlohmann::ordered_json VerifySeeds(const ExplorePlan& plan);
 
 // Tries, depth first, all orders in which objects can start, and all orders in which messages that

@@ -101,12 +101,19 @@ class PlanServer {
     if (!plan.value("twice", false) || answer.contains("problem")) return answer;
     Json again = {{"seed", plan.at("seed")}, {"slice_us", kOddSliceUs}, {"blind", true}};
     if (answer.contains("time_us")) again["until_us"] = answer["time_us"];
-    const bool differs = !AreEqual(answer, elsewhere_->RunOne(again));
+    const Json other = elsewhere_->RunOne(again);
+    const bool differs = !AreEqual(answer, other);
     // Makes a third run, with the addresses of the first run.  It shows whether the first two runs
     // differ only because of the addresses.
-    const bool differs_here = differs && !AreEqual(answer, server_.Run(again));
-    answer["differs"] = differs_here;
-    answer["depends_on_addresses"] = differs && !differs_here;
+    const Json here = differs ? server_.Run(again) : answer;
+    const bool differs_here = !AreEqual(answer, here);
+    // A run that was killed has no hashes.  How long a run takes depends on the machine, so such a
+    // run is no difference.
+    const bool is_compared =
+        !answer.contains(kNotEnded) && !other.contains(kNotEnded) && !here.contains(kNotEnded);
+    answer["not_compared"] = !is_compared;
+    answer["differs"] = is_compared && differs_here;
+    answer["depends_on_addresses"] = is_compared && differs && !differs_here;
     return answer;
   }
 

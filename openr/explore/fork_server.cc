@@ -114,8 +114,11 @@ Json ForkServer::Run(const Json& plan) {
   if (!ended) kill(copy.pid, SIGKILL);
   const int status = WaitForEnd(copy.pid);
   if (!ended) {
-    return Broken(plan, kHandlersReturn,
-                  fmt::format("the run did not end within {} s of real time", limits_.wall_s));
+    Json answer =
+        Broken(plan, kHandlersReturn,
+               fmt::format("the run did not end within {} s of real time", limits_.wall_s));
+    answer[kNotEnded] = true;
+    return answer;
   }
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) return AnswerOfEndedCopy(plan, said, status);
   return ParseJson<Json>(said);

@@ -17,6 +17,9 @@ struct ForkLimits {
   int wall_s = 120;  // most real time that a run may take; only a run that hangs needs so long
 };
 
+// Field of an answer: the run was killed after ForkLimits::wall_s, so it has no hashes.
+inline constexpr char kNotEnded[] = "not_ended";
+
 class ForkServer {
  public:
   // Makes a server for the run `prepared`.  REQUIRES: System::Boot() has not been called for this
@@ -30,8 +33,9 @@ class ForkServer {
   // Runs `plan` in a copy of the process and returns the answer of RunPlan().  If the copy crashes,
   // the answer says that the property no-crash is broken.  A handler that uses more time than
   // handler_us of the ForkLimits, or a copy that must be killed after wall_s seconds, breaks the
-  // property handlers-return.  If the plan does not fit the graph, for example names an object that
-  // the graph does not have, the answer is {"problem": text}.
+  // property handlers-return; the latter answer has the field kNotEnded.  If the plan does not fit
+  // the graph, for example names an object that the graph does not have, the answer is {"problem":
+  // text}.
   nlohmann::ordered_json Run(const nlohmann::ordered_json& plan);
 
  private:
