@@ -33,10 +33,8 @@ import remote_run as rc
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "tests/support"))
 from verdicts import finish, verdict  # noqa: E402: the folder is put into the path first
 
-MOTION, IMAGE = 0, 1  # kinds of files
+MOTION, IMAGE = rc.MOTION, rc.IMAGE
 NAMES = {MOTION: "KILLED.MTN", IMAGE: "CONTROLL.BIN"}
-FOLDERS = {MOTION: "OPEN-R/MW/DATA/P", IMAGE: "OPEN-R/MW/OBJS"}
-DATA_SIZE = 1012  # the most data of one UPLOAD_DATA
 # A killed client can leave its whole upload in the buffers of the network.  The robot reads 16 KB
 # of a client in a frame, so the largest upload here takes 40 frames.  Because the run does not wait
 # for this process, a connection counts as left open only if it still exists after END_FRAMES_MAX
@@ -56,14 +54,6 @@ GOOD = "a good upload follows"
 PROPERTIES = (WHOLE, DONE, KEPT, REST, OTHERS, ENDS, GOOD)
 
 
-def upload_packets(kind, data):
-    """Returns the requests of an upload, in order."""
-    name = NAMES[kind].encode()
-    begin = struct.pack(f"<B{len(name) + 1}pII", kind, name, len(data), zlib.crc32(data))
-    parts = [struct.pack("<I", at) + data[at:at + DATA_SIZE] for at in range(0, len(data), DATA_SIZE)]
-    return [(rc.UPLOAD_BEGIN, begin), *((rc.UPLOAD_DATA, part) for part in parts), (rc.UPLOAD_END, b"")]
-
-
 # ---- The client of this file, which runs in a process of its own -------------------------
 
 Plan = collections.namedtuple("Plan", "stream stop garbage reads pause_s seed")
@@ -71,7 +61,7 @@ Plan = collections.namedtuple("Plan", "stream stop garbage reads pause_s seed")
 
 def make_plan(dice, kind, data):
     """Decides where the upload stops, which garbage follows, and how fast the client sends."""
-    packets = [rc.packet(*request) for request in upload_packets(kind, data)]
+    packets = [rc.packet(*request) for request in rc.upload_packets(kind, NAMES[kind], data)]
     stream = b"".join(packets)
     stop = dice.choice([len(stream), dice.randrange(len(stream)),
                         sum(map(len, packets[:dice.randrange(len(packets))]))])
@@ -219,7 +209,7 @@ class Rounds:
         self.rest = self.other_files()
 
     def path(self, kind):
-        return self.run.stick / FOLDERS[kind] / NAMES[kind]
+        return self.run.stick / rc.FOLDERS[kind] / NAMES[kind]
 
     def fail(self, name, text):
         line = f"round {self.round}: {text}"
@@ -242,7 +232,7 @@ class Rounds:
     def uploaded(self):
         """Returns the size of the largest temporary file of an upload, or 0."""
         sizes = [0]
-        for folder in FOLDERS.values():
+        for folder in rc.FOLDERS.values():
             for path in (self.run.stick / folder).glob("UPLOAD*.TMP"):
                 try:
                     sizes.append(path.stat().st_size)
@@ -260,7 +250,7 @@ class Rounds:
     def upload(self, kind, data):
         """Uploads `data` completely, and keeps it as the contents that are expected from now on."""
         client = rc.Client(self.run.port)
-        packets = upload_packets(kind, data)
+        packets = rc.upload_packets(kind, NAMES[kind], data)
         try:
             for at in range(0, len(packets), 30):
                 client.ask_all(packets[at:at + 30])

@@ -16,14 +16,21 @@ import struct
 import subprocess
 import sys
 import time
+import zlib
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "tests/support"))
 from verdicts import verdict  # noqa: E402: the folder is put into the path first
 
 INFO, DESCRIBE, BATCH, GET, MOVE, SPEED, LED = 0x01, 0x02, 0x03, 0x10, 0x11, 0x12, 0x20
-SENSORS, POWER, SUBSCRIBE, UNSUBSCRIBE, EVENT = 0x30, 0x31, 0x32, 0x33, 0x3F
-UPLOAD_BEGIN, UPLOAD_DATA, UPLOAD_END = 0x50, 0x51, 0x52
-STATUS_OK, STATUS_UNKNOWN_COMMAND, STATUS_MALFORMED, STATUS_NO_SUCH_DEVICE, STATUS_BUSY = 0, 3, 5, 6, 7
+SENSORS, POWER, SUBSCRIBE, UNSUBSCRIBE, CAMERA, CAMERA_PART, EVENT = *range(0x30, 0x36), 0x3F
+MTN_PLAY, MTN_STOP, MTN_LIST = 0x40, 0x41, 0x42
+UPLOAD_BEGIN, UPLOAD_DATA, UPLOAD_END, DELETE, DOWNLOAD = range(0x50, 0x55)
+LOG, REBOOT = 0x60, 0x70
+STATUS_OK, STATUS_BAD_PACKET, STATUS_UNKNOWN_COMMAND, STATUS_MALFORMED = 0, 1, 3, 5
+STATUS_NO_SUCH_DEVICE, STATUS_BUSY = 6, 7
+MOTION, IMAGE = 0, 1  # kinds of files
+FOLDERS = {MOTION: "OPEN-R/MW/DATA/P", IMAGE: "OPEN-R/MW/OBJS"}
+DATA_SIZE = 1012  # the most data of one UPLOAD_DATA
 READY = 6  # state of JointMover in which the robot stands and plays nothing
 HANG_S = 300
 REQUEST = struct.Struct("<2sHBBH")
@@ -36,6 +43,14 @@ Answer = collections.namedtuple("Answer", "version command tag frame status payl
 def packet(command, payload=b"", tag=0, version=2):
     """Returns the bytes of a request."""
     return REQUEST.pack(b"RC", REQUEST.size + len(payload), version, command, tag) + payload
+
+
+def upload_packets(kind, name, data):
+    """Returns the requests of an upload, in order."""
+    name = name.encode()
+    begin = struct.pack(f"<B{len(name) + 1}pII", kind, name, len(data), zlib.crc32(data))
+    parts = [struct.pack("<I", at) + data[at:at + DATA_SIZE] for at in range(0, len(data), DATA_SIZE)]
+    return [(UPLOAD_BEGIN, begin), *((UPLOAD_DATA, part) for part in parts), (UPLOAD_END, b"")]
 
 
 def error_text(answer):
@@ -91,23 +106,30 @@ class Client:
         self.bytes = self.bytes[at:]
         return found
 
-    def ask_all(self, requests):
-        """Sends all requests (command, payload) at once; returns the answers.
+    def send_requests(self, requests):
+        """Sends all requests (command, payload) at once; returns command and tag of each."""
+        asked = [(command, next(self.tags) % 0x10000) for command, _ in requests]
+        self.send(b"".join(packet(*request, tag) for request, (_, tag) in zip(requests, asked)))
+        return asked
 
-        Raises an exception unless each answer belongs to its request and has status 0.
-        """
-        tags = [next(self.tags) % 0x10000 for _ in requests]
-        self.send(b"".join(packet(*request, tag) for request, tag in zip(requests, tags)))
+    @staticmethod
+    def check_answers(answers, asked, statuses=(STATUS_OK,)):
+        """Raises an exception unless each answer belongs to its request and has one of `statuses`."""
+        for answer, request in zip(answers, asked, strict=True):
+            if (answer.command, answer.tag) != request:
+                raise ValueError(f"{answer} answers command {request[0]:#x} with tag {request[1]}")
+            if answer.status not in statuses:
+                raise Refused(f"command {request[0]:#x}: status {answer.status}, {error_text(answer)}")
+
+    def ask_all(self, requests):
+        """Sends all requests at once; returns the answers, all of which must have status 0."""
+        asked = self.send_requests(requests)
         answers = []
         while len(answers) < len(requests):
             answers += self.take(wait=True)
             if self.is_closed:
                 raise ConnectionError("the robot closed the connection")
-        for answer, (command, _), tag in zip(answers, requests, tags):
-            if (answer.command, answer.tag) != (command, tag):
-                raise ValueError(f"{answer} answers command {command:#x} with tag {tag}")
-            if answer.status != STATUS_OK:
-                raise Refused(f"command {command:#x}: status {answer.status}, {error_text(answer)}")
+        self.check_answers(answers, asked)
         return answers
 
     def ask(self, command, payload=b""):
@@ -120,7 +142,7 @@ class Client:
 class Run:
     """A process of `openr run` with its own stick, a recording, and a battery that stays full."""
 
-    def __init__(self, openr, folder, *flags):
+    def __init__(self, openr, folder, *flags, body="ideal"):
         self.openr, self.folder = str(openr), pathlib.Path(folder)
         self.stick = self.folder / "stick"
         self.said = self.folder / "run.txt"
@@ -128,7 +150,7 @@ class Run:
         self.environment = {**os.environ, "XDG_RUNTIME_DIR": str(self.folder)}
         subprocess.run([self.openr, "stick", "host", "-o", str(self.stick)], check=True,
                        stdout=subprocess.DEVNULL)
-        command = [self.openr, "run", "--stick", str(self.stick), "--body", "ideal", "--battery", "100%",
+        command = [self.openr, "run", "--stick", str(self.stick), "--body", body, "--battery", "100%",
                    "--rc-port", "0", "--no-panel", "--run-name", "check", *flags, "--record",
                    str(self.folder / "run.rec"), "--report", str(self.folder / "report.json"),
                    "--console", str(self.folder / "console.txt")]
@@ -136,7 +158,7 @@ class Run:
             self.process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=stream,
                                             stderr=stream, env=self.environment)
         self.port = self.wait_for_port()
-        self.control = None
+        self.lines = None  # the connection of control(), which it opens
 
     def wait_for_port(self):
         end = time.monotonic() + HANG_S
@@ -151,20 +173,35 @@ class Run:
         while client.ask(SENSORS).payload[5] != READY:
             pass
 
-    def clock(self, **request):
-        """Changes the clock of the run as `request` says (inputs.md, "The socket of a run").
+    def control(self, **request):
+        """Sends a request to the socket of the run (inputs.md, "The socket of a run").
 
-        Returns the state of the clock afterwards.
+        Returns the answer.
         """
-        if self.control is None:
+        if self.lines is None:
             sockets = list((self.folder / "openr-host").glob("*.*"))
-            self.control = socket.socket(socket.AF_UNIX)
-            self.control.settimeout(HANG_S)
-            self.control.connect(str(sockets[0]))
-            self.lines = self.control.makefile("rwb")
-        self.lines.write(json.dumps({"do": "clock", **request}).encode() + b"\n")
+            self.control_socket = socket.socket(socket.AF_UNIX)
+            self.control_socket.settimeout(HANG_S)
+            self.control_socket.connect(str(sockets[0]))
+            self.lines = self.control_socket.makefile("rwb")
+        self.lines.write(json.dumps(request).encode() + b"\n")
         self.lines.flush()
         return json.loads(self.lines.readline())
+
+    def clock(self, **request):
+        """Changes the clock of the run as `request` says; returns its state afterwards."""
+        return self.control(do="clock", **request)
+
+    def step(self, frames, time_s):
+        """Lets the paused run go on for so many frames from `time_s`, and waits until they are over.
+
+        Returns the virtual time.
+        """
+        until_s = time_s + frames * 0.008
+        time_s = self.clock(step="frame", count=frames)["time_s"]
+        while time_s < until_s - 0.001:
+            time_s = self.clock()["time_s"]
+        return time_s
 
     def memory_kb(self):
         """Returns the resident memory of the run."""
