@@ -197,6 +197,7 @@ class Soak(Clients):
 
     def hour(self, steps):
         self.everyday(steps)
+        self.quiet()
         for kind in (self.controller_uploader, self.reads_nothing):
             self.welcome(kind)
             self.quiet()
