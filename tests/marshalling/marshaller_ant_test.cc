@@ -124,6 +124,19 @@ TEST_F(AntMarshallerTest, ForgedDataStayWithinTheirRegion) {
   EXPECT_EQ(std::string(copy + 12, 4), "wxyz");
 }
 
+TEST_F(AntMarshallerTest, AForgedAddressIsNotUsed) {
+  ours.Encode(Send(memory, 4), nullptr, &arena, &wire);
+  openr_wire_Ant& ant = wire.payload._u.ant;
+  TCPEndpointSendMsg forged(endpoint, reinterpret_cast<byte*>(memory), 4);
+  ant.message = arena.Bytes(&forged, sizeof forged);
+  for (const uint32_t id : {0u, region + 1}) {
+    ant.region = id;
+    Message out = Blank();
+    ASSERT_EQ(theirs.Decode(wire, &out), "");
+    EXPECT_EQ(BufferIn(out.payload), nullptr) << id;
+  }
+}
+
 // The network stack reports such a message itself.
 TEST_F(AntMarshallerTest, AMessageThatIsTooShortIsCarriedAsItIs) {
   Message message = Send(memory, 4);
