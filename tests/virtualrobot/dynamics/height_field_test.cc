@@ -183,6 +183,7 @@ TEST(HeightFieldTest, WhatOnlyReachesTheGroundDoesNotTouchIt) {
   std::vector<TouchPoint> points;
   TouchBoxOnHeights({0.5, 0.5, 1.25}, Matrix3d::Identity(), {0.5, 0.5, 0.5}, Level(), &points);
   TouchBallOnHeights({0.5, 0.5, 1.25}, 0.25, Level(), &points);
+  TouchBoxOnHeights({0, 0.25, 0.875}, Matrix3d::Identity(), {0.5, 0.5, 0.5}, Slope(), &points);
   EXPECT_TRUE(points.empty());
 }
 

@@ -183,13 +183,19 @@ TEST_F(ThingsTest, CylindersPushEachOther) {
 
 // The can has a radius of 30 mm, the brick edges of 100 mm and 60 mm.
 TEST_F(ThingsTest, ACanFeelsTheCornersOfABrickAndNoCircleAroundThem) {
-  WorldOf({Brick({0, 0, 0.02}), Can({0, 0.065, 0.05})});  // 5 mm beside its long side
-  Run(1);
-  EXPECT_NEAR(Centre(1).y(), 0.065, 1e-4);
-  WorldOf({Brick({0, 0, 0.02}), Can({0.07, 0.05, 0.05})});  // 2 mm too near to its corner
-  Run(1);
-  const Vector3d way = Centre(1) - Centre(0) - Vector3d(0.05, 0.03, 0);
-  EXPECT_GT(way.head<2>().norm(), 0.0295);
+  for (const size_t can : {0, 1}) {  // the pair is tested from the side of the first thing
+    const auto run = [&](const Vector3d& centre_m) {
+      std::vector<WorldThing> things = {Brick({0, 0, 0.02})};
+      things.insert(things.begin() + static_cast<ptrdiff_t>(can), Can(centre_m));
+      WorldOf(things);
+      Run(1);
+    };
+    run({0, 0.065, 0.05});  // 5 mm beside the long side of the brick
+    EXPECT_NEAR(Centre(can).y(), 0.065, 1e-4) << can;
+    run({0.07, 0.05, 0.05});  // 2 mm too near to its corner
+    const Vector3d way = Centre(can) - Centre(1 - can) - Vector3d(0.05, 0.03, 0);
+    EXPECT_GT(way.head<2>().norm(), 0.0295) << can;
+  }
 }
 
 TEST_F(ThingsTest, PutThingLaysAThingSomewhereElse) {
