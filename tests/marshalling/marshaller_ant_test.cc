@@ -109,18 +109,18 @@ TEST_F(AntMarshallerTest, ForgedDataStayWithinTheirRegion) {
     ant.data = arena.Bytes(data.data(), data.size());
     Message out = Blank();
     const std::string problem = theirs.Decode(wire, &out);
-    return problem.empty() ? std::to_string(static_cast<char*>(BufferIn(out.payload)) - copy)
-                           : problem;
+    if (!problem.empty()) return problem;
+    const auto* const buffer = static_cast<const char*>(BufferIn(out.payload));
+    return buffer == nullptr ? std::string("null") : std::to_string(buffer - copy);
   };
-  const std::string null = std::to_string(static_cast<char*>(nullptr) - copy);
   EXPECT_EQ(decode(region, 12, "wxyz"), "12");
   EXPECT_EQ(std::string(copy + 12, 4), "wxyz");
   EXPECT_EQ(decode(region, 12, "12345"), "network data beyond their buffer");
   EXPECT_EQ(decode(region, 15, ""), "15");
-  EXPECT_EQ(decode(region, 16, ""), null);
-  EXPECT_EQ(decode(region, 0xffffffff, "1"), null);
-  EXPECT_EQ(decode(0, 0, "1"), null);
-  EXPECT_EQ(decode(region + 1, 0, "1"), null);
+  EXPECT_EQ(decode(region, 16, ""), "null");
+  EXPECT_EQ(decode(region, 0xffffffff, "1"), "null");
+  EXPECT_EQ(decode(0, 0, "1"), "null");
+  EXPECT_EQ(decode(region + 1, 0, "1"), "null");
   EXPECT_EQ(std::string(copy + 12, 4), "wxyz");
 }
 
