@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "virtualrobot/det_math.h"
 #include "virtualrobot/kinematics.h"
 
 namespace openr_host {
