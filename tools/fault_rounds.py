@@ -4,14 +4,14 @@
     fault_rounds.py --build build/release [--scenario NAME ...] [--call NAME ...] [--most N]
                     [--one SCENARIO CALL N]
 
-strace makes the calls fail, in the program and in all processes that it starts, so no part of openr
-is built for it.  After each failure these must hold:
+strace makes the calls fail, so no part of openr is built for it.  In a program of several processes
+the n-th call of each of them fails.  After each failure these must hold:
 
 - the program ends, by itself and not by a signal, with a status that its documents know;
 - a status other than 0 comes with a reason;
 - with status 0, all that the run has written is there, byte by byte as without the failure, or the
   program has printed a line more, which says what is missing;
-- no file, socket or process is left behind;
+- no file, socket or process is left behind, after 10 s at most;
 - the next start, without a failure, works and comes to the same hash.
 
 --most N takes N calls of each kind, spread over the program; without it all are taken.  --one shows
@@ -137,6 +137,26 @@ class Scenario:
         folders = [self.live / "openr-host", self.temp]
         return [str(path) for folder in folders if folder.exists() for path in folder.iterdir()]
 
+    def processes(self):
+        """Returns the command lines of processes that belong to this scenario."""
+        mark = f"TMPDIR={self.temp}".encode()
+        found = []
+        for process in pathlib.Path("/proc").glob("[0-9]*"):
+            try:
+                if mark in (process / "environ").read_bytes().split(b"\0"):
+                    found.append((process / "cmdline").read_bytes().replace(b"\0", b" ").decode())
+            except OSError:
+                continue  # it has ended meanwhile
+        return found
+
+    def wait_for_end(self):
+        """Waits until no process of this scenario runs.  Returns those that still run after 10 s."""
+        for _ in range(100):
+            if not self.processes():
+                return []
+            time.sleep(0.1)
+        return self.processes()
+
     def counts(self, words=None):
         """Returns how often each system call is made."""
         trace = self.folder / "counts"
@@ -165,19 +185,22 @@ class Rounds:
         self.expected = scenario.written()
         self.usual = without_numbers(text)
         self.kept = scenario.left_behind()
-        self.failed = self.reported = 0
+        self.injected = self.reported = 0
 
     def fail(self, call, n):
         """Lets call number n fail.  Returns the complaints, and what the program printed."""
         scenario = self.scenario
-        status, text = scenario.command(["strace", "-f", "-qq", "-o", "/dev/null", "-e", f"trace={call}",
+        trace = scenario.folder / "trace"
+        status, text = scenario.command(["strace", "-f", "-qq", "-o", str(trace), "-e", f"trace={call}",
                                          "-e", f"inject={call}:error={ERRORS[call]}:when={n}"])
-        wrong = []
+        if "(INJECTED)" not in trace.read_text(errors="replace"):
+            return None, text  # no process makes so many calls
+        wrong = [f"leaves the process {line}" for line in scenario.wait_for_end()]
         if status is None:
             wrong.append(f"does not end within {LIMIT_S} s")
         elif status not in STATUSES and not (call in DDS_ABORTS and "Cyclone DDS: " in text):
             wrong.append(f"ends with status {status}")
-        elif status != 0 and not REASON.search(text):
+        elif status != 0 and not REASON.search(self.said_more(text)):
             wrong.append(f"status {status} without a reason")
         elif status == 0 and without_numbers(text) <= self.usual:
             try:
@@ -198,8 +221,12 @@ class Rounds:
         for path in left:
             shutil.rmtree(path, ignore_errors=True)
             pathlib.Path(path).unlink(missing_ok=True) if not os.path.isdir(path) else None
-        self.failed += 1
+        self.injected += 1
         return wrong, text
+
+    def said_more(self, text):
+        """Returns the lines that the command does not print without a failure."""
+        return "\n".join(line for line in text.splitlines() if not without_numbers(line) <= self.usual)
 
     def run(self, calls, most):
         # The dynamic linker and the C library make these calls before the program begins.
@@ -210,6 +237,8 @@ class Rounds:
             numbers = range(before.get(call, 0) + 1 if call != "execve" else 2, count + 1)
             for n in numbers if not most else numbers[::max(1, len(numbers) // most)][:most]:
                 wrong, text = self.fail(call, n)
+                if wrong is None:
+                    break
                 verdict(f"{self.scenario.name}: {call} {n} of {count} ({ERRORS[call]})", not wrong,
                         "\n".join(wrong) + "\n" + "\n".join(f"  | {line}" for line in text.splitlines()[-12:]))
 
@@ -230,13 +259,13 @@ def main():
         if flags.one:
             wrong, text = Rounds(Scenario(openr, pathlib.Path(folder), flags.one[0])).fail(
                 flags.one[1], int(flags.one[2]))
-            print(text + "\n".join(wrong))
+            print(text + "\n".join(["no process makes so many calls"] if wrong is None else wrong))
             return 1 if wrong else 0
         for name in flags.scenario or names:
             begin = time.monotonic()
             rounds = Rounds(Scenario(openr, pathlib.Path(folder), name))
             rounds.run(flags.call, flags.most)
-            print(f"figures: {name}: {rounds.failed} failures, of which {rounds.reported} ended the program "
+            print(f"figures: {name}: {rounds.injected} failures, of which {rounds.reported} ended the program "
                   f"with a reason, {time.monotonic() - begin:.0f} s", flush=True)
     return finish()
 

@@ -50,8 +50,8 @@ enum RcCommand {
     rcLOG = 0x60,  // RemoteLog.h has the format of the log
     rcREBOOT = 0x70,
     rcSHUTDOWN = 0x71,
-    // Shows a server beyond the robot, which the host has, that the client knows its token.  The
-    // robot itself does not know this command.
+    // Sends the token that the server of `openr run --listen` asks for.  The robot itself does not
+    // know this command.
     rcTOKEN = 0x72
 };
 

@@ -16,7 +16,9 @@ void AddPanelCommand(CLI::App* app, int* exit_code) {
   CLI::App* const command = app->add_subcommand(
       "panel", "Serves the web panel for the runs of this computer, until Ctrl-C");
   auto options = std::make_shared<PanelOptions>();
-  command->add_option("--port", options->port, "Port of 127.0.0.1, or the next free one; 0: any")
+  command
+      ->add_option("--port", options->port,
+                   "Port of 127.0.0.1, or of --listen, or the next free one; 0: any")
       ->capture_default_str();
   command->add_option("--run", options->run,
                       "Name or process id of the run that the page shows first; without it the "

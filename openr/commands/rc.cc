@@ -111,8 +111,9 @@ class RcCommands {
     rc_->add_option("--with", flags_->with, "Does the same at a second robot: HOST[:PORT]")
         ->check(IsRemoteAddress());
     AddDurationFlag(rc_, "--timeout", &flags_->timeout_us, "How long to wait for an answer");
-    rc_->add_option("--token-file", flags_->token_file,
-                    "File with the token that openr run --listen asks for");
+    rc_->add_option(
+        "--token-file", flags_->token_file,
+        "File with the token that openr run --listen asks for; with --with it is sent to both");
     rc_->add_flag("--json", flags_->json, "One JSON object per answer");
     rc_->require_subcommand(1);
     rc_->fallthrough();

@@ -144,6 +144,7 @@ void RefuseFlagsBesideJobs(const RunFlags& flags) {
   refuse(flags.placement.is_monitored, "--monitor", kNobody);
   refuse(flags.ros2.is_on, "--ros2", kNobody);
   refuse(flags.panel, "--panel", kNobody);
+  refuse(flags.listen.is_on(), "--listen", kNobody);
   refuse(flags.simulation.rc_port >= 0, "--rc-port", kNobody);
   refuse(!flags.simulation.addresses.empty(), "--ip", kNobody);
   refuse(!flags.stdin_file.empty(), "--stdin", kNobody);

@@ -141,9 +141,9 @@ std::unique_ptr<LiveServer> MakeLiveServer(const LiveContext& context, const std
 // Returns null if the run has no panel.
 std::unique_ptr<PanelProcess> StartPanel(const RunFlags& flags, const LiveServer* live,
                                          const std::string& name) {
+  if (live == nullptr && flags.listen.is_on())
+    throw std::runtime_error("--listen: the panel cannot reach this run, as said above");
   if (live == nullptr || !WantsPanel(flags)) return nullptr;
-  // Reads the token in the run too, so that a run whose file is wrong does not begin.
-  if (flags.listen.is_on()) ReadOrMakeToken(flags.listen.token_file);
   const std::filesystem::path socket = LiveSocketPath(name);
   return std::make_unique<PanelProcess>(PanelOptions{.port = flags.panel_port,
                                                      .run = socket.filename(),

@@ -258,6 +258,11 @@ RunPlan PlanOf(const RunFlags& flags) {
   const int rc_port = flags.simulation.rc_port;
   if (const std::string problem = WhyNoPort(rc_port); !problem.empty())
     throw CLI::ValidationError("--rc-port", problem);
+  try {
+    if (flags.listen.is_on()) CheckListen(flags.listen);
+  } catch (const std::exception& error) {
+    throw CLI::ValidationError("--listen", error.what());
+  }
   RunPlan plan;
   plan.for_us = flags.for_us;
   if (flags.for_us) plan.for_text = flags.for_flag->as<std::string>();

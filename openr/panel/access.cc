@@ -42,14 +42,15 @@ Access::Access(std::string token, std::string address, uint16_t port)
     : token_(std::move(token)), address_(std::move(address)), port_(fmt::format(":{}", port)) {}
 
 std::string Access::Url(const std::string& token) const {
-  return fmt::format("http://{}{}/?token={}", address_ == kAnyAddress ? "HOST" : address_, port_,
+  return fmt::format("http://{}{}/?token={}", address_ == kAnyAddress ? "ADDRESS" : address_, port_,
                      token);
 }
 
 bool Access::IsOurs(std::string_view host) const {
   if (!host.ends_with(port_)) return false;
   const std::string name(host.substr(0, host.size() - port_.size()));
-  // Accepts no names but this one, because a foreign name can be made to lead to this computer.
+  // Accepts "localhost" and no other name, because the name of another site can be made to lead to
+  // this computer.
   if (name == "localhost") return address_ == kLoopback || address_ == kAnyAddress;
   in_addr number{};
   return address_ == kAnyAddress ? inet_pton(AF_INET, name.c_str(), &number) == 1
@@ -62,15 +63,19 @@ std::string Access::SocketSource(const std::string& host) const {
 
 std::string Access::WhyNoFile(const WebRequest& request) const {
   if (IsOurs(request.host)) return "";
-  return fmt::format("this is the panel of openr; open it as http://{}{}/",
-                     address_ == kAnyAddress ? "ADDRESS" : address_, port_);
+  return address_ == kAnyAddress
+             ? fmt::format(
+                   "this is the panel of openr; open it by an address of this computer, as "
+                   "http://192.168.0.5{}/, names are refused",
+                   port_)
+             : fmt::format("this is the panel of openr; open it as http://{}{}/", address_, port_);
 }
 
 std::string Access::WhyNoSocket(const WebRequest& request) const {
   if (const std::string why = WhyNoFile(request); !why.empty()) return why;
   const std::string_view origin = request.origin;
-  constexpr std::string_view kScheme = "http://";
-  if (!origin.empty() && !(origin.starts_with(kScheme) && IsOurs(origin.substr(kScheme.size()))))
+  // The page itself must come from this server, at the same address.
+  if (!origin.empty() && origin != "http://" + request.host)
     return "a page of another site may not use the panel";
   if (IsSameSecret(request.protocol, protocol())) return "";
   return "the token is wrong or missing; open the address that openr has printed";

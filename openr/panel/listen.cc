@@ -9,8 +9,10 @@
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <stdexcept>
 
+#include "cli/install_paths.h"
 #include "openr/panel/access.h"
 #include "openr/remote/token_file.h"
 
@@ -31,16 +33,28 @@ std::string WhyNoListenAddress(const std::string& address) {
       address);
 }
 
+void CheckListen(const ListenOptions& options) {
+  if (!std::filesystem::path(PanelLibrary()).is_absolute()) {
+    throw std::runtime_error(
+        "this openr was built without libwebsockets (Debian package libwebsockets-dev), which "
+        "serves other computers");
+  }
+  ReadOrMakeToken(options.token_file);
+  uint16_t port = 0;
+  close(Listen(options.address, &port));
+}
+
 std::string ReadOrMakeToken(const std::string& file) {
+  const std::string line = NewToken() + "\n";
   const int descriptor = open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
   if (descriptor >= 0) {
-    const std::string line = NewToken() + "\n";
-    const bool is_written =
-        write(descriptor, line.data(), line.size()) == static_cast<ssize_t>(line.size());
-    const int error = errno;
-    if (close(descriptor) != 0 || !is_written) {
+    const ssize_t written = write(descriptor, line.data(), line.size());
+    const int error = written < 0 ? errno : ENOSPC;
+    close(descriptor);
+    if (written != static_cast<ssize_t>(line.size())) {
       unlink(file.c_str());
-      throw std::runtime_error(fmt::format("{}: {}", file, std::strerror(error)));
+      throw std::runtime_error(
+          fmt::format("{}: the token cannot be written: {}", file, std::strerror(error)));
     }
   } else if (errno != EEXIST) {
     throw std::runtime_error(
@@ -53,6 +67,7 @@ int Listen(const std::string& address, uint16_t* port) {
   const int first = *port;
   for (int number = first; number < first + kPortsMax && number <= 65535; ++number) {
     const int listener = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
+    if (listener < 0) throw std::runtime_error(fmt::format("no socket: {}", std::strerror(errno)));
     const int on = 1;
     setsockopt(listener, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
     sockaddr_in place{};
@@ -79,8 +94,10 @@ int Listen(const std::string& address, uint16_t* port) {
       throw std::runtime_error(
           fmt::format("port {} of {}: {}", number, address, std::strerror(error)));
   }
-  throw std::runtime_error(fmt::format("the {} ports of {} from {} on are taken; give another one",
-                                       kPortsMax, address, first));
+  throw std::runtime_error(
+      fmt::format("the {} ports of {} from {} on are taken; give another one "
+                  "(--panel-port, --listen-rc-port; openr panel: --port)",
+                  kPortsMax, address, first));
 }
 
 }  // namespace openr_host

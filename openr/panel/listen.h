@@ -11,8 +11,10 @@ struct ListenOptions {
   // IPv4 address of this computer, or 0.0.0.0 for all of them; "": the panel listens at 127.0.0.1,
   // and the remote control is not forwarded.
   std::string address;
-  std::string token_file;    // file with the token that clients need
-  uint16_t rc_port = 54000;  // first port that is tried for the remote control of the first robot
+  std::string token_file;  // file with the token that clients need
+  // First port that is tried for the remote control of the first robot.  It is not the robot's own
+  // port, which the run opens on 127.0.0.1 at the same time.
+  uint16_t rc_port = 54100;
   bool allows_controllers = false;  // whether clients may upload controllers, which are code
 
   bool is_on() const { return !address.empty(); }
@@ -20,6 +22,11 @@ struct ListenOptions {
 
 // Returns the reason why nothing can listen at `address`; "" if it is an IPv4 address.
 std::string WhyNoListenAddress(const std::string& address);
+
+// Throws std::runtime_error if `options` cannot be had: the file has no token, this computer has no
+// such address, or the server is not built.  A run calls this before it begins, because its server
+// is another process, whose end the run does not see.
+void CheckListen(const ListenOptions& options);
 
 // Returns the token in the file `file`, as remote::ReadTokenFile() does.  If there is no such file,
 // makes one that only this user may read, with a new token.

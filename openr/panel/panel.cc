@@ -15,6 +15,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -228,10 +229,26 @@ void Panel::ForwardRemoteControl(int robot) {
   uint16_t port =
       forwarded_.empty() ? listen_.rc_port : static_cast<uint16_t>(forwarded_.back().port + 1);
   const int descriptor = Listen(listen_.address, &port);
-  const auto find = [own_run = own_run_, robot] {
-    const std::optional<LiveRun> run = FindRun(own_run);
+  struct Last {
+    std::mutex mutex;
+    std::optional<remote::Address> address;
+  };
+  const auto find = [own_run = own_run_, robot, last = std::make_shared<Last>()] {
+    std::optional<LiveRun> run;
+    try {
+      run = FindRun(own_run);
+    } catch (const std::runtime_error&) {
+      // Uses the last address: after "Go on from here" the run is another process, with these
+      // ports.
+      const std::lock_guard lock(last->mutex);
+      if (last->address) return *last->address;
+      throw;
+    }
     if (!run) throw std::runtime_error("there is no run, or several: openr panel --run names one");
-    return AddressInRun(*run, static_cast<size_t>(robot));
+    const remote::Address address = AddressInRun(*run, static_cast<size_t>(robot));
+    const std::lock_guard lock(last->mutex);
+    last->address = address;
+    return address;
   };
   const size_t index = forwarded_.size();
   const auto accept = [this, descriptor, index] {
@@ -252,15 +269,17 @@ std::string Panel::Announcement() const {
   for (size_t i = 0; i < forwarded_.size(); ++i) {
     text += fmt::format("remote control{}: openr rc {}:{} --token-file {} info\n",
                         forwarded_.size() == 1 ? "" : fmt::format(" of robot {}", i),
-                        listen_.address == "0.0.0.0" ? "HOST" : listen_.address, forwarded_[i].port,
-                        listen_.token_file);
+                        listen_.address == "0.0.0.0" ? "ADDRESS" : listen_.address,
+                        forwarded_[i].port, listen_.token_file);
   }
   return text +
-         fmt::format("other computers reach both at {}, with the token; nothing is encrypted; {}\n",
-                     listen_.address,
-                     listen_.allows_controllers
-                         ? "they may upload controllers, which run as code of this user"
-                         : "uploads of controllers are off (--allow-uploads)");
+         fmt::format(
+             "other computers reach both at {}, with a copy of that file; nothing is encrypted; "
+             "{}\n",
+             listen_.address == "0.0.0.0" ? "all addresses of this computer" : listen_.address,
+             listen_.allows_controllers
+                 ? "they may upload controllers, which run as code of this user"
+                 : "uploads of controllers are off (--allow-uploads)");
 }
 
 void Panel::EndPages() {

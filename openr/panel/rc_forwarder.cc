@@ -12,6 +12,7 @@
 #include <chrono>
 #include <exception>
 #include <optional>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -35,11 +36,11 @@ using Clock = std::chrono::steady_clock;
 
 // Longest time for which a client that was refused may still send, so that it can read the reason.
 constexpr std::chrono::milliseconds kFarewell{500};
-constexpr std::chrono::milliseconds kConnectTimeout{3000};
+constexpr std::chrono::milliseconds kConnectTimeout{1000};
 
 constexpr size_t kReceiveMax = 2 * RC_MAX_PACKET;  // the size of an RcFramer
 
-std::atomic<int> g_clients = 0, g_strangers = 0;
+std::atomic<int> g_clients = 0, g_without_token = 0;
 
 // Waits until one of `events` has come for `socket`.  Returns false at `deadline`.
 bool WaitFor(int socket, short events, Clock::time_point deadline) {
@@ -102,7 +103,7 @@ class Forwarding {
   bool ForwardRequests();
   bool TakeRequests();
   bool TakeAnswers();
-  std::optional<OwnAnswer> WhyNot() const;
+  std::optional<OwnAnswer> OwnAnswerToRequest() const;
 
   const int client_;
   const RcForwarder::Rules& rules_;
@@ -114,7 +115,7 @@ class Forwarding {
   int unanswered_ = 0;           // number of requests that the robot has not answered yet
   // An answer that waits until the robot has answered the requests before, because answers come in
   // the order of the requests.  No request is read meanwhile.
-  std::optional<OwnAnswer> held_;
+  std::optional<OwnAnswer> delayed_;
 };
 
 void Forwarding::Answer(const OwnAnswer& answer) {
@@ -160,18 +161,21 @@ bool Forwarding::TakeToken() {
     if (first_.command == rcTOKEN && reader.IsComplete() && IsSameSecret(token, rules_.token))
       return true;
   }
-  Refuse(
-      rcerrorNOT_ALLOWED,
-      first_.command == rcTOKEN
-          ? "the token is wrong"
-          : "a token is needed here: openr rc HOST --token-file FILE, with the file of --listen");
+  Refuse(rcerrorNOT_ALLOWED, first_.command == rcTOKEN
+                                 ? "the token is wrong"
+                                 : "a token is needed here: copy the file that openr run got by "
+                                   "--token-file, and say openr rc "
+                                   "HOST --token-file FILE");
   return false;
 }
 
 // Returns the answer to the request that was received last, if the request must not reach the
 // robot.
-std::optional<OwnAnswer> Forwarding::WhyNot() const {
+std::optional<OwnAnswer> Forwarding::OwnAnswerToRequest() const {
   const RcHeader& header = requests_.Header();
+  // Refuses command 0, because TakeAnswers() does not count a packet with command and tag 0.
+  if (header.command == 0)
+    return OwnAnswer{header, rcerrorUNKNOWN_COMMAND, "there is no command 0", false};
   // Each kind but a motion is refused, so that a kind that comes later is not allowed by mistake.
   const bool is_code = header.command == rcUPLOAD_BEGIN && requests_.PayloadSize() > 0 &&
                        requests_.Payload()[0] != rcfileMOTION;
@@ -186,18 +190,18 @@ std::optional<OwnAnswer> Forwarding::WhyNot() const {
 // Returns false if the connection must end.
 bool Forwarding::ForwardRequests() {
   for (;;) {
-    if (held_) {
+    if (delayed_) {
       if (unanswered_ > 0) return true;
-      Answer(*held_);
-      if (held_->ends_connection) return false;
-      held_.reset();
+      Answer(*delayed_);
+      if (delayed_->ends_connection) return false;
+      delayed_.reset();
     }
     const RcFramer::Result result = requests_.Next();
     if (result == RcFramer::NEEDS_MORE) return true;
     if (result == RcFramer::BROKEN) {
-      held_ =
+      delayed_ =
           OwnAnswer{{RC_HEADER_SIZE, RC_VERSION, 0, 0}, rcerrorBAD_PACKET, requests_.Error(), true};
-    } else if (held_ = WhyNot(); !held_) {
+    } else if (delayed_ = OwnAnswerToRequest(); !delayed_) {
       // A client acknowledges events with the command EVENT, which has no answer.
       if (requests_.Header().command != rcEVENT) ++unanswered_;
       if (!SendAll(robot_, requests_.Payload() - RC_HEADER_SIZE, requests_.Header().size))
@@ -244,9 +248,12 @@ void Forwarding::Forward() {
   Answer({first_, rcOK, "", false});
   if (!ForwardRequests()) return EndStream();
   for (;;) {
-    const bool is_reading = is_client_there_ && !held_;
-    pollfd both[2] = {{is_reading ? client_ : -1, POLLIN, 0}, {robot_, POLLIN, 0}};
+    const bool is_reading = is_client_there_ && !delayed_;
+    // Without POLLIN, poll() still tells when the client has closed its connection.
+    pollfd both[2] = {{client_, static_cast<short>(is_reading ? POLLIN : 0), 0},
+                      {robot_, POLLIN, 0}};
     if (poll(both, 2, -1) < 0 && errno != EINTR) return;
+    if (!is_reading && both[0].revents != 0) return;
     const bool goes_on =
         (both[1].revents == 0 || TakeAnswers()) && (both[0].revents == 0 || TakeRequests());
     if (!goes_on) return EndStream();
@@ -256,11 +263,13 @@ void Forwarding::Forward() {
 void Serve(int client, const RcForwarder::Rules& rules) {
   const int on = 1;
   setsockopt(client, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
+  setsockopt(client, SOL_SOCKET, SO_KEEPALIVE, &on, sizeof on);  // finds computers that are gone
   Forwarding forwarding(client, rules);
   const bool knows_token = forwarding.TakeToken();
-  --g_strangers;
+  const int clients = knows_token ? ++g_clients : 0;
+  --g_without_token;
   if (!knows_token) return;
-  if (++g_clients <= RcForwarder::kClientsMax) {
+  if (clients <= RcForwarder::kClientsMax) {
     forwarding.Forward();
   } else {
     forwarding.Refuse(rcerrorBUSY, "too many clients are connected");
@@ -276,17 +285,22 @@ RcForwarder::RcForwarder(RcCalls::FindAddress find_address, std::string token,
           Rules{std::move(find_address), std::move(token), allows_controllers})) {}
 
 void RcForwarder::Take(int connection) {
-  if (++g_strangers > kStrangersMax) {
-    --g_strangers;
+  if (++g_without_token > kWithoutTokenMax) {
+    --g_without_token;
     close(connection);
     return;
   }
-  std::thread([connection, rules = rules_] {
-    Serve(connection, *rules);
+  try {
+    std::thread([connection, rules = rules_] {
+      Serve(connection, *rules);
+      close(connection);
+    }).detach();
+  } catch (const std::system_error&) {  // this computer has no thread for the client
+    --g_without_token;
     close(connection);
-  }).detach();
+  }
 }
 
-bool RcForwarder::HasThreads() { return g_clients > 0 || g_strangers > 0; }
+bool RcForwarder::HasThreads() { return g_clients > 0 || g_without_token > 0; }
 
 }  // namespace openr_host

@@ -13,10 +13,10 @@ namespace openr_host {
 // not know the token.
 class RcForwarder {
  public:
-  // The most clients that may be connected at a time, and the most of them that have shown no token
-  // yet.  The robot itself serves eight clients.
+  // The most clients that this process serves at a time, and the most clients that have not shown
+  // the token yet.  A robot itself serves eight clients.
   static constexpr int kClientsMax = 16;
-  static constexpr int kStrangersMax = 16;
+  static constexpr int kWithoutTokenMax = 16;
   // The longest time in which a new client must show the token.
   static constexpr int kTokenTimeoutMs = 10'000;
   // The longest time for which a client, or the robot, may take no bytes that wait for it.

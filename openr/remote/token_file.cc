@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -29,6 +30,10 @@ std::string ReadTokenFile(const std::string& file) {
     throw std::runtime_error(fmt::format("{}: {}", file, std::strerror(errno)));
   if (!S_ISREG(facts.st_mode))
     throw std::runtime_error(fmt::format("{}: is no file, so it has no token", file));
+  if (facts.st_uid != geteuid()) {
+    throw std::runtime_error(fmt::format(
+        "{}: belongs to another user, who knows this token: make a file of your own", file));
+  }
   if ((facts.st_mode & (S_IRWXG | S_IRWXO)) != 0) {
     throw std::runtime_error(
         fmt::format("{0}: other users may read this token: chmod 600 {0}", file));

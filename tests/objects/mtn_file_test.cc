@@ -308,6 +308,14 @@ TEST(MtnFileTest, LeavingTheSoftwareLimitsIsAWarning) {
                                       "limits -1431170 to 750492"}));
 }
 
+TEST(MtnFileTest, LeavingTheSoftwareLimitsIsAWarningFromTheFirstKeyFrameOn) {
+  MtnFile file;
+  ASSERT_TRUE(Read(&file, MtnBytes::OneJoint(kTiltInFiles, {785398, 0}).Bytes()));
+  ASSERT_TRUE(file.MapTo(Ers210()));
+  ASSERT_EQ(file.Warnings().size(), 1u);
+  EXPECT_EQ(file.Warnings()[0].substr(0, 12), "key frame 0:");
+}
+
 TEST(MtnNameTest, IsWrittenInUpperCase) {
   char name[MTN_NAME_SIZE];
   std::string error;

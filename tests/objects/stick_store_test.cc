@@ -14,6 +14,15 @@ TEST_F(StickStoreTest, AStoreListsNothingBeforeItHasRead) {
   EXPECT_EQ(store.Count(), 0);
 }
 
+TEST_F(StickStoreTest, AnEmptyFileIsReadAndHasNothing) {
+  Write(Motion("EMPTY"), {});
+  Uint8 bytes[8];
+  Uint32 size = 99;
+  EXPECT_EQ(StickStore::ReadPart(Motion("EMPTY"), 0, bytes, sizeof bytes, &size), 0);
+  EXPECT_EQ(size, 0u);
+  EXPECT_EQ(StickStore::ReadPart(Motion("EMPTY"), 1, bytes, sizeof bytes, &size), -1);
+}
+
 TEST_F(StickStoreTest, AFileIsReplacedOnlyByAnotherFile) {
   Write(Motion("OLD"), {1});
   EXPECT_FALSE(StickStore::Replace(Motion("NONE"), Motion("OLD")));

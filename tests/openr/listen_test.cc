@@ -281,6 +281,23 @@ TEST_F(RcForwarderTest, AControllerIsForwardedIfThatIsAllowed) {
   EXPECT_EQ(NextRequest(), "50 3");
 }
 
+TEST_F(RcForwarderTest, CommandZeroIsAnsweredHere) {
+  ConnectWithToken();
+  Send(0, 0);
+  EXPECT_THAT(NextAnswer(), HasSubstr("0 0 status 3 there is no command 0"));
+  Send(rcUPLOAD_BEGIN, 3, {rcfileIMAGE});
+  EXPECT_THAT(NextAnswer(), HasSubstr("50 3 status 16"));
+}
+
+TEST_F(RcForwarderTest, AClientMayGoWhileItsAnswerWaits) {
+  ConnectWithToken();
+  Send(rcINFO, 2);
+  Send(rcUPLOAD_BEGIN, 3, {rcfileIMAGE});
+  EXPECT_EQ(NextRequest(), "1 2");
+  shutdown(clients_.back(), SHUT_RDWR);
+  EXPECT_EQ(NextRequest(), "end");  // the robot's connection ends without an answer
+}
+
 TEST_F(RcForwarderTest, BytesThatAreNoPacketAreAnsweredAndDoNotReachTheRobot) {
   ConnectWithToken();
   Send(rcINFO, 2);
@@ -301,11 +318,11 @@ TEST_F(RcForwarderTest, ARobotThatIsNotThereIsARefusal) {
   EXPECT_EQ(NextAnswer(), "end");
 }
 
-TEST_F(RcForwarderTest, StrangersAndClientsAreCounted) {
-  for (int i = 0; i < RcForwarder::kStrangersMax; ++i) Connect();
+TEST_F(RcForwarderTest, ClientsWithoutTheTokenAreCounted) {
+  for (int i = 0; i < RcForwarder::kWithoutTokenMax; ++i) Connect();
   Connect();
   EXPECT_EQ(NextAnswer(), "end");
-  // Strangers who go make room.
+  // Clients that go make room.
   for (const int client : clients_) shutdown(client, SHUT_RDWR);
   while (RcForwarder::HasThreads()) usleep(1000);
   for (int i = 0; i < RcForwarder::kClientsMax; ++i) {
@@ -329,9 +346,9 @@ class ListenRunTest : public PanelTest {
     ASSERT_TRUE(run_->WaitFor("state: accepting-commands")) << run_->heard();
     std::smatch match;
     const std::string& heard = run_->heard();
-    ASSERT_TRUE(std::regex_search(heard, match, std::regex("panel: http://HOST:(\\d+)/")));
+    ASSERT_TRUE(std::regex_search(heard, match, std::regex("panel: http://ADDRESS:(\\d+)/")));
     port_ = std::stoi(match[1]);
-    ASSERT_TRUE(std::regex_search(heard, match, std::regex("openr rc HOST:(\\d+) ")));
+    ASSERT_TRUE(std::regex_search(heard, match, std::regex("openr rc ADDRESS:(\\d+) ")));
     rc_port_ = match[1];
     token_ = openr::remote::ReadTokenFile(token_file_);
   }
@@ -350,7 +367,7 @@ class ListenRunTest : public PanelTest {
 
 TEST_F(ListenRunTest, OnlyTheTokenOpensTheRemoteControl) {
   Start();
-  EXPECT_THAT(run_->heard(), HasSubstr("other computers reach both at 0.0.0.0"));
+  EXPECT_THAT(run_->heard(), HasSubstr("reach both at all addresses of this computer"));
   EXPECT_THAT(run_->heard(), HasSubstr("uploads of controllers are off"));
   EXPECT_THAT(run_->heard(), Not(HasSubstr(token_)));
   const ProgramResult without = Rc({"info"});
@@ -390,6 +407,44 @@ TEST_F(ListenRunTest, ThePageNeedsTheTokenAndUploadsNoController) {
                   {"id", "b"}})
                 .dump());
   EXPECT_THAT(page.Receive(), HasSubstr("--allow-uploads"));
+}
+
+// Whoever goes back in a run and on from there has a new process with the same ports.
+TEST_F(ListenRunTest, TheRemoteControlFollowsARunThatGoesOnFromAnEarlierMoment) {
+  Start();
+  EXPECT_EQ(Rc({"--token-file", token_file_, "info"}).status, 0);
+  WebSocketClient page(port_, Known());
+  // Sends a request and returns its answer, without the events that come before it.
+  const auto ask = [&page](Json request) {
+    request["id"] = "a";
+    page.Send(request.dump());
+    std::string answer = page.Receive();
+    while (answer[0] == '{' && Json::parse(answer).value("id", "") != "a") answer = page.Receive();
+    return answer;
+  };
+  // Checkpoints are taken while a page watches.
+  page.Send(R"({"do":"watch","period_ms":100,"events":["clock"],"id":"w"})");
+  std::string back;
+  do {
+    back = ask({{"do", "rewind"}, {"back_s", 1}});
+  } while (back.find("no checkpoint yet") != std::string::npos);
+  EXPECT_THAT(back, Not(HasSubstr("error")));
+  const std::string branch = ask({{"do", "branch"}});
+  EXPECT_THAT(branch, HasSubstr("\"run\""));
+  const ProgramResult info = Rc({"--token-file", token_file_, "--timeout", "60s", "info"});
+  EXPECT_EQ(info.status, 0) << info.err << branch;
+}
+
+TEST_F(ListenRunTest, AnAddressThatIsNotThereEndsTheRunBeforeItBegins) {
+  const std::string record = folder_.path() + "/old.rec";
+  { std::ofstream(record) << "old"; }
+  const ProgramResult result =
+      RunProgram({"run", "--rc-port", "0", "--body", "ideal", "--for", "1s", "--listen",
+                  "192.0.2.1", "--token-file", token_file_, "--record", record});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_THAT(result.err, HasSubstr("this computer has no such address"));
+  std::ifstream file(record);
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(file), {}), "old");
 }
 
 TEST_F(ListenRunTest, ARunWhoseTokenIsNoSecretDoesNotBegin) {

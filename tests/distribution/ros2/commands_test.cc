@@ -12,7 +12,7 @@ using ::testing::HasSubstr;
 
 constexpr const char* kTopic = "rt/aibo/joint_command";
 
-size_t CountOf(const std::string& part, const std::string& text) {
+size_t OccurrencesOf(const std::string& part, const std::string& text) {
   size_t count = 0;
   for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
   return count;
@@ -66,9 +66,10 @@ TEST(Ros2CommandsTest, AnInvalidCommandIsRefusedOnceByName) {
   // An invalid command moves no joint, nor the valid ones in it.
   EXPECT_NEAR(run.peer().Position("aibo", "neck_pan"), 0, 0.02);
   const ProgramResult& result = run.End();
-  EXPECT_EQ(CountOf("'nose' is no joint of the ERS-210; there are neck_tilt, ", result.err), 1u);
-  EXPECT_EQ(CountOf("the position of neck_pan is no number", result.err), 1u);
-  EXPECT_EQ(CountOf("1 names, 0 positions", result.err), 1u);
+  EXPECT_EQ(OccurrencesOf("'nose' is no joint of the ERS-210; there are neck_tilt, ", result.err),
+            1u);
+  EXPECT_EQ(OccurrencesOf("the position of neck_pan is no number", result.err), 1u);
+  EXPECT_EQ(OccurrencesOf("1 names, 0 positions", result.err), 1u);
 }
 
 TEST(Ros2CommandsTest, AfterTwentyComplaintsTheRestIsCounted) {
@@ -76,7 +77,7 @@ TEST(Ros2CommandsTest, AfterTwentyComplaintsTheRestIsCounted) {
   for (int i = 0; i < 25; ++i) run.peer().Do({"command", kTopic, "j" + std::to_string(i) + "=0"});
   ASSERT_TRUE(run.program().WaitFor("ROS 2: no more of this is said of /aibo"));
   const ProgramResult& result = run.End();
-  EXPECT_EQ(CountOf("is no joint of", result.err), 20u);
+  EXPECT_EQ(OccurrencesOf("is no joint of", result.err), 20u);
   EXPECT_THAT(result.err, HasSubstr("ROS 2: /aibo: 5 more complaints were not said"));
 }
 

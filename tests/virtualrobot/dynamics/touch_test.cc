@@ -101,6 +101,18 @@ TEST(TouchTest, AnEdgeThatLeansOverAPoleTouchesItsRim) {
   }
 }
 
+// The points of the side are found in each direction, also between the axes of the cylinder.
+TEST(TouchTest, TwoPolesAsideOfEachOthersAxes) {
+  WorldThing other = Pole(0.05, 0.4);
+  other.centre_m += Vector3d(0.09 / std::sqrt(2), 0.09 / std::sqrt(2), 0);
+  std::vector<TouchPoint> points;
+  TouchCylinders(Pole(0.05, 0.4), other, &points);
+  ASSERT_FALSE(points.empty());
+  EXPECT_NEAR(points[0].depth_m, 0.01, 1e-12);
+  EXPECT_NEAR(std::fabs(points[0].normal_W.x()), std::sqrt(0.5), 1e-9);
+  EXPECT_NEAR(std::fabs(points[0].normal_W.y()), std::sqrt(0.5), 1e-9);
+}
+
 TEST(TouchTest, CornersOfABoxOnAStool) {
   std::vector<TouchPoint> points;
   TouchBox({0, 0, 0.448}, Matrix3d::Identity(), {0.1, 0.1, 0.1}, Pole(0.2, 0.4), &points);
