@@ -49,8 +49,8 @@ LIMIT_S = 120  # for one run: generous, since a machine may be slow
 REASON = re.compile(r"^(openr|\S*/openr): |ended by |^EXCEPTION |error while loading shared libraries", re.M)
 # Calls without which temporary files cannot be removed.
 REMOVING = ("unlink", "unlinkat", "rmdir", "getdents64", "openat", "close")
-# Cyclone DDS ends the process itself, with a line that says why, when it gets no thread or no pipe.
-DDS_ABORTS = ("clone3", "pipe2")
+# Cyclone DDS ends the process itself, with a line that says why, when it gets no thread, no stack or no pipe.
+DDS_ABORTS = ("clone3", "pipe2", "mmap", "mprotect")
 # Statuses of the documents, and 127: the dynamic linker could not load the program.
 STATUSES = (0, 1, 2, 127)
 
