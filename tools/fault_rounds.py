@@ -46,7 +46,7 @@ ERRORS = {
     "eventfd2": "EMFILE", "epoll_create1": "EMFILE", "memfd_create": "EMFILE", "execve": "ENOENT",
 }
 LIMIT_S = 120  # for one run: generous, since a machine may be slow
-REASON = re.compile(r"^(openr|\S*/openr): |ended by |^EXCEPTION |error while loading shared libraries", re.M)
+REASON = re.compile(r"^(openr|\S*/openr|error): |ended by |^EXCEPTION |error while loading shared libraries", re.M)
 # Calls without which temporary files cannot be removed.
 REMOVING = ("unlink", "unlinkat", "rmdir", "getdents64", "openat", "close")
 # Cyclone DDS ends the process itself, with a line that says why, when it gets no thread, no stack or no pipe.
