@@ -157,7 +157,6 @@ class Panel : public WebService {
   // The remote control that is forwarded, one for each robot (--listen).
   struct Forwarded {
     uint16_t port;
-    int descriptor;
     RcForwarder forwarder;
     Listener listener;
   };
@@ -255,9 +254,8 @@ void Panel::ForwardRemoteControl(int robot) {
     return AcceptAll(descriptor,
                      [this, index](int client) { forwarded_[index].forwarder.Take(client); });
   };
-  forwarded_.push_back({port, descriptor,
-                        RcForwarder(find, access_.token(), listen_.allows_controllers),
-                        Listener(accept)});
+  forwarded_.push_back(
+      {port, RcForwarder(find, access_.token(), listen_.allows_controllers), Listener(accept)});
   Watch(descriptor, &forwarded_.back().listener);
 }
 

@@ -409,7 +409,7 @@ TEST_F(ListenRunTest, ThePageNeedsTheTokenAndUploadsNoController) {
   EXPECT_THAT(page.Receive(), HasSubstr("--allow-uploads"));
 }
 
-// Whoever goes back in a run and on from there has a new process with the same ports.
+// A run that goes on from an earlier moment is a new process with the same ports.
 TEST_F(ListenRunTest, TheRemoteControlFollowsARunThatGoesOnFromAnEarlierMoment) {
   Start();
   EXPECT_EQ(Rc({"--token-file", token_file_, "info"}).status, 0);

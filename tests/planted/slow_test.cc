@@ -23,7 +23,7 @@ class Sleeper : public Actor {
   const bool sleeps_;
 };
 
-// Of the two processes that run each seed, one always sleeps.
+// Two processes run each seed, and one of the two always sleeps.
 TEST(PlantedSlowTest, ASeedWhoseSecondRunTakesTooLongIsNotCompared) {
   void* const memory =
       mmap(nullptr, sizeof(int), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
