@@ -10,19 +10,8 @@
 namespace openr_host {
 namespace {
 
-class FormsConformance : public testing::Test {
+class FormsConformance : public TwoObserversTest {
  protected:
-  FormsConformance() {
-    system.AddRobot("ERS-210", nullptr);
-    sender = system.AddObject<SubjectProbe>(0, "sender");
-    first = system.AddObject<ObserverProbe>(0, "first", "First.In.Number.O");
-    second = system.AddObject<ObserverProbe>(0, "second", "Second.In.Number.O");
-    system.Connect({0, "Sender.Out.Number.S", "First.In.Number.O", "test"});
-    system.Connect({0, "Sender.Out.Number.S", "Second.In.Number.O", "test"});
-    system.Boot();
-    Settle();
-  }
-  void Settle() { system.RunFor(1000); }
   void AssertReady(ObserverProbe* observer) {
     RunAs(observer, [&] { observer->in->AssertReady(); });
     Settle();
@@ -30,11 +19,6 @@ class FormsConformance : public testing::Test {
   OStatus SetFor(const ObserverID& id, int value) {
     return sender->out->SetData(id, &value, sizeof value);
   }
-
-  System system;
-  SubjectProbe* sender;
-  ObserverProbe* first;
-  ObserverProbe* second;
 };
 
 using Events = std::vector<std::string>;

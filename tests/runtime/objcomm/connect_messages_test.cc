@@ -12,20 +12,8 @@ namespace {
 
 using Events = std::vector<std::string>;
 
-class ConnectMessagesTest : public testing::Test {
+class ConnectMessagesTest : public TwoObserversTest {
  protected:
-  ConnectMessagesTest() {
-    system.AddRobot("ERS-210", nullptr);
-    sender = system.AddObject<SubjectProbe>(0, "sender");
-    first = system.AddObject<ObserverProbe>(0, "first", "First.In.Number.O");
-    second = system.AddObject<ObserverProbe>(0, "second", "Second.In.Number.O");
-    system.Connect({0, "Sender.Out.Number.S", "First.In.Number.O", "test"});
-    system.Connect({0, "Sender.Out.Number.S", "Second.In.Number.O", "test"});
-    system.Boot();
-    Settle();
-  }
-  void Settle() { system.RunFor(1000); }
-
   static uint32_t EntryOf(CodeObject* object, const std::string& name) {
     for (const auto& [selector, entry_name] : object->host().entry_names) {
       if (entry_name == name) return selector;
@@ -47,11 +35,6 @@ class ConnectMessagesTest : public testing::Test {
     Settle();
   }
   void DisconnectFirst() { Disconnect(first, "First.In.Number.O"); }
-
-  System system;
-  SubjectProbe* sender;
-  ObserverProbe* first;
-  ObserverProbe* second;
 };
 
 TEST_F(ConnectMessagesTest, AfterADisconnectNeitherSideKnowsTheOther) {

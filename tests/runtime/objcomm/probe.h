@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include <cstring>
 #include <functional>
@@ -70,5 +71,26 @@ inline void RunAs(CodeObject* object, const std::function<void()>& body) {
   const CurrentScope scope(&object->system(), &object->host());
   body();
 }
+
+// A sender whose subject is connected with two observers, in a system that has started.
+class TwoObserversTest : public testing::Test {
+ protected:
+  TwoObserversTest() {
+    system.AddRobot("ERS-210", nullptr);
+    sender = system.AddObject<SubjectProbe>(0, "sender");
+    first = system.AddObject<ObserverProbe>(0, "first", "First.In.Number.O");
+    second = system.AddObject<ObserverProbe>(0, "second", "Second.In.Number.O");
+    system.Connect({0, "Sender.Out.Number.S", "First.In.Number.O", "test"});
+    system.Connect({0, "Sender.Out.Number.S", "Second.In.Number.O", "test"});
+    system.Boot();
+    Settle();
+  }
+  void Settle() { system.RunFor(1000); }
+
+  System system;
+  SubjectProbe* sender;
+  ObserverProbe* first;
+  ObserverProbe* second;
+};
 
 }  // namespace openr_host
