@@ -21,6 +21,7 @@
 #include "openr/graph/graph_view.h"
 #include "openr/run/report.h"
 #include "openr/simulation/run_stick.h"
+#include "openr/simulation/sanitizer_start.h"
 
 namespace openr_host {
 namespace {
@@ -90,7 +91,10 @@ void AddGraphCommand(CLI::App* app, int* exit_code) {
                   "Run for this virtual time first: shows states and counts of events");
   command->add_option("-o,--output", flags->file, "File to write (default: standard output)")
       ->check(IsWritable());
-  command->callback([flags, exit_code] { *exit_code = Graph(*flags); });
+  command->callback([flags, exit_code] {
+    StartWithSanitizerOf(flags->simulation.stick);
+    *exit_code = Graph(*flags);
+  });
 }
 
 }  // namespace openr_host

@@ -52,13 +52,16 @@ std::string BytesOf(const std::string& file) {
 
 // Replays the recording and returns the values of its quantities over time.
 Table TableOfRecording(const PlotFlags& flags) {
+  const ReplayOptions replay = {
+      .file = flags.file, .stick = flags.stick, .console = [](std::string_view) {}};
+  StartWithSanitizerOfRecording(replay);
   const EndingAnswer answer(-1);
   const CrashLog crash_log({});
   const Watchdog watchdog(kHandlerLimitUs);
   const TempFolder folder;
   DataLogOptions log;
   log.file = folder.path() + "/run.csv";
-  Replayer replayer({.file = flags.file, .stick = flags.stick, .console = [](std::string_view) {}});
+  Replayer replayer(replay);
   const std::string problem = LogReplay(&replayer, log, "", flags.until_us);
   if (!problem.empty()) throw std::runtime_error(problem);
   if (!replayer.difference().empty()) {

@@ -253,6 +253,7 @@ void AddReplayCommand(CLI::App* app, int* exit_code) {
   command->callback([command, flags, exit_code] {
     if (command->count("--rate") > 0 && !flags->panel && !flags->continue_at_us)
       throw CLI::ValidationError("--rate", "needs --panel or --continue-at");
+    StartWithSanitizerOfRecording(flags->replay);
     *exit_code = Replay(*flags);
   });
 }

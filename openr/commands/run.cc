@@ -432,6 +432,7 @@ void AddRunCommand(CLI::App* app, int* exit_code) {
     if (flags->jobs > 0 && command->count("--rate") == 0) flags->rate = "max";
     if (!flags->gdb.empty()) StartUnderGdb(flags->gdb, flags->simulation.stick);
     StartWithSanitizerOf(flags->simulation.stick);
+    for (const std::string& stick : flags->simulation.more_sticks) StartWithSanitizerOf(stick);
     *exit_code = flags->jobs > 0 ? RunJobs(*flags) : CommandedRun(*flags).Run();
   });
 }

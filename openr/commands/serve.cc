@@ -17,6 +17,7 @@
 #include "openr/serve/command_table.h"
 #include "openr/serve/request_pipe.h"
 #include "openr/serve/run_server.h"
+#include "openr/simulation/sanitizer_start.h"
 
 namespace openr_host {
 namespace {
@@ -50,11 +51,16 @@ void AddServeCommand(CLI::App* app, int* exit_code) {
       "(docs/python.md)");
   auto describes = std::make_shared<bool>(false);
   command->add_flag("--describe", *describes, "Print the commands and their parameters as JSON");
-  command->callback([describes, exit_code] {
+  auto stick = std::make_shared<std::string>();
+  command->add_option("--stick", *stick,
+                      "The stick that \"start\" will name; needed if its objects were built with "
+                      "--sanitize");
+  command->callback([describes, stick, exit_code] {
     if (*describes) {
       PrintAnswer(JsonText(DescribeRunCommands(), 2) + "\n");
       return;
     }
+    StartWithSanitizerOf(*stick);
     *exit_code = RunServe();
   });
 }

@@ -15,6 +15,7 @@
 #include "openr/inspect/recorded_network.h"
 #include "openr/inspect/trace_text.h"
 #include "openr/simulation/run_stick.h"
+#include "openr/simulation/sanitizer_start.h"
 #include "runtime/base/spelling.h"
 
 namespace openr_host {
@@ -42,6 +43,12 @@ std::string ValuesThatDiffer(const RobotModel& model, const std::string& entry,
 }
 
 }  // namespace
+
+void StartWithSanitizerOfRecording(const ReplayOptions& options) {
+  const TraceReader reader(options.file);
+  StartWithSanitizerOf(options.stick.empty() ? reader.header().stick : options.stick);
+  for (const std::string& stick : reader.header().more_sticks) StartWithSanitizerOf(stick);
+}
 
 SimulationOptions Replayer::OptionsOf(const TraceHeader& header, const ReplayOptions& replay) {
   SimulationOptions options;

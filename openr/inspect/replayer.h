@@ -35,6 +35,11 @@ struct ReplayOptions {
       begin = {};
 };
 
+// If images on a Memory Stick of the recording were built with openr build --sanitize, starts the
+// program again as StartWithSanitizerOf() does.  Commands call this before they construct a
+// Replayer and before they open other files.
+void StartWithSanitizerOfRecording(const ReplayOptions& options);
+
 class Replayer : public KnownRun {
  public:
   // Assembles the run and boots it, on a copy of the Memory Stick with its content at the beginning

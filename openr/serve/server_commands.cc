@@ -13,6 +13,7 @@
 #include "openr/explore/property_file.h"
 #include "openr/serve/run_server.h"
 #include "openr/simulation/network_setup.h"
+#include "openr/simulation/sanitizer_start.h"
 #include "runtime/config/diagnostic.h"
 #include "virtualrobot/det_math.h"
 
@@ -54,6 +55,12 @@ ServedRunOptions OptionsOf(const nlohmann::json& request) {
   ServedRunOptions options;
   SimulationOptions& simulation = options.simulation;
   simulation.stick = TextOf(request, "stick");
+  if (!MissingSanitizer(simulation.stick).empty()) {
+    throw std::runtime_error(
+        fmt::format("{}: its objects were built with --sanitize; start the server with openr serve "
+                    "--stick {}",
+                    simulation.stick, simulation.stick));
+  }
   simulation.robot = TextOf(request, "robot");
   simulation.world = TextOf(request, "world");
   simulation.body = TextOf(request, "body");

@@ -59,9 +59,12 @@ void Prepend(const char* name, const std::string& text, char separator) {
 
 }  // namespace
 
+std::string MissingSanitizer(const std::string& stick) {
+  return stick.empty() || IsAddressSanitized() ? "" : SanitizerOfStick(stick);
+}
+
 void StartWithSanitizerOf(const std::string& stick) {
-  if (stick.empty() || IsAddressSanitized()) return;
-  const std::string library = SanitizerOfStick(stick);
+  const std::string library = MissingSanitizer(stick);
   if (library.empty()) return;
   if (std::getenv(kStartedVariable) != nullptr) {
     throw std::runtime_error(fmt::format(

@@ -5,11 +5,15 @@
 
 namespace openr_host {
 
-// If an image on the stick in the folder `stick` was built with openr build --sanitize, replaces
-// this process by the same program with the same arguments, into which the library of
-// AddressSanitizer is loaded first.  The library must come before all others, because it replaces
-// malloc().  Returns if no image needs it, or if the process has it.  `stick` "" is the default
-// stick, whose images do not need it.  Throws std::runtime_error if the library cannot be loaded.
+// Returns the path of the library of AddressSanitizer if this process does not have it and an image
+// on the stick in the folder `stick` needs it, because it was built with openr build --sanitize;
+// otherwise "".  `stick` "" is the default stick, whose images do not need the library.
+std::string MissingSanitizer(const std::string& stick);
+
+// If MissingSanitizer() of the stick is a library, replaces this process by the same program with
+// the same arguments, into which that library is loaded first.  The library must come before all
+// others, because it replaces malloc().  Returns if no library is missing.  Throws
+// std::runtime_error if the library cannot be loaded.
 void StartWithSanitizerOf(const std::string& stick);
 
 }  // namespace openr_host

@@ -46,9 +46,9 @@ def find_program(program: Optional[str] = None) -> str:
 class Channel:
     """The process of a run, or a copy of one, and the socket to it."""
 
-    def __init__(self, program: Optional[str] = None) -> None:
+    def __init__(self, program: Optional[str] = None, stick: str = "") -> None:
         ours, theirs = socket.socketpair()
-        command = [find_program(program), "serve"]
+        command = [find_program(program), "serve", *(["--stick", stick] if stick else [])]
         try:
             popen = subprocess.Popen(command, stdin=theirs.fileno(), stdout=theirs.fileno())
         except OSError as error:

@@ -107,7 +107,7 @@ class Run:
                  record: Union[str, "os.PathLike[str]"] = "", payloads: bool = True,
                  log: str = "info", echo: bool = False, handler_limit_s: float = 10.0,
                  boot: bool = True, program: Optional[str] = None) -> None:
-        self._take(Channel(program))
+        self._take(Channel(program, os.fspath(stick)))
         self.record = os.fspath(record)
         try:
             about, _ = self._commands.start(

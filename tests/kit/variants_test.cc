@@ -26,9 +26,11 @@ class Variant {
     EXPECT_EQ(built.status, 0) << built.err;
   }
 
-  ProgramResult Run() const {
-    return RunProgram({"run", "--stick", folder_.File("MS"), "--for", "100ms", "--rate", "max",
-                       "--no-panel", "--rc-port", "0"});
+  ProgramResult Run(const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> words = {"run",    "--stick", folder_.File("MS"), "--for",     "100ms",
+                                      "--rate", "max",     "--no-panel",       "--rc-port", "0"};
+    words.insert(words.end(), more.begin(), more.end());
+    return RunProgram(words);
   }
   const KitFolder& folder() const { return folder_; }
 
@@ -37,6 +39,18 @@ class Variant {
 };
 
 #if !defined(__SANITIZE_ADDRESS__)  // a program with sanitizers cannot load these images
+
+TEST(VariantsTest, ARecordingIsReplayedWithTheLibraryThatItsImagesNeed) {
+  const Variant program("--sanitize", "    volatile double sum = 0.5;\n    sum = sum + 1;");
+  const std::string file = program.folder().File("run.rec");
+  ASSERT_EQ(program.Run({"--record", file}).status, 0);
+  const ProgramResult replayed = RunProgram({"replay", file});
+  EXPECT_EQ(replayed.status, 0) << replayed.err;
+  EXPECT_THAT(replayed.err, HasSubstr("equal, 0.100 s of virtual time"));
+  const ProgramResult plotted =
+      RunProgram({"plot", file, "neck_pan", "-o", program.folder().File("neck.svg")});
+  EXPECT_EQ(plotted.status, 0) << plotted.err;
+}
 
 TEST(VariantsTest, AHeapOverflowEndsTheRunAndNamesTheLine) {
   const Variant program(

@@ -48,6 +48,13 @@ class EndingTest(unittest.TestCase):
         with self.assertRaises(openr_host.ProcessError):
             run.step()
 
+    def test_objects_built_with_sanitizers_run(self):
+        folder = self.root / "Checked"
+        for words in (["new", "Checked", folder], ["build", "--sanitize", folder]):
+            subprocess.run([find_program(), *words], check=True, capture_output=True)
+        with openr_host.Run(folder / "MS", body="ideal") as run:
+            self.assertIn("checked", [each["name"] for each in run.objects()])
+
     def test_standard_error_says_what_the_message_of_a_crash_said(self):
         self.addCleanup((self.sticks["Crasher"] / "OPEN-R/EMON.LOG").unlink)
         with tempfile.TemporaryFile() as heard:
