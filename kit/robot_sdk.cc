@@ -88,7 +88,7 @@ void RobotSdk::Compile(const fs::path& source, const fs::path& object,
   const bool is_cxx = source.extension() != ".c";
   const fs::path include = root_ / "OPEN_R/include";
   std::vector<std::string> command = {
-      Tool(is_cxx ? "bin/mipsel-linux-g++" : "bin/mipsel-linux-gcc"), "-O2", "-Wall"};
+      Tool(is_cxx ? "bin/mipsel-linux-g++" : "bin/mipsel-linux-gcc"), "-O2", "-g", "-Wall"};
   command.insert(command.end(), options.begin(), options.end());
   for (const fs::path& folder : {include / "R4000", include / "MCOOP", include})
     command.push_back("-I" + folder.string());

@@ -23,6 +23,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Name of the folder beside OPEN-R/ for the ELF files of the images.
+constexpr char kElfFolder[] = "elf";
+
 struct RobotObject {
   const char* name;   // name of the object's class, folder and files
   const char* image;  // file name in OBJECT.CFG
@@ -151,6 +154,17 @@ class RobotStick {
     if (RunGzcp({made, On("MW/OBJS", object.image)}) != 0) {
       throw std::runtime_error(fmt::format("{}: cannot be compressed", object.image));
     }
+    KeepElfFile(made);
+  }
+
+  // Keeps the ELF file with line numbers that mkbin leaves beside an image, for openr emon.  It is
+  // not in OPEN-R/, because it does not belong on the robot's stick.
+  void KeepElfFile(const fs::path& image) {
+    const fs::path elf = fs::path(image).replace_extension(".nosnap.elf");
+    std::error_code error;
+    if (!fs::exists(elf, error)) return;
+    fs::create_directories(draft_.stick() / kElfFolder);
+    fs::copy_file(elf, draft_.stick() / kElfFolder / elf.filename());
   }
 
   // Compiles the controller.  Its main() gets the name controller_main(), because the generated
@@ -224,6 +238,10 @@ class RobotStick {
     }
     fmt::print("base: {}\n", base_.string());
     fmt::print("copy {}/OPEN-R to a Programming Memory Stick\n", output.string());
+    if (std::error_code error; fs::exists(output / kElfFolder, error)) {
+      fmt::print("keep {}, which openr emon needs to read a crash of these objects\n",
+                 (output / kElfFolder).string());
+    }
   }
 
   const RobotStickOptions options_;

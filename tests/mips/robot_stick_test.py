@@ -45,7 +45,8 @@ while [ $# -gt 0 ]; do
 done
 grep -q '^object' "$ocf"
 echo "$(basename "$out"):$libraries" >>"$FAKE_LOG"
-exec mipsel-linux-gnu-ld -EL -r -o "$out" $objects
+mipsel-linux-gnu-ld -EL -r -o "${out%.*}.nosnap.elf" $objects
+exec mipsel-linux-gnu-strip --strip-debug -o "$out" "${out%.*}.nosnap.elf"
 """
 TEMPLATE = "# template\r\n\r\n"
 BASE_FILES = {
@@ -140,6 +141,10 @@ def test_stick(kit):
         verdict(f"{name}.BIN is a gzipped MIPS ELF",
                 image[:6] == b"\x7fELF\x01\x01" and image[18:20] == b"\x08\x00", str(packed[:20]))
         verdict(f"{name}.BIN has the stub's table", b"ObjectEntryTable" in image)
+        elf = kit.folder / f"MS/elf/{name}.nosnap.elf"
+        verdict(f"{name}'s lines are beside the stick", elf.is_file() and b".debug_line" in elf.read_bytes()
+                and b".debug_line" not in image, str(elf))
+    verdict("and the command says what for", "MS/elf, which openr emon needs" in said, said)
     verdict("the controller's main is in", b"controller_main" in
             gzip.decompress((stick / "MW/OBJS/CONTROLL.BIN").read_bytes()))
     log = kit.log.read_text()
