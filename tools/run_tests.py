@@ -123,9 +123,9 @@ def jobs(build, pattern, quick):
     page = ROOT / "tools/page_test.py"
     if pattern in page.name:
         found.append((page.name, [sys.executable, str(page), "--build", str(build)], {}))
-    for data in sorted(ROOT.glob("tests/data/*_test.py")):
-        if pattern in data.name:
-            found.append((data.name, [sys.executable, str(data), "--build", str(build)], {}))
+    for script in sorted(ROOT.glob("tests/data/*_test.py")) + sorted(ROOT.glob("tests/distribution/*_test.py")):
+        if pattern in script.name:
+            found.append((script.name, [sys.executable, str(script), "--build", str(build)], {}))
     return waiting, found, alone
 
 
