@@ -8,7 +8,7 @@ if [ ! -f build/release/compile_commands.json ]; then
   echo 'tools/tidy.sh: no build/release; run ./dev build release first' >&2
   exit 2
 fi
-python3 - <<'PYTHON' | xargs -r -P "$(nproc)" -n 1 clang-tidy -p build/release --quiet 2>/dev/null
+python3 - <<'PYTHON' | xargs -r -P "$(nproc)" -n 1 clang-tidy -p build/release --quiet --extra-arg=-Qunused-arguments 2>/dev/null
 import json
 
 product = ("runtime", "virtualrobot", "distribution", "cli", "kit", "openr", "testing")
