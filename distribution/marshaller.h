@@ -127,9 +127,9 @@ class Marshaller {
 
   uint64_t last_token_ = 0;
   std::map<uint64_t, ExportedRegion> exported_;  // the key is the token that this process gave
-  // Memory ids of regions that TakeExportedBy() has returned and that the peer may still use.  The
-  // key is the token.  The ids are kept so that a late ready message for such a region is not taken
-  // for an error.
+  // Regions that TakeExportedBy() has returned and that the peer may still use.  The key is the
+  // token under which the region was sent to the peer, the value is the region's memory id.  They
+  // are kept so that a late ready message for such a region is not taken for an error.
   std::map<uint64_t, uint32_t> withdrawn_;
   // The imported regions; the key is the RCRegion in this process.  The order of pointers differs
   // from run to run, so loops over this map must give the same result in any order.

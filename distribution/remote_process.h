@@ -63,8 +63,9 @@ class RemoteProcess {
   void WaitForJoin(int64_t limit_ms, const std::string& advice,
                    const std::function<bool()>& is_ending);
 
-  // Returns the bytes of heap used on `robot`, without the bytes that this worker's objects use.
-  // This number is sent to the worker, because all objects of a robot share its memory.
+  // Returns the bytes of heap used on `robot` by all objects but those of this worker.  The worker
+  // needs this number to know how much of the robot's memory is left, because all objects of a
+  // robot share its memory.
   uint64_t HeapElsewhere(System* system, int robot) const;
 
   // Sends the worker the settings of the run, such as seed and stick.

@@ -396,8 +396,8 @@ void WorkerGroup::End() {
   // end at the same time.
   for (auto& [name, member] : members_) member.process->End(why);
   for (auto& [name, member] : members_) {
-    // Gives a worker that has not joined no time to end, because it was not told that the run is
-    // over. WaitForEnd() kills such a worker at once.
+    // Does not wait for a worker that has not joined.  It was not told that the run is over, so it
+    // would not end by itself.  WaitForEnd() kills such a worker at once.
     const bool has_come = member.process->identity().pid != 0;
     const int64_t limit_ms = IsInterrupted() ? kInterruptedExitWaitMs : kExitWaitMs;
     if (member.child != nullptr) member.child->WaitForEnd(has_come ? limit_ms : 0);

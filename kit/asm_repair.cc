@@ -145,8 +145,8 @@ int LineOf(const std::string& text, size_t at) {
 }
 
 // Returns the last line that a message of the assembler about the asm statement `use` may name.
-// This line may be after the end of the statement, because the assembler counts the line ends in
-// its instructions too.
+// This line may be after the end of the statement, because the assembler counts each "\n" in the
+// statement's text as a new line too.
 int LastLineOf(const AsmUse& use, const std::string& text) {
   const std::string assembly =
       TemplateOf(std::string_view(text).substr(use.begin, use.end - use.begin));

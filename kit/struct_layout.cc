@@ -64,7 +64,8 @@ std::optional<StructLayout> LayoutOf(Dwarf_Die* die) {
   return layout;
 }
 
-// Adds to `layouts` each layout that a compilation of `dwarf` gives the type `name`.
+// Adds to `layouts` each layout of the type `name` in the debug information `dwarf`.  Each
+// compilation unit of the image may have another one.
 void Collect(Dwarf* dwarf, const std::string& name, std::vector<StructLayout>* layouts) {
   Dwarf_CU* unit = nullptr;
   Dwarf_Die root, child;

@@ -336,7 +336,8 @@ class Bench {
 
   BenchStick& stick() { return *stick_; }
 
-  // Adds a network client on another computer.  Its script says what it sends and expects.
+  // Adds a simulated network client, which is on another computer for the robot.  Its script says
+  // what it sends and expects.
   TcpClient& AddClient();
   // Returns the network that the robot is on.  A test can add other computers and host names to it.
   const std::shared_ptr<openr_host::LoopbackHub>& network() const { return hub_; }

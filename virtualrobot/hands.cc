@@ -354,8 +354,8 @@ void Hands::LetGo() {
   robot_.body->Hold({});
 }
 
-// Moves the hand that holds the trunk, for one frame.  If the hand sets the robot down, and
-// something carries the robot, the hand lets go.
+// Moves the hand that holds the trunk, for one frame.  A hand that sets the robot down lets go as
+// soon as the robot stands or lies on the floor or on a thing.
 void Hands::MoveGrip() {
   double& z_m = grip_->X_WB.translation().z();
   if (grip_->sets_down) {

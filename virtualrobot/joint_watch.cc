@@ -23,8 +23,9 @@ const double kFar_rad = Radians(10);
 // is our choice.  For example, the head of an ERS-210 sinks 27 degrees in 136 ms, which is no
 // mistake of the program.
 constexpr int kHalfSecondFrames = 62;
-// Smallest change of a set point in one frame that counts as a jump.  The number is our choice: the
-// vendor's own walks change set points by up to 20 degrees in a frame.
+// Smallest change of a set point in one frame that counts as a jump.  The number is our choice.  It
+// is above 20 degrees, by which the vendor's own walks change set points in a frame, so that these
+// are not reported.
 const slongword kJumpUrad = static_cast<slongword>(Radians(30) / kRadPerUrad);
 // Set points count as radians when they are 1 to 10 microradians, positive or negative, for 32
 // frames (a quarter of a second).  The numbers are our choice.

@@ -46,7 +46,7 @@ class StiffRobot {
   std::vector<double> angles_rad_;  // angles that SetAngle() has set
   std::vector<double> placed_rad_;  // angles for which X_BL_ and hull_ were computed
   std::vector<Eigen::Isometry3d> X_BL_;
-  // For each part: mass times centre of mass, in kg m and in B.
+  // For each part: its mass in kg times its centre of mass in metres, a vector in the frame B.
   std::vector<Eigen::Vector3d> moments_;
   // For each part, whether Move() has to compute its pose again.  Used by Move() only; a member to
   // save allocations.

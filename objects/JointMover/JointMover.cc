@@ -98,8 +98,8 @@ JointMover::NewRegions()
 
 // ---- Command vectors -----------------------------------------------------------------
 
-// Handles the end of a command vector: each vector causes one ready event at its end.  By then the
-// region of the vector is free.
+// Handles the ready event that the effector sends at the end of each command vector.  The region of
+// that vector is free then, so the next vector can be made in it.
 void
 JointMover::ReadyMove(const OReadyEvent& event)
 {

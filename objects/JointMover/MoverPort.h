@@ -17,7 +17,7 @@ public:
     virtual Sint32 Measure(int joint) = 0;
 
     // Enables the gain of a joint and sets its values: the P, I and D gain in `gain`, and the
-    // shifts of the robot's table.
+    // shifts that RobotDescription has for the joint.
     virtual void EnableGain(int joint, const Sint32 gain[3]) = 0;
 
     // Disables the gain of a joint, which becomes limp.

@@ -52,7 +52,8 @@ struct RewindParts {
   // A function that is called in the process of a new checkpoint.  It makes this process print
   // nothing, and leave the sockets of the original process alone.
   std::function<void()> become_copy;
-  // A function that is called after each frame of a view.
+  // A function that is called after each frame that a view, the process that shows a past moment,
+  // runs.
   std::function<void()> after_frame;
   // A function that is called in a view before an input line is repeated.
   std::function<void(int robot, const std::string& line)> before_input;

@@ -243,8 +243,9 @@ void Dispatcher::Loop() {
 }
 
 void Dispatcher::AdvanceTo(int64_t time_us) {
-  // A step of 1 us may come from creep_us(), which slows down objects that answer each other
-  // without waiting.  So such a step does not reset the count of messages at one instant.
+  // Goes on counting the messages of one instant after a step of 1 us.  Such a step may come from
+  // creep_us(), which slows down objects that answer each other without waiting, and the count is
+  // what finds such objects.
   if (time_us > system_->now_us_ + 1) deliveries_at_instant_ = 0;
   system_->queue_.Advance(time_us);
   system_->now_us_ = time_us;

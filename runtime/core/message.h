@@ -141,7 +141,8 @@ class MessageQueue {
     bool operator<(const Later& other) const;
   };
 
-  // A level is a class and a priority; level 0 is delivered first.
+  // Returns the level of a message: one number for its class, which counts first, and its priority.
+  // Messages of a lower level are delivered first.
   static uint32_t LevelOf(const Message& message, int priority) {
     return static_cast<uint32_t>(message.message_class) * kPriorities + (kPriorities - 1) -
            static_cast<uint32_t>(priority);

@@ -11,8 +11,9 @@
 namespace openr_host {
 namespace {
 
-// Describes the sending end of `message`: "the subject 'A.B.C.S'", "an answer" or "a message to
-// JointMover, Move (Notify)".
+// Describes for a report what sent `message`: "the subject 'A.B.C.S'" for a notification, "an
+// answer" for a reply.  Another message has no subject, so its text names the entry to which it
+// goes: "a message to JointMover, Move (Notify)".
 std::string SenderOf(const Message& message, const Object& sender) {
   if (message.is_reply) return "an answer";
   if (message.kind == PayloadKind::kNotify) {

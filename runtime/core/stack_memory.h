@@ -21,8 +21,8 @@ namespace openr_host {
 
 class StackMemory {
  public:
-  // The size of the stack for the image's own code.  The size is our choice; only the pages that
-  // were touched use memory.
+  // The size of the stack on which the code of an image runs.  The size is our choice.  It is
+  // large, because pages that were never touched use no memory.
   static constexpr size_t kBytes = size_t{256} << 10;
 
   // The size of a guard page.

@@ -157,7 +157,8 @@ class JointTree {
   // For each part: force that the present motion and gravity demand for the part and all parts
   // behind it.
   std::vector<Spatial> force_;
-  // Lower triangle of the matrix M + h B, row by row; after Factor() its factors L and D.
+  // Lower triangle of the matrix M + h B of the equation at the top of this file, row by row; after
+  // Factor() the factors L and D of this matrix.
   std::vector<double> matrix_;
   std::vector<double> along_;  // for each unknown: its force; after Eliminate() its momentum
   bool is_eliminated_ = false;

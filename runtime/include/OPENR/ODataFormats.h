@@ -2,8 +2,9 @@
 //
 // A vector is one block of shared memory: an ODataVectorInfo, then an array of info blocks, then
 // the data.  Info blocks refer to data by their offset from the start of the vector.  On every host
-// the layout is that of the robot, byte for byte: a size_t of the robot is a longword here, and its
-// only pointer is an OPhysAddr.
+// the layout is that of the robot, byte for byte.  So members whose size differs between computers
+// have types of 4 bytes here: longword in place of size_t, and OPhysAddr in place of the only
+// pointer.
 #ifndef OPENR_ODATAFORMATS_H_INCLUDED
 #define OPENR_ODATAFORMATS_H_INCLUDED
 
