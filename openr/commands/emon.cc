@@ -1,4 +1,6 @@
 // The command openr emon: says what an EMON.LOG of a robot means.
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -14,14 +16,16 @@
 #include "openr/emon/emon_log.h"
 #include "openr/emon/emon_text.h"
 #include "openr/emon/robot_code.h"
+#include "openr/ending/robot_record.h"
 #include "runtime/base/read_file.h"
 
 namespace openr_host {
 namespace {
 
 constexpr InputKind kEmonLog = {"crash record of a robot, OPEN-R/EMON.LOG", ".LOG"};
-// The first word of a record that a run on this computer has written (ending/crash_log.h).
-constexpr char kOwnRecord[] = "EXCEPTION SIG";
+// Begin of a line of a record that a run on a computer has written (ending/crash_log.h).  A robot
+// writes "exception code".
+constexpr char kOwnRecord[] = "EXCEPTION ";
 
 struct EmonFlags {
   std::string file;
@@ -29,18 +33,52 @@ struct EmonFlags {
   bool is_json = false;
 };
 
+// Returns the part of a run's record that is for people, with functions and lines; "" for the
+// record of a robot.  The part in the robot's form follows it, perhaps with further records.
+std::string TextOfRun(const std::string& record) {
+  if (!record.starts_with(kOwnRecord)) return "";
+  return record.substr(0, record.find(kRobotRecordBegin));
+}
+
+// Returns the last record of a file to which the processes of a run have added theirs.
+std::string LastRecord(const std::string& text) {
+  const size_t last = text.rfind(std::string("\n") + kOwnRecord);
+  return last == std::string::npos ? text : text.substr(last + 1);
+}
+
+// Tells what the record of a run on a computer says, which needs no image.
+void TellRun(const EmonFlags& flags, const std::string& text, const EmonLog& log) {
+  if (!flags.image.empty()) {
+    throw std::runtime_error(flags.file +
+                             ": was written by a run on a computer, and names functions and lines "
+                             "itself; leave out --image");
+  }
+  EmonStory story = TellStory(log, nullptr);
+  story.problem.clear();
+  if (flags.is_json) {
+    nlohmann::ordered_json json = StoryJson(story);
+    json["record"] = text;
+    PrintAnswer(JsonText(json) + "\n");
+    return;
+  }
+  const std::string on_robot = log.code.value_or(0) == 0
+                                   ? "no exception: it would not notice this"
+                                   : fmt::format("exception {}: {}", *log.code, story.meaning);
+  PrintAnswer(fmt::format("{}ON THE ROBOT {}\n", text, on_robot));
+}
+
 int Tell(const EmonFlags& flags) {
   RequireReadable(flags.file, kEmonLog);
-  const std::string text = ReadFileOrThrow(flags.file);
-  if (text.find(kOwnRecord) != std::string::npos)
-    throw std::runtime_error(flags.file +
-                             ": was written by a run on a computer, and names function and line "
-                             "already; openr emon reads the records of robots");
+  const std::string text = LastRecord(ReadFileOrThrow(flags.file));
   const std::optional<EmonLog> log = ParseEmonLog(text);
   if (!log)
     throw std::runtime_error(flags.file +
                              ": is no EMON.LOG of a robot: it has neither \"epc\" nor an exception "
                              "code");
+  if (const std::string told = TextOfRun(text); !told.empty()) {
+    TellRun(flags, told, *log);
+    return kExitGood;
+  }
   std::optional<RobotCode> code;
   if (!flags.image.empty()) code.emplace(flags.image);
   const EmonStory story = TellStory(*log, code ? &*code : nullptr);

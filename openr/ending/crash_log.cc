@@ -8,6 +8,7 @@
 
 #include <bit>
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 #include <filesystem>
 #include <system_error>
@@ -17,6 +18,7 @@
 #include "openr/ending/code_lookup.h"
 #include "openr/ending/crash_stack.h"
 #include "openr/ending/ending.h"
+#include "openr/ending/robot_record.h"
 #include "openr/ending/signal_text.h"
 #include "runtime/core/code_place.h"
 #include "runtime/core/current.h"
@@ -179,9 +181,35 @@ class RecordFile {
   int error_ = 0;  // errno of the first call that failed; 0: none failed
 };
 
-// Writes the record of the crash to standard error and to the robot's record file.  The call stack
-// is written last, because it may be so damaged that walking it crashes again.
-void WriteRecordInSignal(Ending* ending, const void* context, int robot) {
+// Returns the code of the exception that the robot's processor raises for the signal
+// (field-notes.md 4.1); 0 for an error that it does not notice.
+unsigned RobotExceptionCode(int signal, const siginfo_t& info) {
+  if (*AnnouncedFault() != 0) {  // "a division by zero at Dog.cc:5 (exception 9)"
+    static constexpr char kException[] = "(exception ";
+    const char* const begin = std::strstr(AnnouncedFault(), kException);
+    if (begin == nullptr) return 0;
+    unsigned code = 0;
+    std::from_chars(begin + sizeof kException - 1, begin + std::strlen(begin), code);
+    return code;
+  }
+  constexpr unsigned kPageMissing = 2, kAddress = 4, kBreakpoint = 9, kReserved = 10, kFloat = 15;
+  switch (signal) {
+    case SIGSEGV:
+      return kPageMissing;
+    case SIGBUS:
+      return kAddress;
+    case SIGFPE:
+      return KindOf(info) == 0 ? kBreakpoint : kFloat;
+    default:
+      return kReserved;
+  }
+}
+
+// Writes the record of the crash to standard error and to the robot's record file, which also gets
+// the record in the robot's form.  The call stack is written late, because it may be so damaged
+// that walking it crashes again.
+void WriteRecordInSignal(Ending* ending, RobotException* exception, const void* context,
+                         int robot) {
   const std::string* const name = FileOf(robot);
   RecordFile file(name);
   const auto write = [&file](const SignalText& text) {
@@ -194,6 +222,9 @@ void WriteRecordInSignal(Ending* ending, const void* context, int robot) {
   stack.AddTo(&frames);
   write(frames);
   ending->record.Add(frames.text());
+  exception->epc = stack.OwnOffset();
+  WriteRobotRecord(*exception, *ending->object,
+                   [&file](const SignalText& text) { file.Write(text); });
   stack.AddPlace(&ending->finding);
   if (file.Tell() && g_place->has_value())
     ending->finding.Add("; record: ").Add(*name).Add(**g_place);
@@ -212,7 +243,8 @@ void OnCrashSignal(int signal, siginfo_t* info, void* context) {
   // Prints only an address that the object has accessed.  The address of the instruction (SIGFPE,
   // SIGILL) and an address in a stack guard differ from run to run, so they are left out; the call
   // stack in the record shows the place of the crash.
-  if ((signal == SIGSEGV || signal == SIGBUS) && !is_overflow)
+  const bool is_access = (signal == SIGSEGV || signal == SIGBUS) && !is_overflow;
+  if (is_access)
     text.Add(" at address 0x").AddNumber(reinterpret_cast<uint64_t>(info->si_addr), 16);
   text.Add("\nOBJECT ");
   if (!AddCurrentHandler(&text)) {  // no object was running: the program itself has crashed
@@ -232,8 +264,11 @@ void OnCrashSignal(int signal, siginfo_t* info, void* context) {
     ending.finding.Add(", a stack overflow: more than ").AddNumber(kib).Add(" KiB");
   }
   const int robot = t_current.object->robot;
-  BeginEnding(&ending);
-  WriteRecordInSignal(&ending, context, robot);
+  RobotException exception{.code = RobotExceptionCode(signal, *info),
+                           .is_in_own_code = t_current.image_code};
+  if (is_access) exception.bad_address = reinterpret_cast<uint64_t>(info->si_addr);
+  BeginEnding(&ending);  // makes t_current empty
+  WriteRecordInSignal(&ending, &exception, context, robot);
   ending.finding.Add("; on the robot this stops all objects");
   FinishEnding();
 }

@@ -112,6 +112,13 @@ const void* CrashStack::OwnAddress() const {
   return nullptr;
 }
 
+uintptr_t CrashStack::OwnOffset() const {
+  for (size_t i = 0; i < count_; ++i) {
+    if (frames_[i].is_own) return frames_[i].offset;
+  }
+  return 0;
+}
+
 void CrashStack::AddPlace(SignalText* text) const {
   for (size_t i = 0; i < count_; ++i) {
     if (!frames_[i].is_own) continue;

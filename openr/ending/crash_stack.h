@@ -34,6 +34,9 @@ class CrashStack {
   // object's own code.
   const void* OwnAddress() const;
 
+  // Returns the place of OwnAddress() in the file of the object's image; 0 if OwnAddress() is null.
+  uintptr_t OwnOffset() const;
+
  private:
   static constexpr size_t kFramesMax = 32;
 

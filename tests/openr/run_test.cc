@@ -1,8 +1,11 @@
 // openr run as a whole, on the default stick and on sticks that are up to no good.
 #include <gmock/gmock.h>
 
+#include <cstdio>
 #include <nlohmann/json.hpp>
+#include <optional>
 
+#include "openr/emon/emon_log.h"
 #include "tests/openr/program_run.h"
 
 namespace openr_host {
@@ -207,13 +210,18 @@ TEST(RunTest, WhatAHandlerPrintedThatDoesNotReturnIsThere) {
 }
 
 #if !defined(__SANITIZE_ADDRESS__)  // it reports such things itself
+// Returns the part of a crash record that is for people.  The part in the robot's form follows it.
+std::string TextPart(const std::string& record) {
+  return record.substr(0, record.find("[exception info]\n"));
+}
+
 std::string RecordOf(const std::string& word) {
   const ScratchFolder stick;
   stick.MakeTrouble(word);
   const ProgramResult result = RunFor("1s", {"--stick", stick.path()});
   EXPECT_EQ(result.status, 1) << result.err;
   const std::string record = stick.Read("OPEN-R/EMON.LOG");
-  EXPECT_NE(result.err.find(record), std::string::npos) << "standard error says the same";
+  EXPECT_THAT(result.err, HasSubstr(TextPart(record))) << "standard error says the same";
   return record;
 }
 
@@ -287,7 +295,52 @@ TEST(CrashTest, TheJsonAnswerSaysWhatHappened) {
   const ProgramResult result = RunFor("1s", {"--stick", stick.path(), "--json"});
   ASSERT_TRUE(json::accept(result.out)) << result.out;
   EXPECT_EQ(json::parse(result.out)["error"].get<std::string>() + "\n",
-            stick.Read("OPEN-R/EMON.LOG"));
+            TextPart(stick.Read("OPEN-R/EMON.LOG")));
+}
+
+TEST(CrashTest, TheRecordHasTheRobotsFormToo) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("crash");
+  RunFor("1s", {"--stick", stick.path()});
+  const std::string record = stick.Read("OPEN-R/EMON.LOG");
+  EXPECT_THAT(record, ContainsRegex("Trouble.cc:[0-9]+\\)\n\\[exception info\\]\n"));
+  const std::optional<EmonLog> log = ParseEmonLog(record);
+  ASSERT_TRUE(log) << record;
+  EXPECT_EQ(log->code, 2u);
+  EXPECT_EQ(log->cause, 2u << 2);
+  EXPECT_EQ(log->bad_address, 0x10u);
+  char offset[16];  // of the instruction in the image, as in the stack above
+  std::snprintf(offset, sizeof offset, "+0x%x ", log->epc.value_or(0));
+  EXPECT_THAT(record, HasSubstr("#0 TROUBLE.BIN" + std::string(offset)));
+  ASSERT_NE(log->Crashed(), nullptr) << record;
+  EXPECT_EQ(log->Crashed()->name, "Trouble");
+  EXPECT_THAT(record, HasSubstr("\n OVirtualRobotComm 0x80000043 "));
+}
+
+TEST(CrashTest, TheRobotsCodeOfADivisionByZeroAndOfANaN) {
+  EXPECT_EQ(ParseEmonLog(RecordOf("divide"))->code, 9u);
+  const ScratchFolder stick;
+  stick.MakeTrouble("nan");
+  RunFor("1s", {"--stick", stick.path(), "--strict"});
+  EXPECT_EQ(ParseEmonLog(stick.Read("OPEN-R/EMON.LOG"))->code, 15u);
+}
+
+TEST(CrashTest, EmonTellsWhatItIsOnTheRobot) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("crash");
+  RunFor("1s", {"--stick", stick.path()});
+  const std::string file = stick.File("OPEN-R/EMON.LOG");
+  const ProgramResult told = RunProgram({"emon", file});
+  EXPECT_EQ(told.status, 0) << told.err;
+  EXPECT_EQ(told.out,
+            TextPart(stick.Read("OPEN-R/EMON.LOG")) +
+                "ON THE ROBOT exception 2: a load, or a jump, with a null or wild pointer\n");
+  const json answer = json::parse(RunProgram({"emon", file, "--json"}).out);
+  EXPECT_EQ(answer["object"], "Trouble");
+  EXPECT_EQ(answer["code"], 2);
+  EXPECT_THAT(answer["record"].get<std::string>(), HasSubstr("EXCEPTION SIGSEGV"));
+  EXPECT_THAT(RunProgram({"emon", file, "--image", stick.File("OPEN-R/MW/OBJS/TROUBLE.BIN")}).err,
+              HasSubstr("names functions and lines itself; leave out --image"));
 }
 
 TEST(CrashTest, TheReportIsThatOfARunAndHasTheCrashAmongItsFindings) {

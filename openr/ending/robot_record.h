@@ -1,0 +1,36 @@
+// The part of a crash record that has the form of the robot's emergency monitor, so that programs
+// that read a robot's EMON.LOG can read that of a run as well.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "openr/ending/signal_text.h"
+
+namespace openr_host {
+
+class Object;
+
+// What a crash is to the robot's processor.
+struct RobotException {
+  unsigned code = 0;         // exception code, field-notes.md 4.1; 0: the robot would not notice
+  uint64_t bad_address = 0;  // address that could not be accessed; 0 for other exceptions
+  uint64_t epc = 0;          // address of the instruction in the file of its image
+  // True if the signal has interrupted the object's own code.  The runtime may otherwise be
+  // changing its table of objects.
+  bool is_in_own_code = false;
+};
+
+// Heading of the first part that WriteRobotRecord() writes.
+inline constexpr char kRobotRecordBegin[] = "[exception info]";
+
+// Passes the parts of the record one after the other to `write`: exception info, object info,
+// exception code and list of objects, see field-notes.md 4.5.  Numbers are cut to the 32 bits that
+// they have on the robot.  The time stamp is the virtual time in microseconds.  An object's id
+// stands for its context and its thread, because objects have neither here.  Registers and stack
+// are left out, because they are those of another processor.  Lists only `object` unless
+// `is_in_own_code` is true. May be called in a signal handler.
+void WriteRobotRecord(const RobotException& exception, const Object& object,
+                      const std::function<void(const SignalText&)>& write);
+
+}  // namespace openr_host
