@@ -74,14 +74,16 @@ def quick_programs(build):
     return [build / "bin" / name for name in (build / "quick_tests.txt").read_text().split()]
 
 
-def jobs(build, pattern, quick):
+def jobs(build, pattern, quick, names):
     """Returns three lists of (name, command, environment).
 
-    The lists: programs that mostly wait, the other programs, programs that have to run alone.
+    The lists: programs that mostly wait, the other programs, programs that have to run alone.  With
+    `names`, only these test programs, and no scripts.
     """
     waiting, longest, found, alone = [], [], [], []
     gtest = [f"--gtest_filter=*{pattern}*"] if pattern else []
-    for program in quick_programs(build) if quick else sorted((build / "bin").glob("*_tests")):
+    programs = quick_programs(build) if quick else sorted((build / "bin").glob("*_tests"))
+    for program in [build / "bin" / name for name in names] or programs:
         command = [str(program)] + gtest
         if program.name in SHARDS:
             waiting += [(name, command, shard)
@@ -92,7 +94,7 @@ def jobs(build, pattern, quick):
         else:
             found.append((program.name, command, {}))
     found = longest + found  # begun first, so that no processor has nothing to do at the end
-    if quick:
+    if quick or names:
         return waiting, found, alone
     header_check = ROOT / "tests/runtime/include/check_headers.sh"
     if pattern in header_check.name:
@@ -147,11 +149,13 @@ def main():
     parser.add_argument("--build", required=True, type=pathlib.Path)
     parser.add_argument("--filter", default="")
     parser.add_argument("--quick", action="store_true", help="only tests that run in one process")
+    parser.add_argument("--programs", nargs="+", default=[], help="only these test programs")
     arguments = parser.parse_args()
     sums = [0, 0, 0]
     build = arguments.build.resolve()
     shutil.rmtree(build / "failed", ignore_errors=True)
-    waiting, others, alone = jobs(build, arguments.filter, arguments.quick)
+    waiting, others, alone = jobs(build, arguments.filter, arguments.quick,
+                                  arguments.programs)
     failures = []
 
     def count(job, result):
