@@ -118,8 +118,9 @@ void ReportOverflow(ArithmeticData* data, uintptr_t left, const char* sign, uint
                               TextOf(*data->type, right), NameOf(data->type)));
 }
 
-// Reports what is undefined about an access to `address`, a multiple of the alignment that the
-// robot needs: the address is null, or the object there is smaller than the type.
+// Reports an access to `address` if C++ does not define it: if the address is null, or if the
+// object at this address is smaller than the type of the access.  REQUIRES: `address` has the
+// alignment that the robot needs.
 void ReportAccess(AccessData* data, uintptr_t address) {
   if (address == 0) {
     ReportUndefined(&data->place, fmt::format("a null pointer is used as {}", NameOf(data->type)));

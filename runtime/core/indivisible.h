@@ -8,8 +8,8 @@
 namespace openr_host {
 
 // While an Indivisible exists, a signal handler that wants to end the process does not do so at
-// once. The destructor of the outermost Indivisible then ends the process.  Used only in the thread
-// that runs handlers.
+// once.  The destructor of the outermost Indivisible then ends the process.  Used only in the
+// thread that runs handlers.
 class Indivisible {
  public:
   Indivisible();

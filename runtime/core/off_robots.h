@@ -40,7 +40,7 @@ class OffRobots {
   struct Times {
     // End of the frame that runs now; INT64_MAX when the boot of the robot was posted.
     int64_t frame_us;
-    int64_t boot_us;  // the robot boots at the end of the first frame that ends then or later
+    int64_t boot_us;  // the robot boots at the end of the first frame that ends at boot_us or later
   };
 
   System* const system_;
