@@ -159,7 +159,8 @@ void IpStack::HandleStackMessage(Operation* operation) {
     switch (message.dstOperation) {
       case antEnv_Operation_InitGetParam:
         return Answer(operation, parameters_.Get(&operation->As<antEnvInitGetParamMsg>()));
-      // Refuses other objects, because only system objects may set parameters.
+      // Refuses the request of an object of a program, because only system objects may set
+      // parameters.
       case antEnv_Operation_InitSetParam:
         return Answer(operation, sender != nullptr && sender->is_system
                                      ? parameters_.Set(operation->As<antEnvInitSetParamMsg>())
