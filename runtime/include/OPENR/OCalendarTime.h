@@ -4,7 +4,7 @@
 
 #include <OPENR/OTime.h>
 
-// Values of dow_.
+// Values of OCalendarTime::dow_, the day of the week.
 const int ocldtdowSUNDAY = 0;
 const int ocldtdowMONDAY = 1;
 const int ocldtdowTUESDAY = 2;
@@ -41,8 +41,8 @@ class OCalendarTime {
   OStatus SetTime(const OTime& time);
 
   // Return the moment that the fields describe, without dow_.  Fields beyond their range carry
-  // over: the 31st of April is the 1st of May.  Unless ProperDate() holds, the status is
-  // oINVALID_ARG, with the moment set all the same.
+  // over: the 31st of April is the 1st of May.  If ProperDate() is false, the status is
+  // oINVALID_ARG, but the moment is returned nevertheless.
   OStatus GetTime(time_t* clock, sbyte* timeDif) const;
   OStatus GetTime(OTime* time) const;
 
