@@ -27,8 +27,8 @@ class System;
 // not.
 struct RegionAccess {
   // Makes the observer's own RCRegion, with one reference, for `source`, the subject's RCRegion
-  // that a notification has brought.  Both refer to the same memory, unless the observer gets a
-  // read-only copy (guard_pages.h).
+  // that a notification has brought.  The two RCRegions refer to the same memory, unless the
+  // observer gets a read-only copy (guard_pages.h).
   static RCRegion* Receive(RCRegion* source, MemoryRegionID id, offset_t offset, size_t size);
   // Deletes an RCRegion that Receive() has made.
   static void GiveBack(RCRegion* received);

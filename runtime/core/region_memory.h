@@ -58,8 +58,8 @@ class RegionMemory {
 
   char* area_;  // null when addresses are not planned
   std::array<Cells, kClasses> cells_;
-  // Free cells of kMapBytes or more that are still mapped, the one freed first in front, and the
-  // sum of their bytes.
+  // Free cells of kMapBytes or more that are still mapped, in the order in which they were freed,
+  // and the sum of their bytes.
   std::vector<Cell> kept_;
   size_t kept_bytes_ = 0;
 };

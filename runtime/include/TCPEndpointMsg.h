@@ -58,8 +58,8 @@ const int32 TCPEndpoint_Operation_Address = 13;
 
 // ---- documented messages
 
-// Waits for one connection.  The answer comes when a client has connected; it has all four fields
-// filled in.
+// Waits for one connection.  The answer comes when a client has connected.  In the answer all four
+// fields, the addresses and ports of both sides, are filled in.
 struct TCPEndpointListenMsg : public TCPEndpointBaseMsg {
   IPAddress lAddress;  // own address
   Port lPort;

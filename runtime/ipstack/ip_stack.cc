@@ -241,7 +241,8 @@ void IpStack::HandleEndpointMessage(Operation* operation) {
 void IpStack::Answer(Operation* operation, int32_t error, const void* data, size_t size) {
   antEnvMsg& message = operation->message();
   SetAntError(&message, error);
-  // An answer with an error must have no data; 0 means success in every protocol.
+  // Sets the counts in an answer with an error to 0, because such an answer has no data.  The error
+  // 0 means success in every protocol.
   if (error != 0) ClearCounts(&message);
   const uint64_t hash = AntMessageHash(message, data, size);
   if (operation->ticket.box != 0) {
