@@ -132,7 +132,7 @@ void ReportAccess(AccessData* data, uintptr_t address) {
 
 // Returns the alignment that the robot's processor needs for the memory access `data`.  On the
 // robot pointers and long have 4 bytes.  So a type that is aligned to 8 on the host is aligned to 4
-// on the robot.  Only double and long long are aligned to 8 on both.
+// on the robot.  Only double and long long are aligned to 8 on the robot too.
 uintptr_t RobotAlignment(const AccessData& data) {
   const uintptr_t alignment = uintptr_t{1} << std::min<unsigned>(data.log_alignment, 3);
   if (alignment < 8) return alignment;

@@ -14,7 +14,7 @@ const char* SeverityName(Severity severity);  // "note", "warning", "error"
 struct Finding {
   Severity severity = Severity::kWarning;
   int robot = 0;
-  std::string object;  // empty: the finding is not about one object
+  std::string object;  // the object's name; "" if the finding is not about one object
   // The number of the message that was being handled when the finding was first added.
   uint64_t message = 0;
   int64_t time_us = 0;  // virtual time when the finding was first added

@@ -1,8 +1,8 @@
 // Indivisible: marks a section of code.  A signal handler must not end the process while this
 // thread is in such a section.
 //
-// The code in the section holds a lock that ending the process needs too.  If the process were
-// ended in the middle of the section, it would wait for this lock for ever.
+// The code in the section holds a lock that ending the process needs too.  If a signal handler
+// ended the process in the middle of the section, the handler would wait for this lock for ever.
 #pragma once
 
 namespace openr_host {

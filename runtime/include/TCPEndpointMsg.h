@@ -120,8 +120,8 @@ struct TCPEndpointSendMsg : public TCPEndpointBaseMsg {
         queueNr(queue) {}
 };
 
-// Receives at least sizeMin and at most sizeMax bytes.  In the answer both fields are the number of
-// bytes received.  At the end of the stream the error is TCP_CONNECTION_CLOSED.
+// Receives at least sizeMin and at most sizeMax bytes.  In the answer sizeMin and sizeMax are both
+// the number of bytes received.  At the end of the stream the error is TCP_CONNECTION_CLOSED.
 struct TCPEndpointReceiveMsg : public TCPEndpointBaseMsg {
   byte* buffer;  // must point into a shared buffer
   int sizeMin;

@@ -62,8 +62,8 @@ class OCalendarTime {
   // change.
   OStatus CorrectDayOfTheWeek();
 
-  // Write the moment into `text`, which needs room for 32 characters; "improper date" unless
-  // ProperDate() holds.
+  // Write the moment into `text`, which needs room for 32 characters.  If ProperDate() is false,
+  // write "improper date" instead.
   void Sprint(char* text) const;   // "2004/02/29 Sun 13:05:07 UTC+9"
   void RFC2822(char* text) const;  // "Sun, 29 Feb 2004 13:05:07 +0900"
 
