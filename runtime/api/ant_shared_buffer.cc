@@ -11,7 +11,7 @@ using openr_host::IpStack;
 namespace {
 
 // Tells the master process of a distributed run that this object has mapped or unmapped `buffer`,
-// because the network stack runs there (SystemCalls::NoteMapping()).
+// because the network stack runs in the master process (SystemCalls::NoteMapping()).
 void NoteMapping(const antSharedBuffer& buffer, bool mapped) {
   openr_host::t_current.system->calls().NoteMapping(buffer.GetCookie(), buffer.GetRegion(), mapped);
 }

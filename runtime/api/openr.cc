@@ -138,8 +138,8 @@ OStatus SetMotorPower(OPower power) {
 OStatus Shutdown(const OBootCondition& bootCondition) {
   const ApiScope scope;
   const OStatus status = Services().Shutdown(bootCondition);
-  // Shuts the run down also with oNOT_SUPPORTED, which the RobotServices of a robot without devices
-  // return.
+  // Shuts the robot down even if the status is oNOT_SUPPORTED, which is what the RobotServices of a
+  // robot without devices return.
   if (status == oSUCCESS || status == oNOT_SUPPORTED)
     t_current.system->Shutdown(
         t_current.object->robot,

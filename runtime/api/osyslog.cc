@@ -43,7 +43,7 @@ std::string Format(const char* format, va_list arguments) {
 }
 
 // Stores the state that an object reports with a message of level info that begins with "state: ".
-// The panel shows the state, and the properties that `openr explore` checks can ask for it.
+// The panel shows this state, and a property, which `openr explore` checks, can ask for it.
 void NoteState(openr_host::Object* object, OSyslogPriority priority, const std::string& text) {
   constexpr char kPrefix[] = "state: ";
   if (priority != osyslogINFO || object == nullptr || !text.starts_with(kPrefix)) return;

@@ -21,7 +21,7 @@ struct ConnectRecord {
 };
 
 struct ConnectConfig {
-  std::vector<ConnectRecord> connections;  // in the order of the file, in which they are connected
+  std::vector<ConnectRecord> connections;  // in the order of the file and of connecting
   std::vector<Diagnostic> diagnostics;
 };
 
@@ -29,8 +29,8 @@ struct ConnectConfig {
 // or kEveryDesign).  A bad line (a name without four parts, a subject and an observer in the wrong
 // order, data types that differ) is reported and skipped.  All other lines are used, as measured on
 // the original library.  A pair that is listed twice is connected once, with a warning.  Does not
-// check whether the services exist; the service directory does that later.  `consequence` is the
-// end of each error message: what happens because of the error.
+// check whether the services exist; the object manager does that when it makes the connections.
+// `consequence` is the end of each error message: what happens because of the error.
 ConnectConfig ParseConnectConfig(const std::string& file, std::string_view text,
                                  std::string_view design,
                                  std::string_view consequence = " (the line is skipped)");

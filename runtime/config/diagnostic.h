@@ -16,7 +16,7 @@ enum class Severity {
 // A position in a text file.  A parsed record keeps the position from which it was read.  So a
 // later message about the record ("no such service") can name the right line and show a caret.
 struct FilePosition {
-  std::string file;  // the name that the caller gave
+  std::string file;  // the name of the file, as the caller gave it
   int line = 0;      // counted from 1; 0 means the file as a whole
   int column = 0;    // in bytes, counted from 1; 0 means no caret
   std::string text;  // the line, without its end

@@ -58,7 +58,7 @@ class StubParser {
                   &result_.config.observers};
   bool has_object_name_ = false;
   bool in_block_comment_ = false;
-  // Number of the last Service line that was ignored; 0 if no line was ignored.
+  // The line number of the last Service line that was ignored; 0 if no line was ignored.
   int ignored_service_line_ = 0;
 };
 

@@ -49,8 +49,8 @@ struct Piece {
   void TrimEnd() {
     while (!text.empty() && IsBlank(text.back())) text.remove_suffix(1);
   }
-  // Returns the C++ name with which the text begins, or "" if the text begins with another
-  // character.
+  // Returns the C++ name with which the text begins, or "" if the first character cannot be part of
+  // a name.
   std::string_view NameAtStart() const {
     const auto end = std::find_if_not(text.begin(), text.end(), IsNameCharacter);
     return text.substr(0, static_cast<size_t>(end - text.begin()));

@@ -54,11 +54,11 @@ class AddressPlace {
   char* heap() const;
   // Returns the first address of the image of this place, or null if addresses are not planned.
   char* image() const;
-  // Returns the first address of the thunks of this place, which lie behind the image, or null if
-  // addresses are not planned.
+  // Returns the first address of the thunks (imported_calls.h) of this place, which lie behind the
+  // image, or null if addresses are not planned.
   char* thunks() const;
   // Returns the first address of a stack of this place, or null if addresses are not planned.
-  // Stack 0 is for handlers, stack 1 for a controller's endless loop.
+  // Stack 0 is for handlers, stack 1 for the endless loop of a controller (api/second_stack.h).
   char* stack(int number) const;
   // Returns the first address of the area for copies of received regions, or null if addresses are
   // not planned.
@@ -78,8 +78,8 @@ class AddressPlace {
 char* TakeRegionArea();
 // Gives back an `area` that TakeRegionArea() has returned, so that another System can take it.
 void GiveRegionArea(char* area);
-// The size of a region area.  RegionMemory needs about 1.33 TiB, the memory for one region of every
-// size class in every slot.
+// The size of a region area.  RegionMemory needs about 1.33 TiB: for each of its slots one block of
+// every size class (region_memory.h).
 constexpr size_t kRegionAreaBytes = size_t{3} << 39;  // 1.5 TiB in bytes
 
 // Maps `bytes` bytes of zeros at `address`, readable and writable.  Returns false if there is no

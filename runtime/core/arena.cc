@@ -32,7 +32,7 @@ size_t SizeOfClass(int size_class) {
 
 int ClassOfSize(size_t size) {
   if (size <= 256) return size == 0 ? 0 : static_cast<int>((size - 1) / 16);
-  const int doubling = std::bit_width(size - 1) - 9;  // 0 for sizes of 257 to 512 bytes
+  const int doubling = std::bit_width(size - 1) - 9;  // 0 for 257 to 512 bytes, 1 up to 1024
   const size_t base = size_t{256} << doubling;
   return 16 + doubling * 4 + static_cast<int>((size - 1 - base) / (base / 4));
 }
@@ -61,7 +61,7 @@ bool Arena::MapUpTo(size_t span_end) {
   const size_t end = (span_end + kStep - 1) / kStep * kStep;
   if (!MapAt(base_ + mapped_spans_ * kSpanBytes, (end - mapped_spans_) * kSpanBytes)) return false;
   mapped_spans_ = end;
-  const ApiScope scope;  // the list itself is memory of the host, not of the object
+  const ApiScope scope;  // begins_ takes its memory from the host, not from the object
   begins_.resize(end * kSpanBytes / 16);
   return true;
 }

@@ -63,8 +63,8 @@ class Arena {
   // Returns the number of bytes that may be used in `block`.  REQUIRES: OwnerOf(block) is not null.
   static size_t UsableSize(const void* block);
 
-  // The instructions of the object's image that were on the stack when a block was allocated, from
-  // the innermost call to the outermost.
+  // The calls that led to the allocation of a block: the addresses of the call instructions in the
+  // object's image, from the innermost call to the outermost.
   using Calls = std::vector<const void*>;
 
   // Makes the arena keep the calls of each block that is allocated from now on.
@@ -72,7 +72,8 @@ class Arena {
   bool keeps_calls() const { return calls_ != nullptr; }
   // Stores `calls`, the calls that have allocated `block`.  REQUIRES: keeps_calls().
   void NoteCalls(const void* block, Calls calls);
-  // Calls `visit` for every block with known calls that is in use, in the order of addresses.
+  // Calls `visit` for every block that is in use and for which NoteCalls() has stored the calls, in
+  // the order of addresses.
   void ForEachBlock(
       const std::function<void(char* block, size_t bytes, const Calls& calls)>& visit) const;
 

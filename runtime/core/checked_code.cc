@@ -118,8 +118,9 @@ void ReportOverflow(ArithmeticData* data, uintptr_t left, const char* sign, uint
                               TextOf(*data->type, right), NameOf(data->type)));
 }
 
-// Reports what is undefined about an access to `address`, a multiple of the alignment that the
-// robot needs: the address is null, or the object there is smaller than the type.
+// Reports an access to `address` if C++ does not define it: if the address is null, or if the
+// object at this address is smaller than the type of the access.  REQUIRES: `address` has the
+// alignment that the robot needs.
 void ReportAccess(AccessData* data, uintptr_t address) {
   if (address == 0) {
     ReportUndefined(&data->place, fmt::format("a null pointer is used as {}", NameOf(data->type)));
@@ -131,7 +132,7 @@ void ReportAccess(AccessData* data, uintptr_t address) {
 
 // Returns the alignment that the robot's processor needs for the memory access `data`.  On the
 // robot pointers and long have 4 bytes.  So a type that is aligned to 8 on the host is aligned to 4
-// on the robot.  Only double and long long are aligned to 8 on both.
+// on the robot.  Only double and long long are aligned to 8 on the robot too.
 uintptr_t RobotAlignment(const AccessData& data) {
   const uintptr_t alignment = uintptr_t{1} << std::min<unsigned>(data.log_alignment, 3);
   if (alignment < 8) return alignment;

@@ -68,8 +68,9 @@ class CodeObject : public OObject {
  private:
   friend class CodeHost;
 
-  // An entry of the object, which handles the messages to one selector.  Each kind of entry holds
-  // the function that its object has given, so one virtual call leads to this function.
+  // An entry of the object, which handles the messages to one selector.  The classes derived from
+  // Entry store the function that the object has given for the entry, so that a message reaches
+  // this function by one virtual call.
   class Entry {
    public:
     virtual ~Entry() = default;
@@ -161,7 +162,8 @@ class CodeHost final : public Object {
   bool Dispatch(uint32_t selector, void* payload) override;
   void HashState(Hasher* hasher) const override;
 
-  // Sets the CodeObject, after its constructor has run.
+  // Sets the CodeObject that this object runs.  Called after the constructor of the CodeObject,
+  // because the entries that the constructor adds are counted here.
   void SetCode(std::unique_ptr<CodeObject> made);
 
   std::unique_ptr<CodeObject> code;

@@ -27,13 +27,14 @@ class System;
 // not.
 struct RegionAccess {
   // Makes the observer's own RCRegion, with one reference, for `source`, the subject's RCRegion
-  // that a notification has brought.  Both refer to the same memory, unless the observer gets a
-  // read-only copy (guard_pages.h).
+  // that a notification has brought.  The two RCRegions refer to the same memory, unless the
+  // observer gets a read-only copy (guard_pages.h).
   static RCRegion* Receive(RCRegion* source, MemoryRegionID id, offset_t offset, size_t size);
   // Deletes an RCRegion that Receive() has made.
   static void GiveBack(RCRegion* received);
-  // Calls `memory` for all memory in which the pool of this thread has RCRegions and its lists of
-  // them, and `used` for every RCRegion that was made and not deleted.
+  // Visits the pool from which this thread takes the memory of its RCRegions.  Calls `memory` for
+  // each piece of memory that belongs to the pool, and `used` for every RCRegion that was made and
+  // not deleted.
   static void VisitPool(const std::function<void(const void* begin, size_t bytes)>& memory,
                         const std::function<void(const RCRegion* region)>& used);
   static RCRegion* SourceOf(const RCRegion* received) { return received->source_; }

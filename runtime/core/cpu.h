@@ -45,7 +45,7 @@ class Cpu {
   // is our choice.
   static constexpr int64_t kStarvedUs = 1'000'000;
 
-  // The longest time of a handler that is normal.  A longer handler becomes a finding, because it
+  // The longest time that a handler normally takes.  A longer handler becomes a finding, because it
   // takes more than the time between two sensor vectors (field-notes.md, 1.12).
   static constexpr int64_t kLongHandlerUs = 32'000;
 
@@ -53,7 +53,8 @@ class Cpu {
   // the time at which the wait of the object began.
   void Wait(Object* object, OwnedMessage message, int64_t now_us);
 
-  // Takes the messages that wait here for object `id`, oldest first.
+  // Removes the messages to object `id` that wait for the processor, and returns them, oldest
+  // first.
   std::vector<OwnedMessage> TakeMessagesTo(ObjectId id);
 
   // Ends the wait of `object`, which gets the processor.  Adds a finding if the object has waited

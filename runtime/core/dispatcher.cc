@@ -76,8 +76,9 @@ void Dispatcher::Recycle() {
          (limits_.until == nullptr || !(*limits_.until)());
 }
 
-// The functions from here to Loop() are inline, so that the compiler makes one function of the way
-// from the queue to the handler.  Every message takes this way.
+// The functions from here to Loop() are inline, so that the compiler joins them into one function.
+// This makes messages faster, because every message passes through all these functions on its way
+// from the queue to the handler.
 
 [[gnu::always_inline]] inline void Dispatcher::FinishHandler(Object* object) {
   if (t_current.watch != nullptr) std::exchange(t_current.watch, nullptr)->End();

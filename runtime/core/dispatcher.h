@@ -32,8 +32,8 @@ class Dispatcher {
   };
 
   // Delivers messages until a limit is reached or no message is left, and returns the number of
-  // delivered messages.  If the time was the limit, leaves the clock at limits.time_us.  REQUIRES:
-  // not called in a handler.
+  // delivered messages.  If the time was the limit that was reached, leaves the clock at
+  // limits.time_us.  REQUIRES: not called in a handler.
   uint64_t Run(const Limits& limits);
 
   // Suspends the running handler until a reply to `box` arrives, and returns the reply.  REQUIRES:

@@ -15,8 +15,9 @@ namespace context = boost::context::detail;
 
 namespace {
 
-// The fibers that the current switch leaves and enters.  The code after a switch runs on another
-// stack and would not find local variables of the code before it.
+// The fibers that the current switch leaves and enters.  They are no local variables, because the
+// code after a switch runs on another stack and would not find the local variables of the code
+// before it.
 thread_local Fiber* t_left = nullptr;
 thread_local Fiber* t_entered = nullptr;
 
@@ -45,8 +46,9 @@ void Fiber::Prepare(Main main, void* argument) {
 }
 
 void Fiber::SwitchFrom(Fiber* from) {
-  // A fiber that takes the place of `from` if `from` is null, so that the code below needs no
-  // special case.  The state of the running stack is then saved in `nowhere`, and nothing reads it.
+  // The fiber `nowhere` takes the place of `from` if `from` is null, so that the code below needs
+  // no special case.  The state of the running stack is then saved in `nowhere`, and nothing reads
+  // it.
   static thread_local Fiber* const nowhere = new MainFiber;
   const bool forever = from == nullptr;
   if (forever) from = nowhere;

@@ -42,7 +42,8 @@ class Fiber {
   std::unique_ptr<StackMemory> stack_;  // null for the thread's own stack
   Main main_ = nullptr;
   void* argument_ = nullptr;
-  void* exceptions_[2] = {nullptr, nullptr};  // __cxa_eh_globals while the fiber is not running
+  // The exceptions that this stack is handling (__cxa_eh_globals), while the fiber is not running.
+  void* exceptions_[2] = {nullptr, nullptr};
   // Values that AddressSanitizer needs while the fiber is not running: its fake stack for this
   // fiber, and the bounds of the stack on which the fiber continues.
   void* fake_stack_ = nullptr;

@@ -14,7 +14,7 @@ const char* SeverityName(Severity severity);  // "note", "warning", "error"
 struct Finding {
   Severity severity = Severity::kWarning;
   int robot = 0;
-  std::string object;  // empty: the finding is not about one object
+  std::string object;  // the object's name; "" if the finding is not about one object
   // The number of the message that was being handled when the finding was first added.
   uint64_t message = 0;
   int64_t time_us = 0;  // virtual time when the finding was first added
@@ -24,7 +24,7 @@ struct Finding {
   // example for all lines of CONNECT.CFG that name this object, are kept as one finding.  If
   // `cause` is empty, only findings with the same text are kept as one finding.
   std::string cause = {};
-  std::string place = {};  // "CONNECT.CFG:4"; set only if there is a cause
+  std::string place = {};  // where the cause is, such as "CONNECT.CFG:4"; set only if `cause` is
   // The places of later findings with this cause, at most kPlacesMax.
   std::vector<std::string> also_at = {};
   // The content of the message with the number `message`, in words; "" if it is not known.
@@ -46,7 +46,8 @@ class Findings {
   // The largest number of places that one finding lists in `also_at`.
   static constexpr size_t kPlacesMax = 5;
 
-  // Adds a finding.  Returns the kept finding if it is new, else null.
+  // Adds a finding.  If it is kept as a new element of all(), returns a pointer to this element.
+  // If it was only counted, returns null.
   Finding* Add(Finding finding);
   const std::vector<Finding>& all() const { return all_; }
   // Returns whether there is an error among the findings from index `first` of all() on.

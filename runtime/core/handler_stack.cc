@@ -119,7 +119,8 @@ void HandlerStack::CallWithSanitizer(void (*function)(void*), void* argument) {
   memory_.ForgetFrames();
   SanitizedCall call{function, argument};
   void* fake_stack = nullptr;
-  // Reports the arrival in a destructor, because the function may end with an exception.
+  // Tells AddressSanitizer in a destructor that the caller's stack is in use again, because the
+  // function may end with an exception.
   struct Arrival {
     void* const* fake_stack;
     ~Arrival() { __sanitizer_finish_switch_fiber(*fake_stack, nullptr, nullptr); }

@@ -30,8 +30,9 @@ class HandlerStack {
   // (our choice) search for a gap of 32 KiB, the other calls for a gap of 4 KiB.
   void Call(void (*function)(void*), void* argument);
 
-  // Returns how many bytes of the stack the newest Call() has used; a running Call(), so far.
-  // Returns 0 with AddressSanitizer and under Valgrind, where the number is not known.
+  // Returns how many bytes of the stack the newest Call() has used, or has used so far if it is
+  // still running.  Returns 0 with AddressSanitizer and under Valgrind, where the number is not
+  // known.
   size_t UsedBytes() const;
 
  private:

@@ -42,7 +42,8 @@ std::string CheckFormat(const std::string& bytes, bool* is_for_robot) {
   std::memcpy(&header, bytes.data(), std::min(bytes.size(), sizeof header));
   if (bytes.size() < sizeof(Elf32_Ehdr) || std::memcmp(&header, ELFMAG, SELFMAG) != 0)
     return "is not an object image; build the object for the host (openr build)";
-  // Works for the 32-bit robot too, because e_machine has the same offset in 32-bit files.
+  // Reads e_machine from the 64-bit header even if the file is for the robot, which has 32 bits,
+  // because this field has the same offset in both headers.
   *is_for_robot = header.e_machine == EM_MIPS;
   if (*is_for_robot) return kForRobot;
   if (bytes.size() < sizeof header || header.e_ident[EI_CLASS] != ELFCLASS64)

@@ -11,9 +11,9 @@
 namespace openr_host {
 namespace {
 
-// Types of relocations, the places of the image that the loader fills in with addresses.  The value
-// of these two types is computed from an address of the image itself, the addend, so moving the
-// image changes the addend.
+// Two types of relocations.  A relocation is a place in the image that the loader fills in with an
+// address.  With these types, the loader computes this address from the addend, which is itself an
+// address in the image.  So moving the image changes the addend.
 #if defined(__aarch64__)
 constexpr uint32_t kRelative = R_AARCH64_RELATIVE, kIndirect = R_AARCH64_IRELATIVE;
 #else

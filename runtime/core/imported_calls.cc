@@ -316,7 +316,8 @@ std::string Redirection::Run(size_t bytes_max) {
     const auto index = static_cast<size_t>(same - imports_.begin());
     thunks[i] = index < i ? thunks[index] : MakeThunk(imports_[i], i);
   }
-  // Changes the image last, because after a failure it is unloaded, which calls its functions.
+  // Changes the addresses in the image last.  If a step before this fails, the image is unloaded;
+  // the functions of the image that run then need the unchanged addresses.
   if (mprotect(thunks_, bytes, PROT_READ | PROT_EXEC) != 0) return kNoMemory;
   for (size_t i = 0; i < imports_.size(); ++i) *imports_[i].slot = thunks[i];
   return set_access(PROT_READ) ? "" : kNoMemory;

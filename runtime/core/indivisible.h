@@ -1,15 +1,15 @@
 // Indivisible: marks a section of code.  A signal handler must not end the process while this
 // thread is in such a section.
 //
-// The code in the section holds a lock that ending the process needs too.  If the process were
-// ended in the middle of the section, it would wait for this lock for ever.
+// The code in the section holds a lock that ending the process needs too.  If a signal handler
+// ended the process in the middle of the section, the handler would wait for this lock for ever.
 #pragma once
 
 namespace openr_host {
 
 // While an Indivisible exists, a signal handler that wants to end the process does not do so at
-// once. The destructor of the outermost Indivisible then ends the process.  Used only in the thread
-// that runs handlers.
+// once.  The destructor of the outermost Indivisible then ends the process.  Used only in the
+// thread that runs handlers.
 class Indivisible {
  public:
   Indivisible();

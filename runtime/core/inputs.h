@@ -4,7 +4,7 @@
 // frame boundary, like all that comes from outside.  A recording stores the lines with their times,
 // so a replay gives the same lines at the same times.  The runtime defines some verbs
 // (system_verbs.h), a virtual robot defines the verbs of its body (virtualrobot/hands.h).
-// docs/inputs.md lists all of them.
+// docs/inputs.md lists all verbs.
 #pragma once
 
 #include <cstdint>

@@ -35,7 +35,8 @@ class HiddenAddress {
   const char* pointer() const { return reinterpret_cast<const char*>(value()); }
 
  private:
-  // The mask has upper bits that no address has.
+  // The mask sets upper bits that are 0 in every address, so a hidden address is never taken for an
+  // address.
   static constexpr uintptr_t kMask = 0xa5a5'0000'0000'0000;
   uintptr_t hidden_ = kMask;
 };
@@ -63,7 +64,8 @@ class LeakSearch {
  public:
   explicit LeakSearch(System* system) : system_(system) {}
 
-  // Marks all reachable nodes.  `stack` is the lowest address of this thread's stack that counts.
+  // Marks all reachable nodes.  `stack` is the lowest address of this thread's stack that is
+  // searched.
   void Run(const char* stack);
   void Report() const;
 

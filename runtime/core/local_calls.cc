@@ -139,7 +139,7 @@ int32_t LocalCalls::CheckAccess(uint32_t region, MemoryProtectionInfo info) {
   return system_->region_shares().ChangeProtection(t_current.object->id, region, info);
 }
 
-// Does nothing, because the IPStack of this process has made the mapping itself.
+// Does nothing, because the IPStack is in this process and knows already which buffers are mapped.
 void LocalCalls::NoteMapping(uint32_t, uint32_t, bool) {}
 
 void LocalCalls::AddFinding(const Object* about, Severity severity, std::string_view text) {

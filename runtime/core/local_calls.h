@@ -10,7 +10,7 @@ class System;
 
 class LocalCalls : public SystemCalls {
  public:
-  // `system` must outlive the calls.
+  // `system` must outlive this object.
   explicit LocalCalls(System* system) : system_(system) {}
 
   int32_t Post(OwnedMessage&& message, int64_t delay_us) override;

@@ -19,8 +19,9 @@ extern "C" {
 
 namespace openr_host {
 
-// Returns whether the program runs under Valgrind, which adds a library of its own to LD_PRELOAD.
-// Valgrind's own macro for this is in a header that is not installed everywhere.
+// Returns whether the program runs under Valgrind: whether LD_PRELOAD has the library that Valgrind
+// adds.  Valgrind's macro for this question is not used, because its header is not installed
+// everywhere.
 inline bool IsUnderValgrind() {
   static const bool is_under_valgrind = [] {
     const char* const preloaded = std::getenv("LD_PRELOAD");

@@ -172,8 +172,8 @@ class Object {
   std::string name;  // OBJECT_NAME of the .ocf file, unique per robot
   std::string path;  // /MS/... of an image; empty for objects built in code
 
-  // Number of the objects that had this id before this object.  Each of these objects has its own
-  // names of entries.
+  // Number of the objects that had this id before this object.  Traces use this number to see that
+  // the object with this id is another one, whose entries may have other names.
   int predecessors = 0;
 
   // Text after "state: " in the last INFO line that the object has printed with OSYSLOG1.  This
@@ -213,9 +213,9 @@ class Object {
   // selector.
   std::map<uint32_t, std::string> services;
 
-  // ---- The members that every message reads.  They lie on two cache lines, and last, so that the
-  // members of the derived classes follow.  With thousands of objects, most of the time of a
-  // message is spent waiting for memory.
+  // ---- The members that every message reads.  They lie on two cache lines, because with thousands
+  // of objects most of the time of a message is spent waiting for memory.  They come last, so that
+  // the members of the derived classes lie next to them.
 
   // The object has the entries 0 to entry_count - 1.  For all other entries, HasEntry() is called.
   alignas(64) uint32_t entry_count = 0;

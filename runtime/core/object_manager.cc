@@ -60,8 +60,8 @@ ObjectManager::ObjectManager() {
   });
 }
 
-// Keeps messages to the objects of `robot`, or of all robots, back until their boot permits
-// delivery.
+// Begins to keep back the messages to the objects of `robot`, or of all robots.  IsTooEarly() says
+// which messages are kept back, and for how long.
 void ObjectManager::KeepBack(int robot) {
   are_connected_ = false;
   for (const auto& object : system().objects()) {
@@ -168,8 +168,8 @@ void ObjectManager::RunBootAgain(int robot) {
 }
 
 // Switches `robot`, or all robots, off during the boot.  Called with --strict if there is an error,
-// for example a connection to an unknown service.  Objects have run DoInit already, because only
-// DoInit registers their services.
+// for example a connection to an unknown service.  The objects have run their DoInit by then,
+// because an unknown service is found only after DoInit has registered all services.
 void ObjectManager::RefuseToStart(int robot) {
   for (int each = 0; each < system().robot_count(); ++each) {
     if (robot != kAllRobots && each != robot) continue;
@@ -191,7 +191,7 @@ void ObjectManager::RunShutdown(int robot) {
 void ObjectManager::RunReload(ObjectId id) {
   Object* const old = system().object(id);
   if (old == nullptr || !old->is_image)
-    return;  // only an object that was loaded from a file here can be loaded again
+    return;  // only an object that this process has loaded from a file can be loaded again
   std::unique_ptr<Object> fresh = OpenImage(&system(), old->robot, old->id, old->path, "reload");
   if (fresh == nullptr) return;
   Send(old, oentrySTOP, oreasonSHUTDOWN);

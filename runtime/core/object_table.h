@@ -55,8 +55,9 @@ class ObjectTable {
   // for the object.
   void OnEnd(Listener listener) { end_listeners_.push_back(std::move(listener)); }
 
-  // Removes all objects of `robot`, which is off, but for the object manager.  Each leaves its id
-  // and its statistics to an absent object.  REQUIRES: called in a task.
+  // Removes all objects of `robot`, which is off, except the object manager.  An absent object
+  // (Object::is_absent) takes the id and the statistics of each removed object.  REQUIRES: called
+  // in a task.
   void RemoveAllOf(int robot);
 
   // Ends every connection of the other objects with object `id`.  A worker calls this when an

@@ -30,8 +30,8 @@ class OffRobots {
   // Returns the end of the next frame of the robots that are off; INT64_MAX if no robot is off.
   int64_t NextUs() const;
   // Moves the bodies of the robots that are off if a frame ends now, and posts the boot of each
-  // robot that is due to boot.  A robot is removed only when it boots (System::LoadAgain()),
-  // because the object manager may be busy.
+  // robot that is due to boot.  A posted boot may have to wait for the object manager, so a robot
+  // is removed only when it really boots (System::LoadAgain()).
   void DoDue();
 
   void HashState(Hasher* hasher) const;
@@ -40,7 +40,7 @@ class OffRobots {
   struct Times {
     // End of the frame that runs now; INT64_MAX when the boot of the robot was posted.
     int64_t frame_us;
-    int64_t boot_us;  // the robot boots at the end of the first frame that ends then or later
+    int64_t boot_us;  // the robot boots at the end of the first frame that ends at boot_us or later
   };
 
   System* const system_;

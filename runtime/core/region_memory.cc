@@ -17,8 +17,9 @@ namespace {
 constexpr size_t kMapBytes = 64 << 10;
 // Cells that are larger than this are unmapped when they are freed.
 constexpr size_t kKeepBytes = 256 << 10;
-// Most bytes of free cells of kMapBytes and more that stay mapped.  After a reboot of the robot the
-// same regions are in other slots, so without a limit each reboot would leave mapped cells behind.
+// The largest sum of bytes of the free cells that stay mapped (RegionMemory::kept_bytes_).  Cells
+// smaller than kMapBytes do not count.  After a reboot of the robot the same regions are in other
+// slots, so without a limit each reboot would leave mapped cells behind.
 constexpr size_t kKeptBytesMax = 1 << 20;
 
 // Sets flag `index` of a list to `value`.  Flags beyond the end of the list are false.  So the list
@@ -112,12 +113,13 @@ void RegionMemory::Free(char* block) {
   }
 }
 
-// Removes the cell from the list of kept cells if it is there.
+// Removes `cell` from kept_, the list of free cells that stay mapped, if it is in this list.
 void RegionMemory::NoLongerKept(const Cell& cell) {
   kept_bytes_ -= std::erase(kept_, cell) * CellBytes(cell.size_class);
 }
 
-// Unmaps a cell that is a piece of its own.
+// Unmaps a cell of kMapBytes or more.  Such a cell was mapped as one piece, so no other cell loses
+// its memory.
 void RegionMemory::Unmap(const Cell& cell) {
   const size_t bytes = CellBytes(cell.size_class);
   munmap(area_ + OffsetOf(cell.size_class) + cell.slot * bytes, bytes);

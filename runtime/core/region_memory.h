@@ -51,15 +51,15 @@ class RegionMemory {
 
   struct Cells {
     std::vector<bool> in_use;  // one element for each slot
-    // Tells for each piece of memory whether it is mapped.  A piece is mapped at once; it has
-    // kMapBytes and holds several cells, or one cell if a cell is larger.
+    // Tells for each piece of memory whether it is mapped.  A piece is mapped as a whole.  It has
+    // kMapBytes and holds several cells, or one cell if the cells of the class are larger.
     std::vector<bool> is_mapped;
   };
 
   char* area_;  // null when addresses are not planned
   std::array<Cells, kClasses> cells_;
-  // Free cells that are pieces of their own and still mapped, oldest first, and the sum of their
-  // bytes.
+  // Free cells of kMapBytes or more that are still mapped, in the order in which they were freed,
+  // and the sum of their bytes.
   std::vector<Cell> kept_;
   size_t kept_bytes_ = 0;
 };

@@ -22,13 +22,14 @@ class RobotServices {
 
   virtual OStatus OpenPrimitive(const char* locator, OPrimitiveID* id);
   virtual OStatus ClosePrimitive(OPrimitiveID id);
-  // Returns the CPC locator of the primitive, for debuggers; null if it is not known.
+  // Returns the locator of the primitive, such as "PRM:/r1/c1-Joint2:j1", for debuggers; null if it
+  // is not known.
   virtual const char* LocatorOf(OPrimitiveID id);
   virtual OStatus ControlPrimitive(OPrimitiveID id, OPrimitiveRequest request, void* param,
                                    size_t param_size, void* result, size_t result_size);
 
-  // `gains` has the six numbers of a joint's PID control: P, I, D gain, then P, I, D shift.  A gain
-  // acts like gain x 2^(shift - 16) (robot.md 8).
+  // In the functions below, `gains` has the six numbers of a joint's PID control: P, I, D gain,
+  // then P, I, D shift.  A gain acts like gain x 2^(shift - 16) (robot.md 8).
   virtual OStatus EnableJointGain(OPrimitiveID id);
   virtual OStatus DisableJointGain(OPrimitiveID id);
   virtual OStatus SetJointGain(OPrimitiveID id, const word gains[6]);

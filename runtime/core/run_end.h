@@ -30,7 +30,7 @@ const char* EndName(EndKind kind);
 
 struct RunEnd {
   EndKind kind = EndKind::kPowerOff;
-  std::string why = "the robot was shut down";  // "PowerMonitor shut the robot down ..."
+  std::string why = "the robot was shut down";  // or "PowerMonitor shut the robot down ..."
 };
 
 // Returns a sentence about the end for people: "ended by time: --for 20s is over".

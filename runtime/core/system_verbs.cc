@@ -115,8 +115,7 @@ std::string FindEnds(const System& system, const SentDatum& datum, ServiceEnd* s
   return "";
 }
 
-// Posts `datum`.  Reports a failure as an error finding, because no caller waits for the result
-// here.
+// Posts `datum`.  Reports a failure as an error finding, because no caller waits for the result.
 void Send(System* system, const SentDatum& datum) {
   ServiceEnd subject, observer;
   std::string problem = FindEnds(*system, datum, &subject, &observer);

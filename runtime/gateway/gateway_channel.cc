@@ -19,7 +19,7 @@ void OutgoingChannel::Up() { observer_->AssertReady(); }
 
 void OutgoingChannel::Notify(const ONotifyEvent& event) {
   // Drops data that arrive from the subject without a connection.  The subject may have sent them
-  // before it received the "not ready" of Down().
+  // before it received the "not ready" that Down() sends.
   if (!connection_.is_up()) {
     gateway_->host().dropped_count += 1;
     return;

@@ -2,8 +2,8 @@
 // read(0).
 //
 // Each object that calls one of these functions gets a standard input of its own.  A read waits for
-// a line and stops only the object that reads; all other objects run on. std::cin needs no hook
-// here, because it calls getc(), ungetc() and fread().
+// a line and stops only the object that reads; all other objects continue.  There is no hook for
+// std::cin, because it calls getc(), ungetc() and fread(), which are hooked.
 #include <stdarg.h>
 #include <stdio.h>
 #include <unistd.h>
@@ -102,9 +102,9 @@ size_t fread(void* data, size_t size, size_t count, FILE* file) {
   return next(data, size, count, Resolve(file));
 }
 
-// Defines the scanf() functions whose names begin with `prefix`. glibc has two versions of each
-// function: one follows C99, the other an older standard. <stdio.h> chooses one version by the
-// language level of the caller, so both are defined here.
+// Defines the scanf() functions whose names begin with `prefix`.  The C library has two versions of
+// each function: one follows C99, the other an older standard.  The header <stdio.h> chooses one
+// version by the language level of the caller, so both are defined here.
 #define OPENR_SCANF_FAMILY(tag, prefix)                                                          \
   int tag##vfscanf(FILE* file, const char* format, va_list arguments) __asm__(prefix "vfscanf"); \
   int tag##vscanf(const char* format, va_list arguments) __asm__(prefix "vscanf");               \

@@ -9,7 +9,8 @@
 #include <IPv4Types.h>
 #include <antEnvMsg.h>
 
-// Limits of servers, and of a name with its closing NUL; with them messages are below 256 bytes.
+// The largest number of servers, and the size of a name with its closing NUL.  With these limits a
+// message has less than 256 bytes.
 #define MAXNS 3
 #define MAXDNAME 100
 
@@ -86,8 +87,8 @@ struct DNSEndpointGetHostByAddrMsg : public DNSEndpointBaseMsg {
   DNSEndpointGetHostByAddrMsg(antModuleRef& module, IPAddress address);
 };
 
-// Asks for an address of the last host found, by index; the error is DNS_INDEX_INVALID if there is
-// none.
+// Asks for an address of the last host found, by index; the error is DNS_INDEX_INVALID if no
+// address has this index.
 struct DNSEndpointGetAddressMsg : public DNSEndpointBaseMsg {
   int32 index;
   IPAddress address;  // output

@@ -1,4 +1,5 @@
-// The name under which a message of SetTimeEvent() or SetReplyEvent() can be cancelled.
+// The id with which CancelEvent() cancels a message that was requested with SetTimeEvent() or
+// SetReplyEvent().
 #ifndef OPENR_EVENTID_H_INCLUDED
 #define OPENR_EVENTID_H_INCLUDED
 

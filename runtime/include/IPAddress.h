@@ -35,7 +35,7 @@ class IPAddress {
   // Writes "10.0.1.2" into `text`, which needs room for 16 characters, and returns it.
   char* GetAsString(char* text) const;
 
-  // Prints the same text on the console.
+  // Prints the address on the console, in the form "10.0.1.2".
   void print() const;
 
  private:

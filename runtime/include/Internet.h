@@ -1,6 +1,6 @@
 // Protocol and port numbers of the Internet.
 //
-// The names are macros of the host's <netinet/in.h> as well: do not include both in one
+// The names are macros of the host's <netinet/in.h> as well, so do not include both headers in one
 // source.
 #ifndef OPENR_INTERNET_H_INCLUDED
 #define OPENR_INTERNET_H_INCLUDED

@@ -45,13 +45,13 @@ sError Reply(void* msg = 0, size_t size = 0);
 sError Delegate(OID oid, Selector selector, void* msg, size_t size);
 sError CleanRBox(RID rbox);
 
-// End the current method; they do not return to the caller.
+// End the running handler.  The code after a call of Return() or Exit() is not executed.
 void Return(void* msg = 0, size_t size = 0);
 void Exit();
 void ExitFromPrologue();
 
 // Request later messages: at a time, again after each period, or when the reply to `rbox` can be
-// received without waiting.  `event`, which may be 0, becomes the id for CancelEvent().
+// received without waiting.  Unless `event` is 0, `*event` becomes the id for CancelEvent().
 sError SetTimeEvent(TimeEventInfo* info, OID oid, Selector selector, void* msg, size_t size,
                     EventID* event);
 sError SetReplyEvent(RID rbox, OID oid, Selector selector, void* msg, size_t size, EventID* event);
@@ -80,12 +80,13 @@ sError SetResourceValue(sResource resource, slongword value);
 sError GetResourceValue(sResource resource, slongword* current, slongword* most = 0,
                         slongword* least = 0);
 
-// Lets `nanosec` pass for this handler; GetSystemTime() then returns as much more.
+// Lets `nanosec` nanoseconds pass for this handler: GetSystemTime() returns times that are later by
+// this amount.
 sError Wait(longword nanosec);
 
 }  // extern "C"
 
-// Old forms: Send() with five arguments has a reply box.
+// Old forms of functions above: here Send() with five arguments is SendWithRBox().
 inline sError Send(OID oid, Selector selector, void* msg, size_t size, RID* rbox) {
   return SendWithRBox(oid, selector, msg, size, rbox);
 }

@@ -58,8 +58,8 @@ const int32 TCPEndpoint_Operation_Address = 13;
 
 // ---- documented messages
 
-// Waits for one connection.  The answer comes when a client has connected; it has all four fields
-// filled in.
+// Waits for one connection.  The answer comes when a client has connected.  In the answer all four
+// fields, the addresses and ports of both sides, are filled in.
 struct TCPEndpointListenMsg : public TCPEndpointBaseMsg {
   IPAddress lAddress;  // own address
   Port lPort;
@@ -120,8 +120,8 @@ struct TCPEndpointSendMsg : public TCPEndpointBaseMsg {
         queueNr(queue) {}
 };
 
-// Receives at least sizeMin and at most sizeMax bytes.  In the answer both fields are the number of
-// bytes received.  At the end of the stream the error is TCP_CONNECTION_CLOSED.
+// Receives at least sizeMin and at most sizeMax bytes.  In the answer sizeMin and sizeMax are both
+// the number of bytes received.  At the end of the stream the error is TCP_CONNECTION_CLOSED.
 struct TCPEndpointReceiveMsg : public TCPEndpointBaseMsg {
   byte* buffer;  // must point into a shared buffer
   int sizeMin;

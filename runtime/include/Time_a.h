@@ -21,7 +21,7 @@ inline bool operator==(const RelativeTime& left, const RelativeTime& right) {
   return left.sec == right.sec && left.msec == right.msec;
 }
 
-// The system's own form of a span, which may be longer than 136 years.
+// The system's own form of a span of time.  Unlike a RelativeTime it can be longer than 136 years.
 struct InternalTime {
   int day;
   longword sec;

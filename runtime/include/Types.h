@@ -48,7 +48,7 @@ typedef slongword sError;
 typedef longword Selector;
 const Selector UNDEF = 0xffffffff;
 
-// An entry of an object's table.
+// The function in an entry of an object's table (ObjectEntryTable.h).
 typedef void (*Entry)(...);
 
 typedef byte* VirtualAddress;
@@ -75,8 +75,8 @@ typedef struct AperiosThread* ThreadID;
 typedef struct AperiosObject* ObjectPtr;
 typedef struct AperiosExecSpace* ExecSpaceID;
 
-// On the robot FALSE is NULL, which is 0 there.  Here it is the number 0, because other compilers
-// warn if a NULL is assigned to an int.
+// On the robot FALSE is NULL, which is 0 there.  Here FALSE is the number 0, because other
+// compilers warn if a NULL is assigned to an int.
 #ifndef NULL
 #define NULL 0
 #endif

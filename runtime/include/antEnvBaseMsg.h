@@ -64,8 +64,8 @@ class antEnvMsg {
   // Waits for the answer and puts it into this message.  Blocks the calling object.
   antError Call(antStackRef target, int size);
 
-  // Returns the message in an entry that receives answers, whose first statement this call is.  The
-  // message is valid during the entry; the program casts it to its real type.
+  // Returns the answer that an entry has received; called as the first statement of this entry.
+  // The answer is valid until the entry returns; the program casts it to its real type.
   static antEnvMsg* Receive(ANTENVMSG msg);
 
   int32 GetOperation() const { return dstOperation; }

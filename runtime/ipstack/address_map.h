@@ -16,7 +16,8 @@ class AddressMap {
  public:
   explicit AddressMap(std::vector<AddressPair> pairs) : pairs_(std::move(pairs)) {}
 
-  // Returns whether a pair translates `robot`, an address that programs use.
+  // Returns whether a pair of addresses (AddressPair) translates `robot`, an address that programs
+  // use.
   bool Has(uint32_t robot) const;
 
   // Returns the host's address for `address`, an address that a program uses.  Returns `address`

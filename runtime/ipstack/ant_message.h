@@ -48,9 +48,9 @@ void ClearCounts(antEnvMsg* message);
 // Message.
 uint64_t AntMessageHash(const antEnvMsg& message, const void* data = nullptr, size_t size = 0);
 
-// Returns the field `abort` of `message`, any byte but 0 being true.  Where a program has written
-// another message into the same memory, the byte may be neither 0 nor 1, and C++ gives no meaning
-// to such a bool.
+// Returns whether the field `abort` of `message` is not 0.  The field is read as a byte: if a
+// program has written another message into the same memory, the byte may be neither 0 nor 1, and
+// C++ gives no meaning to such a bool.
 bool IsAbort(const TCPEndpointCloseMsg& message);
 
 // The bytes that a Send message of TCP or UDP sends; the size is 0 for other messages.

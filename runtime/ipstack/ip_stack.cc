@@ -159,7 +159,8 @@ void IpStack::HandleStackMessage(Operation* operation) {
     switch (message.dstOperation) {
       case antEnv_Operation_InitGetParam:
         return Answer(operation, parameters_.Get(&operation->As<antEnvInitGetParamMsg>()));
-      // Refuses other objects, because only system objects may set parameters.
+      // Refuses the request of an object of a program, because only system objects may set
+      // parameters.
       case antEnv_Operation_InitSetParam:
         return Answer(operation, sender != nullptr && sender->is_system
                                      ? parameters_.Set(operation->As<antEnvInitSetParamMsg>())
@@ -240,7 +241,8 @@ void IpStack::HandleEndpointMessage(Operation* operation) {
 void IpStack::Answer(Operation* operation, int32_t error, const void* data, size_t size) {
   antEnvMsg& message = operation->message();
   SetAntError(&message, error);
-  // An answer with an error must have no data; 0 means success in every protocol.
+  // Sets the counts in an answer with an error to 0, because such an answer has no data.  The error
+  // 0 means success in every protocol.
   if (error != 0) ClearCounts(&message);
   const uint64_t hash = AntMessageHash(message, data, size);
   if (operation->ticket.box != 0) {

@@ -145,7 +145,8 @@ class IpStack : public CodeObject {
   TcpPorts tcp_ports_;
   std::set<uint16_t> udp_ports_;  // ports that UDP endpoints have bound
   std::vector<uint32_t> dns_servers_;
-  // The key is the index in the endpoint's reference.
+  // The endpoints that are not deleted yet.  The key is the index in the endpoint's reference
+  // (antModuleRef).
   std::map<uint32_t, std::unique_ptr<Endpoint>> endpoints_;
   std::map<NetHandle, EventSink*> sinks_;
   uint32_t last_index_ = 0;

@@ -59,7 +59,7 @@ struct NetworkEvent {
     kDatagram,   // answer to ReceiveFrom(): `bytes` came from `remote`
     // Answer to Resolve() or ResolveAddress().  If there is no such host, `host` has no addresses.
     kResolved,
-    kFailed,  // `error` tells why; the socket can only be dropped
+    kFailed,  // the socket failed and can only be dropped; `error` tells why
     kNote,    // `bytes` is a text for the user
   };
   Kind kind = Kind::kNote;

@@ -83,8 +83,8 @@ void TcpEndpoint::Bind(Operation operation) {
 }
 
 // If a Bind, Listen or Connect cannot be executed, answers it with an error and returns true.
-// Otherwise returns false.  It can be executed if the endpoint is new, no Listen or Connect is
-// pending, and `local` is an address of the robot.
+// Otherwise returns false.  The operation can be executed if the endpoint is new, no Listen or
+// Connect is pending, and `local` is an address of the robot.
 bool TcpEndpoint::RefuseOpen(const Operation& operation, const IPAddress& local) {
   TCPEndpointError error = TCP_SUCCESS;
   if (opening_) {
@@ -140,8 +140,8 @@ void TcpEndpoint::Connect(const Operation& operation) {
 }
 
 // If a Send or Receive cannot be executed, answers it with an error and returns true.  Otherwise
-// returns false.  It can be executed if the connection is open and no operation of the same kind is
-// pending (`busy`).
+// returns false.  The operation can be executed if the connection is open and no operation of the
+// same kind is pending (`busy`).
 bool TcpEndpoint::RefuseTransfer(const Operation& operation, bool busy) {
   TCPEndpointError error = TCP_SUCCESS;
   switch (state_) {

@@ -19,8 +19,8 @@ class TcpPorts {
  public:
   explicit TcpPorts(IpStack* stack) : stack_(stack) {}
 
-  // The most ports that can be open at a time.  There is a limit because each of them needs a
-  // socket of the host.
+  // The largest number of ports that can be open at a time.  There is a limit because each open
+  // port needs a socket of the host.
   static constexpr size_t kPortsMax = 64;
 
   // Lets `endpoint` wait for a connection to `port`.  If the port is not open yet, opens it at the

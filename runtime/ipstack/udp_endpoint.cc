@@ -113,8 +113,9 @@ NetAddress UdpEndpoint::DestinationOf(const UDPEndpointSendMsg& message) const {
 }
 
 // If a Send or Receive cannot be executed, answers it with an error and returns true.  Otherwise
-// returns false.  It can be executed if the socket is bound and without error, no operation of the
-// same kind is pending (`busy`), and the `size` bytes at `buffer` lie in a shared buffer.
+// returns false.  The operation can be executed if the socket is bound and without error, no
+// operation of the same kind is pending (`busy`), and the `size` bytes at `buffer` lie in a shared
+// buffer.
 bool UdpEndpoint::RefuseTransfer(const Operation& operation, bool busy, const byte* buffer,
                                  int size) {
   UDPEndpointError error = error_;

@@ -304,7 +304,8 @@ int OSubject::IsAnyReady() const {
 int OSubject::IsAllReady() const {
   for (const auto& link : state_->links) {
     // The value 0 means that the observer has not asserted ready since the last notification.  An
-    // observer that has deasserted ready (-1) wants no data, so it does not count (core.md 2.2).
+    // observer that has deasserted ready (-1) wants no data, so the subject need not wait for it
+    // (core.md 2.2).
     if (link->ready == 0) return 0;
   }
   return IsAnyReady();

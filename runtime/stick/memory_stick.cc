@@ -121,7 +121,8 @@ void MemoryStick::HashFile(std::string_view name, std::string_view otherwise, Ha
     file.open(location.path, std::ios::binary);
   if (!file.is_open()) {
     const int why = WhyUnread(name);
-    // Two runs of a stick must not differ in their hashes because the host was in trouble once.
+    // Throws after an error of the host, such as too many open files.  If the file were hashed as
+    // missing instead, two runs with the same stick would have different hashes.
     if (why != ENOENT && why != EACCES && why != EISDIR && why != EINVAL)
       ThrowUnreadable(location.path, std::strerror(why));
     return hasher->AddText(otherwise);

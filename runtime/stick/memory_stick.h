@@ -84,7 +84,8 @@ class FolderStick : public MemoryStick {
   Location Locate(std::string_view name) override;
   uint64_t ContentHash() override;
   const std::string& root() const { return root_; }
-  // Makes the folder `root` the stick.  It must have the same files as the old folder.
+  // Makes `root` the folder of the host that has the files of this stick.  REQUIRES: `root` has the
+  // same files as the old folder.
   void set_root(std::string root) { root_ = std::move(root); }
 
  private:

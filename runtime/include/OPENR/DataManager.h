@@ -7,8 +7,8 @@
 
 struct DataInfo {
   OServiceEntry subject;  // the sender
-  RCRegion* myRCRegion;   // the observer's own object for the region
-  RCRegion* srcRCRegion;  // the subject's object, given back with the next ready
+  RCRegion* myRCRegion;   // the observer's own RCRegion for the memory
+  RCRegion* srcRCRegion;  // the subject's RCRegion, given back with the next ready
 };
 
 #endif  // OPENR_DATAMANAGER_H_INCLUDED

@@ -4,7 +4,7 @@
 
 #include <OPENR/OTime.h>
 
-// Values of dow_.
+// Values of OCalendarTime::dow_, the day of the week.
 const int ocldtdowSUNDAY = 0;
 const int ocldtdowMONDAY = 1;
 const int ocldtdowTUESDAY = 2;
@@ -41,8 +41,8 @@ class OCalendarTime {
   OStatus SetTime(const OTime& time);
 
   // Return the moment that the fields describe, without dow_.  Fields beyond their range carry
-  // over: the 31st of April is the 1st of May.  Unless ProperDate() holds, the status is
-  // oINVALID_ARG, with the moment set all the same.
+  // over: the 31st of April is the 1st of May.  If ProperDate() is false, the status is
+  // oINVALID_ARG, but the moment is returned nevertheless.
   OStatus GetTime(time_t* clock, sbyte* timeDif) const;
   OStatus GetTime(OTime* time) const;
 
@@ -62,8 +62,8 @@ class OCalendarTime {
   // change.
   OStatus CorrectDayOfTheWeek();
 
-  // Write the moment into `text`, which needs room for 32 characters; "improper date" unless
-  // ProperDate() holds.
+  // Write the moment into `text`, which needs room for 32 characters.  If ProperDate() is false,
+  // write "improper date" instead.
   void Sprint(char* text) const;   // "2004/02/29 Sun 13:05:07 UTC+9"
   void RFC2822(char* text) const;  // "Sun, 29 Feb 2004 13:05:07 +0900"
 

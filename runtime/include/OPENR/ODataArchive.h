@@ -39,7 +39,7 @@ struct Header {
 
 // An entry of the directory, 144 bytes.
 struct Entry {
-  char type[4];     // "OMTN", "WAVE", "MIDI", "OSND", "LED", "SYN"; short ones end in zero
+  char type[4];     // "OMTN", "WAVE", "MIDI", "OSND", "LED", "SYN"; short types end in zero
   char name[128];   // zero padded
   longword offset;  // start of the member, in bytes from the start of the file
   longword size;    // bytes of the member

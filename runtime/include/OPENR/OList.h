@@ -73,7 +73,7 @@ class OList {
   // Inserts before the element at `where`; returns otlOVERFLOW if the list is full.
   OTLStatus Insert(Iterator where, const T& value) { return InsertBefore(where.node_, value); }
 
-  // Removes an element; returns otlFAIL for an iterator that refers to none.
+  // Removes an element; returns otlFAIL for an iterator that refers to no element.
   OTLStatus Erase(Iterator where) {
     return where.node_ < 0 || where.node_ >= END ? otlFAIL : Remove(where.node_);
   }

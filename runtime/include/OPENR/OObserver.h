@@ -19,19 +19,21 @@ class OObserver {
   OObserver();
   ~OObserver();
 
-  // Sets the entry that receives NOTIFY messages; it becomes the id.  Called in DoInit.
+  // Sets the entry that receives NOTIFY messages.  This entry becomes the id of the observer.
+  // Called in DoInit.
   OStatus SetNotifyEntry(const OServiceEntry& entry);
   const ObserverID& GetID() const;
   const ObserverID& GetObserverID() const { return GetID(); }
 
-  // Set how each subject buffers for this observer; called in DoInit.  Of skip + 1 notifications
-  // one is kept.  Nothing is sent before `least` of them are collected.  At most `most` wait for a
-  // ready; older ones are dropped.  The defaults are 0, 1, 1.
+  // Set how each subject buffers notifications for this observer; called in DoInit.  One of skip +
+  // 1 notifications is kept.  Nothing is sent before `least` kept notifications are collected.  At
+  // most `most` of them wait for a ready; the oldest are dropped.  The defaults are 0, 1, 1.
   void SetSkip(size_t skip);
   void SetBufCtrlParam(size_t skip, size_t least, size_t most);
 
-  // Send a ready (assert) or its withdrawal (deassert) to all connected subjects, or to one.  It
-  // gives back every region received from the subject to which the program holds no reference.
+  // Send a ready (assert) or its withdrawal (deassert) to all connected subjects, or to one
+  // subject.  The message also gives back the regions that came from the subject, except regions to
+  // which the program holds a reference.
   OStatus AssertReady();
   OStatus AssertReady(const SubjectID& id);
   OStatus AssertReady(const OSubjectInfo& info) { return AssertReady(info.GetSubjectID()); }
@@ -42,7 +44,7 @@ class OObserver {
   SubjectConstIterator begin() const;
   SubjectConstIterator end() const;
   int NumberOfSubjects() const;
-  SubjectID FindSender(RCRegion* region) const;  // invalid unless this observer holds it
+  SubjectID FindSender(RCRegion* region) const;  // invalid unless this observer holds `region`
 
   // Called by the stub.
   OStatus ConnectHandler(const OConnectMessage& msg, OStatus status = oSUCCESS);

@@ -76,8 +76,8 @@ const OMemoryStickStatus omemorystickNOT_EXIST = 0;
 const OMemoryStickStatus omemorystickWRITE_PROTECTED = 1;
 const OMemoryStickStatus omemorystickWRITABLE = 2;
 
-// The parameters of oreasonBOOT and of oreasonSHUTDOWN.  That they belong together is inferred from
-// their names.
+// The parameter for oreasonBOOT, OBootParam, and the parameter for oreasonSHUTDOWN, OShutdownParam.
+// Which parameter belongs to which reason is inferred from the names.
 struct OBootParam {
   OMemoryStickStatus memoryStickStatus;
 

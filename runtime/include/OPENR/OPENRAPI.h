@@ -85,7 +85,7 @@ OStatus SetDefaultJointGain(OPrimitiveID id);
 // Errors: those of SetJointGain()
 OStatus GetDefaultJointGain(OPrimitiveID id, word* pg, word* ig, word* dg, word* ps, word* is,
                             word* ds);
-// Errors: oFAIL, with all six 0
+// Errors: oFAIL; all six numbers are then 0
 
 // ---- starting several vectors together
 

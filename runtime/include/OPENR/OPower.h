@@ -41,8 +41,8 @@ class OPowerStatus {
 
 // The conditions under which the robot boots after OPENR::Shutdown(), or those that have booted it.
 //
-// It has 16 bytes on the robot and more where time_t has 64 bits.  That does no harm, because it is
-// passed by reference only.
+// An OBootCondition has 16 bytes on the robot and more where time_t has 64 bits.  The larger size
+// does no harm, because an OBootCondition is passed by reference only.
 class OBootCondition {
  public:
   word bitmap;            // obcb... bits

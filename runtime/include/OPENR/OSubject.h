@@ -1,9 +1,10 @@
 // OSubject, the sending end of connections.
 //
 // Each connection has a ready flag.  NotifyObservers() sends all data that were set since the last
-// call, as one event, to every observer that is ready, and clears its flag.  For an observer that
-// is not ready, the newest notifications wait: 1, or more if the observer has asked for that.  They
-// are sent with its next ready, before the program's Ready function runs.  (measured.md, section 1)
+// call, as one event, to every observer that is ready, and clears the flag of its connection.  For
+// an observer that is not ready, the newest notifications wait: 1, or more if the observer has
+// asked for that.  They are sent when the observer's next ready arrives, before the program's Ready
+// function runs.  (measured.md, section 1)
 #ifndef OPENR_OSUBJECT_H_INCLUDED
 #define OPENR_OSUBJECT_H_INCLUDED
 
@@ -24,13 +25,14 @@ class OSubject {
   OSubject();
   ~OSubject();
 
-  // Sets the entry that receives READY messages; it becomes the id.  Called in DoInit.
+  // Sets the entry that receives READY messages.  This entry becomes the id of the subject.  Called
+  // in DoInit.
   OStatus SetReadyEntry(const OServiceEntry& entry);
   const SubjectID& GetID() const;
 
-  // Set the number of entries kept for each observer (14 by default) and the number of SetData()
-  // calls that are sent as one unit (1).  Called in DoInit; SetNotifyUnitSize() fails once a
-  // connection exists.
+  // Set the size of the buffer for each observer, in entries (by default 14), and the number of
+  // SetData() calls that are sent as one unit (by default 1).  Called in DoInit;
+  // SetNotifyUnitSize() fails once a connection exists.
   OStatus SetBufferSize(size_t size);
   size_t GetBufferSize() const;
   OStatus SetNotifyUnitSize(size_t size);
@@ -60,8 +62,8 @@ class OSubject {
   OStatus NotifyObserver(const OObserverInfo& info);
   OStatus NotifyObserver(const ObserverID& id);
 
-  // Return the number of free entries, without an argument the least of all observers; 0 for an
-  // unknown id.
+  // Return the number of free entries in the buffer for an observer; without an argument, the
+  // smallest such number of all observers.  Return 0 for an unknown id.
   size_t RemainBuffer() const;
   size_t RemainBuffer(const OObserverInfo& info) const;
   size_t RemainBuffer(const ObserverID& id) const;

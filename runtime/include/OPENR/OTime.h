@@ -15,7 +15,7 @@ const int otimeSTART_YEAR = 2000;
 class OTime {
  public:
   OTime();  // clock 0, difference undefined
-  // Makes a difference outside the range undefined.
+  // A time difference outside its range becomes otimeTIME_DIF_UNDEF.
   OTime(time_t clock, sbyte timeDif);
 
   // Returns oINVALID_ARG, and changes nothing, for a time difference outside the range.

@@ -1,7 +1,7 @@
 // The events that the class of an object receives: Connect, Control, Ready and Notify.
 //
-// The stub makes an event for one call.  Programs may keep copies of it, but not of the data to
-// which it points (see ONotifyEvent).
+// The stub makes an event for one call.  Programs may keep copies of an event, but the data to
+// which the event points do not stay valid (see ONotifyEvent).
 #ifndef OPENR_OBJCOMMEVENT_H_INCLUDED
 #define OPENR_OBJCOMMEVENT_H_INCLUDED
 

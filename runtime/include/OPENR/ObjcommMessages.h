@@ -73,14 +73,14 @@ struct OReadyMessage {
   ObjcommCommand command;
   ObserverID observerID;
   int numOfData;
-  RCRegion* rcRegion[MAX_NUM_DATA];  // the subject's objects for the regions
+  RCRegion* rcRegion[MAX_NUM_DATA];  // the subject's own RCRegions that are given back
 
   OReadyMessage() : msgType(omsgREADY_V22), command(objcommCMD_UNDEF), numOfData(0) {}
 };
 
 // A region that is being sent to an observer.
 struct TransferedData {
-  RCRegion* srcRCR;  // the subject's object for the region
+  RCRegion* srcRCR;  // the subject's own RCRegion for the memory
   MemoryRegionID memID;
   unsigned int offset;  // bytes
   size_t size;          // bytes
@@ -92,7 +92,7 @@ struct ONotifyMessage {
   SubjectID subjectID;
   short numOfData;
   short numOfNotify;
-  TransferedData data[MAX_NUM_DATA];  // the first numOfData of them
+  TransferedData data[MAX_NUM_DATA];  // only the first numOfData elements are in use
 
   ONotifyMessage() : msgType(omsgNOTIFY_V22), numOfData(0), numOfNotify(0) {}
 

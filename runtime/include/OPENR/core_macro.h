@@ -24,7 +24,7 @@
       RegisterServiceEntry(OServiceEntry(myOID_, Entry_Connect[i]), observerService[i]); \
   }
 
-// Sets the entry of every subject and observer.
+// Sets the Ready entry of every subject and the Notify entry of every observer.
 #define SET_ALL_READY_AND_NOTIFY_ENTRY        \
   {                                           \
     OServiceEntry entry;                      \

@@ -66,8 +66,9 @@ const longword obsecUNKNOWN = 7;
 // ---- fields of the filter of OPENR::ObservePowerStatus()
 //
 // Each bit that is set in robotStatus and batteryStatus of the filter requests a message whenever
-// that bit changes.  Each of the four numbers is one of the values below, or a value whose arrival
-// is reported.  Voltage, current and full capacity cannot be observed.
+// that bit changes.  Each of the four numbers (remainingCapacity, temperature, timeDif, volume) is
+// one of the values below, or the value at which a message is sent, as soon as the number has
+// become equal to it.  Voltage, current and full capacity cannot be observed.
 
 const word opsoREMAINING_CAPACITY_NOTIFY_EVERY_CHANGE = 0xffff;
 const word opsoREMAINING_CAPACITY_NOT_NOTIFY = 0xfffe;

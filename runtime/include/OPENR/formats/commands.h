@@ -33,7 +33,7 @@ struct OCommandValue {
 };
 
 // The commands for one primitive, 128 bytes.  Programs cast `value` to a pointer to the struct that
-// belongs to the type.
+// belongs to OCommandInfo::type.
 struct OCommandData {
   OCommandValue value[ocommandMAX_FRAMES];
 };

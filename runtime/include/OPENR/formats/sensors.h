@@ -39,7 +39,7 @@ struct OSensorValue {
 };
 
 // The samples of one primitive, oldest frame first, 256 bytes.  Programs cast a frame to the struct
-// that belongs to the type.
+// that belongs to OSensorFrameInfo::type.
 struct OSensorFrameData {
   OSensorValue frame[osensorframeMAX_FRAMES];
 };

@@ -7,14 +7,14 @@
 
 #include <OPENR/formats/vector_info.h>
 
-// Only PCM is supported.  The names of 0, 2 and 3 are inferred.
+// Only PCM is supported.  The names of the values 0, 2 and 3 are inferred.
 typedef word OSoundFormat;
 const OSoundFormat osoundformatUNDEF = 0;
 const OSoundFormat osoundformatPCM = 1;
 const OSoundFormat osoundformatUSB_MIDI = 2;
 const OSoundFormat osoundformatSMF = 3;
 
-// The names of 0 and 2 are inferred.
+// The names of the values 0 and 2 are inferred.
 typedef word OSoundChannel;
 const OSoundChannel osoundchannelUNDEF = 0;
 const OSoundChannel osoundchannelMONO = 1;
