@@ -74,10 +74,10 @@ class Body {
  public:
   virtual ~Body() = default;
 
-  // Simulate a frame of 8 ms in two steps, because several robots can be in one world.  First
-  // SetCommands() is called for each robot, then Advance() for each robot.  The first call of
-  // Advance() simulates the frame for all robots of the world.  REQUIRES: commands.size() ==
-  // model.joints.size().
+  // SetCommands() and Advance() simulate a frame of 8 ms in two steps, because several robots can
+  // be in one world.  First SetCommands() is called for each robot, then Advance() for each robot.
+  // The first call of Advance() simulates the frame for all robots of the world.  REQUIRES:
+  // commands.size() == model.joints.size().
   virtual void SetCommands(const std::vector<JointCommand>& commands) = 0;
   virtual void Advance() = 0;
 

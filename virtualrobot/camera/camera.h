@@ -27,7 +27,7 @@ class CameraDevice {
   // identifies the camera in its image vectors.  REQUIRES: `source` is not null.
   CameraDevice(std::unique_ptr<ImageSource> source, const Camera& model, OPrimitiveID id);
 
-  // The next functions change the settings of the camera for which OPrimitiveControl.h defines
+  // The next functions change those settings of the camera for which OPrimitiveControl.h defines
   // requests.  The functions that return a bool return false for a value that is not listed in that
   // file.
   bool SetWhiteBalance(longword mode);

@@ -71,7 +71,7 @@ class Canvas {
   void DrawBall(const Eigen::Vector3d& centre_W, double radius_m, const Eigen::Vector3d& colour,
                 const Eigen::Vector3d& to_light_W, double ambient);
 
-  // Returns the place of the lens in W.
+  // Returns the place of the lens in the world W.
   const Eigen::Vector3d& p_WC() const { return p_WC_; }
 
  private:

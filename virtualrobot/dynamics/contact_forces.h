@@ -46,7 +46,7 @@ class ContactEquations {
 
 class ContactForces {
  public:
-  // `friction` is Coulomb's coefficient.
+  // `friction` is Coulomb's coefficient of friction.
   explicit ContactForces(double friction) : friction_(friction) {}
 
   // Find() ends after a sweep over all contacts that changes no impulse by more than this, in N s.
