@@ -23,7 +23,7 @@ class PhysicsWorld;
 inline constexpr double kFrame_s = 0.008;
 inline constexpr double kGravity_m_s2 = 9.80665;
 
-// What hands of people and faults do to one joint and its servo.
+// The effects of hands of people and of faults on one joint and its servo.
 struct JointTrouble {
   std::optional<double> hand_rad;    // a hand turns the joint towards this angle
   std::optional<double> jammed_rad;  // the joint is stuck at this angle
@@ -60,8 +60,9 @@ struct BodyState {
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
   Eigen::Vector3d v_WB = Eigen::Vector3d::Zero();  // velocity of B's origin, in W, m/s
   Eigen::Vector3d w_WB = Eigen::Vector3d::Zero();  // angular velocity of B, in W, rad/s
-  // Gravity minus the acceleration of B's origin, averaged over the frame, in B, in m/s^2.  The
-  // accelerometer of the robot reads this vector: about (0, 0, -9.8) when the robot stands still.
+  // Gravity minus the acceleration of the origin of the base frame B, averaged over the frame, in
+  // the axes of B, in m/s^2.  The accelerometer of the robot reads this vector: about (0, 0, -9.8)
+  // when the robot stands still.
   Eigen::Vector3d gravity_B = Eigen::Vector3d::Zero();
   std::vector<JointState> joints;  // states of the joints, in the order of RobotModel::joints
   std::vector<bool> paws;  // for each paw, whether it touches something; order of RobotModel::paws
@@ -73,10 +74,10 @@ class Body {
  public:
   virtual ~Body() = default;
 
-  // Simulate a frame of 8 ms in two steps, because several robots can be in one world.  First
-  // SetCommands() is called for each robot, then Advance() for each robot.  The first call of
-  // Advance() simulates the frame for all robots of the world.  REQUIRES: commands.size() ==
-  // model.joints.size().
+  // SetCommands() and Advance() simulate a frame of 8 ms in two steps, because several robots can
+  // be in one world.  First SetCommands() is called for each robot, then Advance() for each robot.
+  // The first call of Advance() simulates the frame for all robots of the world.  REQUIRES:
+  // commands.size() == model.joints.size().
   virtual void SetCommands(const std::vector<JointCommand>& commands) = 0;
   virtual void Advance() = 0;
 

@@ -16,7 +16,7 @@ class BodyMover {
 
   // Simulates one frame of the body under the commands in `commands`.
   void Frame() { body_.Advance(commands); }
-  // Simulates the frames of `seconds` under the commands in `commands`.
+  // Simulates frames for `seconds` seconds under the commands in `commands`.
   void Hold(double seconds);
 
   // Switches the servos of all joints on, with their present angles as set points, so that no joint
@@ -45,7 +45,7 @@ class BodyMover {
   Body& body_;
 };
 
-// Returns the number of frames that are nearest to `seconds`.
+// Returns the number of frames whose duration is nearest to `seconds`.
 int FramesIn(double seconds);
 
 }  // namespace openr_host

@@ -76,7 +76,7 @@ class CommandQueue {
   int64_t start_ = 0;        // frame in which the vector in playing_ begins
   int64_t end_ = 0;          // first frame after the vector in playing_
   std::vector<Element> elements_;
-  std::vector<CommandElement> read_;  // result of Start(); a member only to save allocations
+  std::vector<CommandElement> read_;  // elements of the last Start(); a member to save allocations
   int face_ = -1;  // index of the element with the last light of the face; -1: no such light
 };
 

@@ -66,8 +66,8 @@ int CountFrames(const OCommandInfo& info, const OCommandData& data, std::string*
         "the element behind it and is not played",
         info.numFrames, ocommandMAX_FRAMES);
   }
-  // Looks for the number kNeverFilled, with which NewCommandVectorData() fills each frame: such a
-  // frame was never filled by the program.
+  // Looks for a frame that still has the number kNeverFilled, which NewCommandVectorData() writes
+  // into every frame: the program has never filled such a frame.
   for (int i = 0; i < frames; ++i) {
     if (data.value[i].value[0] != kNeverFilled) continue;
     *problem = fmt::format(

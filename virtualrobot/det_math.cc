@@ -7,8 +7,8 @@
 namespace openr_host {
 namespace {
 
-// pi/2 as the sum of three numbers.  The first two have only 33 significant bits, so that their
-// product with n is exact for every whole n below 2^20.
+// pi/2 as the sum of three numbers.  The first two have only 33 significant bits.  So their
+// products with the number of quarter turns (n in Reduce(), below 2^20) are exact.
 constexpr double kHalfPi1 = 0x1.921fb544p+0;
 constexpr double kHalfPi2 = 0x1.0b4611a6p-34;
 constexpr double kHalfPi3 = 0x1.3198a2e037073p-69;

@@ -85,7 +85,7 @@ class Devices {
   ObjectId commander_ = kNoObject;
   std::vector<bool> on_face_;  // for each light, the result of OnFace()
   std::vector<JointCommand> commands_;
-  // One element for each joint; empty before the first call of Trouble().
+  // The hands and faults that act on each joint; empty before the first call of Trouble().
   std::vector<JointTrouble> troubles_;
 };
 

@@ -62,7 +62,7 @@ void Energy::NoteFrame(const Body& body, const Devices& devices, bool charging, 
   current_ma_ += extra_ma_;
   mean_ma_ += kMeanShare * (current_ma_ - mean_ma_);
   // The heat of a battery grows with the square of its current.  A battery that gives kUsualMa or
-  // less stays at rest, so that a robot without load keeps its temperature exactly.
+  // less does not warm up, so that a robot without load keeps its temperature exactly.
   const double usual = mean_ma_ / kUsualMa;
   double battery_k = std::max(0.0, kBatteryUsual_k * (usual * usual - 1));
   if (charging) battery_k += kChargingBattery_k;

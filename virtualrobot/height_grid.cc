@@ -119,7 +119,8 @@ double EnterHeights(const WorldThing& thing, const Vector3d& p, const Vector3d& 
     return at.z() + thing.size_m.z() / 2 - SurfaceAt(thing, at.x(), at.y()).height_m;
   };
   // The surface is plane between the lines of the grid and the diagonals of its squares, so `over`
-  // is linear in t between two crossings of them.  The ray enters the solid where `over` becomes 0.
+  // is linear in t between two points at which the ray crosses such a line.  The ray enters the
+  // solid where `over` becomes 0.
   const double u = InPoints(p.x(), thing.size_m.x(), grid.columns);
   const double v = InPoints(p.y(), thing.size_m.y(), grid.rows);
   const double du = d.x() / thing.size_m.x() * (grid.columns - 1);

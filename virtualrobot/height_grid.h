@@ -15,7 +15,8 @@ namespace openr_host {
 
 struct HeightGrid {
   int columns = 0, rows = 0;  // points along x and along y, 2 or more each
-  // Heights of the points, row by row; first the least y, in a row the least x.
+  // Heights of the points, row by row.  The first row has the least y, and the first point of each
+  // row has the least x.
   std::vector<double> heights_m;
 
   double At(int column, int row) const {

@@ -24,11 +24,11 @@ class Hull {
   // Moves the ball and the box of part `part` (index of RobotModel::bodies) to the pose `X_BL`.
   void Move(int part, const Eigen::Isometry3d& X_BL);
 
-  // Returns the point that lies furthest in the direction opposite to `n_B`.  A ball is taken as
-  // one point: the lowest point for the direction `up_B`, which is a unit vector near n_B.
+  // Returns the point that lies furthest in the direction opposite to `n_B`.  A ball counts as one
+  // point: its lowest point when `up_B`, a unit vector near n_B, points up.
   Eigen::Vector3d LowestAlong(const Eigen::Vector3d& n_B, const Eigen::Vector3d& up_B) const;
 
-  // Returns the centre of the ball of paw `paw` (index of RobotModel::paws), in B.
+  // Returns the centre of the ball of paw `paw` (index of RobotModel::paws), in the base frame B.
   const Eigen::Vector3d& PawCentre(size_t paw) const { return balls_[paw].centre; }
 
  private:

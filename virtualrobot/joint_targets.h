@@ -27,7 +27,8 @@ class JointTargets {
   void AddVerbs();
 
   // Sets the set points of all joints in ways_ for the frame of 8 ms that begins.  Called after the
-  // objects' command vectors have set theirs, because the set points of inputs win.
+  // objects' command vectors have set their set points, because the set points of inputs replace
+  // them.
   void DoFrame();
 
   // Gives a joint back to the objects of the robot.

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kRadPerUrad = 1e-6;
 // Distance from which a joint counts as far from its set point.  The number is our choice: a joint
-// that is limp (without power) for a moment sags less.
+// that is limp (without power) for a moment sags less, so it is not reported.
 const double kFar_rad = Radians(10);
 // Number of frames in half a second.  A limp joint may sink for two such periods (1 s) without a
 // report, because a program needs some time to open the joint and to switch its servo on.  The time
@@ -24,8 +24,8 @@ const double kFar_rad = Radians(10);
 // mistake of the program.
 constexpr int kHalfSecondFrames = 62;
 // Smallest change of a set point in one frame that counts as a jump.  The number is our choice.  It
-// is above 20 degrees, by which the vendor's own walks change set points in a frame, so that these
-// are not reported.
+// is above 20 degrees, by which the vendor's own walks change set points in a frame, so that such
+// walks are not reported.
 const slongword kJumpUrad = static_cast<slongword>(Radians(30) / kRadPerUrad);
 // Set points count as radians when they are 1 to 10 microradians, positive or negative, for 32
 // frames (a quarter of a second).  The numbers are our choice.

@@ -41,7 +41,7 @@ class JointWatch {
   // Records the drives and angles of the joints after a frame.  Returns the index of a motor whose
   // drive has now been 78 % of its limit or more for exactly 30 s without a break; returns -1 when
   // there is no such motor.  The limits are from Sony's support (BBS 1735); how the robot averages
-  // is not known.  Called after every frame.
+  // the drive is not known.  Called after every frame.
   int NoteFrame(const BodyState& body);
 
   // Forgets what earlier frames and vectors have shown, because the robot is switched off.

@@ -15,7 +15,8 @@ nlohmann::json JsonReader::ParseText(const std::string& text, const std::string&
       if (text[i] == '\n') line += 1, column = 1;
     }
     throw std::runtime_error(fmt::format("{}:{}:{}: not valid JSON here", file, line, column));
-  } catch (const nlohmann::json::out_of_range& e) {  // e.what() has the number, but not its line
+  } catch (const nlohmann::json::out_of_range& e) {
+    // A number is too large.  The message has this number, but not its line.
     throw std::runtime_error(fmt::format("{}: {}", file, e.what()));
   }
 }

@@ -103,7 +103,8 @@ void ReadMatter(const JsonReader& row, WorldThing* thing) {
   }
 }
 
-// Reads the lengths of the edges of a box, a ramp or stairs; `shape` is its name in error messages.
+// Reads the lengths of the edges of a box, a ramp or stairs; `shape` is the name of the shape in
+// error messages.
 Vector3d EdgesOf(const JsonReader& row, const WorldThing& thing, const char* shape) {
   const Vector3d size_m = row.At("size_m").Vector();
   if (!(size_m.minCoeff() > 0)) {

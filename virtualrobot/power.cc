@@ -162,7 +162,7 @@ void Power::NotifyChange() {
     if (!Asks(watcher.filter, before, now)) continue;
     OwnedMessage message =
         system_->NewMessage(ObjectIdOf(watcher.entry.GetOID()), watcher.entry.GetSelector());
-    // Clears all bytes with the padding, because the hash of the message includes the padding.
+    // Clears all bytes, also the padding, because the hash of the message includes the padding.
     std::memset(message->payload, 0, sizeof(OPowerStatusMessage));
     auto& payload = *reinterpret_cast<OPowerStatusMessage*>(message->payload);
     payload.msgType = omsgPOWER_STATUS;

@@ -66,7 +66,8 @@ const std::string* PrimitiveLocator(const RobotModel& model, OPrimitiveID id) {
   VisitPrimitives(model, [&](const std::string& locator, PrimitiveKind, int, int) {
     if (next++ == id) found = &locator;
   });
-  // The microphone of a model without parts, for example, has no locator.
+  // Returns null for an empty locator, too: for example, the microphone of a model without parts
+  // has no locator.
   return found == nullptr || found->empty() ? nullptr : found;
 }
 

@@ -1,7 +1,7 @@
 // Finds reasons for which a robot shuts down to protect itself: the battery gives too much current
 // or gets too hot, or a joint of an ERS-7 is jammed.  JointWatch finds another such reason, an
 // overloaded motor.  The model files have the limits; field-notes.md, 7.20 to 7.22, has what is
-// known of them.
+// known of these limits.
 #pragma once
 
 #include <string>
@@ -27,7 +27,7 @@ class Protection {
   };
 
   // Checks the limits at the end of a frame of 8 ms, after the body has moved.  Returns the reasons
-  // for a shutdown that did not hold before this frame.
+  // for a shutdown that are new in this frame.
   std::vector<Reason> NoteFrame(const BodyState& body, const Energy& energy, bool charging);
 
   // Returns whether the battery now gives more current than its limit.

@@ -63,7 +63,7 @@ void RobotParts::SwitchOff() {
   speaker.SwitchOff(frame);
   safe_posture.SwitchOff();
   targets.SwitchOff();
-  {  // runs as a system object, because this object owns the regions that these parts give up
+  {  // runs as OVirtualRobotComm, which owns the regions that sensors and camera give up
     const CurrentScope scope(&system, system.FindObject(robot_index, kVirtualRobotComm));
     sensors.SwitchOff();
     camera.SwitchOff(frame);

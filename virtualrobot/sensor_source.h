@@ -74,8 +74,9 @@ class SensorSource {
   void Hold(int sensor, slongword value) { held_[static_cast<size_t>(sensor)] = value; }
   void Release(int sensor) { held_[static_cast<size_t>(sensor)].reset(); }
 
-  // Makes sensor `sensor` faulty until Repair().  REQUIRES: `sensor` is not the sensor of a joint;
-  // its fault is in Devices::Trouble() instead, because the servo uses that sensor, too.
+  // Makes sensor `sensor` faulty until Repair().  REQUIRES: `sensor` is not the sensor of a joint.
+  // The fault of a joint's sensor is in Devices::Trouble() instead, because the servo uses this
+  // sensor, too.
   void Break(int sensor, const SensorFault& fault) { faults_[sensor] = fault; }
   // Ends the fault of sensor `sensor`.
   void Repair(int sensor);
@@ -96,7 +97,8 @@ class SensorSource {
  private:
   // The state of a joint from which the newest sample of its sensor was computed.
   struct JointReading {
-    // Infinity at first.  It equals no angle, so the first sample is always computed.
+    // Angle that the sensor measured.  At first it is infinity, which equals no angle, so the first
+    // sample is always computed.
     double angle_rad = std::numeric_limits<double>::infinity();
     double drive = 0;
     slongword target_urad = 0;
@@ -115,7 +117,8 @@ class SensorSource {
   const RobotModel& model_;
   const PrimitiveTable& primitives_;
   Rng noise_, fault_noise_;
-  // True: FaultNoise() was called.  HashState() leaves its generator out before that.
+  // Whether FaultNoise() was called.  Before the first call, HashState() leaves out the generator
+  // of this noise.
   bool is_fault_noise_used_ = false;
   std::vector<OSensorValue> latest_;
   std::vector<JointReading> readings_;          // one element for each joint

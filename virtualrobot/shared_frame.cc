@@ -14,8 +14,8 @@ void SharedFrame::End(int64_t now_us) {
   for (RobotParts* const robot : robots_) {
     robot->hands.DoFrame();
     robot->faults.DoFrame();
-    // A robot that is off for good runs no more frames, so nothing has switched off its motors.
-    // Gives it no motor power here.
+    // Gives no motor power to a robot that is off for good, because such a robot runs no more
+    // frames and nothing else switches its motors off.
     const bool is_on = !robot->system.robot(robot->robot_index).powered_off;
     robot->body->SetCommands(robot->devices.Commands(is_on && robot->power.motor_power()));
   }

@@ -20,8 +20,8 @@ using Eigen::Vector3d;
 // the floor.
 constexpr double kTouch_m = 0.0005;
 
-// Returns the rotation R_WB with yaw 0 whose third row is `up_B`, the direction up of the world,
-// seen from B.
+// Returns the rotation R_WB with yaw 0 whose third row is `up_B`, the upward direction of the world
+// in the axes of B.
 Matrix3d LevelRotation(const Vector3d& up_B) {
   const double sp = -up_B.x();
   const double cp = std::sqrt(std::max(0.0, 1 - sp * sp));
@@ -124,7 +124,8 @@ void StiffRobot::Move() {
   }
 }
 
-// Computes the moment of part `i` and its place in the hull from its pose.
+// Computes the moment of part `i` (its mass times its centre of mass) and its place in the hull,
+// from the pose of the part.
 void StiffRobot::PlacePart(size_t i) {
   moments_[i] = model_.bodies[i].mass_kg * Moved(X_BL_[i], model_.bodies[i].centre_m);
   hull_.Move(static_cast<int>(i), X_BL_[i]);

@@ -10,9 +10,9 @@
 
 namespace openr_host {
 
-// Keeps everything that follows from the joint angles, and computes only the parts again that a
-// joint has moved since.  All results have the same bits as the results of a new StiffRobot with
-// the same angles.
+// Keeps the results for the joint angles of the last Move().  The next Move() computes only the
+// parts again that a joint has moved since then.  All results have the same bits as the results of
+// a new StiffRobot with the same angles.
 class StiffRobot {
  public:
   // Makes a robot with all joints at 0.  `model` must outlive the robot.
@@ -28,7 +28,7 @@ class StiffRobot {
   // Returns the pose X_BL of each part (see LinkPoses()), as the last Move() has computed it.
   const std::vector<Eigen::Isometry3d>& X_BL() const { return X_BL_; }
 
-  // Returns the centre of mass of all parts, in B and in metres.
+  // Returns the centre of mass of all parts, in metres in the base frame B.
   Eigen::Vector3d CentreOfMass() const;
 
   // Computes how the robot rests on the floor, see PlaceOnFloor() of kinematics.h.  `pose` is

@@ -2,8 +2,8 @@
 // together.
 //
 // A key can be divided into parts.  Vectors that carry the parts of one key wait until the vectors
-// of all parts have arrived.  If the vector of one part never comes, the others wait until the key
-// is cancelled; what the robot does in this case is not known.
+// of all parts have arrived.  If the vector of one part never comes, the other vectors wait until
+// the key is cancelled; what the real robot does in this case is not known.
 #pragma once
 
 #include <OPENR/OPENR.h>
@@ -42,13 +42,13 @@ class SyncKeys {
  private:
   struct Group {
     bool alive = false;
-    // Number of groups that have used this slot.  This number is part of a key, so a key of an
-    // earlier group is not taken for a key of this group.
+    // Number of keys that New() has made in this element of groups_.  The number is part of each
+    // key, so an old key is not taken for the present key.
     longword serial = 0;
     int parts = 0;    // number of keys made by New() and Divide()
     int arrived = 0;  // number of parts whose vectors have arrived; <= parts
   };
-  // The bits of a key are serial << 8 | slot << 4 | part.
+  // The bits of a key are serial << 8 | slot << 4 | part, where slot is the index in groups_.
   static constexpr int kSlots = ovrsynckeyMAX_NUM_KEY;
   Group* Find(OVRSyncKey key);
   const Group* Find(OVRSyncKey key) const { return const_cast<SyncKeys*>(this)->Find(key); }

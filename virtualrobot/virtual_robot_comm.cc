@@ -37,8 +37,8 @@ OStatus OVirtualRobotComm::DoStart(const OSystemEvent&) {
 
 OStatus OVirtualRobotComm::DoDestroy(const OSystemEvent&) {
   running_ = false;
-  // Gives the regions of command vectors and of the image back here.  They are given back now,
-  // because no object reads them any more, and only this object can give them back.
+  // Gives back the regions of command vectors and of the image, because no object reads them any
+  // more, and because only this object can give them back.
   queues_.clear();
   exposed_.Release();
   return oSUCCESS;

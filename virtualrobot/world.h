@@ -69,7 +69,8 @@ World ParseWorld(const std::string& text, const std::string& name);
 
 void HashWorld(const World& world, Hasher* hasher);
 
-// What a ray meets first: the distance of the surface, and how much infrared light it reflects.
+// The first surface that a ray meets: its distance, and the share of infrared light that it
+// reflects.
 struct RayHit {
   double distance_m = 0;
   double reflectance = 1;
@@ -81,9 +82,9 @@ struct RayHit {
 void MeetThings(const std::vector<WorldThing>& things, const Eigen::Vector3d& p_W,
                 const Eigen::Vector3d& direction_W, RayHit* hit);
 
-// Follows a ray from `p_W` along the unit vector `direction_W` to the floor or the first solid one
-// of `things`.  The distance is `max_m` when nothing is nearer, and 0 when `p_W` is inside a thing
-// or below the floor.
+// Follows a ray from `p_W` along the unit vector `direction_W` to the floor or the first solid
+// thing of `things`.  The distance is `max_m` when nothing is nearer, and 0 when `p_W` is inside a
+// thing or below the floor.
 RayHit CastRay(const World& world, const std::vector<WorldThing>& things,
                const Eigen::Vector3d& p_W, const Eigen::Vector3d& direction_W, double max_m);
 

@@ -335,8 +335,8 @@ Controller::RunLoop(void (*body)(void*), void* argument)
     LoopStackRun(body, argument);
 }
 
-// Reports only once that the second stack is missing, because a program calls robot_step() many
-// times a second.
+// Reports only once that robot_step() does not work on the robot, because a program calls
+// robot_step() many times a second.
 bool
 Controller::LeaveLoop()
 {

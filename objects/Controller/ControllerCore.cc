@@ -13,8 +13,8 @@ static const int DEFAULT_STEP_FRAMES = 4;
 
 static const int FRAME_MS = 8;
 
-// Longest time step of a program, in frames.  An LED command lasts one time step, and the command
-// has room for 16 bits of its length.
+// Longest time step of a program, in frames.  An LED command lasts one time step, and the field for
+// its length in frames has 16 bits.
 static const int MAX_STEP_FRAMES = 65535;
 
 ControllerCore::ControllerCore(ControllerPort* port)
@@ -125,9 +125,9 @@ ControllerCore::SetTimeStep(int askedMs)
     stepFrames_ = frames;
 }
 
-// Returns when the LED vector that is sent now has ended.  The result is always 0, as in Webots'
-// synchronous mode.  After robot_run() this function does not return: in Webots no code runs after
-// robot_run(), and two loops cannot share the LEDs.
+// Does the work of robot_step(): returns when the LED vector that is sent now has ended.  The
+// result is always 0, as in Webots' synchronous mode.  After robot_run() this function does not
+// return: in Webots no code runs after robot_run(), and two loops cannot share the LEDs.
 int
 ControllerCore::Step(int ms)
 {
@@ -196,8 +196,8 @@ ControllerCore::SendBuffers()
     port_->SendLeds(ledOn_, stepFrames_);
 }
 
-// Sends the ears if they have changed.  When the effector is not ready, the change is kept and sent
-// by a later call.
+// Sends the states of the ears (on or off) if they have changed.  When the effector is not ready,
+// the change is kept and sent by a later call.
 void
 ControllerCore::SendEarsIfChanged()
 {

@@ -165,8 +165,9 @@ JointMover::FillRegion(RCRegion* region)
     }
 }
 
-// Lets a controller begin at once when it has replaced another controller while the robot stands.
-// During the start of the robot, this event comes before the robot stands, and has no effect.
+// Handles the ready event of Controller: if Controller has replaced another Controller while the
+// robot stands, lets it begin at once.  During the start of the robot, the event comes before the
+// robot stands, and has no effect.
 void
 JointMover::ReadyMainExecution(const OReadyEvent& event)
 {

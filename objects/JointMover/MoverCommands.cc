@@ -53,9 +53,9 @@ MoverCore::Track(const MoverCommand& command)
     }
 }
 
-// Returns the position at which a limp joint is to be held.  This is its measured position.  But if
-// the joint has hardly moved, it is its old position, so that the joint does not creep a little
-// each time it is switched off and on.
+// Returns the position at which a limp joint is to be held.  This is the measured position of the
+// joint.  But if the joint has hardly moved, returns the old position, so that the joint does not
+// creep a little each time it is switched off and on.
 Sint32
 MoverCore::HoldPosition(int joint) const
 {

@@ -8,11 +8,11 @@
 //
 // Answers come before packets of streams.  All answers are sent in the order of their requests.
 //
-// Packets of streams have the values to which a client has subscribed.  They are sent only after
-// the client has sent a packet since the newest packets of streams.  Usually the client's packet is
-// an EVENT packet, which has no answer.  The client's packet shows that no bytes are on their way
-// to the client, so neither a slow client nor Nagle's algorithm delays the answers that follow.  A
-// client that sends nothing gets packets of streams every EVENT_FRAMES.
+// Packets of streams have the values to which a client has subscribed.  After such packets were
+// sent, the next packets of streams are sent only when the client has sent a packet, too.  Usually
+// the client's packet is an EVENT packet, which has no answer.  The client's packet shows that no
+// bytes are on their way to the client, so neither a slow client nor Nagle's algorithm delays the
+// answers that follow.  A client that sends nothing gets packets of streams every EVENT_FRAMES.
 //
 
 #ifndef ClientSession_h_DEFINED
@@ -91,8 +91,8 @@ private:
     bool isLast_;
     bool endsRun_;
     bool isWaiting_;
-    // Whether the client has sent a packet since it was sent the newest packet of a subscription.
-    // If so, the next packet need not wait EVENT_FRAMES.
+    // Whether the client has sent a packet after the newest packet of a subscription was sent to
+    // it.  If so, the next packet need not wait EVENT_FRAMES.
     bool hasSpoken_;
     Uint32 eventFrame_;  // frame in which the newest packet of a subscription was sent
     int heldAt_;         // offset in the buffer of an answer that did not fit into the last send

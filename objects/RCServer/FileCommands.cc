@@ -6,8 +6,9 @@
 
 #include "TextFormat.h"
 
-// Writes the names of motions from an index on.  Reads the folder anew for each part, so that no
-// list has to be kept for a client.  If files come or go between two parts, the indices change.
+// Answers with a part of the list of motions, from the index in the request on.  Reads the folder
+// anew for each part, so that no list has to be kept for a client.  If files come or go between two
+// parts, the indices change.
 int
 RequestHandler::ListMotions(RcReader* in, RcWriter* out)
 {

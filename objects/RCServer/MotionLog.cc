@@ -15,7 +15,7 @@ IsLogged(const JointConstants& joint)
 static bool
 IsPaw(const SensorConstants& sensor)
 {
-    const char* locator = sensor.locator;  // "PRM:/r2/..."
+    const char* locator = sensor.locator;  // such as "PRM:/r2/..."
     return sensor.group == sensorBINARY && locator[5] == 'r' && locator[6] >= '2' &&
            locator[6] <= '5';
 }

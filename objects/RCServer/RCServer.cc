@@ -229,8 +229,8 @@ RCServer::EndRunInTime(Uint32 frame)
 }
 
 // Shuts the robot down as PowerMonitor does.  The boot condition says when the robot boots again.
-// After a shutdown this is when the pause button is pressed.  For a reboot it is the end of a timer
-// that is set to 0 s (robot.md 15.3).
+// After a shutdown the robot boots when the pause button is pressed.  After a reboot it boots at
+// the end of a timer that is set to 0 s (robot.md 15.3).
 void
 RCServer::ShutDownRobot()
 {

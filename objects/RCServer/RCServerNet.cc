@@ -124,8 +124,8 @@ RCServer::PlaceWaiting(Uint32 frame)
     int waiting = -1;
     int silent = -1;
     for (int i = 0; i < NUM_CLIENTS; i++) {
-        // Skips a client that is not receiving: it has sent requests, and their answers are on
-        // their way.
+        // Skips a client from which RCServer does not wait for bytes now: this client has sent
+        // requests, and their answers are on their way.
         if (client_[i].state != clientOPEN || !client_[i].isReceiving) continue;
         if (client_[i].session.IsWaiting()) {
             waiting = i;

@@ -92,8 +92,8 @@ void
 RequestHandler::AnswerOne(const RcHeader& request, const Uint8* payload, RcWriter* out)
 {
     RcReader in(payload, request.size - RC_HEADER_SIZE);
-    // Uses version 1 for the answer to a version that is not served, because every client knows
-    // version 1.
+    // Uses version 1 for the answer to a request whose version is not served, because every client
+    // knows version 1.
     const bool isServed = request.version == RC_VERSION || request.version == RC_VERSION_FILES;
     const int version = isServed ? request.version : RC_VERSION;
     version_ = version;

@@ -3,8 +3,8 @@
 // (docs/remote-control.md).
 //
 // All clients share the robot: when one client sets a limit of speed or acceleration, the limit is
-// valid for all, and the last command counts.  The state of a single connection is its upload and
-// its subscriptions.
+// valid for all, and the last command counts.  Only the upload, the subscriptions and the picture
+// belong to a single client.
 //
 
 #ifndef RequestHandler_h_DEFINED

@@ -39,7 +39,8 @@ public:
     // disabled; then all six values are 0.
     virtual bool ReadGains(int joint, Uint16 gains[6]) = 0;
 
-    // Begins to receive images of the camera if `wanted` is true, and otherwise ends it.
+    // Begins to receive images of the camera if `wanted` is true, and otherwise stops receiving
+    // them.
     virtual void WantImage(bool wanted) = 0;
 
     // Shuts the robot down as soon as the present answer was sent.  With `reboot`, the robot boots

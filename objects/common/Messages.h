@@ -41,7 +41,7 @@ struct MoverCommand {
         Sint32 frames;  // time for the movement to `value`, in frames of 8 ms, >= 1
     };
     Sint32 keyFramesPerVector;  // number of key frames in a vector; 0 lets JointMover choose
-    char file[MTN_NAME_SIZE];   // "WALK.MTN"
+    char file[MTN_NAME_SIZE];   // name of the motion file, such as "WALK.MTN"
     Sint32 gain[3];             // P, I and D gain
 };
 COMPILE_TIME_CHECK(MoverCommandHasNoPadding, sizeof(MoverCommand) == 8 * 4 + MTN_NAME_SIZE);

@@ -57,7 +57,7 @@ private:
 public:
     int section;      // number of the section that is being read; -1 before the first section
     size_t start;     // offset in the file at which this section begins
-    Uint32 declared;  // size in bytes that the section itself says
+    Uint32 declared;  // size of the section in bytes, as the section itself says
 };
 
 MtnFile::MtnFile()

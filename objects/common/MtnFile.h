@@ -1,5 +1,6 @@
 //
-// MtnFile: reads a motion file (MTN), as Hohl 2004, appendix A, describes it and as real files are.
+// MtnFile: reads motion files (MTN) in the format of Hohl 2004, appendix A, and accepts the
+// differences from this format that real files have.
 //
 // A motion is a sequence of key frames, which are postures of the robot.  The frames between two
 // key frames are interpolated.
@@ -33,7 +34,7 @@ const Sint32 MTN_MAX_ANGLE_URAD = 6283186;
 const Sint32 MTN_MAX_ATTITUDE_URAD = 62831853;
 
 // Largest number of key frames.  The index of a key frame must fit SetValue and the remote control,
-// which have -1 to 32767 (Hohl 2004, table 3.6).
+// which have room for -1 to 32767 (Hohl 2004, table 3.6).
 const Sint32 MTN_MAX_KEYFRAMES = 32767;
 
 // Tolerance at a software limit: an angle that is beyond the limit by this or less counts as being
@@ -41,8 +42,8 @@ const Sint32 MTN_MAX_KEYFRAMES = 32767;
 // microradians too much.
 const Sint32 MTN_LIMIT_TOLERANCE_URAD = 20;
 
-// Largest number of interpolation frames between two key frames: one minute.  In 3440 known files
-// the largest is 150.
+// Largest number of interpolation frames between two key frames: one minute.  This is far more than
+// the largest number in 3440 known files, which is 150.
 const Sint32 MTN_MAX_INTERPOLATION = 3749;
 
 const Sint32 MTN_MAX_JOINTS = 64;

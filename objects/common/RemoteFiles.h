@@ -18,8 +18,8 @@ enum RcFileKind { rcfileMOTION = 0, rcfileIMAGE = 1, NUM_RC_FILE_KINDS };
 // (StickFile.h).
 const Uint32 RC_MAX_MOTION = 1024 * 1024;
 
-// Size of the largest image that can be uploaded, in bytes.  Images of the host have less than 1
-// MB, images of the robot less than 300 KB.
+// Size of the largest image that can be uploaded, in bytes.  This is enough: images of the host
+// have less than 1 MB, images of the robot less than 300 KB.
 const Uint32 RC_MAX_IMAGE = 8 * 1024 * 1024;
 
 // Largest number of bytes of a file in a request UPLOAD_DATA.

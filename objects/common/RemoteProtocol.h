@@ -153,7 +153,8 @@ struct RcJointState {
     bool Read(RcReader* in);
 };
 
-// Number for the joint of MOTOR_OFF and MOTOR_ON that stands for all joints and motor power.
+// Number that MOTOR_OFF and MOTOR_ON may have in place of the index of a joint: it stands for all
+// joints and for motor power.
 const Uint8 RC_ALL_JOINTS = 255;
 
 // Largest P, I or D gain.  People used P gains up to 63; a report says that the robot takes 7 bits

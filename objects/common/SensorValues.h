@@ -11,7 +11,7 @@
 const Uint32 NO_SENSOR_FRAME = 0xffffffff;
 
 struct SensorValues {
-    Uint32 frame;                // frame number of the samples; NO_SENSOR_FRAME before them
+    Uint32 frame;                // frame number of the samples; NO_SENSOR_FRAME before the first
     Sint32 joint[MAX_JOINTS];    // measured positions, in urad (10^-6 rad)
     Sint32 sensor[MAX_SENSORS];  // in the unit that SensorConstants::kind says
 };

@@ -10,8 +10,8 @@
 
 #include "FixedTypes.h"
 
-// Largest file that is read, in bytes.  The largest known motion has 10 KB; the robot has 32 MB of
-// memory.
+// Largest file that is read, in bytes.  The limit is far above the largest known motion, which has
+// 10 KB, and far below the robot's memory of 32 MB.
 const long STICK_FILE_MAX = 1024 * 1024;
 
 // Reads the file `path` ("/MS/OPEN-R/...") into `bytes`.  On failure, returns false, sets `error`

@@ -31,8 +31,8 @@ public:
     void SetSpeed(Sint32 speedCdeg);
 
     // Sets the limit of acceleration, in 0.01 degree/s^2.  While the joint moves, a lower limit is
-    // used only after its next stop, because with this limit the joint could not stop at its goal.
-    // REQUIRES: accelerationCdeg > 0.
+    // used only after its next stop, because with the lower limit the joint could not stop at its
+    // goal.  REQUIRES: accelerationCdeg > 0.
     void SetAcceleration(Sint32 accelerationCdeg);
 
     void SetGoal(Sint32 urad);

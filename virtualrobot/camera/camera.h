@@ -27,7 +27,7 @@ class CameraDevice {
   // identifies the camera in its image vectors.  REQUIRES: `source` is not null.
   CameraDevice(std::unique_ptr<ImageSource> source, const Camera& model, OPrimitiveID id);
 
-  // The next functions change the settings of the camera for which OPrimitiveControl.h defines
+  // The next functions change those settings of the camera for which OPrimitiveControl.h defines
   // requests.  The functions that return a bool return false for a value that is not listed in that
   // file.
   bool SetWhiteBalance(longword mode);
@@ -64,8 +64,9 @@ class CameraDevice {
   static const std::array<uint8_t, 3>& ColourOfChannel(int channel);
 
   // Sets the settings as they are at boot, and gives up the references to the regions of all
-  // vectors.  The robot is switched off in frame `frame`; the source goes on with the next picture.
-  // REQUIRES: the object that sends the vectors is the current object.
+  // vectors.  The robot is switched off in frame `frame`; after the next boot, the source of
+  // pictures goes on with its next picture.  REQUIRES: the object that sends the vectors is the
+  // current object.
   void SwitchOff(int64_t frame);
 
   void HashState(Hasher* hasher) const;

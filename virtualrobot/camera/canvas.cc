@@ -94,9 +94,9 @@ void Canvas::Begin(const CameraShot& shot, const RgbBytes& floor, const RgbBytes
 }
 
 Canvas::Linear Canvas::AlongRays(const Vector3d& v) const {
-  // The ray through the pixel is (1, slope_h (1 - 2 x / width), slope_v (1 - 2 y / height)).  So
-  // its scalar product with `v` is linear in x and y.  Returns the constant and the factors of x
-  // and y.
+  // The ray through the point (x, y) of the picture has the direction
+  // (1, slope_h (1 - 2 x / width), slope_v (1 - 2 y / height)).  So the scalar product of this
+  // direction with `v` is linear in x and y.  Returns the constant and the factors of x and y.
   return {v.x() + v.y() * slope_h_ + v.z() * slope_v_, -2 * v.y() * slope_h_ / width_,
           -2 * v.z() * slope_v_ / height_};
 }
@@ -212,7 +212,9 @@ Canvas::Span Canvas::SpanOfBall(double forward, double sideways, double radius_m
 void Canvas::DrawBall(const Vector3d& centre_W, double radius_m, const Vector3d& colour,
                       const Vector3d& to_light_W, double ambient) {
   const Vector3d centre = R_CW_ * (centre_W - p_WC_), to_light = R_CW_ * to_light_W;
-  // The ray d meets the ball at t d, where 1 / t = (b + sqrt(b^2 - a c)) / c.
+  // The ray from the lens in the direction d meets the ball at the point t d with
+  // 1 / t = (b + sqrt(b^2 - a c)) / c.  Here a is d . d, b is d . centre, and c is
+  // centre . centre - radius^2.
   const double c = centre.squaredNorm() - radius_m * radius_m;
   if (c <= 0) return;
   const Span columns =
@@ -220,8 +222,8 @@ void Canvas::DrawBall(const Vector3d& centre_W, double radius_m, const Vector3d&
   const Span rows = SpanOfBall(centre.x(), centre.z(), radius_m, height_ / (2 * slope_v_), height_);
   const Linear towards = AlongRays(centre), left = AlongRays(Vector3d::UnitY());
   const Linear up = AlongRays(Vector3d::UnitZ()), rise = AlongRays(R_CW_.col(2));
-  // At the point t d, the surface of the ball gets the share t * light(d) - light_of_centre of the
-  // directed light.
+  // At the point t d, where the ray meets the ball, the surface of the ball gets the share
+  // t * light(d) - light_of_centre of the directed light.
   const Linear light = AlongRays(to_light / radius_m);
   const double light_of_centre = to_light.dot(centre) / radius_m, per_c = 1 / c;
   const bool is_sunk = centre_W.z() < radius_m;

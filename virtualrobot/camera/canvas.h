@@ -35,12 +35,14 @@ class Face {
   int count() const { return count_; }
   const Eigen::Vector3d& corner(int i) const { return corners_[static_cast<size_t>(i)]; }
 
-  // Removes the part of the face in which normal . p + offset < 0.  Adds at most one corner.
+  // Removes the part of the face whose points p have normal . p + offset < 0.  Adds at most one
+  // corner.
   void CutBy(const Eigen::Vector3d& normal, double offset);
 
  private:
   int count_ = 0;
-  // Has room for one more corner for each of the two planes by which the canvas cuts.
+  // The corners of the face.  There is room for one more corner for each of the two planes by which
+  // the canvas cuts a face.
   std::array<Eigen::Vector3d, kCornersMax + 2> corners_;
 };
 
@@ -50,7 +52,7 @@ class Canvas {
   static constexpr double kNear_m = 0.004;
 
   // Begins a picture: draws the floor z = 0 up to the horizon, and the background above it.
-  // `picture` must outlive the drawing of its things.
+  // `picture` must exist until its things are drawn.
   void Begin(const CameraShot& shot, const RgbBytes& floor, const RgbBytes& background,
              Picture* picture);
 
@@ -58,7 +60,7 @@ class Canvas {
   // a thing is not in the picture, the thing need not be drawn.
   bool MaySee(const Eigen::Vector3d& centre_W, double radius_m) const;
 
-  // Draws a face whose front side has the outward normal `normal_W`; its back side is not seen.
+  // Draws a face whose front side has the outward normal `normal_W`; its back side is not drawn.
   // The part of the face below the floor is cut away.
   void DrawFace(Face face, const Eigen::Vector3d& normal_W, const RgbBytes& colour);
 
@@ -69,7 +71,7 @@ class Canvas {
   void DrawBall(const Eigen::Vector3d& centre_W, double radius_m, const Eigen::Vector3d& colour,
                 const Eigen::Vector3d& to_light_W, double ambient);
 
-  // Returns the place of the lens in W.
+  // Returns the place of the lens in the world W.
   const Eigen::Vector3d& p_WC() const { return p_WC_; }
 
  private:
@@ -84,14 +86,15 @@ class Canvas {
   };
 
   // Returns, as a function of the pixel, the product v . d: d is the direction of the ray through
-  // the pixel, in C, with d.x = 1.
+  // the pixel, in the frame C of the lens, with d.x = 1.
   Linear AlongRays(const Eigen::Vector3d& v) const;
   // Stores in x_ where the face begins and ends in each row of pixels, and returns the rows that
-  // the face reaches.  REQUIRES: the corners of the face are in C.
+  // the face reaches.  REQUIRES: the corners of the face are in the frame C of the lens.
   Span FindSpans(const Face& face);
   void AddEdge(const Eigen::Vector2d& from, const Eigen::Vector2d& to);
   // Returns the pixels that a ball covers along one axis of the picture, which has `size` pixels.
-  // A slope is y or z divided by x, in C; `pixels_per_slope` converts it to pixels.
+  // A slope is y or z divided by x, in the frame C of the lens; `pixels_per_slope` converts a slope
+  // to pixels.
   Span SpanOfBall(double forward, double sideways, double radius_m, double pixels_per_slope,
                   double size) const;
   Face InLens(const Face& face) const;
@@ -105,8 +108,8 @@ class Canvas {
   Eigen::Matrix3d R_CW_ = Eigen::Matrix3d::Identity();
   Eigen::Vector3d p_WC_{0, 0, 0};
   double slope_h_ = 1, slope_v_ = 1;  // slopes of the rays at the left and the upper edge
-  // For each pixel, 1 / x of the drawn point in C, so the greatest value is nearest to the lens; 0
-  // where only floor or background is drawn.
+  // For each pixel, 1 divided by the distance of the drawn point from the lens along the optical
+  // axis, so the greatest value is nearest to the lens; 0 where only floor or background is drawn.
   std::vector<float> inverse_depth_;
   std::vector<std::array<double, 2>> x_;  // for each row: the least and the greatest x of a face
 };

@@ -28,8 +28,8 @@
 
 namespace openr_host {
 
-// For each colour channel (red, green, blue), maps a value of the source's picture to the value in
-// the image that the robot sends: exposure[channel][picture value].
+// A table for each colour channel (red, green, blue) that maps a value of the source's picture to
+// the value in the image that the robot sends: exposure[channel][picture value].
 using Exposure = std::array<std::array<uint8_t, 256>, 3>;
 
 class ImageLayers {

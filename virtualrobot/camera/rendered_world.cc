@@ -24,7 +24,7 @@ constexpr int kSides = 24;
 static_assert(kSides <= Face::kCornersMax);
 
 // Unit vectors across a cylinder that is drawn with kSides flat sides: from its axis to each
-// corner, and to the middle of the side behind this corner.
+// corner, and to the middle of the side that follows this corner.
 struct Round {
   std::array<Vector3d, kSides> corners, middles;
   Round() {

@@ -37,8 +37,9 @@ Friction NextFriction(const Friction& now, double a, double b, double c, const F
                        now.y + (missing.y * a - missing.x * b) / det};
   if (Length(stick.x, stick.y) <= max) return stick;
   // The contact slides, so its impulse must get the direction of the missing velocity.  Repeated
-  // steps along the missing velocity, each cut back to the cone, end where both have one direction.
-  // The length of the step is the largest without overshooting: 1 / the largest eigenvalue.
+  // steps along the missing velocity, each cut back to the cone, end where the impulse and the
+  // missing velocity have one direction.  The step has the largest length that does not overshoot:
+  // 1 / the largest eigenvalue of the matrix.
   const double half = (a - c) / 2;
   const double step = 1 / ((a + c) / 2 + Length(half, b));
   const Friction slide{now.x + step * missing.x, now.y + step * missing.y};

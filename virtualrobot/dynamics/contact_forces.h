@@ -1,10 +1,10 @@
 // ContactForces: computes the impulses of contacts that obey Coulomb's law of friction.
 //
-// Each contact has three rows: along its normal, away from the ground, and along two directions of
-// the ground.  An impulse p along the rows changes the velocity along them by K p, where K is the
-// mobility of the robot plus the softness of the contacts.  Let d be the wanted change of velocity:
-// after it, no contact slides, and each contact leaves the ground at the speed that corrects its
-// depth.  Then a contact obeys one of three laws:
+// Each contact has three rows in the equations: along its normal, away from the ground, and along
+// two directions of the ground.  An impulse p along the rows changes the velocity along these rows
+// by K p, where K is the mobility of the robot plus the softness of the contacts.  Let d be the
+// wanted change of velocity: after it, no contact slides, and each contact leaves the ground at the
+// speed that corrects its depth.  Then a contact obeys one of three laws:
 //
 //   It sticks: its rows of K p equal those of d, and its impulse lies in the cone of friction.
 //   It slides: its row of K p along the normal equals that of d.  Its impulse lies on the border
@@ -46,13 +46,14 @@ class ContactEquations {
 
 class ContactForces {
  public:
-  // `friction` is Coulomb's coefficient.
+  // `friction` is Coulomb's coefficient of friction.
   explicit ContactForces(double friction) : friction_(friction) {}
 
-  // Sweeps end after a sweep that changes no impulse by more than this, in N s.  For comparison: a
-  // standing ERS-210 presses with 0.13 N s on the floor in a frame.
+  // Find() ends after a sweep over all contacts that changes no impulse by more than this, in N s.
+  // For comparison: a standing ERS-210 presses with 0.13 N s on the floor in a frame.
   static constexpr double kTolerance_n_s = 1e-6;
-  // Limit of the number of sweeps.  After so many sweeps Find() returns the impulses as they are.
+  // Limit of the number of sweeps over all contacts.  After so many sweeps Find() returns the
+  // impulses as they are.
   static constexpr int kSweepsMax = 1000;
 
   // Solves `equations` and returns the impulse along each row, in N s.  The result is valid until
@@ -70,8 +71,9 @@ class ContactForces {
 
   const double friction_;
   std::vector<double> impulses_;  // for each row, the impulse along it, in N s
-  std::vector<int> closed_;       // contacts that have not opened in SolveSticking()
-  // Cholesky factor of the part of K that belongs to closed_, row by row.
+  std::vector<int> closed_;       // contacts that press; SolveSticking() leaves out those that pull
+  // Cholesky factor, row by row, of the part of the matrix K that belongs to the contacts in
+  // closed_.
   std::vector<double> factor_;
   int sweeps_ = 0;
 };

@@ -40,7 +40,7 @@ Vector3d NearestOf(const Triangle& triangle, const Vector3d& p) {
   for (size_t i = 0; i < 3; ++i) {
     const Vector3d &a = triangle[i], &b = triangle[(i + 1) % 3];
     const Vector3d edge = b - a;
-    // Skips an edge if `below` is on the inner side of the edge.
+    // Skips an edge if `below`, the point of the plane under `p`, is on the inner side of the edge.
     if (edge.cross(below - a).dot(normal) >= 0) continue;
     const double share = std::clamp(edge.dot(p - a) / edge.squaredNorm(), 0.0, 1.0);
     const Vector3d on_edge = a + share * edge;
@@ -53,7 +53,8 @@ bool IsOverBase(const WorldThing& thing, const Vector3d& p) {
   return std::fabs(p.x()) <= thing.size_m.x() / 2 && std::fabs(p.y()) <= thing.size_m.y() / 2;
 }
 
-// Returns the height of the point `p`, in T, over the point `surface` of the surface.
+// Returns the height of the point `p` over the point `surface` of the heightfield.  `p` is in the
+// axes T of the thing.
 double HeightOver(const WorldThing& thing, const Vector3d& p, const SurfacePoint& surface) {
   return p.z() + thing.size_m.z() / 2 - surface.height_m;
 }
@@ -96,8 +97,9 @@ void TouchTriangles(const WorldThing& thing, const Vector3d& p, double radius_m,
   }
 }
 
-// Converts points of `found` from T to W and adds them to `points`: at most kHeightPointsMax, the
-// deepest first.  Leaves out a point if `is_same` says that a deeper point is the same point.
+// Converts points of `found` from the axes T of the thing to the world W and adds them to `points`:
+// at most kHeightPointsMax, the deepest first.  Leaves out a point if `is_same` says that a deeper
+// point is the same point.
 template <typename IsSame>
 void AddDeepest(std::vector<TouchPoint> found, const WorldThing& thing, IsSame is_same,
                 std::vector<TouchPoint>* points) {

@@ -170,10 +170,10 @@ void JointTree::FillMatrix(const std::vector<TorqueLine>& lines, double step_s) 
   }
 }
 
-// Computes the forces along the unknowns without pushes and contacts: t0 - B u - c.  First finds,
-// from the trunk to the leaves, the accelerations that the parts have while no velocity along an
-// unknown changes.  Then finds, from the leaves to the trunk, the forces that these accelerations
-// and gravity demand.
+// Computes the forces along the unknowns without pushes and contacts: t0 - B u - c (see
+// joint_tree.h).  First finds, from the trunk to the leaves, the accelerations that the parts have
+// while no velocity along an unknown changes.  Then finds, from the leaves to the trunk, the forces
+// that these accelerations and gravity demand.
 void JointTree::FindForces(const std::vector<TorqueLine>& lines, double gravity_m_s2) {
   struct Acceleration {
     Vector3d angular, centre;
@@ -247,8 +247,8 @@ void JointTree::AddTorque(int part, const Vector3d& torque_W) {
   AddAlong(part, {torque_W, Vector3d::Zero()}, along_.data());
 }
 
-// Computes the inverse of L^T times `x`, for an `x` that is zero except at the unknowns from
-// `unknown` to the trunk.
+// Computes the inverse of L^T (L is the result of Factor()) times `x`, for an `x` that is zero
+// except at the unknowns from `unknown` to the trunk.
 void JointTree::EliminateFrom(int unknown, double* x) const {
   for (int i = unknown; i >= 0; i = parent_[i]) {
     const double* const row = RowOf(i);
@@ -257,7 +257,7 @@ void JointTree::EliminateFrom(int unknown, double* x) const {
 }
 
 // Multiplies the forces along the unknowns by the length of the step, and the result by the inverse
-// of L^T.
+// of L^T (L is the result of Factor()).
 void JointTree::Eliminate() {
   is_eliminated_ = true;
   for (double& value : along_) value *= step_s_;

@@ -1,8 +1,9 @@
 // The motion of a robot as a tree of rigid parts that hinges join.
 //
-// The unknowns are the robot's own: six numbers for the motion of the trunk and one for each hinge.
-// Because a hinge has only one number, nothing can pull the parts of a hinge apart, and no equation
-// is needed that holds them together.  With u for these velocities, a step of h seconds solves
+// The unknowns are the velocities that the robot itself can have: six numbers for the motion of the
+// trunk and one number for each hinge.  Because a hinge has only one number, nothing can pull the
+// parts of a hinge apart, and no equation is needed that holds them together.  Let u be these
+// velocities at the beginning of a step of h seconds, and u' at its end.  The step solves
 //
 //   (M + h B) (u' - u) = h (t0 - B u - c + f) + J^T p
 //
@@ -15,7 +16,7 @@
 //
 // Vectors are in the axes of the world W.  Moments and lines of force refer to the point O, the
 // place of the trunk's centre of mass at the beginning of the step.  All results have the same bits
-// in every build, because only +, -, *, / and sqrt are used, and det_math.
+// in every build, because the code uses only +, -, *, /, sqrt and det_math.h.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -28,7 +29,7 @@ namespace openr_host {
 class Hasher;
 
 // A rigid part and the hinge that joins it to its parent.  Places and axes are given in the part's
-// own frame L, which coincides with B when all angles are 0.
+// own frame L, which coincides with the base frame B when all angles are 0.
 struct TreePart {
   double mass_kg = 0;                                       // mass of the part, > 0
   Eigen::Matrix3d inertia_kg_m2 = Eigen::Matrix3d::Zero();  // inertia about the centre of mass
@@ -40,7 +41,8 @@ struct TreePart {
 
 class JointTree {
  public:
-  // A force, or a momentum, with its moment about O; or an angular velocity with the velocity at O.
+  // A force, or a momentum, with its moment about the point O (see the top of this file).  Or an
+  // angular velocity with the velocity at O.
   struct Spatial {
     Eigen::Vector3d angular{0, 0, 0};
     Eigen::Vector3d linear{0, 0, 0};
@@ -53,8 +55,8 @@ class JointTree {
   static constexpr double kTurnMax_rad_s = 100;
   static constexpr double kSpeedMax_m_s = 50;
 
-  // Makes a tree at rest whose frame B coincides with W and whose angles are 0.  REQUIRES: part 0
-  // is the trunk, and a parent comes before its children.
+  // Makes a tree at rest whose base frame B coincides with the world W and whose angles are 0.
+  // REQUIRES: part 0 is the trunk, and a parent comes before its children.
   explicit JointTree(const std::vector<TreePart>& parts);
 
   int parts() const { return static_cast<int>(parts_.size()); }
@@ -84,9 +86,9 @@ class JointTree {
   // Turns `part` with `torque_W`, in N m, during the step that has begun.
   void AddTorque(int part, const Eigen::Vector3d& torque_W);
 
-  // Adds a row to the Jacobian J: the velocity of the point `p_W` of `part` along `direction_W`.
-  // Called after all calls of AddForce() and AddTorque() of the step.  Rows are numbered from 0 in
-  // each step.
+  // Adds a row to the Jacobian J of the contacts: the velocity of the point `p_W` of `part` along
+  // `direction_W`.  Called after all calls of AddForce() and AddTorque() of the step.  Rows are
+  // numbered from 0 in each step.
   void AddRow(int part, const Eigen::Vector3d& p_W, const Eigen::Vector3d& direction_W);
   int rows() const { return static_cast<int>(row_speed_.size()); }
 
@@ -112,7 +114,8 @@ class JointTree {
     Eigen::Vector3d w_W{0, 0, 0};
   };
 
-  // Sum of parts that move as one body: mass, first moment and inertia about O.
+  // Sum of parts that move as one body: mass, first moment and inertia about the point O (see the
+  // top of this file).
   struct Inertia {
     double mass_kg = 0;
     Eigen::Vector3d moment{0, 0, 0};
@@ -140,7 +143,8 @@ class JointTree {
   void Move();
 
   const std::vector<TreePart> parts_;
-  // For each unknown: the next unknown on the way to unknown 0; -1 for unknown 0 itself.
+  // For each unknown (a velocity of the trunk or of a hinge): the next unknown on the way to
+  // unknown 0; -1 for unknown 0 itself.
   std::vector<int> parent_;
 
   // The state of the tree: all other members are computed from it in each step.
@@ -162,8 +166,10 @@ class JointTree {
   std::vector<double> matrix_;
   std::vector<double> along_;  // for each unknown: its force; after Eliminate() its momentum
   bool is_eliminated_ = false;
-  std::vector<double> row_;         // the inverse of L^T times J^T, as row_[row][unknown]
-  std::vector<double> row_scaled_;  // row_ divided by D, as row_scaled_[row][unknown]
+  // The inverse of L^T (see matrix_) times J^T, where J is the Jacobian of the contacts, as
+  // row_[row][unknown].
+  std::vector<double> row_;
+  std::vector<double> row_scaled_;  // row_ divided by D (see matrix_), as row_scaled_[row][unknown]
   // For each row: the index of the unknown (UnknownOf()) of the part to which the row belongs.
   std::vector<int> row_unknown_;
   std::vector<double> row_speed_;  // for each row: the result of FreeSpeed()

@@ -12,7 +12,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 // A face of a box can touch the side of a cylinder only if the z of the face's normal, in the
-// cylinder's axes, is at most this.
+// cylinder's axes, is at most this number in size.
 constexpr double kUprightMax = 0.5;
 
 // Number of points of the rim of a cylinder's end that can touch a box.
@@ -130,8 +130,8 @@ void TouchByRims(const Vector3d& centre, const Matrix3d& R, const Vector3d& half
 }
 
 // Adds the points of `cylinder` that are in `thing`.  Tests points of the rims of the cylinder's
-// ends, and of the line along its side that faces `thing`.  The points of the side keep away from
-// the ends, because the nearest way out of an end leads along the axis.  `sign` is 1 if normals are
+// ends, and of the line along its side that faces `thing`.  The points of the side are not near the
+// ends, because near an end the nearest way out leads along the axis.  `sign` is 1 if normals are
 // to point out of `thing`, otherwise -1.
 void TouchByRimsAndSide(const WorldThing& cylinder, const WorldThing& thing, double sign,
                         std::vector<TouchPoint>* points) {

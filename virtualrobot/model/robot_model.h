@@ -108,14 +108,14 @@ struct Sensor {
   SensorKind kind = SensorKind::kRaw;
   bool has_range = false;
   int64_t min = 0, max = 0;  // limits in the sensor's OPEN-R unit (10^-6 rad, N, m, m/s^2; 0 or 1)
-  int joint = -1;            // index of the joint that a kJoint measures; -1 for other kinds
-  int paw = -1;              // index in RobotModel::paws of the paw with this kSwitch; -1: no paw
-  int body = -1;             // index of the part that carries a kDistance; -1: not known
+  int joint = -1;            // index of the joint that a sensor of kind kJoint measures; else -1
+  int paw = -1;              // index in RobotModel::paws of the paw with this switch; -1: no paw
+  int body = -1;             // index of the part with a sensor of kind kDistance; -1: not known
   Eigen::Vector3d place_m{0, 0, 0};
-  // Unit vector: the direction of the ray of a kDistance or, in B, of the axis that a kAcceleration
-  // measures.
+  // Unit vector: the direction of the ray of a sensor of kind kDistance or, in the base frame B, of
+  // the axis that a sensor of kind kAcceleration measures.
   Eigen::Vector3d direction{0, 0, 0};
-  // Table of a kDistance: at least two rows, in rising order of distance_m.
+  // Table of a sensor of kind kDistance: at least two rows, in rising order of distance_m.
   std::vector<DistanceRow> lookup;
 };
 

@@ -152,8 +152,8 @@ void ContactFinder::FindRoom(Robot* robot) {
   }
 }
 
-// Finds the contacts of a movable thing with the floor, with fixed things and with movable things
-// that come after it.
+// Finds the contacts of a movable thing with the floor, with fixed things, and with movable things
+// that come after it in things_, so that each pair is tested only once.
 void ContactFinder::FindOfThing(size_t thing) {
   FindOnFloor(things_[thing]);
   for (size_t other = 0; other < things_.size(); ++other) {

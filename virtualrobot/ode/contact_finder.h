@@ -35,15 +35,16 @@ struct ContactPoint {
 class ContactFinder {
  public:
   // `things` are the things of the world in their present places.  `bodies` has for each thing the
-  // ODE body that moves it, or null for a fixed thing.  The movable things have the trees 0, 1 and
-  // so on, in their order.  `things` and `bodies` must outlive the finder.
+  // ODE body that moves it, or null for a fixed thing.  The JointTrees of the movable things have
+  // the numbers 0, 1 and so on, in the order of the things.  `things` and `bodies` must outlive the
+  // finder.
   ContactFinder(const std::vector<WorldThing>& things, const std::vector<dBodyID>& bodies);
   ~ContactFinder();
   ContactFinder(const ContactFinder&) = delete;
   ContactFinder& operator=(const ContactFinder&) = delete;
 
-  // Adds a robot that tree `tree` moves, and whose parts are the ODE bodies `bodies`, in the order
-  // of `model`.  `model` and `bodies` must outlive the finder.
+  // Adds a robot that JointTree number `tree` moves, and whose parts are the ODE bodies `bodies`,
+  // in the order of `model`.  `model` and `bodies` must outlive the finder.
   void AddRobot(int tree, const RobotModel& model, const std::vector<dBodyID>& bodies);
 
   // Returns all points at which something touches something else now: first the points of the

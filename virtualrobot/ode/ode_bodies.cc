@@ -40,7 +40,8 @@ dBodyID MakeBodyOfThing(dWorldID world, const WorldThing& thing) {
   return body;
 }
 
-// A row of an ODE matrix has four numbers, the last of which is not used.
+// Writes a 0 as the fourth number of each row of the rotation, because a row of an ODE matrix has
+// four numbers, the last of which is not used.
 void PlaceBody(dBodyID body, const Vector3d& centre_W, const Matrix3d& R_WL) {
   const Matrix3d& R = R_WL;
   const dMatrix3 rotation = {R(0, 0), R(0, 1), R(0, 2), 0,       R(1, 0), R(1, 1),

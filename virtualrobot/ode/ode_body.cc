@@ -257,8 +257,9 @@ void OdeBody::PullByHand(double step_s) {
       Limited((v_wanted_W - state_.v_WB) * (0.5 * model_.bodies[0].mass_kg / step_s), kHandForce_n);
   tree_->AddForce(0, force_W, tree_->centre_W(0));
 
-  // If the rotation from the present to the wanted orientation is small, half the sum of the cross
-  // products of their axes is the rotation's axis times its angle.
+  // Computes the axis of the rotation from the present to the wanted orientation, times its angle.
+  // For a small rotation, this is half the sum of the cross products of the present and the wanted
+  // axes.
   const Matrix3d R = state_.X_WB.linear();
   Vector3d turn_W = Vector3d::Zero();
   for (int axis = 0; axis < 3; ++axis)

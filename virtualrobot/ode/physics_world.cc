@@ -18,9 +18,10 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-// Largest number of contacts of a group for each robot in it; a group without robots may have as
-// many as one robot.  If there are more contacts, only the deepest count, because the work of the
-// solver grows with the third power of their number.
+// Largest number of contacts of a group of touching trees, for each robot in the group.  A group
+// without robots may have as many contacts as a group with one robot.  If there are more contacts,
+// only the deepest count, because the work of the solver grows with the third power of their
+// number.
 constexpr size_t kContactsPerRobot = 64;
 constexpr size_t kContactsMax = 3 * kContactsPerRobot;
 

@@ -82,8 +82,8 @@ class PhysicsWorld {
     double brake_nm = 0, least_inertia_kg_m2 = 0;
   };
 
-  // Where a row of the equations is stored: the number of each tree that the contact joins, and the
-  // number of the row in that tree.
+  // The places where a row of the equations is stored: for each of the two trees that the contact
+  // joins, the number of the tree and the number of the row in this tree.
   struct RowSides {
     int tree = -1, row = 0;
     int other_tree = -1, other_row = 0;  // other_tree is -1: the floor or a fixed thing

@@ -21,9 +21,9 @@ void robot_live(void (*reset)(void));
 void robot_die(void (*die)(void));
 
 /*
- * Runs the control loop: `run` is called now and then again and again, always with argument 0.  Its
- * result is the time until the next call in milliseconds.  Multiples of 8 are exact; other numbers
- * are rounded to a multiple of 8.
+ * Runs the control loop: calls `run` at once, and then again and again, always with argument 0.
+ * The result of `run` is the time until the next call in milliseconds.  Multiples of 8 are exact;
+ * other numbers are rounded to a multiple of 8.
  * On the robot, robot_run() returns after the first call of `run`, and main() goes on.
  * A run function may call robot_run() itself; the new function is called from the next time on.
  */
