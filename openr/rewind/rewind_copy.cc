@@ -37,8 +37,9 @@ int ExitCodeOf(pid_t view) {
 
 }  // namespace
 
-// Runs a checkpoint: waits, and makes a view when the original run asks for it.  Returns only in a
-// view that has become a branch.
+// Runs the process of a checkpoint: waits, and makes a view (a process that shows a past moment)
+// when the original run asks for it.  Returns only in a view that has become a branch, a run of its
+// own.
 void Rewind::Wait(int socket, const SavedStick& stick, ProcessFiles* files) {
   // Ignores signals of the terminal, because the original process handles them.
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) ::signal(signal, SIG_IGN);
@@ -74,7 +75,7 @@ void Rewind::Wait(int socket, const SavedStick& stick, ProcessFiles* files) {
 }
 
 // Runs a view of a past moment.  `request` is the first request to the view.  Returns true when the
-// view has become a branch, and false when the view must end.
+// view has become a branch, a run of its own, and false when the view must end.
 bool Rewind::RunView(int socket, const SavedStick& stick, ProcessFiles* files,
                      const PlainJson& request) {
   is_view_ = true;
