@@ -36,7 +36,7 @@ constexpr LogGroup kGroups[] = {LogGroup::kCommanded, LogGroup::kMeasured, LogGr
 
 struct LogFlags {
   // The files to read.  Only the command `compare` uses `other`; "" means that it compares two
-  // groups of `file`.
+  // groups of values in `file`.
   std::string file, other;
   std::string motion;  // motion file of the log; "": the user has named none
   // Names of the groups of values on the two sides of a comparison; "": the content of the log

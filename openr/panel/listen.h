@@ -6,7 +6,7 @@
 
 namespace openr_host {
 
-// The flags of --listen.
+// Values of the flag --listen, and of the flags that can be given only with it.
 struct ListenOptions {
   // IPv4 address of this computer, or 0.0.0.0 for all of them; "": the panel listens at 127.0.0.1,
   // and the remote control is not forwarded.

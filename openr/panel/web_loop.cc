@@ -57,7 +57,7 @@ class LwsConnection : public WebConnection {
       return 0;
     }
     if (!close_code_) return 0;
-    // Cuts the reason, because RFC 6455, section 5.5, allows at most 123 bytes.
+    // Shortens the reason for closing, because RFC 6455, section 5.5, allows at most 123 bytes.
     std::string why = close_why_.substr(0, 120);
     lws_close_reason(wsi_, static_cast<lws_close_status>(*close_code_),
                      reinterpret_cast<unsigned char*>(why.data()), why.size());

@@ -64,12 +64,13 @@ Mesh RoundedBox(const Eigen::Vector3f& size, float radius, int steps) {
   return mesh;
 }
 
-// Makes two triangles for each side face of the cylinder, and one more triangle per side face at
-// each of the two ends.
+// Makes two triangles for each side face of the cylinder, and `sides` - 2 triangles at each of the
+// two ends.
 Mesh Cylinder(const Eigen::Vector3f& size, int sides) {
   Mesh mesh;
   const Eigen::Vector3f half = 0.5f * size;
-  // The side and the two ends have vertices of their own, because their normals differ.
+  // Adds a circle of vertices.  The side and the two ends need circles of their own, because their
+  // normals differ.
   const auto add_circle = [&](float end, bool is_side) {
     const auto first = static_cast<uint32_t>(mesh.vertices.size());
     for (int i = 0; i < sides; ++i) {

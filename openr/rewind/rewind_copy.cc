@@ -50,8 +50,8 @@ void Rewind::Wait(int socket, const SavedStick& stick, ProcessFiles* files) {
   int exit_code = 0;
   for (;;) {
     const std::optional<PlainJson> request = ReceiveMessage(socket, -1);
-    // Ends this process, because the original run has closed its socket: the run is over, or the
-    // last view has become a branch and this branch is over.
+    // Ends this process when the original run has closed its socket: the run is over, or the last
+    // view has become a branch, a run of its own, which is over.
     if (!request) _exit(exit_code);
     if (!request->contains("show")) {
       SendMessage(socket, {{"error", "no view is open"}});
