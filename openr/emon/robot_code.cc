@@ -139,8 +139,9 @@ bool RobotCode::IsAfterCall(uint32_t address) const {
   const uint32_t operation = *word >> 26;
   const bool is_jalr = operation == 0 && (*word & 63) == 9;
   const uint32_t condition = *word >> 16 & 31;
-  const bool is_branch = operation == 1 && (condition == 16 || condition == 17);  // bltzal, bgezal
-  return operation == 3 || is_jalr || is_branch;                                  // 3 means jal
+  // The instruction bltzal or bgezal.
+  const bool is_branch = operation == 1 && (condition == 16 || condition == 17);
+  return operation == 3 || is_jalr || is_branch;  // 3 means jal
 }
 
 CodeLookup RobotCode::LookUp(uint32_t address) const {

@@ -78,7 +78,7 @@ class MessageHistory {
                                  const std::string& observer) const;
 
   System& system_;
-  int sink_ = 0;  // id of the trace sink; 0: no messages are recorded now
+  int sink_ = 0;  // id of the trace sink, which keeps the messages; 0: no messages are recorded now
   std::map<Ends, ConnectionMessages> connections_;
 };
 

@@ -42,8 +42,9 @@ class System;
 struct RewindParts {
   Simulation* simulation = nullptr;
   std::string why_not;  // the reason why this run cannot be rewound; "": it can be rewound
-  // The replay, if this run replays a recording or a known run; a view or a branch then asks the
-  // replay to go on.  Null: a view repeats the logged inputs of this run.
+  // The replay, if this run replays a recording or a known run; a view (which shows a past moment)
+  // or a branch (a new run) then asks the replay to go on.  Null: a view repeats the logged inputs
+  // of this run.
   KnownRun* known = nullptr;
   // The longest virtual time by which the run can go back from the present.
   int64_t span_us = 60'000'000;

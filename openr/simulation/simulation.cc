@@ -183,7 +183,9 @@ std::vector<AddressPair> Simulation::AddressesOf(const SimulationOptions& option
   if (!text) return options.addresses;
   const AddressConfig config = ParseAddressConfig(kAddressFile, *text, model_.design);
   for (const Diagnostic& diagnostic : config.diagnostics) {
-    if (static_cast<size_t>(index) < sticks_.size())  // reports the errors of each stick once
+    if (static_cast<size_t>(index) < sticks_.size())  // robots beyond the sticks are skipped, so
+                                                      // that the errors of each stick are reported
+                                                      // once
       system_->AddFindingAbout(nullptr, diagnostic.severity, RenderWithoutKind(diagnostic));
   }
   return MergeAddressPairs(options.addresses, config.pairs);
