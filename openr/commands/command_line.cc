@@ -93,8 +93,8 @@ void PrintHelp(const CLI::App& app, const std::vector<std::string>& words) {
   }
   const std::string path = PathOf(*about);
   const std::string name = path.empty() ? app.get_name() : app.get_name() + " " + path;
-  // Makes the help text directly.  CLI11's help() would describe the command that the user called,
-  // and that command is `help`.
+  // Makes the help text directly, because CLI11's help() would describe the command that the user
+  // called, which is `help` itself.
   PrintAnswer(ForTerminal(app.get_formatter()->make_help(about, name, CLI::AppFormatMode::Normal)));
 }
 

@@ -16,7 +16,7 @@ namespace openr_host {
 struct OptionInfo {
   enum class Value {
     kNone,    // a flag without a value
-    kText,    // any other value, such as a number, a duration or a name
+    kText,    // a value of none of the other kinds, such as a number, a duration or a name
     kChoice,  // one of the words in `choices`
     kFile,
     kFolder,

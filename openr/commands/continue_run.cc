@@ -57,14 +57,15 @@ class ContinuedRun {
   Simulation& simulation() { return replayer_->simulation(); }
   ConsoleLog* console() { return &console_; }
 
-  // Opens the ports of the robots on the network.  From now on the run is live.
+  // Opens the ports of the robots on the network.  From now on the run is live: its input comes
+  // from the real network and not from the recording.
   void GoLive() {
     replayer_->Leave();
     for (BranchNetwork* const network : networks_) network->GoOn();
   }
 
-  // Drops the events of the network that the log has.  Only a run that can be rewound needs them,
-  // so they would only use memory here.
+  // Drops the network events that log_ has kept.  Only a run that can be rewound needs them, and
+  // this run cannot be rewound.
   void ForgetEvents() { log_.DropBefore(log_.end()); }
 
   // Completes the recording of the run.  Returns "", or the error that happened while the recording
@@ -88,7 +89,7 @@ class ContinuedRun {
     if (recorder_ != nullptr) recorder_->Listen(simulation);
   }
 
-  // Returns the folder of the Memory Stick whose copy the replay uses.
+  // Returns the folder of the original Memory Stick.  The replay uses a copy of this stick.
   std::string StickName() const {
     if (!options_.replay.stick.empty()) return options_.replay.stick;
     return TraceReader(options_.replay.file).header().stick;

@@ -48,8 +48,9 @@ std::string WhyNoStick(const std::string& folder) {
 constexpr int kRefused = 3;  // the run refuses this version or stick; a restart cannot help
 constexpr int kOffline = 4;  // the worker threw an exception, usually without a network
 
-// Makes this process end when `parent` ends, the run that has started it, even if that run crashes.
-// Ignores Ctrl-C and the closing of the terminal, because the run handles both.
+// Makes this worker process end when its parent process `parent` ends, even by a crash.  The parent
+// is the run that has started the worker.  Ignores Ctrl-C and the closing of the terminal, because
+// the parent handles both.
 void BecomeChild(pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (kill(parent, 0) != 0) _exit(kExitWrong);  // the run `parent` has ended already
@@ -135,7 +136,8 @@ Outcome Work(const WorkerOptions& options, bool is_known) {
     if (ending->object == nullptr) return;
     const CurrentScope scope(ending->object->system, ending->object);
     worker->ReportCrash(ending->finding.text());
-    TellHandled(*ending);  // after the report, so that a fault here does not keep it from the run
+    TellHandled(*ending);  // called after ReportCrash(), so that a crash in this call does not keep
+                           // the report from the run
   });
   const std::string problem = worker->Run();
   return {problem, worker->is_refused()};

@@ -36,7 +36,7 @@ constexpr LogGroup kGroups[] = {LogGroup::kCommanded, LogGroup::kMeasured, LogGr
 
 struct LogFlags {
   // The files to read.  Only the command `compare` uses `other`; "" means that it compares two
-  // groups of `file`.
+  // groups of values in `file`.
   std::string file, other;
   std::string motion;  // motion file of the log; "": the user has named none
   // Names of the groups of values on the two sides of a comparison; "": the content of the log
@@ -243,8 +243,8 @@ Comparison CompareWithin(const LogFlags& flags) {
 void WarnIfMotionsDiffer(const TimedLog& first, const TimedLog& second) {
   const std::vector<const JointConstants*> joints = LoggedJoints(*first.log.robot);
   const size_t count = std::min(first.log.records.size(), second.log.records.size());
-  // Leaves out the first record of each log, because the robot got the commanded positions in it
-  // before the motion.
+  // Leaves out the first record of each log, because the robot got the commanded positions of this
+  // record before the motion began.
   for (size_t i = 1; i < count; ++i) {
     const LogRecord& a = first.log.records[i];
     const LogRecord& b = second.log.records[i];

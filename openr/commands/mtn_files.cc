@@ -60,7 +60,7 @@ void ThrowIfAny(const std::string& problem) {
 
 struct FromCsvFlags {
   std::string file, output;
-  std::string like;  // motion file whose names are used; "": none
+  std::string like;  // value of --like: the motion file from which names are taken; "": none
   std::optional<std::string> name, creator, label;
 };
 

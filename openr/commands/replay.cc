@@ -52,7 +52,7 @@ nlohmann::ordered_json TextOrNull(const std::string& text) {
   return text.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(text);
 }
 
-// Prints the messages in which the object of --only now differs from the recording.
+// Prints the messages that differ from the recording; all are from the object that --only names.
 void PrintAnswers(const Replayer& replayer, const ReplayFlags& flags) {
   if (flags.replay.only.empty()) return;
   for (const AnswerDifference& difference : replayer.answer_differences())

@@ -37,8 +37,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kInterruptMs = 200;  // longest wait for data of the copies, so that Ctrl-C is
-                                   // noticed soon
+constexpr int kInterruptMs = 200;  // longest wait for data from the copies of this process, so that
+                                   // Ctrl-C is noticed soon
 // Most findings that are printed; the report has all findings.
 constexpr size_t kFindingsPrinted = 20;
 
@@ -48,8 +48,8 @@ struct RunningCopy {
   std::string said;  // the part of its report that the copy has sent so far
 };
 
-// Reads the data that `copy` has sent, and does not wait for more data.  Returns false when `copy`
-// has ended.
+// Reads the data that `copy`, the process of one robot, has sent.  Does not wait for more data.
+// Returns false when this process has ended.
 bool ReadSome(RunningCopy* copy) {
   char buffer[65536];
   const ssize_t size = read(copy->process.answers, buffer, sizeof buffer);

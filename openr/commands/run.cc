@@ -109,7 +109,8 @@ void ReportTheEnding(Ending* ending, Simulation* simulation, DistributedRun* dis
   WriteReport(report, flags);
   ending->answered = true;
   distribution->EndProcesses();
-  TellHandled(*ending);  // last, so that a fault here does not keep the report from being written
+  TellHandled(*ending);  // called last, so that a crash in this call does not keep the report from
+                         // being written
 }
 
 // Reads the script of --events.  Throws CLI::ValidationError, with the place in the file, if the
@@ -241,8 +242,8 @@ SimulationOptions CommandedRun::Options() {
     return rewind_.Follow(robot, std::move(inner));
   };
   if (records()) recorder_.Listen(&options);
-  // Enters the network client of ROS 2 after the recorder has added itself to `options`, because
-  // the recorder must see the commands of ROS 2 as input.
+  // Adds the network client of ROS 2 to `options` after the recorder has added itself, because the
+  // recorder must see the commands of ROS 2 as input.
   distribution_.Enter(&options, plan_.say);
   return options;
 }

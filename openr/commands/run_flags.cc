@@ -194,7 +194,7 @@ void CheckThatFilesDiffer(const RunFlags& flags) {
   std::map<std::string, std::string> flag_of;
   for (const auto& [flag, file] : named) {
     if (file.empty() || file == "-" || file == "/dev/null") continue;
-    std::error_code error;  // this error is set for a stream such as /dev/stdout, which is no file
+    std::error_code error;  // set for a stream such as /dev/stdout; its name is then used as it is
     const std::string real = std::filesystem::weakly_canonical(file, error);
     const auto [first, is_new] = flag_of.emplace(error ? file : real, flag);
     if (!is_new) {

@@ -105,7 +105,7 @@ bool Session::WaitForNextStep() {
 }
 
 // Makes an iteration of the loop while main() of the controller waits in robot_step().  When the
-// program is to end, ends the process here, because main() cannot be left.
+// program is to end, ends the process here, because nothing can make main() return while it waits.
 void Session::StepInMain() {
   port_.core()->LedReady();
   if (!WaitForNextStep()) std::exit(End());

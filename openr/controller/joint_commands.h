@@ -17,9 +17,9 @@ struct RobotCommand {
   int joint = -1;    // the joint whose position the request sets; -1: it sets something else
 };
 
-// Compares the buffer of a controller with the values that were sent before.  Unchanged values are
-// not sent again, so a command that another client has given meanwhile stays (Hohl 2004, 4.2.3).
-// Values are compared in the units of the protocol, such as 0.01 degree.
+// Compares the commands that a controller wants with the values that were sent to the robot before.
+// Unchanged values are not sent again, so a command that another client has given meanwhile stays
+// (Hohl 2004, 4.2.3).  Values are compared in the units of the protocol, such as 0.01 degree.
 class JointCommands {
  public:
   // Begins with the values that JointMover has before its first command (Messages.h): no commanded

@@ -138,8 +138,8 @@ void RemotePort::TakeSensors(const remote::Sensors& sensors, uint32_t frame) {
   }
   core_.SetSensors(values);
   battery_percent_ = at(sensors.misc, 0);
-  // Ignores the state in values that are older than the answer to MTN_PLAY, because they still say
-  // that no motion plays.
+  // Ignores the robot's state in sensor values that are older than the answer to MTN_PLAY, the
+  // request to play a motion.  These values still say that no motion plays.
   if (!playing_.empty() && !IsAfter(frame, play_frame_)) return;
   state_ = sensors.state == 0xff ? -1 : sensors.state;
   const int key_frame = sensors.keyFrame.empty() ? -1 : sensors.keyFrame[0];
@@ -198,7 +198,8 @@ void RemotePort::TakeAnswers(bool waits) {
       if (answers[i].status == rcOK) continue;
       const std::string why = fmt::format("{} was refused: {}", command.what, answers[i].error);
       if (answers[i].status == rcerrorBUSY && command.joint >= 0) {
-        // The next sensor values tell whether a motion that plays is the reason.
+        // Keeps the refusal until the next sensor values, which tell whether a motion plays.  If
+        // so, the motion is the reason, and the position is sent again later.
         busy_.emplace_back(command.joint, why);
       } else {
         WarnOfRefusal(why);
@@ -347,10 +348,10 @@ void RemotePort::Print(const char* text) {
 
 // ---- A controller that is an endless loop
 
-// Blocks in robot_step() until the core continues the loop of the controller; then returns true.
-// On this computer the controller may block, so it needs no second stack, which it has on the
-// robot.  Each call of on_step_() runs one iteration of the core, and one of these iterations sets
-// is_continued_.
+// Blocks in robot_step() until ControllerCore continues the loop of the controller; then returns
+// true.  On this computer the controller may block, so it needs no second stack, which it has on
+// the robot.  Each call of on_step_() runs one iteration of ControllerCore, and one of these
+// iterations sets is_continued_.
 bool RemotePort::LeaveLoop() {
   is_continued_ = false;
   while (!is_continued_) on_step_();

@@ -51,9 +51,9 @@ class RemotePort : public ControllerPort {
   // Returns whether the robot stands.  Only a robot that stands takes commands.
   bool Stands() const;
 
-  // Returns whether the core has sent the lights since the last call of TakeStep().  The core sends
-  // the lights in each iteration of its loop, so this tells that the iteration is complete.  Sets
-  // `*step_ms` to the time step.
+  // Returns whether ControllerCore has sent the lights since the last call of TakeStep().
+  // ControllerCore sends the lights in each iteration of its loop, so this tells that the iteration
+  // is complete.  Sets `*step_ms` to the time step.
   bool TakeStep(int* step_ms);
 
   // Returns the frame number of the newest sensor values.
@@ -124,7 +124,8 @@ class RemotePort : public ControllerPort {
   int battery_percent_ = 0;
   std::string playing_;      // file of the motion that plays for the controller; "": none
   uint32_t play_frame_ = 0;  // frame number in the answer to MTN_PLAY for this motion
-  // Time step that came with the last SendLeds(); 0: no SendLeds() since TakeStep().
+  // Time step that came with the last SendLeds(); 0: SendLeds() was not called since the last
+  // TakeStep().
   int step_ms_ = 0;
   int rounded_ms_ = 0;  // the rounded time step about which the user was told last
   bool is_continued_ = false;

@@ -19,7 +19,8 @@ using chart::Look;
 constexpr size_t kNowhere = std::string::npos;
 constexpr size_t kPanelsMax = 60;
 
-// A group of quantities whose curves share one panel for each joint.
+// A group of quantities with one angle of each joint, such as the measured angle.  The quantities
+// that all groups have for one joint share a panel.
 struct AngleGroup {
   const char* begin;  // prefix of the names of the quantities in the group
   Look look;

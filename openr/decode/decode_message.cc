@@ -415,8 +415,8 @@ std::string MessageInParentheses(uint64_t number, const std::string& said) {
 
 std::string_view ContentView(const Message& message, std::string* copy) {
   if (message.kind != PayloadKind::kHashed) return PayloadView(message, copy);
-  // Returns early for a message without an antEnvMsg, because it only wakes an object whose wait
-  // has timed out.
+  // Returns early for a message without an antEnvMsg, because such a message only wakes an object
+  // whose wait has timed out.
   if (message.size < sizeof(antEnvMsg)) return {};
   const auto& request = *reinterpret_cast<const antEnvMsg*>(message.payload);
   if (message.size < AntMessageSize(request)) return {};

@@ -32,9 +32,9 @@ std::string DecodeReceived(const System& system, ObjectId target, uint32_t selec
 // Changed data are shown as they are now; deleted data are not shown.
 std::string DecodeHandled(const System& system, const Message& message);
 
-// Puts the lines of `text`, which DecodeContent() has returned, on one line with "; " between them.
-// If the result has more than `size_max` characters, cuts it and ends it with "...".  REQUIRES:
-// size_max >= 3.
+// OneLineOf() puts the lines of `text`, which DecodeContent() has returned, on one line with "; "
+// between them.  If the result has more than `size_max` characters (if not given, kDecodedLineMax),
+// cuts it and ends it with "...".  REQUIRES: size_max >= 3.
 constexpr size_t kDecodedLineMax = 120;
 std::string OneLineOf(const std::string& text, size_t size_max = kDecodedLineMax);
 

@@ -12,9 +12,11 @@
 namespace openr_host {
 namespace {
 
-constexpr size_t kHexDigits = 8;  // of a word that is written without 0x
+constexpr size_t kHexDigits = 8;  // number of digits of a hexadecimal word; such a word needs no
+                                  // "0x"
 constexpr uint32_t kWordBytes = 4;
-// Most words of a stack dump that are kept.  A damaged address must not take all memory.
+// Largest number of words of a stack dump that are kept, so that a damaged address in the dump
+// cannot make the reader use all memory.
 constexpr size_t kStackWordsMax = 1 << 18;
 
 constexpr const char* kRegisterNames[kRobotRegisters] = {
@@ -22,10 +24,11 @@ constexpr const char* kRegisterNames[kRobotRegisters] = {
     "t3",   "t4", "t5", "t6", "t7", "s0", "s1", "s2", "s3", "s4", "s5",
     "s6",   "s7", "t8", "t9", "k0", "k1", "gp", "sp", "fp", "ra"};
 
-// Words before a number whose value is always hexadecimal.
+// Names in front of numbers.  A number after one of these names is always hexadecimal.
 constexpr const char* kHexNames[] = {"cause", "epc", "badvaddr", "context", "gp", "ra", "sp"};
 
-// A number of a line, with the words between the number before it and this one, in lower case.
+// A number in a line of the record.  `words` are the words between the number before and this one,
+// in lower case; they name the number.
 struct NamedNumber {
   std::vector<std::string> words;
   uint32_t value = 0;
@@ -45,7 +48,8 @@ std::string LowerCase(std::string_view text) {
   return result;
 }
 
-// Returns the number that `word` is, after the words `before`; nullopt if it is no number.
+// Returns the number that the text `word` stands for; nullopt if it is no number.  `before` has the
+// words in front of it, which may tell that it is hexadecimal.
 std::optional<NamedNumber> NumberIn(std::string_view word, const std::vector<std::string>& before) {
   NamedNumber number;
   std::string_view digits = word;
@@ -54,7 +58,8 @@ std::optional<NamedNumber> NumberIn(std::string_view word, const std::vector<std
     digits.remove_prefix(2);
     number.is_hex = true;
   }
-  // The time stamp has 16 digits.  Its last 8 are kept, which nobody reads.
+  // Keeps the last 8 digits of a longer number.  Only the time stamp is longer (16 digits), and its
+  // value is not used.
   if (number.is_hex && digits.size() > kHexDigits) digits.remove_prefix(digits.size() - kHexDigits);
   const char* const end = digits.data() + digits.size();
   const auto result = std::from_chars(digits.data(), end, number.value, number.is_hex ? 16 : 10);
@@ -62,8 +67,9 @@ std::optional<NamedNumber> NumberIn(std::string_view word, const std::vector<std
   return number;
 }
 
-// Returns the numbers of a line.  The number of a register of the coprocessor, such as "$14" in
-// "epc:$14: 0x00400010", belongs to the name.
+// Returns the numbers in a line.  Leaves out a number with a '$' in front, such as "$14" in
+// "epc:$14: 0x00400010": it only numbers a register of the coprocessor, so it belongs to the name
+// "epc".
 std::vector<NamedNumber> Split(std::string_view text) {
   std::vector<NamedNumber> numbers;
   std::vector<std::string> words;
@@ -127,8 +133,8 @@ class Reader {
   }
 
  private:
-  // Returns the words of a line of the stack dump, after its address; none if it is another line.
-  // Two blanks end the words, because the same bytes as text follow them.
+  // Returns the address and the words in a line of the stack dump; an empty list for any other
+  // line.  Stops at two blanks, because the same bytes follow them as text.
   static std::vector<uint32_t> WordsOfDump(const std::string& text) {
     std::vector<uint32_t> words;
     const std::string numbers = text.substr(0, text.find("  ", kHexDigits + 2));
@@ -139,7 +145,8 @@ class Reader {
     return words;
   }
 
-  // Reads a line of the stack dump: an address, ':' and the words there.
+  // Reads a line of the stack dump: an address, ':' and the words at this address.  Returns false
+  // for any other line.
   bool ReadDump(const std::string& text) {
     const std::string address_text = text.substr(0, text.find(':'));
     const std::vector<NamedNumber> address = Split(address_text);
@@ -157,7 +164,8 @@ class Reader {
     return true;
   }
 
-  // Fills the stack with the words of the line before, as '*' says, up to `address`.
+  // Fills the stack up to `address` with copies of the line of the dump that was read last, because
+  // a line '*' stands for such equal lines.
   void RepeatUpTo(uint32_t address) {
     if (row_.empty() || address <= row_at_) return;
     for (size_t i = row_.size(); i < kStackWordsMax; ++i) {
@@ -171,7 +179,8 @@ class Reader {
     if (log_.stack.size() < kStackWordsMax) log_.stack.emplace(address, value);
   }
 
-  // Reads a line of the list of objects: a name, context, thread and OID, perhaps the meta space.
+  // Reads a line of the list of objects: name, context, thread, OID and, in some records, the meta
+  // space.  Returns false for any other line.
   bool ReadObject(const std::string& text) {
     if (!section_.empty() && section_.find("object list") == std::string::npos) return false;
     const size_t end = text.find_first_of(" \t");
@@ -196,7 +205,8 @@ class Reader {
   }
 
   void ReadFields(const std::string& text) {
-    std::optional<int> last;  // register of the number before; numbers without names follow it
+    std::optional<int> last;  // register that the number before belongs to; a number without a name
+                              // belongs to the next register
     for (const NamedNumber& number : Split(text)) {
       std::optional<int> reg;
       if (!number.words.empty()) reg = RegisterOf(number.words.back());
@@ -228,8 +238,8 @@ class Reader {
   EmonLog log_;
   std::string section_;        // the last heading in brackets, in lower case; "": there was none
   std::vector<uint32_t> row_;  // words of the last line of the dump
-  uint32_t row_at_ = 0;        // their address
-  bool repeats_ = false;       // the last line was '*'
+  uint32_t row_at_ = 0;        // address of the first word in row_
+  bool repeats_ = false;       // true: the last line was '*', which stands for lines equal to row_
 };
 
 }  // namespace

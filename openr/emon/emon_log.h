@@ -15,36 +15,40 @@
 namespace openr_host {
 
 constexpr int kRobotRegisters = 32;
-constexpr int kRobotGp = 28;  // points into the data of the image whose code runs
-constexpr int kRobotSp = 29;  // stack pointer
-constexpr int kRobotRa = 31;  // return address
+constexpr int kRobotGp = 28;  // number of the register gp, which points into the data of the image
+                              // whose code runs
+constexpr int kRobotSp = 29;  // number of the register sp, the stack pointer
+constexpr int kRobotRa = 31;  // number of the register ra, the return address
 
 struct EmonLog {
-  // A line of the list of objects.
+  // An object in the list of objects that the record has.
   struct Object {
     std::string name;
     uint32_t context = 0;
     uint32_t thread = 0;
     uint32_t oid = 0;
-    std::string meta_space;  // "" if the line does not have it
+    std::string meta_space;  // meta space of the object; "" if the record does not have it
   };
 
-  // Exception code of the processor.  Without a line that has the code, it comes from `cause`.
+  // Exception code of the processor.  If no line of the record has it, it is taken from `cause`.
   std::optional<uint32_t> code;
-  std::optional<uint32_t> cause;        // register Cause
-  std::optional<uint32_t> bad_address;  // register BadVAddr
+  std::optional<uint32_t> cause;        // value of the register Cause
+  std::optional<uint32_t> bad_address;  // value of the register BadVAddr
   // Address of the instruction that failed, or of the branch before it.
   std::optional<uint32_t> epc;
   std::optional<uint32_t> context;  // context of the object that crashed
   std::array<std::optional<uint32_t>, kRobotRegisters> registers;
   std::vector<Object> objects;
-  std::map<uint32_t, uint32_t> stack;  // words of the stack dump by their address
+  std::map<uint32_t, uint32_t> stack;  // words of the stack dump; the key is the address of the
+                                       // word
 
-  // Returns the address of the instruction that failed.  If it comes right after a branch, in the
-  // branch's delay slot, `epc` is the branch, and bit 31 of `cause` is set.
+  // Returns the address of the instruction that failed; nullopt if `epc` is not known.  If this
+  // instruction is in the delay slot of a branch, right after the branch, then `epc` is the address
+  // of the branch, and bit 31 of `cause` is set.
   std::optional<uint32_t> Failed() const;
 
-  // Returns the object that crashed, the one with `context`; null if the log does not have it.
+  // Returns the object that crashed, which is the object with the context `context`; null if the
+  // record does not list it.
   const Object* Crashed() const;
 };
 

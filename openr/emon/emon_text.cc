@@ -13,7 +13,8 @@ CodePlace PlaceOf(const RobotCode& code, uint32_t address) {
   return {address, code.InFile(address), code.LookUp(address)};
 }
 
-// The instruction of the call whose return address is `address`.
+// Returns the place of the call whose return address is `address`.  A call begins 8 bytes before
+// its return address: the call itself comes first, then the instruction in its delay slot.
 CodePlace CallBefore(const RobotCode& code, uint32_t address) { return PlaceOf(code, address - 8); }
 
 void FindCalls(const RobotCode& code, EmonStory* story) {
@@ -23,8 +24,8 @@ void FindCalls(const RobotCode& code, EmonStory* story) {
     story->has_more_calls = story->calls.size() == kCallsMax;
     if (!story->has_more_calls) story->calls.push_back(CallBefore(code, address));
   };
-  // Register ra leads back into the function that failed if that function has called another one.
-  // So it names no caller then.
+  // Leaves out register ra if it leads into the function that failed: this function has called
+  // another one, and ra is left from that call.  So ra does not name the caller.
   const uint32_t ra = log.registers[kRobotRa].value_or(0);
   const std::string& function = story->place->code.function;
   if (function.empty() || code.LookUp(ra - 8).function != function) add(ra);
@@ -32,7 +33,8 @@ void FindCalls(const RobotCode& code, EmonStory* story) {
   for (auto word = log.stack.lower_bound(sp); word != log.stack.end(); ++word) add(word->second);
 }
 
-// Returns why the story has no place, or no line.
+// Returns the reason why the instruction that failed, or its source line, is not known; "" if both
+// are known.
 std::string ProblemOf(const EmonStory& story, const RobotCode& code) {
   const EmonLog& log = story.log;
   if (!log.epc) return "the log has no epc, the address of the instruction that failed";

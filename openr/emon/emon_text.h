@@ -11,28 +11,30 @@
 
 namespace openr_host {
 
-// A place in the code of the image.
+// The place of an instruction in the image of an object.
 struct CodePlace {
-  uint32_t address = 0;  // on the robot
+  uint32_t address = 0;  // address in the memory of the robot
   uint32_t in_file = 0;  // address in the image file
   CodeLookup code;
 };
 
-// The story of a crash: its record, explained with the image of the object.
+// The explanation of a crash: its record, and what the image of the object says about the crash.
 struct EmonStory {
   EmonLog log;
-  std::string meaning;  // of the exception code; "" if the log has no code
-  // The instruction that failed, if it is in the image.
+  std::string meaning;  // meaning of the exception code; "" if the record has no code
+  // The instruction that failed; nullopt if it is not known or not in the image.
   std::optional<CodePlace> place;
-  // Calls that may have led there, the last one first: those that belong to the return address in
-  // register ra and to each word on the stack that could be a return address.  Some may be left
-  // from functions that had already returned.
+  // Calls that may have led to the instruction that failed, the last call first.  They are found by
+  // their return addresses: the value of register ra, and each word on the stack that could be a
+  // return address.  Some may be left from functions that had already returned.
   std::vector<CodePlace> calls;
-  bool has_more_calls = false;  // calls were left out
-  std::string problem;          // why there is no place or no name; "" if there is nothing to say
+  bool has_more_calls = false;  // true: more calls were found, and left out of `calls`
+  std::string problem;          // reason why the place, its function or its line is not known; "":
+                                // nothing is missing
 };
 
-// `code`: the image of the object that crashed; null without one.
+// Explains the crash whose record is `log`.  `code` is the image of the object that crashed; null
+// if there is no image.
 EmonStory TellStory(const EmonLog& log, RobotCode* code);
 
 std::string StoryText(const EmonStory& story);

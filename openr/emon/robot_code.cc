@@ -22,9 +22,9 @@ constexpr uint32_t kLinkedAt = 0x400000;  // address at which the SDK links imag
 // Headers of a 32-bit ELF file that are needed to find code.
 struct Headers {
   std::optional<Elf32_Shdr> text;
-  std::optional<uint32_t> gp;  // from the section .reginfo
+  std::optional<uint32_t> gp;  // value of the register gp in the section .reginfo
   uint32_t first_load = 0;     // lowest address of a segment
-  bool has_names = false;      // there is a table of symbols
+  bool has_names = false;      // true: the file has a table of symbols
 };
 
 template <typename T>
@@ -35,7 +35,7 @@ std::optional<T> ReadAt(const std::string& bytes, uint64_t at) {
   return value;
 }
 
-// Returns the headers; nullopt if the bytes are no 32-bit ELF file for MIPS.
+// Returns the headers of the file `bytes`; nullopt if it is no 32-bit ELF file for MIPS.
 std::optional<Headers> HeadersIn(const std::string& bytes) {
   const auto header = ReadAt<Elf32_Ehdr>(bytes, 0);
   if (!header || std::memcmp(header->e_ident, ELFMAG, SELFMAG) != 0 ||
@@ -69,7 +69,7 @@ std::optional<Headers> HeadersIn(const std::string& bytes) {
   return result;
 }
 
-// Returns the linked address of the code less its address in the headers.
+// Returns the address for which the code was linked, minus its address in the headers.
 uint32_t MovedBy(const Headers& headers) {
   return headers.first_load == 0 && headers.gp.value_or(0) >= kLinkedAt ? kLinkedAt : 0;
 }
@@ -130,7 +130,8 @@ bool RobotCode::Contains(uint32_t address) const {
 }
 
 bool RobotCode::IsAfterCall(uint32_t address) const {
-  constexpr uint32_t kDelay = 8;  // the call, and the instruction after it, which runs before
+  constexpr uint32_t kDelay = 8;  // bytes of a call and of the instruction after it (delay slot),
+                                  // which runs before the call
   if (!Contains(address) || !Contains(address - kDelay)) return false;
   const auto word =
       ReadAt<uint32_t>(bytes_, uint64_t{text_offset_} + InFile(address) - kDelay - text_);
@@ -138,8 +139,9 @@ bool RobotCode::IsAfterCall(uint32_t address) const {
   const uint32_t operation = *word >> 26;
   const bool is_jalr = operation == 0 && (*word & 63) == 9;
   const uint32_t condition = *word >> 16 & 31;
-  const bool is_branch = operation == 1 && (condition == 16 || condition == 17);  // bltzal, bgezal
-  return operation == 3 || is_jalr || is_branch;                                  // 3: jal
+  // The instruction bltzal or bgezal.
+  const bool is_branch = operation == 1 && (condition == 16 || condition == 17);
+  return operation == 3 || is_jalr || is_branch;  // 3 means jal
 }
 
 CodeLookup RobotCode::LookUp(uint32_t address) const {

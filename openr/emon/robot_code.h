@@ -21,18 +21,19 @@ class RobotCode {
   // Reads an image from its bytes, without names of functions.  `name` is for the error message.
   RobotCode(const std::string& name, std::string bytes);
 
-  // Says where the robot had loaded the image.  `gp` is the value of the register gp while code of
-  // the image ran; the file says which value gp would have at the addresses of the file.
+  // Tells this object where the robot had loaded the image.  `gp` is the value of the register gp
+  // while code of the image ran; the file says which value gp would have at the addresses of the
+  // file.
   void SetGp(uint32_t gp) { loaded_by_ = gp - file_gp_; }
 
   // Returns whether the robot's address `address` is in the code.  REQUIRES: SetGp() was called.
   bool Contains(uint32_t address) const;
   // Returns whether the instruction at `address` - 8 is a call, so that `address` may be a return
-  // address.  The instruction between them runs before the call does.
+  // address.  The instruction at `address` - 4, the delay slot, runs before the call does.
   bool IsAfterCall(uint32_t address) const;
   // Returns function and line of the robot's address `address`.
   CodeLookup LookUp(uint32_t address) const;
-  // Returns the address in the file of the robot's address `address`, as disassemblers print it.
+  // Converts the robot's address `address` to the address in the file, which disassemblers print.
   uint32_t InFile(uint32_t address) const { return address - loaded_by_ - moved_by_; }
 
   // The file with names of functions and lines; empty if none was found.
@@ -42,18 +43,18 @@ class RobotCode {
   void ReadHeaders(const std::string& name, const std::string& problem);
   void FindNames(const std::filesystem::path& file);
 
-  std::string bytes_;  // of the image, decompressed
+  std::string bytes_;  // bytes of the image, decompressed
   bool is_compressed_ = false;
   std::filesystem::path names_;
   uint32_t names_moved_by_ = 0;  // moved_by_ of the file with the names
   uint32_t text_ = 0;            // address of the code in the file
-  uint32_t text_offset_ = 0;     // its place among the bytes
+  uint32_t text_offset_ = 0;     // place of the code in bytes_
   uint32_t text_bytes_ = 0;
-  uint32_t file_gp_ = 0;  // value of gp for the addresses of the code
-  // The linked address less the address in the headers: a .BIN was linked at 0x400000, and only its
-  // headers were moved to 0 (binary.md 1.5).
+  uint32_t file_gp_ = 0;  // value of the register gp that belongs to the addresses in the file
+  // The address for which the code was linked, minus its address in the headers.  It is not 0 for a
+  // .BIN: this file was linked at 0x400000, and only its headers were moved to 0 (binary.md 1.5).
   uint32_t moved_by_ = 0;
-  uint32_t loaded_by_ = 0;  // the robot's address less the linked address
+  uint32_t loaded_by_ = 0;  // address on the robot, minus the address for which the code was linked
 };
 
 }  // namespace openr_host

@@ -29,8 +29,8 @@ struct Deviation {
              // `selector`
   };
   Kind kind = Kind::kTie;
-  // Virtual time of the deviation.  For a kTie it is a part of the place; for kDelay and kCost it
-  // only informs people.
+  // Virtual time of the deviation.  A kTie is found in the run by this time and by `nth`; for
+  // kDelay and kCost the time only informs people.
   int64_t time_us = 0;
   uint64_t nth = 0;  // number that is called nth in the comments of Kind; counted from 0
   ObjectId object = kNoObject;

@@ -58,9 +58,10 @@ class ExactSchedule : public ExploreSchedule {
   // search also tries orders that repeat earlier ones.
   ExactSchedule(const System& system, const nlohmann::ordered_json& plan);
 
-  // Records which objects the delivery of `message` concerns.  Cuts the run if the receiver was the
-  // only candidate and its delivery sleeps.  Called for every message before the handler of the
-  // receiver runs.
+  // Records which objects the delivery of `message` concerns.  Cuts the run (stops it early) if the
+  // receiver was the only candidate and the delivery to it sleeps, because the run would then
+  // repeat an order of an earlier run.  Called for every message before the handler of the receiver
+  // runs.
   void SawDelivery(const Message& message);
 
   // Returns whether this run was cut, that is, stopped early.  A run is cut when every delivery
@@ -97,7 +98,7 @@ class ExactSchedule : public ExploreSchedule {
 
   const bool reduce_;
   std::vector<size_t> choices_;
-  SleepSet next_sleep_;  // SleepSet at the last choice of choices_
+  SleepSet next_sleep_;  // the deliveries that sleep at the last choice of choices_
   SleepSet sleep_;
   std::vector<Node> nodes_;
   bool is_cut_ = false;

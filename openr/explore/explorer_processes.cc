@@ -31,7 +31,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr char kReady[] = "ready";
-constexpr int64_t kOddSliceUs = 50'021;  // time slice of second runs; not a multiple of a frame
+constexpr int64_t kOddSliceUs = 50'021;  // time slice of the second run of a plan with "twice"; not
+                                         // a multiple of a frame
 
 void SilenceOutput() {
   const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
@@ -108,7 +109,7 @@ class PlanServer {
     const Json here = differs ? server_.Run(again) : answer;
     const bool differs_here = !AreEqual(answer, here);
     // A run that was killed has no hashes.  How long a run takes depends on the machine, so such a
-    // run is no difference.
+    // run does not count as a difference.
     const bool is_compared =
         !answer.contains(kNotEnded) && !other.contains(kNotEnded) && !here.contains(kNotEnded);
     answer["not_compared"] = !is_compared;

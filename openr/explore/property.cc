@@ -54,7 +54,7 @@ class NotFallen : public Property {
   NotFallen() : Property("not-fallen") {}
 
   std::string Check(const RunView& view) override {
-    // Smallest cosine of the tilt of an upright robot: 45 degrees.
+    // The smallest cosine of the tilt of an upright robot, which is tilted by at most 45 degrees.
     constexpr double kUprightMin = 0.7071;
     has_stood_.resize(view.prepared->robots.size());
     for (size_t i = 0; i < has_stood_.size(); ++i) {

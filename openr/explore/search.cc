@@ -17,8 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// A choice in the last run.  Such an element of stack_ has the candidates of the choice, and notes
-// the candidates that have been explored.
+// A choice in the last run: its candidates, and which of them have been explored.
 struct Frame {
   std::vector<ObjectId> candidates;
   SleepSet sleep;  // deliveries that sleep at this choice, so the search need not try them

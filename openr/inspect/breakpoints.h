@@ -27,9 +27,9 @@ class Breakpoints {
   size_t size() const { return all_.size(); }
   const std::string& text(size_t number) const { return all_[number - 1].text; }
 
-  // Must be called before the replay runs on.  A "when" breakpoint whose condition holds now would
-  // stop the replay again at the next message, so Hit() ignores this breakpoint until its condition
-  // has been false once.
+  // Prepares the breakpoints; must be called before the replay runs on.  A "when" breakpoint whose
+  // condition holds now would stop the replay again at the next message, so Hit() ignores this
+  // breakpoint until its condition has been false once.
   void Arm();
   // Tests all breakpoints after the replay has delivered a message.  Returns the number, counted
   // from 1, of the first breakpoint that stops the replay here; 0 if the replay goes on.

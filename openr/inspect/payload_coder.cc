@@ -26,8 +26,8 @@ uint32_t ChangedWords(const char* now, const char* last) {
     return _mm_cmpeq_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(now + at)),
                            _mm_loadu_si128(reinterpret_cast<const __m128i*>(last + at)));
   };
-  // The result of a comparison has 32 bits for each word.  Each further step halves the number of
-  // bits: to 16, to 8, and at last to one.
+  // Packs the results of the comparisons, which have 32 bits for each word.  Each step halves the
+  // number of bits: to 16, to 8, and at last to one for each word.
   const __m128i first = _mm_packs_epi32(equal(0), equal(16));
   const __m128i second = _mm_packs_epi32(equal(32), equal(48));
   return static_cast<uint32_t>(_mm_movemask_epi8(_mm_packs_epi16(first, second))) ^ 0xffffu;

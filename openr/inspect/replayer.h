@@ -123,7 +123,8 @@ class Replayer : public KnownRun {
                                                // else empty
   std::unique_ptr<ExploreSchedule> schedule_;  // schedule of the recording; null: the seed decides
                                                // the order of messages
-  // Null: the recording has a schedule, so prepared_ has the simulation.
+  // The simulation of the replay; null if the recording has a schedule, because prepared_ then owns
+  // the simulation.
   std::unique_ptr<Simulation> own_simulation_;
   Simulation* simulation_ = nullptr;
   std::string only_;

@@ -115,7 +115,8 @@ class Stepper {
         shared_->ends = shared_->differs = true;
       }
       if (shared_->ends) return false;
-      // Ends this copy, because the target is before its snapshot.
+      // Ends this copy if the session goes back to a moment before its snapshot.  The process of an
+      // earlier snapshot then makes a new copy.
       if (shared_->target < here && is_copy_) _exit(0);
     }
   }

@@ -59,10 +59,11 @@ struct TraceEntry {
   // The kinds of entries.  Each comment names the fields of TraceEntry that such an entry has.
   enum class Kind : uint8_t {
     kObject = 1,      // an object, before its first message; fields: id, robot, name
-    kEntry = 2,       // an entry of the object `id`, before the first message to it; fields: id,
-                      // selector, name
+    kEntry = 2,       // an entry (handler) of the object `id`, before the first message to this
+                      // handler; fields: id, selector, name
     kOldMessage = 3,  // kind of an old version, see kOldestTraceVersion
-    kNetwork = 4,   // events that Poll() returned during the message before; fields: robot, events
+    kNetwork = 4,   // network events that Poll() returned during the message before; fields: robot,
+                    // events
     kOldPause = 5,  // kind of an old version, see kOldestTraceVersion
     kOldShutdown = 6,  // kind of an old version, see kOldestTraceVersion
     kEnd = 7,          // the last entry; fields: time_us, trace_hash, state_hash

@@ -34,8 +34,9 @@ constexpr size_t kFirstLines = 200;
 
 double InSeconds(int64_t time_us) { return static_cast<double>(time_us) / 1e6; }
 
-// Returns the link of `connection`.  Returns null until both objects have made the link.  Returns
-// null also for a subject of a system object, because it has no OSubject.
+// Returns the record (link) that the subject of `connection` has of the observer.  Returns null
+// until the objects have made the link.  Returns null also for a subject of a system object,
+// because it has no OSubject.
 const ObserverLink* LinkOf(System* system, const Connection& connection) {
   const auto& directory = system->robot(connection.robot).directory;
   const auto from = directory.find(connection.subject), to = directory.find(connection.observer);

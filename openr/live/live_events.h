@@ -62,10 +62,10 @@ class LiveEvents {
 
   const LiveContext context_;
   int64_t rates_us_ = 0;                // virtual time at which the rates were computed
-  std::map<int, Rate> objects_;         // messages that objects have received; key: id of the
-                                        // object
-  std::map<size_t, Rate> connections_;  // messages of connections; key: index in
-                                        // System::connections()
+  std::map<int, Rate> objects_;         // number and rate of the messages that each object has
+                                        // received; key: id of the object
+  std::map<size_t, Rate> connections_;  // number and rate of the messages of each connection; key:
+                                        // index in System::connections()
   // The time of this computer's clock at the last update of speed_.
   int64_t speed_ns_ = 0;
   // The virtual time at the last update of speed_.

@@ -157,7 +157,7 @@ bool LiveServer::is_watched() const {
                      [](const Client& client) { return !client.watches.empty(); });
 }
 
-// Adds the events that are due to the bytes to send to `client`.  Adds none while the client has
+// Adds to the bytes for `client` all events whose time has come.  Adds none while the client has
 // not taken earlier bytes, so that a slow client gets fewer events instead of old ones.
 void LiveServer::SendEvents(Client* client, int64_t now_ns) {
   if (!client->to_send.empty()) return;

@@ -22,8 +22,8 @@ class Couplings;
 
 class LiveServer {
  public:
-  // Limits, so that no client can make the run use much memory.  The server closes a client that
-  // exceeds a limit.  This limit is the number of bytes of a request.
+  // The largest number of bytes of a request.  This limit and the next two keep clients from making
+  // the run use much memory.  The server closes a client that exceeds a limit.
   static constexpr size_t kRequestMax = size_t{64} << 10;
   // The largest number of bytes of answers that a client has not taken yet.
   static constexpr size_t kAnswersMax = size_t{4} << 20;

@@ -28,7 +28,8 @@ class MessageHistory {
   struct Entry {
     uint64_t number;
     int64_t time_us;
-    bool is_ready;        // true: a ready of the observer; false: a notification of the subject
+    bool is_ready;        // true: a ready message of the observer; false: a notification of the
+                          // subject
     uint32_t size;        // number of bytes of the whole content
     std::string content;  // the content as in a recording, cut to kContentMax bytes
   };
@@ -77,7 +78,7 @@ class MessageHistory {
                                  const std::string& observer) const;
 
   System& system_;
-  int sink_ = 0;  // id of the trace sink; 0: no messages are recorded now
+  int sink_ = 0;  // id of the trace sink, which keeps the messages; 0: no messages are recorded now
   std::map<Ends, ConnectionMessages> connections_;
 };
 

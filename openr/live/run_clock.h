@@ -18,9 +18,9 @@ class RunClock {
   // The largest number of steps that the run has still to make.
   static constexpr int kStepsMax = 1000;
 
-  // `rate` is virtual seconds per second of the computer's clock; 0: as fast as possible.
-  // `is_fixed`: the run cannot be paused and keeps its rate, because processes that do not wait for
-  // it run its handlers.
+  // Makes a clock with the rate `rate`: virtual seconds per second of the computer's clock; 0: as
+  // fast as possible.  If `is_fixed`, the run cannot be paused and keeps its rate, because its
+  // handlers run in processes that do not wait for it.
   explicit RunClock(double rate, bool is_fixed = false) : rate_(rate), is_fixed_(is_fixed) {}
 
   bool is_fixed() const { return is_fixed_; }

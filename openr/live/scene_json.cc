@@ -201,7 +201,7 @@ Json SceneJson(const Simulation& simulation) {
     robots.push_back(RobotJson(simulation.model()));
   for (const render::Shape& shape : ShapesOfWorld(simulation.world()))
     shapes.push_back(JsonOf(shape));
-  // Numbers the things that can move in the same order as in the events "pose".
+  // Counts the things that can move.  The events "pose" have these things in the same order.
   int movable = 0;
   const std::vector<WorldThing>& things = simulation.world().things;
   for (size_t i = 0; i < things.size(); ++i) {

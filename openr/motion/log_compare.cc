@@ -49,10 +49,11 @@ class Curve {
   std::vector<double> slopes_;
 };
 
-// The straight line that fits the positions in B best as a function of those in A.
+// The straight line that gives the positions in motion B best as a function of those in motion A.
 struct Fit {
   double gain = 0;
-  double unexplained = 1;  // fraction of B's variance that the line does not explain, 0 to 1
+  double unexplained = 1;  // fraction of the variance of motion B that the line does not explain, 0
+                           // to 1
 };
 
 Fit FitLine(const std::vector<double>& a, const std::vector<double>& b) {
@@ -87,10 +88,10 @@ bool Moves(const std::vector<double>& deg) {
 }
 
 // Finds the lag of one joint in two searches.  Each search uses the same records for all its
-// shifts, so that the number of records does not influence the result.  A record can be used only
-// if no shift moves it out of the time of B.  The first search tries large shifts, so it has to
-// leave out many records.  The second search tries only shifts near the result of the first one, so
-// it uses nearly all records.
+// shifts, so that the number of records does not influence the result.  A record of motion A can be
+// used only if no shift moves it out of the time that A and motion B have in common.  The first
+// search tries large shifts, so it has to leave out many records.  The second search tries only
+// shifts near the result of the first one, so it uses nearly all records.
 class LagSearch {
  public:
   LagSearch(const JointTraces& a, const JointTraces& b, size_t joint)
@@ -120,7 +121,8 @@ class LagSearch {
   }
 
  private:
-  // Takes the records of A whose times stay inside the time of B with any shift up to `margin_ms`.
+  // Takes the records of motion A whose times stay inside the time that A and motion B have in
+  // common, with any shift up to `margin_ms`.
   void TakeRecords(double margin_ms) {
     times_.clear();
     a_deg_.clear();
@@ -159,7 +161,7 @@ class LagSearch {
   const JointTraces& a_;
   const size_t joint_;
   const Curve curve_;
-  const double begin_ms_, end_ms_;  // limits of the time that A and B have in common
+  const double begin_ms_, end_ms_;  // limits of the time that the motions A and B have in common
   std::vector<double> times_, a_deg_;
 };
 

@@ -23,21 +23,22 @@ struct JointTraces {
 // that do not have this group.  `times_ms` has the time of each record of `log` (log_times.h).
 JointTraces TracesOf(const LogFile& log, const std::vector<double>& times_ms, LogGroup group);
 
-// The difference between a joint's motion in B and its motion in A.
+// The difference of one joint between two motions, A and B.
 //
 // The lag is the shift of time with which both motions fit best: the position in B at the time t +
 // lag is about offset + gain * the position in A at the time t.  So B may also differ from A by an
 // offset and a gain.  Positions between records are interpolated by cubic curves, so the lag need
 // not be a multiple of the time between key frames.
 struct JointDifference {
-  double mean_deg = 0;  // mean of B - A
-  double max_deg = 0;   // largest |B - A|
-  double rms_deg = 0;   // root of the mean square of B - A
+  double mean_deg = 0;  // mean of B - A, the position in motion B minus the position in motion A
+  double max_deg = 0;   // largest |B - A|, the distance of the positions in the motions A and B
+  double rms_deg = 0;   // root of the mean square of B - A, the difference of the positions
   // The lag; nullopt when the joint moves by less than kMovesDeg, when fewer than kSamplesMin
   // records are left for the comparison, or when the best shift is the largest that was tried.
   std::optional<double> lag_ms;
   std::optional<double> gain;  // gain of the motion in B; nullopt when lag_ms is nullopt
-  // Root of the mean square of B - A after B was shifted by the lag.
+  // Root of the mean square of the difference between motions B and A, after B was shifted by the
+  // lag.
   std::optional<double> rms_after_lag_deg;
 };
 

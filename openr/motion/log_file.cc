@@ -134,8 +134,8 @@ LogFile ParseLog(const std::string& bytes) {
       return log;
     } catch (const std::runtime_error& error) {
       if (problem.empty())
-        // Keeps the error for the ERS-210.  This design comes first, and Hohl 2004 describes its
-        // format.
+        // Keeps only the error for the ERS-210, the first design, because Hohl 2004 describes the
+        // format for this robot.
         problem = error.what();
     }
   }

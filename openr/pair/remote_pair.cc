@@ -34,7 +34,7 @@ constexpr int kEventsMax = 100;
 constexpr int32_t kChangeMin = 5;
 constexpr uint32_t kFramesPerTurn = 0x0ffffff1;  // number of frames after which frame numbers begin
                                                  // again with 0
-// Fewest and most frames in which a robot goes to a goal by TRACK.
+// Fewest and most frames in which the command TRACK moves a joint to its goal.
 constexpr uint32_t kTrackFramesMin = RC_FRAMES_PER_VECTOR, kTrackFramesMax = 40;
 // The largest step of a joint in one frame, in 0.01 degree.
 constexpr uint32_t kTrackStepMax = 400;
@@ -204,7 +204,8 @@ void RemotePair::Run(PairControl* control, const std::function<void(const PairSt
   }
 }
 
-// Waits until a robot has sent something, or until the person's wish has changed.
+// Waits until a robot has sent something, or until a person has changed the wish (PairWish), which
+// says what the robots are to do.
 void RemotePair::Wait(const PairControl& control) {
   pollfd waited[] = {{sides_[kFirst].robot->descriptor(), POLLIN, 0},
                      {sides_[kSecond].robot->descriptor(), POLLIN, 0},
@@ -271,8 +272,8 @@ void RemotePair::TakeAnswer(PairSide side, const remote::Answer& answer, const P
   for (const remote::Answer& each : own.robot->ReadBatch(answer, posted.calls)) {
     if (each.status == rcOK) continue;
     status_.refusal[side] = each.error;
-    // Uses MOVE from now on instead of TRACK, because a robot with an earlier version does not know
-    // TRACK.
+    // Uses the command MOVE instead of TRACK from now on, because this robot has an earlier
+    // version, which does not know TRACK.
     if (each.status == rcerrorUNKNOWN_COMMAND) own.tracks = false;
     own.sent.clear();  // forgets the goals that were sent, so that all positions are sent again
     return;
@@ -299,13 +300,13 @@ void RemotePair::TakeSensors(PairSide side, const remote::Event& event) {
     lag_.AddFollower(SentMs(side), values.joints);
   }
   if (wish_.follow == Follow::kSecond && side == kFirst) Lead(side, event.frame, values.joints);
-  // Follows the measured positions on the way to the first key frame of a motion, because the
-  // second robot reports no key frames yet.
+  // Makes the first robot follow the measured positions while the second robot goes to the first
+  // key frame of a motion, because the second robot reports no key frames yet.
   if (side == kSecond && values.state == moverPREPARE_MTN && wish_.follows_motions &&
       wish_.follow == Follow::kNone)
     Lead(side, event.frame, values.joints);
-  // Does not follow measured positions while a motion plays, because the first robot then follows
-  // its key frames.
+  // Does not make the first robot follow measured positions while a motion plays, because it then
+  // follows the key frames of the motion.
   if (wish_.follow == Follow::kFirst && side == kSecond && !(plays && wish_.follows_motions))
     Lead(side, event.frame, values.joints);
 }
@@ -325,8 +326,9 @@ void RemotePair::TakeSetValues(const remote::Event& event) {
   if (Lead(kSecond, event.frame, values.commanded)) ++status_.key_frames;
 }
 
-// Sends goals to the robot that follows.  The leader had these goals in `frame`.  Returns false if
-// nothing is sent: the follower does not accept commands, is silent, or has reached the goals.
+// Sends goals to the robot that follows.  The leader, the other robot, had these goals in its frame
+// `frame`.  Returns false if nothing is sent: the follower does not accept commands, is silent, or
+// has reached the goals.
 bool RemotePair::Lead(PairSide leader, uint32_t frame, const std::vector<int32_t>& goals) {
   Side& follower = sides_[OtherOf(leader)];
   if (follower.state != moverACCEPTING_COMMANDS || goals.size() != joints_.size()) return false;
@@ -339,7 +341,7 @@ bool RemotePair::Lead(PairSide leader, uint32_t frame, const std::vector<int32_t
     if (!is_first && std::abs(int64_t{goals[i]} - follower.sent[i]) < kChangeMin) continue;
     const auto way =
         static_cast<uint32_t>(i < measured.size() ? std::abs(int64_t{goals[i]} - measured[i]) : 0);
-    // Gives the joint one frame more than the frames that have passed, so that it does not stop
+    // Gives the joint one frame more than have passed since the last goal, so that it does not stop
     // before the next goal comes.
     const uint32_t frames =
         std::clamp(std::max(is_first ? kTrackFramesMax : passed + 1, way / kTrackStepMax),

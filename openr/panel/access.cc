@@ -74,7 +74,7 @@ std::string Access::WhyNoFile(const WebRequest& request) const {
 std::string Access::WhyNoSocket(const WebRequest& request) const {
   if (const std::string why = WhyNoFile(request); !why.empty()) return why;
   const std::string_view origin = request.origin;
-  // The page itself must come from this server, at the same address.
+  // Refuses a page that does not come from this server, at the same address.
   if (!origin.empty() && origin != "http://" + request.host)
     return "a page of another site may not use the panel";
   if (IsSameSecret(request.protocol, protocol())) return "";

@@ -45,7 +45,7 @@ class Access {
 
   const std::string token_;
   const std::string address_;
-  const std::string port_;  // ":8210"
+  const std::string port_;  // port with a colon in front, such as ":8210"
 };
 
 }  // namespace openr_host

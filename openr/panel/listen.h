@@ -6,7 +6,7 @@
 
 namespace openr_host {
 
-// The flags of --listen.
+// Values of the flag --listen, and of the flags that can be given only with it.
 struct ListenOptions {
   // IPv4 address of this computer, or 0.0.0.0 for all of them; "": the panel listens at 127.0.0.1,
   // and the remote control is not forwarded.
@@ -23,9 +23,9 @@ struct ListenOptions {
 // Returns the reason why nothing can listen at `address`; "" if it is an IPv4 address.
 std::string WhyNoListenAddress(const std::string& address);
 
-// Throws std::runtime_error if `options` cannot be had: the file has no token, this computer has no
-// such address, or the server is not built.  A run calls this before it begins, because its server
-// is another process, whose end the run does not see.
+// Throws std::runtime_error if `options` cannot be fulfilled: the file has no token, this computer
+// has no such address, or the server is not built.  A run calls this before it begins, because its
+// server is another process, whose end the run does not see.
 void CheckListen(const ListenOptions& options);
 
 // Returns the token in the file `file`, as remote::ReadTokenFile() does.  If there is no such file,

@@ -91,14 +91,14 @@ class Page : public WebPage {
   PageQueue queue_;
   bool is_amid_message_ = false;  // true: a part of a message has come, but not its last part
   bool is_closing_ = false;       // true: no message is queued or obeyed any more
-  // The code and the reason with which the server closes the page when the message that is coming
-  // has ended.
+  // The code and the reason with which the server closes the page when the rest of the present
+  // message from the page has come.
   struct Ending {
     int code;
     std::string why;
   };
   std::optional<Ending> ending_;
-  size_t dropped_ = 0;  // number of bytes that were dropped of the message that is coming
+  size_t dropped_ = 0;  // number of bytes that were dropped of the present message from the page
 };
 
 }  // namespace openr_host

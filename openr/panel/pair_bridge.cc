@@ -50,8 +50,7 @@ constexpr size_t kKnownMax = 1000;
 
 std::atomic<int> g_pair_threads = 0;
 
-// Returns whether this server connects this robot of the run with this second robot for the first
-// time.
+// Returns whether the server connects the two robots of `work` for the first time.
 bool IsFirstTime(const PairBridge::Work& work) {
   static std::mutex mutex;
   static std::set<std::string> known;

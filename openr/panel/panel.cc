@@ -65,8 +65,8 @@ std::optional<LiveRun> FindRun(const std::string& wanted) {
 
 // Returns NAME.PROCESS of the run that pages show first; "" if they let the user choose.
 std::string FirstRun(const PanelOptions& options) {
-  // The server of a run gets NAME.PROCESS.  It is not looked up, because a short run may have ended
-  // already, which is no error.
+  // A run gives its server the name NAME.PROCESS.  This name is not looked up, because a short run
+  // may have ended already, which is no error.
   if (options.run_pipe >= 0) return options.run;
   const std::optional<LiveRun> run = FindRun(options.run);
   return run ? std::filesystem::path(run->socket).filename().string() : "";
@@ -154,7 +154,7 @@ class Panel : public WebService {
   std::set<OpenPage*> pages_;
   int signals_ = -1;
   Listener listener_, signal_listener_, run_listener_;
-  // The remote control that is forwarded, one for each robot (--listen).
+  // The remote control of one robot, which is forwarded to other computers (--listen).
   struct Forwarded {
     uint16_t port;
     RcForwarder forwarder;
@@ -237,8 +237,8 @@ void Panel::ForwardRemoteControl(int robot) {
     try {
       run = FindRun(own_run);
     } catch (const std::runtime_error&) {
-      // Uses the last address: after "Go on from here" the run is another process, with these
-      // ports.
+      // Uses the address that was found last.  After "Go on from here" the run is not found by its
+      // old name, because it is another process, but its ports are the same.
       const std::lock_guard lock(last->mutex);
       if (last->address) return *last->address;
       throw;

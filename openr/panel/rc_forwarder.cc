@@ -38,7 +38,7 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kFarewell{500};
 constexpr std::chrono::milliseconds kConnectTimeout{1000};
 
-constexpr size_t kReceiveMax = 2 * RC_MAX_PACKET;  // the size of an RcFramer
+constexpr size_t kReceiveMax = 2 * RC_MAX_PACKET;  // number of bytes that fit into an RcFramer
 
 std::atomic<int> g_clients = 0, g_without_token = 0;
 
@@ -90,7 +90,7 @@ class Forwarding {
   Forwarding(int client, const RcForwarder::Rules& rules) : client_(client), rules_(rules) {}
 
   // Reads the first packet of the client.  Returns whether it has the token; if not, tells the
-  // client so.
+  // client that it is refused.
   bool TakeToken();
   // Connects to the robot, and forwards packets until one side ends its connection.
   void Forward();
@@ -113,7 +113,7 @@ class Forwarding {
                      0};         // header of the client's first packet
   bool is_client_there_ = true;  // false: the client has ended its sending side
   int unanswered_ = 0;           // number of requests that the robot has not answered yet
-  // An answer that waits until the robot has answered the requests before, because answers come in
+  // An answer that waits until the robot has answered all earlier requests, because answers come in
   // the order of the requests.  No request is read meanwhile.
   std::optional<OwnAnswer> delayed_;
 };
@@ -122,7 +122,7 @@ void Forwarding::Answer(const OwnAnswer& answer) {
   uint8_t packet[RC_MAX_PACKET];
   RcWriter writer(packet, sizeof packet);
   for (int i = 0; i < RC_HEADER_SIZE; ++i) writer.U8(0);
-  writer.U32(0xffffffff);  // the server knows no frame
+  writer.U32(0xffffffff);  // field for the frame number; 0xffffffff: none
   writer.U16(static_cast<Uint32>(answer.status));
   writer.U16(0);
   if (answer.status != rcOK) writer.String(answer.error);
@@ -173,10 +173,12 @@ bool Forwarding::TakeToken() {
 // robot.
 std::optional<OwnAnswer> Forwarding::OwnAnswerToRequest() const {
   const RcHeader& header = requests_.Header();
-  // Refuses command 0, because TakeAnswers() does not count a packet with command and tag 0.
+  // Refuses command 0, because TakeAnswers() does not count a packet with command 0 and tag 0 as an
+  // answer.
   if (header.command == 0)
     return OwnAnswer{header, rcerrorUNKNOWN_COMMAND, "there is no command 0", false};
-  // Each kind but a motion is refused, so that a kind that comes later is not allowed by mistake.
+  // Treats every kind of file except a motion as code, so that a kind that the protocol gets later
+  // is not allowed by mistake.
   const bool is_code = header.command == rcUPLOAD_BEGIN && requests_.PayloadSize() > 0 &&
                        requests_.Payload()[0] != rcfileMOTION;
   if (!is_code || rules_.allows_controllers) return std::nullopt;
@@ -229,7 +231,8 @@ bool Forwarding::TakeAnswers() {
   RcFramer::Result result = answers_.Next();
   for (; result == RcFramer::PACKET; result = answers_.Next()) {
     const RcHeader& header = answers_.Header();
-    // Events, and the packet that tells a ninth client that all places are taken, are no answers.
+    // Counts only answers.  Neither an event nor the packet by which the robot refuses a ninth
+    // client is an answer.
     const bool is_answer = header.command != rcEVENT && (header.command != 0 || header.tag != 0);
     if (is_answer && unanswered_ > 0) --unanswered_;
     if (!SendAll(client_, answers_.Payload() - RC_HEADER_SIZE, header.size)) return false;
@@ -249,7 +252,8 @@ void Forwarding::Forward() {
   if (!ForwardRequests()) return EndStream();
   for (;;) {
     const bool is_reading = is_client_there_ && !delayed_;
-    // Without POLLIN, poll() still tells when the client has closed its connection.
+    // Passes the client to poll() even while nothing is read from it (no POLLIN), because poll()
+    // still tells when the client has closed its connection.
     pollfd both[2] = {{client_, static_cast<short>(is_reading ? POLLIN : 0), 0},
                       {robot_, POLLIN, 0}};
     if (poll(both, 2, -1) < 0 && errno != EINTR) return;
@@ -263,7 +267,8 @@ void Forwarding::Forward() {
 void Serve(int client, const RcForwarder::Rules& rules) {
   const int on = 1;
   setsockopt(client, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
-  setsockopt(client, SOL_SOCKET, SO_KEEPALIVE, &on, sizeof on);  // finds computers that are gone
+  setsockopt(client, SOL_SOCKET, SO_KEEPALIVE, &on, sizeof on);  // makes the kernel find clients
+                                                                 // whose computers are gone
   Forwarding forwarding(client, rules);
   const bool knows_token = forwarding.TakeToken();
   const int clients = knows_token ? ++g_clients : 0;
@@ -295,7 +300,8 @@ void RcForwarder::Take(int connection) {
       Serve(connection, *rules);
       close(connection);
     }).detach();
-  } catch (const std::system_error&) {  // this computer has no thread for the client
+  } catch (const std::system_error&) {  // thrown when this computer cannot make a thread for the
+                                        // client
     --g_without_token;
     close(connection);
   }

@@ -32,7 +32,8 @@ class RcForwarder {
   // Returns whether a thread of any RcForwarder of this process still runs.
   static bool HasThreads();
 
-  struct Rules;  // what the threads have to know
+  struct Rules;  // data that the threads read: how to find the robot, the token, and what is
+                 // allowed
 
  private:
   const std::shared_ptr<const Rules> rules_;

@@ -36,9 +36,10 @@ class LwsConnection : public WebConnection {
     lws_set_timeout(wsi_, PENDING_TIMEOUT_KILLED_BY_PARENT, LWS_TO_KILL_ASYNC);
   }
   void SetReading(bool is_on) override {
-    // Reading is switched on when the run has taken requests, in a callback of another connection.
-    // Without PROCESS_NOW, libwebsockets may leave the change to the next callback of this one,
-    // which never comes if the page waits for the answer to a request that was not read yet.
+    // Applies the change at once (PROCESS_NOW), because reading is switched on in a callback of
+    // another connection, when the run has taken requests.  Without PROCESS_NOW, libwebsockets may
+    // leave the change to the next callback of this connection, which never comes if the page waits
+    // for the answer to a request that was not read yet.
     constexpr int kOn = LWS_RXFLOW_REASON_USER_BOOL | LWS_RXFLOW_REASON_APPLIES_ENABLE |
                         LWS_RXFLOW_REASON_FLAG_PROCESS_NOW;
     lws_rx_flow_control(wsi_, is_on ? kOn : 0);
@@ -56,7 +57,7 @@ class LwsConnection : public WebConnection {
       return 0;
     }
     if (!close_code_) return 0;
-    // Cuts the reason, because RFC 6455, section 5.5, allows at most 123 bytes.
+    // Shortens the reason for closing, because RFC 6455, section 5.5, allows at most 123 bytes.
     std::string why = close_why_.substr(0, 120);
     lws_close_reason(wsi_, static_cast<lws_close_status>(*close_code_),
                      reinterpret_cast<unsigned char*>(why.data()), why.size());
@@ -210,7 +211,8 @@ class LwsLoop : public WebLoop {
       lws_callback_on_writable(wsi);
       return;
     }
-    // Asks later, because libwebsockets forgets what a descriptor asks for in its own callback.
+    // Asks later for permission to write, because libwebsockets forgets such a request if it is
+    // made in the callback of the same descriptor.
     write_again_.push_back(wsi);
     Wake();
   }

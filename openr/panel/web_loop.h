@@ -109,7 +109,7 @@ class WebLoop {
   // Serves HTTP on an accepted connection.  The loop owns the descriptor from now on.
   virtual void Serve(int connection) = 0;
 
-  // Names a descriptor that the loop watches; null after an error.
+  // A handle for a descriptor that the loop watches; null after an error.
   using Watched = void*;
   // Watches a descriptor and calls `handler` for it.  The loop owns the descriptor from now on.
   virtual Watched Watch(int descriptor, WebDescriptor* handler) = 0;

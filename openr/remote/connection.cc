@@ -76,7 +76,7 @@ void Connection::ShowToken() {
   RcWriter writer(payload.data(), static_cast<int>(payload.size()));
   writer.String(options_.token);
   const Answer answer = WaitForAny(Send(rcTOKEN, payload));
-  // Accepts these two refusals, because a robot that does not know the command needs no token.
+  // Accepts these two refusals: the robot does not know the command TOKEN, so it needs no token.
   if (answer.status == rcerrorUNKNOWN_COMMAND || answer.status == rcerrorVERSION) return;
   if (answer.status != rcOK) throw Error(answer.status, answer.frame, answer.error);
 }

@@ -77,7 +77,8 @@ struct Event {
   RequestId subscription = 0;  // id of the subscription, which Subscribe() has returned
   uint32_t frame = 0;
   int stream = 0;    // kind of the stream, an RcStream
-  int left_out = 0;  // number of values that were left out after the event before
+  int left_out = 0;  // number of values that the robot left out between the event before and this
+                     // event
   Bytes values;      // values of Sensors or SetValues; see Read()
 };
 

@@ -20,7 +20,7 @@ void AddSide(int axis, float sign, const Eigen::Vector3f& flat, float radius, in
   // direction of the side.  The angles go from -45 to 45 degrees in equal steps, because this makes
   // the edge evenly round.
   const auto slope = [steps](int i) {
-    // Goes from -steps to 0, then from 0 to steps.
+    // `step` goes from -steps to 0, then from 0 to steps, because the middle line exists twice.
     const int step = i <= steps ? i - steps : i - steps - 1;
     return std::tan(static_cast<float>(step) / static_cast<float>(steps) * 0.78539816f);
   };
@@ -64,12 +64,13 @@ Mesh RoundedBox(const Eigen::Vector3f& size, float radius, int steps) {
   return mesh;
 }
 
-// Makes two triangles for each side face of the cylinder, and one more triangle per side face at
-// each of the two ends.
+// Makes two triangles for each side face of the cylinder, and `sides` - 2 triangles at each of the
+// two ends.
 Mesh Cylinder(const Eigen::Vector3f& size, int sides) {
   Mesh mesh;
   const Eigen::Vector3f half = 0.5f * size;
-  // The side and the two ends have vertices of their own, because their normals differ.
+  // Adds a circle of vertices.  The side and the two ends need circles of their own, because their
+  // normals differ.
   const auto add_circle = [&](float end, bool is_side) {
     const auto first = static_cast<uint32_t>(mesh.vertices.size());
     for (int i = 0; i < sides; ++i) {

@@ -14,7 +14,8 @@ namespace {
 struct ViewPlace {
   const char* name;
   View view;
-  // Vector from the target to the camera, in m; x is the robot's forward direction.
+  // Vector from the target (the point at which the camera looks) to the camera, in m; x is the
+  // robot's forward direction.
   Eigen::Vector3d from;
 };
 

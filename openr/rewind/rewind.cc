@@ -41,7 +41,8 @@ constexpr size_t kMemoryMax = size_t{1} << 30;
 // The most bytes of files that a checkpoint may copy from the Memory Stick.
 constexpr size_t kStickBytesMax = size_t{64} << 20;
 
-// The longest time that a view may need to reach the moment that it shows.
+// The longest time that a view, the process that shows a past moment, may need to reach this
+// moment.
 constexpr int kViewTimeoutMs = 60'000;
 
 // Returns the memory of process `process` in bytes.  Memory that several processes share is divided
@@ -113,7 +114,7 @@ bool Rewind::AfterFrame(bool is_watched) {
 }
 
 // Makes a checkpoint of the run by fork().  Returns false in the original run.  Returns again, with
-// true, in the process of a branch.
+// true, in a branch: a copy of the run that goes on as a run of its own.
 bool Rewind::Take() {
   auto* const stick = dynamic_cast<FolderStick*>(system().robot(0).stick.get());
   ASSERT(stick != nullptr);
@@ -125,8 +126,9 @@ bool Rewind::Take() {
   ProcessFiles files;
   const SocketPair sockets;
   // Flushes our own streams, because a fork would print their buffered text a second time.  Does
-  // not flush the files of objects, because that would change what objects read.  A view opens the
-  // files of objects again with descriptors of its own (ProcessFiles).
+  // not flush the files of objects, because that would change what objects read.  A view, the copy
+  // that shows a past moment, opens the files of objects again with descriptors of its own
+  // (ProcessFiles).
   std::fflush(stdout);
   std::fflush(stderr);
   const pid_t original = getpid();
@@ -236,7 +238,8 @@ std::string Rewind::Show(Checkpoint* checkpoint, const PlainJson& target) {
                                   "client watches the run"
                                 : fmt::format("the first checkpoint is of t={:.3f} s",
                                               InSeconds(checkpoints_.front().time_us));
-  // Keeps the present view only if the new moment is later, because a view can only go forward.
+  // Keeps the present view, the process that shows a past moment, only if the new moment is later,
+  // because a view can only go forward.
   const bool is_later =
       checkpoint == shown_ && (target.contains("time_us") ? target["time_us"] >= shown_us_
                                                           : target["messages"] >= shown_messages_);
@@ -282,7 +285,8 @@ nlohmann::ordered_json Rewind::Forward(const PlainJson& request) {
 
 nlohmann::ordered_json Rewind::Branch(double rate) {
   if (!shows_past()) return {{"error", "no earlier moment is shown from which to go on"}};
-  // Closes the ports of this run, because the branch opens the same ports.
+  // Closes the ports of this run, because the branch, the copy of the run that goes on in its
+  // place, opens the same ports.
   for (BranchNetwork* const network : networks_) network->Forget();
   std::optional<PlainJson> answer;
   if (SendMessage(shown_->socket, {{"branch", rate}}))
@@ -307,7 +311,8 @@ nlohmann::ordered_json Rewind::Branch(double rate) {
 int Rewind::WaitForBranch(const std::function<int()>& interrupts) {
   constexpr useconds_t kIntervalUs = 20'000;
   ASSERT(has_branched());
-  // Ignores signals of the terminal, because the terminal sends them to the branch as well.
+  // Ignores signals of the terminal, because the terminal also sends them to the branch, the
+  // process that goes on in place of this run.
   for (const int signal : {SIGINT, SIGHUP}) ::signal(signal, SIG_IGN);
   int status = 0, passed = 0;
   while (waitpid(branch_parent_, &status, WNOHANG) == 0) {

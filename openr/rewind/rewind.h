@@ -42,12 +42,14 @@ class System;
 struct RewindParts {
   Simulation* simulation = nullptr;
   std::string why_not;  // the reason why this run cannot be rewound; "": it can be rewound
-  // The replay, if this run replays a recording or a known run; a view or a branch then asks the
-  // replay to go on.  Null: a view repeats the logged inputs of this run.
+  // The replay, if this run replays a recording or a known run; a view (which shows a past moment)
+  // or a branch (a new run) then asks the replay to go on.  Null: a view repeats the logged inputs
+  // of this run.
   KnownRun* known = nullptr;
   // The longest virtual time by which the run can go back from the present.
   int64_t span_us = 60'000'000;
-  // A function that answers the request of a client.  Called in the process of a view.
+  // A function that answers the request of a client.  Called in a view, the process that shows a
+  // past moment.
   std::function<nlohmann::ordered_json(const nlohmann::json& request)> answer;
   // A function that is called in the process of a new checkpoint.  It makes this process print
   // nothing, and leave the sockets of the original process alone.
@@ -55,10 +57,11 @@ struct RewindParts {
   // A function that is called after each frame that a view, the process that shows a past moment,
   // runs.
   std::function<void()> after_frame;
-  // A function that is called in a view before an input line is repeated.
+  // A function that is called in a view, the process that shows a past moment, before an input line
+  // is repeated.
   std::function<void(int robot, const std::string& line)> before_input;
-  // A function that turns the process of a view into the process of a branch, which is to go on at
-  // `rate`.  Returns the name of the new run.
+  // A function that turns a view, the process that shows a past moment, into a branch: a run of its
+  // own, which is to go on at `rate`.  Returns the name of the new run.
   std::function<std::string(double rate)> become_branch;
 };
 
@@ -78,7 +81,7 @@ class Rewind {
 
   // Takes a checkpoint if the last one is old enough, and drops old checkpoints.  Drops all
   // checkpoints if no client watches the run.  Called after each frame.  Returns false in the
-  // original run.  Returns again, with true, in the process of a branch.
+  // original run.  Returns again, with true, in a branch, a copy that goes on as a run of its own.
   bool AfterFrame(bool is_watched);
 
   // Refuses all later requests to go back, for the reason `why`.  If `why` is "", allows such
@@ -113,8 +116,9 @@ class Rewind {
   // WaitForBranch().
   nlohmann::ordered_json Branch(double rate);
   bool has_branched() const { return branch_ > 0; }
-  // Waits until the branch ends, and returns its exit code.  `interrupts` returns how many signals
-  // to end this process have come.  Each time this number has grown, the branch gets SIGTERM.
+  // Waits until the branch, the process that goes on in place of this run, ends, and returns its
+  // exit code.  `interrupts` returns how many signals to end this process have come.  Each time
+  // this number has grown, the branch gets SIGTERM.
   int WaitForBranch(const std::function<int()>& interrupts);
 
  private:
@@ -154,14 +158,17 @@ class Rewind {
   SavedStick original_files_;           // files that objects have changed, with their first
                                         // content
   std::deque<Checkpoint> checkpoints_;  // all checkpoints, in order of time
-  Checkpoint* shown_ = nullptr;         // the checkpoint whose view is shown
+  Checkpoint* shown_ = nullptr;         // the checkpoint whose view clients see; null: they see the
+                                        // present
   int64_t shown_us_ = 0;
   uint64_t shown_messages_ = 0;
   int64_t next_ns_ = 0;  // earliest time of the next checkpoint, by the clock of this computer
   int64_t memory_ns_ = 0;
   size_t memory_bytes_ = 0;
-  pid_t branch_ = -1;         // process of the branch; -1: none
-  pid_t branch_parent_ = -1;  // process of the branch's checkpoint, a child of this process
+  pid_t branch_ = -1;         // process of the branch, the run that goes on in place of this run;
+                              // -1: none
+  pid_t branch_parent_ = -1;  // process of the checkpoint that made the branch; a child of this
+                              // process
   std::string trouble_;       // reason why no more checkpoints are taken; "": they are taken
   std::string refusal_;       // reason that was given to Refuse(); "": requests are allowed
 

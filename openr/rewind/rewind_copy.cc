@@ -37,8 +37,9 @@ int ExitCodeOf(pid_t view) {
 
 }  // namespace
 
-// Runs a checkpoint: waits, and makes a view when the original run asks for it.  Returns only in a
-// view that has become a branch.
+// Runs the process of a checkpoint: waits, and makes a view (a process that shows a past moment)
+// when the original run asks for it.  Returns only in a view that has become a branch, a run of its
+// own.
 void Rewind::Wait(int socket, const SavedStick& stick, ProcessFiles* files) {
   // Ignores signals of the terminal, because the original process handles them.
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) ::signal(signal, SIG_IGN);
@@ -49,8 +50,8 @@ void Rewind::Wait(int socket, const SavedStick& stick, ProcessFiles* files) {
   int exit_code = 0;
   for (;;) {
     const std::optional<PlainJson> request = ReceiveMessage(socket, -1);
-    // Ends this process, because the original run has closed its socket: the run is over, or the
-    // last view has become a branch and this branch is over.
+    // Ends this process when the original run has closed its socket: the run is over, or the last
+    // view has become a branch, a run of its own, which is over.
     if (!request) _exit(exit_code);
     if (!request->contains("show")) {
       SendMessage(socket, {{"error", "no view is open"}});
@@ -74,7 +75,7 @@ void Rewind::Wait(int socket, const SavedStick& stick, ProcessFiles* files) {
 }
 
 // Runs a view of a past moment.  `request` is the first request to the view.  Returns true when the
-// view has become a branch, and false when the view must end.
+// view has become a branch, a run of its own, and false when the view must end.
 bool Rewind::RunView(int socket, const SavedStick& stick, ProcessFiles* files,
                      const PlainJson& request) {
   is_view_ = true;

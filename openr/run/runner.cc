@@ -253,7 +253,8 @@ bool Runner::Run() {
     // Does not end the frame if a step to a message has stopped inside of the frame.
     const bool is_within_frame = system.now_us() < NextStopAfter(before_us);
     if (!is_within_frame || system.powered_off()) AfterFrame();
-    // A branch restarts the pacer, because the pacer still counts from the checkpoint's moment.
+    // Restarts the pacer in a branch, a run that goes on from an earlier moment, because the pacer
+    // still counts from the moment of the checkpoint.
     if (std::exchange(is_new_branch_, false)) pacer.Restart();
     HandleInterrupt();
   }

@@ -105,7 +105,8 @@ class ServedRun {
   std::string crash_log_;
   ConsoleLog console_;
   Recorder recorder_;
-  Rewind rewind_;  // never begun, because the program goes back by forks of this process
+  Rewind rewind_;  // a Rewind that is never begun, because the program goes back by forks of this
+                   // process
   RunClock clock_{0};
   RobotClients clients_;
   const SimulationOptions simulation_options_;

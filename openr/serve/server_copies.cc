@@ -43,8 +43,8 @@ class ReadyPipe {
   ReadyPipe(const ReadyPipe&) = delete;
   ReadyPipe& operator=(const ReadyPipe&) = delete;
 
-  // Tells the original process the problem for which the copy cannot go on.  "" means that the copy
-  // is ready.
+  // Tells the original process the problem that keeps the copy from going on; "" means that the
+  // copy is ready.
   void Tell(const std::string& problem) const {
     const std::string text = problem + '\n';
     [[maybe_unused]] const ssize_t count = write(ends_[1], text.data(), text.size());
@@ -145,7 +145,8 @@ RunServer::Answer RunServer::BecomeCopy(int socket, const std::string& record,
   try {
     run_->BecomeCopy(record);
     watchdog_->StartAgain();
-    WatchCrashes();  // a crash record must be written to the stick of the copy
+    WatchCrashes();  // called again, because a crash record must be written to the stick of the
+                     // copy
   } catch (const std::exception& error) {
     tell(error.what());
     _exit(1);

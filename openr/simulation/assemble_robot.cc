@@ -34,8 +34,8 @@ std::unique_ptr<ImageSource> OpenImages(const std::string& images) {
   return OpenImageFolder(images);
 }
 
-// The order of these calls must not change: objects get their numbers in this order, and the
-// numbers decide the order of messages.
+// The order of the calls in AssembleRobot() must not change: objects get their numbers in this
+// order, and the numbers decide the order of messages.
 AssembledRobot AssembleRobot(System* system, const RobotModel& model, RobotEquipment parts) {
   ASSERT(parts.make_network != nullptr);
   AssembledRobot robot;

@@ -87,8 +87,8 @@ VirtualRobotOptions DevicesOf(const SimulationOptions& options, bool is_first) {
 std::string StickFolder(const std::string& wanted) {
   if (wanted.empty()) return DefaultStick();
   std::error_code error;
-  // Uses Locate(), because it ignores upper and lower case, as a Memory Stick does, and so finds a
-  // folder "open-r", too.
+  // Uses Locate() because, like a Memory Stick, it does not distinguish upper and lower case, and
+  // so finds a folder "open-r", too.
   const MemoryStick::Location root = FolderStick(wanted).Locate("/MS/OPEN-R");
   if (root.exists && std::filesystem::is_directory(root.path, error)) return wanted;
   if (root.error != 0 && root.error != ENOENT) {
@@ -183,7 +183,9 @@ std::vector<AddressPair> Simulation::AddressesOf(const SimulationOptions& option
   if (!text) return options.addresses;
   const AddressConfig config = ParseAddressConfig(kAddressFile, *text, model_.design);
   for (const Diagnostic& diagnostic : config.diagnostics) {
-    if (static_cast<size_t>(index) < sticks_.size())  // reports the errors of each stick once
+    if (static_cast<size_t>(index) < sticks_.size())  // robots beyond the sticks are skipped, so
+                                                      // that the errors of each stick are reported
+                                                      // once
       system_->AddFindingAbout(nullptr, diagnostic.severity, RenderWithoutKind(diagnostic));
   }
   return MergeAddressPairs(options.addresses, config.pairs);

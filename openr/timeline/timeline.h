@@ -58,7 +58,8 @@ class Timeline {
   std::optional<HandlerSlice> running_;  // slice of the handler that runs
   int64_t begin_ns_ = 0;                 // time at which this handler began, by the clock of
                                          // this computer
-  double free_us_ = 0;                   // end of the last slice whose length is wall time
+  double free_us_ = 0;                   // end of the last slice whose length is wall time; the
+                                         // next such slice begins at this time or later
   // Objects whose names were written: id and number of predecessors.
   std::set<std::pair<int32_t, int>> known_;
   bool is_finished_ = false;

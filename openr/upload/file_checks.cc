@@ -16,8 +16,8 @@ namespace {
   throw std::runtime_error(fmt::format("{}: {}", file, why));
 }
 
-// Returns the bytes of an image that are sent to the robot.  Does not check how many they are;
-// ImageToSend() does.
+// Returns the bytes of an image that are sent to the robot.  Does not check the number of bytes,
+// because ImageToSend() does that.
 std::string BytesOfImage(const std::string& file, std::string packed, const RcInfo& info) {
   ImageFile image = CheckImage(packed);
   if (info.processor == imageMIPS) {
