@@ -28,8 +28,8 @@ double MedianOf(std::vector<double> values) {
   return *middle;
 }
 
-// Runs the variants of `row` in turn, row.rounds times.  Returns for each variant the seconds of an
-// operation in each round.
+// Runs the variants of `row` in turn, row.rounds times.  Returns for each variant the seconds that
+// an operation took in each round.
 std::vector<std::vector<double>> Measure(const Row& row) {
   std::vector<std::vector<double>> seconds(row.variants.size());
   for (int round = 0; round < row.rounds; ++round) {
@@ -43,7 +43,7 @@ std::vector<std::vector<double>> Measure(const Row& row) {
 }
 
 // Prints the figures of `row` and adds them to `json`.  The ratio is the median of the ratios of
-// the rounds, because what disturbs a round disturbs all its variants.
+// the rounds, because another program that disturbs a round disturbs all variants of that round.
 void Report(const Row& row, const std::vector<std::vector<double>>& seconds, nlohmann::json* json) {
   for (size_t i = 0; i < row.variants.size(); ++i) {
     std::vector<double> ratios;

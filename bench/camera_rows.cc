@@ -1,5 +1,5 @@
-// Pictures of the camera as its sensor has them, without their layers: the world beside the test
-// pattern.
+// A row for pictures of the camera: the rendered world compared with the test pattern.  A picture
+// has the size of the camera's sensor and is not split into the layers that objects get.
 #include <memory>
 #include <stdexcept>
 

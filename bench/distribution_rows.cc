@@ -1,5 +1,6 @@
-// A notification to an object in another process and the ready that comes back, beside a bare
-// sample of Cyclone DDS there and back with the same settings and bytes, and beside a Unix socket.
+// Rows for a notification to an object in another process and the ready that comes back.  They are
+// compared with a bare sample of Cyclone DDS that goes there and back with the same settings and
+// bytes, and with a Unix socket.
 #include <OPENR/OSubject.h>
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -32,13 +33,15 @@ constexpr ChannelTopics kRawTopics = {&openr_wire_Answer_desc, "bench_down",
                                       &openr_wire_Answer_desc, "bench_up"};
 using RawChannel = Channel<openr_wire_Answer, openr_wire_Answer>;
 
-// A process has one Bus in a domain: each pair here gets a domain of its own.
+// Returns the number of a new DDS domain.  A process can have only one Bus in a domain, so each
+// pair of processes gets a domain of its own.
 int NewDomain() {
   static int domain = 100;
   return ++domain;
 }
 
-// `has_large_history`: as free runs have it.
+// Returns the options of a Bus.  `has_large_history` is true for comparisons with free runs, which
+// have a large history too.
 BusOptions BusOf(const std::string& run, int domain, bool has_large_history = false) {
   BusOptions options;
   options.has_large_history = has_large_history;
@@ -47,8 +50,9 @@ BusOptions BusOf(const std::string& run, int domain, bool has_large_history = fa
   return options;
 }
 
-// Each end has a processor of its own, so that no variant is lucky with where the kernel puts its
-// threads: this one the first, before it makes any.
+// Binds this process to the first processor, before it makes threads.  The process at the other end
+// gets the second processor, so that no variant is faster only because the kernel has placed its
+// threads well.  Returns false if this is not possible, as with only one processor.
 bool TakeFirstProcessor() {
   cpu_set_t first;
   CPU_ZERO(&first);
@@ -56,7 +60,8 @@ bool TakeFirstProcessor() {
   return sysconf(_SC_NPROCESSORS_ONLN) > 1 && sched_setaffinity(0, sizeof first, &first) == 0;
 }
 
-// What the other end is started with.
+// Binds this process to the first processor.  Returns the words that begin the command line of the
+// process at the other end, and bind it to the second processor; none if this is not possible.
 std::vector<std::string> OnTheOtherProcessor() {
   static const bool has_own = TakeFirstProcessor();
   if (!has_own) return {};
@@ -67,7 +72,7 @@ void WaitFor(RawChannel* channel) {
   while (!channel->IsConnected()) usleep(1000);
 }
 
-// This program again, as the other end.
+// Starts this program again, as the process at the other end (RunPeer()).
 pid_t StartPeer(const std::string& kind, const std::string& name) {
   std::vector<std::string> command = OnTheOtherProcessor();
   command.insert(command.end(), {ProgramFile(), "--peer", kind, name});
@@ -83,12 +88,12 @@ pid_t StartPeer(const std::string& kind, const std::string& name) {
 void ReadAll(int socket, char* data, size_t size) {
   for (size_t done = 0; done < size;) {
     const ssize_t count = read(socket, data + done, size - done);
-    if (count <= 0) _exit(0);  // the other end is gone
+    if (count <= 0) _exit(0);  // the process at the other end has ended
     done += static_cast<size_t>(count);
   }
 }
 
-// ---- the floor and the peer
+// ---- The floor (bare Cyclone DDS) and the peer (a Unix socket)
 
 class Socket {
  public:
@@ -96,7 +101,7 @@ class Socket {
     int ends[2];
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
       throw std::runtime_error("socketpair");
-    fcntl(ends[1], F_SETFD, 0);  // the other end's, and nobody else's
+    fcntl(ends[1], F_SETFD, 0);  // lets the process at the other end inherit this descriptor
     StartPeer("socket", fmt::format("{}:{}", ends[1], size));
     close(ends[1]);
     socket_ = ends[0];
@@ -116,7 +121,8 @@ class Socket {
   int socket_ = -1;
 };
 
-// `Together`: several samples may share a packet, as ours do in a free run.
+// Sends bare samples of Cyclone DDS.  If `Together` is true, several samples may share a packet, as
+// the samples of a free run do.
 template <bool Together>
 class Raw {
  public:
@@ -152,15 +158,15 @@ class Raw {
   const int domain_;
   Bus bus_;
   RawChannel channel_;
-  const std::vector<std::string> payloads_;  // of each that is under way, as ours
+  const std::vector<std::string> payloads_;  // bytes of each sample under way at a time
 };
 
-// ---- ours
+// ---- Notifications between objects
 
-// Notifies the same bytes again at every ready, from Begin() on.
+// An object that sends the same bytes at every ready of its observer, from Begin() on.
 class Source : public CodeObject {
  public:
-  // `sent`: counted by all of them.
+  // `sent` counts the notifications of all Sources together.
   Source(size_t size, int64_t* sent) : sent_(sent) {
     out_ = AddSubject("Source.Out.Bytes.S", [this](const OReadyEvent&) {
       if (begun_) Send();
@@ -186,7 +192,8 @@ class Source : public CodeObject {
   RCRegion* region_;
 };
 
-// A dog for each notification that may be under way at a time: one in lockstep, more in a free run.
+// Sends notifications to objects in another process.  There is a dog for each notification that may
+// be under way at a time: one dog in lockstep, several dogs in a free run.
 class Ours {
  public:
   Ours(size_t size, int window) : is_free_(window > 1), workers_(OptionsFor(MakeStick(), size)) {
@@ -207,7 +214,7 @@ class Ours {
   }
   ~Ours() { workers_.End(); }
 
-  // A notification and a ready each.
+  // Sends `count` notifications, each of which is answered by a ready.
   void Run(int64_t count) {
     if (!is_free_) return system_.RunMessages(static_cast<uint64_t>(2 * count));
     for (const int64_t end = sent_ + count; sent_ < end; workers_.Pump(kPumpUs))
@@ -250,7 +257,7 @@ class Ours {
   WorkerGroup workers_;
 };
 
-// Made when its row runs first.
+// Returns a variant whose T is made when its row runs first.
 template <typename T>
 Variant VariantOf(const char* name, size_t size, int window) {
   auto made = std::make_shared<std::unique_ptr<T>>();
@@ -289,7 +296,7 @@ int RunPeer(const std::string& kind, const std::string& name) {
 
 std::vector<Row> DistributionRows() {
   std::vector<Row> rows;
-  // One under way at a time: latency.  Eight: what goes through.
+  // With one message under way at a time, the rows show the latency; with eight, the throughput.
   for (const int window : {1, 8}) {
     for (const size_t size : {size_t{100}, size_t{4096}, size_t{65536}}) {
       Row row;
@@ -297,7 +304,7 @@ std::vector<Row> DistributionRows() {
                              window == 1 ? "" : "8 under way, ", size);
       row.unit = window == 1 ? "ns a round trip" : "ns a notification";
       row.count = 500;
-      row.rounds = 41;  // short ones: noise of the machine spoils few
+      row.rounds = 41;  // many short rounds, because a disturbance then spoils only a few
       row.variants = {VariantOf<Raw<false>>("bare Cyclone DDS", size, window),
                       VariantOf<Ours>("notify and ready", size, window),
                       VariantOf<Socket>("Unix socket", size, window)};

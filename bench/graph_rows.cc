@@ -1,4 +1,5 @@
-// The full graph beside its body alone; one operation is one 8 ms frame.
+// Rows that compare a run of the full graph, which is all objects of a dog, with its simulated body
+// alone.  One operation is one frame of 8 ms.
 #include <fmt/format.h>
 
 #include <memory>
@@ -12,7 +13,7 @@
 namespace openr_host {
 namespace {
 
-// A dog that has stood up and stands.
+// Returns a run with a dog that has stood up and stands.
 std::shared_ptr<Simulation> Standing(const std::string& stick, const std::string& body) {
   SimulationOptions options;
   options.stick = stick;
@@ -31,7 +32,8 @@ std::shared_ptr<Simulation> Standing(const std::string& stick, const std::string
   return simulation;
 }
 
-// The body of a standing dog, holding its set points; no objects, no sensors.
+// The simulated body of a standing dog, which holds its set points.  No objects run, and no sensors
+// are read.
 class BareBody {
  public:
   explicit BareBody(const std::string& stick) : simulation_(Standing(stick, "ode")) {
@@ -52,7 +54,7 @@ class BareBody {
   std::vector<JointCommand> commands_;
 };
 
-// The same dog with the same set points, moved by ODE's own exact solver.
+// The same body with the same set points as BareBody, but moved by ODE's own exact solver.
 class ReferenceBody {
  public:
   explicit ReferenceBody(const std::string& stick) : bare_(stick) {

@@ -5,13 +5,14 @@
 
 namespace openr_host {
 
-// "AMD EPYC": the processor's name from /proc/cpuinfo, or "unknown".
+// Returns the processor's name from /proc/cpuinfo, such as "AMD EPYC", or "unknown".
 std::string ProcessorName();
-// Return the compiler of this program, "g++ 12.2.0", and the C library that it uses, "glibc 2.36".
+// The next functions return the compiler of this program, such as "g++ 12.2.0", and its C library,
+// such as "glibc 2.36".
 std::string CompilerName();
 std::string CLibraryName();
-// "x86_64 with AVX2": the instructions for which xxHash and the C library choose their functions.
-// Counts of instructions depend on them.
+// Returns the instructions for which xxHash and the C library choose their functions, such as
+// "x86_64 with AVX2".  Counts of executed instructions depend on this choice.
 std::string InstructionSet();
 
 }  // namespace openr_host

@@ -1,4 +1,4 @@
-// openr_bench STICK [FILTER] [JSON]
+// The program openr_bench, which is called as: openr_bench STICK [FILTER] [JSON]
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -18,7 +18,8 @@ int main(int argc, char** argv) {
     for (auto& row : openr_host::ScaleRows(argv[1])) rows.push_back(std::move(row));
     for (auto& row : openr_host::DistributionRows()) rows.push_back(std::move(row));
     const std::string filter = argc > 2 ? argv[2] : "";
-    // First, because a fork of a process that has run rows would have their memory, too.
+    // Measures the memory before the rows run, because it is measured in forks of this process,
+    // which would have the memory of the rows, too.
     openr_host::PrintMemoryOfDogs(argv[1], filter);
     openr_host::RunRows(rows, filter, argc > 3 ? argv[3] : "");
   } catch (const std::exception& e) {

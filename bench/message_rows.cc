@@ -1,4 +1,5 @@
-// Messages: against a ring of structs with one virtual call a message.
+// Rows that compare messages between objects with a ring of structs, in which a message costs one
+// virtual call.
 #include <memory>
 
 #include "bench/bench.h"
@@ -7,8 +8,8 @@
 namespace openr_host {
 namespace {
 
-// Makes the game when its row runs first, because 10,000 objects take memory and caches from the
-// rows that run before.
+// Returns the function of a variant.  It makes the game (PingPong) when its row runs first, because
+// 10,000 objects take memory and caches from the rows that run before.
 std::function<void(int64_t)> Lazy(int pairs, size_t bytes, bool traced) {
   auto game = std::make_shared<std::unique_ptr<PingPong>>();
   return [=](int64_t count) {

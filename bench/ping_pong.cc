@@ -77,7 +77,7 @@ class Receiver : public CodeObject {
 
 SystemOptions WithoutCreep() {
   SystemOptions options;
-  options.free_deliveries = INT64_MAX;  // the virtual clock stands still in this game
+  options.free_deliveries = INT64_MAX;  // no limit, because virtual time stands still in this game
   return options;
 }
 

@@ -16,7 +16,8 @@ void RunRing(int64_t count);
 // same region, the observer answers every notification with a ready.
 class PingPong {
  public:
-  // Boots `pairs` pairs, whose regions have `bytes` bytes each.  `traced`: with the trace hash.
+  // Boots `pairs` pairs, whose regions have `bytes` bytes each.  If `traced` is true, the run also
+  // computes the trace hash.
   PingPong(int pairs, size_t bytes, bool traced);
   ~PingPong();
 

@@ -1,4 +1,5 @@
-// Rows of what a run costs beside its frames: recording, camera, start of the process, more dogs.
+// Rows that show what a run costs besides its frames: recording, camera, start of the process, more
+// dogs.
 #include <OPENR/OObserver.h>
 #include <fmt/format.h>
 #include <spawn.h>
@@ -24,7 +25,7 @@ extern char** environ;
 namespace openr_host {
 namespace {
 
-// Takes every image of the camera.
+// An object that receives every image of the camera.
 class ImageTaker : public CodeObject {
  public:
   ImageTaker() {
@@ -51,7 +52,7 @@ SimulationOptions OfDogs(const std::string& stick, const std::string& body, int 
   return options;
 }
 
-// Eight dogs in one world: the field with its ball.
+// Returns the options of a run with eight dogs in one world, which is the field with its ball.
 SimulationOptions OnTheField(const std::string& stick) {
   SimulationOptions options = OfDogs(stick, "ode", 8);
   options.world = "field-2004.json";
@@ -88,7 +89,7 @@ class Recorded {
   std::unique_ptr<Simulation> simulation_;
 };
 
-// Standing dogs; with `has_camera`, an object takes every image of the first one.
+// Standing dogs; with `has_camera`, an object receives every image of the first dog's camera.
 class Dogs {
  public:
   explicit Dogs(const SimulationOptions& options, bool has_camera = false) : simulation_(options) {
@@ -118,7 +119,7 @@ Variant Lazily(const std::string& name, Make make) {
           }};
 }
 
-// Runs the whole program `count` times, for one frame.
+// Starts the program openr `count` times, each time for a run of one frame.
 void StartProgram(const std::string& stick, int64_t count) {
   for (; count > 0; --count) {
     std::vector<std::string> words = {ProgramFolder() + "/openr",
@@ -150,7 +151,7 @@ void StartProgram(const std::string& stick, int64_t count) {
   }
 }
 
-// Returns the memory of this process in kB, with the pages of files that it has read.
+// Returns the memory of this process in kB, including the pages of files that it has read.
 long ResidentKb() {
   std::ifstream file("/proc/self/smaps_rollup");
   std::string line;
@@ -210,7 +211,7 @@ void PrintMemoryOfDogs(const std::string& stick, const std::string& filter) {
       int ends[2];
       if (pipe(ends) != 0) throw std::runtime_error("bench: no pipe");
       std::fflush(nullptr);
-      if (fork() == 0) {  // so that each count begins with the same memory
+      if (fork() == 0) {  // measures in a fork, so that each number of dogs begins alike
         Dogs dogs(OfDogs(stick, body, robots));
         const long kb = ResidentKb();
         _exit(write(ends[1], &kb, sizeof kb) == sizeof kb ? 0 : 1);

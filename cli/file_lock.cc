@@ -7,9 +7,10 @@
 
 namespace openr_host {
 
-// A line of /proc/locks is "3: FLOCK  ADVISORY  WRITE 1234 08:01:5678 0 EOF".  Here 1234 is the
-// process, 08:01 the device and 5678 the inode of the file.  In a container, stat() gives another
-// device than this line, so only the inodes are compared.
+// Looks for the file in /proc/locks, whose lines look like "3: FLOCK  ADVISORY  WRITE 1234
+// 08:01:5678 0 EOF".  In this line, 1234 is the process, 08:01 the device and 5678 the inode of the
+// file.  In a container, stat() gives another device than /proc/locks, so only the inodes are
+// compared.
 std::string DescribeWriter(const struct stat& file) {
   const std::string inode = fmt::format(":{}", file.st_ino);
   std::ifstream locks("/proc/locks");

@@ -1,4 +1,4 @@
-// Finds the process that is writing to a file.  It can be found, because a run locks each file to
+// Finds the process that is writing to a file.  This is possible because a run locks each file to
 // which it goes on writing, such as a recording.
 #pragma once
 

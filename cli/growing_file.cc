@@ -36,8 +36,8 @@ void GrowingFile::Append(std::string_view bytes, std::string_view end) {
     go_back();
     WriteAll(descriptor_, end_);
   }
-  // Cuts off the bytes that follow the end of the records and of `end_`.  A device or pipe cannot
-  // be cut.
+  // Cuts off the bytes that follow the end of the records and of `end_`.  A device or a pipe cannot
+  // be cut, so a failure is ignored.
   [[maybe_unused]] const int result =
       ftruncate(descriptor_, static_cast<off_t>(size_ + end_.size()));
 }

@@ -33,7 +33,8 @@ Json ParseJson(std::string_view text) {
 
 template <typename Json>
 void CheckFractions(const Json& json, Fractions fractions) {
-  // A list instead of a recursion, because JSON of another program may be nested deeply.
+  // Uses a list and not recursion, because JSON of another program may be nested so deeply that
+  // recursion would overflow the stack.
   std::vector<const Json*> unchecked{&json};
   while (!unchecked.empty()) {
     const Json* const next = unchecked.back();

@@ -1,6 +1,6 @@
 // Converts JSON to text and back, for both types of the JSON library: nlohmann::json and
-// nlohmann::ordered_json.  Its parser and its writer are large, so they are compiled only in
-// json_text.cc.
+// nlohmann::ordered_json.  The parser and the writer of the library are large, so they are compiled
+// only in json_text.cc.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -10,7 +10,8 @@
 namespace openr_host {
 
 // Returns the text of `json`.  The strings in `json` come from objects, sticks and people, so they
-// may not be UTF-8: bytes that are not become U+FFFD.  With `indent` -1 the text is one line.
+// may not be UTF-8; bytes that are not valid UTF-8 become U+FFFD.  With `indent` -1 the text is one
+// line.
 template <typename Json>
 std::string JsonText(const Json& json, int indent = -1);
 
@@ -18,9 +19,9 @@ std::string JsonText(const Json& json, int indent = -1);
 template <typename Json>
 Json ParseJson(std::string_view text);
 
-// Which numbers with a fraction or an exponent CheckFractions() accepts.
+// The numbers with a fraction or an exponent that CheckFractions() accepts.
 enum class Fractions {
-  kBounded,  // those between -2^31 and 2^31, which fit into an int
+  kBounded,  // numbers between -2^31 and 2^31, which fit into an int
   kNone,
 };
 
@@ -28,8 +29,8 @@ enum class Fractions {
 // does not include.  Other numbers are not checked.
 //
 // C++ gives no meaning to the conversion of a number like 1e30 to an integer, and the JSON library
-// converts without a check.  So whoever reads the JSON of a file or of another program calls this
-// function before anybody asks for an integer.
+// converts without a check.  So code that reads the JSON of a file or of another program must call
+// this function before it asks the JSON for an integer.
 template <typename Json>
 void CheckFractions(const Json& json, Fractions fractions);
 

@@ -92,8 +92,8 @@ class PreparedFile {
   static constexpr size_t kPathBytes = 4096;
   char target_[kPathBytes] = "";     // path of the file to replace; "": there is none
   char temporary_[kPathBytes] = "";  // path of the file for the new content; "": write in place
-  int stream_ = -1;                  // the open stream that the file name means; -1: the name means
-                                     // a file
+  // The open stream that the file name means; -1: the name means a file.
+  int stream_ = -1;
   int descriptor_ = -1;
   unsigned mode_ = 0666;
   bool keeps_mode_ = false;  // true: the new file gets mode_, which is the mode of the old file

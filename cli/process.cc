@@ -114,7 +114,8 @@ int Spawn(const std::vector<std::string>& arguments, const ProcessOptions& optio
   return error;
 }
 
-// Writes `text` to a child.  The child may end without reading it, so SIGPIPE is ignored meanwhile.
+// Writes `text` to a child.  The child may end without reading it, so SIGPIPE is ignored during the
+// write.
 void WriteInput(int descriptor, const std::string& text) {
   const auto previous = signal(SIGPIPE, SIG_IGN);
   WriteAll(descriptor, text);

@@ -12,8 +12,8 @@ namespace openr_host {
 struct ProcessOptions {
   // Environment variables to set for the child, as name and value; an empty value removes the name.
   std::vector<std::pair<std::string, std::string>> environment = {};
-  std::string folder = {};      // working folder of the child; "": the working folder of this
-                                // process
+  // Working folder of the child; "": the working folder of this process.
+  std::string folder = {};
   bool captures_error = false;  // the child's standard error goes to ProcessResult::output
   bool captures_out = false;    // the child's standard output goes to ProcessResult::output
   bool echoes = false;          // captured text is also written to our standard error at once

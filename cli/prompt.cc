@@ -43,7 +43,8 @@ std::optional<LibeditFunctions> LoadLibedit() {
   }
 }
 
-// Returns the functions; null if libedit is missing, because lines can be typed without it.
+// Returns the functions of libedit; null if libedit is missing, which is no error, because lines
+// can be typed without it.
 const LibeditFunctions* Libedit() {
   static const std::optional<LibeditFunctions> functions = LoadLibedit();
   return functions ? &*functions : nullptr;
@@ -56,8 +57,9 @@ bool CanEdit() {
          *terminal != '\0' && std::strcmp(terminal, "dumb") != 0;
 }
 
-// Edits one line.  Its EditLine lives only as long, so that between two lines the terminal is as
-// the program found it, and a fork has no state of libedit that it could change for others.
+// Edits one line.  The EditLine of libedit exists only while this object does.  So between two
+// lines the terminal is as the program found it, and a process made by fork() then has no state of
+// libedit through which it could change the terminal for other processes.
 class LineEdit {
  public:
   LineEdit(const LibeditFunctions& libedit, const Prompt& prompt, const PromptHistory& history,
@@ -81,8 +83,9 @@ class LineEdit {
     libedit_.el_set(edit_, EL_ADDFN, "openr-drop", "Drops the line", &DropLine);
     libedit_.el_set(edit_, EL_BIND, "^I", "openr-complete", nullptr);
     libedit_.el_set(edit_, EL_BIND, "^R", "em-inc-search-prev", nullptr);
-    // Ctrl-C must be a key and no signal, because a signal would reach all processes of a session
-    // of openr replay --step, also those that wait.  Then Ctrl-Z is a key, too.
+    // Makes Ctrl-C a key and no signal, because a signal would reach all processes of a session of
+    // openr replay --step, also the processes that wait.  The flag -isig makes Ctrl-Z a key, too,
+    // so Suspend() is bound to this key.
     libedit_.el_set(edit_, EL_SETTY, "-d", "-isig", nullptr);
     libedit_.el_set(edit_, EL_BIND, "^C", "openr-drop", nullptr);
     libedit_.el_set(edit_, EL_ADDFN, "openr-suspend", "Suspends the program", &Suspend);
@@ -102,8 +105,8 @@ class LineEdit {
     for (;;) {
       is_dropped_ = false;
       int count = 0;
-      // Prepares the terminal before el_gets() shows the prompt, because keys that come between the
-      // two would be echoed, and Ctrl-C would be a signal.
+      // Prepares the terminal before el_gets() shows the prompt, because otherwise keys that are
+      // pressed before el_gets() prepares it would be echoed, and Ctrl-C would be a signal.
       libedit_.el_set(edit_, EL_PREP_TERM, 1);
       const char* const text = libedit_.el_gets(edit_, &count);
       if (is_dropped_) continue;
@@ -112,7 +115,7 @@ class LineEdit {
         return false;
       }
       line->assign(text, static_cast<size_t>(count));
-      line->erase(line->find_last_not_of(" \n") + 1);  // the blank is one that Tab inserted
+      line->erase(line->find_last_not_of(" \n") + 1);  // also removes a blank that Tab has inserted
       return true;
     }
   }
@@ -146,8 +149,9 @@ class LineEdit {
     try {
       more = Of(edit)->prompt_.Continuation(begin, &choices);
     } catch (const std::exception&) {
-      // An exception must not pass through the functions of libedit, which are in C.  What is
-      // wrong, such as a run that has ended, is told when the line is carried out.
+      // Catches the exception, because it must not pass through the functions of libedit, which are
+      // in C.  Its reason, such as a run that has ended, is told to the user when the line is
+      // carried out.
       return CC_REFRESH_BEEP;
     }
     if (!more.empty())
@@ -230,7 +234,7 @@ std::string Prompt::Continuation(const std::string& begin,
   std::vector<std::string> words;
   std::istringstream stream(begin);
   for (std::string word; stream >> word;) words.push_back(word);
-  std::string start;  // of the word that is completed
+  std::string start;  // beginning of the word that is completed
   if (!begin.empty() && begin.back() != ' ' && !words.empty()) {
     start = words.back();
     words.pop_back();

@@ -117,7 +117,8 @@ Bus::Bus(const BusOptions& options) : run_(options.run), number_(options.domain)
   const auto domain = static_cast<dds_domainid_t>(options.domain);
   domain_ = Check(Dds().dds_create_domain(domain, SettingsXml(options).c_str()), "domain");
   participant_ = Dds().dds_create_participant(domain, nullptr, nullptr);
-  // Deletes the domain here, because the destructor does not run when the constructor throws.
+  // Deletes the domain before Check() throws, because the destructor does not run when the
+  // constructor throws.
   if (participant_ < 0) Dds().dds_delete(domain_);
   Check(participant_, "participant");
   waitset_ = Check(Dds().dds_create_waitset(participant_), "wait set");
@@ -194,8 +195,8 @@ ChannelBase::~ChannelBase() {
 bool ChannelBase::IsConnected() const {
   dds_publication_matched_status_t readers;
   dds_subscription_matched_status_t writers;
-  // Tests both directions, because DDS finds the reader and the writer of the other end separately.
-  // A sample sent to an end without a reader is lost.
+  // Tests both directions, because DDS finds the reader and the writer of the other end separately,
+  // and a sample that is sent before the reader is found is lost.
   return Dds().dds_get_publication_matched_status(writer_, &readers) == DDS_RETCODE_OK &&
          Dds().dds_get_subscription_matched_status(reader_, &writers) == DDS_RETCODE_OK &&
          readers.current_count > 0 && writers.current_count > 0;
@@ -246,7 +247,8 @@ void ChannelBase::ReceiveMore() {
   void* samples[kSamplesPerPacketMax];
   dds_sample_info_t infos[kSamplesPerPacketMax];
   std::copy_n(free_samples_.rbegin(), kSamplesPerPacketMax, samples);
-  // Receives only one sample if the sample before was large (see kBulkBytes).
+  // Receives only one sample if the sample before was large, because large samples are received one
+  // at a time (kBulkBytes).
   const uint32_t wanted = last_bulk_bytes_ < kBulkBytes ? kSamplesPerPacketMax : 1;
   const int count =
       Check(Dds().dds_take(reader_, samples, infos, kSamplesPerPacketMax, wanted), "take");

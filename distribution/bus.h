@@ -19,8 +19,8 @@
 
 namespace openr_host {
 
-// Lease of a process: the time without a sign of life after which the others take the process for
-// dead.
+// Lease of a process: the time without a sign of life after which other processes take the process
+// for dead.
 //
 // kWatchedLease_s is for workers that the master has started and will not restart.  The master sees
 // at once when such a worker ends, so a short lease is not needed.  A worker that a debugger has

@@ -22,7 +22,7 @@ namespace {
 constexpr int64_t kTimeMaxUs = int64_t{1} << 53;
 
 // Largest number of bytes that the master returns for a ControlPrimitive() request.  A faulty
-// worker may ask for more.
+// worker that asks for more gets only this number.
 constexpr uint64_t kResultMax = 1024;
 
 bool IsTime(int64_t time_us) { return time_us >= 0 && time_us <= kTimeMaxUs; }

@@ -65,7 +65,7 @@ class CheckedCalls : public LocalCalls {
 
   const IsOwn is_own_;
   const Refuse refuse_;
-  // For each region that the worker's objects have pinned, the number of their pins (> 0).
+  // For each region whose memory the worker's objects keep by pins, the number of these pins (> 0).
   std::map<uint32_t, int> pins_;
 };
 

@@ -63,7 +63,8 @@ class SettingsFile {
     } else if (parent == kRoot) {
       file->has_others_ = true;
     } else if (parent == kDomain && IsSame(name, "Id")) {
-      // In older files, the id of a domain is an element and no attribute.
+      // In files for older versions of Cyclone DDS, the id of a domain is an element <Id> and not
+      // an attribute.
       *element = kDomainId;
     } else if (parent == kDomain && (IsSame(name, "Security") || IsSame(name, "DDSSecurity"))) {
       file->domains_.back().has_security = true;

@@ -1,5 +1,5 @@
-// Tests whether a process of the same machine still runs.  Unlike waitpid(), works for processes
-// that are not children of this process.
+// Tests whether a process of this machine still runs.  Unlike waitpid(), the test also works for
+// processes that are not children of this process.
 #pragma once
 
 #include <cstdint>
@@ -18,11 +18,12 @@ class LivenessCheck {
  public:
   LivenessCheck() = default;
   // `machine` is the MachineId() that the process has reported.  For a process of another machine
-  // HasEnded() is always false, because its process ids mean nothing here.
+  // HasEnded() is always false, because the process ids of that machine mean nothing on this
+  // machine.
   LivenessCheck(const std::string& machine, int64_t pid);
 
-  // Returns whether the process was killed or has ended.  A new process with the same id is
-  // recognised by its start time.
+  // Returns whether the process was killed or has ended.  A new process that has got the same id is
+  // recognised by its start time and does not count.
   bool HasEnded() const;
 
  private:

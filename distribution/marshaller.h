@@ -84,8 +84,8 @@ class Marshaller {
   std::vector<RCRegion*> TakeExportedBy(ObjectId subject);
 
   // Returns the tokens of the regions that ReleaseImported() has released and whose memory is not
-  // used here any more.  No ready message will give these regions back, so the peer can forget
-  // their tokens (PeerDropped()).
+  // used in this process any more.  No ready message will give these regions back, so the peer can
+  // forget their tokens (PeerDropped()).
   std::vector<uint64_t> TakeDroppedTokens();
   // Forgets regions of replaced objects (TakeExportedBy()) that the peer does not use any more.
   // `tokens` is the result of TakeDroppedTokens() in the peer.
@@ -126,7 +126,7 @@ class Marshaller {
   static bool IsChanged(const RCRegion& region, const ImportedRegion& imported);
 
   uint64_t last_token_ = 0;
-  std::map<uint64_t, ExportedRegion> exported_;  // the key is the token that this process gave
+  std::map<uint64_t, ExportedRegion> exported_;  // the key is the token of the region
   // Regions that TakeExportedBy() has returned and that the peer may still use.  The key is the
   // token under which the region was sent to the peer, the value is the region's memory id.  They
   // are kept so that a late ready message for such a region is not taken for an error.

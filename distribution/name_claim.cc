@@ -13,16 +13,17 @@
 namespace openr_host {
 namespace {
 
-// Name of the topic of claims, on which no sample is ever sent.
+// Name of the topic of claims.  No sample is ever sent on this topic, because a claim is in the
+// user data of a writer.
 constexpr char kClaimTopic[] = "openr_run";
 // Number of digits of the time in a claim.  The time is in nanoseconds since 1970 and has leading
 // zeros, so that comparing two claims as texts compares their times.
 constexpr size_t kSinceDigits = 20;
 constexpr size_t kClaimsMax = 64;  // largest number of claims that are compared
 
-// Makes a claim "TIME pid PID on HOST".  The run with the earlier claim keeps the name.  Both runs
-// compare the same two texts.  So both runs agree on which of them gives way, even if the clocks of
-// their hosts differ.
+// Makes a claim "TIME pid PID on HOST".  Of two runs with the same name, the run with the earlier
+// claim keeps the name.  Both runs compare the same two texts, so they agree on which run gives
+// way, even if the clocks of their hosts differ.
 std::string NewClaim() {
   const auto since =
       std::chrono::system_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
@@ -85,7 +86,7 @@ void NameClaim::MakePermanent() {
   if (std::exchange(is_permanent_, true)) return;
   // Announces a second claim of this run, whose time consists of zeros and so is earlier than every
   // real time.  The earliest claim wins, so from now on this run wins against every run that has
-  // not made such a claim, too.
+  // only a claim with a real time.
   Announce(std::string(kSinceDigits, '0') + own_.substr(kSinceDigits));
 }
 

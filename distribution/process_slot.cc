@@ -135,7 +135,9 @@ void ProcessSlot::AnswerJoinRequest(const openr_wire_JoinRequest& request) {
   } else if (is_closed_) {
     answer.refusal = arena.Text(fmt::format("the run goes on without process '{}'", process_));
   } else if (has_joined_ && requester_id_ != id) {
-    if (liveness_.HasEnded()) return;  // gives no answer now, because the requester will ask again
+    // Gives no answer if the joined process has ended.  The run will soon notice its end, and the
+    // requester will ask again.
+    if (liveness_.HasEnded()) return;
     answer.session = arena.Text(kTakenSession);
     answer.refusal = arena.Text(fmt::format("the run has its process '{}' already: pid {} on {}",
                                             process_, identity_.pid, identity_.host));

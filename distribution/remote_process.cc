@@ -24,7 +24,7 @@ constexpr int kWorkerPollMs = 10;
 // started joins in less time, and the user is told nothing.
 constexpr int64_t kJoinNoticeMs = 300;
 // Time to wait for the last samples of a worker that has ended, because they may still be on their
-// way.  A goodbye among them has the reason of the end.
+// way.  One of these samples may be a goodbye, which has the reason of the end.
 constexpr int kGoodbyeWaitMs = 50;
 constexpr int64_t kShortTimeoutMs = 500;  // time limit for an answer while the run ends
 constexpr int kEndFlushMs = 1'000;  // time limit for the worker to receive the sample that ends it

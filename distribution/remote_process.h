@@ -226,8 +226,8 @@ class RemoteProcess {
   std::map<ObjectId, RemoteObject*> objects_;
   std::set<ObjectId> awaited_objects_;  // objects that the worker is loading
   uint64_t session_ = 0;                // number of restarts of the worker so far
-  // Object::dropped_count of the worker's objects, as the worker has reported it last.  The master
-  // adds only the increase to its own count.
+  // For each object of the worker, the number of dropped notifications (Object::dropped_count) that
+  // the worker has reported last.  The master adds only the increase to its own count.
   std::map<ObjectId, uint64_t> dropped_;
   // For each robot, the number of heap bytes that the worker's objects use.
   std::map<int, uint64_t> heap_by_robot_;

@@ -26,8 +26,9 @@ using NewGroup = dds_entity_t (*)(dds_entity_t, const dds_qos_t*, const dds_list
 using NewEnd = dds_entity_t (*)(dds_entity_t, dds_entity_t, const dds_qos_t*,
                                 const dds_listener_t*);
 
-// Creates a reader or writer of the status topic with `new_end`.  In DDS, a reader or writer takes
-// the partition of its subscriber or publisher, which `new_group` creates first.
+// Creates a reader or a writer of the status topic by calling `new_end`.  In DDS, a reader has the
+// partition of its subscriber, and a writer has the partition of its publisher.  So `new_group`
+// first creates the subscriber or publisher.
 dds_entity_t Open(Bus* bus, NewGroup new_group, NewEnd new_end) {
   const dds_entity_t topic = Dds().dds_create_topic(bus->participant(), &openr_status_Status_desc,
                                                     kStatusTopic, nullptr, nullptr);

@@ -59,8 +59,8 @@ void Worker::MoveEffectsTo(openr_wire_ToMaster* to_master) {
 }
 
 Worker::ReceivedSample Worker::Next(bool answer) {
-  // Ends at the user's request only between two handlers, so that the effects of a handler are sent
-  // as a whole.
+  // Ends at the user's request only while no handler waits for an answer of the master, so that the
+  // effects of a handler are sent as a whole.
   if (!answer && IsEndRequested()) return {channel_.get(), nullptr};
   if (!answer && !deferred_.empty()) {
     ReceivedSample sample = std::move(deferred_.front());
@@ -407,7 +407,7 @@ void Worker::SendState(ObjectId id) {
 // later.
 void Worker::Forget(ObjectId id) {
   if (system_->object(id) != nullptr) system_->object_table().Forget(id);
-  // Forgets which entries the old object had, because the new object may have others.
+  // Forgets which entries the old object had, because the new object may have other entries.
   std::erase_if(known_entries_, [id](const auto& entry) { return entry.first == id; });
   openr_wire_ToMaster to_master = NewToMaster(openr_wire_TO_MASTER_FORGOTTEN);
   to_master.body._u.forgotten = {id, arena_.Numbers(marshaller_->TakeDroppedTokens())};

@@ -28,8 +28,8 @@ struct CallList {
   }
 
   // Calls function `number` of the list with `arguments`.  `target_of` returns the C++ object on
-  // which the function is called.  Its argument is a null pointer; the type of this pointer tells
-  // the class of the function.  REQUIRES: number < kSize.
+  // which the function is called.  The argument of `target_of` is a null pointer; the type of this
+  // pointer tells the class of the function.  REQUIRES: number < kSize.
   template <typename TargetOf>
   static CallResult Call(uint32_t number, TargetOf&& target_of, const CallArguments& arguments) {
     ASSERT(number < kSize, "function {}", number);

@@ -239,8 +239,8 @@ void WorkerGroup::WaitForAnotherWorker(Member* member, const std::string& why) {
 
 // Handles the loss of a worker.  After a crash the run goes on without the worker.  A handler
 // crashes at the same message in every run, so all runs go on in the same way.  After any other
-// loss a lockstep run stops, unless the worker may be restarted, because the run would wait for the
-// worker for ever.
+// loss, a run in lockstep (the master waits for each handler) stops, unless the worker may be
+// restarted, because the run would wait for the worker for ever.
 void WorkerGroup::HandleLoss(const RemoteObject* about, RemoteObject::Loss loss,
                              const std::string& why) {
   RemoteProcess& process = *about->process();

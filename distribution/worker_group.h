@@ -72,8 +72,8 @@ class WorkerGroup {
     std::string lost;  // the reason of the loss, "" while the worker runs
     int losses = 0;    // number of times that the worker was lost
     int returns = 0;   // number of times that the worker was restarted
-    // Number of handlers that the worker has run.  The three times below are their durations, which
-    // include the time for sending.
+    // Number of handlers that the worker has run.  The three times below are the median, the 99th
+    // percentile and the maximum of the handlers' durations, which include the time for sending.
     uint64_t handlers = 0;
     double median_us = 0;
     double p99_us = 0;
@@ -154,7 +154,7 @@ class WorkerGroup {
     // The master's new stand-ins for the objects of a restarted worker, until they replace the old
     // stand-ins.
     std::vector<std::unique_ptr<RemoteObject>> new_objects;
-    // The new stand-ins by the ids of their objects.
+    // The new stand-ins for the objects of a restarted worker, by the ids of the objects.
     std::map<ObjectId, RemoteObject*> successors;
   };
 
@@ -167,7 +167,8 @@ class WorkerGroup {
   void WaitForAnotherWorker(Member* member, const std::string& why);
   // Returns whether the user has asked the run to end (Ctrl-C).
   bool IsEnding() const { return options_.interrupts && options_.interrupts() >= 1; }
-  // Returns whether the user has asked at least twice, so that the run ends at once.
+  // Returns whether the user has asked for the end of the run at least twice, so that the run ends
+  // at once.
   bool IsInterrupted() const { return options_.interrupts && options_.interrupts() >= 2; }
   bool HandleReceived();
   void HandleLoss(const RemoteObject* about, RemoteObject::Loss loss, const std::string& why);

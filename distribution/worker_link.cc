@@ -1,5 +1,5 @@
-// The part of Worker that sends what handlers do to the master as DDS samples: messages, calls
-// without an answer (notes) and calls with an answer (questions).
+// The part of Worker that sends the effects of handlers to the master, as DDS samples: messages,
+// calls without an answer (notes) and calls with an answer (questions).
 #include <OPENR/ObjcommMessages.h>
 #include <OPENR/RCRegion.h>
 #include <fmt/format.h>
@@ -92,8 +92,8 @@ bool Worker::MayBeRefused(const Message& message) {
   openr_wire_ToMaster to_master = NewToMaster(openr_wire_TO_MASTER_ENTRY);
   to_master.body._u.entry = {message.target, message.selector};
   Send(to_master);
-  // Remembers that the entry exists, so that only the first message to an entry costs a question.
-  // Forget() removes the entries of an object that is replaced.
+  // Remembers that the entry exists, so that the master is asked only at the first message to an
+  // entry.  Forget() removes the entries of an object that is replaced.
   if (WaitForAnswer().status != 1) return true;
   known_entries_.insert(entry);
   return false;

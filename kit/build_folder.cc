@@ -40,7 +40,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Name of a file in the build folder that the kit keeps for a user's folder.  The file contains the
-// version of the kit that built there.
+// version of the kit that made this build folder.
 constexpr char kIdentityFile[] = "kit.txt";
 
 // Name of a file in the build folder that the kit keeps for a user's folder.  The file contains the
@@ -154,8 +154,8 @@ void FolderBuild::PrepareWork() {
   const std::string problem = WriteText(identity_file, identity);
   if (!problem.empty()) throw std::runtime_error(problem + "; name another folder with --work");
   WriteText(work_ / kOwnerFile, folder_.string());
-  // The file placed.txt lists the images that the last build copied to the sticks.  These images
-  // are removed here, so that they do not count as images of this build.
+  // Removes the images that the last build copied to the sticks, so that they do not count as
+  // images of this build.  The file placed.txt lists these images.
   std::istringstream placed(ReadText(work_ / "placed.txt").value_or(""));
   for (std::string file; std::getline(placed, file);) fs::remove(file);
   make_.sdk_root = sdk_root_;

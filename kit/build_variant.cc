@@ -34,8 +34,9 @@ BuildVariant VariantOfBuild() {
   return VariantOf(name == nullptr ? "" : name);
 }
 
-// Leaves two checks of UndefinedBehaviorSanitizer out.  The check "return" would end functions that
-// the kit lets go on (image_source.cc).  The check "vptr" needs a library of its own.
+// Leaves out two checks of UndefinedBehaviorSanitizer.  The check "return" would end the program in
+// a function that returns no value, but the kit makes such a function return 0 (image_source.cc).
+// The check "vptr" needs functions that the runtime does not have (runtime/core/checked_code.cc).
 std::vector<std::string> VariantCompileFlags(BuildVariant variant) {
   switch (variant) {
     case BuildVariant::kDebug:

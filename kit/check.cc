@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr size_t kPlacesMax = 5;  // a remark names at most this many other places
+constexpr size_t kPlacesMax = 5;  // largest number of places in Remark::also_at
 
 Remark::Kind KindOf(Severity severity) {
   if (severity == Severity::kNote) return Remark::Kind::kNote;

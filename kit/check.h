@@ -13,7 +13,7 @@ namespace openr_host {
 struct Remark {
   enum class Kind {
     kError,    // the program will not work
-    kWarning,  // the program may do something else than wanted, here or on the robot
+    kWarning,  // the program may do something else than wanted, on this computer or on the robot
     kNote,     // the remark tells something that is worth knowing; nothing is wrong
   };
   Kind kind;
@@ -22,7 +22,8 @@ struct Remark {
   int column = 0;  // number of the column; 0: it is not known, so no caret is shown
   std::string text;
   std::string source_line;
-  // Text that is compared: remarks with the same cause are joined into one; "": never joined.
+  // Text that names the cause of the remark.  Remarks with the same cause are joined into one; a
+  // remark without a cause ("") is never joined.
   std::string cause;
   uint64_t count = 1;                // number of places that the remark is about
   std::vector<std::string> also_at;  // the first few of the other places: "CONNECT.CFG:5"

@@ -77,8 +77,8 @@ class DataCheck {
       if (close == std::string::npos) continue;
       const std::string name = (*it)[1];
       const std::string trouble = TroubleIn(MembersOf(code.substr(open + 1, close - open - 1)));
-      // Removes the name if the program has two types of this name, because the check does not know
-      // which of them a call means.
+      // Removes the name from troubles_ if the program has two types of this name, because the
+      // check does not know which of the two a call means.
       if (!seen_.insert(name).second) {
         troubles_.erase(name);
       } else if (!trouble.empty()) {
@@ -88,8 +88,8 @@ class DataCheck {
   }
 
   // Returns the type of the data in a call SetData(&variable, sizeof measured), if such data cannot
-  // be sent (`troubles_`); "" for other types.  `measured` is the name of a type, or `variable`
-  // again.
+  // be sent (`troubles_`); "" for other types.  `measured` is the argument of sizeof: the name of a
+  // type, or `variable` again.
   std::string TypeOf(const std::string& code, const std::string& variable,
                      const std::string& measured) const {
     if (troubles_.contains(measured)) return measured;

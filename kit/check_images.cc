@@ -99,7 +99,7 @@ class ImageCheck {
   const ObjectParts& parts_;
   const CheckTarget target_;
   Remarks* const remarks_;
-  std::vector<const ObjectFolder*> objects_;  // objects of the project, then of its neighbours
+  std::vector<const ObjectFolder*> objects_;  // Project::objects, then Project::neighbours
   bool has_sources_ = false;
   StickImages images_;
   std::vector<PlacedObject> placed_;
@@ -166,7 +166,7 @@ void ImageCheck::CheckImage(const ObjectRecord& record, const fs::path& file,
                   [&](const ObjectFolder* object) { return !HasServicesIn(*object, record); });
   for (const ObjectFolder* object : namesakes) Place(*object, record.section);
   if (namesakes.size() != 1) return;
-  // An image that several sections of OBJECT.CFG list is the same image.
+  // Adds an image only once, even if several sections of OBJECT.CFG list it.
   const bool is_known = std::any_of(
       images_.built.begin(), images_.built.end(),
       [&](const auto& built) { return built.folder == namesakes.front() && built.image == file; });

@@ -27,8 +27,8 @@ struct BuiltObject {
 };
 
 struct StickImages {
-  std::multimap<std::string, ServiceOwner> services;  // key: full name of a service; value: its
-                                                      // owner
+  // The object that has each service; the key is the full name of the service.
+  std::multimap<std::string, ServiceOwner> services;
   std::vector<StubService> declared;  // services in stub.cfg files of objects on the stick
   std::vector<BuiltObject> built;     // the images that the host can load
   bool has_gateway = false;           // true: OBJECT.CFG names the image of the TCP gateway

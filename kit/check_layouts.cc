@@ -40,8 +40,9 @@ bool Matches(const std::string& text, const std::string& pattern) {
   return std::regex_search(text, std::regex(pattern));
 }
 
-// A part of a statement.  Its length is limited, because std::regex_search() calls itself for each
-// character that a repetition takes.
+// A regular expression for a part of a statement.  The length of the part is limited, because
+// std::regex_search() calls itself for each character of a repetition, so a long part could
+// overflow the stack.
 const std::string kRestOfStatement = "[^;]{0,400}";
 
 // Returns whether the object passes a whole struct `type` to SetData(): a variable of this type, or

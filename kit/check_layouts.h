@@ -1,7 +1,7 @@
-// Finds connections whose two objects lay out the struct that is sent in different ways.  Only
-// bytes are passed, so the observer then reads something else than the subject has written, and
-// nothing says so (field-notes.md, 2.8).  That happens when each object has a definition of its
-// own, or when one of them was not built again after the header had changed.
+// Finds connections that send a struct which the two objects lay out differently.  Only bytes are
+// passed, so the observer then reads something else than the subject has written, and no message
+// says so (field-notes.md, 2.8).  That happens when each object has its own definition of the
+// struct, or when one of the objects was not built again after the header had changed.
 #pragma once
 
 #include "kit/check.h"
@@ -11,8 +11,8 @@
 
 namespace openr_host {
 
-// Warns of each connection of `wires` that disagrees about its struct.  To raise no false alarm,
-// warns only if all of this holds:
+// Warns of each connection of `wires` whose two objects lay out its struct differently.  To raise
+// no false alarm, warns only if all of this holds:
 //   - the data type in the names of the services is the name of the struct;
 //   - both images are built, and their debug information has one definition of the struct;
 //   - sources of the subject's object pass such a struct to SetData(), with its size;
@@ -21,7 +21,7 @@ namespace openr_host {
 //     observer's object names a member that is behind the last byte which the subject sends, and
 //     asks nowhere for the size of the data.
 // An array at the end of the struct may have another length, because data of variable length are
-// sent so.
+// sent in this way.
 void CheckLayouts(const ConnectConfig& wires, const StickImages& images, const ObjectParts& parts,
                   Remarks* remarks);
 

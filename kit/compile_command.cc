@@ -61,7 +61,8 @@ bool TakesNextWord(const std::string& flag) {
 // that the kit decides itself: warnings, the folders of headers, the language level, or how code is
 // linked (-fPIC).
 bool IsRobotFlag(const std::string& flag) {
-  // Beginnings of such flags.  For example, all flags for the processor begin with -m.
+  // Beginnings of flags that the host's compiler must not get.  For example, all flags for the
+  // processor begin with -m.
   static const char* const kStarts[] = {"-m",    "-Werror", "-pedantic", "-fpic",   "-fPIC",
                                         "-fpie", "-fPIE",   "-fno-pic",  "-fno-PIC"};
   if (IsOneOf(flag, {"-EL", "-EB", "-ansi", "-Wno-return-type", "-nostdinc", "-nostdinc++", "-w",
@@ -99,9 +100,9 @@ Language LanguageOf(const CompileCommand& command, const std::string& given, boo
 
 // Returns the flags for `name`, the value of a -std flag such as "c99"; no flags if `name` is a
 // standard of another language than `language`.  A strict standard such as c99 is replaced by the
-// one with GNU extensions, gnu99, because the headers of the SDK's compiler declared the same
-// functions in both, while the host's headers hide some functions in a strict standard.
-// C99 gets -fgnu89-inline, because gcc took `inline` in the meaning of GNU C until version 4.3.
+// standard with GNU extensions, gnu99, because the host's headers hide some functions in a strict
+// standard.  The headers of the SDK's compiler declared the same functions in both standards.  C99
+// gets -fgnu89-inline, because gcc took `inline` in the meaning of GNU C until version 4.3.
 std::vector<std::string> StandardFlags(const std::string& name, Language language) {
   const bool is_cxx = name.find("++") != std::string::npos;
   if (name.empty() || is_cxx != (language == Language::kCxx)) return {};

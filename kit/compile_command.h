@@ -10,14 +10,14 @@ namespace openr_host {
 
 // The parts of a command line of the robot's g++ or gcc.
 struct CompileCommand {
-  std::vector<std::string> arguments;  // arguments for the host's compiler, which get them after
-                                       // the flags in compile-flags.txt
-  std::vector<std::string> sources;    // files to compile, in the order given
-  std::string output;                  // value of -o; "" if not given
-  bool compiles = false;               // true: the command makes object files or assembly (-c, -S)
-  bool links = false;     // true: the command makes a program: it has no -c, -S or -E, and no
-                          // --version or the like
-  bool is_quiet = false;  // true: -w was given
+  // Arguments for the host's compiler, which gets them after the flags in compile-flags.txt.
+  std::vector<std::string> arguments;
+  std::vector<std::string> sources;  // files to compile, in the order given
+  std::string output;                // value of -o; "" if not given
+  bool compiles = false;             // true: the command makes object files or assembly (-c, -S)
+  // True: the command makes a program: it has no -c, -S or -E, and no flag such as --version.
+  bool links = false;
+  bool is_quiet = false;               // true: -w was given
   Language language = Language::kCxx;  // language of the sources
 };
 

@@ -67,8 +67,8 @@ class ControllerBuild {
   }
 
   // Returns whether the files of the controller's folder that are copied to the stick have no
-  // errors, and prints their errors and warnings.  The name of a motion must be possible on a
-  // stick, and the robot must be able to boot with the WLANCONF.TXT.
+  // errors, and prints their errors and warnings.  Errors are a motion file whose name no file on a
+  // stick can have, and a WLANCONF.TXT with which the robot cannot boot.
   bool HasGoodFiles() const {
     std::vector<Diagnostic> diagnostics;
     for (const auto& entry : fs::directory_iterator(folder_)) {

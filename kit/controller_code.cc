@@ -142,7 +142,9 @@ FilePosition ControllerCode::PlaceOf(const CodeFile& file, size_t at) {
 
 std::string ControllerCode::FirstArgument(const CodeFile& file, const CodeCall& call) const {
   const size_t open = file.code.origins[call.open];
-  if (file.source[open] != '(') return "";  // the brackets come from a macro
+  // Returns "" if the brackets come from a macro, because the source then does not show the
+  // argument.
+  if (file.source[open] != '(') return "";
   const size_t at = NextOf(file.source, open + 1);
   if (at == kNone) return "";
   const std::string word(WordAt(file.source, at));

@@ -307,7 +307,8 @@ std::vector<std::string> BuildByConvention(const Project& project,
                             build.lexically_normal(), options);
     const std::string problem = attempt.Run();
     KitLog log = attempt.log();
-    // Drops these flags, because they are from the kit's Makefile, not the user's.
+    // Removes the compilations from the log, because their flags are from the kit's Makefile and
+    // not from the user's.
     log.compiles.clear();
     AppendKitLog(options.log, log);
     if (!problem.empty()) {

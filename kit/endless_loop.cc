@@ -102,8 +102,9 @@ class LoopFinder {
 
   // Returns whether a statement in the body of a loop, from `begin` to `end`, leaves this loop.
   bool Leaves(size_t begin, size_t end) const {
-    size_t inner = begin;  // end of an inner loop or switch; a break before this position leaves
-                           // only that inner statement
+    // End of an inner loop or switch.  A break before this position leaves only that inner
+    // statement.
+    size_t inner = begin;
     for (size_t at = begin; at < end;) {
       const std::string_view word = WordAt(code_, at);
       if (word == "return" || word == "goto" || word == "throw" || word == "exit" ||

@@ -233,8 +233,8 @@ class StickCompletion {
     for (const auto& [name, index] : listed_)
       (index == kNone ? foreign : own) += fmt::format("/MS/OPEN-R/MW/OBJS/{}\n", name);
     const fs::path folder = objects_.parent_path() / "CONF";
-    // Lists images of others first: one of them may be POWERMON.BIN, which the robot's own sticks
-    // name in the first line.
+    // Begins OBJECT.CFG with the images that this build has not made.  One of them may be
+    // POWERMON.BIN, which the robot's own sticks name in the first line.
     WriteText(folder / "OBJECT.CFG", foreign + own);
     const bool has_connections = !FindEntry(folder, "CONNECT.CFG").empty();
     if (!has_connections) WriteText(folder / "CONNECT.CFG", "");

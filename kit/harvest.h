@@ -23,9 +23,9 @@ struct Harvest {
   std::vector<HarvestedImage> images;
   std::vector<std::string> problems;  // error messages, a line each
   std::vector<std::string> notes;
-  // Files that CompleteStick() has put on the stick.  Files that rules of Makefiles put there are
-  // not in this list.  The next build removes these files, so that they do not count as images of
-  // that build.
+  // Files that CompleteStick() has put on the stick, without the files that rules of Makefiles have
+  // put there.  The next build removes the files of this list, so that they do not count as images
+  // of that build.
   std::vector<std::filesystem::path> placed;
   std::set<std::string> used;  // paths (KitLog::Image::file) of the images on the stick
 };
@@ -33,10 +33,10 @@ struct Harvest {
 // Puts on `stick` the images that its OBJECT.CFG names and that rules of Makefiles have not put
 // there.  `stick` is in the private copy of the user's folder, and `users_stick` is its original;
 // empty: there is none.  If the stick has no OBJECT.CFG, writes one that names all images, and
-// notes which images of its folder OBJS are left out and why.  With several sticks, first looks for
-// images that were built nearer to this stick than to other sticks in the tree of folders.  Only
-// for names that are then still without an image, takes images from elsewhere.  An image that a
-// Makefile puts on one stick has the same file name on all other sticks.
+// notes which images of its folder OBJS are left out and why.  If there are several sticks, first
+// takes images that were built nearer to this stick than to other sticks in the tree of folders.
+// Takes images that were built elsewhere only for the names that are then still without an image.
+// An image that a Makefile puts on one stick has the same file name on all other sticks.
 Harvest CompleteStick(const StickFolder& stick, const Project& project, const KitLog& log,
                       const std::string& sdk_root, const std::filesystem::path& users_stick);
 

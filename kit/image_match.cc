@@ -7,7 +7,8 @@
 namespace openr_host {
 namespace {
 
-// A shorter common part of two names does not count, because it may be chance.
+// Least length of a name that counts as a part of another name.  A shorter name may occur in the
+// other name by chance.
 constexpr size_t kPrefixMin = 3;
 constexpr size_t kSharedMin = 4;  // names with this many equal letters in a row may belong together
 

@@ -8,8 +8,8 @@
 namespace openr_host {
 
 struct ImageCandidate {
-  std::vector<std::string> names;  // names of the image's object, file, folder and class, in any
-                                   // order
+  // Names of the image's object, file, folder and class, in any order.
+  std::vector<std::string> names;
 };
 
 // Returns for each name of `wanted` ("BLNKLED.BIN") the index of its candidate, or -1.  The rules

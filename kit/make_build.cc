@@ -52,7 +52,7 @@ ProcessResult Make(const fs::path& folder, const std::vector<std::string>& argum
   std::vector<std::string> all{"make", "-k", "--eval=.DELETE_ON_ERROR:", fmt::format("-j{}", jobs)};
   if (!options.is_verbose) all.push_back("-s");
   if (!echoes) all.push_back("--output-sync=target");
-  // Uses bash if possible, because the rules of these programs were written on systems where sh was
+  // Uses bash if possible, because the rules of old programs were written on systems where sh was
   // bash.
   if (HasProgram("/bin/bash")) all.push_back("SHELL=/bin/bash");
   all.insert(all.end(), arguments.begin(), arguments.end());

@@ -18,8 +18,9 @@ struct MakefileVariable {
   std::string name;
   bool is_defined = false;  // true: the text assigns a value to the variable (=, := or the like)
   std::vector<std::string> values;  // the values as written, one per assignment
-  std::string folder;  // the folder in the SDK that the variable names, such as "/OPEN_R/bin"; "":
-                       // the folder of the SDK
+  // The folder in the SDK that the variable names, such as "/OPEN_R/bin"; "": the folder of the
+  // SDK.
+  std::string folder;
 };
 
 // Returns the variables that stand for the SDK's folder or a folder in it.  The text after a

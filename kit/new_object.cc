@@ -34,8 +34,8 @@ std::string ClassName(std::string name) {
   return name;
 }
 
-// Returns whether a class of this name compiles with the headers of the SDK tree `sdk_root`, and
-// calls of it as stubs make them.
+// Returns whether a class of this name compiles with the headers of the SDK tree `sdk_root`,
+// together with calls of its functions as in a stub.
 bool Compiles(const std::string& class_name, const std::string& sdk_root) {
   std::vector<std::string> command = HostCompiler(Language::kCxx);
   const std::vector<std::string> flags = ParseCompileFlags(

@@ -103,7 +103,7 @@ void
 }
 )";
 
-// Compiled to find out whether a class can have the name.
+// A source that is compiled to find out whether a class can have the name @Name@.
 inline constexpr char kNameCheck[] = R"(#include <OPENR/ODataFormats.h>
 #include <OPENR/OObject.h>
 #include <OPENR/OObserver.h>

@@ -26,8 +26,8 @@ class ObjectParts {
   const std::vector<std::filesystem::path>& CodeOf(const ObjectFolder& object) const;
 
   // Returns the object's .ocf files.  These are the .ocf files in its folder, or else the .ocf
-  // files that its Makefiles name.  If there are none of both kinds, the result is the .ocf file
-  // outside of all objects' folders whose name is most like the name of the object.
+  // files that its Makefiles name.  If there are no files of either kind, the result is the .ocf
+  // file outside of all objects' folders whose name is most like the name of the object.
   std::vector<std::filesystem::path> OcfsOf(const ObjectFolder& object) const;
 
   // Returns whether the object's Makefiles compile it for the PC.  Such objects are a part of

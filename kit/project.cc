@@ -65,8 +65,8 @@ StickFolder DescribeStick(const fs::path& root) {
   if (stick.object_config.empty()) return stick;
   const std::string text = ReadText(stick.object_config).value_or("");
   stick.objects = ParseObjectConfig("OBJECT.CFG", text, kEveryDesign).objects;
-  // Keeps only the first line of OBJECT.CFG that names an image, because its sections for different
-  // robots may name the same image.
+  // Keeps only the first line of OBJECT.CFG that names an image, because several sections of this
+  // file, for different robots, may name the same image.
   std::set<std::string> seen;
   std::erase_if(stick.objects, [&](const ObjectRecord& record) {
     return !seen.insert(LowerCase(record.path)).second;

@@ -15,8 +15,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr size_t kOutsideFilesMax = 20'000;  // a folder outside of the program with more files is
-                                             // not used
+// Largest number of files in a folder outside of the program.  A folder with more files is not
+// used.
+constexpr size_t kOutsideFilesMax = 20'000;
 
 // Returns whether the file, by its name, may be a part of a program.  From a folder around the
 // program, only such files are used, because that folder may hold many other files.

@@ -8,7 +8,7 @@
 namespace openr_host {
 
 struct SourceCopy {
-  std::string copy;  // both paths are absolute, without a slash at the end
+  std::string copy;  // absolute path of a folder without a slash at the end, as is `original`
   std::string original;
 };
 

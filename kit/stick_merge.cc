@@ -64,7 +64,8 @@ std::string MergeConfig(const std::string& base, const std::string& ours) {
   std::string text;
   const auto add = [&](const std::vector<std::string>& lines, bool in_section) {
     for (const std::string& line : lines) {
-      // Drops no line inside of sections, because the same line may be needed in several sections.
+      // Drops a repeated line only outside of sections, because several sections may need the same
+      // line.
       if (IsRecord(line) && !known.insert(WithoutBlanks(line)).second && !in_section) continue;
       text += line + "\n";
     }

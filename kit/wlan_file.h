@@ -17,8 +17,8 @@ struct WlanQuestion {
   const char* key;       // key in the file, such as "ETHER_IP"
   const char* flag;      // flag of the command, such as "--ip"
   const char* question;  // text of the question, such as "Address of the robot"
-  // Returns whether the setting has a meaning beside the other settings.  If not, it is not asked
-  // for.
+  // Returns whether the setting has a meaning with the present values of the other settings.  If
+  // not, the user is not asked for the setting.
   bool (*is_asked)(const WlanConfig& config);
 };
 

@@ -83,8 +83,8 @@ std::string DefaultStick();
 uint64_t SeedOfEnvironment();
 
 struct BenchOptions {
-  std::string stick = "";             // folder that holds OPEN-R/, which is copied; "": an empty
-                                      // stick
+  // Folder that holds OPEN-R/, which is copied to the bench; "": the stick of the bench is empty.
+  std::string stick = "";
   std::vector<StandIn> replace = {};  // objects of the stick that are replaced
   // Kind of body: "none", "ideal" (joints follow exactly) or "ode" (physics).
   std::string body = "none";
@@ -435,7 +435,8 @@ class Bench {
   // Number of the message at which StepToMessage() stops; 0 at other times.
   uint64_t goal_number_ = 0;
   bool goal_reached_ = false;
-  // Descriptions whose names Boot() will check.
+  // Descriptions of messages that the test gave before Boot(), each with the line of its call.
+  // Boot() checks the names in them.
   std::vector<std::pair<MessageSpec, Place>> unchecked_;
   std::deque<ExpectedFinding> expected_findings_;
   bool findings_allowed_ = false;

@@ -148,7 +148,7 @@ void Bench::Reorder(std::vector<std::string> objects, Place place) {
 HeldMessages& Bench::Hold(const MessageSpec& spec, Place place) {
   const bool is_good = CheckNames(spec, place);
   HeldMessages& held = doors_.Hold(spec, place);
-  return is_good ? held : held.Optional();  // a wrong name fails the test only once
+  return is_good ? held : held.Optional();  // CheckNames() has reported a wrong name already
 }
 
 DroppedMessages& Bench::Drop(const MessageSpec& spec, int count, Place place) {

@@ -36,8 +36,8 @@ class BenchStick : public openr_host::MemoryStick {
   // std::runtime_error when the image cannot be read.
   void ImportImage(const std::string& host_file, const std::string& name);
 
-  // Copies the files to a new folder, and uses only that from now on.  Called in a copy of the
-  // process (fork), so that it cannot change the files of the original process.
+  // Copies the files to a new folder, and uses only the new folder from now on.  Called in a copy
+  // of the process (fork), so that the copy cannot change the files of the original process.
   void MoveToCopy();
 
   // ---- Implementation of MemoryStick

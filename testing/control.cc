@@ -1,5 +1,5 @@
-// Defines pthread_create() and socket(), so that a bench can refuse them to objects.  Calls from
-// everywhere in the program come here, because the linker prefers definitions in a program to
+// Defines pthread_create() and socket(), so that a bench can refuse them to objects.  All calls in
+// the program reach these functions, because the linker prefers definitions in a program to
 // definitions in libraries.
 #include "testing/control.h"
 
@@ -59,8 +59,8 @@ bool ControlledScope::Refuse(const char* what) {
 
 int ThreadCount() {
   if (!g_thread_was_made) return 1;  // no thread was ever made, so only this thread exists
-  // Counts again for up to 50 ms before it believes that a thread is left: pthread_join() returns
-  // while the kernel still lists the joined thread.
+  // Counts for up to 50 ms until only this thread is left, because pthread_join() may return while
+  // the kernel still lists the joined thread.
   constexpr int kTries = 50;
   int count = ListedThreads();
   for (int i = 0; i < kTries && count > 1; ++i) {

@@ -44,7 +44,7 @@ class Expectations {
     Place place;
     std::optional<SeenMessage> early;  // last message that fits, but came before its turn
     // The last message that fits except for its payload, and the reason why the payload does not
-    // fit.  For the text of a failure.
+    // fit.  They are for the text of a failure.
     std::optional<SeenMessage> other;
     std::string why_other;
   };

@@ -12,8 +12,8 @@ struct Place {
   int line = 0;
 
   // Returns the file and line of the call.  If Here() is the default argument of a function's
-  // parameter, this is the line that calls the function, because compilers take file and line from
-  // there.
+  // parameter, this is the line that calls the function, because compilers evaluate a default
+  // argument where the function is called.
   static constexpr Place Here(const char* file = __builtin_FILE(), int line = __builtin_LINE()) {
     return {file, line};
   }

@@ -31,16 +31,17 @@ class SeenMessage {
   // data_count() is called; only a copy from Past() does not need the message.
   SeenMessage(const openr_host::System& system, const openr_host::Message& message);
 
-  // Returns a copy without data(), but with the data that Text() needs.  The copy can be used after
-  // the delivery, when the message no longer exists.
+  // Returns a copy that has no data(), but keeps the beginning of the data for Text().  The copy
+  // can be used after the delivery, when the message no longer exists.
   SeenMessage Past() const;
 
   // Returns the number of the message; 0: it has no number yet, or was refused.
   uint64_t number() const { return number_; }
-  uint64_t cause() const { return cause_; }  // number of the message whose handler sent this one
+  // Returns the number of the message whose handler sent this message.
+  uint64_t cause() const { return cause_; }
   int64_t time_us() const { return time_us_; }
   MessageKind kind() const { return kind_; }
-  uint32_t size() const { return size_; }  // number of bytes of its data
+  uint32_t size() const { return size_; }  // number of bytes of data
 
   // The sender or the receiver of a message: an object and, for a connection, the full name of its
   // service ("Blinker.Blink.int.S").  Unknown names are empty.
@@ -61,8 +62,8 @@ class SeenMessage {
   std::string_view data(int i) const;
 
   // Returns a description such as "#4711 t=1.248000 RCServer.Mover -> JointMover.Mover notify, 84
-  // bytes, caused by #4702: move neck_pan to 30.00 deg".  Data of a type that only your objects
-  // know are there as text or as numbers.
+  // bytes, caused by #4702: move neck_pan to 30.00 deg".  Data of a type that only the user's
+  // objects define are shown as text or as numbers.
   std::string Text() const;
 
  private:

@@ -1,6 +1,6 @@
-// StoryTeller adds a text to each failure of a test: what happened on the bench of the test.  Such
-// failures are failures of the bench's functions, plain EXPECTs, crashes, and handlers that do not
-// return.
+// StoryTeller adds a text, the story, to each failure of a test: what happened on the bench of the
+// test.  A failure may come from a function of the bench, a plain EXPECT, a crash, or a handler
+// that does not return.
 #pragma once
 
 #include <cstdint>

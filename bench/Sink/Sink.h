@@ -1,4 +1,4 @@
-// Takes whatever comes and is ready again.
+// Sink: an object that receives data and asserts ready again after each notification.
 #ifndef Sink_h_DEFINED
 #define Sink_h_DEFINED
 

@@ -10,8 +10,9 @@
 
 namespace openr_host {
 
-// Whether a reader that is made after a sample was written still receives samples.  With kGetNewest
-// it receives the newest sample, as with the quality of service "transient local" of ROS 2.
+// Says whether a reader that is made later receives a sample that was written before.  With
+// kGetNewest it receives the newest sample, as with the quality of service "transient local" of ROS
+// 2.
 enum class LateReaders { kMissSamples, kGetNewest };
 
 // A writer that keeps the newest `depth` samples.  The writer is reliable, so that both reliable
