@@ -14,6 +14,9 @@ the n-th call of each of them fails.  After each failure these must hold:
 - no file, socket or process is left behind, after 10 s at most;
 - the next start, without a failure, works and comes to the same hash.
 
+At last all calls that open, read and write are slow, as on a worn-out stick: the command must do the
+same as otherwise.
+
 --most N takes N calls of each kind, spread over the program; without it all are taken.  --one shows
 one failure again.  The last line is "N passed, N failed".
 """
@@ -228,6 +231,16 @@ class Rounds:
         """Returns the lines that the command does not print without a failure."""
         return "\n".join(line for line in text.splitlines() if not without_numbers(line) <= self.usual)
 
+    def slow(self):
+        """Lets all opens, reads and writes take 1 ms longer.  Returns the complaints."""
+        calls = "openat,read,pread64,write,writev,pwrite64"
+        status, text = self.scenario.command(["strace", "-f", "-qq", "-o", "/dev/null", "-e", f"trace={calls}",
+                                              "-e", f"inject={calls}:delay_exit=1000"])
+        if status != 0:
+            return [f"status {status}\n{text}"]
+        return [f"{name} is another" for name, content in self.scenario.written().items()
+                if content != self.expected[name]]
+
     def run(self, calls, most):
         # The dynamic linker and the C library make these calls before the program begins.
         before = self.scenario.counts(["--version"])
@@ -265,6 +278,8 @@ def main():
             begin = time.monotonic()
             rounds = Rounds(Scenario(openr, pathlib.Path(folder), name))
             rounds.run(flags.call, flags.most)
+            wrong = rounds.slow()
+            verdict(f"{name}: slow files", not wrong, "\n".join(wrong))
             print(f"figures: {name}: {rounds.injected} failures, of which {rounds.reported} ended the program "
                   f"with a reason, {time.monotonic() - begin:.0f} s", flush=True)
     return finish()

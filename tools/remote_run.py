@@ -140,9 +140,13 @@ class Client:
 
 
 class Run:
-    """A process of `openr run` with its own stick, a recording, and a battery that stays full."""
+    """A process of `openr run` with its own stick, a recording, and a battery that stays full.
 
-    def __init__(self, openr, folder, *flags, body="ideal"):
+    `prefix` are the words of a program that runs it, such as strace.  With `waits` False the port is
+    not known yet; wait_for_port() returns it.
+    """
+
+    def __init__(self, openr, folder, *flags, body="ideal", prefix=(), waits=True):
         self.openr, self.folder = str(openr), pathlib.Path(folder)
         self.stick = self.folder / "stick"
         self.said = self.folder / "run.txt"
@@ -155,9 +159,9 @@ class Run:
                    str(self.folder / "run.rec"), "--report", str(self.folder / "report.json"),
                    "--console", str(self.folder / "console.txt")]
         with self.said.open("w") as stream:
-            self.process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=stream,
+            self.process = subprocess.Popen([*prefix, *command], stdin=subprocess.DEVNULL, stdout=stream,
                                             stderr=stream, env=self.environment)
-        self.port = self.wait_for_port()
+        self.port = self.wait_for_port() if waits else None
         self.lines = None  # the connection of control(), which it opens
 
     def wait_for_port(self):

@@ -13,7 +13,7 @@ class Object;
 
 // What a crash is to the robot's processor.
 struct RobotException {
-  unsigned code = 0;         // exception code, field-notes.md 4.1; 0: the robot would not notice
+  unsigned code = 0;         // exception code (field-notes.md 4.1); 0 if the robot would go on
   uint64_t bad_address = 0;  // address that could not be accessed; 0 for other exceptions
   uint64_t epc = 0;          // address of the instruction in the file of its image
   // True if the signal has interrupted the object's own code.  The runtime may otherwise be

@@ -1,0 +1,173 @@
+#!/usr/bin/env python3
+"""Ends a run at each of its writes to the Memory Stick, and looks at the stick.
+
+    power_cuts.py --build build/release [--most N] [--one CALL N]
+
+A client uploads a motion and then an image, which replaces one that is there.  strace kills the run
+with SIGKILL at its n-th call of a kind on the files of the uploads: an open, a write, a close, a
+rename, a removal.  After each of these ends must hold:
+
+- the motion is not there, or whole; the image is the old or the new one, whole; CONTROLL.OLD is not
+  there, or is the old image, whole;
+- an upload that the run has acknowledged is there;
+- the next start works, and leaves no temporary file of an upload.
+
+Then one run without an end: before each rename of an upload its bytes, and before the answer the
+folder, were written through to the disk (fsync), as a cut of the host's power demands.
+--most N takes N calls of each kind, spread over the uploads.  The last line is "N passed, N failed".
+"""
+import argparse
+import os
+import pathlib
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+
+import remote_run as rc
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "tests/support"))
+from verdicts import finish, verdict  # noqa: E402: the folder is put into the path first
+
+CALLS = ("openat", "write", "writev", "close", "rename", "unlink")
+MOTION_NAME, IMAGE_NAME = "KILLED.MTN", "CONTROLL.BIN"
+TEMPORARY = re.compile(r"UPLOAD\d\.")
+
+
+class Uploads:
+    """A run under strace, with its stick, and the files that a client uploads to it."""
+
+    def __init__(self, openr, folder, *strace):
+        self.trace = pathlib.Path(folder) / "trace"
+        # Only calls on the files of the uploads count, so that their numbers are those of the next run.
+        names = {rc.MOTION: ("UPLOAD0.TMP", MOTION_NAME), rc.IMAGE: ("UPLOAD0.TMP", "UPLOAD0.OLD", IMAGE_NAME, "CONTROLL.OLD")}
+        paths = [f"--trace-path={folder}/stick/{rc.FOLDERS[kind]}/{name}" for kind in names for name in names[kind]]
+        self.run = rc.Run(openr, folder, "--rate", "max", "--no-payloads", waits=False,
+                          prefix=["strace", "-f", "-qq", "-y", "-o", str(self.trace), *paths, *strace])
+        self.motion_path = self.run.stick / rc.FOLDERS[rc.MOTION] / MOTION_NAME
+        self.image_path = self.run.stick / rc.FOLDERS[rc.IMAGE] / IMAGE_NAME
+        self.old_image = self.image_path.read_bytes()
+        self.motion = self.motion_path.with_name("STAND.MTN").read_bytes() + bytes(2000)
+        self.image = self.old_image + bytes(20000)  # the robot ignores bytes behind an image
+        self.acknowledged = []
+
+    def count(self, call):
+        """Returns how many calls of this kind the run has made."""
+        return len(re.findall(rf"^\d+ +{call}\(", self.trace.read_text(errors="replace"), re.M))
+
+    def upload(self):
+        """Uploads both files; returns False if the run has ended meanwhile."""
+        try:
+            client = rc.Client(self.run.wait_for_port())
+            self.run.wait_until_standing(client)
+            for kind, name, data in ((rc.MOTION, MOTION_NAME, self.motion), (rc.IMAGE, IMAGE_NAME, self.image)):
+                packets = rc.upload_packets(kind, name, data)
+                for at in range(0, len(packets), 30):
+                    client.ask_all(packets[at:at + 30])
+                self.acknowledged.append(name)
+            return True
+        except (OSError, RuntimeError):
+            return False
+
+    def end(self):
+        """Kills the run, if it still goes on, and waits for strace, which ends with it."""
+        subprocess.run(["pkill", "-KILL", "-P", str(self.run.process.pid)], check=False)
+        self.run.process.wait()
+
+    def wrong(self):
+        """Returns what is wrong with the stick."""
+        found = []
+        motion = self.motion_path.read_bytes() if self.motion_path.exists() else None
+        image = self.image_path.read_bytes() if self.image_path.exists() else None
+        old_path = self.image_path.with_suffix(".OLD")
+        if motion not in (None, self.motion):
+            found.append("the motion is in part")
+        if image not in (self.old_image, self.image):
+            found.append("the image is in part, or gone")
+        if old_path.exists() and old_path.read_bytes() != self.old_image:
+            found.append("CONTROLL.OLD is in part")
+        if MOTION_NAME in self.acknowledged and motion is None:
+            found.append("the acknowledged motion is lost")
+        if IMAGE_NAME in self.acknowledged and image != self.image:
+            found.append("the acknowledged image is lost")
+        return found
+
+    def start_again(self):
+        """Starts the stick again; returns what is wrong with that."""
+        again = subprocess.run([self.run.openr, "run", "--stick", str(self.run.stick), "--body", "ideal", "--rate",
+                                "max", "--for", "2s", "--rc-port", "0", "--no-panel"], capture_output=True, text=True,
+                               env=self.run.environment)
+        found = [] if again.returncode == 0 else [f"the next start: status {again.returncode}\n{again.stderr}"]
+        left = [path.name for path in self.run.stick.rglob("*") if TEMPORARY.match(path.name)]
+        return found + ([f"after the next start {left} is there"] if left else [])
+
+
+def cut(openr, call, number):
+    """Ends a run at one call.  Returns what is wrong, or None if the run makes fewer calls."""
+    with tempfile.TemporaryDirectory(prefix="cut-") as folder:
+        uploads = Uploads(openr, folder, "-e", "trace=" + ",".join(CALLS),
+                          "-e", f"inject={call}:signal=SIGKILL:when={number}")
+        whole = uploads.upload()
+        uploads.end()
+        wrong = uploads.wrong() + uploads.start_again()
+        return None if whole and not wrong else wrong
+
+
+def order(openr):
+    """Returns what is wrong with the order of the calls of a run that nobody ends."""
+    with tempfile.TemporaryDirectory(prefix="cut-") as folder:
+        folders = [f"--trace-path={folder}/stick/{name}" for name in rc.FOLDERS.values()]
+        uploads = Uploads(openr, folder, *folders, "-e", "trace=fsync,rename")
+        if not uploads.upload():
+            uploads.end()
+            return ["the uploads failed"]
+        uploads.end()
+        lines = uploads.trace.read_text(errors="replace").splitlines()
+        wrong, renames = [], [i for i, line in enumerate(lines) if "rename(" in line and TEMPORARY.search(line)]
+        if len(renames) != 3:
+            wrong.append(f"{len(renames)} renames of uploads, not 3")
+        for i in renames:
+            source, target = re.findall(r'"([^"]*)"', lines[i])
+            if not any("fsync(" in line and f"<{source}>" in line for line in lines[:i]):
+                wrong.append(f"{source} is renamed and was not written through")
+            folder_name = os.path.dirname(target)
+            following = "".join(lines[i + 1:i + 2])
+            if "fsync(" not in following or f"<{folder_name}>" not in following:
+                wrong.append(f"after the rename to {target} its folder is not written through, but: {following}")
+        return wrong
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--build", type=pathlib.Path, default=pathlib.Path("build/release"))
+    parser.add_argument("--most", type=int, default=0, help="ends at calls of one kind; 0: all")
+    parser.add_argument("--one", nargs=2, metavar=("CALL", "N"))
+    flags = parser.parse_args()
+    if not shutil.which("strace"):
+        sys.exit("strace is not installed (Debian package strace)")
+    openr = (flags.build / "bin/openr").resolve()
+    if flags.one:
+        wrong = cut(openr, flags.one[0], int(flags.one[1]))
+        print("\n".join(["the run makes fewer calls"] if wrong is None else wrong or ["nothing is wrong"]))
+        return 1 if wrong else 0
+    with tempfile.TemporaryDirectory(prefix="cut-") as folder:
+        whole = Uploads(openr, folder, "-e", "trace=" + ",".join(CALLS))
+        if not whole.upload():
+            sys.exit("the uploads fail without an end")
+        whole.end()
+        counts = {call: whole.count(call) for call in CALLS}
+    for call in CALLS:
+        numbers = range(1, counts[call] + 1)
+        for number in numbers if not flags.most else numbers[::max(1, len(numbers) // flags.most)][:flags.most]:
+            wrong = cut(openr, call, number)
+            if wrong is not None:
+                verdict(f"end at {call} {number} of {counts[call]}", not wrong, "\n".join(wrong))
+    wrong = order(openr)
+    verdict("files and folders are written through before an upload is acknowledged", not wrong, "\n".join(wrong))
+    return finish()
+
+
+if __name__ == "__main__":
+    sys.exit(main())
