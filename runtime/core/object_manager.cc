@@ -301,7 +301,7 @@ bool ObjectManager::MayBeLost(int robot, const std::string& service) const {
   for (const auto& object : system().objects()) {
     if (object == nullptr || object->robot != robot) continue;
     has_lost = has_lost || object->IsLost();
-    if (!object->IsLost() && object->name + '.' == prefix) return false;
+    if (object->name + '.' == prefix) return object->IsLost();
   }
   for (const auto& [name, entry] : system().robot(robot).directory) {
     if (name.starts_with(prefix)) return system().object(entry.first)->IsLost();
