@@ -87,7 +87,8 @@ Bench::Bench(BenchOptions options, Place place)
       hub_(std::make_shared<openr_host::LoopbackHub>()),
       system_(MakeSystem(options_, &console_)),
       schedule_(system_.get(), options_.seed),
-      doors_(system_.get()),
+      doors_(system_.get(),
+             [this](const SeenMessage& message, const Place& place) { PostAgain(message, place); }),
       command_(CommandOf(options_.seed)) {
   story_teller_ =
       std::make_unique<StoryTeller>([this] { return Story(); }, options_.handler_limit.count());

@@ -232,6 +232,10 @@ class Bench {
   }
   // Drops the next `count` messages that fit `spec`.
   DroppedMessages& Drop(const MessageSpec& spec, int count = 1, Place place = Place::Here());
+  // Delivers the n-th message that fits `spec`, counted from now, twice: when it is delivered, it
+  // is posted once more, with its data.  A message with several data comes again as one for each
+  // datum. An answer to a Call() cannot come twice, so the test fails.
+  RepeatedMessage& Repeat(const MessageSpec& spec, uint64_t nth = 1, Place place = Place::Here());
   // Refuses the n-th message that fits `spec`, counted from now.  Its sender gets sFULLMSGQENTRY,
   // as on a robot when the queue of the receiver holds 32 messages.
   RefusedMessage& Refuse(const MessageSpec& spec, uint64_t nth = 1, Place place = Place::Here());
@@ -405,6 +409,7 @@ class Bench {
   bool CheckNames(const MessageSpec& spec, const Place& place);
   bool CheckName(const std::string& name, const Place& place);
 
+  void PostAgain(const SeenMessage& message, const Place& place);
   bool InjectNotify(const MessageSpec& spec, std::string_view bytes, const Place& place);
   bool InjectReady(const MessageSpec& spec, const Place& place);
   bool InjectEntry(const MessageSpec& spec, std::string_view bytes, const Place& place);

@@ -157,6 +157,35 @@ DroppedMessages& Bench::Drop(const MessageSpec& spec, int count, Place place) {
   return is_good ? dropped : dropped.Optional();
 }
 
+RepeatedMessage& Bench::Repeat(const MessageSpec& spec, uint64_t nth, Place place) {
+  const bool is_good = CheckNames(spec, place);
+  RepeatedMessage& repeated = doors_.Repeat(spec, nth, place);
+  return is_good ? repeated : repeated.Optional();
+}
+
+void Bench::PostAgain(const SeenMessage& message, const Place& place) {
+  const std::string from = ShortName(message.from()), to = ShortName(message.to());
+  switch (message.kind()) {
+    case MessageKind::kNotify:
+      for (int i = 0; i < message.data_count(); ++i)
+        InjectBytes(Notify(from, to), message.data(i), place);
+      return;
+    case MessageKind::kReady:
+      InjectBytes(Ready(from, to), {}, place);
+      return;
+    case MessageKind::kNotReady:
+      InjectBytes(NotReady(from, to), {}, place);
+      return;
+    case MessageKind::kReply:
+      Miss(place, "Repeat: an answer cannot come twice: " + message.Text());
+      return;
+    case MessageKind::kOther:
+      InjectBytes(ToEntry(to, message.entry()).From(from),
+                  message.data_count() == 0 ? std::string_view() : message.data(0), place);
+      return;
+  }
+}
+
 RefusedMessage& Bench::Refuse(const MessageSpec& spec, uint64_t nth, Place place) {
   const bool is_good = CheckNames(spec, place);
   RefusedMessage& refused = schedule_.Refuse(spec, nth, place);

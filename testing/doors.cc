@@ -78,7 +78,20 @@ OwnedMessage Doors::Admit(OwnedMessage message) {
   for (HeldMessages& held : held_) {
     if (held.Take(&message)) return nullptr;
   }
+  RepeatIfAsked(*message);
   return message;
+}
+
+void Doors::RepeatIfAsked(const Message& message) {
+  for (RepeatedMessage& repeated : repeated_) {
+    if (repeated.happened()) continue;
+    const SeenMessage seen(*system_, message);
+    if (!repeated.spec_.Matches(seen)) continue;
+    repeated.matches_ += 1;
+    if (!repeated.happened()) continue;
+    repeated.text_ = seen.Text();
+    post_again_(seen, repeated.place_);
+  }
 }
 
 bool Doors::Lose(const Message& message) {
@@ -108,6 +121,11 @@ void Doors::Verify(const ReportAt& report) {
     report(dropped.place_,
            fmt::format("Drop: {} of {} came: {}; .Optional() allows that", dropped.count(),
                        dropped.count() + dropped.left_, dropped.spec_.Text()));
+  }
+  for (RepeatedMessage& repeated : repeated_) {
+    if (repeated.happened() || std::exchange(repeated.is_optional_, true)) continue;
+    report(repeated.place_, fmt::format("Repeat: {} of {} came: {}; .Optional() allows that",
+                                        repeated.matches_, repeated.nth_, repeated.spec_.Text()));
   }
 }
 

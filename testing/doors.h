@@ -3,13 +3,16 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "runtime/core/schedule.h"
 #include "testing/message_spec.h"
 #include "testing/place.h"
+#include "testing/seen_message.h"
 
 namespace openr_host {
 class System;
@@ -78,9 +81,36 @@ class DroppedMessages {
   std::vector<std::string> texts_;
 };
 
+// A message that comes twice: the n-th message that fits `spec`.
+class RepeatedMessage {
+ public:
+  RepeatedMessage(MessageSpec spec, uint64_t nth, const Place& place)
+      : spec_(std::move(spec)), nth_(nth), place_(place) {}
+
+  // Lets the test pass even if the message never comes.
+  RepeatedMessage& Optional() { return is_optional_ = true, *this; }
+
+  bool happened() const { return matches_ == nth_; }
+  // Returns a description of the repeated message; "" if it has not come yet.
+  const std::string& text() const { return text_; }
+
+ private:
+  friend class Doors;
+  const MessageSpec spec_;
+  const uint64_t nth_;
+  const Place place_;
+  bool is_optional_ = false;
+  uint64_t matches_ = 0;  // messages that fitted so far; at most n
+  std::string text_;
+};
+
 class Doors : public openr_host::Gate {
  public:
-  explicit Doors(openr_host::System* system) : system_(system) {}
+  // A function that posts a message with the same sender, receiver and data once more.
+  using PostAgain = std::function<void(const SeenMessage& message, const Place& place)>;
+
+  Doors(openr_host::System* system, PostAgain post_again)
+      : system_(system), post_again_(std::move(post_again)) {}
 
   HeldMessages& Hold(MessageSpec spec, const Place& place) {
     return held_.emplace_back(system_, std::move(spec), place);
@@ -89,8 +119,13 @@ class Doors : public openr_host::Gate {
     return dropped_.emplace_back(std::move(spec), count, place);
   }
 
-  // Reports a failure for each Hold() that never held a message, and for each Drop() that dropped
-  // fewer messages than it was to drop.  Reports each of them only once.
+  RepeatedMessage& Repeat(MessageSpec spec, uint64_t nth, const Place& place) {
+    return repeated_.emplace_back(std::move(spec), nth, place);
+  }
+
+  // Reports a failure for each Hold() that never held a message, for each Drop() that dropped fewer
+  // messages than it was to drop, and for each Repeat() whose message never came.  Reports each of
+  // them only once.
   void Verify(const ReportAt& report);
 
   openr_host::OwnedMessage Admit(openr_host::OwnedMessage message) override;
@@ -103,9 +138,14 @@ class Doors : public openr_host::Gate {
   // holds.  Returns whether the message was dropped.
   bool Lose(const openr_host::Message& message);
 
+  // Posts `message` once more for each Repeat() that asks for it.
+  void RepeatIfAsked(const openr_host::Message& message);
+
   openr_host::System* const system_;
+  const PostAgain post_again_;
   std::deque<HeldMessages> held_;
   std::deque<DroppedMessages> dropped_;
+  std::deque<RepeatedMessage> repeated_;
 };
 
 }  // namespace openr::testing

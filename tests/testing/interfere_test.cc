@@ -107,6 +107,45 @@ TEST_F(InterfereTest, WhatIsDroppedNeverArrives) {
   EXPECT_THAT(bench().Story(), ::testing::HasSubstr("Doubler waits for ready"));
 }
 
+TEST_F(InterfereTest, ARepeatedNotifyArrivesTwice) {
+  const RepeatedMessage& repeated = bench().Repeat(Notify("Test1.In", "Doubler.In"), 2);
+  for (const int number : {1, 2, 3}) {
+    in->Send(number);
+    bench().RunFor(1ms);
+  }
+  EXPECT_EQ(out->values<int>(), (Ints{2, 4, 4, 6}));
+  EXPECT_THAT(repeated.text(), ::testing::HasSubstr("Test1.In -> Doubler.In notify, 4 bytes"));
+}
+
+// The robot believes a ready that comes twice: the second datum is sent to an observer that has not
+// asked for it.
+TEST_F(InterfereTest, ARepeatedReadyLetsDataComeToAnObserverThatIsNotReady) {
+  out->set_auto_ready(false);
+  bench().Repeat(Ready("Test2.Out", "Doubler.Out"));
+  out->AssertReady();
+  bench().RunFor(1ms);
+  EXPECT_THAT(bench().Story(), ::testing::HasSubstr("Test2.Out -> Doubler.Out ready"));
+  for (const int number : {1, 2}) {
+    in->Send(number);
+    bench().RunFor(1ms);
+  }
+  EXPECT_EQ(out->values<int>(), (Ints{2, 4}));
+}
+
+TEST_F(InterfereTest, ARepeatedEntryCarriesItsBytes) {
+  bench().Repeat(ToEntry("Doubler", "Alarm"));
+  bench().Inject(ToEntry("Doubler", "Alarm").From("Test1"), 7);
+  bench().RunFor(1ms);
+  EXPECT_EQ(doubler->alarms, (Ints{7, 7}));
+}
+
+TEST_F(InterfereTest, ARepeatWhoseMessageNeverComesFails) {
+  bench().Repeat(Notify("Test1.In", "Doubler.In"), 2);
+  in->Send(1);
+  bench().RunFor(1ms);
+  EXPECT_NONFATAL_FAILURE(bench().Verify(), "Repeat: 1 of 2 came: notify Test1.In -> Doubler.In");
+}
+
 TEST_F(InterfereTest, ADroppedReadyStopsTheConnection) {
   bench().Drop(Ready("Doubler.In", "Test1.In"));
   for (int i = 1; i <= 3; ++i) {
