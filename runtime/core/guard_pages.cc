@@ -97,8 +97,11 @@ const char* GuardPages::WhyFault(const void* address) const {
     return at >= area.first && at < area.first + AddressPlace::kCopyBytes;
   });
   if (!is_ours) return "";
+  // Compares with the exact pages of each copy, because a copy that was given back often lies on
+  // the page before a copy that is still in use.
   for (const auto& [copy, pages] : copies_) {
-    if (at >= copy - kPage && at < copy + pages.bytes + kPage)
+    const char* const page = PageOf(copy);
+    if (at >= page && at < page + pages.bytes)
       return "a write to received data, which are read-only";
   }
   return given_back_ == GivenBack::kGone ? "an access to data that were given back by AssertReady()"

@@ -38,6 +38,15 @@ int ObjectRandom() {
   return static_cast<int>((state >> 1) & 0x7fffffff);
 }
 
+// Reports that an object has called `function`, which would let it sleep on a computer.
+void ReportSleep(const char* function) {
+  const ApiScope scope;
+  t_current.system->AddFinding(Severity::kWarning,
+                               fmt::format("{}() does nothing: the robot has no sleep; wait for "
+                                           "an event instead",
+                                           function));
+}
+
 [[noreturn]] void EndMethod() {
   t_current.image_code = false;
   t_current.system->AbandonHandler();
@@ -129,20 +138,21 @@ clock_t clock() noexcept {
 int usleep(useconds_t us) {
   static const auto next = NextSymbol<int(useconds_t)>("usleep");
   if (!InObject()) return next(us);
-  const ApiScope scope;
-  t_current.system->AddFinding(Severity::kWarning,
-                               "usleep() does nothing: the robot has no sleep; wait for "
-                               "an event instead");
+  ReportSleep("usleep");
   return 0;
 }
 
 unsigned sleep(unsigned seconds) {
   static const auto next = NextSymbol<unsigned(unsigned)>("sleep");
   if (!InObject()) return next(seconds);
-  const ApiScope scope;
-  t_current.system->AddFinding(Severity::kWarning,
-                               "sleep() does nothing: the robot has no sleep; wait for "
-                               "an event instead");
+  ReportSleep("sleep");
+  return 0;
+}
+
+int nanosleep(const struct timespec* time, struct timespec* left) {
+  static const auto next = NextSymbol<int(const struct timespec*, struct timespec*)>("nanosleep");
+  if (!InObject()) return next(time, left);
+  ReportSleep("nanosleep");
   return 0;
 }
 

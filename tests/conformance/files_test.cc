@@ -81,6 +81,17 @@ TEST_F(FilesConformance, ClocksShowVirtualTime) {
   EXPECT_EQ(Answer("clocks"), "T time 946684802 us 500000 same 1\n");  // 2000-01-01 + 2.5 s
 }
 
+// field-notes.md, 12.1
+TEST_F(FilesConformance, SleepingDoesNothingAndIsReported) {
+  Start();
+  EXPECT_EQ(Answer("sleep"), "T sleep 0 usleep 0 nanosleep 0\n");
+  for (const char* const name : {"sleep", "usleep", "nanosleep"}) {
+    // The line break keeps usleep() from being taken for sleep().
+    const std::string line = fmt::format("\n{}() does nothing: the robot has no sleep", name);
+    EXPECT_NE(("\n" + Findings()).find(line), std::string::npos) << name << ": " << Findings();
+  }
+}
+
 TEST_F(FilesConformance, DesignDataAreCopiesThatCanBeDeletedOnce) {
   Config("DESIGNDB.CFG",
          "HELLO /MS/OPEN-R/MW/DATA/P/HELLO.TXT\nEMPTY /MS/OPEN-R/MW/DATA/P/E.TXT\n");

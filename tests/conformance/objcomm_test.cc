@@ -226,6 +226,19 @@ TEST_F(ObjcommConformance, TheThirtyThirdWaitingMessageIsRefusedWithError13WhenS
   EXPECT_TRUE(Found("Exceed max size of queue: queueSize=32")) << Findings();
 }
 
+// field-notes.md, 2.3: the readies wait while the subject's object waits for a typed line
+TEST_F(ObjcommConformance, TheThirtyThirdWaitingReadyIsRefusedWithError13WhenStrict) {
+  Start({.strict = true});
+  EXPECT_EQ(Answer("gets"), "");
+  for (int i = 0; i < 32; ++i) Hear("assert");
+  EXPECT_EQ(Said(), "");
+  EXPECT_FALSE(Found("Exceed max size of queue")) << Findings();
+  Hear("assert");
+  EXPECT_EQ(Said(),
+            "OObserver(Hearer.In.Number.O)::SendReady() Sending Ready failed. sError = 13\n");
+  EXPECT_TRUE(Found("Exceed max size of queue: queueSize=32")) << Findings();
+}
+
 // field-notes.md, 2.3
 TEST_F(ObjcommConformance, AssertingAgainAndAgainIsReported) {
   Start();

@@ -87,6 +87,25 @@ TEST(BuildTest, ASecondBuildOnlyBuildsWhatChanged) {
   EXPECT_EQ(folder.Say(), "heard: again 1\nheard: again 2\nheard: again 3\n");
 }
 
+// field-notes.md, 1.7: the new service comes first, so that sources compiled with the old generated
+// headers would use it in place of the old one.
+TEST(BuildTest, AServiceThatIsNewInStubCfgIsCompiledIntoAllSources) {
+  const KitFolder folder("convention");
+  ASSERT_EQ(folder.Build().status, 0);
+  folder.Write("Counter/stub.cfg",
+               "ObjectName : Counter\nNumOfOSubject : 2\nNumOfOObserver : 1\n"
+               "Service : \"Counter.More.char.S\", null, null\n"
+               "Service : \"Counter.Number.char.S\", null, Ready()\n"
+               "Service : \"Counter.DummyObserver.DoNotConnect.O\", null, null\n");
+  folder.Write("MS/OPEN-R/MW/CONF/CONNECT.CFG",
+               "Counter.Number.char.S Printer.Number.char.O\n"
+               "Counter.More.char.S Printer.Number.char.O\n");
+  ASSERT_EQ(folder.Build().status, 0);
+  const std::string said = folder.Say();
+  EXPECT_THAT(said, HasSubstr("connected to Counter.More.char.S\n"));
+  EXPECT_THAT(said, HasSubstr("number: [one]\nnumber: [two]\nnumber: [three]\n"));
+}
+
 TEST(BuildTest, WhatABuildForTheRobotLeftIsNotUsed) {
   const KitFolder folder("makefile");
   folder.Write("Sender/Sender.o", RobotBinary());

@@ -135,6 +135,21 @@ TEST(CheckTest, ForgottenMacrosAreFound) {
   EXPECT_THAT(text, Says("Receiver/stub.cfg:5:", "AssertReady is never called: Notify() will not"));
 }
 
+// field-notes.md, 1.8.
+TEST(CheckTest, SubjectsAndObserversThatNobodyMakesAreFound) {
+  const KitFolder folder("makefile");
+  std::string source = folder.Read("Receiver/Receiver.cc");
+  const std::string macro = "NEW_ALL_SUBJECT_AND_OBSERVER;";
+  ASSERT_NE(source.find(macro), std::string::npos);
+  source.erase(source.find(macro), macro.size());
+  constexpr char kWarning[] = "no NEW_ALL_SUBJECT_AND_OBSERVER in DoInit: subject[] and observer[]";
+  EXPECT_THAT(Checked(folder, 0), Not(HasSubstr(kWarning)));
+  folder.Write("Receiver/Receiver.cc", source);
+  const std::string text = Checked(folder, 0);
+  EXPECT_THAT(text, Says("Receiver/stub.cfg:5:", kWarning));
+  EXPECT_THAT(text, Not(HasSubstr("no REGISTER_ALL_ENTRY")));
+}
+
 TEST(CheckTest, AFunctionOfTheStubThatNobodyWroteIsNamed) {
   const KitFolder folder("convention");
   folder.Write("Counter/stub.cfg",

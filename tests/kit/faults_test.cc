@@ -62,6 +62,23 @@ TEST(BuiltFaultsTest, ACrashNamesTheLine) {
   EXPECT_THAT(result.err, HasSubstr("Greeter::DoStart(OSystemEvent const&) (Greeter.cc:14)"));
 }
 
+// field-notes.md, 1.8: the next macro uses subjects and observers that are not there.
+TEST(BuiltFaultsTest, SubjectsAndObserversThatNobodyMadeAreACrashThatNamesTheLine) {
+  const KitFolder folder("convention");
+  std::string source = folder.Read("Counter/Counter.cc");
+  const std::string macro = "NEW_ALL_SUBJECT_AND_OBSERVER;";
+  ASSERT_NE(source.find(macro), std::string::npos);
+  source.erase(source.find(macro), macro.size());
+  folder.Write("Counter/Counter.cc", source);
+  ASSERT_EQ(folder.Build().status, 0);
+  const ProgramResult result = RunProgram({"run", "--stick", folder.File("MS"), "--for", "100ms",
+                                           "--rate", "max", "--no-panel", "--rc-port", "0"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.err, HasSubstr("EXCEPTION SIGSEGV (an address that is not the object's)"));
+  // SET_ALL_READY_AND_NOTIFY_ENTRY
+  EXPECT_THAT(result.err, HasSubstr("Counter::DoInit(OSystemEvent const&) (Counter.cc:10)"));
+}
+
 TEST(BuiltFaultsTest, ANaNNamesTheLine) {
   const ProgramResult result =
       FaultyProgram("    volatile double zero = 0; zero = zero / zero;").Run();

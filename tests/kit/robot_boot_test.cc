@@ -1,5 +1,6 @@
 // openr stick check, new and wlan: sticks for a real robot.
 #include <gmock/gmock.h>
+#include <zlib.h>
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -97,6 +98,36 @@ TEST_F(RobotStickCheckTest, NamesThatAreTooLongAndMissingImagesAreErrorsAsEver) 
 TEST_F(RobotStickCheckTest, WithANetworkButWithoutSettingsItSaysWhatHolds) {
   MakeBase();
   EXPECT_THAT(Check().out, HasSubstr("the robot takes WLANDFLT.TXT"));
+}
+
+// field-notes.md 5.6
+TEST_F(RobotStickCheckTest, TheBaseWithAConsoleIsNotedBecauseItSeemsDead) {
+  MakeBase();
+  EXPECT_THAT(Check().out, Not(HasSubstr("the robot may seem dead")));
+  for (const char* name : {"ANTTCPIO", "HOOK", "HOOKACT"})
+    folder_.Write(std::string("stick/OPEN-R/SYSTEM/OBJS/") + name + ".BIN", "");
+  const ProgramResult result = Check();
+  EXPECT_EQ(result.status, 0) << result.out;
+  EXPECT_THAT(result.out, HasSubstr("base image: WCONSOLE"));
+  EXPECT_THAT(result.out, HasSubstr("the robot may seem dead until somebody connects to its port "
+                                    "59000"));
+}
+
+// field-notes.md 5.8
+TEST_F(RobotStickCheckTest, AnImageThatIsNotCompressedIsNoted) {
+  MakeBase();
+  constexpr char kNote[] = "POWERMON.BIN is not compressed; all images of the SDK's samples are";
+  const ProgramResult result = Check();
+  EXPECT_EQ(result.status, 0) << result.out;
+  EXPECT_THAT(result.out, HasSubstr(kNote));
+  const std::string image = RobotImage();
+  const gzFile file = gzopen(folder_.File("stick/OPEN-R/MW/OBJS/POWERMON.BIN").c_str(), "wb6");
+  EXPECT_EQ(gzwrite(file, image.data(), static_cast<unsigned>(image.size())),
+            static_cast<int>(image.size()));
+  gzclose(file);
+  const ProgramResult compressed = Check();
+  EXPECT_EQ(compressed.status, 0) << compressed.out;
+  EXPECT_THAT(compressed.out, Not(HasSubstr(kNote)));
 }
 
 TEST_F(RobotStickCheckTest, JsonHasTheRemarksAndTheSizes) {

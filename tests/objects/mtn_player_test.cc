@@ -119,6 +119,13 @@ TEST(MtnPlayerTest, ALoopEndsItsVector) {
           {{50, 100, 150, 200}, 2}, {{250, 300}, 3}, {{50, 100, 150, 200}, 2}, {{250, 300}, 3}}));
 }
 
+// field-notes.md, 14.1: recorded walks have nothing between their key frames, and some of these are
+// equal.
+TEST(MtnPlayerTest, KeyFramesOfLengthZeroArePlayedLikeOthers) {
+  EXPECT_EQ(Play(Motion({100, 100, 100, 300}, 0)),
+            (std::vector<Vector>{{{100, 100, 100, 100}, 2}, {{200, 300}, 3}}));
+}
+
 TEST(MtnPlayerTest, ASingleKeyFrameHasNothingToPlay) { EXPECT_TRUE(Play(Motion({77})).empty()); }
 
 }  // namespace

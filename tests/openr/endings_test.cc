@@ -97,6 +97,31 @@ TEST(EndingTest, ARobotThatDoesNotBoot) {
 }
 
 // A line that cannot be read, and one whose object is not there, which is known after DoInit.
+// field-notes.md 4.6
+TEST(EndingTest, OnlyACrashLeavesARecord) {
+  const auto leaves_record = [](const std::string& word, const std::string& events,
+                                const Words& more, int status, const std::string& by) {
+    const ScratchFolder stick;
+    stick.MakeTrouble(word);
+    if (word == "absent") std::filesystem::remove(stick.File("OPEN-R/MW/OBJS/TROUBLE.BIN"));
+    Words words{"--stick", stick.path(), "--for", "1s"};
+    words.insert(words.end(), more.begin(), more.end());
+    if (!events.empty()) {
+      stick.Write("run.events", events);
+      words.insert(words.end(), {"--events", stick.File("run.events")});
+    }
+    ExpectEndOf(words, status, by, "");
+    return std::filesystem::exists(stick.File("OPEN-R/EMON.LOG"));
+  };
+  EXPECT_FALSE(leaves_record("nothing", "0.1s heat battery 71\n", {"--strict"}, 1, "strict"));
+  EXPECT_FALSE(leaves_record("nothing", "0.1s draw 9000 for 1s\n", {"--strict"}, 1, "strict"));
+  EXPECT_FALSE(leaves_record("hang", "", {"--handler-limit", "200ms"}, 1, "handler-limit"));
+  EXPECT_FALSE(leaves_record("absent", "", {}, 1, "no-boot"));
+#ifndef __SANITIZE_ADDRESS__  // AddressSanitizer reports crashes itself
+  EXPECT_TRUE(leaves_record("crash", "", {}, 1, "crash"));
+#endif
+}
+
 TEST(EndingTest, AStickThatStrictRefuses) {
   for (const char* line : {"Trouble.Out.Text.S\n", "Nobody.Out.Text.S Trouble.In.Text.O\n"}) {
     const ScratchFolder stick;

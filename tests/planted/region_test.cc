@@ -38,7 +38,7 @@ class Receiver : public Actor {
 };
 
 template <typename TheSender, typename TheReceiver>
-ExplorePlan PlanWith(bool guard) {
+ExplorePlan PlanWith(bool guard, bool is_strict = false) {
   const auto build = [](System* system) {
     system->AddObject<TheSender>(0, "sender");
     system->AddObject<TheReceiver>(0, "receiver");
@@ -46,6 +46,7 @@ ExplorePlan PlanWith(bool guard) {
   };
   SystemOptions options;
   options.guard_regions = guard;
+  options.strict = is_strict;
   return PlanOf(SceneOf(build, options));
 }
 
@@ -79,6 +80,8 @@ TEST(PlantedRegionTest, AKeptAddressFaultsWhenDataAreWatched) {
   EXPECT_EQ(broken.property, "no-crash");
 #ifndef __SANITIZE_ADDRESS__  // which reports crashes itself
   EXPECT_THAT(broken.text, HasSubstr("OBJECT receiver"));
+  EXPECT_THAT(broken.text, HasSubstr("EXCEPTION SIGSEGV (an access to data that were given back by "
+                                     "AssertReady())"));
 #endif
 }
 
@@ -92,7 +95,15 @@ class ScribblingReceiver : public Receiver {
 
 TEST(PlantedRegionTest, WritingIntoReceivedDataIsHiddenUnlessTheyAreWatched) {
   EXPECT_EQ(InDefaultOrder(PlanWith<Sender, ScribblingReceiver>(false)).property, "");
-  EXPECT_EQ(InDefaultOrder(PlanWith<Sender, ScribblingReceiver>(true)).property, "no-crash");
+  for (const bool is_strict : {false, true}) {
+    const Broken broken =
+        InDefaultOrder(PlanWith<Sender, ScribblingReceiver>(!is_strict, is_strict));
+    EXPECT_EQ(broken.property, "no-crash");
+#ifndef __SANITIZE_ADDRESS__  // which reports crashes itself
+    EXPECT_THAT(broken.text, HasSubstr("EXCEPTION SIGSEGV (a write to received data, which are "
+                                       "read-only)"));
+#endif
+  }
 }
 
 // Fault: one region for everything, written without a look at who still reads it.

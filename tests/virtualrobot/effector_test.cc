@@ -86,6 +86,38 @@ TEST_F(VirtualRobotCommTest, ADoubleBufferedStreamHasASteadyRhythm) {
   EXPECT_EQ(Pan(), 41);  // one new set point per frame, none left out
 }
 
+// field-notes.md, 7.6: readies after 8, 32, 8, 32 ms.
+TEST_F(VirtualRobotCommTest, ABufferOfOneFrameAmongTwoBreaksTheRhythm) {
+  Boot();
+  mover->readies.clear();
+  std::vector<RCRegion*> buffers;
+  OPrimitiveID pan = 0;
+  int value = 0;
+  const auto fill = [&](RCRegion* region) {
+    std::vector<int> values(region == buffers[0] ? 1u : 4u);
+    for (int& each : values) each = ++value;
+    Mover::FillJoint(region, 0, pan, values);
+  };
+  As([&] {
+    pan = mover->Open(kPan);
+    buffers = {mover->NewVector(1), mover->NewVector(1)};
+    for (RCRegion* region : buffers) fill(region);
+    mover->Send(buffers);
+  });
+  mover->on_ready = [&] {
+    for (RCRegion* region : buffers) {
+      if (region->NumberOfReference() != 1) continue;
+      fill(region);
+      mover->Send({region});
+      return;
+    }
+    ADD_FAILURE() << "no free region";
+  };
+  RunToFrame(22);
+  EXPECT_EQ(mover->readies, (std::vector<int64_t>{2, 6, 7, 11, 12, 16, 17, 21, 22}));
+  EXPECT_EQ(Pan(), 22);  // the joint notices nothing: one new set point per frame
+}
+
 TEST_F(VirtualRobotCommTest, SubjectsOfTheEffectorAreIndependent) {
   Mover* lights = system.AddObject<Mover>(dog, "lights", "Lights");
   system.Connect({dog, "Lights.Move.OCommandVectorData.S",

@@ -39,6 +39,18 @@ TEST_F(ServoTest, GainAndShiftTradeAsTheVendorSays) {  // P = 22 with 14 equals 
   EXPECT_DOUBLE_EQ(servo_.Drive(0, 0), other.Drive(0, 0));
 }
 
+// field-notes.md, 7.13: P = 22 with shift 16 equals 88 with 14.
+TEST_F(ServoTest, AShiftOf16DoesNotDisableTheJoint) {
+  Servo other(joint_, ServoSettings{});
+  JointCommand whole = At(0.1), large = At(0.1);
+  whole.gains.p_shift = 16;
+  large.gains.p = 88;
+  servo_.BeginFrame(whole, 0);
+  other.BeginFrame(large, 0);
+  EXPECT_DOUBLE_EQ(servo_.Drive(0, 0), other.Drive(0, 0));
+  EXPECT_GT(servo_.Drive(0, 0), 0);
+}
+
 TEST_F(ServoTest, DriveIsReportedBeyondItsClampButTheMotorGetsNoMore) {
   servo_.BeginFrame(At(Radians(90)), 0);
   EXPECT_GT(servo_.Drive(0, 0), 4 * kDriveFull);

@@ -138,6 +138,15 @@ Clocks()
     OSYSPRINT(("T time %d us %d same %d\n", (int)now.tv_sec, (int)now.tv_usec, (int)time(0) == (int)now.tv_sec));
 }
 
+static void
+Sleeps()
+{
+    struct timespec second = {1, 0};
+    const int slept = (int)sleep(1);
+    const int slept_us = usleep(1000);
+    OSYSPRINT(("T sleep %d usleep %d nanosleep %d\n", slept, slept_us, nanosleep(&second, 0)));
+}
+
 static bool
 ConsoleCommand(const std::string& command)
 {
@@ -204,6 +213,8 @@ FileCommand(const std::string& command)
         Dots();
     } else if (command == "clocks") {
         Clocks();
+    } else if (command == "sleep") {
+        Sleeps();
     } else if (command == "atexit") {
         OSYSPRINT(("T atexit %d\n", atexit(Never)));
     } else if (command == "exit") {

@@ -126,6 +126,7 @@ Probe::Answer(const std::string& command)
     if (command == "stream") out << 3.25 << " " << true << " " << std::hex << 255;
     if (command == "read") out << ReadAll("/MS/OPEN-R/mw/data/p/hello.txt");
     if (command == "read outside") out << ReadAll("/etc/passwd");
+    if (command == "read relative") out << ReadAll("HELLO.TXT");
     if (command == "read dotdot") out << ReadAll("/MS/../../etc/passwd");
     if (command == "write") out << WriteWithStdio("/MS/OPEN-R/MW/DATA/P/out.txt", "from the probe");
     if (command == "list") out << ListFolder("/MS/OPEN-R/MW/CONF");

@@ -49,6 +49,16 @@ TEST_F(ImageTest, SeesTheStickInAnyCaseAndNothingElse) {
             std::string::npos);
 }
 
+// field-notes.md, 13.1
+TEST_F(ImageTest, APathThatIsNotAbsoluteNamesNoFileAndIsReported) {
+  Write("HELLO.TXT", "hello root");
+  Start();
+  EXPECT_EQ(talker->Ask("read relative"), "no file");
+  EXPECT_NE(Findings().find("'HELLO.TXT' cannot be opened: on the robot every path is absolute"),
+            std::string::npos)
+      << Findings();
+}
+
 TEST_F(ImageTest, FilesItWritesAreOnTheStickInUpperCaseAndPartOfTheState) {
   Start();
   const uint64_t before = system->state_hash();

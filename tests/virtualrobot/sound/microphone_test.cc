@@ -90,6 +90,32 @@ TEST_F(Ers7SoundTest, TheErs7Delivers256SamplesEvery16Milliseconds) {
   EXPECT_EQ(bytes, 1024u);
 }
 
+// field-notes.md 10.4
+TEST_F(Ers7SoundTest, ModeAndLevelControlOfTheMicrophoneOfAnErs7ChangeNoSound) {
+  AddListener();
+  std::vector<OSoundSampleStereo16> heard;
+  listener->on_vector = [&](OSoundVectorData* vector) {
+    const auto* const data = reinterpret_cast<OSoundSampleStereo16*>(vector->GetData(0));
+    heard.insert(heard.end(), data, data + vector->GetInfo(0)->dataSize / sizeof *data);
+  };
+  Boot();
+  int frame = 0;
+  for (const OPrimitiveRequest request : {oprmreqMIC_UNI, oprmreqMIC_OMNI, oprmreqMIC_ALC_ON}) {
+    RunAs(player, [&] {
+      OPrimitiveID id = 0;
+      EXPECT_EQ(OPENR::OpenPrimitive(kMic, &id), oSUCCESS);
+      EXPECT_EQ(OPENR::ControlPrimitive(id, request, nullptr, 0, nullptr, 0), oSUCCESS);
+    });
+    RunToFrame(frame += 2);
+  }
+  RunToFrame(frame + 1);
+  ASSERT_EQ(heard.size(), 3 * 256u);
+  for (size_t i = 0; i < heard.size(); ++i) {
+    EXPECT_EQ(heard[i].L, static_cast<int>(i));
+    EXPECT_EQ(heard[i].R, -static_cast<int>(i));
+  }
+}
+
 TEST(MemorySoundSourceTest, LoopsOrEndsInSilence) {
   const std::vector<OSoundSampleStereo16> three = {{1, 2}, {3, 4}, {5, 6}};
   MemorySoundSource ends(three);
