@@ -122,8 +122,22 @@ fs::path WorkCopy::Add(const fs::path& original) {
   MakeStubsAnew();
   for (const fs::path& folder : places.around) copies_.push_back({PlaceOf(folder), folder});
   RemoveVanished();
+  if (has_new_headers_) RemoveObjectFiles();
   Save();
   return copies_[0].copy;
+}
+
+// Removes object files and libraries that an earlier build has made, so that all sources are
+// compiled again.  Called when a header has changed, or a stub.cfg, from which headers are made,
+// because the rules of a Makefile often do not name the headers (field-notes.md 1.7).
+void WorkCopy::RemoveObjectFiles() const {
+  for (const SourceCopy& entry : copies_) {
+    for (const fs::path& file : FilesBelow(entry.copy)) {
+      const std::string extension = LowerCase(file.extension());
+      std::error_code error;
+      if ((extension == ".o" || extension == ".a") && !IsOriginal(file)) fs::remove(file, error);
+    }
+  }
 }
 
 bool WorkCopy::IsCovered(const fs::path& original) const {
@@ -161,6 +175,8 @@ void WorkCopy::CopyFile(const fs::path& original) {
       left_out_.insert(*entry);
     return;
   }
+  if (IsHeaderName(original) || LowerCase(original.filename()) == "stub.cfg")
+    has_new_headers_ = true;
   // Does not copy files for another processor, such as the robot's, because make would believe that
   // they are up to date.
   const std::string processor = ForeignProcessorOf(original);

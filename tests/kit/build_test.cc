@@ -106,6 +106,20 @@ TEST(BuildTest, AServiceThatIsNewInStubCfgIsCompiledIntoAllSources) {
   EXPECT_THAT(said, HasSubstr("number: [one]\nnumber: [two]\nnumber: [three]\n"));
 }
 
+// The Makefile does not say that the sources depend on headers.
+TEST(BuildTest, AServiceThatIsNewInStubCfgIsCompiledIntoSourcesOfAMakefile) {
+  const KitFolder folder("makefile");
+  ASSERT_EQ(folder.Build().status, 0);
+  const std::string stub = folder.Read("Sender/stub.cfg");
+  folder.Write("Sender/stub.cfg", stub + "\n");
+  EXPECT_THAT(folder.Build({"--verbose"}).err, HasSubstr("-c Sender.cc"));
+  const std::string header = folder.Read("common/Greeting.h");
+  folder.Write("common/Greeting.h", header + "\n");
+  EXPECT_THAT(folder.Build({"--verbose"}).err, HasSubstr("-c Sender.cc"));
+  EXPECT_THAT(folder.Build({"--verbose"}).err, Not(HasSubstr("-c Sender.cc")));
+  EXPECT_EQ(folder.Say(), "heard: greeting 1\nheard: greeting 2\nheard: greeting 3\n");
+}
+
 TEST(BuildTest, WhatABuildForTheRobotLeftIsNotUsed) {
   const KitFolder folder("makefile");
   folder.Write("Sender/Sender.o", RobotBinary());

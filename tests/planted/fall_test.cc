@@ -22,18 +22,14 @@ class Cautious : public Actor {
 // never.
 class Clumsy : public Actor {
  public:
-  Clumsy() {
-    out_ = AddSubject("Clumsy.Out.Number.S");
-    push_ = AddExtra("Push", [this](void*) { system().inputs().Add(0, "push 0 20 0 for 400ms"); });
-  }
+  Clumsy() { out_ = AddSubject("Clumsy.Out.Number.S"); }
   OStatus DoStart(const OSystemEvent&) override {
-    if (!out_->IsReady()) Post(host().id, push_, kPushUs);
+    if (!out_->IsReady()) system().inputs().AddAt(kPushUs, 0, "push 0 20 0 for 400ms");
     return oSUCCESS;
   }
 
  private:
   OSubject* out_;
-  Selector push_;
 };
 
 ExplorePlan FallPlan(const std::string& property) {
