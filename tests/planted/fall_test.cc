@@ -7,7 +7,7 @@
 namespace openr_host::fall_test {
 namespace {
 
-constexpr int64_t kPushUs = 12'000'000;  // the dog stands by then
+constexpr int64_t kPushUs = 16'000'000;  // the dog has stood by then
 
 class Cautious : public Actor {
  public:
