@@ -21,8 +21,8 @@ if(CCACHE)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
 endif()
 
-# g++ searches its memory for what is not needed any more, again and again once it has 128 MB.  Batches
-# need a sixth more memory without that, and compile in nine tenths of the time.
+# g++ collects garbage again and again once its heap has 128 MB.  Without that, batches need a sixth
+# more memory and compile in nine tenths of the time.
 add_compile_options($<$<COMPILE_LANG_AND_ID:CXX,GNU>:--param=ggc-min-heapsize=4000000>)
 
 # Bits must not depend on the compiler's taste for fused multiply-add.

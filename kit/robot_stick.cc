@@ -239,7 +239,7 @@ class RobotStick {
     fmt::print("base: {}\n", base_.string());
     fmt::print("copy {}/OPEN-R to a Programming Memory Stick\n", output.string());
     if (std::error_code error; fs::exists(output / kElfFolder, error)) {
-      fmt::print("keep {}, which openr emon needs to read a crash of these objects\n",
+      fmt::print("keep {0} for crashes: openr emon EMON.LOG --image {0}/NAME.nosnap.elf\n",
                  (output / kElfFolder).string());
     }
   }

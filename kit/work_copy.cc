@@ -72,6 +72,11 @@ bool IsToBeAdapted(const fs::path& file, const std::string& text) {
   return (IsMakefileName(file) || is_script || text.starts_with("#!")) && IsText(text);
 }
 
+// Returns whether `file` is a header, or a stub.cfg, from which headers are made.
+bool MakesHeaders(const fs::path& file) {
+  return IsHeaderName(file) || LowerCase(file.filename()) == "stub.cfg";
+}
+
 }  // namespace
 
 WorkCopy::WorkCopy(fs::path work, std::string sdk_root)
@@ -127,17 +132,22 @@ fs::path WorkCopy::Add(const fs::path& original) {
   return copies_[0].copy;
 }
 
-// Removes object files and libraries that an earlier build has made, so that all sources are
-// compiled again.  Called when a header has changed, or a stub.cfg, from which headers are made,
-// because the rules of a Makefile often do not name the headers (field-notes.md 1.7).
+// Removes object files and libraries that earlier builds have made in the copy, so that all sources
+// are compiled again.  Called when a header has changed, or a stub.cfg, from which headers are
+// made, because the rules of a Makefile often do not name the headers (field-notes.md 1.7).  Leaves
+// files alone that the user's folder has as well, and does not follow links, which may lead
+// elsewhere.
 void WorkCopy::RemoveObjectFiles() const {
-  for (const SourceCopy& entry : copies_) {
-    for (const fs::path& file : FilesBelow(entry.copy)) {
-      const std::string extension = LowerCase(file.extension());
-      std::error_code error;
-      if ((extension == ".o" || extension == ".a") && !IsOriginal(file)) fs::remove(file, error);
-    }
+  std::error_code error;
+  std::vector<fs::path> made;
+  for (fs::recursive_directory_iterator it(work_ / "src", error), end; !error && it != end;
+       it.increment(error)) {
+    const std::string extension = LowerCase(it->path().extension());
+    if (extension != ".o" && extension != ".a") continue;
+    if (it->is_regular_file(error) && !present_.contains(OriginalOf(it->path(), copies_)))
+      made.push_back(it->path());
   }
+  for (const fs::path& file : made) fs::remove(file, error);
 }
 
 bool WorkCopy::IsCovered(const fs::path& original) const {
@@ -175,8 +185,7 @@ void WorkCopy::CopyFile(const fs::path& original) {
       left_out_.insert(*entry);
     return;
   }
-  if (IsHeaderName(original) || LowerCase(original.filename()) == "stub.cfg")
-    has_new_headers_ = true;
+  if (MakesHeaders(original)) has_new_headers_ = true;
   // Does not copy files for another processor, such as the robot's, because make would believe that
   // they are up to date.
   const std::string processor = ForeignProcessorOf(original);
@@ -228,6 +237,7 @@ void WorkCopy::MakeStubsAnew() const {
 void WorkCopy::RemoveVanished() {
   for (const auto& [name, stamp] : former_) {
     if (present_.contains(name) || !IsCovered(name)) continue;
+    if (MakesHeaders(name)) has_new_headers_ = true;
     std::error_code error;
     fs::remove(PlaceOf(name), error);
   }

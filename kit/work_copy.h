@@ -72,7 +72,7 @@ class WorkCopy {
   // Copied files that stubgen2 had made in the user's folder; MakeStubsAnew() replaces them.
   std::vector<std::filesystem::path> left_stubs_;
   std::map<std::string, std::string> left_out_, former_left_out_;
-  // Whether a header or a stub.cfg is new, or has changed since the last build.
+  // Whether a header or a stub.cfg is new, was removed or has changed since the last build.
   bool has_new_headers_ = false;
   // Size and time of the copied files at the last build, by the path of the original.  A file with
   // the same size and time is not copied again.

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <cstring>
+#include <stdexcept>
 #include <utility>
 
 #include "runtime/base/spelling.h"
@@ -158,6 +159,7 @@ DroppedMessages& Bench::Drop(const MessageSpec& spec, int count, Place place) {
 }
 
 RepeatedMessage& Bench::Repeat(const MessageSpec& spec, uint64_t nth, Place place) {
+  if (nth < 1) throw std::invalid_argument("Repeat: messages are counted from 1");
   const bool is_good = CheckNames(spec, place);
   RepeatedMessage& repeated = doors_.Repeat(spec, nth, place);
   return is_good ? repeated : repeated.Optional();

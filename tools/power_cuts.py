@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Ends a run at each of its writes to the Memory Stick, and looks at the stick.
+"""Kills a run at each of its writes to the Memory Stick, and looks at the stick.
 
     power_cuts.py --build build/release [--most N] [--one CALL N]
 
@@ -12,8 +12,8 @@ rename, a removal.  After each of these ends must hold:
 - an upload that the run has acknowledged is there;
 - the next start works, and leaves no temporary file of an upload.
 
-Then one run without an end: before each rename of an upload its bytes, and before the answer the
-folder, were written through to the disk (fsync), as a cut of the host's power demands.
+Then one run that is not killed: its bytes before each rename of an upload, and the folder directly
+after it, are written through to the disk (fsync), as a cut of the host's power demands.
 --most N takes N calls of each kind, spread over the uploads.  The last line is "N passed, N failed".
 """
 import argparse
@@ -33,6 +33,7 @@ from verdicts import finish, verdict  # noqa: E402: the folder is put into the p
 
 CALLS = ("openat", "write", "writev", "close", "rename", "unlink")
 MOTION_NAME, IMAGE_NAME = "KILLED.MTN", "CONTROLL.BIN"
+LIMIT_S = 10  # for a run that is to be killed; ends a check only
 TEMPORARY = re.compile(r"UPLOAD\d\.")
 
 
@@ -76,6 +77,14 @@ class Uploads:
         subprocess.run(["pkill", "-KILL", "-P", str(self.run.process.pid)], check=False)
         self.run.process.wait()
 
+    def was_killed(self, limit_s):
+        """Waits for the end of the run; returns whether strace has killed it within the limit."""
+        try:
+            self.run.process.wait(timeout=limit_s)
+        except subprocess.TimeoutExpired:
+            return False
+        return self.run.process.returncode in (-signal.SIGKILL, 128 + signal.SIGKILL)
+
     def wrong(self):
         """Returns what is wrong with the stick."""
         found = []
@@ -110,9 +119,13 @@ def cut(openr, call, number):
         uploads = Uploads(openr, folder, "-e", "trace=" + ",".join(CALLS),
                           "-e", f"inject={call}:signal=SIGKILL:when={number}")
         whole = uploads.upload()
+        # After the last answer the run makes only a few more calls on the files.
+        killed = uploads.was_killed(1 if whole else LIMIT_S)
         uploads.end()
         wrong = uploads.wrong() + uploads.start_again()
-        return None if whole and not wrong else wrong
+        if not whole and not killed:
+            wrong.append(f"the uploads failed, and the run was not killed: {uploads.run.said.read_text()}")
+        return None if whole and not killed and not wrong else wrong
 
 
 def order(openr):
@@ -162,10 +175,10 @@ def main():
         numbers = range(1, counts[call] + 1)
         for number in numbers if not flags.most else numbers[::max(1, len(numbers) // flags.most)][:flags.most]:
             wrong = cut(openr, call, number)
-            if wrong is not None:
-                verdict(f"end at {call} {number} of {counts[call]}", not wrong, "\n".join(wrong))
+            verdict(f"killed at {call} {number} of {counts[call]}", wrong == [],
+                    "the run makes fewer calls" if wrong is None else "\n".join(wrong))
     wrong = order(openr)
-    verdict("files and folders are written through before an upload is acknowledged", not wrong, "\n".join(wrong))
+    verdict("files are written through before a rename, and their folders after it", not wrong, "\n".join(wrong))
     return finish()
 
 

@@ -47,13 +47,14 @@ std::string LastRecord(const std::string& text) {
 }
 
 // Tells what the record of a run on a computer says, which needs no image.
-void TellRun(const EmonFlags& flags, const std::string& text, const EmonLog& log) {
+// `log` has no value if the record has no part in the robot's form.
+void TellRun(const EmonFlags& flags, const std::string& text, const std::optional<EmonLog>& log) {
   if (!flags.image.empty()) {
     throw std::runtime_error(flags.file +
                              ": was written by a run on a computer, and names functions and lines "
                              "itself; leave out --image");
   }
-  EmonStory story = TellStory(log, nullptr);
+  EmonStory story = TellStory(log.value_or(EmonLog()), nullptr);
   story.problem.clear();
   if (flags.is_json) {
     nlohmann::ordered_json json = StoryJson(story);
@@ -61,24 +62,28 @@ void TellRun(const EmonFlags& flags, const std::string& text, const EmonLog& log
     PrintAnswer(JsonText(json) + "\n");
     return;
   }
-  const std::string on_robot = log.code.value_or(0) == 0
-                                   ? "no exception: it would not notice this"
-                                   : fmt::format("exception {}: {}", *log.code, story.meaning);
-  PrintAnswer(fmt::format("{}ON THE ROBOT {}\n", text, on_robot));
+  std::string on_robot;
+  if (log) {
+    on_robot = fmt::format("ON THE ROBOT {}\n",
+                           log->code.value_or(0) == 0
+                               ? "no exception at this place; it may go wrong later"
+                               : fmt::format("exception {}: {}", *log->code, story.meaning));
+  }
+  PrintAnswer(text + on_robot);
 }
 
 int Tell(const EmonFlags& flags) {
   RequireReadable(flags.file, kEmonLog);
   const std::string text = LastRecord(ReadFileOrThrow(flags.file));
   const std::optional<EmonLog> log = ParseEmonLog(text);
+  if (const std::string told = TextOfRun(text); !told.empty()) {
+    TellRun(flags, told, log);
+    return kExitGood;
+  }
   if (!log)
     throw std::runtime_error(flags.file +
                              ": is no EMON.LOG of a robot: it has neither \"epc\" nor an exception "
                              "code");
-  if (const std::string told = TextOfRun(text); !told.empty()) {
-    TellRun(flags, told, *log);
-    return kExitGood;
-  }
   std::optional<RobotCode> code;
   if (!flags.image.empty()) code.emplace(flags.image);
   const EmonStory story = TellStory(*log, code ? &*code : nullptr);

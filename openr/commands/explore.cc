@@ -362,11 +362,17 @@ bool RecordFailure(const ExploreFlags& flags, const ExploredStick& stick, uint64
   return problem.empty();
 }
 
+void StartWithSanitizersOf(const SimulationOptions& simulation) {
+  StartWithSanitizerOf(simulation.stick);
+  for (const std::string& stick : simulation.more_sticks) StartWithSanitizerOf(stick);
+}
+
 int Replay(ExploreFlags flags) {
   Json deviations;
   const ScheduleFile schedule = ReadScheduleFile(flags.replay_file, &deviations);
   ExploredStick stick = schedule.stick;
   if (!flags.stick.simulation.stick.empty()) stick.simulation.stick = flags.stick.simulation.stick;
+  StartWithSanitizersOf(stick.simulation);
   const SharedConsole console(flags.console_file);
   SetStick(stick, console, &flags.plan);
   const Json answer = ReplayDeviations(flags.plan, deviations, schedule.seed);
@@ -470,7 +476,7 @@ void AddExploreCommand(CLI::App* app, int* exit_code) {
   DescribeHow(command, flags.get());
   command->footer(ListOfProperties());
   command->callback([flags, exit_code] {
-    StartWithSanitizerOf(flags->stick.simulation.stick);
+    StartWithSanitizersOf(flags->stick.simulation);
     *exit_code = Explore(*flags);
   });
 }

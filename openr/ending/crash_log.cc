@@ -181,9 +181,27 @@ class RecordFile {
   int error_ = 0;  // errno of the first call that failed; 0: none failed
 };
 
+// Returns the code of the exception that the robot's processor raises for a SIGSEGV: 1 for a store
+// to a page that may only be read, 3 for another store, 2 for a load or a jump.
+unsigned MemoryExceptionCode(const void* context) {
+  constexpr unsigned kReadOnlyPage = 1, kLoad = 2, kStore = 3;
+#if defined(__x86_64__)
+  // Bits of the error code with which the processor reports a page fault.
+  constexpr greg_t kPageIsThere = 1, kIsStore = 2;
+  const greg_t error = static_cast<const ucontext_t*>(context)->uc_mcontext.gregs[REG_ERR];
+  if ((error & kIsStore) == 0) return kLoad;
+  return (error & kPageIsThere) == 0 ? kStore : kReadOnlyPage;
+#else
+  static_cast<void>(context);
+  static_cast<void>(kReadOnlyPage);
+  static_cast<void>(kStore);
+  return kLoad;
+#endif
+}
+
 // Returns the code of the exception that the robot's processor raises for the signal
 // (field-notes.md 4.1); 0 for an error that it does not notice.
-unsigned RobotExceptionCode(int signal, const siginfo_t& info) {
+unsigned RobotExceptionCode(int signal, const siginfo_t& info, const void* context) {
   if (*AnnouncedFault() != 0) {  // "a division by zero at Dog.cc:5 (exception 9)"
     static constexpr char kException[] = "(exception ";
     const char* const begin = std::strstr(AnnouncedFault(), kException);
@@ -192,10 +210,10 @@ unsigned RobotExceptionCode(int signal, const siginfo_t& info) {
     std::from_chars(begin + sizeof kException - 1, begin + std::strlen(begin), code);
     return code;
   }
-  constexpr unsigned kPageMissing = 2, kAddress = 4, kBreakpoint = 9, kReserved = 10, kFloat = 15;
+  constexpr unsigned kAddress = 4, kBreakpoint = 9, kReserved = 10, kFloat = 15;
   switch (signal) {
     case SIGSEGV:
-      return kPageMissing;
+      return MemoryExceptionCode(context);
     case SIGBUS:
       return kAddress;
     case SIGFPE:
@@ -205,9 +223,10 @@ unsigned RobotExceptionCode(int signal, const siginfo_t& info) {
   }
 }
 
-// Writes the record of the crash to standard error and to the robot's record file, which also gets
-// the record in the robot's form.  The call stack is written late, because it may be so damaged
-// that walking it crashes again.
+// Writes the record of the crash to standard error and to the robot's record file.  The record file
+// also gets the record in the robot's form, which needs the stack.  Stack and robot's form come
+// last, because the stack may be so damaged that walking it crashes again; the file then lacks
+// both.
 void WriteRecordInSignal(Ending* ending, RobotException* exception, const void* context,
                          int robot) {
   const std::string* const name = FileOf(robot);
@@ -264,7 +283,7 @@ void OnCrashSignal(int signal, siginfo_t* info, void* context) {
     ending.finding.Add(", a stack overflow: more than ").AddNumber(kib).Add(" KiB");
   }
   const int robot = t_current.object->robot;
-  RobotException exception{.code = RobotExceptionCode(signal, *info),
+  RobotException exception{.code = RobotExceptionCode(signal, *info, context),
                            .is_in_own_code = t_current.image_code};
   if (is_access) exception.bad_address = reinterpret_cast<uint64_t>(info->si_addr);
   BeginEnding(&ending);  // makes t_current empty

@@ -104,8 +104,10 @@ const char* GuardPages::WhyFault(const void* address) const {
     if (at >= page && at < page + pages.bytes)
       return "a write to received data, which are read-only";
   }
-  return given_back_ == GivenBack::kGone ? "an access to data that were given back by AssertReady()"
-                                         : "a write to received data, which are read-only";
+  return given_back_ == GivenBack::kGone
+             ? "an access to data that were given back by AssertReady(), "
+               "or beyond the end of received data"
+             : "a write to received data, which are read-only";
 }
 
 }  // namespace openr_host

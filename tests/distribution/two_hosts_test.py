@@ -82,13 +82,16 @@ def test(openr, folder):
     placement = option(run, "--placement")
     (folder / "first" / placement).write_text(next(b.text for b in blocks if b.name == placement))
     other = OtherHost(option(run, "--dds-address"), option(join, "--dds-address"))
+    joined = subprocess.Popen([*other.enter, openr, *join[1:]], cwd=folder / "second",
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     try:
-        joined = subprocess.Popen([*other.enter, openr, *join[1:]], cwd=folder / "second",
-                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         done = subprocess.run([openr, *run[1:], *more], cwd=folder / "first", capture_output=True, text=True,
                               timeout=LIMIT_S)
+        if done.returncode != 0:
+            joined.kill()  # nobody would end it
         said = joined.communicate(timeout=LIMIT_S)[0]
     finally:
+        joined.kill()
         other.close()
     verdict("the run ends well", done.returncode == 0, done.stdout + done.stderr + said)
     verdict("the joined process ends well", joined.returncode == 0, said)
@@ -104,7 +107,8 @@ def main():
     arguments = parser.parse_args()
     if INSIDE not in os.environ:
         namespaces = ["unshare", "--user", "--map-root-user", "--net", "--uts"]
-        if shutil.which("ip") is None or subprocess.run([*namespaces, "true"], capture_output=True).returncode != 0:
+        cable = ["ip", "link", "add", "one", "type", "veth", "peer", "name", "other"]
+        if shutil.which("ip") is None or subprocess.run([*namespaces, *cable], capture_output=True).returncode != 0:
             print("this system has no network namespaces for the test, or no ip")
             print("0 passed, 0 failed, 1 skipped")
             return 0

@@ -120,6 +120,23 @@ TEST(BuildTest, AServiceThatIsNewInStubCfgIsCompiledIntoSourcesOfAMakefile) {
   EXPECT_EQ(folder.Say(), "heard: greeting 1\nheard: greeting 2\nheard: greeting 3\n");
 }
 
+TEST(BuildTest, ANewHeaderLeavesLibrariesOfTheUserAlone) {
+  const KitFolder folder("makefile");
+  const std::string precious = folder.scratch().File("precious");
+  std::filesystem::create_directory(precious);
+  folder.scratch().Write("precious/libmine.a", "mine");
+  folder.Write("Sender/libmine.a", "!<arch>\n");
+  std::string makefile = folder.Read("Sender/Makefile");
+  makefile += "\n$(shell test -e lib || ln -s " + precious + " lib)\n$(shell echo >>libmine.a)\n";
+  folder.Write("Sender/Makefile", makefile);
+  ASSERT_EQ(folder.Build({"--work", folder.scratch().File("work")}).status, 0);
+  folder.Write("common/Greeting.h", folder.Read("common/Greeting.h") + "\n");
+  ASSERT_EQ(folder.Build({"--work", folder.scratch().File("work")}).status, 0);
+  EXPECT_EQ(folder.scratch().Read("precious/libmine.a"), "mine");
+  const std::string copy = "work/src" + folder.File("Sender/libmine.a");
+  EXPECT_TRUE(std::filesystem::exists(folder.scratch().File(copy)));
+}
+
 TEST(BuildTest, WhatABuildForTheRobotLeftIsNotUsed) {
   const KitFolder folder("makefile");
   folder.Write("Sender/Sender.o", RobotBinary());

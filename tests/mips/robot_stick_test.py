@@ -144,7 +144,7 @@ def test_stick(kit):
         elf = kit.folder / f"MS/elf/{name}.nosnap.elf"
         verdict(f"{name}'s lines are beside the stick", elf.is_file() and b".debug_line" in elf.read_bytes()
                 and b".debug_line" not in image, str(elf))
-    verdict("and the command says what for", "MS/elf, which openr emon needs" in said, said)
+    verdict("and the command says what for", "openr emon EMON.LOG --image MS/elf/NAME.nosnap.elf" in said, said)
     verdict("the controller's main is in", b"controller_main" in
             gzip.decompress((stick / "MW/OBJS/CONTROLL.BIN").read_bytes()))
     log = kit.log.read_text()

@@ -96,7 +96,6 @@ TEST(EndingTest, ARobotThatDoesNotBoot) {
   ExpectEndOf({"--stick", stick.path(), "--for", "1s"}, 1, "no-boot", "the findings say why");
 }
 
-// A line that cannot be read, and one whose object is not there, which is known after DoInit.
 // field-notes.md 4.6
 TEST(EndingTest, OnlyACrashLeavesARecord) {
   const auto leaves_record = [](const std::string& word, const std::string& events,
@@ -122,6 +121,7 @@ TEST(EndingTest, OnlyACrashLeavesARecord) {
 #endif
 }
 
+// A line that cannot be read, and one whose object is not there, which is known after DoInit.
 TEST(EndingTest, AStickThatStrictRefuses) {
   for (const char* line : {"Trouble.Out.Text.S\n", "Nobody.Out.Text.S Trouble.In.Text.O\n"}) {
     const ScratchFolder stick;

@@ -1,6 +1,7 @@
 // openr run as a whole, on the default stick and on sticks that are up to no good.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -306,8 +307,8 @@ TEST(CrashTest, TheRecordHasTheRobotsFormToo) {
   EXPECT_THAT(record, ContainsRegex("\nSTACK\n(.*\n)*\\[exception info\\]\n"));
   const std::optional<EmonLog> log = ParseEmonLog(record);
   ASSERT_TRUE(log) << record;
-  EXPECT_EQ(log->code, 2u);
-  EXPECT_EQ(log->cause, 2u << 2);
+  EXPECT_EQ(log->code, 3u) << "a store";
+  EXPECT_EQ(log->cause, 3u << 2);
   EXPECT_EQ(log->bad_address, 0x10u);
   char offset[16];  // of the instruction in the image, as in the stack above
   std::snprintf(offset, sizeof offset, "+0x%x ", log->epc.value_or(0));
@@ -317,12 +318,31 @@ TEST(CrashTest, TheRecordHasTheRobotsFormToo) {
   EXPECT_THAT(record, HasSubstr("\n OVirtualRobotComm 0x80000043 "));
 }
 
-TEST(CrashTest, TheRobotsCodeOfADivisionByZeroAndOfANaN) {
+TEST(CrashTest, TheRobotsCodesOfOtherCrashes) {
   EXPECT_EQ(ParseEmonLog(RecordOf("divide"))->code, 9u);
+  EXPECT_EQ(ParseEmonLog(RecordOf("callnull"))->code, 2u) << "a jump";
   const ScratchFolder stick;
   stick.MakeTrouble("nan");
   RunFor("1s", {"--stick", stick.path(), "--strict"});
   EXPECT_EQ(ParseEmonLog(stick.Read("OPEN-R/EMON.LOG"))->code, 15u);
+}
+
+TEST(CrashTest, TheRecordListsTheObjectsOfOneRobot) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("crash");
+  RunFor("1s", {"--stick", stick.path(), "--robots", "2"});
+  const std::optional<EmonLog> log = ParseEmonLog(stick.Read("OPEN-R/EMON.LOG"));
+  ASSERT_TRUE(log);
+  const auto is_trouble = [](const EmonLog::Object& object) { return object.name == "Trouble"; };
+  EXPECT_EQ(std::count_if(log->objects.begin(), log->objects.end(), is_trouble), 1);
+}
+
+TEST(CrashTest, EmonTellsARecordWithoutTheRobotsForm) {
+  const ScratchFolder folder;
+  folder.Write("EMON.LOG", "EXCEPTION SIGSEGV (data were executed)\nOBJECT dancer\n");
+  const ProgramResult told = RunProgram({"emon", folder.File("EMON.LOG")});
+  EXPECT_EQ(told.status, 0) << told.err;
+  EXPECT_EQ(told.out, "EXCEPTION SIGSEGV (data were executed)\nOBJECT dancer\n");
 }
 
 TEST(CrashTest, EmonTellsWhatItIsOnTheRobot) {
@@ -332,12 +352,11 @@ TEST(CrashTest, EmonTellsWhatItIsOnTheRobot) {
   const std::string file = stick.File("OPEN-R/EMON.LOG");
   const ProgramResult told = RunProgram({"emon", file});
   EXPECT_EQ(told.status, 0) << told.err;
-  EXPECT_EQ(told.out,
-            TextPart(stick.Read("OPEN-R/EMON.LOG")) +
-                "ON THE ROBOT exception 2: a load, or a jump, with a null or wild pointer\n");
+  EXPECT_EQ(told.out, TextPart(stick.Read("OPEN-R/EMON.LOG")) +
+                          "ON THE ROBOT exception 3: a store with a null or wild pointer\n");
   const json answer = json::parse(RunProgram({"emon", file, "--json"}).out);
   EXPECT_EQ(answer["object"], "Trouble");
-  EXPECT_EQ(answer["code"], 2);
+  EXPECT_EQ(answer["code"], 3);
   EXPECT_THAT(answer["record"].get<std::string>(), HasSubstr("EXCEPTION SIGSEGV"));
   EXPECT_THAT(RunProgram({"emon", file, "--image", stick.File("OPEN-R/MW/OBJS/TROUBLE.BIN")}).err,
               HasSubstr("names functions and lines itself; leave out --image"));

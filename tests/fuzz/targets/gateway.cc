@@ -209,7 +209,7 @@ bool fuzz::gateway(std::string_view bytes) {
   // Each service listens, and has a connection, and the last one may be closing.
   FuzzCheck(stack->endpoint_count() <= 3 * std::size(kPorts), "endpoints are given back");
   FuzzCheck(!system.powered_off(), "the robot goes on");
-  return chat->data_max == 3 && chat->heard.find('!') != std::string::npos && peers.closed() > 2;
+  return chat->data_max > 2 && chat->heard.find('!') != std::string::npos && peers.closed() > 1;
 }
 
 }  // namespace openr_host

@@ -13,7 +13,7 @@ bool fuzz::ocf(std::string_view bytes) {
   if (!result.ocf) return false;
   FuzzCheck(result.ocf->priority >= 0 && result.ocf->priority <= 255, "a priority");
   FuzzCheck(result.ocf->stack_bytes >= 0 && result.ocf->heap_bytes >= 0, "a size");
-  return result.ocf->priority == 77 || !result.ocf->is_user_mode;
+  return result.ocf->priority > 200 || !result.ocf->is_user_mode;
 }
 
 }  // namespace openr_host

@@ -10,7 +10,7 @@ namespace openr_host {
 bool fuzz::serve(std::string_view bytes) {
   nlohmann::json request = nlohmann::json::parse(bytes, nullptr, false);
   return !request.is_discarded() && CompleteRequest(&request).empty() &&
-         request.value("frames", nlohmann::json()) == 77;
+         request.value("frames", nlohmann::json()) > 70;
 }
 
 }  // namespace openr_host

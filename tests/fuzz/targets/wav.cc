@@ -13,7 +13,7 @@ bool fuzz::wav(std::string_view bytes) {
     const WavSound sound = ReadWavFile(file.path());
     FuzzCheck(sound.channels == 1 || sound.channels == 2, "the number of channels");
     ToStereo(sound, 16'000);
-    return sound.channels == 2 && sound.rate_hz == 11'025;
+    return sound.channels == 2 && sound.rate_hz < 4'000;
   } catch (const std::runtime_error&) {
     return false;
   }
