@@ -40,8 +40,8 @@ struct RegionAccess {
   static RCRegion* SourceOf(const RCRegion* received) { return received->source_; }
 };
 
-// Adds an error finding: an object has sent bytes that are no notification or ready to an entry of
-// a subject or observer of `object`.
+// Adds an error finding: an entry of a subject or observer of `object` has received bytes that are
+// neither a notification nor a ready.
 void ReportForeignBytes(const Object& object);
 
 // Returns whether the message that `object` handles is of this `kind` (a notification or a ready),
@@ -113,9 +113,9 @@ struct SubjectState {
     return nullptr;
   }
 
-  // Takes a reference to `region` and adds the region to the data of the next notification.
-  // Because a message holds at most MAX_NUM_DATA data, the oldest data are dropped, as on the
-  // robot.
+  // Takes a reference to `region` and adds the region to the data of the next notification.  A
+  // notification has at most MAX_NUM_DATA data.  If it has more now, drops the oldest and returns
+  // oFATAL, as on the robot.
   OStatus SetData(ObserverLink* link, RCRegion* region) {
     region->AddReference();
     link->fresh.push_back(region);

@@ -179,7 +179,8 @@ class Object {
   // Text after "state: " in the last INFO line that the object has printed with OSYSLOG1.  This
   // member and the next three members are statistics for the report of the run.
   std::string state;
-  // Number of data that were replaced before they were read, and of refused messages.
+  // Number of data and messages that were lost: data that were dropped, for example because newer
+  // data replaced them, and messages that were refused or could not be delivered.
   uint64_t dropped_count = 0;
   int64_t handler_ns_max = 0;  // longest handler, wall time; 0 without SystemOptions::wall_clock_ns
   size_t stack_max = 0;  // most stack bytes that a handler used; see SystemOptions::measure_stacks
@@ -190,8 +191,9 @@ class Object {
 
   uint32_t random_state = 1;  // state of the object's own rand()
 
-  // For each floating-point flag, by its bit number (fp_flags.h), the instruction that first raised
-  // it, set by CrashLog.  Null if no instruction raised the flag or the instruction is not known.
+  // For each floating-point flag, the instruction that first raised the flag.  The index is the bit
+  // number of the flag (fp_flags.h).  CrashLog sets the elements.  An element is null if no
+  // instruction raised the flag or the instruction is not known.
   const void* number_faults[kFpKinds] = {};
   // True if checked_code.cc has reported, in the running handler, a floating-point number that is
   // too large for the integer type to which it is converted.
