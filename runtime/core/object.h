@@ -221,7 +221,7 @@ class Object {
 
   // The object has the entries 0 to entry_count - 1.  For all other entries, HasEntry() is called.
   alignas(64) uint32_t entry_count = 0;
-  // The number of messages to the object that are not delivered yet, without replies.
+  // The number of messages to the object, except replies, that are not delivered yet.
   int waiting = 0;
   int queue_max = 32;   // limit of `waiting` (field-notes.md, 2.3), set with SetResourceValue()
   int waiting_max = 0;  // the highest value of `waiting` so far

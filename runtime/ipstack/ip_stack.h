@@ -74,7 +74,7 @@ class IpStack : public CodeObject {
     return network_->HostPort(protocol, port);
   }
 
-  // Closes the endpoints of an object that has ended, without answers.
+  // Closes, without answers, the endpoints of an object that has ended.
   void ForgetObject(ObjectId owner);
 
   OStatus DoDestroy(const OSystemEvent& event) override;
