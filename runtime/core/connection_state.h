@@ -76,8 +76,8 @@ struct ObserverLink {
   ObserverID observer;
 
   // The readiness of the observer for data: 1 if it is ready; 0 if it has not asserted ready since
-  // data were last sent to it, or never; -1 if it has deasserted ready.  Two asserts in a row count
-  // as one, as on the robot.
+  // the last data were sent to it, or not at all; -1 if it has deasserted ready.  Two asserts in a
+  // row count as one, as on the robot.
   int ready = 0;
   bool is_lost = false;          // whether the runtime sent the last deassert (kDeassertOfLost)
   bool told_deasserted = false;  // whether a notify after a deassert was reported
@@ -173,9 +173,10 @@ struct ObserverState {
     // The regions that this observer has received from the subject and has not given back yet,
     // oldest first.
     std::vector<RCRegion*> regions;
-    // How often the observer has asserted ready to the subject since the last notification from any
-    // subject.  A notification from any subject resets the count, because many programs call
-    // AssertReady() without argument after each notification, which asserts ready to all subjects.
+    // The number of times that the observer has asserted ready to the subject since the last
+    // notification from any subject.  A notification from any subject resets the count, because
+    // many programs call AssertReady() without argument after each notification, which asserts
+    // ready to all subjects.
     int asserted = 0;
   };
   std::vector<Held> held;
