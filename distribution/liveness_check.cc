@@ -60,8 +60,9 @@ bool LivenessCheck::HasEnded() const {
   if (pid_ == 0) return false;
   if (!Exists(pid_)) return true;
   const ProcessStat now = ProcessStatOf(pid_);
-  // Reports that the process lives if its /proc entry is hidden (mount option hidepid).  We then
-  // know only that some process has this id.
+  // If the /proc entry is hidden (mount option hidepid), the start time is not known, so a new
+  // process with the same id cannot be told from the old process.  Then the old process counts as
+  // running.
   if (now.state.empty() || start_time_.empty()) return false;
   // Counts a zombie (Z) as ended.  A zombie runs no more; the kernel lists it only until its parent
   // reads its exit status.

@@ -136,8 +136,8 @@ class RemoteProcess {
   std::string FetchState(ObjectId object);
 
   // Releases everything that belongs to the lost worker while the run goes on.  Regions that were
-  // sent to the worker go back to their subjects, and handlers of its stand-ins that wait in the
-  // master end.
+  // sent to the worker go back to their subjects.  Also ends the waits of all handlers of
+  // stand-ins, the objects in the master that represent the worker's objects.
   void ReleaseAll();
 
   // Returns the reason of a loss of the worker that HandleReceived() or CheckHealth() has found; ""

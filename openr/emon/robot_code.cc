@@ -110,8 +110,8 @@ void RobotCode::ReadHeaders(const std::string& name, const std::string& problem)
   file_gp_ = *headers->gp;
 }
 
-// Takes the names of functions from `file`, if it has a table of symbols, is of the same build, and
-// no file with names was found before.
+// Takes the names of functions from `file`, if it has a table of symbols and comes from the same
+// build as the image, and if no file with names was found before.
 void RobotCode::FindNames(const fs::path& file) {
   std::error_code error;
   if (!names_.empty() || !fs::is_regular_file(file, error)) return;

@@ -76,7 +76,8 @@ std::string AddressOf(const ListenOptions& listen) {
   return listen.is_on() ? listen.address : "127.0.0.1";
 }
 
-// Accepts all connections that wait at `listener`, and gives each to `take`.  Returns true.
+// Accepts all connections that wait at `listener`, and gives each to `take`.  Always returns true,
+// because a Listener whose function returns false is closed.
 bool AcceptAll(int listener, const std::function<void(int connection)>& take) {
   for (;;) {
     const int connection = accept4(listener, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);

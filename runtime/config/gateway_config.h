@@ -33,7 +33,7 @@ struct GatewayRecord {
   uint16_t port = 0;
   std::string host;     // address of the robot to connect to; "" if this side listens
   std::string section;  // the robot design for which the line is valid; "" for every robot
-  // Whether the record is for OPEN-R calls of remote programs and not for a service.
+  // True if the record is for OPEN-R calls of remote programs, false if it is for a service.
   bool is_proxy = false;
   FilePosition place;
 

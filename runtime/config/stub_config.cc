@@ -12,12 +12,12 @@
 namespace openr_host {
 namespace {
 
-// What the parser knows about the subjects of a stub.cfg, or about its observers: their declared
+// The subjects of a stub.cfg, or its observers, as far as the parser has read them: their declared
 // number and their Service lines.
 struct Side {
   const char* noun;        // "subject" or "observer"
   const char* count_word;  // usual spelling of the keyword that declares the number
-  const char* dummy;       // what follows the object's name in the name of a dummy service
+  const char* dummy;       // the text after the object's name in the name of a dummy service
   std::vector<StubService>* services;
 
   bool has_count = false;

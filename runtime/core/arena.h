@@ -67,13 +67,14 @@ class Arena {
   // object's image, from the innermost call to the outermost.
   using Calls = std::vector<const void*>;
 
-  // Makes the arena keep the calls of each block that is allocated from now on.
+  // Makes the arena keep, for each block that is allocated from now on, the calls that led to its
+  // allocation.
   void KeepCalls() { calls_ = std::make_unique<std::map<uint32_t, Calls>>(); }
   bool keeps_calls() const { return calls_ != nullptr; }
-  // Stores `calls`, the calls that have allocated `block`.  REQUIRES: keeps_calls().
+  // Stores `calls`, the calls that led to the allocation of `block`.  REQUIRES: keeps_calls().
   void NoteCalls(const void* block, Calls calls);
-  // Calls `visit` for every block that is in use and for which NoteCalls() has stored the calls, in
-  // the order of addresses.
+  // Calls `visit`, in the order of addresses, for every block that is in use and whose calls
+  // NoteCalls() has stored.  `calls` are the calls that led to the allocation of the block.
   void ForEachBlock(
       const std::function<void(char* block, size_t bytes, const Calls& calls)>& visit) const;
 
@@ -121,9 +122,9 @@ class Arena {
   char* bump_end_[kClasses] = {};
   // Tells for each 16 bytes of mapped memory whether a block in use begins at these bytes.
   std::vector<bool> begins_;
-  // The calls that have allocated each block; the key is the result of PlaceOf().  Null if calls
-  // are not kept.  The keys are no addresses, because ReportLeaks() searches the memory of this
-  // process for addresses of blocks and must not find addresses in this map.
+  // For each block, the calls that led to its allocation; the key is the result of PlaceOf().  Null
+  // if calls are not kept.  The keys are no addresses, because ReportLeaks() searches the memory of
+  // this process for addresses of blocks and must not find addresses in this map.
   std::unique_ptr<std::map<uint32_t, Calls>> calls_;
   size_t in_use_ = 0;
   size_t in_use_max_ = 0;

@@ -44,7 +44,8 @@ class ArithmeticWatch {
   unsigned kinds_ = 0;  // the flags that raise SIGFPE
   // The number of nested calls of functions of the SDK and the C library that are running now.
   int calls_ = 0;
-  // The image's MXCSR, kept while a function of the SDK or of the C library runs.
+  // The image's value of MXCSR, the register that enables SIGFPE, kept while a function of the SDK
+  // or of the C library runs.
   unsigned saved_fp_ = 0;
 };
 

@@ -40,8 +40,8 @@ struct RegionAccess {
   static RCRegion* SourceOf(const RCRegion* received) { return received->source_; }
 };
 
-// Adds an error finding: an object has sent bytes that are no notification or ready to an entry of
-// a subject or observer of `object`.
+// Adds an error finding: an entry of a subject or observer of `object` has received bytes that are
+// neither a notification nor a ready.
 void ReportForeignBytes(const Object& object);
 
 // Returns whether the message that `object` handles is of this `kind` (a notification or a ready),
@@ -76,8 +76,8 @@ struct ObserverLink {
   ObserverID observer;
 
   // The readiness of the observer for data: 1 if it is ready; 0 if it has not asserted ready since
-  // data were last sent to it, or never; -1 if it has deasserted ready.  Two asserts in a row count
-  // as one, as on the robot.
+  // the last data were sent to it, or not at all; -1 if it has deasserted ready.  Two asserts in a
+  // row count as one, as on the robot.
   int ready = 0;
   bool is_lost = false;          // whether the runtime sent the last deassert (kDeassertOfLost)
   bool told_deasserted = false;  // whether a notify after a deassert was reported
@@ -113,9 +113,9 @@ struct SubjectState {
     return nullptr;
   }
 
-  // Takes a reference to `region` and adds the region to the data of the next notification.
-  // Because a message holds at most MAX_NUM_DATA data, the oldest data are dropped, as on the
-  // robot.
+  // Takes a reference to `region` and adds the region to the data of the next notification.  A
+  // notification has at most MAX_NUM_DATA data.  If it has more now, drops the oldest and returns
+  // oFATAL, as on the robot.
   OStatus SetData(ObserverLink* link, RCRegion* region) {
     region->AddReference();
     link->fresh.push_back(region);
@@ -173,9 +173,10 @@ struct ObserverState {
     // The regions that this observer has received from the subject and has not given back yet,
     // oldest first.
     std::vector<RCRegion*> regions;
-    // How often the observer has asserted ready to the subject since the last notification from any
-    // subject.  A notification from any subject resets the count, because many programs call
-    // AssertReady() without argument after each notification, which asserts ready to all subjects.
+    // The number of times that the observer has asserted ready to the subject since the last
+    // notification from any subject.  A notification from any subject resets the count, because
+    // many programs call AssertReady() without argument after each notification, which asserts
+    // ready to all subjects.
     int asserted = 0;
   };
   std::vector<Held> held;

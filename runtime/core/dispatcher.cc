@@ -173,7 +173,8 @@ void Dispatcher::Recycle() {
     object->handler.held.push_back(std::move(message));
     return;
   }
-  // The gate of a test may keep the message and put it back into the queue later.
+  // A gate (schedule.h), which a test has set, may keep the message and put it back into the queue
+  // later.
   if (system_->gate_ != nullptr) {
     message = system_->gate_->Admit(std::move(message));
     if (message == nullptr) return;
@@ -269,7 +270,7 @@ void Dispatcher::DeliverReply(Object* object, OwnedMessage message) {
   system_->trace_.Deliver(*message, system_->now_us_);
   const uint64_t box = message->reply_box;
   // The box may have been closed since `message` was posted: by CleanRBox(), or because the reply
-  // came and `message` is the time-out.  Then nobody waits for `message`.
+  // came and `message` is the time-out.  Then nobody waits for `message`, so it is dropped.
   if (!object->boxes.open.contains(box)) return;
   object->boxes.arrived[box] = std::move(message);
   // If the handler does not wait for this reply, the reply stays in its box until the object asks

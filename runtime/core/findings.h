@@ -24,7 +24,7 @@ struct Finding {
   // example for all lines of CONNECT.CFG that name this object, are kept as one finding.  If
   // `cause` is empty, only findings with the same text are kept as one finding.
   std::string cause = {};
-  std::string place = {};  // where the cause is, such as "CONNECT.CFG:4"; set only if `cause` is
+  std::string place = {};  // where the cause is ("CONNECT.CFG:4"); empty if `cause` is empty
   // The places of later findings with this cause, at most kPlacesMax.
   std::vector<std::string> also_at = {};
   // The content of the message with the number `message`, in words; "" if it is not known.

@@ -79,7 +79,7 @@ struct SanitizedCall {
 };
 
 // Calls the function of `data`, a SanitizedCall, on the handler's stack, and tells AddressSanitizer
-// when this stack begins and ends to be in use.  Otherwise AddressSanitizer would take the
+// when the use of this stack begins and when it ends.  Otherwise AddressSanitizer would take the
 // handler's stack for a part of another stack, and would keep the marks of frames that an exception
 // has left.
 void CallAndSayWhere(void* data) {

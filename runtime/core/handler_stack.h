@@ -24,10 +24,11 @@ class HandlerStack {
   // Calls function(argument) on the empty stack.  If the caller runs on this stack already, because
   // an object calls an entry of its own, calls the function directly.
   //
-  // Afterwards sets the bytes that were written to zero.  The search for these bytes begins at the
-  // top of the stack and ends at a gap of zeros.  A narrow gap may be an array that the function
-  // did not set.  So a wide gap is safer, but takes longer.  The first 64 calls and every 16th call
-  // (our choice) search for a gap of 32 KiB, the other calls for a gap of 4 KiB.
+  // Afterwards clears the bytes that the function has written.  The search for these bytes begins
+  // at the top of the stack and ends at a gap of zeros.  A narrow gap may be an array that the
+  // function did not set, with written bytes below it.  So searching for a wide gap is safer, but
+  // takes longer.  The first 64 calls and every 16th call (our choice) search for a gap of 32 KiB,
+  // the other calls for a gap of 4 KiB.
   void Call(void (*function)(void*), void* argument);
 
   // Returns how many bytes of the stack the newest Call() has used, or has used so far if it is

@@ -17,9 +17,9 @@ namespace openr_host {
 // changes nothing if `bytes` are not such a shared object or need more than `size_max` bytes of
 // memory.  REQUIRES: `address` is a multiple of 64 KiB.
 //
-// Section headers, the table of all symbols and debug information keep the old addresses.  gdb adds
-// the distance by which the image was moved, which it computes from the address of the dynamic
-// section.
+// Section headers, the table of all symbols and debug information keep the old addresses.  gdb can
+// still use them: it adds the distance by which the image was moved, which it computes from the
+// address of the dynamic section.
 bool RebaseImage(std::string* bytes, uint64_t address, uint64_t size_max);
 
 // Changes the shared object `bytes` so that the loader does not run the constructors of its global

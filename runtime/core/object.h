@@ -179,7 +179,8 @@ class Object {
   // Text after "state: " in the last INFO line that the object has printed with OSYSLOG1.  This
   // member and the next three members are statistics for the report of the run.
   std::string state;
-  // Number of data that were replaced before they were read, and of refused messages.
+  // Number of data and messages that were lost: data that were dropped, for example because newer
+  // data replaced them, and messages that were refused or could not be delivered.
   uint64_t dropped_count = 0;
   int64_t handler_ns_max = 0;  // longest handler, wall time; 0 without SystemOptions::wall_clock_ns
   size_t stack_max = 0;  // most stack bytes that a handler used; see SystemOptions::measure_stacks
@@ -190,8 +191,9 @@ class Object {
 
   uint32_t random_state = 1;  // state of the object's own rand()
 
-  // For each floating-point flag, by its bit number (fp_flags.h), the instruction that first raised
-  // it, set by CrashLog.  Null if no instruction raised the flag or the instruction is not known.
+  // For each floating-point flag, the instruction that first raised the flag.  The index is the bit
+  // number of the flag (fp_flags.h).  CrashLog sets the elements.  An element is null if no
+  // instruction raised the flag or the instruction is not known.
   const void* number_faults[kFpKinds] = {};
   // True if checked_code.cc has reported, in the running handler, a floating-point number that is
   // too large for the integer type to which it is converted.
@@ -219,7 +221,7 @@ class Object {
 
   // The object has the entries 0 to entry_count - 1.  For all other entries, HasEntry() is called.
   alignas(64) uint32_t entry_count = 0;
-  // The number of messages to the object that are not delivered yet, without replies.
+  // The number of messages to the object, except replies, that are not delivered yet.
   int waiting = 0;
   int queue_max = 32;   // limit of `waiting` (field-notes.md, 2.3), set with SetResourceValue()
   int waiting_max = 0;  // the highest value of `waiting` so far

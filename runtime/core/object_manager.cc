@@ -353,8 +353,8 @@ void ObjectManager::Connect(const Connection& connection) {
   if (observer == directory.end()) ReportUnknown(connection, connection.observer);
   if (subject == directory.end() || observer == directory.end()) return;
 
-  // Returns whether the process of one of the two objects is lost.  Then the objects are connected
-  // when the process is back.
+  // Returns whether the process of the subject's or the observer's object is lost.  Then the
+  // connection is made when the process is back.
   const auto has_lost_end = [&] {
     return system().object(subject->second.first)->IsLost() ||
            system().object(observer->second.first)->IsLost();

@@ -111,9 +111,9 @@ class ObjectManager : public CodeObject {
   std::map<ObjectId, bool> starting_;
   bool are_connected_ = true;  // false while the connections of this boot are not made yet
   // Services that were not registered when their connection had to be made, each with this
-  // connection.  A worker process was lost then (had ended or could not be reached).  Its objects
-  // may register the services after a restart, so the services are not reported yet.  If the
-  // objects do not register them, the services become findings after the restart.  The keys are
+  // connection.  At that time a worker process was lost (had ended or could not be reached).  Its
+  // objects may register the services after a restart, so the services are not reported yet.  If
+  // the objects do not register them, the services become findings after the restart.  The keys are
   // addresses, so the code never iterates over this set: the order would differ from run to run.
   std::set<std::pair<const struct Connection*, std::string>> unreported_;
 };

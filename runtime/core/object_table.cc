@@ -211,7 +211,7 @@ std::vector<StandingReady> ObjectTable::EndMessagesTo(Object* old) {
   return readies;
 }
 
-// Replaces the object that has the same id as `fresh` by `fresh`.
+// Puts `fresh` in the place of the old object, which has the same id.
 void ObjectTable::Place(std::unique_ptr<Object> fresh) {
   const ObjectId id = fresh->id;
   Object* const old = Get(id);

@@ -48,8 +48,8 @@ class ObjectTable {
   // ---- Ends of objects
 
   // Ends time events, network connections and registered names of object `id`, and deletes its
-  // regions.  Must be called in a task (System::PostTask()), because messages that are still due
-  // may point into these regions.
+  // regions.  Must be called in a task (System::PostTask()), which runs only when no message is
+  // due, because a message that is due may point into these regions.
   void EndAllOf(ObjectId id);
   // Registers a `listener` that EndAllOf() calls, so that other parts of the system end their work
   // for the object.

@@ -47,8 +47,8 @@ OStatus ObserverState::SendReady(const SubjectID& subject, ObjcommCommand comman
   constexpr int kTimesMax = 8;  // our choice: no program asserts ready more often on purpose
   entry.asserted = command == objcommCMD_ASSERT_READY ? entry.asserted + 1 : 0;
   if (entry.asserted == kTimesMax + 1 && !object->is_system) ReportRepeatedReady(entry);
-  // Removes from `entry.regions` the regions in `returned`.  Both have these regions in the same
-  // order.
+  // Removes from `entry.regions` the regions in `returned`.  One pass is enough, because the two
+  // lists have these regions in the same order.
   auto kept = entry.regions.begin();
   int next = 0;
   for (RCRegion* const region : entry.regions) {

@@ -33,10 +33,10 @@ class RegionTable {
   // for which the table of the master process has chosen the id.  Returns null if there is no
   // memory.
   char* AdoptOwn(uint32_t id, size_t size, ObjectId owner);
-  // Makes a copy of block `id` of another process.  Used only in the table of a worker process.
-  // The copy must be pinned at once with KeepCopy(), and is free after the last DropCopy().  A copy
-  // is not always filled with zeros, because it may hold the bytes of an earlier copy of the same
-  // block.  Returns null if there is no memory.
+  // Returns memory for a copy of block `id` of another process; the caller puts the bytes into it.
+  // Used only in the table of a worker process.  The copy must be pinned at once with KeepCopy(),
+  // and is free after the last DropCopy().  At first the memory holds zeros, or the bytes of an
+  // earlier copy of the same block.  Returns null if there is no memory.
   char* AdoptCopy(uint32_t id, size_t size);
   void KeepCopy(uint32_t id) { Pin(id); }
   void DropCopy(uint32_t id) { Unpin(id); }
@@ -44,8 +44,8 @@ class RegionTable {
   // block.  The memory stays while the block is pinned.
   void Lose(uint32_t id);
 
-  // Finds the block in which `address` lies, and sets `*id` to its id and `*offset` to the distance
-  // from its first byte.  Returns false if there is no such block.
+  // Finds the block in which `address` lies, and sets `*id` to the block's id and `*offset` to the
+  // distance of `address` from the block's first byte.  Returns false if there is no such block.
   bool Locate(const void* address, uint32_t* id, size_t* offset) const;
 
   // Makes a block of `size` bytes that `owner` owns, and returns the id of the block.  Returns
@@ -59,7 +59,8 @@ class RegionTable {
   const void* PlaceOf(uint32_t id) const;
   // Returns whether `id` named a block that was deleted.
   bool WasDeleted(uint32_t id) const;
-  // Returns the memory of the table itself, which has the address of every block.
+  // Returns the memory of the table itself.  The search for leaks leaves this memory out, because
+  // it has the address of every block: otherwise no block would count as leaked.
   std::pair<const void*, size_t> own_memory() const {
     return {slots_.data(), slots_.capacity() * sizeof(Slot)};
   }

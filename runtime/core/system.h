@@ -69,8 +69,8 @@ struct SystemOptions {
   bool strict = false;
   // A function that receives what objects print.  If it is null, they print to standard output.
   std::function<void(std::string_view text)> console = {};
-  // OSYSLOG lines whose priority is a larger number than this are not printed (1 error, 2 warning,
-  // 3 info).  Debug lines are always printed.
+  // The largest priority number of the OSYSLOG lines that are printed (1 error, 2 warning, 3 info).
+  // Debug lines are always printed.
   uint32_t log_level = 3;
   // The number of messages that may be delivered at one instant of virtual time; each further
   // message takes 1 us.  Otherwise objects that answer each other without waiting would stop the

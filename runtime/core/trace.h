@@ -68,10 +68,10 @@ class Trace {
 };
 
 // Returns the hash of the content of `message` without memory addresses, and sets `*size` to the
-// number of hashed bytes.  The hashed bytes are
-//   of a notification: its counts and the bytes of its regions,
-//   of a ready: its command and the number of regions that it gives back,
-//   of any other message: its bytes.
+// number of hashed bytes.  Which bytes are hashed depends on the message:
+//   notification: its counts and the bytes of its regions
+//   ready: its command and the number of regions that it gives back
+//   any other message: its bytes
 // For the kind kHashed returns the hash that the sender has set.
 uint64_t PayloadHash(const Message& message, uint32_t* size);
 

@@ -50,7 +50,7 @@ void ProxyClient::Expire() {
                   "TCPGateway.Proxy.AperiosMessage.P in the robot's ROBOTGW.CFG)",
                   kPatienceUs / 1'000'000));
   // An open connection is closed, because a late answer would be taken for the answer to the next
-  // call.  Refuse() then fails all requests in Down().
+  // call.  Refuse() closes it and calls Down(), which fails all requests.
   if (connection_.is_up()) return connection_.Refuse("has no answer to a call");
   AnswerAll(sTIMEOUT);
 }

@@ -56,8 +56,8 @@ inline constexpr uint32_t kOpenType = 1024;
 // Type of the reply to an open request.  A close request has the same type.
 inline constexpr uint32_t kOpenReplyType = 1025;
 inline constexpr uint32_t kControlType = 1027;
-// Type of a message to OPowerManager, to which the selector is added.  The number is our choice,
-// because receivers ignore it.
+// The type of a message to OPowerManager is the sum of this number and the selector.  The number is
+// our choice, because receivers ignore it.
 inline constexpr uint32_t kPowerType = 1024;
 
 // Returns the 32-bit word at `offset`, or 0 if the bytes end before it.

@@ -33,9 +33,10 @@ using openr_host::t_current;
 
 namespace {
 
-// Writes a file or folder of the host through to the disk, so that it is there after a power cut. A
-// rename is how a program replaces a file by a whole new one, so what it has acknowledged then must
-// not be lost.  Keeps errno, and ignores errors: the robot knows none here.
+// Makes the host write a file or folder to the disk now, so that a power cut does not lose it.
+// Used for rename(), because a program that replaces a file by a new file may report success after
+// the rename, and must then not lose the new file.  Keeps errno, and ignores errors, because
+// rename() of the robot has no such errors.
 void WriteThrough(const std::string& host_path) {
   const ApiScope scope;  // the functions below get paths of the host
   const int error = errno;

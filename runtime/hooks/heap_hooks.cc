@@ -59,8 +59,8 @@ void ReportNoMemory(size_t size) {
                         openr_host::kRobotMemoryBytes >> 20));
 }
 
-// Records the calls of the object that have allocated `block`, because the report of leaks names
-// the place of these calls.
+// Records the calls in the object's code that led to the allocation of `block`, because the report
+// of leaks names the place of these calls.
 void NoteCalls(Arena* arena, const void* block) {
   const openr_host::ApiScope scope;
   arena->NoteCalls(block, openr_host::CallsInImage());

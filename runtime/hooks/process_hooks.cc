@@ -38,7 +38,8 @@ int ObjectRandom() {
   return static_cast<int>((state >> 1) & 0x7fffffff);
 }
 
-// Reports that an object has called `function`, which would let it sleep on a computer.
+// Reports that an object has called `function` (sleep() and similar), which does nothing here,
+// because the robot has no sleep.
 void ReportSleep(const char* function) {
   const ApiScope scope;
   t_current.system->AddFinding(Severity::kWarning,

@@ -74,7 +74,7 @@ class IpStack : public CodeObject {
     return network_->HostPort(protocol, port);
   }
 
-  // Closes the endpoints of an object that has ended, without answers.
+  // Closes, without answers, the endpoints of an object that has ended.
   void ForgetObject(ObjectId owner);
 
   OStatus DoDestroy(const OSystemEvent& event) override;
@@ -99,8 +99,8 @@ class IpStack : public CodeObject {
   // returns 0, which stands for the robot's own address.
   uint32_t FurtherAddress(uint32_t ip) const;
 
-  // Returns the local address that answers to a program contain after it has bound to `ip`.  For
-  // loopback and the any address this is the robot's own address.
+  // Returns the local address that the stack puts into its answers to a program that has bound to
+  // `ip`.  For loopback and the any address, the local address is the robot's own address.
   uint32_t LocalAddress(uint32_t ip) const { return FurtherAddress(ip) == 0 ? address_ : ip; }
 
   // Makes the number of a new socket, whose events go to `sink`.  Drop() closes the socket.

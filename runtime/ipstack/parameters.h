@@ -21,8 +21,8 @@ class MemoryStick;
 
 class Parameters {
  public:
-  // Reads WLANCONF.TXT of `stick`, or WLANDFLT.TXT if there is no WLANCONF.TXT.  Without both
-  // files, or if `stick` is null, uses the values of Sony's WLANDFLT.TXT.  `address` replaces
+  // Reads WLANCONF.TXT of `stick`, or WLANDFLT.TXT if there is no WLANCONF.TXT.  If neither file
+  // exists, or if `stick` is null, uses the values of Sony's WLANDFLT.TXT.  `address` replaces
   // ETHER_IP unless it is "".
   Parameters(MemoryStick* stick, const std::string& address);
 

@@ -30,8 +30,8 @@ class TcpEndpoint : public Endpoint {
 
   // The robot sends more than kRobotFastBytes and at most kRobotSplitBytes in two pieces, the
   // second piece up to 200 ms after the first (network.md, 4.3).  A Send of more than
-  // kRobotSendBytes is slow (BBS 254, a message of Sony's developer board).  A Send of such a size
-  // causes a warning.
+  // kRobotSendBytes is slow (BBS 254, a message of Sony's developer board).  A Send in one of these
+  // two ranges of size causes a warning.
   static constexpr int kRobotFastBytes = 1024;
   static constexpr int kRobotSplitBytes = 3072;
   static constexpr int kRobotSendBytes = 32 * 1024;
@@ -75,7 +75,8 @@ class TcpEndpoint : public Endpoint {
   void FinishSend();
   void FinishReceive();
   void FinishClose();
-  // Answers the pending `operation` with `error` and clears it.  `data` are the transferred bytes.
+  // Answers the pending `operation` with `error` and removes the operation.  `data` are the
+  // transferred bytes.
   void Finish(std::optional<Operation>* operation, TCPEndpointError error,
               const void* data = nullptr, size_t size = 0);
 

@@ -107,8 +107,8 @@ void UdpEndpoint::ResetConnect(Operation operation) {
 NetAddress UdpEndpoint::DestinationOf(const UDPEndpointSendMsg& message) const {
   if (peer_.ip != 0) return peer_;
   const uint32_t ip = message.address.Address();
-  // Returns no destination for a broadcast, so that Send refuses the broadcast, because broadcasts
-  // failed on the robot, too (BBS 402, a message of Sony's developer board).
+  // Returns no destination for a broadcast.  So Send refuses the broadcast, as broadcasts also
+  // failed on the robot (BBS 402, a message of Sony's developer board).
   return ip == 0xffffffffu || message.port == 0 ? NetAddress{} : NetAddress{ip, message.port};
 }
 

@@ -91,7 +91,7 @@ struct OShutdownParam {
   OShutdownParam(bool enough) : batteryEnough(enough) {}
 };
 
-// Kinds of sudden end for OPENR::Fatal().  The robot plays a tune for each kind but PAUSE_SW.
+// Kinds of sudden end for OPENR::Fatal().  The robot plays a tune for each kind except PAUSE_SW.
 typedef longword OFatal;
 const OFatal ofatalUNDEF = 0xffffffff;
 const OFatal ofatalMEMORY_STICK = 0;

@@ -80,20 +80,21 @@ OStatus GetJointGain(OPrimitiveID id, word* pg, word* ig, word* dg, word* ps, wo
 // Stores a set of gains for the joint, which SetDefaultJointGain() applies.
 OStatus RegisterDefaultJointGain(OPrimitiveID id, word pg, word ig, word dg, word ps, word is,
                                  word ds);
-// Errors: oINVALID_PRIMITIVE_ID
+// Errors of RegisterDefaultJointGain(): oINVALID_PRIMITIVE_ID
 OStatus SetDefaultJointGain(OPrimitiveID id);
-// Errors: those of SetJointGain()
+// Errors of SetDefaultJointGain(): those of SetJointGain()
 OStatus GetDefaultJointGain(OPrimitiveID id, word* pg, word* ig, word* dg, word* ps, word* is,
                             word* ds);
-// Errors: oFAIL; all six numbers are then 0
+// Errors of GetDefaultJointGain(): oFAIL; all six numbers are then 0
 
 // ---- starting several vectors together
 
 // Makes a key; at most ovrsynckeyMAX_NUM_KEY exist at a time.  On failure *key is ovrsynckeyUNDEF.
 OStatus NewSyncKey(OVRSyncKey* key);
-// Errors: oNO_SYNC_KEY
+// Errors of NewSyncKey(): oNO_SYNC_KEY
 OStatus CancelSyncKey(OVRSyncKey key);
-// Errors: oINVALID_SYNC_KEY
+// Errors of CancelSyncKey(): oINVALID_SYNC_KEY
+
 // Divides a key into two parts.  The program puts each part into the syncKey of one vector; output
 // begins when the vectors with all parts have arrived.
 OStatus DivideSyncKey(OVRSyncKey key, OVRSyncKey* key1, OVRSyncKey* key2);
@@ -114,9 +115,9 @@ OStatus GetPowerStatus(OPowerStatus* powerStatus);
 // Sends an OPowerStatusMessage to `entry` at every change that `notifyStatus` selects
 // (power_constants.h), until UnobservePowerStatus() is called with the same entry.
 OStatus ObservePowerStatus(const OPowerStatus& notifyStatus, const OServiceEntry& entry);
-// Errors: oFAIL, oNOT_FOUND
+// Errors of ObservePowerStatus(): oFAIL, oNOT_FOUND
 OStatus UnobservePowerStatus(const OServiceEntry& entry);
-// Errors: oFAIL, oNOT_FOUND, oINVALID_ARG
+// Errors of UnobservePowerStatus(): oFAIL, oNOT_FOUND, oINVALID_ARG
 
 // Switches the power off at once, without DoStop and DoDestroy.
 OStatus Fatal(OFatal fatal);
@@ -126,7 +127,7 @@ OStatus Fatal(OFatal fatal);
 // Copies the file that DESIGNDB.CFG names for `keyword` into shared memory, decompressed if it is a
 // gzip file.
 OStatus FindDesignData(const char* keyword, ODesignDataID* id, byte** dataAddr, size_t* size);
-// Errors: oNOT_FOUND, oDESIGNDATA_SIZE_ZERO, oNO_MEMORY, oFAIL
+// Errors of FindDesignData(): oNOT_FOUND, oDESIGNDATA_SIZE_ZERO, oNO_MEMORY, oFAIL
 #if OPENR_WIDE_SIZE
 template <class Number>
 inline typename openr_host::IfUnsigned<Number, OStatus>::Type FindDesignData(const char* keyword,
@@ -137,7 +138,7 @@ inline typename openr_host::IfUnsigned<Number, OStatus>::Type FindDesignData(con
 }
 #endif
 OStatus DeleteDesignData(ODesignDataID id);
-// Errors: oINVALID_ARG, oFAIL
+// Errors of DeleteDesignData(): oINVALID_ARG, oFAIL
 
 // Writes a name such as "ERS-210" into `robotDesign`, which needs room for orobotdesignNAME_MAX + 1
 // characters.

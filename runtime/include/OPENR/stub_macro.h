@@ -46,8 +46,8 @@ typedef void (*_Notify)(ONotifyMessage*);
 #define StubFuncDefine_Control_nofunc(i) \
   extern "C" void _Control(i)(OControlMessage * msg) { Self.subject[i]->ControlHandler(*msg); }
 
-// The subject handles the message first, so that waiting notifications are sent before the
-// program's function for the ready runs.
+// The subject handles the ready message first.  So it sends waiting notifications before the
+// program's function for this message is called.
 #define StubFuncDefine_Ready(i, f)                         \
   extern "C" void _Ready(i)(OReadyMessage * msg) {         \
     Self.subject[i]->ReadyHandler(*msg);                   \

@@ -126,14 +126,14 @@ struct OJointCommandValue {
   }
 };
 
-// odataLED_COMMAND
+// The struct for the type odataLED_COMMAND.
 struct OLEDCommandValue {
   OLEDValue led;
   word period;  // duration in units of 16 frames (128 ms)
   word padding;
 };
 
-// odataCAMERA_COMMAND
+// The requests and the struct for the type odataCAMERA_COMMAND.
 typedef word OCameraRequest;
 const OCameraRequest ocamreqAE_OFF = 0;
 const OCameraRequest ocamreqAE_ON = 1;
@@ -152,7 +152,7 @@ const byte ocamparamAWB_FL_MODE = 4;
 const byte ocamparamBOX1 = 1;
 const byte ocamparamBOX2 = 2;
 
-// odataRAW_JOINT_COMMAND
+// The struct for the type odataRAW_JOINT_COMMAND.
 struct ORawJointCommandValue {
   word signal;
   byte p;
@@ -168,13 +168,13 @@ struct ORawJointCommandValue {
   }
 };
 
-// odataRAW_JOINT_COMMAND2
+// The struct for the type odataRAW_JOINT_COMMAND2.
 struct ORawJointCommandValue2 {
   word signal;
   word padding[3];
 };
 
-// odataRAW_CAMERA_COMMAND
+// The struct for the type odataRAW_CAMERA_COMMAND.
 struct ORawCameraCommandValue {
   word signal;
   word padding[3];
@@ -182,7 +182,7 @@ struct ORawCameraCommandValue {
   void Set(word sig) { signal = sig; }
 };
 
-// odataRAW_LED_COMMAND
+// The struct for the type odataRAW_LED_COMMAND.
 struct ORawLEDCommandValue {
   word signal;
   word padding[3];
