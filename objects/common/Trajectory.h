@@ -67,8 +67,8 @@ private:
     Sint64 speedLimit_;        // limit of speed, in 2^-16 urad per frame, > 0
     Sint64 acceleration_;      // limit of acceleration, in 2^-16 urad per frame^2, > 0
     Sint64 nextAcceleration_;  // limit of acceleration after the next stop
-    // Number of frames that are left of a movement by Track(); 0 if there is no such movement, so
-    // that the limits are in force.
+    // Number of frames that are left of a movement by Track(), which ignores the limits of speed
+    // and acceleration; 0 if there is no such movement.
     int trackFrames_;
 };
 
