@@ -133,7 +133,7 @@ void TouchByRims(const Vector3d& centre, const Matrix3d& R, const Vector3d& half
 // Adds the points of `cylinder` that are in `thing`.  Tests points of the rims of the cylinder's
 // ends, and of the line along its side that faces `thing`.  The points of the side are not near the
 // ends, because near an end the nearest way out leads along the axis.  `sign` is 1 if normals are
-// to point out of `thing`, otherwise -1.
+// to point out of `thing`, and -1 if they are to point into it.
 void TouchByRimsAndSide(const WorldThing& cylinder, const WorldThing& thing, double sign,
                         std::vector<TouchPoint>* points) {
   const auto test = [&](const Vector3d& p) {
