@@ -256,8 +256,9 @@ void JointTree::EliminateFrom(int unknown, double* x) const {
   }
 }
 
-// Multiplies the forces along the unknowns by the length of the step, and the result by the inverse
-// of L^T (L is the result of Factor()).
+// Begins to solve the equation of motion: multiplies the forces along the unknowns (the velocities
+// of trunk and hinges) by the length of the step, and the result by the inverse of L^T (L is the
+// result of Factor()).
 void JointTree::Eliminate() {
   is_eliminated_ = true;
   for (double& value : along_) value *= step_s_;
