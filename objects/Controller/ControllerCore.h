@@ -51,7 +51,7 @@ public:
     // batch commands has become ready.
     void BatchMoverReady();
 
-    // Puts `change`, LEDs and ears that the remote control has set, into the buffers.
+    // Puts the LEDs and ears that the remote control has set (`change`) into the buffers.
     void RemoteLights(const LedEarState& change);
 
     // Sets the ears of `mask` to their positions in the key frame (posture) that a motion has
