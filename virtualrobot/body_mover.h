@@ -11,7 +11,8 @@ namespace openr_host {
 
 class BodyMover {
  public:
-  // All joints begin limp, with the vendor's gains.  `model` and `body` must outlive the mover.
+  // Makes a mover whose joints are limp at first and have the vendor's gains.  `model` and `body`
+  // must outlive the mover.
   BodyMover(const RobotModel& model, Body* body);
 
   // Simulates one frame of the body under the commands in `commands`.

@@ -63,8 +63,8 @@ void CommandQueue::Start(int64_t frame, std::vector<std::string>* problems) {
 }
 
 void CommandQueue::FindFace(std::vector<std::string>* problems) {
-  // Searches all elements for the last light of the face, because this light decides the mode of
-  // the whole face, and elements may come in any order.
+  // Searches all elements for the last light of the face (the one with the highest index), because
+  // this light decides the mode of the whole face, and elements may come in any order.
   face_ = -1;
   bool a = false, b = false;
   for (size_t e = 0; e < elements_.size(); ++e) {

@@ -33,7 +33,7 @@ class Hands {
   void DoFrame();
 
   bool is_holding() const { return grip_.has_value(); }
-  // Returns whether a hand presses, or sets the value of, sensor `sensor`.
+  // Returns whether a hand presses sensor `sensor` or sets its value.
   bool IsTouched(int sensor) const { return touches_.contains(sensor); }
 
   void HashState(Hasher* hasher) const;

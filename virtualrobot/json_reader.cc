@@ -16,7 +16,7 @@ nlohmann::json JsonReader::ParseText(const std::string& text, const std::string&
     }
     throw std::runtime_error(fmt::format("{}:{}:{}: not valid JSON here", file, line, column));
   } catch (const nlohmann::json::out_of_range& e) {
-    // A number is too large.  The message has this number, but not its line.
+    // The text has a number that is too large.  e.what() names this number, but not its line.
     throw std::runtime_error(fmt::format("{}: {}", file, e.what()));
   }
 }

@@ -55,14 +55,15 @@ class Power {
     bool over_current = false, over_temperature = false;
     bool operator==(const Load&) const = default;
   };
-  // Takes the load of a frame, and drains the battery by its current.  Called once a frame.
+  // Takes the load of a frame, and drains the battery by the current of this load.  Called once a
+  // frame.
   void SetLoad(const Load& load);
 
   // Sends messages about changes that come with time, such as the battery's capacity.  Called once
   // a frame (8 ms).
   void Update();
 
-  // Switches the robot off, so that its boot timer boots it.  Removes all observers of the power
+  // Switches the robot off; its boot timer boots it later.  Removes all observers of the power
   // status.  Battery, clock and volume switch stay as they are.
   void SwitchOff();
 

@@ -56,7 +56,8 @@ struct RobotParts {
   RobotParts(const RobotParts&) = delete;
   RobotParts& operator=(const RobotParts&) = delete;
 
-  // Adds the warning `text` about the object whose handler runs now to the findings of the run.
+  // Adds the warning `text` to the findings of the run.  The warning is about the object whose
+  // handler runs now.
   void Warn(std::string text);
 
   // Switches the devices off and sets the parts to their state at boot, except the body, the

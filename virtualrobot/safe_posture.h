@@ -47,7 +47,7 @@ class SafePosture {
   struct Gone {
     ObjectId commander;
     int64_t since;  // frame in which the object crashed
-    // set points of all joints when the movement starts; empty before it starts
+    // Set points of all joints when the movement starts; empty before it starts.
     std::vector<slongword> from_urad;
   };
 

@@ -159,8 +159,8 @@ void SensorSource::SampleNow(const Body& body, const Devices& devices) {
       SampleJoint(i, sensor.joint, state, devices);
       continue;
     }
-    // The value is computed even when a hand holds the sensor, because the computation takes random
-    // numbers.  So the noise of the other sensors stays the same.
+    // Computes the value even when a hand sets the sensor, because the computation takes random
+    // numbers, and the noise of the other sensors must stay the same.
     const slongword value = ValueOf(sensor, body);
     const slongword before = latest_[i].value;
     latest_[i].value = held_[i].value_or(value);

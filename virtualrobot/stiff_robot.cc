@@ -153,8 +153,9 @@ void StiffRobot::PlaceOnFloor(RestingPose* pose) const {
   Matrix3d R = Matrix3d::Identity();
   Triangle support = HugeTriangleOver(centre_B);
   double height_m = 0;
-  // Each pass turns the robot so that the support found last is level.  The next pass searches
-  // along the new vertical.  The search ends when the support is level already.
+  // Each pass turns the robot so that the support found last (the triangle on which the robot
+  // rests) is level.  The next pass searches along the new vertical.  The search ends when the
+  // support is level already.
   for (int turn = 0; turn < 8; ++turn) {
     SinkToSupport(hull_, R, R * centre_B, &support);
     const Plane plane = Through(support);

@@ -21,7 +21,8 @@ constexpr longword kWaitFrames = 1250;
 size_t BytesOf(const RCRegion& region, const RegionTable& regions) {
   if (region.Base() == nullptr) return 0;
   const size_t block = regions.SizeOf(region.MemID());
-  // If the memory is not in the region table, only the size that the sender says is known.
+  // If the memory is not in the region table, its size is not known, so returns the size that the
+  // sender says.
   if (block == 0) return region.Size();
   return std::min(region.Size(), block - std::min<size_t>(block, region.Offset()));
 }

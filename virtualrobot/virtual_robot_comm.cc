@@ -88,9 +88,10 @@ void OVirtualRobotComm::Frame() {
   }
 
   // 5.  Send the image that the camera took before, and take the next image.  No source says how
-  // long the camera reads an image out.  But BallTrackingHead, a sample of Sony, finds the angles
-  // that belong to an image in the two newest sensor vectors (robot.md, 14), which have the samples
-  // of the last 8 frames.  So we send an image 4 to 8 frames after the frame that it shows.
+  // much time the camera needs to read out an image.  But BallTrackingHead, a sample of Sony, finds
+  // the angles that belong to an image in the two newest sensor vectors (robot.md, 14), which have
+  // the samples of the last 8 frames.  So we send an image 4 to 8 frames after the frame that it
+  // shows.
   if (image_->NumberOfObservers() > 0 && robot_.camera.Due(frame)) {
     if (exposed_) SendToListeners(image_, exposed_.get());
     exposed_.Release();
@@ -101,7 +102,7 @@ void OVirtualRobotComm::Frame() {
     }
   }
 
-  // 6. Wake the object for sound, if it has work.  That object runs by its own message.
+  // 6. If sound is to be played or recorded, post the message whose handler does this.
   if (sound_ != nullptr) sound_->WakeIfNeeded();
   if (running_) PostNextFrame();
 }

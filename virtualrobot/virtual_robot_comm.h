@@ -35,7 +35,7 @@ class OVirtualRobotComm : public CodeObject {
   void PostNextFrame();
   void ReportOverload();
   void Protect(Protection::Reason reason);
-  // Adds a warning about the object that has `subject` for each text in `problems`.
+  // Adds a warning for each text in `problems`, about the object that has `subject`.
   void Report(const SubjectID& subject, std::vector<std::string> problems);
 
   RobotParts& robot_;

@@ -19,9 +19,9 @@ struct HeightGrid;  // defined in height_grid.h
 struct WorldThing {
   std::string name;  // name of the thing in error messages and reports
   ThingShape shape = ThingShape::kBox;
-  // The size of the thing.  A box has these lengths of edges.  A sphere has its diameter in x, y
-  // and z.  A cylinder has its diameter in x and y, and its length in z.  A heightfield has the
-  // edges of the box that holds it.  All numbers are > 0.
+  // The size of the thing: for a box the lengths of its edges; for a sphere its diameter in x, y
+  // and z; for a cylinder its diameter in x and y, and its length in z; for a heightfield the edges
+  // of the box that holds it.  All numbers are > 0.
   Eigen::Vector3d size_m{0, 0, 0};
   Eigen::Vector3d centre_m{0, 0, 0};                   // place of the centre in W
   Eigen::Matrix3d R_WT = Eigen::Matrix3d::Identity();  // rotation from the thing's own axes T to W

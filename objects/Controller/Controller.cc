@@ -242,7 +242,8 @@ Controller::SendLeds(Uint32 on, int frames)
 }
 
 // Sends one command frame for each ear.  An ear needs 128 ms for the frame (Hohl 2004, 5.3.4); more
-// frames would only warm its coil.  An ear that is on gets STATE1 (see the robot model).
+// frames would only warm its coil.  STATE1 is the position of an ear that is on (see the robot
+// model).
 void
 Controller::SendEars(Uint32 on)
 {

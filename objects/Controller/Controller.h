@@ -85,7 +85,8 @@ private:
     RCRegion* earRegion_[NUM_REGIONS];
     SensorReader sensorReader_;
     SensorValues sensors_;
-    // The time step, in ms, whose rounding TimeStepRounded() has reported last.
+    // The last time step, in ms, for which TimeStepRounded() has reported the rounding, so that it
+    // is not reported again.
     int roundedMs_;
     bool hasStepped_;
     bool isCameraOn_;

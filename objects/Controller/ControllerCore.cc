@@ -166,8 +166,8 @@ ControllerCore::EndIfItDidNotReturn()
 }
 
 // Begins the next iteration, because the last LED vector has ended.  Does nothing if the effector
-// is not ready in spite of this event.  In this case a vector that waited has just been sent, and
-// the end of that vector will call this function again.
+// is busy again, because a vector that waited has just been sent.  The end of that vector will call
+// this function again.
 void
 ControllerCore::LedReady()
 {

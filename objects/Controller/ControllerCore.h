@@ -41,14 +41,17 @@ public:
     // Stores the newest sensor values, which the controller program can then read.
     void SetSensors(const SensorValues& values) { sensors_ = values; }
 
-    // Called when the observer of LED vectors has become ready.
+    // Begins the next iteration of the program's loop, or sends LEDs that the remote control has
+    // changed.  Called when the observer of LED vectors has become ready.
     void LedReady();
-    // Called when the observer of ear vectors has become ready.
+    // Sends a change of the ears that could not be sent before.  Called when the observer of ear
+    // vectors has become ready.
     void EarReady();
-    // Called when the observer of batch commands has become ready.
+    // Sends changes of joint commands that could not be sent before.  Called when the observer of
+    // batch commands has become ready.
     void BatchMoverReady();
 
-    // Puts `change`, LEDs and ears that the remote control has set, into the buffers.
+    // Puts the LEDs and ears that the remote control has set (`change`) into the buffers.
     void RemoteLights(const LedEarState& change);
 
     // Sets the ears of `mask` to their positions in the key frame (posture) that a motion has

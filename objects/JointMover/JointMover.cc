@@ -165,9 +165,9 @@ JointMover::FillRegion(RCRegion* region)
     }
 }
 
-// Handles the ready event of Controller: if Controller has replaced another Controller while the
-// robot stands, lets it begin at once.  During the start of the robot, the event comes before the
-// robot stands, and has no effect.
+// Handles the ready event of Controller.  If Controller has replaced another Controller while the
+// robot stands, tells the new Controller at once that the robot stands, so that its program begins.
+// During the start of the robot, the event comes before the robot stands, and has no effect.
 void
 JointMover::ReadyMainExecution(const OReadyEvent& event)
 {

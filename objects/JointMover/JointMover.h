@@ -67,7 +67,7 @@ private:
     const RobotConstants* robot_;
     OPrimitiveID joint_[MAX_JOINTS];
     RCRegion* region_[NUM_REGIONS];
-    int numUnderWay_;  // number of sent vectors about whose end MoverCore was not told yet
+    int numUnderWay_;  // number of sent vectors of which MoverCore does not know the end yet
     int numReports_;   // number of messages that were set on SetValue and not sent yet
     bool isStopped_;
     bool isUp_;  // whether the robot has reached its initial posture

@@ -77,8 +77,8 @@ JointSet::TurnOff(int joint)
 void
 JointSet::SwitchPowerOff()
 {
-    // Switches the gains off first, because otherwise the robot's controller would go on summing up
-    // errors that it cannot reduce (BBS 143).
+    // Switches the gains off first, because otherwise the robot's servo control would go on summing
+    // up position errors, which it cannot reduce without motor power (BBS 143).
     for (int j = 0; j < robot_->numJoints; j++) TurnOff(j);
     hasPower_ = false;
     port_->SetMotorPower(false);

@@ -36,10 +36,10 @@ MoverCore::MoveJoint(const MoverCommand& command)
         joints_.SetAcceleration(command.joint, command.value);
 }
 
-// Moves a joint that follows a joint of another robot.  Positions of that robot come again and
-// again.  The joint moves to a near position in the number of frames that the command has.  It
-// moves to a far position within its limits of speed and acceleration, as to the first key frame of
-// a motion.
+// Moves a joint that follows a joint of another robot, whose positions come again and again.  So
+// the joint moves to a near position in the number of frames that the command has: the time until
+// the next position comes.  The joint moves to a far position within its limits of speed and
+// acceleration, as to the first key frame of a motion.
 void
 MoverCore::Track(const MoverCommand& command)
 {

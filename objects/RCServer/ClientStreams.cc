@@ -27,9 +27,9 @@ ClientStreams::IsPeriodOver(const Stream& stream, Uint32 frame) const
     return !stream.wasSent || frame - stream.lastFrame >= stream.period;
 }
 
-// Counts new values of a stream.  Sensor values come in every vector, so a sensor value counts only
-// if a packet is due for it.  All set values (reports of JointMover) count, because each of them is
-// a key frame.
+// Counts new values of a stream.  Sensor values come in every vector, usually more often than the
+// client wants them.  So a sensor value counts only if the period of the subscription is over.  All
+// set values (reports of JointMover) count, because each of them is a key frame.
 void
 ClientStreams::NewValues(int stream, Uint32 frame)
 {

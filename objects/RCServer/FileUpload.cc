@@ -89,8 +89,8 @@ FileUpload::Append(Uint32 offset, const Uint8* bytes, int count, std::string* wh
                                (unsigned)size_),
                     why);
     }
-    // Flushes each part, because the C library would keep the bytes otherwise.  In this way the
-    // answer to a part says whether the stick had room for the part.
+    // Flushes each part, because the C library would otherwise keep the bytes in its buffer.  In
+    // this way the answer to a part says whether the stick had room for the part.
     if (fwrite(bytes, 1, (size_t)count, file_) != (size_t)count || fflush(file_) != 0) {
         return Fail(rcerrorNOT_WRITTEN,
                     TextFormat("%s: byte %u cannot be written; is the stick full?", target_.name,

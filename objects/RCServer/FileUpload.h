@@ -1,7 +1,7 @@
 //
 // FileUpload: the upload of one client, that is, a file that arrives in parts.
 //
-// The parts go to a temporary file beside the target, UPLOADn.TMP, where n is the client's place.
+// The parts go to a temporary file beside the target, UPLOADn.TMP, where n is the client's number.
 // End() checks the whole file and renames it.  So the target is always either the old or the
 // complete new file.  Every error ends the upload and removes the temporary file.
 //
@@ -36,8 +36,9 @@ public:
     // Ends the upload, if there is one, and removes its temporary file.
     void Abort();
 
-    // Removes the temporary files that a client of this place has left behind in an earlier run.
-    // Returns "" or the path of a file that could not be removed.
+    // Removes the temporary files (UPLOADn.TMP and UPLOADn.OLD) that uploads of the client with
+    // this number have left behind in an earlier run.  Returns "" or the path of a file that could
+    // not be removed.
     std::string RemoveLeftovers(const StickStore& store) const;
 
     bool IsOpen() const { return file_ != 0; }

@@ -10,8 +10,8 @@ IsLogged(const JointConstants& joint)
     return joint.mtnIndex >= 0;
 }
 
-// Returns whether `sensor` is the switch under a paw.  The legs are the parts r2 to r5 of every
-// robot, and each leg has only this switch.
+// Returns whether `sensor` is the switch under a paw.  The locator tells this, because the legs are
+// the parts r2 to r5 of every robot, and a leg has no other switch.
 static bool
 IsPaw(const SensorConstants& sensor)
 {

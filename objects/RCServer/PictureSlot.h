@@ -47,8 +47,8 @@ public:
     // Returns the number of parts of the picture.  REQUIRES: IsHere().
     int NumParts() const;
 
-    // Writes part number `part` of the picture, after its head (RcPicturePart), to `out`.
-    // REQUIRES: IsHere(); 0 <= part < NumParts().
+    // Writes the head (RcPicturePart) of part number `part` of the picture to `out`, and then the
+    // bytes of this part.  REQUIRES: IsHere(); 0 <= part < NumParts().
     void WritePart(int part, RcWriter* out) const;
 
 private:

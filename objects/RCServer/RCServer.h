@@ -51,9 +51,9 @@ public:
     void CloseCont(ANTENVMSG msg);
 
 private:
-    // Maximum number of connections.  One more client may connect while all places are taken.  This
-    // client gets the place of a client that has been silent for long, or an answer that says why
-    // it gets no place (PlaceWaiting()).
+    // Maximum number of connections: RC_PLACES clients that are served, and one client that waits.
+    // The waiting client gets the place of a client that has been silent for long, or an answer
+    // that says why it gets no place (PlaceWaiting()).
     static const int NUM_CLIENTS = RC_PLACES + 1;
     COMPILE_TIME_CHECK(EveryClientHasAnUpload, NUM_CLIENTS == RequestHandler::MAX_CLIENTS);
 

@@ -58,8 +58,8 @@ RCServer::NewBuffer(int index)
     return oSUCCESS;
 }
 
-// Listens for a client at place `index`.  On failure the place stays closed, and RetryListening()
-// tries again.
+// Listens for a client, whose data will be in client_[index].  On failure client_[index] stays
+// closed, and RetryListening() tries again.
 void
 RCServer::Listen(int index)
 {

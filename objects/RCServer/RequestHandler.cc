@@ -55,10 +55,11 @@ RequestHandler::SetMover(const SetValueMessage& message)
     motorsOff_ = message.motorsOff != 0;
 }
 
-// Records that commands are accepted.  JointMover is ready only when the robot stands, and from
-// then on it accepts commands.  RCServer usually learns this from a report of JointMover.  But
-// JointMover reports its state only when the state changes, so an RCServer that has replaced
-// another RCServer gets no report.
+// Records that JointMover accepts commands, because JointMover has asserted ready.  JointMover is
+// ready only when the robot stands, and from then on it accepts commands.  Usually a report of
+// JointMover has told this before.  But JointMover reports its state only when the state changes,
+// so an RCServer that has replaced another RCServer gets no report.  Such an RCServer learns the
+// state from the ready event.
 void
 RequestHandler::MoverIsReady()
 {

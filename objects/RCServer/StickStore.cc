@@ -119,8 +119,9 @@ StickStore::Replace(const std::string& from, const std::string& to)
 {
     if (rename(from.c_str(), to.c_str()) == 0) return true;
     // Removes the file `to` and tries again, because the file system may refuse to rename a file to
-    // a name that exists.  No source says whether the robot's file system refuses this.  A folder
-    // is never removed, and nothing is removed when there is no file `from` to take its place.
+    // a name that exists.  No source says whether the robot's file system refuses this.  Removes
+    // `to` only if it is a file, not a folder, and only if there is a file `from` to take its
+    // place.
     if (SizeOf(from) < 0 || SizeOf(to) < 0 || remove(to.c_str()) != 0) return false;
     return rename(from.c_str(), to.c_str()) == 0;
 }

@@ -63,7 +63,7 @@ private:
 
     const MtnFile* motion_;  // motion that plays; 0 if no motion plays
     const MtnFile* shown_;   // motion that Position() shows, also after the last frame
-    int loopsLeft_;          // number of loops that are not over yet, with the present loop
+    int loopsLeft_;          // number of loops that are not over yet, including the present loop
     int keyFramesPerVector_;
     int gap_;    // index of the gap that plays, from key frame gap_ to gap_ + 1
     int frame_;  // number of frames of the gap gap_ that were played

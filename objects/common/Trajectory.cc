@@ -93,8 +93,8 @@ Trajectory::StoppingDistance(Sint64 speed) const
     return n * speed - acceleration_ * n * (n + 1) / 2;
 }
 
-// Returns the whole part of the square root of `value`, by Newton's method.  The sequence begins
-// above the root and falls until it has reached the root.
+// Returns the whole part of the square root of `value`, by Newton's method.  The approximations
+// begin above the root and fall to the root, so the search ends when they fall no more.
 static Sint64
 SquareRoot(Sint64 value)
 {
@@ -108,9 +108,11 @@ SquareRoot(Sint64 value)
     return root;
 }
 
-// Returns the largest step s with s + StoppingDistance(s) <= distance.  If a is the acceleration,
-// braking from s takes n = s / a more frames, so (n + 1) s - a n (n + 1) / 2 = distance, where n is
-// the largest number with a n (n + 1) / 2 <= distance.  REQUIRES: distance >= 0.
+// Returns the largest step s with s + StoppingDistance(s) <= distance.  Let a be the acceleration.
+// After the step s, the joint brakes in n steps: s - a, s - 2 a, ..., s - n a.  So the distance is
+// (n + 1) s - a n (n + 1) / 2.  Solved for s, this gives the returned value.  The last step is not
+// negative, so n is the largest number with n a <= s, that is, with a n (n + 1) / 2 <= distance.
+// REQUIRES: distance >= 0.
 Sint64
 Trajectory::LargestStep(Sint64 distance) const
 {
@@ -141,7 +143,8 @@ Trajectory::Step()
     Sint64 step = LargestStep(distance);
     if (step > speedLimit_) step = speedLimit_;
     if (step > speed + acceleration_) step = speed + acceleration_;
-    // A joint that is too fast to stop at the goal moves past it, and comes back later.
+    // The joint slows down by acceleration_ at most.  So a joint that is too fast to stop at the
+    // goal moves past the goal, and comes back later.
     if (step < speed - acceleration_) step = speed - acceleration_;
     position_ += forward ? step : -step;
     speed_ = forward ? step : -step;

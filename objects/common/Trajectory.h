@@ -23,7 +23,8 @@ class Trajectory {
 public:
     Trajectory();
 
-    // Puts the joint at rest at `urad` (10^-6 rad), which also becomes its goal.  The limits stay.
+    // Puts the joint at rest at `urad` (10^-6 rad), which also becomes its goal.  The limits of
+    // speed and acceleration stay.
     void Reset(Sint32 urad);
 
     // Sets the limit of speed, in 0.01 degree/s.  A joint that is faster slows down.  REQUIRES:
@@ -37,9 +38,10 @@ public:
 
     void SetGoal(Sint32 urad);
 
-    // Moves the joint in a straight line to `urad`, whatever its limits are.  The joint reaches
-    // `urad` after `frames` frames and rests there.  Another goal, or Halt(), ends this movement;
-    // the joint then goes on with its present speed and within its limits.  REQUIRES: frames > 0.
+    // Moves the joint in a straight line to `urad`, whatever its limits of speed and acceleration
+    // are.  The joint reaches `urad` after `frames` frames and rests there.  Another goal, or
+    // Halt(), ends this movement; the joint then goes on with its present speed and within its
+    // limits.  REQUIRES: frames > 0.
     void Track(Sint32 urad, int frames);
 
     // Stops the joint: sets its goal to the nearest position at which it can stop.
@@ -67,8 +69,8 @@ private:
     Sint64 speedLimit_;        // limit of speed, in 2^-16 urad per frame, > 0
     Sint64 acceleration_;      // limit of acceleration, in 2^-16 urad per frame^2, > 0
     Sint64 nextAcceleration_;  // limit of acceleration after the next stop
-    // Number of frames that are left of a movement by Track(); 0 if there is no such movement, so
-    // that the limits are in force.
+    // Number of frames that are left of a movement by Track(), which ignores the limits of speed
+    // and acceleration; 0 if there is no such movement.
     int trackFrames_;
 };
 

@@ -11,11 +11,12 @@
 namespace openr_host {
 namespace {
 
-// The factors by which settings of the camera change a picture.  With the default settings, the
-// image looks like the picture of the source.  Gain and shutter make it brighter or darker.  White
-// balance multiplies red and divides blue by a factor, the square root of the ratio of colour
-// temperatures (our choice, because no measurement is known).  The index of the tables is the
-// parameter of the request; their unit is 1/256.
+// The factors by which settings of the camera change a picture, in units of 1/256.  The index of
+// each table is the parameter of the request.  With the default settings, the image has the colours
+// of the picture that the source of pictures gives.  Gain and shutter make the image brighter or
+// darker.  White balance multiplies red and divides blue by the square root of T / 4300 K, where T
+// is the colour temperature of the setting, and 4300 K that of the default setting.  This root is
+// our choice, because no measurement is known.
 constexpr int kOne = 256;
 constexpr int kGain[] = {0, kOne, kOne, 2 * kOne};  // factors for the gains 0 dB, 0 dB and 6 dB
 constexpr int kShutter[] = {0, 2 * kOne, kOne, kOne / 2};  // factors for 1/50, 1/100 and 1/200 s

@@ -73,8 +73,8 @@ void Canvas::Begin(const CameraShot& shot, const RgbBytes& floor, const RgbBytes
   inverse_depth_.assign(static_cast<size_t>(width_) * static_cast<size_t>(height_), 0);
   x_.resize(static_cast<size_t>(height_));
 
-  // Decides for each pixel whether it shows the floor: it does if its ray goes down, that is, if
-  // `rise` is negative.
+  // Fills a pixel with the colour of the floor if the ray of the pixel goes down, that is, if
+  // `rise` is negative, and otherwise with the colour of the background.
   const Linear rise = AlongRays(R_CW_.col(2));
   std::vector<uint8_t> rows[2];
   for (const bool is_floor : {false, true}) {
@@ -171,6 +171,7 @@ void Canvas::DrawPaint(Face face, const RgbBytes& colour) {
 void Canvas::DrawFace(Face face, const Vector3d& normal_W, const RgbBytes& colour) {
   ASSERT(face.count() >= 3 && face.count() <= Face::kCornersMax, "{} corners", face.count());
   // In the axes of the camera's frame C, the face lies in the plane of all p with n . p = height.
+  // The height is negative if the lens sees the front of the face.
   const Vector3d n = R_CW_ * normal_W;
   const double height = normal_W.dot(face.corner(0) - p_WC_);
   if (!(height < 0)) return;

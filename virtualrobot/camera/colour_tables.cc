@@ -24,7 +24,7 @@ bool ColourTables::Set(const OCdtInfo& info) {
   for (size_t segment = 0; segment < ocdtMAX_Y_SEGMENT; ++segment) {
     const longword packed = info.table[segment];
     // Replaces ocdtINIT, which means that the segment detects no colour, by the empty range from 1
-    // to 0.  Taken as a rectangle of Cr and Cb, ocdtINIT would detect neutral grey.
+    // to 0, because ocdtINIT, read as a rectangle of Cr and Cb, would detect neutral grey.
     const bool unused = packed == ocdtINIT;
     Mark(&cr_[segment], bit, unused ? 1 : packed & 0xff, unused ? 0 : packed >> 8 & 0xff);
     Mark(&cb_[segment], bit, unused ? 1 : packed >> 16 & 0xff, unused ? 0 : packed >> 24);

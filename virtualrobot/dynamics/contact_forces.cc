@@ -27,9 +27,11 @@ struct Friction {
   double x, y;
 };
 
-// Returns a better impulse along the ground than `now`, with at most the length `max`.  `a`, `b`
-// and `c` are the contact's part of the matrix, with the rows (a, b) and (b, c).  `missing` is the
-// velocity that is still missing when the impulse is `now`.
+// Returns the next impulse of a contact along the ground, after the impulse `now`.  This is the
+// impulse that stops the sliding, if its length is at most `max`.  Otherwise the contact slides,
+// and the result is one step of the search for the impulse of a sliding contact, cut to the length
+// `max`.  `a`, `b` and `c` are the contact's part of the matrix, with the rows (a, b) and (b, c).
+// `missing` is the change of velocity that `now` lacks to stop the sliding.
 Friction NextFriction(const Friction& now, double a, double b, double c, const Friction& missing,
                       double max) {
   const double det = a * c - b * b;

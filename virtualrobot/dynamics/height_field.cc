@@ -169,8 +169,8 @@ void TouchBoxOnHeights(const Vector3d& centre_W, const Matrix3d& R_WB, const Vec
       const SurfaceDistance inside =
           DistanceTo(ThingShape::kBox, size_m, R.transpose() * (point - centre));
       if (inside.distance_m >= 0) continue;
-      // Leaves out a face of the box that looks away from the surface, because through such a face
-      // the box would leave the solid at its lower side.
+      // Leaves out a point that would push the box downwards, because the box would then leave the
+      // solid through the solid's lower face.
       const Vector3d out = -(R * inside.out);
       if (out.z() > 0) found.push_back({point, out, -inside.distance_m});
     }

@@ -18,8 +18,8 @@ void TouchBallOnHeights(const Eigen::Vector3d& centre_W, double radius_m, const 
                         std::vector<TouchPoint>* points);
 
 // Adds the points, at most kHeightPointsMax, at which a box touches the heightfield `thing`, the
-// deepest first: corners of the box below the surface, and points of the grid in the box.  Edges of
-// the box that cross edges of the surface in the air between these points are not found.
+// deepest first: corners of the box below the surface, and points of the grid in the box.  Does not
+// find the points at which an edge of the box crosses an edge of the surface.
 void TouchBoxOnHeights(const Eigen::Vector3d& centre_W, const Eigen::Matrix3d& R_WB,
                        const Eigen::Vector3d& size_m, const WorldThing& thing,
                        std::vector<TouchPoint>* points);

@@ -130,9 +130,9 @@ void JointTree::BeginStep(const std::vector<TorqueLine>& lines, double gravity_m
   Factor();
 }
 
-// Fills the lower triangle of the matrix M + h B (see joint_tree.h).  A part and all parts behind
-// it are taken as one body with their common inertia, because all of them move when the hinge of
-// the part turns.
+// Fills the lower triangle of the matrix M + h B of joint_tree.h (M: inertia, h: length of the
+// step, B: slopes of the torque lines).  A part and all parts behind it are taken as one body with
+// their common inertia, because all of them move when the hinge of the part turns.
 void JointTree::FillMatrix(const std::vector<TorqueLine>& lines, double step_s) {
   for (int i = 0; i < parts(); ++i) {
     const Vector3d r = now_[i].centre_W - centre_W_;
@@ -170,10 +170,10 @@ void JointTree::FillMatrix(const std::vector<TorqueLine>& lines, double step_s) 
   }
 }
 
-// Computes the forces along the unknowns without pushes and contacts: t0 - B u - c (see
-// joint_tree.h).  First finds, from the trunk to the leaves, the accelerations that the parts have
-// while no velocity along an unknown changes.  Then finds, from the leaves to the trunk, the forces
-// that these accelerations and gravity demand.
+// Computes the forces along the unknowns without pushes and contacts: t0 - B u - c in the equation
+// of joint_tree.h (servos, present motion and gravity).  First finds, from the trunk to the leaves,
+// the accelerations that the parts have while no velocity along an unknown changes.  Then finds,
+// from the leaves to the trunk, the forces that these accelerations and gravity demand.
 void JointTree::FindForces(const std::vector<TorqueLine>& lines, double gravity_m_s2) {
   struct Acceleration {
     Vector3d angular, centre;
@@ -256,8 +256,9 @@ void JointTree::EliminateFrom(int unknown, double* x) const {
   }
 }
 
-// Multiplies the forces along the unknowns by the length of the step, and the result by the inverse
-// of L^T (L is the result of Factor()).
+// Begins to solve the equation of motion: multiplies the forces along the unknowns (the velocities
+// of trunk and hinges) by the length of the step, and the result by the inverse of L^T (L is the
+// result of Factor()).
 void JointTree::Eliminate() {
   is_eliminated_ = true;
   for (double& value : along_) value *= step_s_;

@@ -41,8 +41,8 @@ struct TreePart {
 
 class JointTree {
  public:
-  // A force, or a momentum, with its moment about the point O (see the top of this file).  Or an
-  // angular velocity with the velocity at O.
+  // A pair of vectors: a force and its moment about the point O (see the top of this file), or a
+  // momentum and its moment about O, or an angular velocity and the velocity at O.
   struct Spatial {
     Eigen::Vector3d angular{0, 0, 0};
     Eigen::Vector3d linear{0, 0, 0};

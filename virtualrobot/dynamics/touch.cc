@@ -91,7 +91,8 @@ double OverlapAlongAxis(const Vector3d& centre, const Matrix3d& R, const Vector3
 
 // Adds the points at which the side of the cylinder `thing` is below a face of the box.  Tests
 // three points of the cylinder's side: its middle and its two ends.  If the box is less deep in an
-// end of the cylinder than in the side, the box touches that end and not the side.
+// end of the cylinder than in the side, adds no point, because the box then touches that end and
+// not the side.
 void TouchByFaces(const Vector3d& centre, const Matrix3d& R, const Vector3d& half,
                   const WorldThing& thing, std::vector<TouchPoint>* points) {
   const double radius_m = thing.size_m.x() / 2;
@@ -132,7 +133,7 @@ void TouchByRims(const Vector3d& centre, const Matrix3d& R, const Vector3d& half
 // Adds the points of `cylinder` that are in `thing`.  Tests points of the rims of the cylinder's
 // ends, and of the line along its side that faces `thing`.  The points of the side are not near the
 // ends, because near an end the nearest way out leads along the axis.  `sign` is 1 if normals are
-// to point out of `thing`, otherwise -1.
+// to point out of `thing`, and -1 if they are to point into it.
 void TouchByRimsAndSide(const WorldThing& cylinder, const WorldThing& thing, double sign,
                         std::vector<TouchPoint>* points) {
   const auto test = [&](const Vector3d& p) {

@@ -40,7 +40,8 @@ void TouchBox(const Eigen::Vector3d& centre_W, const Eigen::Matrix3d& R_WB,
               std::vector<TouchPoint>* points);
 
 // Adds the points at which `cylinder` touches `thing` to `points`, at most kBoxPointsMax.  They are
-// points on the rims at the ends of both cylinders.  REQUIRES: both are cylinders.
+// points on the rims of both cylinders, and on the line of each side that faces the other cylinder.
+// REQUIRES: both are cylinders.
 void TouchCylinders(const WorldThing& cylinder, const WorldThing& thing,
                     std::vector<TouchPoint>* points);
 

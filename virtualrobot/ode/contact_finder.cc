@@ -263,9 +263,10 @@ void ContactFinder::FindCylinderOnFloor(const Shape& cylinder) {
   }
 }
 
-// Adds the points at which `shape` touches `other`.  ODE finds the points if `other` is a box and
-// `shape` is a box or a ball.  All other pairs have a ball, a cylinder or a heightfield;
-// FindOnRound() gets the ball or the cylinder as its parameter `other`.
+// Adds the points at which `shape` touches `other`.  A heightfield is always `other`, because it
+// cannot move; FindOnHeights() finds its points.  ODE finds the points if `other` is a box and
+// `shape` is a box or a ball.  Each other pair has a ball or a cylinder, which FindOnRound() gets
+// as its parameter `other`.
 void ContactFinder::FindOn(const Shape& shape, const Shape& other) {
   if (other.shape == ThingShape::kHeightField) return FindOnHeights(shape, other);
   const bool shape_is_cylinder = shape.shape == ThingShape::kCylinder;

@@ -20,8 +20,8 @@ using Eigen::Isometry3d;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Numbers of a hand that holds the trunk (our choices): the time in which it follows, and its
-// limits of speed, force and torque.
+// Parameters of a hand that holds the trunk (our choices): the time in which the hand moves the
+// trunk to the wanted pose, and the limits of the hand's speed, force and torque.
 constexpr double kHandTime_s = 0.05;
 constexpr double kHandSpeed_m_s = 0.5, kHandTurn_rad_s = 2;
 constexpr double kHandForce_n = 60, kHandTorque_nm = 5;

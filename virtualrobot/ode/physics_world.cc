@@ -155,7 +155,8 @@ void PhysicsWorld::AddRows(const std::vector<ContactPoint>& points) {
   for (size_t i = 0; i < trees_.size(); ++i) impulses_[i].assign(trees_[i]->rows(), 0);
 }
 
-// Joins trees that touch into groups.  The number of a group is the lowest number of its trees.
+// Forms groups of trees that touch one another.  The number of a group is the lowest number of its
+// trees.
 void PhysicsWorld::FindGroups(const std::vector<ContactPoint>& points) {
   groups_.resize(trees_.size());
   for (int i = 0; i < static_cast<int>(trees_.size()); ++i) groups_[i] = i;

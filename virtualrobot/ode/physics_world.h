@@ -77,8 +77,8 @@ class PhysicsWorld {
     dxBody* body;
     JointTree tree;
     // The largest torque that brakes the rotation of the thing, and the least inertia of the thing.
-    // The torque is limited further by this inertia, so that it never reverses a rotation, whatever
-    // its axis.
+    // This inertia limits the torque further, so that the torque never reverses a rotation about
+    // any axis.
     double brake_nm = 0, least_inertia_kg_m2 = 0;
   };
 
