@@ -246,11 +246,25 @@ FILE* fopen64(const char* path, const char* mode) { return OpenFile(path, mode);
 FILE* freopen(const char* path, const char* mode, FILE* file) {
   static const auto next = OPENR_NEXT(freopen);
   if (!InObject() || path == nullptr) return next(path, mode, file);
+  // Refuses the streams of the terminal, because they belong to the whole run here.
+  if (file == stdin || file == stdout || file == stderr) {
+    t_current.system->AddFinding(
+        Severity::kWarning, fmt::format("freopen({}) of a stream of the terminal fails: all "
+                                        "objects of the run share it; open a file with fopen()",
+                                        path));
+    errno = EACCES;
+    return nullptr;
+  }
   const std::string host = HostPath(path, UseOf(mode));
-  const ApiScope scope;
+  const bool writes = OpensForWriting(mode);
   t_current.object->files.streams.erase(file);
-  if (host.empty()) return nullptr;
-  return Remember(next(host.c_str(), mode, file), host, OpensForWriting(mode));
+  const bool may_open = !host.empty() && MayOpen(host, writes, path);
+  const ApiScope scope;
+  if (may_open) return Remember(next(host.c_str(), mode, file), host, writes);
+  const int error = errno;
+  fclose(file);  // as freopen() does that cannot open the file
+  errno = error;
+  return nullptr;
 }
 
 int fclose(FILE* file) {

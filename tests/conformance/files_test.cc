@@ -92,6 +92,12 @@ TEST_F(FilesConformance, SleepingDoesNothingAndIsReported) {
   }
 }
 
+TEST_F(FilesConformance, FreopenOpensWhatFopenWouldOpen) {
+  Start();
+  EXPECT_EQ(Answer("freopen"), "T freopen terminal 0 open 0 free 1\n");
+  EXPECT_NE(Findings().find("of a stream of the terminal fails"), std::string::npos) << Findings();
+}
+
 TEST_F(FilesConformance, DesignDataAreCopiesThatCanBeDeletedOnce) {
   Config("DESIGNDB.CFG",
          "HELLO /MS/OPEN-R/MW/DATA/P/HELLO.TXT\nEMPTY /MS/OPEN-R/MW/DATA/P/E.TXT\n");

@@ -147,6 +147,18 @@ Sleeps()
     OSYSPRINT(("T sleep %d usleep %d nanosleep %d\n", slept, slept_us, nanosleep(&second, 0)));
 }
 
+static void
+Reopens()
+{
+    FILE* const file = fopen("/MS/OPEN-R/MW/DATA/P/A.TXT", "w");
+    FILE* const other = fopen("/MS/OPEN-R/MW/DATA/P/B.TXT", "w");
+    FILE* const terminal = freopen("/MS/OPEN-R/MW/DATA/P/C.TXT", "w", stdout);
+    FILE* const refused = freopen("/MS/OPEN-R/MW/DATA/P/B.TXT", "w", file);
+    FILE* const again = freopen("/MS/OPEN-R/MW/DATA/P/A.TXT", "w", other);
+    OSYSPRINT(("T freopen terminal %d open %d free %d\n", terminal != 0, refused != 0, again == other));
+    fclose(other);
+}
+
 static bool
 ConsoleCommand(const std::string& command)
 {
@@ -215,6 +227,8 @@ FileCommand(const std::string& command)
         Clocks();
     } else if (command == "sleep") {
         Sleeps();
+    } else if (command == "freopen") {
+        Reopens();
     } else if (command == "atexit") {
         OSYSPRINT(("T atexit %d\n", atexit(Never)));
     } else if (command == "exit") {
