@@ -248,6 +248,7 @@ FILE* freopen(const char* path, const char* mode, FILE* file) {
   if (!InObject() || path == nullptr) return next(path, mode, file);
   // Refuses the streams of the terminal, because they belong to the whole run here.
   if (file == stdin || file == stdout || file == stderr) {
+    const ApiScope scope;
     t_current.system->AddFinding(
         Severity::kWarning, fmt::format("freopen({}) of a stream of the terminal fails: all "
                                         "objects of the run share it; open a file with fopen()",
