@@ -44,7 +44,7 @@ class Chat : public CodeObject {
     system().RunFor(1);
   }
 
-  std::string heard;  // the last byte of each item
+  std::string heard;  // the last byte of each item; reading it shows that its memory is there
   size_t bytes = 0;   // received in all
   int data_max = 0;   // most items of a set
 
@@ -209,7 +209,7 @@ bool fuzz::gateway(std::string_view bytes) {
   // Each service listens, and has a connection, and the last one may be closing.
   FuzzCheck(stack->endpoint_count() <= 3 * std::size(kPorts), "endpoints are given back");
   FuzzCheck(!system.powered_off(), "the robot goes on");
-  return chat->data_max > 2 && chat->heard.find('!') != std::string::npos && peers.closed() > 1;
+  return chat->data_max > 2 && peers.closed() > 2;
 }
 
 }  // namespace openr_host
