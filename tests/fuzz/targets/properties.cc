@@ -16,7 +16,7 @@ bool fuzz::properties(std::string_view bytes) {
       Compares(std::string("finished"), rule.op, rule.value);
     } catch (const std::runtime_error&) {
     }
-    is_deep |= rule.within_us == 7'000'000 && rule.op == "!=";
+    is_deep |= rule.within_us > 30'000'000 && rule.op == "!=";
   }
   Render(diagnostics);
   try {

@@ -25,7 +25,8 @@ bool fuzz::recording(std::string_view bytes) {
       ByteReader in(bytes);
       while (!in.AtEnd()) {
         const TraceEntry entry = coder.Read(&in);
-        has_network |= entry.kind == TraceEntry::Kind::kNetwork && entry.events.size() > 2;
+        has_network |= entry.kind == TraceEntry::Kind::kNetwork && entry.events.size() != 2 &&
+                       !entry.events.empty();
       }
     } catch (const std::runtime_error&) {
     }

@@ -12,7 +12,7 @@ bool fuzz::robot_model(std::string_view bytes) {
   try {
     const RobotModel model = ParseRobotModel(std::string(bytes), "model.json");
     model.SensorsNamed("head");
-    return model.TotalMassKg() > 9;
+    return model.TotalMassKg() > 3;
   } catch (const std::runtime_error&) {
     return false;
   }
