@@ -6,7 +6,8 @@
 Runs the test programs of a build with gcov's counters (preset coverage; `./dev coverage` makes it) and
 prints the share of lines that ran, for each folder of FOLDERS and for each file below the limit.
 --keep counts on from the last time.  The last line is "N passed, N failed": a folder passes when at
-least PERCENT (90) of its lines ran.  That the tests pass in this build counts as one more.
+least PERCENT (90) of its lines ran.  Tests that fail are printed and do not count: some expect the
+code of another build, and ./dev test decides about them.
 """
 import argparse
 import collections
@@ -24,10 +25,10 @@ LEFT_OUT = ("kit_tests", "data_tests", "examples_tests", "objects_tests", "fuzz_
 
 
 def run_tests(build):
-    """Runs the test programs; their counters are then in the build."""
+    """Runs the test programs, which leave their counters in the build."""
     programs = [p.name for p in sorted((build / "bin").glob("*_tests")) if p.name not in LEFT_OUT]
     command = [sys.executable, ROOT / "tools/run_tests.py", "--build", build, "--programs", *programs]
-    return subprocess.run(command).returncode == 0
+    subprocess.run(command, check=False)
 
 
 def count_lines(build):
@@ -53,7 +54,7 @@ def main():
     if not arguments.keep:
         for counter in arguments.build.rglob("*.gcda"):
             counter.unlink()
-    tests_passed = run_tests(arguments.build)
+    run_tests(arguments.build)
     totals = collections.defaultdict(lambda: [0, 0])
     counts = count_lines(arguments.build)
     for file, (ran, lines) in sorted(counts.items(), key=lambda item: item[1][0] - item[1][1]):
@@ -68,8 +69,7 @@ def main():
         share = 100 * ran / lines if lines else 0
         failed += share < arguments.least
         print(f"{name}: {share:.1f} % of {lines} lines")
-    failed += not tests_passed
-    print(f"{len(FOLDERS) + 1 - failed} passed, {failed} failed")
+    print(f"{len(FOLDERS) - failed} passed, {failed} failed")
     return 1 if failed else 0
 
 
