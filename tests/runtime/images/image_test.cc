@@ -155,7 +155,8 @@ TEST_F(ImageTest, WhatAReloadedImageWasLentGoesBack) {
 
 TEST_F(ImageTest, AnImageThatWasCutOffIsRefused) {
   const fs::path image = root / "OPEN-R/MW/OBJS/PROBE.BIN";
-  fs::resize_file(image, 5000);  // in the middle of the segments; debug information comes after them
+  fs::resize_file(image,
+                  5000);  // in the middle of the segments; debug information comes after them
   System broken;
   broken.AddRobot("ERS-210", stick);
   ASSERT_FALSE(LoadStick(&broken, 0));
