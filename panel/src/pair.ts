@@ -25,12 +25,16 @@ export class Pair {
   // Whether the box "simulation" is checked. It always is while no second robot is connected.
   simulation = true;
   follow: Follow = 'none';
+  // The values that the user has chosen last.  They are those above once the server has accepted them.
+  // The controls show these values, so that a second change does not undo the first one.
+  wanted: { simulation: boolean; follow: Follow } = { simulation: true, follow: 'none' };
   answer: PairAnswer | null = null;
   status: PairEvent | null = null;
   why = ''; // the reason why the last connection was lost
 
   private id: unknown = null; // id of the request that has connected the second robot
   private robot = 0;
+  private wishes = 0; // number of calls of wish()
 
   constructor(private readonly session: Session) {}
 
@@ -72,17 +76,22 @@ export class Pair {
     await this.session.tell({ do: 'pair', call: 'disconnect', robot: this.robot }, 'Disconnect');
   }
 
-  // Asks the server to change the box "simulation" or the robot that follows, and shows the values
-  // that the server has accepted.
+  // Asks the server to change the box "simulation" or the robot that follows.  If the server refuses
+  // the last wish, the values that it has accepted are wanted again.
   async wish(simulation: boolean, follow: Follow): Promise<void> {
     if (!this.isConnected) return;
     const wanted = simulation || follow !== 'simulation' ? follow : 'none';
+    this.wishes += 1;
+    const number = this.wishes;
+    this.wanted = { simulation, follow: wanted };
+    this.set({});
     const answer = await this.session.tell(
       { do: 'pair', call: 'set', robot: this.robot, simulation, follow: wanted },
       'Both dogs',
     );
-    if (answer !== null) this.set({ simulation, follow: wanted });
-    else this.set({});
+    if (answer === null && number === this.wishes)
+      this.wanted = { simulation: this.simulation, follow: this.follow };
+    this.set(answer === null ? {} : { simulation, follow: wanted });
   }
 
   // Forgets the second robot, because the page has lost the connection to its server.
@@ -108,6 +117,7 @@ export class Pair {
     this.id = null;
     this.answer = null;
     this.status = null;
+    this.wanted = { simulation: true, follow: 'none' };
     this.set({ phase: 'none', simulation: true, follow: 'none', why });
   }
 

@@ -113,9 +113,9 @@ class Both {
     setDisabled(this.period, !isFree);
     setDisabled(this.simulation, !isConnected);
     setDisabled(this.follow, !isConnected);
-    this.simulation.checked = pair.simulation;
-    this.follow.value = pair.follow;
-    for (const option of this.follow.options) option.disabled = option.value === 'simulation' && !pair.simulation;
+    this.simulation.checked = pair.wanted.simulation;
+    this.follow.value = pair.wanted.follow;
+    for (const option of this.follow.options) option.disabled = option.value === 'simulation' && !pair.wanted.simulation;
     setText(
       this.boxHint,
       !isConnected

@@ -1,6 +1,8 @@
 import { describe, expect, it } from 'vitest';
-import { targetsOf } from '../../src/pair';
+import { Pair, targetsOf } from '../../src/pair';
 import { largestDifference } from '../../src/panels/both';
+import type { PairEvent } from '../../src/protocol';
+import type { Session } from '../../src/session';
 
 const ROBOT = '10.0.0.7:54000';
 
@@ -27,6 +29,50 @@ describe('targetsOf', () => {
     expect(targetsOf('move', ROBOT, true, 'robot')).toEqual(['run']);
     expect(targetsOf('move', ROBOT, false, 'robot')).toEqual(['run']);
     expect(targetsOf('led', ROBOT, true, 'robot')).toEqual([ROBOT, 'run']);
+  });
+});
+
+describe('wish', () => {
+  // A session whose server answers when the test says so.
+  function connected() {
+    const answers: ((answer: object | null) => void)[] = [];
+    const session = {
+      robot: 0,
+      idOfNext: 1,
+      emit: () => {},
+      good: () => {},
+      bad: () => {},
+      ask: async () => ({ model: 'ERS-210' }),
+      tell: () => new Promise((resolve) => answers.push(resolve)),
+    };
+    return { pair: new Pair(session as unknown as Session), answers };
+  }
+  const status = { pair: 1, state: 'connected' } as unknown as PairEvent;
+
+  it('keeps what the user has chosen while a status comes before the answer', async () => {
+    const { pair, answers } = connected();
+    await pair.connect(ROBOT, 32);
+    const first = pair.wish(false, 'none');
+    answers[0]?.({});
+    await first;
+    const second = pair.wish(true, 'none');
+    pair.take(status);
+    expect(pair.wanted).toEqual({ simulation: true, follow: 'none' });
+    expect(pair.simulation).toBe(false); // not accepted yet
+    const third = pair.wish(pair.wanted.simulation, 'simulation');
+    answers[1]?.({});
+    answers[2]?.({});
+    await Promise.all([second, third]);
+    expect([pair.simulation, pair.follow]).toEqual([true, 'simulation']);
+  });
+
+  it('goes back to what the server has accepted when it refuses', async () => {
+    const { pair, answers } = connected();
+    await pair.connect(ROBOT, 32);
+    const refused = pair.wish(true, 'robot');
+    answers[0]?.(null);
+    await refused;
+    expect(pair.wanted).toEqual({ simulation: true, follow: 'none' });
   });
 });
 

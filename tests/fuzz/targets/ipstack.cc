@@ -261,7 +261,7 @@ bool fuzz::ipstack(std::string_view bytes) {
     }
     FuzzCheck(stack->endpoint_count() <= IpStack::kEndpointsMax, "the number of endpoints");
   }
-  return sender->has_resolved;
+  return sender->has_received && sender->has_resolved;
 }
 
 }  // namespace openr_host
