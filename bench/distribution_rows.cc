@@ -296,7 +296,7 @@ int RunPeer(const std::string& kind, const std::string& name) {
 
 std::vector<Row> DistributionRows() {
   std::vector<Row> rows;
-  // With one message under way at a time, the rows show the latency; with eight, the throughput.
+  // Rows with one message under way at a time show the latency, those with eight the throughput.
   for (const int window : {1, 8}) {
     for (const size_t size : {size_t{100}, size_t{4096}, size_t{65536}}) {
       Row row;

@@ -63,8 +63,8 @@ class SettingsFile {
     } else if (parent == kRoot) {
       file->has_others_ = true;
     } else if (parent == kDomain && IsSame(name, "Id")) {
-      // In files for older versions of Cyclone DDS, the id of a domain is an element <Id> and not
-      // an attribute.
+      // The id of a domain is an element <Id>, and not an attribute, in files for older versions of
+      // Cyclone DDS.
       *element = kDomainId;
     } else if (parent == kDomain && (IsSame(name, "Security") || IsSame(name, "DDSSecurity"))) {
       file->domains_.back().has_security = true;

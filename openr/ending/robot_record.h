@@ -11,7 +11,7 @@ namespace openr_host {
 
 class Object;
 
-// What a crash is to the robot's processor.
+// The exception that the robot's processor would raise for a crash of a run.
 struct RobotException {
   unsigned code = 0;         // exception code (field-notes.md 4.1); 0 if the robot would go on
   uint64_t bad_address = 0;  // address that could not be accessed; 0 for other exceptions

@@ -28,8 +28,8 @@ class RobotServices {
   virtual OStatus ControlPrimitive(OPrimitiveID id, OPrimitiveRequest request, void* param,
                                    size_t param_size, void* result, size_t result_size);
 
-  // In the functions below, `gains` has the six numbers of a joint's PID control: P, I, D gain,
-  // then P, I, D shift.  A gain acts like gain x 2^(shift - 16) (robot.md 8).
+  // The parameter `gains` of the functions below has the six numbers of a joint's PID control: P,
+  // I, D gain, then P, I, D shift.  A gain acts like gain x 2^(shift - 16) (robot.md 8).
   virtual OStatus EnableJointGain(OPrimitiveID id);
   virtual OStatus DisableJointGain(OPrimitiveID id);
   virtual OStatus SetJointGain(OPrimitiveID id, const word gains[6]);

@@ -1,7 +1,7 @@
 // Messages between the system and an object.
 //
-// Of these messages, an application receives only OPowerStatusMessage; its stub receives
-// OReasonMessage and OConnectMessage.  On the robot the OPENR:: functions send the others; the host
+// An application receives only OPowerStatusMessage of these; its stub receives OReasonMessage and
+// OConnectMessage.  On the robot the OPENR:: functions send the others; the host
 // needs no messages for them.  They are declared because sources name them.  Sizes are those of a
 // 32-bit target, as on the robot.
 #ifndef OPENR_OPENRMESSAGES_H_INCLUDED

@@ -4,8 +4,8 @@
 // when its count reaches 0.  Subject and observer each have an RCRegion of their own for the same
 // memory, each with a count of its own.
 //
-// In the subject's RCRegion, count 1 means that only the owner has a reference, so the memory may
-// be written.  A larger count means that observers still use the memory.
+// A count of 1 in the subject's RCRegion means that only the owner has a reference, so the memory
+// may be written.  A larger count means that observers still use the memory.
 #ifndef OPENR_RCREGION_H_INCLUDED
 #define OPENR_RCREGION_H_INCLUDED
 
