@@ -46,7 +46,7 @@ def write_curve(path, curve, shipped_mm_s):
                  'stroke-dasharray="6 4"/>')
     parts.append(text(WIDTH - RIGHT, y(shipped_mm_s) - 6, "walk of the stick", "end", ORANGE))
     if curve:
-        parts.append(text(WIDTH - RIGHT, y(curve[-1][1]) - 8, "best so far", "end", BLUE))
+        parts.append(text(WIDTH - RIGHT, y(curve[-1][1]) - 8, "best of a generation", "end", BLUE))
         low = min(point[2] for point in curve[-(len(curve) // 4 + 1):])  # of the part above the words
         parts.append(text(WIDTH - RIGHT, y(low) + 16, "mean of a generation", "end", "#6b7580"))
     parts.append("</svg>\n")
