@@ -11,8 +11,8 @@ std::string JoinAdvice(const std::string& process, const std::string& host, cons
   if (bus.domain != assumed.domain) text += fmt::format(" --dds-domain {}", bus.domain);
   if (host != assumed.address) text += fmt::format(" --dds-address {}", host);
   if (host != bus.address) text += fmt::format(" --dds-peer {}", bus.address);
-  // Shows the word FILE and not the run's own file, because the worker's host needs a file with a
-  // key of its own.
+  // Shows the word FILE and not the name of this run's file, because each host has a settings file
+  // of its own: with DDS Security, the file has the host's private key.
   if (!bus.config_file.empty()) text += " --dds-config FILE";
   if (host != bus.address)
     // Shows the word DIR, which stands for a copy of the run's stick on the host `host`.

@@ -27,7 +27,8 @@ class NameClaim {
   void Announce(const std::string& claim);
 
   Bus* const bus_;
-  // The claim of this run.  Claims are compared as texts, and of two claims the earlier one wins.
+  // The claim of this run, a text that begins with the time of the claim.  Of two claims, the claim
+  // that comes first in the order of texts wins, which is the earlier claim.
   const std::string own_;
   bool is_permanent_ = false;
   dds_entity_t topic_ = 0;

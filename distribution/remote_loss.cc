@@ -57,8 +57,9 @@ void RemoteProcess::ReleaseAll() {
   ReturnExported();
   marshaller_->PeerIsLost();
   for (const auto& [id, object] : objects_) {
-    // Ends the wait of a stand-in whose handler in the worker had not returned, because the lost
-    // worker will never report the end of the handler.
+    // Ends the wait of a RemoteObject, the master's stand-in for an object of the worker, if its
+    // handler in the worker had not returned.  The lost worker will never report the end of this
+    // handler.
     if (object->handler.blocked != nullptr) WakeHandler(id, object->handler.blocked_box);
   }
   calls_->ReleasePins();

@@ -82,9 +82,10 @@ void RemoteObject::ReturnRegion(RCRegion* region) { process_->ReturnRegion(regio
 
 bool RemoteObject::IsLost() const { return process_->is_lost(); }
 
-// Returns whether, in a free run, a handler of the object runs in its worker.  If so, the caller
-// ignores a time-out of virtual time, because the worker needs only wall time.  Returns false for
-// DoStop and DoDestroy, because the end of a run has a time limit that no worker may extend.
+// Returns whether a handler of the object runs in its worker in a free run, in which the master
+// does not wait for handlers.  If so, the caller ignores a time-out in virtual time, because this
+// time says nothing about the wall time that the worker needs.  Returns false for DoStop and
+// DoDestroy, because the end of a run has a time limit that no worker may extend.
 bool RemoteObject::IsAtWorkElsewhere() const {
   return process_->IsAtWork(id) && handler.running->selector != oentrySTOP &&
          handler.running->selector != oentryDESTROY;

@@ -77,8 +77,9 @@ class RemoteProcess {
   // Adds `object`, the master's stand-in for an object that the worker will load.
   void Add(RemoteObject* object);
 
-  // Begins to load the objects of a restarted worker: sends new entries as Load() does, but does
-  // not wait.  The worker counts as lost until Rejoin().
+  // Begins to load the objects of a restarted worker: sends new entries of the master's tables of
+  // robots and objects, as Load() does, but does not wait.  The worker counts as lost until
+  // Rejoin().
   void BeginLoad(const openr_wire_Load& load);
   // Returns whether the worker has loaded its objects after BeginLoad().  `objects` are the new
   // stand-ins of these objects.

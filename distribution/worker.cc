@@ -345,8 +345,8 @@ void Worker::SendStopped(Object* object) {
   stopped.object = object->id;
   stopped.kind = openr_wire_STOP_DONE;
   stopped.timeout_us = -1;
-  // Sends the reason of the wait if the object has an element in waits_.  Its handler has then not
-  // returned but waits for a reply or a line.
+  // waits_ has an entry for the object if its handler has not returned, but waits for a reply or
+  // for a line of console input.  Sends the reason of this wait.
   if (const auto found = waits_.find(object->id); found != waits_.end()) {
     stopped.kind = found->second.kind;
     stopped.box = found->second.box;

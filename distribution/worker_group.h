@@ -136,9 +136,11 @@ class WorkerGroup {
     std::string lost;
     bool is_external = false;  // whether a user starts the worker with openr join
     bool is_welcomed = false;
-    // Number of robots of the master's table that the worker has received, counted from the first.
+    // Number of robots that the worker has received, which are the first entries of the master's
+    // table of robots.
     size_t robots = 0;
-    // Number of objects of the master's table that the worker has received, counted from the first.
+    // Number of objects that the worker has received, which are the first entries of the master's
+    // table of objects.
     size_t known = 0;
     // ---- The state of the loss and the restart of this worker, from here to the end
     Stage stage = Stage::kRunning;

@@ -58,14 +58,14 @@ std::string PutImages(const std::vector<std::string>& images, const fs::path& ob
   return list;
 }
 
-// Adds the lines `ours` to a configuration file of the base.  Creates the file if the base has
-// none.
+// Adds the lines `ours` to `file`, a configuration file that was copied from the user's base
+// (NewStickOptions::base).  Creates the file if there is no base, or if the base has no such file.
 void MergeInto(const fs::path& file, const std::string& ours) {
   Write(file, MergeConfig(ReadText(file).value_or(""), ours));
 }
 
-// Returns the names of the images in OPEN-R/MW/OBJS of the stick `root` that its OBJECT.CFG does
-// not name, for any robot.
+// Returns the names of the images in OPEN-R/MW/OBJS of the stick `root` that its OBJECT.CFG names
+// for no robot.
 std::vector<std::string> UnlistedImages(const fs::path& root) {
   const std::string text = ReadText(SpeltBelow(root, "OPEN-R/MW/CONF/OBJECT.CFG")).value_or("");
   const std::vector<ObjectRecord> records =

@@ -160,7 +160,8 @@ class Bench {
   Probe& probe(const std::string& name);
 
   // Boots the robot: calls DoInit of all objects, makes the connections, and calls DoStart of all
-  // objects.  Returns after the last DoStart.
+  // objects.  Returns after the last DoStart.  Returns false, and reports a failure, if the robot
+  // does not boot or an object makes an error during the boot.
   bool Boot(Place place = Place::Here());
 
   // ---- Running
@@ -340,8 +341,8 @@ class Bench {
 
   BenchStick& stick() { return *stick_; }
 
-  // Adds a simulated network client, which is on another computer for the robot.  Its script says
-  // what it sends and expects.
+  // Adds a simulated network client.  The robot sees it as a program on another computer.  The
+  // client's script says what it sends and expects.
   TcpClient& AddClient();
   // Returns the network that the robot is on.  A test can add other computers and host names to it.
   const std::shared_ptr<openr_host::LoopbackHub>& network() const { return hub_; }

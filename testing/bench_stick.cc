@@ -37,8 +37,8 @@ BenchStick::BenchStick(const std::string& model)
 }
 
 void BenchStick::Write(const std::string& name, std::string_view bytes) {
-  // Creates the folders above the file one by one, because Locate() must find the folders that
-  // exist, even if their names differ in upper and lower case.
+  // Creates the missing folders above the file, the outermost first.  Looks each folder up with
+  // Locate(), because it may exist under a name that differs only in upper and lower case.
   for (size_t end = name.find('/', 4); end != std::string::npos; end = name.find('/', end + 1)) {
     const Location folder = Locate(name.substr(0, end));
     if (folder.error == 0 && !folder.exists) fs::create_directory(folder.path);

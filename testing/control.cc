@@ -59,8 +59,9 @@ bool ControlledScope::Refuse(const char* what) {
 
 int ThreadCount() {
   if (!g_thread_was_made) return 1;  // no thread was ever made, so only this thread exists
-  // Counts for up to 50 ms until only this thread is left, because pthread_join() may return while
-  // the kernel still lists the joined thread.
+  // Counts the threads again every millisecond, for up to 50 ms, until only this thread is left.
+  // One count is not enough, because pthread_join() may return while the kernel still lists the
+  // joined thread.
   constexpr int kTries = 50;
   int count = ListedThreads();
   for (int i = 0; i < kTries && count > 1; ++i) {

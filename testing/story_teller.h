@@ -26,13 +26,14 @@ class StoryTeller {
   StoryTeller& operator=(const StoryTeller&) = delete;
 
   // Starts again the timer that ends a handler at its limit of processor time, and notes the
-  // running test.  Called in a copy of the process, because a copy inherits no timer and may run
-  // another test.
+  // running test.  Called in a copy of the process (made by fork(), see snapshot.h), because a copy
+  // inherits no timer and may run another test.
   void OnCopied();
 
   // Returns `failure`, the text of a failure, followed by the story of the running test's newest
   // bench.  Returns `failure` unchanged if it has a story already, or if the test has no bench.  In
-  // a copy of the process, the bench that was copied belongs to the test that runs in the copy.
+  // a copy of the process (made by fork(), see snapshot.h), the copied bench counts as a bench of
+  // the test that runs in the copy.
   static std::string WithStory(const std::string& failure);
 
  private:

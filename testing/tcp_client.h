@@ -27,17 +27,18 @@ class TcpClient : public openr_host::CodeObject {
 
   // ---- The script, step by step
 
-  // Waits until an object listens on `port` of the robot and accepts the connection.
+  // Adds a step that waits until an object listens on `port` of the robot and accepts the
+  // connection.
   TcpClient& Connect(uint16_t port, Place place = Place::Here());
   TcpClient& Send(std::string bytes, Place place = Place::Here());
-  // Waits until the robot has sent `bytes`.  Skips the bytes before them.
+  // Adds a step that waits until the robot has sent `bytes`, and skips the bytes before them.
   TcpClient& Hear(std::string bytes, Place place = Place::Here());
-  // Waits until the robot has sent `count` more bytes.
+  // Adds a step that waits until the robot has sent `count` more bytes.
   TcpClient& HearBytes(size_t count, Place place = Place::Here());
-  // Waits until the robot has ended the connection.
+  // Adds a step that waits until the robot has ended the connection.
   TcpClient& HearEnd(Place place = Place::Here());
-  // Close() ends the connection as TCP does normally.  Reset() breaks it off with a TCP reset, so
-  // that the robot's next calls on the connection fail.
+  // Add a step that ends the connection.  Close() ends it as TCP does normally.  Reset() breaks it
+  // off with a TCP reset, so that the robot's next calls on the connection fail.
   TcpClient& Close(Place place = Place::Here());
   TcpClient& Reset(Place place = Place::Here());
 

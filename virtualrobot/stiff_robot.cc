@@ -108,7 +108,8 @@ StiffRobot::StiffRobot(const RobotModel& model, const std::vector<double>& angle
 }
 
 void StiffRobot::Move() {
-  // Goes through the parts in the order of the model, which places a parent before its parts.
+  // Goes through the parts in the order of the model, which lists a parent before its children.  So
+  // the pose of the parent is known when a part is reached.
   for (size_t i = 1; i < X_BL_.size(); ++i) {
     const auto j = static_cast<size_t>(model_.bodies[i].joint);
     const JointModel& joint = model_.joints[j];

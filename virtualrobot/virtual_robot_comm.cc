@@ -87,11 +87,12 @@ void OVirtualRobotComm::Frame() {
     SendToListeners(sensor_, robot_.sensors.MakeVector(robot_.optional));
   }
 
-  // 5.  Send the image that the camera took before, and take the next image.  No source says how
+  // 5. Send the image that the camera took before, and take the next image.  No source says how
   // much time the camera needs to read out an image.  But BallTrackingHead, a sample of Sony, finds
   // the angles that belong to an image in the two newest sensor vectors (robot.md, 14), which have
-  // the samples of the last 8 frames.  So we send an image 4 to 8 frames after the frame that it
-  // shows.
+  // the samples of 8 frames.  The newest of these samples is 1 to 4 frames old, so an image that is
+  // sent 4 to 8 frames after the frame that it shows always has its angles among them.  So we send
+  // an image in this time.
   if (image_->NumberOfObservers() > 0 && robot_.camera.Due(frame)) {
     if (exposed_) SendToListeners(image_, exposed_.get());
     exposed_.Release();

@@ -352,8 +352,8 @@ Controller::ContinueLoop()
     LoopStackContinue();
 }
 
-// Ends the program by exit().  On the robot, exit() ends only the running method, and the object
-// goes on (Programmer's Guide, appendix A.2).
+// Ends main() of the program by exit().  On the robot, exit() ends only the running method, so the
+// object goes on without main() (Programmer's Guide, appendix A.2).
 void
 Controller::EndLoop()
 {

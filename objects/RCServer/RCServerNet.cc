@@ -23,7 +23,8 @@ static const int ENDPOINT_POOL_SIZE = 2 * SEND_SIZE;
 // Time between two tries to listen: one second, in frames of 8 ms.
 static const Uint32 RETRY_FRAMES = 125;
 
-// Time after which a silent client may lose its place: RC_IDLE_SECONDS in frames of 8 ms.
+// Time, in frames of 8 ms, after which a silent client may lose its place to a waiting client.
+// RETRY_FRAMES are one second.
 static const Uint32 IDLE_FRAMES = RC_IDLE_SECONDS * RETRY_FRAMES;
 
 // Returns the continuation (user data) of a network message: the index of the client to which the
@@ -147,8 +148,9 @@ RCServer::PlaceWaiting(Uint32 frame)
     }
 }
 
-// Tells client `index` that all places are taken, and ends its connection.  Called when this client
-// has sent no request.
+// Tells client `index` that all places are taken, and ends its connection.  Called when this
+// client, which waits for a place, has sent nothing for RC_IDLE_SECONDS.  A waiting client that
+// sends a request gets the same answer from ClientSession.
 void
 RCServer::TurnAway(int index)
 {

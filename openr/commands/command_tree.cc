@@ -25,7 +25,8 @@ bool IsOneOf(const std::string& word, std::initializer_list<const char*> words) 
 }
 
 // Returns the kind of an option's value.  `type` is CLI11's text for the option.  `name` is the
-// name of a positional in the help; "" for a flag.
+// option's name in the help if the option is a positional argument, and "" if the option begins
+// with '-'.
 OptionInfo::Value ValueOf(const std::string& type, const std::string& name) {
   using Value = OptionInfo::Value;
   if (!ChoicesIn(type).empty()) return Value::kChoice;

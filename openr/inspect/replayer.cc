@@ -289,7 +289,9 @@ void Replayer::Compare(const TraceRecord& record, const Message& message) {
   SkipNames();
   const TraceEntry* const next = reader_.Peek();
   if (next == nullptr || next->kind == Kind::kEnd) {
-    // The recording ends before the last message of this instant, so the replay ends, too.
+    // The recording has no message to compare this message with, because it was stopped before this
+    // message, for instance in the middle of this instant.  So the replay ends, without a
+    // difference.
     at_end_ = true;
     return;
   }

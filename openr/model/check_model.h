@@ -22,7 +22,8 @@ struct ModelCheck {
   int paws = 0;  // number of paws that touch the floor
   // Pitch and height of a stiff robot with the same set points, computed from kinematics alone.
   double stiff_pitch_deg = 0, stiff_height_mm = 0;
-  // Distance that the robot moves in the following 60 s, and largest change of roll, pitch or yaw.
+  // Distance that the robot moves, and largest change of roll, pitch or yaw, from 2 s to 62 s after
+  // standing up.
   double drift_60s_mm = 0, drift_60s_deg = 0;
   std::vector<std::string> problems;  // one text for each value outside of its limit
 };

@@ -229,7 +229,8 @@ int32_t System::RefuseSelector(const Message& message, const Object& target) {
   return sEXCEEDEDSIZEOFENTRYTABLE;
 }
 
-// Refuses a message because the schedule lets the post fail.
+// Refuses a message as if the queue of `target` were full, because the schedule (schedule.h)
+// demands that this post fails.
 int32_t System::RefuseAsFull(const Message& message, Object* target) {
   AddFindingAbout(target, Severity::kWarning,
                   fmt::format("sel={} ({}): the schedule refuses a message, as a full queue "

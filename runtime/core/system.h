@@ -184,7 +184,8 @@ class System {
   // calls() sends the request to the master process.  In the master process, calls() is LocalCalls,
   // which calls this function.  A robot that is off and waits for its boot timer then stays off.
   void BeginShutdown(int index, const RunEnd& why);
-  // Does the work of PowerOff(), which passes the request to calls() as Shutdown() does.
+  // Switches the power of the robot off.  PowerOff() only passes the request to calls(), which
+  // calls this function.
   void CutPower(int robot, const RunEnd& why);
 
   // Records the reason why a robot goes off.  The first reason is kept; only a PowerOff() during a

@@ -263,7 +263,7 @@ FILE* freopen(const char* path, const char* mode, FILE* file) {
   const ApiScope scope;
   if (may_open) return Remember(next(host.c_str(), mode, file), host, writes);
   const int error = errno;
-  fclose(file);  // as freopen() does that cannot open the file
+  fclose(file);  // the C library closes the old stream, too, if it cannot open the file
   errno = error;
   return nullptr;
 }
@@ -281,7 +281,7 @@ int close(int descriptor) {
   static const auto next = OPENR_NEXT(close);
   if (!InObject()) return next(descriptor);
   const ApiScope scope;
-  // Does not close the console, which stays open.
+  // Reports success but leaves the console open, because it belongs to the whole run.
   if (descriptor >= STDIN_FILENO && descriptor <= STDERR_FILENO) return 0;
   if (ForgetDescriptor(descriptor)) return next(descriptor);
   errno = EBADF;  // refuses, because an object must not close descriptors of the host

@@ -120,8 +120,8 @@ class HostNetwork : public Network {
   uint32_t bind_ip_;  // host's address for server ports at the robot's own address
   // Addresses that At() has selected for sockets that are not bound yet.
   std::map<NetHandle, uint32_t> at_;
-  // The further addresses of the robot at which sockets are bound.  The value is the address of the
-  // host.
+  // The addresses of the robot, besides its own address, at which sockets are bound.  The value is
+  // the address of the host that replaces the robot's address.
   std::map<uint32_t, uint32_t> bound_;
   HostPorts tcp_ports_;
   HostUdp udp_;

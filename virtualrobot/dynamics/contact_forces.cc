@@ -38,10 +38,10 @@ Friction NextFriction(const Friction& now, double a, double b, double c, const F
   const Friction stick{now.x + (missing.x * c - missing.y * b) / det,
                        now.y + (missing.y * a - missing.x * b) / det};
   if (Length(stick.x, stick.y) <= max) return stick;
-  // The contact slides, so its impulse must get the direction of the missing velocity.  Repeated
-  // steps along the missing velocity, each cut back to the cone, end where the impulse and the
-  // missing velocity have one direction.  The step has the largest length that does not overshoot:
-  // 1 / the largest eigenvalue of the matrix.
+  // The contact slides, so its impulse must have the length `max` and the direction of `missing`.
+  // Each call makes one step along `missing`, and shortens the result to `max` if it is longer.
+  // Repeated steps end where the impulse and `missing` have one direction.  The factor of a step is
+  // 1 divided by the largest eigenvalue of the matrix, the largest factor that does not overshoot.
   const double half = (a - c) / 2;
   const double step = 1 / ((a + c) / 2 + Length(half, b));
   const Friction slide{now.x + step * missing.x, now.y + step * missing.y};
