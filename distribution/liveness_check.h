@@ -23,7 +23,7 @@ class LivenessCheck {
   LivenessCheck(const std::string& machine, int64_t pid);
 
   // Returns whether the process was killed or has ended.  A new process that has got the same id is
-  // recognised by its start time and does not count.
+  // recognised by its start time, and does not count as the tested process.
   bool HasEnded() const;
 
  private:

@@ -97,7 +97,8 @@ void RemoteProcess::Forget(ObjectId id) {
   openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_FORGET);
   to_worker.body._u.replaced_object = id;
   Send(to_worker);
-  // Does not wait for the answer in a free run; HandleFreeSample() receives it later.
+  // Does not wait for the answer in a free run, in which the master waits for no worker.
+  // HandleFreeSample() receives the answer later.
   if (is_free_) return;
   const ReceivedSample to_master = Next();
   if (to_master->body._d != openr_wire_TO_MASTER_FORGOTTEN)

@@ -25,8 +25,8 @@ class RemoteObject : public Object {
   // reached.  kCrashed means that a handler has crashed.  kAtEnd means that the worker was lost
   // after the run, when the master asked only for the state of its objects.
   enum class Loss { kGone, kCrashed, kAtEnd };
-  // A function that is called when a stand-in finds that its worker is lost.  `why` is a text for
-  // the user.
+  // A function that is called when a RemoteObject finds that its worker is lost.  `why` is a text
+  // for the user.
   using LossListener = std::function<void(const RemoteObject*, Loss, const std::string& why)>;
 
   RemoteObject(System* system, ObjectId id, int robot, RemoteProcess* process, LossListener lost)

@@ -261,8 +261,8 @@ bool RemoteProcess::RunHandler(RemoteObject* object, const Message& message) {
     } else {
       ResumeWithReply(object, *stop, session);
     }
-    // Returns false if the worker was lost while the stand-in waited, even if it has been restarted
-    // since.
+    // Returns false if the worker was lost while the master waited, even if the worker has been
+    // restarted since.
     if (is_lost_ || session != session_) return false;
   }
 }
@@ -374,7 +374,7 @@ void RemoteProcess::CheckHealth() {
     const std::string problem = FindProblem();
     if (problem.empty()) return;
     if (const ReceivedSample last = slot_.channel()->Receive(kGoodbyeWaitMs))
-      return HandleFreeSample(*last);  // a goodbye has a better reason than `problem`
+      return HandleFreeSample(*last);  // the worker's goodbye tells more than `problem`
     throw ProcessLost(problem);
   });
 }
@@ -403,8 +403,9 @@ void RemoteProcess::WakeHandler(ObjectId object, uint64_t box) {
   system_->Post(std::move(wake));
 }
 
-// Makes the stand-in wait in the master for the reply that `stop` names, so that other objects run
-// meanwhile.  Then sends the reply to the worker, where the handler goes on.
+// Makes `object`, the master's stand-in for an object of the worker, wait for the reply that `stop`
+// names, so that other objects run meanwhile.  Then sends the reply to the worker, where the
+// handler goes on.
 void RemoteProcess::ResumeWithReply(RemoteObject* object, const Stop& stop, uint64_t session) {
   openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_RESUME);
   openr_wire_Resume& resume = to_worker.body._u.resume;

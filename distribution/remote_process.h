@@ -81,8 +81,8 @@ class RemoteProcess {
   // robots and objects, as Load() does, but does not wait.  The worker counts as lost until
   // Rejoin().
   void BeginLoad(const openr_wire_Load& load);
-  // Returns whether the worker has loaded its objects after BeginLoad().  `objects` are the new
-  // stand-ins of these objects.
+  // Returns whether the worker has loaded its objects after BeginLoad().  `objects` are the
+  // master's new stand-ins for these objects.
   bool HasLoaded(const std::map<ObjectId, RemoteObject*>& objects);
   // Ends a restart: the worker does not count as lost any more.  `objects` are the new stand-ins in
   // the master for the worker's objects; they have replaced the old stand-ins.
@@ -219,7 +219,7 @@ class RemoteProcess {
   const std::string name_;
   const std::function<std::string()> health_;
   const std::function<void(const std::string&)> say_;
-  const std::string wait_reason_;  // text for the user, which says for what a stand-in waits
+  const std::string wait_reason_;  // tells the user what a RemoteObject waits for
   ProcessSlot slot_;
   System* system_ = nullptr;
   std::unique_ptr<Marshaller> marshaller_;
@@ -240,9 +240,9 @@ class RemoteProcess {
   // While a handler runs in the worker, the object's stand-in waits in the master for a reply.
   // HandleFreeSample() posts this reply when the handler has stopped.
   bool is_free_ = false;
-  uint64_t wake_box_count_ = 0;  // number of reply boxes that were made for stand-ins
-  // The objects with a handler in the worker; the value is the reply box for which the stand-in
-  // waits.
+  uint64_t wake_box_count_ = 0;  // number of reply boxes made for RemoteObjects
+  // The objects with a handler in the worker; the value is the reply box for which the object's
+  // stand-in waits in the master.
   std::map<ObjectId, uint64_t> running_;
   std::map<ObjectId, Stop> stops_;  // the reason why the handler of each object has stopped
   // The time of the worker's last sample, or the time when an idle worker was given work.

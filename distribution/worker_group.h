@@ -156,7 +156,8 @@ class WorkerGroup {
     // The master's new stand-ins for the objects of a restarted worker, until they replace the old
     // stand-ins.
     std::vector<std::unique_ptr<RemoteObject>> new_objects;
-    // The new stand-ins for the objects of a restarted worker, by the ids of the objects.
+    // The master's new stand-ins for the objects of a restarted worker; the key is the id of the
+    // object.
     std::map<ObjectId, RemoteObject*> successors;
   };
 

@@ -201,14 +201,16 @@ void WorkerGroup::OnReplaced(ObjectId id) {
   }
   for (auto& [name, member] : members_) {
     for (const auto& [other, object] : member.objects) {
-      // Skips old stand-ins that are destroyed already.  In stage kReplacing, member.objects still
-      // has the old stand-ins.  Objects are replaced in the order of their ids, so the old
-      // stand-ins with ids below `id` are destroyed.
+      // Skips the master's old stand-ins for objects that were replaced before, because they are
+      // destroyed already.  In stage kReplacing, member.objects still has the old stand-ins.
+      // Objects are replaced in the order of their ids, so the old stand-ins with ids below `id`
+      // are destroyed.
       if (other >= id || member.stage != Stage::kReplacing) object->ForgetObserver(id);
     }
     if (member.stage != Stage::kReplacing || !member.successors.contains(id)) continue;
-    // Copies the count of undelivered messages to the new stand-in.  NewInstance() has copied it
-    // already, but messages may have come for the old stand-in since then.
+    // Copies the count of undelivered messages from the master's old stand-in for the object to the
+    // new one.  NewInstance() has copied it already, but messages may have come for the old
+    // stand-in since then.
     member.successors[id]->undelivered_count = member.objects[id]->undelivered_count;
     // Finishes the restart only when `id` was the last object of the worker.  Objects are replaced
     // in the order of their ids, so the last object has the largest id.

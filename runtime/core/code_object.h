@@ -41,7 +41,7 @@ class CodeObject : public OObject {
   System& system() const { return *host_->system; }
 
  protected:
-  // The function of an entry that does nothing with its messages.
+  // A function that ignores a message, for entries whose messages the object need not handle.
   struct Nothing {
     template <typename T>
     void operator()(const T&) const {}

@@ -269,8 +269,9 @@ void Dispatcher::DeliverReply(Object* object, OwnedMessage message) {
   ++delivered_;
   system_->trace_.Deliver(*message, system_->now_us_);
   const uint64_t box = message->reply_box;
-  // The box may have been closed since `message` was posted: by CleanRBox(), or because the reply
-  // came and `message` is the time-out.  Then nobody waits for `message`, so it is dropped.
+  // The reply box may have been closed since `message` was posted: by CleanRBox(), or because the
+  // reply came and `message` is the time-out.  Then no handler waits for `message`, so it is
+  // dropped.
   if (!object->boxes.open.contains(box)) return;
   object->boxes.arrived[box] = std::move(message);
   // If the handler does not wait for this reply, the reply stays in its box until the object asks

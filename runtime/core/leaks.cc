@@ -193,8 +193,8 @@ bool LeakSearch::HasWaitingHandler() const {
   });
 }
 
-// Reads the stacks of handlers, if a handler waits.  Otherwise the stacks hold only bytes that
-// earlier handlers have left.
+// Reads the stacks of handlers only if a handler waits, because otherwise the stacks hold only
+// bytes that earlier handlers have left.
 void LeakSearch::ReadStacks() {
   const bool has_waiting = HasWaitingHandler();
   for (const auto& [begin, bytes] : StackMemory::All()) {

@@ -93,8 +93,8 @@ void PassStatistics(const Object& old, Object* fresh) {
   fresh->waiting_max = old.waiting_max;
   fresh->handler_ns_max = old.handler_ns_max;
   fresh->stack_max = old.stack_max;
-  // Takes over the whole count.  It includes messages that a gate (schedule.h) keeps, which `fresh`
-  // will receive.
+  // Copies the whole count of waiting messages.  The count includes messages that a gate
+  // (schedule.h) keeps, which `fresh` will receive.
   fresh->waiting = old.waiting;
 }
 

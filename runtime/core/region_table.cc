@@ -11,8 +11,9 @@
 namespace openr_host {
 namespace {
 
-// The number of known bytes that follow a block.  With AddressSanitizer no known bytes follow a
-// block, because AddressSanitizer itself reports writes beyond the end of a block.
+// The number of bytes with the known value kGuard behind each block, by which a write beyond the
+// end of the block is found.  With AddressSanitizer there are no such bytes, because
+// AddressSanitizer itself reports such a write.
 const size_t kGuardBytes = IsAddressSanitized() ? 0 : 16;
 // With AddressSanitizer, the memory of a copy that is no longer used is freed and not kept for the
 // next copy.  Then AddressSanitizer reports reads of the old copy.

@@ -20,13 +20,14 @@ struct Stall {
   int64_t since_us = 0;         // virtual time when the wait began
   std::string text;             // "JointMover waits for ready of RCServer on ... since t=1.248 s"
   const char* advice = "";      // tells the author of the program how to end the wait
-  // The observer has asserted no ready since its last notification, or not at all, and no data wait
-  // for the observer.  The observer may have forgotten to assert, or may want no more data.  So
-  // this stall is reported only if no object of the run sends messages any more.
+  // True if the observer has asserted no ready since its last notification, or not at all, and no
+  // data wait for the observer.  The observer may have forgotten to assert, or may want no more
+  // data.  So this stall is reported only if no object of the run sends messages any more.
   bool may_be_done = false;
-  // The observer has probably stopped on purpose, so the report has a note and not a warning.  This
-  // is assumed in two cases: the observer has taken two notifications or more, so it has asserted
-  // ready again before; or the subject belongs to the robot, whose services do not need the ready.
+  // True if the observer has probably stopped on purpose, so the report has a note and not a
+  // warning.  This is assumed in two cases: the observer has taken two notifications or more, so it
+  // has asserted ready again before; or the subject belongs to the robot, whose services do not
+  // need the ready.
   bool is_chosen = false;
 };
 

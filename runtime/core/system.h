@@ -240,7 +240,7 @@ class System {
 
   // Queues a message of NewMessage(), due `delay_us` from now.  Returns an sError: sSUCCESS,
   // sINVALIDOID, or sFULLMSGQENTRY if the receiver's queue is full (only with
-  // SystemOptions::strict) or if the schedule lets the post fail.
+  // SystemOptions::strict) or if the schedule (schedule.h) makes the post fail.
   int32_t Post(OwnedMessage message, int64_t delay_us = 0) {
     const Object* const sender = t_current.object;
     if (sender != nullptr && sender->is_image) ReportHostAddresses(*message);

@@ -1,6 +1,6 @@
-// Functions that read the state of the wireless card.  Each fills in its argument and returns the
-// status, which is also a field of the argument: ETHER_INVALID_PORT without a card,
-// ETHER_UNSUPPORTED without its driver.
+// Functions that read the state of the wireless card.  Each function fills in its argument and
+// returns the status, which is also a field of the argument.  The status is ETHER_INVALID_PORT
+// without a card, ETHER_UNSUPPORTED without the driver of the card.
 #ifndef OPENR_ERA201D1_H_INCLUDED
 #define OPENR_ERA201D1_H_INCLUDED
 

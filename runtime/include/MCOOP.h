@@ -36,7 +36,7 @@ sError SendWithRBox(OID oid, Selector selector, void* msg, size_t size, RID* rbo
 // Waits for the answer to a SendWithRBox().  Only this object waits, all others run on.
 sError Receive(RID rbox, void* msg = 0, size_t size = 0, size_t* got = 0,
                RelativeTime* timeout = 0);
-// Sends and waits for the answer.
+// Sends a message and waits for its answer.
 sError Call(OID oid, Selector selector, void* msg, size_t size, void* reply = 0,
             size_t replySize = 0);
 // Answers the Call or SendWithRBox that the running handler received.
@@ -50,8 +50,9 @@ void Return(void* msg = 0, size_t size = 0);
 void Exit();
 void ExitFromPrologue();
 
-// Request later messages: at a time, again after each period, or when the reply to `rbox` can be
-// received without waiting.  Unless `event` is 0, `*event` becomes the id for CancelEvent().
+// Request messages for later: SetTimeEvent() at a certain time and again after each period,
+// SetReplyEvent() when the reply to `rbox` can be received without waiting.  Unless `event` is 0,
+// `*event` becomes the id for CancelEvent().
 sError SetTimeEvent(TimeEventInfo* info, OID oid, Selector selector, void* msg, size_t size,
                     EventID* event);
 sError SetReplyEvent(RID rbox, OID oid, Selector selector, void* msg, size_t size, EventID* event);
@@ -62,7 +63,8 @@ sError NewRegion(size_t size, void** base);
 sError DeleteRegion(void* base);
 
 // Functions for memory that can be shared with other objects.  Other objects need the owner's
-// permission (error 44 without).  Sizes are in bytes; a region cannot grow beyond its first size.
+// permission; without it they get error 44.  Sizes are in bytes; a region cannot grow beyond its
+// first size.
 sError NewSharedMemoryRegion(size_t size, MemoryProtectionInfo info, MemoryRegionID* id,
                              void** base);
 sError DeleteSharedMemoryRegion(MemoryRegionID id);

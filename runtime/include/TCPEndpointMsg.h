@@ -142,8 +142,8 @@ struct TCPEndpointReceiveMsg : public TCPEndpointBaseMsg {
         queueNr(queue) {}
 };
 
-// Closes the connection; the answer comes when it is closed.  The guide shows the arguments
-// (module, abort), but the argument after the module is `linger`.
+// Closes the connection; the answer comes when it is closed.  Sony's network guide shows a
+// constructor with the arguments (module, abort), but the argument after the module is `linger`.
 struct TCPEndpointCloseMsg : public TCPEndpointBaseMsg {
   bool abort;  // true: drop the connection and all data at once
   bool linger;

@@ -20,7 +20,8 @@ struct TimeEventInfoWithRelativeTime : public TimeEventInfo {
   }
   TimeEventInfoWithRelativeTime(EventType type, RelativeTime time) { Set(type, time); }
 
-  // Requests a message after `first`, then one after each `period`; period 0: only the first.
+  // Requests a message after `first`, then a message after each `period`.  With period 0, requests
+  // only the first message.
   void Set(RelativeTime first, RelativeTime period = 0, longword attr = ExceedStartImmediate) {
     isRelativeTime = true;
     eventType = period == RelativeTime() ? NonPeriodic : Periodic;
@@ -29,7 +30,7 @@ struct TimeEventInfoWithRelativeTime : public TimeEventInfo {
     periodicTime = period;
   }
 
-  // Requests one message after `time`, or for type Periodic one after each `time`.
+  // Requests one message after `time`, or for type Periodic a message after each `time`.
   void Set(EventType type, RelativeTime time) {
     Set(time, type == Periodic ? time : RelativeTime());
     eventType = type;

@@ -1,4 +1,4 @@
-// The reference to an endpoint, whose fields mean nothing to programs.
+// The reference to an endpoint.  The fields of the reference mean nothing to programs.
 #ifndef OPENR_ANTMODULEREF_H_INCLUDED
 #define OPENR_ANTMODULEREF_H_INCLUDED
 

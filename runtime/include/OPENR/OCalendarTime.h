@@ -19,7 +19,7 @@ const int ocldtSTART_DAY_OF_THE_WEEK = ocldtdowSATURDAY;  // weekday of 2000-01-
 // (4), because the calendar repeats every 400 years.
 inline bool LeapYear(int year) { return year % 4 == 0 && (year % 100 != 0 || year % 400 == 0); }
 
-// The fields are plain data: writing one does not change the others.
+// The fields are plain data: writing one field does not change the other fields.
 class OCalendarTime {
  public:
   int year_;       // since 2000

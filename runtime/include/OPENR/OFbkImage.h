@@ -19,8 +19,9 @@ const OFbkImageBand ofbkimageBAND_Y_HH = 6;
 // A view of one band.  It copies nothing and is valid as long as the image data.
 //
 // The bands of one image are interleaved row by row, in the order Y, Cr, Cb and, for
-// odataFBK_YCrCb_HPF, LH, HL, HH.  The order of the last three is inferred; programs need only
-// Skip().  The colour detection image has one band and no skip.
+// odataFBK_YCrCb_HPF, LH, HL, HH.  The order of LH, HL and HH is inferred; programs do not depend
+// on it, because Pointer() and Skip() lead them through the rows of a band.  The colour detection
+// image has one band and no skip.
 //
 // The last row of the Y band, and of the colour detection image, begins with a tag of 16 bytes in
 // place of pixels: the field counter in bytes 0 and 1, low byte first, the colour frequencies of

@@ -12,8 +12,8 @@ const int olistNULL = -1;
 template <class T, int MaxSize>
 class OList {
  public:
-  // Refers to an element, or to the place behind the last one.  Stays valid until its element is
-  // removed.
+  // A reference to an element, or to the place behind the last element.  Stays valid until its
+  // element is removed.
   class Iterator {
    public:
     Iterator() : list_(0), node_(olistNULL) {}
@@ -22,7 +22,7 @@ class OList {
     bool operator==(const Iterator& other) const { return node_ == other.node_; }
     bool operator!=(const Iterator& other) const { return node_ != other.node_; }
 
-    // Returns the element; a default T for the place behind the last one.
+    // Returns the element, or a default T for the place behind the last element.
     T& operator*() const { return list_->At(node_); }
 
     // Move to the next or previous element.  The list is a ring: after the place behind the last

@@ -132,7 +132,7 @@ typedef longword OAsyncReqID;
 const OAsyncReqID oasyncReqID_UNDEF = 0xffffffff;
 const size_t oasyncReqID_MAX_SIZE = 32;
 
-// Lets several vectors start together; see OPENR::NewSyncKey().
+// A key that lets several vectors start together; see OPENR::NewSyncKey().
 typedef longword OVRSyncKey;
 const OVRSyncKey ovrsynckeyUNDEF = 0xffffffff;
 const size_t ovrsynckeyMAX_NUM_KEY = 8;  // keys that exist at one time

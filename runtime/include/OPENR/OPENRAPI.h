@@ -27,7 +27,7 @@ OStatus OpenPrimitive(const char* locator, OPrimitiveID* id);
 OStatus ClosePrimitive(OPrimitiveID id);
 // Errors: oINVALID_PRIMITIVE_ID
 
-// Sends a request of OPrimitiveControl.h; arguments that it does not use are 0.
+// Sends a request of OPrimitiveControl.h; arguments that the request does not use are 0.
 OStatus ControlPrimitive(OPrimitiveID id, OPrimitiveRequest request, void* param, size_t paramSize,
                          void* result, size_t resultSize);
 // Errors: oINVALID_PRIMITIVE_ID, oINVALID_ARG
@@ -39,8 +39,8 @@ OStatus GetSensorValue(OPrimitiveID id, OSensorValue* value);
 
 // ---- vectors in shared memory
 
-// Make a vector with room for the given number of elements; its numData is 0.  `*baseAddr` becomes
-// its address.
+// Make a vector with room for the given number of elements.  `*baseAddr` becomes the address of the
+// vector, whose numData is 0.
 OStatus NewCommandVectorData(size_t numCommands, MemoryRegionID* memID,
                              OCommandVectorData** baseAddr);
 OStatus NewSoundVectorData(size_t numSounds, size_t dataSize, MemoryRegionID* memID,

@@ -1,9 +1,9 @@
 // Messages between the system and an object.
 //
-// An application receives only OPowerStatusMessage of these; its stub receives OReasonMessage and
-// OConnectMessage.  On the robot the OPENR:: functions send the others; the host
-// needs no messages for them.  They are declared because sources name them.  Sizes are those of a
-// 32-bit target, as on the robot.
+// Of these messages, an application receives only OPowerStatusMessage, and its stub receives
+// OReasonMessage and OConnectMessage.  On the robot the OPENR:: functions send the other messages;
+// on the host these functions need no messages.  The other messages are declared because sources
+// name them.  Sizes are those of a 32-bit target, as on the robot.
 #ifndef OPENR_OPENRMESSAGES_H_INCLUDED
 #define OPENR_OPENRMESSAGES_H_INCLUDED
 

@@ -39,7 +39,8 @@ class OPowerStatus {
   void PrintDetail() const;
 };
 
-// The conditions under which the robot boots after OPENR::Shutdown(), or those that have booted it.
+// The conditions under which the robot boots after OPENR::Shutdown(), or the conditions that have
+// caused its last boot.
 //
 // An OBootCondition has 16 bytes on the robot and more where time_t has 64 bits.  The larger size
 // does no harm, because an OBootCondition is passed by reference only.

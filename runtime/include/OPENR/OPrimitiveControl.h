@@ -42,7 +42,7 @@ struct OPrimitiveControl_SpeakerVolume {
   OPrimitiveControl_SpeakerVolume(OSpeakerVolume v) : volume(v) {}
 };
 
-// The formats of sound.  The ERS-210 accepts only those with a comment.
+// The formats of sound.  The ERS-210 accepts only the formats whose lines have a comment.
 typedef longword OSpeakerSoundType;
 const OSpeakerSoundType ospksndMONO8K8B = 0;  // 8 kHz, 8 bits: the default
 const OSpeakerSoundType ospksndMONO11K8B = 1;
@@ -137,7 +137,7 @@ const OPrimitiveRequest oprmreqLED2_SET_COMMAND = 768;     // LEDCommandValue2
 const OPrimitiveRequest oprmreqLED3_SET_COMMAND = 1024;    // LEDCommandValue3
 const OPrimitiveRequest oprmreqJOINT4_SET_COMMAND = 1152;  // JointCommandValue4
 
-// Each struct contains the data of one frame of a command vector or of a sensor vector.
+// Each struct below contains the data of one frame of a command vector or of a sensor vector.
 struct OPrimitiveControl_JointCommandValue2 {
   OJointCommandValue2 command;
   OPrimitiveControl_JointCommandValue2(slongword value) {

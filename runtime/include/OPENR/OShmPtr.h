@@ -42,8 +42,8 @@ class OShmPtrBase {
     Deallocate();
     region_ = region;
   }
-  // Makes sure that this is the only reference to the region: copies the region if there are
-  // others.
+  // Makes sure that this is the only reference to the region: copies the region if there are other
+  // references.
   void Unshare() {
     if (region_ == 0 || region_->NumberOfReference() <= 1) return;
     RCRegion* copy = new RCRegion(region_->Size());
@@ -62,7 +62,8 @@ class OShmPtrBase {
 template <class T>
 class OShmPtr : public OShmPtrBase {
  public:
-  // Refers to one element; writing through it copies the region if there are other references.
+  // A reference to one element; writing through it copies the region if there are other references
+  // to the region.
   class Proxy {
    public:
     Proxy(OShmPtr<T>* owner, int index) : owner_(owner), index_(index) {}

@@ -38,9 +38,9 @@ class OSubject {
   OStatus SetNotifyUnitSize(size_t size);
   size_t GetNotifyUnitSize() const;
 
-  // Append data for every observer, or for one.  Forms with `buf` copy the data; the others share
-  // them and add one reference for each observer.  The 14th datum since the last notification drops
-  // the oldest one, and the status is oFATAL (28).
+  // Append data for every observer, or for one observer.  The functions with `buf` copy the data;
+  // the other functions share the data and add one reference for each observer.  The 14th datum
+  // since the last notification drops the oldest datum, and the status is oFATAL (28).
   OStatus SetData(const void* buf, size_t size);
   OStatus SetData(RCRegion* region);
   OStatus SetData(const OShmPtrBase& ptr);
@@ -51,8 +51,9 @@ class OSubject {
   OStatus SetData(const ObserverID& id, RCRegion* region);
   OStatus SetData(const ObserverID& id, const OShmPtrBase& ptr);
 
-  // Old forms for memory that the program itself made.  They share the memory from its start, or
-  // from the locator's offset to the end of the region; oINVALID_ARG if there is no such memory.
+  // Old forms of SetData() for memory that the program itself made.  They share the memory from its
+  // start, or from the locator's offset to the end of the region.  They return oINVALID_ARG if
+  // there is no such memory.
   OStatus SetData(MemoryRegionID region, size_t size);
   OStatus SetData(const OMemoryLocator& locator);
   OStatus SetData(const ObserverID& id, MemoryRegionID region, u_int size);
@@ -85,15 +86,16 @@ class OSubject {
   ObserverConstIterator end() const;
   ObserverConstIterator FindObserver(const ObserverID& id) const;  // end() if absent
 
-  // Return the number of ready observers.  IsAllReady() returns 0 while any observer is in the
-  // state "unknown or already sent" of ReadyStatus().
+  // Return the number of ready observers.  IsAllReady() returns 0 while ReadyStatus() of any
+  // observer is 0.
   int IsAllReady() const;
   int IsAnyReady() const;
   int IsReady() const { return IsAnyReady(); }
   int IsReady(const ObserverID& id) const;
   int IsReady(const OObserverInfo& info) const { return IsReady(info.GetObserverID()); }
 
-  // Returns > 0: ready; 0: unknown or already sent, also for an unknown id; < 0: deasserted.
+  // Returns > 0 if the observer is ready, < 0 if it has deasserted ready.  Returns 0 if it has not
+  // asserted ready since the last data were sent to it, or not at all, or if the id is unknown.
   int ReadyStatus(const ObserverID& id) const;
   int ReadyStatus(const OObserverInfo& info) const { return ReadyStatus(info.GetObserverID()); }
 

@@ -72,7 +72,7 @@ struct OPhysAddr {
 const size_t odataOPTIONAL_MAX = 128;
 
 // The header of a vector, 192 bytes.  A program makes an RCRegion from memRegionID, offset, the
-// vector's address and totalSize, so these must be enough to find the memory.
+// vector's address and totalSize, so these four values must be enough to find the memory.
 struct ODataVectorInfo {
   MemoryRegionID memRegionID;  // region that holds the vector
   OPhysAddr physAddr;          // set for images and sound only
