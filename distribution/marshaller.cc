@@ -101,9 +101,9 @@ void Marshaller::EncodeNotify(const Message& message, const PeerHasMemory& peer_
     part.region = data.memID;
     part.offset = data.offset;
     part.size = static_cast<uint32_t>(data.size);
-    // Sends the size of the whole region, because the receiver may have to make a copy of it.
-    // For a deleted region SizeOf() returns 0.  Then we send as its size the offset at which the
-    // data end, because the receiver refuses data beyond region_bytes.
+    // Sends the size of the whole region, because the receiver may have to make a copy of it.  For
+    // a deleted region SizeOf() returns 0.  Then we send as its size the offset at which the data
+    // end, because the receiver refuses data beyond the size that it was told.
     part.region_bytes = static_cast<uint32_t>(
         std::max(system_->regions().SizeOf(data.memID), data.offset + data.size));
     if (!peer_has || !peer_has(data.memID))
@@ -145,7 +145,8 @@ void Marshaller::EncodeReady(const Message& message, WireArena* arena, openr_wir
   for (int i = 0; i < ready.numOfData; ++i) {
     const auto found = imported_.find(ready.rcRegion[i]);
     // Skips a region that no process expects back, because the object that sent it was replaced or
-    // its process was lost.  Such a region is not in imported_, or its token is 0.
+    // its process was lost.  Such a region is not in imported_, or its token (the number by which
+    // the sender knows it) is 0.
     if (found == imported_.end() || found->second.token == 0) continue;
     const RCRegion& region = *found->first;
     openr_wire_ReturnedRegion returned{found->second.token, {}};
@@ -177,8 +178,9 @@ std::vector<RCRegion*> Marshaller::TakeExportedBy(ObjectId subject) {
 std::vector<uint64_t> Marshaller::TakeDroppedTokens() {
   std::vector<uint64_t> tokens;
   std::erase_if(dropped_, [&](const auto& entry) {
-    // Keeps the token while the memory of the region still exists in this process.  An object may
-    // still pass the region on, and the peer refuses a region whose token it has forgotten.
+    // Keeps the token, the number by which the peer knows the region, while the memory of the
+    // region still exists in this process.  An object may still pass the region on, and the peer
+    // refuses a region whose token it has forgotten.
     if (system_->regions().BaseOf(entry.second) != nullptr) return false;
     tokens.push_back(entry.first);
     return true;
@@ -342,8 +344,8 @@ std::string Marshaller::DecodeReady(const openr_wire_Ready& in, Message* out) {
   out->kind = PayloadKind::kReady;
   for (uint32_t i = 0; i < in.regions._length; ++i) {
     const openr_wire_ReturnedRegion& returned = in.regions._buffer[i];
-    // If TakeExportedBy() has already released the region, only its token is removed here.  This
-    // happens when the object of the region's subject was replaced.
+    // If TakeExportedBy() has already released the region, because the object of its subject was
+    // replaced, this loop only removes the region's token from withdrawn_.
     const auto found = exported_.find(returned.token);
     if (withdrawn_.erase(returned.token) > 0) continue;
     if (found == exported_.end()) return "a ready with an unknown region";

@@ -83,9 +83,9 @@ class Marshaller {
   // ready messages for them are accepted and ignored.
   std::vector<RCRegion*> TakeExportedBy(ObjectId subject);
 
-  // Returns the tokens of the regions that ReleaseImported() has released and whose memory is not
-  // used in this process any more.  No ready message will give these regions back, so the peer can
-  // forget their tokens (PeerDropped()).
+  // Returns the tokens (numbers given by the peer) of the regions that ReleaseImported() has
+  // released and whose memory is not used in this process any more.  No ready message will give
+  // these regions back, so the peer can forget their tokens (PeerDropped()).
   std::vector<uint64_t> TakeDroppedTokens();
   // Forgets regions of replaced objects (TakeExportedBy()) that the peer does not use any more.
   // `tokens` is the result of TakeDroppedTokens() in the peer.

@@ -66,8 +66,8 @@ bool RemoteProcess::HandleRequest(const openr_wire_ToMaster& to_master) {
     case openr_wire_TO_MASTER_QUESTION: {
       const openr_wire_Question& in = to_master.body._u.question;
       Object* const self = ObjectOf(in.object);
-      // Applies the effects that the handler had before its question, because the answer may depend
-      // on them.
+      // Applies the effects of the handler before its question (messages and calls), because the
+      // answer may depend on them.
       Apply(to_master, self);
       const CurrentScope scope(system_, self);
       SendAnswer(Call(in.kind, {VectorOf(in.numbers), StringOf(in.text), StringOf(in.bytes)}));

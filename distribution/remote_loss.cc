@@ -17,8 +17,8 @@ namespace openr_host {
 // give the regions back, in the name of these observers.
 void RemoteProcess::ReturnExported() {
   using Entry = std::pair<ObjectId, uint32_t>;
-  // The regions to give back, grouped by observer and subject.  A deassert goes from one observer
-  // to one subject, so the regions of one group go back with one deassert.
+  // The regions to give back, grouped by observer and subject.  A deassert ("not ready") goes from
+  // one observer to one subject, so the regions of one group go back with one deassert.
   std::map<std::pair<Entry, Entry>, std::vector<RCRegion*>> regions;
   for (const Marshaller::ExportedRegion& exported : marshaller_->TakeExported())
     regions[{{exported.observer, exported.observer_selector},

@@ -44,7 +44,7 @@ bool RemoteObject::Dispatch(uint32_t, void*) {
   return true;
 }
 
-// Lets the worker run the handler of the message that is being delivered.  Returns false if the
+// Makes the worker run the handler of the message that is being delivered.  Returns false if the
 // worker was lost.
 bool RemoteObject::Run() {
   try {

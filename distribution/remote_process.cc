@@ -30,8 +30,9 @@ constexpr int64_t kShortTimeoutMs = 500;  // time limit for an answer while the 
 constexpr int kEndFlushMs = 1'000;  // time limit for the worker to receive the sample that ends it
 // After this time without an answer, the user is told that the worker is silent.
 constexpr int64_t kSilenceMs = 2'000;
-// First number of the reply boxes by which the master waits for handlers in a free run.  Boxes of
-// objects count from 1 and never get so large, so the two kinds of boxes stay different.
+// First number of the reply boxes in which the master's objects get a reply when a handler in a
+// worker has stopped in a free run.  The boxes that objects open count from 1 and never get so
+// large, so the two kinds of boxes stay different.
 constexpr uint64_t kFirstWakeBox = uint64_t{1} << 40;
 
 }  // namespace
@@ -308,8 +309,9 @@ void RemoteProcess::RecordHeap(int robot, uint64_t bytes) {
   system_->robot(robot).memory.used_bytes += bytes - std::exchange(heap_by_robot_[robot], bytes);
 }
 
-// Waits in a free run until the handler of `object` in the worker has stopped.  HandleFreeSample()
-// ends the wait; other objects run meanwhile.  Returns nullopt if the worker was lost.
+// Waits in a free run (the master does not wait for handlers) until the handler of `object` in the
+// worker has stopped.  Only `object` waits: other objects run meanwhile, and HandleFreeSample()
+// ends the wait.  Returns nullopt if the worker was lost.
 std::optional<RemoteProcess::Stop> RemoteProcess::WaitForStopInFreeRun(RemoteObject* object) {
   const uint64_t session = session_;
   const uint64_t box = kFirstWakeBox + ++wake_box_count_;
@@ -348,7 +350,7 @@ bool RemoteProcess::HandleReceived() {
       came = true;
       HandleFreeSample(*to_master);
       // Leaves samples that arrive during this call for the next call, so that a busy worker cannot
-      // keep the master here.
+      // keep the master in this loop.
       if (!slot_.channel()->has_received()) break;
     }
   });

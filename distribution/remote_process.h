@@ -101,9 +101,10 @@ class RemoteProcess {
   // handler that waits for a reply does not count.
   bool IsAtWork(ObjectId object) const { return running_.contains(object); }
 
-  // Returns the number of messages that are lost with the worker in a free run.  Notifications and
-  // ready messages are not counted, because their data go back to the senders.  The message whose
-  // handler crashed the worker is not counted either.
+  // Returns the number of messages that are lost with the worker in a free run, in which the master
+  // sends several messages to the worker without waiting.  Notifications and ready messages are not
+  // counted, because their data go back to the senders.  The message whose handler crashed the
+  // worker is not counted either.
   size_t CountUndelivered() const;
 
   // Sends the samples to the worker that Channel::SendBatched() has kept to share a packet.

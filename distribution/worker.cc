@@ -26,9 +26,9 @@ constexpr int kGoodbyeFlushMs = 1'000;  // time for the master to receive a good
 // Longest time that a crashed process waits until the master has received its report.  The time is
 // long, because the process ends afterwards and cannot repeat the report.
 constexpr int kCrashFlushMs = 3'000;
-// In a free run, the worker keeps the effects of earlier handlers while a fast handler runs, and
-// then sends all of them in one packet.  A handler is fast if it takes less than this time, so that
-// no effect is kept for long.
+// In a free run (the master does not wait for handlers), the worker keeps the effects of earlier
+// handlers while a fast handler runs, and then sends all of them in one packet.  A handler is fast
+// if it takes less than this time, so that no effect is kept for long.
 constexpr int64_t kFastHandlerNs = 50'000;
 constexpr int kJoinRetryMs = 1'000;  // time after which a join request is repeated
 
@@ -74,8 +74,8 @@ Worker::ReceivedSample Worker::Next(bool answer) {
       continue;
     }
     if (!answer || sample->body._d == openr_wire_TO_WORKER_ANSWER) return sample;
-    // Ends this process at once when the master tells it to end, because a handler waits here for
-    // an answer that will not come.
+    // Ends this process at once when the master tells it to end, because a handler waits in this
+    // function for an answer that will not come.
     if (sample->body._d == openr_wire_TO_WORKER_END) {
       const openr_wire_End& end = sample->body._u.ended;
       ReportRunEnded(end);
@@ -194,8 +194,9 @@ std::string Worker::Run() {
     goodbye = "could not go on: " + problem;
   }
   if (IsEndRequested() && !problem.empty()) goodbye = "was ended there";
-  // If the master has refused this worker, the goodbye says only that, whatever else went wrong.
-  // After such a goodbye the master waits for another process and does not end the run.
+  // If the master has refused this worker, the goodbye (this worker's last sample) says only that,
+  // whatever else went wrong.  After such a goodbye the master waits for another process and does
+  // not end the run.
   if (is_refused_) goodbye = "could not take part: " + problem;
   if (!goodbye.empty()) SayGoodbye(goodbye);
   return problem;

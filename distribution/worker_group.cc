@@ -130,7 +130,8 @@ std::string WorkerGroup::UnknownObjects() const {
 
 std::string WorkerGroup::Connect() {
   ASSERT(system_ != nullptr && !system_->booted());
-  // Computes no trace hash in a free run, because the order of messages differs from run to run.
+  // Computes no trace hash in a free run, because the master does not wait for handlers, so the
+  // order of messages differs from run to run.
   if (options_.is_free) system_->trace().set_hashing(false);
   for (auto& [name, member] : members_) {
     LoadNewObjects(&member);
@@ -195,8 +196,9 @@ openr_wire_Load WorkerGroup::NextLoadFor(Member* member, WireArena* arena) {
   return load;
 }
 
-// Sends the worker the new entries of the master's tables, and waits until the worker has loaded
-// the new objects that belong to it.  The first time, also waits until the worker has joined.
+// Sends the worker the new entries of the master's tables of robots and objects, and waits until
+// the worker has loaded the new objects that belong to it.  The first time, also waits until the
+// worker has joined.
 void WorkerGroup::SendNextLoad(Member* member) {
   WireArena arena;
   const openr_wire_Load load = NextLoadFor(member, &arena);

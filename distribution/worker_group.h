@@ -96,13 +96,13 @@ class WorkerGroup {
     loss_listener_ = std::move(listener);
   }
 
-  // Checks in a lockstep run whether workers that run no handler still exist, and advances restarts
-  // of lost workers.  A worker that runs a handler is checked while the master waits for it.  Must
-  // not be called from a handler.
+  // Checks in a lockstep run (the master waits for each handler) whether workers that run no
+  // handler still exist, and advances restarts of lost workers.  A worker that runs a handler is
+  // checked while the master waits for it.  Must not be called from a handler.
   void CheckWorkers();
 
-  // Waits in a free run for samples of the workers, at most `timeout_us`, and handles them.  Must
-  // not be called from a handler.
+  // Waits in a free run (the master does not wait for handlers) for samples of the workers, at most
+  // `timeout_us`, and handles them.  Must not be called from a handler.
   void Pump(int64_t timeout_us);
 
   // Shortens the time after which a worker that does not answer is given up.  To be called when the

@@ -21,15 +21,15 @@ namespace {
 constexpr int64_t kCrashRecordMs = 5'000;   // time for a crashed process to write its crash record
 constexpr int64_t kRetryPauseMs = 1'000;    // pause after a failed restart
 constexpr int64_t kReturnNoticeMs = 2'000;  // the user is told of a restart that takes longer
-// The pause between two steps of restarts in lockstep.  It is short, because the run stands still
-// until the restarts are complete.
+// The pause between two steps of restarts in lockstep (the master waits for each handler).  It is
+// short, because the run stands still until the restarts are complete.
 constexpr int kReturnPollUs = 1'000;
 
 }  // namespace
 
-// Returns whether the worker may be restarted.  In a free run an external worker (started by a
-// user) may join again at any time.  In lockstep such a worker may join again only with --restart,
-// because the run has to wait for the worker.
+// Returns whether the worker may be restarted.  In a free run, which goes on without the worker, an
+// external worker (started by a user) may join again at any time.  In lockstep such a worker may
+// join again only with --restart, because the run has to wait for the worker.
 bool WorkerGroup::MayRestart(const Member& member) const {
   return member.restarts_left > 0 || (member.is_external && options_.is_free);
 }
@@ -251,9 +251,9 @@ bool WorkerGroup::AdvanceRestarts() {
   return !is_first;
 }
 
-// Waits in lockstep until all restarts are complete or given up.  Sleeps between two steps and does
-// not wait for DDS samples.  Samples of running workers stay unread in this loop, so a wait for
-// samples would end at once each time.
+// Waits in lockstep (the master waits for each handler) until all restarts are complete or given
+// up.  Sleeps between two steps and does not wait for DDS samples.  Samples of running workers stay
+// unread in this loop, so a wait for samples would end at once each time.
 void WorkerGroup::WaitForRestarts() {
   while (system_->booted() && !IsEnding() && AdvanceRestarts()) usleep(kReturnPollUs);
   for (const auto& [name, member] : members_) {

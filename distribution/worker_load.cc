@@ -94,7 +94,7 @@ void Worker::CheckRobot(int robot) const {
 }
 
 // Adds an object of the master's tables.  Objects come in the order of their ids, so each object
-// gets the same id here as in the master.
+// gets the same id in this process as in the master.
 void Worker::AddObject(const openr_wire_ObjectEntry& entry,
                        std::vector<openr_wire_LoadedObject>* loaded) {
   const ObjectId next = system_->object_table().NextId();

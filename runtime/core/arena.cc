@@ -14,7 +14,7 @@
 namespace openr_host {
 namespace {
 
-// Size of the largest small block in bytes; a larger block gets whole spans.
+// Size of the largest small block in bytes; a larger block gets whole spans of 64 KiB.
 constexpr size_t kLargest = 32 << 10;
 constexpr size_t kMapBytes = 1 << 20;  // memory is mapped in steps of this size
 
@@ -84,7 +84,7 @@ char* Arena::TakeSpans(size_t count, int16_t use) {
   return nullptr;
 }
 
-// Frees the spans of the large block that begins with span `first`.
+// Frees the spans (pieces of 64 KiB) of the large block that begins with span number `first`.
 void Arena::GiveSpans(size_t first) {
   const size_t count = spans_[first].span_count;
   // With MADV_DONTNEED the kernel takes the pages back, and gives pages of zeros at the next

@@ -1,6 +1,6 @@
-// Reports faults at which the robot's processor stops, and the host's mostly does not: unaligned
-// access, division by zero, numbers too large for an integer (core.md 8.2, field-notes.md 4).
-// Checks for these faults are compiled into images, the programs of the robot
+// Reports faults at which the robot's processor stops, and the host's processor mostly does not:
+// unaligned access, division by zero, numbers too large for an integer (core.md 8.2, field-notes.md
+// 4).  Checks for these faults are compiled into images, the programs of the robot
 // (cmake/compile-flags.txt).
 //
 // When a check fails, the code that the compiler inserted calls a function of

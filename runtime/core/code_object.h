@@ -163,7 +163,7 @@ class CodeHost final : public Object {
   void HashState(Hasher* hasher) const override;
 
   // Sets the CodeObject that this object runs.  Called after the constructor of the CodeObject,
-  // because the entries that the constructor adds are counted here.
+  // because this function counts the entries that the constructor adds.
   void SetCode(std::unique_ptr<CodeObject> made);
 
   std::unique_ptr<CodeObject> code;

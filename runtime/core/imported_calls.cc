@@ -98,9 +98,9 @@ static_assert(AddressPlace::kStackBytes == 0x100000);
 static_assert(StackMemory::kBottomOffset == 0xbf000);
 static_assert(StackMemory::kImportsTopOffset == 0xbe000);
 
-// Functions of the C library that take a variable number of arguments.  For these functions a thunk
-// copies more bytes from the stack.  C++ functions are not listed, because a "z" at the end of the
-// mangled name shows a variable number of arguments.
+// Functions of the C library that take a variable number of arguments.  For these functions the
+// code that changes the stack (a thunk) copies more bytes of arguments.  C++ functions are not
+// listed, because a "z" at the end of the mangled name shows a variable number of arguments.
 constexpr std::string_view kVariadic[] = {
     "__asprintf_chk",
     "__dprintf_chk",
@@ -154,8 +154,8 @@ constexpr std::string_view kVariadic[] = {
     "wscanf",
 };
 
-// Functions that get no thunk.  They keep the stack pointer or return address of their caller for
-// later use, so they must be called directly.
+// Functions that get no thunk, the code that changes the stack for a call.  They keep the stack
+// pointer or return address of their caller for later use, so they must be called directly.
 constexpr std::string_view kBoundToCaller[] = {
     "__sigsetjmp", "_setjmp", "getcontext", "setjmp", "sigsetjmp", "swapcontext", "vfork",
 };

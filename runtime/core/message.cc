@@ -37,7 +37,8 @@ void MessageQueue::AddChunk() {
   }
 }
 
-// Adds `message`, which is not due yet, to the heap.
+// Adds `message`, which is not due yet, to later_, a heap with the first message to come due at the
+// top.
 void MessageQueue::InsertLater(Message* message, uint32_t level) {
   ASSERT(message->due_us > now_us_, "message {} is due at {} us, now is {} us", message->number,
          message->due_us, now_us_);

@@ -184,7 +184,7 @@ class MessageQueue {
   std::vector<List> levels_;              // messages that are due now, by level (LevelOf())
   uint64_t occupied_[kLevels / 64] = {};  // bit i is 1 if the list of level i is not empty
   uint32_t first_level_ = kLevels;  // the first level with a message; kLevels: no message is due
-  std::vector<Later> later_;        // messages that are not due yet; a heap
+  std::vector<Later> later_;        // messages that are not due yet, as a heap (std::push_heap)
   // The first free message; each free message points to the next with Message::next.
   Message* free_ = nullptr;
   // The arrays that hold the messages of the pool.

@@ -213,9 +213,9 @@ void ObjectManager::Begin(std::vector<std::unique_ptr<Object>> fresh) {
   for (const auto& object : fresh) starting_[object->id] = false;
   ObjectTable::Readies readies = system().object_table().Replace(std::move(fresh));
   for (const auto& [id, standing] : readies) Send(system().object(id), oentryINIT, oreasonBOOT);
-  // Makes the connections that begin or end at a new object.  In the other connections, a service
-  // may be unknown that was not reported while a worker process was lost.  Such services are
-  // reported now.
+  // Makes the connections that begin or end at a new object.  Another connection may have a service
+  // that was unknown, but was not reported while a worker process was lost, because it might have
+  // belonged to that process.  Such services are reported now.
   for (const Connection& connection : system().connections()) {
     const auto& directory = system().robot(connection.robot).directory;
     const auto is_fresh = [&](const std::string& service) {

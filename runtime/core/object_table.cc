@@ -185,8 +185,8 @@ std::vector<OwnedMessage> ObjectTable::TakeMessagesTo(Object* object) {
   for (OwnedMessage& message : system_->queue().TakeIf(is_to_object)) {
     if (!message->is_reply) messages.push_back(std::move(message));
   }
-  // Subtracts only the messages taken so far.  The messages in outboxes, which are taken below,
-  // were never counted as waiting.
+  // Subtracts only the messages taken so far.  The messages in outboxes (posted by handlers whose
+  // processor time is not over), which are taken below, were never counted as waiting.
   object->waiting -= static_cast<int>(messages.size());
   ASSERT(object->waiting >= 0, "{} has {} waiting messages", object->name, object->waiting);
   for (const auto& sender : objects_) TakeOutgoing(sender.get(), object->id, &messages);

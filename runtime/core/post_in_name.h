@@ -1,5 +1,5 @@
-// Posts messages in the name of an object, although no handler of this object has sent them.  Tests
-// use these functions, and so does the input `send`.
+// Posts messages in the name of an object, although no handler of this object has sent them.  Used
+// by tests, and by the input `send` of a run.
 #pragma once
 
 #include <cstdint>

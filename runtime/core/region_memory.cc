@@ -12,10 +12,10 @@
 namespace openr_host {
 namespace {
 
-// Memory is mapped in pieces of this size, which hold several small cells, so that there are fewer
-// system calls.  A larger cell is mapped as one piece.
+// Memory is mapped in pieces of this size.  A piece holds several small cells (a cell is the memory
+// for one block), so that there are fewer system calls.  A larger cell is mapped as one piece.
 constexpr size_t kMapBytes = 64 << 10;
-// Cells that are larger than this are unmapped when they are freed.
+// The largest size of a cell (the memory for one block) that stays mapped when it is freed.
 constexpr size_t kKeepBytes = 256 << 10;
 // The largest sum of bytes of the free cells that stay mapped (RegionMemory::kept_bytes_).  Cells
 // smaller than kMapBytes do not count.  After a reboot of the robot the same regions are in other
@@ -36,9 +36,9 @@ bool IsSet(const std::vector<bool>& flags, size_t index) {
 }  // namespace
 
 size_t RegionMemory::OffsetOf(int size_class) {
-  // The cells of this class begin after the cells of all smaller classes.  One slot has cells of
-  // 64, 256, 1024 ... bytes in the smaller classes.  Their sum is a geometric series; it is
-  // multiplied by the number of slots.
+  // The cells of this class begin after the cells of all smaller classes.  For one slot, these
+  // smaller cells have 64, 256, 1024 ... bytes.  Their sum is a geometric series; it is multiplied
+  // by the number of slots.
   return (CellBytes(size_class) - CellBytes(0)) / 3 * kSlots;
 }
 

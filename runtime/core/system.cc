@@ -257,8 +257,8 @@ int32_t System::Enqueue(OwnedMessage&& message, int64_t delay_us) {
   Object* const target = object(message->target);
   if (target == nullptr) return sINVALIDOID;
   ASSERT(delay_us >= 0, "message to {} in {} us", target->name, delay_us);
-  // While the sender's handler still takes processor time, the message waits in the outbox.
-  // Cpu::End() posts it when that time is over.
+  // While the sender's handler still takes processor time, the message waits in the sender's
+  // outbox.  Cpu::End() posts it when that time is over.
   if (Object* const self = t_current.object; self != nullptr && self->processor.is_busy) {
     self->processor.outbox.push_back({std::move(message), delay_us});
     return sSUCCESS;

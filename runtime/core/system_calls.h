@@ -1,4 +1,4 @@
-// SystemCalls: the interface for everything that a handler does and other objects or users can see.
+// SystemCalls: the interface for all actions of a handler that other objects or users can see.
 //
 // There are three kinds of SystemCalls.  LocalCalls works on the tables of the System itself.  In a
 // worker process, WorkerCalls sends the calls to the master (distribution/worker_calls.h).  The

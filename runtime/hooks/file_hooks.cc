@@ -246,7 +246,7 @@ FILE* fopen64(const char* path, const char* mode) { return OpenFile(path, mode);
 FILE* freopen(const char* path, const char* mode, FILE* file) {
   static const auto next = OPENR_NEXT(freopen);
   if (!InObject() || path == nullptr) return next(path, mode, file);
-  // Refuses the streams of the terminal, because they belong to the whole run here.
+  // Refuses the streams of the terminal, because on the host they belong to the whole run.
   if (file == stdin || file == stdout || file == stderr) {
     const ApiScope scope;
     t_current.system->AddFinding(

@@ -16,8 +16,8 @@ namespace openr_host {
 
 class HostPorts {
  public:
-  // The number of further port numbers that are tried if the port that the program wants is in use
-  // on the host.  If these ports are in use, too, any free port is taken.
+  // The number of port numbers above the wanted port that are tried if the wanted port is in use on
+  // the host.  If these ports are in use, too, any free port is taken.
   static constexpr int kNextPorts = 100;
 
   // `wished` has the fixed ports that the user asked for: key is a port of the robot, value the

@@ -92,11 +92,12 @@ class IpStack : public CodeObject {
   uint32_t address() const { return address_; }
 
   // Returns whether a program may use `ip` as its own address: the any address, loopback, the
-  // robot's own address, or a further address (IpStackOptions::addresses).
+  // robot's own address, or one of the other addresses that the options give
+  // (IpStackOptions::addresses).
   bool IsOwnAddress(uint32_t ip) const;
 
-  // Returns `ip` if it is a further address of the robot (IpStackOptions::addresses).  Otherwise
-  // returns 0, which stands for the robot's own address.
+  // Returns `ip` if it is an address of the robot besides its own address
+  // (IpStackOptions::addresses).  Otherwise returns 0, which stands for the robot's own address.
   uint32_t FurtherAddress(uint32_t ip) const;
 
   // Returns the local address that the stack puts into its answers to a program that has bound to

@@ -80,8 +80,8 @@ class Network {
   virtual void Attach(uint32_t ip) = 0;
 
   // Selects the address at which the next Listen() or Bind() of `handle` opens its port.  `ip` is
-  // one of the robot's further addresses (IpStackOptions::addresses); without this call the port is
-  // opened at the robot's own address.
+  // an address of the robot besides its own address (IpStackOptions::addresses).  Without this call
+  // the port is opened at the robot's own address.
   virtual void At(NetHandle handle, uint32_t ip) = 0;
 
   // ---- TCP

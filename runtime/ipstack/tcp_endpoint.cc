@@ -187,8 +187,8 @@ void TcpEndpoint::Send(const Operation& operation) {
   send_ = accepted;
 }
 
-// Adds a finding for a Send whose size is fast here but slow on the robot.  The host does not delay
-// the data as the robot does, because programs must not depend on such a delay.
+// Adds a finding for a Send whose size is fast on the host but slow on the robot.  The host does
+// not delay the data as the robot does, because programs must not depend on such a delay.
 void TcpEndpoint::WarnOfRobotTiming(const Operation& operation, int size) {
   if (size > kRobotFastBytes && size <= kRobotSplitBytes) {
     stack_->Warn(
