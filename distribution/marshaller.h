@@ -134,8 +134,8 @@ class Marshaller {
   // The imported regions; the key is the RCRegion in this process.  The order of pointers differs
   // from run to run, so loops over this map must give the same result in any order.
   std::map<RCRegion*, ImportedRegion> imported_;
-  // The regions whose tokens TakeDroppedTokens() will return; the key is the token, the value the
-  // memory id.
+  // The regions whose tokens TakeDroppedTokens() will return.  The key is the token (the peer's
+  // number of the region), the value the memory id.
   std::map<uint64_t, uint32_t> dropped_;
   std::vector<RCRegion*> sample_regions_;  // received regions whose ImportedRegion::bytes is set
 };

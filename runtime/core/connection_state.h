@@ -114,8 +114,8 @@ struct SubjectState {
   }
 
   // Takes a reference to `region` and adds the region to the data of the next notification.  A
-  // notification has at most MAX_NUM_DATA data.  If it has more now, drops the oldest and returns
-  // oFATAL, as on the robot.
+  // notification has at most MAX_NUM_DATA data.  If it has more now, drops the oldest datum and
+  // returns oFATAL, as on the robot.
   OStatus SetData(ObserverLink* link, RCRegion* region) {
     region->AddReference();
     link->fresh.push_back(region);

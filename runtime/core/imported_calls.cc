@@ -309,7 +309,7 @@ std::string Redirection::Run(size_t bytes_max) {
   const std::array<void (*)(), 2> targets = {&openr_call_import, &openr_call_variadic_import};
   std::memcpy(thunks_, targets.data(), sizeof targets);
   // A function gets only one thunk even if several tables of the image name it.  A program may
-  // compare the addresses of functions, so they must be equal.
+  // compare addresses of functions, so a function must have the same address in all tables.
   std::vector<uint64_t> thunks(imports_.size());
   for (size_t i = 0; i < imports_.size(); ++i) {
     const auto same = std::ranges::find(imports_, imports_[i].symbol, &Import::symbol);

@@ -158,9 +158,9 @@ void ObjectManager::RunBoot(int robot, size_t findings_before) {
 void ObjectManager::RunBootAgain(int robot) {
   const size_t findings_before = system().findings().all().size();
   shutting_down_.erase(robot);
-  // Clears unreported_, because its addresses would be wrong after the boot.  It has only services
-  // of lost processes, and a robot with objects in other processes does not boot again, so no
-  // service is forgotten.
+  // Clears unreported_, because it has addresses of connections, which would be wrong after the
+  // boot.  It has only services of lost processes, and a robot with objects in other processes does
+  // not boot again, so no service is forgotten.
   unreported_.clear();
   if (!system().LoadAgain(robot)) return;
   KeepBack(robot);

@@ -87,8 +87,8 @@ struct DNSEndpointGetHostByAddrMsg : public DNSEndpointBaseMsg {
   DNSEndpointGetHostByAddrMsg(antModuleRef& module, IPAddress address);
 };
 
-// Asks for an address of the last host found, by index; the error is DNS_INDEX_INVALID if no
-// address has this index.
+// Asks for an address of the host that was found last, by the index of the address; the error is
+// DNS_INDEX_INVALID if no address has this index.
 struct DNSEndpointGetAddressMsg : public DNSEndpointBaseMsg {
   int32 index;
   IPAddress address;  // output
@@ -97,7 +97,8 @@ struct DNSEndpointGetAddressMsg : public DNSEndpointBaseMsg {
   DNSEndpointGetAddressMsg(antModuleRef& module, int number);
 };
 
-// Asks for an alias of the last host found, by index.  Alias 0 is the official name.
+// Asks for an alias of the host that was found last, by the index of the alias.  Alias 0 is the
+// official name.
 struct DNSEndpointGetAliasMsg : public DNSEndpointBaseMsg {
   int32 index;
   char name[MAXDNAME];  // output

@@ -19,7 +19,7 @@ class TID : public BaseTID {
     value = number;
   }
 
-  // Returns whether the mailer is a valid object.
+  // Returns whether the mailer, the object that waits for the answer, is a valid object.
   bool IsValid() const { return GetMailer().IsValid(); }
   void MakeInvalid() {
     mailer = OID();

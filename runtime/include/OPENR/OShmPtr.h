@@ -106,7 +106,8 @@ class OShmPtr : public OShmPtrBase {
   int NumOfElement() const { return static_cast<int>(OShmPtrBase::Size() / sizeof(T)); }
   int Size() const { return NumOfElement(); }
 
-  // Writes `size` bytes from the start on; copies the region first if there are other references.
+  // Writes `size` bytes from `source` to the start of the region; first copies the region if there
+  // are other references to it.
   void Copy(const void* source, size_t size) {
     Unshare();
     ::memcpy(Base(), source, size);

@@ -1,4 +1,4 @@
-// A block at the start of shared memory that describes its place.
+// A block at the start of shared memory that describes the place of this memory.
 #ifndef OPENR_SHAREDMEMORYHEADER_H_INCLUDED
 #define OPENR_SHAREDMEMORYHEADER_H_INCLUDED
 
