@@ -1,5 +1,5 @@
-// TcpClient, a simulated network client, which is on another computer for the robot.  The client
-// does the steps of a script that the test writes.
+// TcpClient, a simulated network client.  The robot sees it as a program on another computer.  The
+// client does the steps of a script that the test writes.
 //
 //   bench.AddClient().Connect(54000).Send("PING\n").Hear("PONG\n").Close();
 //   bench.RunFor(1s);

@@ -21,7 +21,7 @@ using Eigen::Vector3d;
 constexpr double kTouch_m = 0.0005;
 
 // Returns the rotation R_WB with yaw 0 whose third row is `up_B`, the upward direction of the world
-// in the axes of B.
+// W in the axes of the robot's base frame B.
 Matrix3d LevelRotation(const Vector3d& up_B) {
   const double sp = -up_B.x();
   const double cp = std::sqrt(std::max(0.0, 1 - sp * sp));

@@ -20,7 +20,7 @@ struct DeliveredMessage {
   int64_t time_us = 0;
   std::string kind;  // kind of the message: "notify", "ready", "not ready", "reply" or "other"
   std::string from;  // the sender's service, "RCServer.Mover.MoverCommand.S", or else the name of
-                     // its object
+                     // the sender's object
   // The receiver, in the same form as the sender in `from`.
   std::string to;
   std::string entry;  // name of the receiver's handler for the message
