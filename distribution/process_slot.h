@@ -82,7 +82,7 @@ class ProcessSlot {
   const Identity& last_identity() const { return identity_.pid == 0 ? previous_ : identity_; }
 
  private:
-  // These three functions are steps of AwaitJoin() and RefuseOtherRequests().
+  // The next three functions are steps of AwaitJoin() and RefuseOtherRequests().
   bool ReceiveHello(int timeout_ms);
   void NotifyAbandoned();
   void AnswerJoinRequest(const openr_wire_JoinRequest& request);
