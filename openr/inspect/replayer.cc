@@ -288,13 +288,14 @@ void Replayer::Compare(const TraceRecord& record, const Message& message) {
   if (!difference_.empty() || at_end_) return;
   SkipNames();
   const TraceEntry* const next = reader_.Peek();
-  if (next == nullptr || next->kind == Kind::kEnd) {
-    // The recording has no message to compare this message with, because it was stopped before this
-    // message, for instance in the middle of this instant.  So the replay ends, without a
-    // difference.
+  const bool is_end = next != nullptr && next->kind == Kind::kEnd;
+  if (next == nullptr || (is_end && record.time_us >= next->time_us)) {
+    // The recorded run may have stopped between two messages of the same time, so a message of this
+    // time that the recording does not have is no difference.  Nothing is left to compare.
     at_end_ = true;
     return;
   }
+  if (is_end) return DifferAfterLast(record, message, next->time_us);
   if (next->kind == Kind::kLoss) return EndAtLoss();
   if (next->kind != Kind::kMessage) {
     difference_ = fmt::format(
@@ -314,6 +315,17 @@ void Replayer::Compare(const TraceRecord& record, const Message& message) {
   if (difference_.empty() && record.payload_hash != last_.record.payload_hash)
     Differ(last_, "its bytes have another hash now");
   if (difference_.empty()) ++count_;
+}
+
+// Reports `message`, which is delivered although the recorded run had no message more before its
+// end at `end_us`.
+void Replayer::DifferAfterLast(const TraceRecord& record, const Message& message, int64_t end_us) {
+  difference_ = fmt::format(
+      "after message {}: the recording has no further message before its end at t={:.6f} s, the "
+      "run "
+      "has {} at t={:.6f} s now",
+      last_.record.number, Seconds(end_us),
+      MessageText(record.number, DecodeHandled(system(), message)), Seconds(record.time_us));
 }
 
 // Ends the replay where a worker process of the recorded run was lost, that is, crashed or answered

@@ -113,6 +113,7 @@ class Replayer : public KnownRun {
   void MakeRun(SimulationOptions options);
   void ComparePayload(const TraceEntry& recorded, const Message& message, uint64_t hash);
   bool ApplyInput();
+  void DifferAfterLast(const TraceRecord& record, const Message& message, int64_t end_us);
   void EndAtLoss();
   void CompareEnd(const TraceEntry& end);
 

@@ -64,6 +64,24 @@ class ReplayTest : public testing::Test {
     return replayer.difference();
   }
 
+  // Takes the last `count` messages, and the inputs after them, out of the recording, whose end
+  // stays where it was.
+  void DropLast(uint64_t count) {
+    const fs::path whole = folder_ / "whole.rec";
+    fs::rename(file_, whole);
+    TraceReader reader(whole);
+    TraceWriter writer(file_, reader.header());
+    bool is_late = false;
+    while (reader.Peek() != nullptr) {
+      const TraceEntry entry = reader.Take();
+      const bool is_message = entry.kind == TraceEntry::Kind::kMessage;
+      is_late = is_late || (is_message && entry.record.number > messages_ - count);
+      if (!is_late || !(is_message || entry.kind == TraceEntry::Kind::kInput))
+        writer.AddEntry(entry);
+    }
+    writer.Flush();
+  }
+
   // XORs one byte of the file.
   void Flip(std::streamoff at) {
     std::fstream file(file_, std::ios::in | std::ios::out | std::ios::binary);
@@ -176,6 +194,14 @@ TEST_F(ReplayTest, ACutFileIsUsedUpToItsLastBlock) {
   ASSERT_EQ(problems_.size(), 1u);
   EXPECT_NE(problems_[0].find("is cut off"), std::string::npos);
   EXPECT_LT(count_, messages_);
+}
+
+TEST_F(ReplayTest, MessagesAfterTheLastRecordedOneAreADifference) {
+  Record(true, 1'000'000);
+  DropLast(50);
+  EXPECT_THAT(Replay(), ContainsRegex("after message [0-9]+: the recording has no further message "
+                                      "before its end at t=1\\.000000 s, the run has message .* "
+                                      "at t=0\\.9[0-9]+ s now"));
 }
 
 TEST_F(ReplayTest, AFileWithoutAnEndIsUsedAndItsNoteSaysThatTheEndIsNotKnown) {
