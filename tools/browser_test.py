@@ -2,7 +2,8 @@
 """Drives the page of the panel with a browser: runs panel/test/browser/panel_test.mjs.
 
 The page is that of a real run.  The test program finds in its environment OPENR_PANEL_URL, the
-address of the page with its token; OPENR_PANEL_SHOTS, the folder for its pictures;
+address of the page with its token; OPENR_PANEL_SHOTS and OPENR_PANEL_SCALE, the folder for its
+pictures and how large they are;
 OPENR_PANEL_MOTION and OPENR_PANEL_CONTROLLER, files to upload; OPENR_PANEL_SECOND and
 OPENR_PANEL_LINK, a second run and the control of the link to it (tests/both/link.py);
 OPENR_CHROMIUM, the browser.  Its last line is "N passed, N failed".  Afterwards the recording of the
@@ -31,6 +32,9 @@ ADDRESS = re.compile(r"panel: (http://\S+)")
 ROBOT = re.compile(r"openr rc (127\.0\.0\.1:\d+) info")
 LINK = re.compile(r"link: (\S+) control: (\S+)")
 LINK_DELAY_MS = 20
+# Without a graphics card each pixel takes time of a processor.  With half as many in width and height
+# the test needs half of the processor's time.
+SCALE = 0.5
 LIMIT_S = 900  # until the test in the browser is done
 START_LIMIT_S = 120  # until the run has printed the address
 END_LIMIT_S = 120  # until the run has ended, and again until its recording was replayed
@@ -79,12 +83,13 @@ class SecondRobot:
         self.run.end(END_LIMIT_S)
 
 
-def steps(address, second, folder, openr, shots, only):
+def steps(address, second, folder, openr, shots, scale, only):
     """Runs the test in the browser; returns how many of its steps passed and failed."""
     motion = folder / "MINE.MTN"
     shutil.copyfile(pathlib.Path(openr).parent.parent / "stick/OPEN-R/MW/DATA/P/BOW.MTN", motion)
     controller = pathlib.Path(openr).parent.parent / "images/TIMERUN.BIN"
     environment = {**os.environ, "OPENR_PANEL_URL": address, "OPENR_PANEL_SHOTS": str(shots),
+                   "OPENR_PANEL_SCALE": str(scale),
                    "OPENR_PANEL_MOTION": str(motion), "OPENR_PANEL_SECOND": second.address,
                    "OPENR_PANEL_CONTROLLER": str(controller) if controller.exists() else "",
                    "OPENR_PANEL_LINK": second.control, "OPENR_CHROMIUM": shutil.which("chromium")}
@@ -101,7 +106,7 @@ def steps(address, second, folder, openr, shots, only):
     return (int(totals[-1][0]), int(totals[-1][1])) if totals else (0, 1)
 
 
-def drive(openr, folder, shots, only):
+def drive(openr, folder, shots, scale, only):
     """Runs the browser test and replays the recording of its run.
 
     Returns how many tests passed and how many failed; prints the reason of each failure.
@@ -117,7 +122,7 @@ def drive(openr, folder, shots, only):
         print("".join(run.said), "the run has no panel", sep="")
         return 0, 1
     second = SecondRobot(openr)
-    passed, failed = steps(address[1], second, folder, openr, shots, only)
+    passed, failed = steps(address[1], second, folder, openr, shots, scale, only)
     second.end()
     status = run.end(END_LIMIT_S)
     end_others(folder)
@@ -135,7 +140,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--build", required=True, type=pathlib.Path)
     parser.add_argument("--shots", type=pathlib.Path,
-                        help="folder for pictures; default: panel-shots in the build folder")
+                        help="folder for pictures of full size; default: pictures of half the size in "
+                        "panel-shots in the build folder")
     parser.add_argument("--only", default="", help="only steps whose names contain this")
     arguments = parser.parse_args()
     build = arguments.build.resolve()
@@ -150,7 +156,8 @@ def main():
     shots.mkdir(parents=True)
     sys.stdout.reconfigure(line_buffering=True)
     with tempfile.TemporaryDirectory(prefix="openr-browser-") as folder:
-        passed, failed = drive(str(build / "bin/openr"), pathlib.Path(folder), shots, arguments.only)
+        passed, failed = drive(str(build / "bin/openr"), pathlib.Path(folder), shots,
+                               1 if arguments.shots else SCALE, arguments.only)
     print(f"{passed} passed, {failed} failed")
     return int(failed > 0)
 

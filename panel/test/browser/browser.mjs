@@ -13,6 +13,14 @@ const ARGUMENTS = [
   '--enable-unsafe-swiftshader',
 ];
 
+// Pixels of the screen for each pixel of the page.
+const SCALE = Number(process.env['OPENR_PANEL_SCALE'] ?? '1');
+
+// Returns the options of a page of this size. `colorScheme` is 'dark' or 'light'.
+export function pageOptions(width, height, colorScheme) {
+  return { viewport: { width, height }, colorScheme, deviceScaleFactor: SCALE };
+}
+
 export async function launch() {
   const executablePath = process.env['OPENR_CHROMIUM'] ?? '/usr/bin/chromium';
   return chromium.launch({ executablePath, args: ARGUMENTS });

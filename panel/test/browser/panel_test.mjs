@@ -4,12 +4,13 @@
 //
 // WORD: takes only the steps whose names contain WORD. Other variables of the environment:
 //   OPENR_PANEL_SHOTS: the folder for screenshots.
+//   OPENR_PANEL_SCALE: pixels of a screenshot for each pixel of the page; default 1.
 //   OPENR_PANEL_MOTION: a motion that the test uploads.
 //   OPENR_PANEL_CONTROLLER: a controller image that the test uploads; it prints "iteration 1".
 //   OPENR_PANEL_SECOND, OPENR_PANEL_LINK: see steps_both.mjs.
 //   OPENR_CHROMIUM: the browser.
 import fs from 'node:fs';
-import { launch, Panel, Steps } from './browser.mjs';
+import { launch, pageOptions, Panel, Steps } from './browser.mjs';
 import { stepsOfBoth } from './steps_both.mjs';
 import { stepsOfHands } from './steps_hands.mjs';
 import { stepsOfRobot } from './steps_robot.mjs';
@@ -28,11 +29,7 @@ const steps = new Steps(process.env['OPENR_PANEL_SHOTS'] ?? '', process.argv[2] 
 const browser = await launch();
 const problems = [];
 try {
-  const page = await browser.newPage({
-    viewport: { width: 1440, height: 900 },
-    colorScheme: 'dark',
-    acceptDownloads: true,
-  });
+  const page = await browser.newPage({ ...pageOptions(1440, 900, 'dark'), acceptDownloads: true });
   page.on('pageerror', (error) => problems.push(error.message));
   page.on('console', (message) => {
     if (message.type() === 'error') problems.push(message.text());

@@ -3,7 +3,7 @@
 // OPENR_PANEL_SECOND: the address of the second robot, through the link.
 // OPENR_PANEL_LINK: the address of the control of the link.
 import net from 'node:net';
-import { need, numberOf, Panel, until } from './browser.mjs';
+import { need, numberOf, pageOptions, Panel, until } from './browser.mjs';
 
 // Sends a line to the control of the link (tests/both/link.py).
 function tellLink(line) {
@@ -160,7 +160,7 @@ export async function stepsOfBoth(steps, browser, panel, motion) {
   });
 
   await steps.step('both: the panel fits on a phone', page, async () => {
-    const phone = await browser.newPage({ viewport: { width: 390, height: 844 }, colorScheme: 'light' });
+    const phone = await browser.newPage(pageOptions(390, 844, 'light'));
     try {
       await phone.goto(process.env['OPENR_PANEL_URL']);
       await phone.locator('.link[data-state="open"]').waitFor({ timeout: 60_000 });

@@ -1,5 +1,5 @@
 // Tests the page at the sizes of a phone, a tablet and a large screen.
-import { need, Panel, until } from './browser.mjs';
+import { need, pageOptions, Panel, until } from './browser.mjs';
 
 const SIZES = [
   ['phone', 390, 844],
@@ -10,7 +10,7 @@ const SIZES = [
 export async function stepsOfPhone(steps, browser, wide) {
   for (const [name, width, height] of SIZES) {
     await steps.step(`the page fits into ${width} x ${height}`, wide.page, async () => {
-      const page = await browser.newPage({ viewport: { width, height }, colorScheme: 'light' });
+      const page = await browser.newPage(pageOptions(width, height, 'light'));
       try {
         await page.goto(process.env['OPENR_PANEL_URL']);
         await page.locator('.link[data-state="open"]').waitFor({ timeout: 60_000 });
