@@ -38,12 +38,32 @@ def environment(shard):
     return env
 
 
-def run(name, command, shard):
+def compiler_cache():
+    """Returns the variables with which tests compile objects through ccache, where it is installed.
+
+    Tests run in folders of their own, with other homes, so the folder of the cache has to be named.
+    The headers of such a test are new, and ccache would not trust the times of new files.  CI begins
+    with an empty cache, which would only take time.
+    """
+    if not shutil.which("ccache") or os.environ.get("CI") == "true":
+        return {}
+    cache = subprocess.run(["ccache", "--get-config", "cache_dir"], stdout=subprocess.PIPE, text=True,
+                           check=True).stdout.strip()
+    return {"OPENR_HOST_CXX": "ccache g++", "OPENR_HOST_CC": "ccache gcc", "CCACHE_DIR": cache,
+            "CCACHE_SLOPPINESS": "include_file_ctime,include_file_mtime"}
+
+
+def run(name, command, shard, build):
     """Returns (name, passed, failed, skipped, output, seconds)."""
     begin = time.monotonic()
+    # Has the same name each time: the compiler's cache has only what was compiled at the same place.
+    same = build / "scratch" / re.sub(r"[^\w.]+", "-", name)
+    shutil.rmtree(same, ignore_errors=True)
+    same.mkdir(parents=True)
     with tempfile.TemporaryDirectory(prefix="openr-test-") as scratch:
         try:
-            done = subprocess.run(command, cwd=scratch, env=environment(shard), timeout=LIMIT_S,
+            done = subprocess.run(command, cwd=scratch, timeout=LIMIT_S,
+                                  env=environment({**shard, "OPENR_TEST_SCRATCH": str(same)}),
                                   stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                   stderr=subprocess.STDOUT)
             output, status = done.stdout.decode(errors="replace"), done.returncode
@@ -51,6 +71,7 @@ def run(name, command, shard):
             output = (late.stdout or b"").decode(errors="replace")
             output += f"\n{name}: not done after {LIMIT_S} s\n"
             status = -1
+    shutil.rmtree(same, ignore_errors=True)
     lines = output.strip().splitlines()
     totals = TOTALS.match(lines[-1]) if lines else None
     seconds = time.monotonic() - begin
@@ -153,6 +174,7 @@ def main():
     arguments = parser.parse_args()
     sums = [0, 0, 0]
     build = arguments.build.resolve()
+    os.environ.update(compiler_cache())
     shutil.rmtree(build / "failed", ignore_errors=True)
     waiting, others, alone = jobs(build, arguments.filter, arguments.quick,
                                   arguments.programs)
@@ -169,12 +191,12 @@ def main():
 
     with concurrent.futures.ThreadPoolExecutor(max(1, len(waiting))) as waiters, \
             concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        todo = {waiters.submit(run, *job): job for job in waiting}
-        todo.update({pool.submit(run, *job): job for job in others})
+        todo = {waiters.submit(run, *job, build): job for job in waiting}
+        todo.update({pool.submit(run, *job, build): job for job in others})
         for future in concurrent.futures.as_completed(todo):
             count(todo[future], future.result())
     for job in alone:
-        count(job, run(*job))
+        count(job, run(*job, build))
     for name, file, tests in failures:
         print(f"FAILED in {name}, kept in {file}:")
         print("\n".join(f"  {test}" for test in tests or ["(it names no test)"]))

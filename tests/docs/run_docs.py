@@ -31,7 +31,8 @@ NETWORK = [sys.executable, str(pathlib.Path(__file__).with_name("own_network.py"
 
 def environment(build, home):
     """What a person has who followed docs/cookbook/README.md: openr in PATH, $OPENR_HOST."""
-    env = {key: os.environ[key] for key in ("ASAN_OPTIONS", "UBSAN_OPTIONS", "CCACHE_DIR") if key in os.environ}
+    kept = ("ASAN_OPTIONS", "UBSAN_OPTIONS", "CCACHE_DIR", "CCACHE_SLOPPINESS", "OPENR_HOST_CXX", "OPENR_HOST_CC")
+    env = {key: os.environ[key] for key in kept if key in os.environ}
     env.update(PATH=f"{build / 'bin'}:{os.environ['PATH']}", HOME=str(home), LANG="C.UTF-8", TERM="dumb",
                NO_COLOR="1", OPENR_HOST=str(ROOT), PYTHONPATH=str(ROOT / "python"), PYTHONDONTWRITEBYTECODE="1")
     return env
@@ -158,7 +159,7 @@ def main():
     build = arguments.build.resolve()
     if not (build / "bin/openr").exists():
         sys.exit(f"{build}/bin/openr is not built")
-    scratch = pathlib.Path(tempfile.mkdtemp(prefix="openr-docs-"))
+    scratch = pathlib.Path(os.environ.get("OPENR_TEST_SCRATCH") or tempfile.mkdtemp(prefix="openr-docs-"))
     private_network = subprocess.run(NETWORK + ["true"], stderr=subprocess.DEVNULL).returncode == 0
     counts = {True: 0, False: 0}
 

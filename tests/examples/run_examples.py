@@ -43,7 +43,8 @@ def is_live(name):
 def run(openr, name, check, scratch, apart):
     """What is wrong, in lines (none is good), and what could not be looked at."""
     try:
-        folder = pathlib.Path(tempfile.mkdtemp(dir=scratch))
+        folder = scratch / (name + ("-apart" if apart else ""))
+        folder.mkdir()
         example = Example(openr, EXAMPLES / name, folder, apart)
         check(example)
         return example.complaints, example.skipped
@@ -69,7 +70,7 @@ def main():
         print(f"FAIL no check for {', '.join(unchecked)}")
         bad += 1
 
-    scratch = pathlib.Path(tempfile.mkdtemp(prefix="openr-examples-"))
+    scratch = pathlib.Path(os.environ.get("OPENR_TEST_SCRATCH") or tempfile.mkdtemp(prefix="openr-examples-"))
     try:
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
             passes = [(name, False) for name in found]

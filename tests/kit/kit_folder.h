@@ -2,6 +2,7 @@
 #pragma once
 
 #include <ctype.h>
+#include <gtest/gtest.h>
 #include <stdlib.h>
 
 #include <algorithm>
@@ -15,10 +16,31 @@
 
 namespace openr_host {
 
+// Names the host's compiler for the programs that a test starts, as a user may do.
+class NamedCompiler {
+ public:
+  explicit NamedCompiler(const char* name) {
+    if (const char* const before = getenv("OPENR_HOST_CXX")) before_ = before;
+    setenv("OPENR_HOST_CXX", name, 1);
+  }
+  ~NamedCompiler() {
+    if (before_.empty()) {
+      unsetenv("OPENR_HOST_CXX");
+    } else {
+      setenv("OPENR_HOST_CXX", before_.c_str(), 1);
+    }
+  }
+  NamedCompiler(const NamedCompiler&) = delete;
+  NamedCompiler& operator=(const NamedCompiler&) = delete;
+
+ private:
+  std::string before_;
+};
+
 class KitFolder {
  public:
   // Copies fixture `name`; "" makes an empty folder.
-  explicit KitFolder(const std::string& name) {
+  explicit KitFolder(const std::string& name) : scratch_(Place()) {
     namespace fs = std::filesystem;
     if (!name.empty()) {
       fs::copy(std::string(OPENR_KIT_FIXTURES) + "/" + name, File(""),
@@ -154,6 +176,21 @@ class KitFolder {
   const ScratchFolder& scratch() const { return scratch_; }
 
  private:
+  // Returns the place of the folder: the same in every run of tools/run_tests.py, because ccache
+  // compiles again what is in a folder of another name.  Returns "" without tools/run_tests.py.
+  static std::filesystem::path Place() {
+    const char* const scratch = getenv("OPENR_TEST_SCRATCH");
+    if (scratch == nullptr) return {};
+    const testing::TestInfo* const test = testing::UnitTest::GetInstance()->current_test_info();
+    std::string name = test == nullptr ? "shared" : test->name();
+    std::replace(name.begin(), name.end(), '/', '_');
+    static int count = 0;
+    static std::string last;
+    count = name == last ? count + 1 : 0;
+    last = name;
+    return std::filesystem::path(scratch) / (name + "." + std::to_string(count));
+  }
+
   const ScratchFolder scratch_;
 };
 

@@ -59,9 +59,8 @@ TEST(NewTest, WordsOfTheHeadersThatAreNotInTheWayCanNameAnObject) {
 
 TEST(NewTest, WithoutACompilerANameIsNotRefused) {
   const KitFolder folder("");
-  setenv("OPENR_HOST_CXX", "/bin/false", 1);
+  const NamedCompiler compiler("/bin/false");
   const ProgramResult made = RunProgram({"new", "Wag", folder.File("")});
-  unsetenv("OPENR_HOST_CXX");
   EXPECT_EQ(made.status, 0) << made.err;
 }
 

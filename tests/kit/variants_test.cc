@@ -132,9 +132,8 @@ TEST(VariantsTest, TwoVariantsAtOnceAreRefused) {
 
 TEST(VariantsTest, ClangIsRefusedForSanitizers) {
   const KitFolder folder("handmade");
-  setenv("OPENR_HOST_CXX", "clang++", 1);
+  const NamedCompiler compiler("clang++");
   const ProgramResult result = folder.Build({"--sanitize"});
-  unsetenv("OPENR_HOST_CXX");
   EXPECT_EQ(result.status, 1);
   EXPECT_THAT(result.err, HasSubstr("--sanitize needs g++"));
 }

@@ -161,6 +161,14 @@ class ScratchFolder {
     std::string name = (std::filesystem::temp_directory_path() / "openr-test-XXXXXX").string();
     if (mkdtemp(name.data()) != nullptr) path_ = name;
   }
+  // Makes the folder `path`, empty; a folder like any other if `path` is "".
+  explicit ScratchFolder(const std::filesystem::path& path) : ScratchFolder() {
+    if (path.empty()) return;
+    std::filesystem::remove_all(path_);
+    path_ = path;
+    std::filesystem::remove_all(path_);
+    std::filesystem::create_directories(path_);
+  }
   ~ScratchFolder() {
     std::error_code ignored;
     std::filesystem::remove_all(path_, ignored);
