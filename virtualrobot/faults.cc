@@ -16,6 +16,7 @@ namespace openr_host {
 namespace {
 
 constexpr const char* kKindNames[] = {"jammed", "weak", "unpowered", "stuck", "noisy", "dead"};
+constexpr char kMissingName[] = "missing";
 constexpr int kHeatMinC = -20, kHeatMaxC = 120;
 constexpr int kDrawMaxMa = 30'000;
 
@@ -30,7 +31,11 @@ std::string ReadWhole(std::string_view text, int min, int max, int* number) {
 
 }  // namespace
 
-std::vector<std::string> Faults::Names() { return {std::begin(kKindNames), std::end(kKindNames)}; }
+std::vector<std::string> Faults::Names() {
+  std::vector<std::string> names(std::begin(kKindNames), std::end(kKindNames));
+  names.push_back(kMissingName);
+  return names;
+}
 
 void Faults::AddVerbs() {
   const auto add = [this](const char* name, const char* usage, const char* help,
@@ -43,7 +48,8 @@ void Faults::AddVerbs() {
   };
   add("break", "break JOINT|SENSOR FAULT [for DURATION]",
       "Makes a part faulty.  FAULT: jammed, weak N%, unpowered (joints); stuck, noisy N%, dead "
-      "(sensors, also those of joints).",
+      "(sensors, also those of joints); missing (any part, lights by their locators): "
+      "OpenPrimitive() fails.",
       &Faults::ReadBreak);
   add("repair", "repair JOINT|SENSOR|body|battery|all", "Ends break, heat and draw.",
       &Faults::ReadRepair);
@@ -67,6 +73,18 @@ std::string Faults::FindParts(const std::string& name, std::vector<int>* sensors
                      DidYouMean(name, known), fmt::join(known, ", "));
 }
 
+std::string Faults::FindPrimitives(const std::string& name, std::vector<OPrimitiveID>* ids) const {
+  ids->clear();
+  if (const OPrimitiveID id = robot_.primitives.IdOf(name); id != oprimitiveID_UNDEF) {
+    ids->push_back(id);
+    return "";
+  }
+  std::vector<int> sensors;
+  std::string problem = FindParts(name, &sensors);
+  for (const int sensor : sensors) ids->push_back(robot_.primitives.IdOfSensor(sensor));
+  return problem;
+}
+
 std::optional<Faults::Place> Faults::PlaceOf(Kind kind, int sensor) const {
   if (kind >= Kind::kStuck) return Place{Part::kSensor, sensor};
   const int joint = robot_.model.sensors[static_cast<size_t>(sensor)].joint;
@@ -79,6 +97,7 @@ std::string Faults::ReadBreak(std::string_view rest, Inputs::Action* action) {
   Fault fault{Kind::kJammed, 0, {}};
   if (std::string problem = TakeFor(&words, &fault.frames); !problem.empty()) return problem;
   if (words.size() < 2) return "needs a joint or sensor and a fault";
+  if (words[1] == kMissingName) return ReadMissing(words, fault, action);
   size_t kind = 0;
   while (kind < std::size(kKindNames) && words[1] != kKindNames[kind]) ++kind;
   if (kind == std::size(kKindNames)) {
@@ -107,6 +126,21 @@ std::string Faults::ReadBreak(std::string_view rest, Inputs::Action* action) {
   *action = [this, places, fault] {
     for (const Place& place : places) Begin(place, fault);
   };
+  return "";
+}
+
+std::string Faults::ReadMissing(const std::vector<std::string>& words, const Fault& fault,
+                                Inputs::Action* action) {
+  if (words.size() != 2) return fmt::format("{} needs nothing more", kMissingName);
+  std::vector<OPrimitiveID> ids;
+  if (std::string problem = FindPrimitives(words[0], &ids); !problem.empty()) return problem;
+  *action = [this, ids, frames = fault.frames] {
+    for (const OPrimitiveID id : ids)
+      Begin({Part::kPrimitive, static_cast<int>(id)}, {Kind::kMissing, 0, frames});
+  };
+  // Objects open most primitives in DoInit, so a part that is missing at time 0 has to be missing
+  // before the boot.
+  action->is_before_boot = true;
   return "";
 }
 
@@ -144,9 +178,12 @@ std::string Faults::ReadRepair(std::string_view rest, Inputs::Action* action) {
   } else if (words[0] == "battery") {
     places = {{Part::kBattery}, {Part::kSupply}};
   } else if (words[0] != "all") {
-    std::vector<int> sensors;
-    if (std::string problem = FindParts(words[0], &sensors); !problem.empty()) return problem;
-    for (const int sensor : sensors) {
+    std::vector<OPrimitiveID> ids;
+    if (std::string problem = FindPrimitives(words[0], &ids); !problem.empty()) return problem;
+    for (const OPrimitiveID id : ids) {
+      places.push_back({Part::kPrimitive, static_cast<int>(id)});
+      const int sensor = robot_.primitives.Find(id)->sensor;
+      if (sensor < 0) continue;
       places.push_back({Part::kSensor, sensor});
       const int joint = robot_.model.sensors[static_cast<size_t>(sensor)].joint;
       if (joint >= 0) places.push_back({Part::kMotor, joint});
@@ -201,6 +238,9 @@ void Faults::Begin(const Place& place, const Fault& fault) {
     case Part::kSupply:
       robot_.energy.SetExtraMa(fault.amount);
       break;
+    case Part::kPrimitive:
+      robot_.primitives.Find(static_cast<OPrimitiveID>(place.number))->is_missing = true;
+      break;
   }
 }
 
@@ -234,6 +274,9 @@ void Faults::End(const Place& place) {
     case Part::kSupply:
       robot_.energy.SetExtraMa(0);
       break;
+    case Part::kPrimitive:
+      robot_.primitives.Find(static_cast<OPrimitiveID>(place.number))->is_missing = false;
+      break;
   }
 }
 
@@ -264,6 +307,12 @@ std::string Faults::NameOf(const Place& place) const {
       if (sensor.joint < 0) return sensor.short_name;
       return robot_.model.joints[static_cast<size_t>(sensor.joint)].name;
     }
+    case Part::kPrimitive: {
+      const auto id = static_cast<OPrimitiveID>(place.number);
+      const Primitive& primitive = *robot_.primitives.Find(id);
+      if (primitive.sensor < 0) return primitive.locator;
+      return NameOf({Part::kSensor, primitive.sensor});
+    }
     case Part::kBody:
       return "body";
     default:
@@ -279,6 +328,8 @@ std::vector<std::string> Faults::Present() const {
       texts.push_back(fmt::format("{} at {} degrees Celsius", name, fault.amount));
     } else if (fault.kind == Kind::kDraw) {
       texts.push_back(fmt::format("{} gives {} mA more", name, fault.amount));
+    } else if (fault.kind == Kind::kMissing) {
+      texts.push_back(fmt::format("{} {}", name, kMissingName));
     } else {
       const bool has_percent = fault.kind == Kind::kWeak || fault.kind == Kind::kNoisy;
       texts.push_back(fmt::format("{} {}{}", name, kKindNames[static_cast<size_t>(fault.kind)],

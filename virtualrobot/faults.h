@@ -1,9 +1,12 @@
 // Faults of a robot: joints that are jammed, weak or without power, sensors that are stuck, noisy
-// or dead, heat, and a current that something else draws from the battery.
+// or dead, parts that cannot be opened, heat, and a current that something else draws from the
+// battery.
 //
 // Faults are inputs (runtime/core/inputs.h), such as "break LF_j1 weak 30% for 2s".  A fault lasts
 // for its duration, or until it is repaired.  docs/inputs.md describes the inputs.
 #pragma once
+
+#include <OPENR/OPENR.h>
 
 #include <cstdint>
 #include <map>
@@ -43,12 +46,12 @@ class Faults {
 
  private:
   // A joint can have one of the first three kinds of faults and, at its sensor, one of the next
-  // three.  The last two are not faults of joints: kHot is a fault of the body or the battery,
-  // kDraw of the supply.
-  enum class Kind { kJammed, kWeak, kUnpowered, kStuck, kNoisy, kDead, kHot, kDraw };
-  enum class Part { kMotor, kSensor, kBody, kBattery, kSupply };
-  // The part that has a fault.  `number` is the index of the joint or the sensor; 0 for other
-  // parts.
+  // three.  The next two are not faults of joints: kHot is a fault of the body or the battery,
+  // kDraw of the supply.  Every primitive can be missing.
+  enum class Kind { kJammed, kWeak, kUnpowered, kStuck, kNoisy, kDead, kHot, kDraw, kMissing };
+  enum class Part { kMotor, kSensor, kBody, kBattery, kSupply, kPrimitive };
+  // The part that has a fault.  `number` is the index of the joint or the sensor, or the id of the
+  // primitive; 0 for other parts.
   struct Place {
     Part part;
     int number = 0;
@@ -64,6 +67,10 @@ class Faults {
   // The next functions read the words after the verb of an input ("break", "heat", ...), as
   // Inputs::Verb::read does.  Each returns "" or the error.
   std::string ReadBreak(std::string_view rest, Inputs::Action* action);
+  // Reads the words of "break PART missing", which ReadBreak() has separated.  `fault` has the
+  // duration.
+  std::string ReadMissing(const std::vector<std::string>& words, const Fault& fault,
+                          Inputs::Action* action);
   std::string ReadHeat(std::string_view rest, Inputs::Action* action);
   std::string ReadDraw(std::string_view rest, Inputs::Action* action);
   std::string ReadRepair(std::string_view rest, Inputs::Action* action);
@@ -71,6 +78,9 @@ class Faults {
   // Finds the parts with the name `name`, and writes the indices of their sensors to `sensors`.  A
   // joint has a sensor, so this also finds joints.  Returns "" or the error.
   std::string FindParts(const std::string& name, std::vector<int>* sensors) const;
+  // Finds the primitives with the name or locator `name`, and writes their ids to `ids`.  Lights
+  // and other primitives without a sensor have only locators.  Returns "" or the error.
+  std::string FindPrimitives(const std::string& name, std::vector<OPrimitiveID>* ids) const;
   // Returns the place of a fault of this kind, for the part that has the sensor `sensor`. Returns
   // nullopt when the part is no joint and only joints can have this fault.
   std::optional<Place> PlaceOf(Kind kind, int sensor) const;

@@ -33,7 +33,13 @@ void VirtualRobot::CheckServos() {
 OStatus VirtualRobot::OpenPrimitive(const char* locator, OPrimitiveID* id) {
   *id = parts_.primitives.IdOf(locator);
   if (*id == oprimitiveID_UNDEF) return oNOT_FOUND;
-  ++parts_.primitives.Find(*id)->open_count;
+  Primitive* const primitive = parts_.primitives.Find(*id);
+  // An ERS-7 with a broken part logged status 6, which is oNOT_FOUND (field-notes.md 5.4).
+  if (primitive->is_missing) {
+    *id = oprimitiveID_UNDEF;
+    return oNOT_FOUND;
+  }
+  ++primitive->open_count;
   return oSUCCESS;
 }
 

@@ -94,8 +94,16 @@ void Inputs::DoDue() {
   while (NextUs() <= system_->now_us()) {
     const Waiting input = std::move(waiting_.front());
     waiting_.pop_front();
-    input.action();
+    input.action.work();
   }
+}
+
+void Inputs::DoBeforeBoot() {
+  std::erase_if(waiting_, [this](const Waiting& input) {
+    if (input.due_us > system_->now_us() || !input.action.is_before_boot) return false;
+    input.action.work();
+    return true;
+  });
 }
 
 void Inputs::HashState(Hasher* hasher) const {

@@ -7,12 +7,14 @@
 // docs/inputs.md lists all verbs.
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <deque>
 #include <functional>
 #include <map>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -23,9 +25,20 @@ class System;
 
 class Inputs {
  public:
-  // A function that does the work of one input.  The function is called at the input's frame
-  // boundary, outside all handlers.
-  using Action = std::function<void()>;
+  // The work of one input.  `work` is called at the input's frame boundary, outside all handlers.
+  struct Action {
+    Action() = default;
+    // Not explicit, so that a verb can write `*action = [this] { ... };`.
+    template <std::invocable Work>
+    requires(!std::same_as<std::remove_cvref_t<Work>, Action>) Action(Work&& work_in)
+        : work(std::forward<Work>(work_in)) {}
+
+    std::function<void()> work;
+    // Whether `work` is called before the robots boot if the input is due then (DoBeforeBoot()).
+    // Other inputs of that time take effect after the messages of the boot.  REQUIRES for true:
+    // `work` adds no input, and it can be called in a handler of the object manager.
+    bool is_before_boot = false;
+  };
 
   struct Verb {
     std::string name;   // "press"
@@ -67,6 +80,9 @@ class Inputs {
   int64_t NextUs() const { return waiting_.empty() ? INT64_MAX : waiting_.front().due_us; }
   // Does the work of all inputs whose frame boundary has come.
   void DoDue();
+  // Does the work of those inputs that are due and have Action::is_before_boot.  Called when the
+  // robots begin to boot.
+  void DoBeforeBoot();
 
   void HashState(Hasher* hasher) const;
 

@@ -41,7 +41,9 @@ const char* const kEntryWords[] = {"DoInit", "DoStart", "DoStop", "DoDestroy"};
 
 ObjectManager::ObjectManager() {
   boot_ = AddExtra("Boot", [this](void*) {
-    if (IsDue(boot_, 0)) RunBoot(kAllRobots, 0);
+    if (!IsDue(boot_, 0)) return;
+    system().inputs().DoBeforeBoot();
+    RunBoot(kAllRobots, 0);
   });
   shutdown_ = AddExtra("Shutdown", [this](void* message) {
     const int robot = *static_cast<int*>(message);

@@ -209,6 +209,8 @@ TEST(FaultsTest, FaultsThatCannotBeAreRefused) {
   EXPECT_THAT(why("break LF_j1 weak"), HasSubstr("weak needs one percentage"));
   EXPECT_THAT(why("break LF_j1 weak 120%"), HasSubstr("no percentage from 0% to 100%"));
   EXPECT_THAT(why("break LF_j1 dead 5%"), HasSubstr("dead needs nothing more"));
+  EXPECT_THAT(why("break chin missing 5%"), HasSubstr("missing needs nothing more"));
+  EXPECT_THAT(why("break nose missing"), HasSubstr("no joint or sensor 'nose'"));
   EXPECT_THAT(why("break chin dead for 3"), HasSubstr("'3' has no unit"));
   EXPECT_THAT(why("repair"), HasSubstr("needs one joint or sensor, body, battery or all"));
   EXPECT_THAT(why("repair nose"), HasSubstr("no joint or sensor 'nose'"));

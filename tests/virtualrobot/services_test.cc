@@ -31,6 +31,71 @@ TEST_F(VirtualRobotCommTest, EveryPrimitiveOfTheErs210CanBeOpenedByEveryObject) 
   }
 }
 
+// Opens a primitive in DoInit, as most programs do, and fails if that fails.
+class Opener : public CodeObject {
+ public:
+  explicit Opener(const char* locator) : locator_(locator) {}
+  OStatus DoInit(const OSystemEvent&) override { return OPENR::OpenPrimitive(locator_, &id); }
+  OPrimitiveID id = 0;
+
+ private:
+  const char* const locator_;
+};
+
+// A broken ERS-7 logged status 6 (field-notes.md 5.4).
+TEST_F(VirtualRobotCommTest, APartThatIsMissingBeforeTheBootCannotBeOpened) {
+  const auto* const opener = system.AddObject<Opener>(dog, "opener", kPan);
+  EXPECT_EQ(system.inputs().Add(dog, "break neck_pan missing"), "");
+  Boot();
+  EXPECT_EQ(opener->id, oprimitiveID_UNDEF);
+  EXPECT_EQ(CountFindings("DoInit returned status 6"), 1);
+  As([&] {
+    OPrimitiveID id = 0;
+    EXPECT_EQ(OPENR::OpenPrimitive(kPan, &id), oNOT_FOUND);
+    EXPECT_EQ(OPENR::OpenPrimitive(kTilt, &id), oSUCCESS);
+  });
+}
+
+// Time 0 comes before DoInit for this fault only, so that no other run changes.
+TEST_F(VirtualRobotCommTest, OtherInputsAtTimeZeroComeAfterTheBoot) {
+  EXPECT_EQ(system.inputs().Add(dog, "break neck_pan dead"), "");
+  system.Boot();
+  EXPECT_TRUE(system.RunUntil([&] { return system.booted(); }, 0));
+  EXPECT_TRUE(robot->parts().faults.Present().empty());
+  system.RunFor(1);
+  EXPECT_EQ(robot->parts().faults.Present(), Log{"neck_pan dead"});
+}
+
+TEST_F(VirtualRobotCommTest, APartThatIsOpenStaysOpenWhenItIsMissingLater) {
+  Boot();
+  OPrimitiveID pan = 0;
+  As([&] { pan = mover->Open(kPan); });
+  EXPECT_EQ(system.inputs().Add(dog, "break neck_pan missing"), "");
+  RunToFrame(1);
+  As([&] {
+    OPrimitiveID again = 0;
+    EXPECT_EQ(OPENR::OpenPrimitive(kPan, &again), oNOT_FOUND);
+    OJointValue value;
+    EXPECT_EQ(OPENR::GetJointValue(pan, &value), oSUCCESS);
+  });
+  EXPECT_EQ(Findings(), "");
+}
+
+// Lights and the camera have no name, so they are named by their locators.
+TEST_F(VirtualRobotCommTest, AMissingLightCanBeRepaired) {
+  Boot();
+  const std::string eye = kEyeLed;
+  EXPECT_EQ(system.inputs().Add(dog, "break " + eye + " missing"), "");
+  RunToFrame(1);
+  EXPECT_EQ(robot->parts().faults.Present(), Log{eye + " missing"});
+  OPrimitiveID id = 0;
+  As([&] { EXPECT_EQ(OPENR::OpenPrimitive(kEyeLed, &id), oNOT_FOUND); });
+  EXPECT_EQ(system.inputs().Add(dog, "repair " + eye), "");
+  RunToFrame(2);
+  As([&] { EXPECT_EQ(OPENR::OpenPrimitive(kEyeLed, &id), oSUCCESS); });
+  EXPECT_TRUE(robot->parts().faults.Present().empty());
+}
+
 TEST_F(VirtualRobotCommTest, SeveralObserversGetEverySensorVector) {
   class Second : public CodeObject {
    public:
