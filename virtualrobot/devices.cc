@@ -9,6 +9,8 @@ namespace openr_host {
 namespace {
 
 constexpr int kIntensityMax = 255;
+constexpr char kErs7[] = "ERS-7";
+constexpr int kNumGains = 3;          // P, I and D; in GainWords, their shifts follow
 constexpr char kHead[] = "PRM:/r1/";  // start of the locators of all devices in the head
 
 }  // namespace
@@ -17,6 +19,7 @@ Devices::Devices(const RobotModel& model)
     : joints(model.joints.size()),
       leds(model.leds.size()),
       plungers(model.plungers.size()),
+      has_one_shift_(model.design == kErs7),
       commands_(model.joints.size()) {
   for (const Led& led : model.leds) {
     on_face_.push_back(led.type == oprimitiveLED3_NAME && led.locator.starts_with(kHead));
@@ -86,6 +89,19 @@ bool Devices::Acts(int joint, bool motor_power) const {
   return motor_power && device.gain_enabled && device.gains[0] != 0;
 }
 
+bool Devices::HasGain(int joint) const {
+  const GainWords& gains = joints[static_cast<size_t>(joint)].gains;
+  return std::any_of(gains.begin(), gains.begin() + kNumGains, [](word gain) { return gain != 0; });
+}
+
+void Devices::ShareShifts(int joint) {
+  const GainWords shared = joints[static_cast<size_t>(joint)].gains;
+  for (size_t j = 0; j < joints.size(); ++j) {
+    if (!HasGain(static_cast<int>(j))) continue;
+    std::copy(shared.begin() + kNumGains, shared.end(), joints[j].gains.begin() + kNumGains);
+  }
+}
+
 OStatus Devices::EnableGain(int joint) {
   joints[static_cast<size_t>(joint)].gain_enabled = true;
   return oSUCCESS;
@@ -102,6 +118,10 @@ OStatus Devices::SetGain(int joint, const GainWords& gains) {
   JointDevice& device = joints[static_cast<size_t>(joint)];
   if (!device.gain_enabled) return oGAIN_DISABLED;
   device.gains = gains;
+  std::copy(gains.begin() + kNumGains, gains.end(), device.asked_shifts.begin());
+  // Gains of 0 switch a servo off.  A program that does so does not care for the shifts, so they
+  // are kept from the other joints.
+  if (has_one_shift_ && HasGain(joint)) ShareShifts(joint);
   return oSUCCESS;
 }
 

@@ -19,6 +19,8 @@ class Hasher;
 
 // The gains P, I and D, then the shifts of P, I and D, as OPENR::SetJointGain() takes them.
 using GainWords = std::array<word, 6>;
+// The shifts of P, I and D.
+using ShiftWords = std::array<word, 3>;
 
 struct JointDevice {
   slongword target_urad = 0;  // set point in 10^-6 rad; 0 at boot, whatever angle the joint has
@@ -26,6 +28,9 @@ struct JointDevice {
   ObjectId commander = kNoObject;  // the object that sent the set point
   bool gain_enabled = false;
   GainWords gains{};  // gains of the servo; all are 0 while gain_enabled is false
+  // The shifts that the last call for this joint has asked for.  On an ERS-7 those of `gains` may
+  // be others (Devices::HasOneShift()).
+  ShiftWords asked_shifts{};
   // The joint's default gains, which RegisterDefaultJointGain() has stored.
   std::optional<GainWords> registered;
 };
@@ -68,6 +73,12 @@ class Devices {
   // enabled, and the P gain is not 0.
   bool Acts(int joint, bool motor_power) const;
 
+  // Returns whether all joints have one register for the shifts, so that a change for one joint
+  // changes all joints, as on an ERS-7 (field-notes.md 7.15).
+  bool HasOneShift() const { return has_one_shift_; }
+  // Returns whether a gain of `joint` is not 0, so that its shifts mean something.
+  bool HasGain(int joint) const;
+
   OStatus EnableGain(int joint);
   OStatus DisableGain(int joint);
   OStatus SetGain(int joint, const GainWords& gains);
@@ -82,6 +93,10 @@ class Devices {
   std::vector<PlungerDevice> plungers;
 
  private:
+  // Gives all joints that have a gain the shifts of `joint`.
+  void ShareShifts(int joint);
+
+  bool has_one_shift_;  // the result of HasOneShift()
   ObjectId commander_ = kNoObject;
   std::vector<bool> on_face_;  // for each light, the result of OnFace()
   std::vector<JointCommand> commands_;

@@ -49,6 +49,7 @@ JointWatch::JointWatch(const RobotModel& model, const Devices& devices)
 
 void JointWatch::SwitchOff() {
   joints_.assign(joints_.size(), {});
+  told_shifts_ = false;
   limp_frames_ = 0;
 }
 
@@ -133,9 +134,29 @@ void JointWatch::CheckForRadians(size_t joint, const CommandElement& element,
                   model_.joints[joint].locator, kTinyUrad));
 }
 
+void JointWatch::CheckShifts(std::vector<std::string>* problems) {
+  if (!devices_.HasOneShift() || told_shifts_) return;
+  const auto has_gain = [this](size_t j) { return devices_.HasGain(static_cast<int>(j)); };
+  size_t first = 0;
+  while (first < joints_.size() && !has_gain(first)) ++first;
+  for (size_t j = first; j < joints_.size() && !told_shifts_; ++j) {
+    const ShiftWords& one = devices_.joints[first].asked_shifts;
+    const ShiftWords& other = devices_.joints[j].asked_shifts;
+    if (!has_gain(j) || one == other) continue;
+    told_shifts_ = true;
+    problems->push_back(
+        fmt::format("SetJointGain: shifts {} for {} and {} for {}; this robot has one SHIFT for "
+                    "all joints, and "
+                    "the last call sets it",
+                    fmt::join(one, " "), model_.joints[first].locator, fmt::join(other, " "),
+                    model_.joints[j].locator));
+  }
+}
+
 void JointWatch::VectorStarts(const std::vector<CommandElement>& elements, const BodyState& body,
                               bool motor_power, bool motor_power_cut,
                               std::vector<std::string>* problems) {
+  CheckShifts(problems);
   // Collects joints without power or gain for one report, because a program that forgets power or
   // gain forgets it for many joints.
   std::vector<std::string> without_power, without_gain;

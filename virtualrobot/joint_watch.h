@@ -4,6 +4,7 @@
 //   - set points jump,
 //   - set points have no effect, because power or gain is off,
 //   - set points are in radians instead of microradians,
+//   - joints of an ERS-7 are given different shifts of their gains, though all joints share one,
 //   - a motor pushes at its limit for 30 s.
 //
 // A servo acts when it has motor power and a P gain; otherwise its joint is limp.  A frame is 8 ms.
@@ -83,10 +84,16 @@ class JointWatch {
   void CheckForRadians(size_t joint, const CommandElement& element,
                        std::vector<std::string>* problems);
 
+  // Checks whether the last calls for two joints ask for different shifts of the gains, on a robot
+  // that has one register for all.  A program that changes the shifts of all joints, one after the
+  // other, makes no mistake; so this is checked when a vector starts and not at each change.
+  void CheckShifts(std::vector<std::string>* problems);
+
   const RobotModel& model_;
   const Devices& devices_;
   std::vector<Joint> joints_;
-  int limp_frames_ = 0;  // number of frames of the present half second that have passed
+  bool told_shifts_ = false;  // whether CheckShifts() has reported the mistake
+  int limp_frames_ = 0;       // number of frames of the present half second that have passed
 };
 
 }  // namespace openr_host

@@ -195,6 +195,99 @@ TEST_F(StrictJointWatchTest, AndShutsTheRobotDownWhenStrict) {
   EXPECT_EQ(system.end()->kind, EndKind::kStrict);
 }
 
+// ---- one SHIFT for all joints of an ERS-7 (field-notes.md 7.15)
+
+// Two joints of the head that have gains, and are held where they are.
+class ShiftTest : public VirtualRobotCommTest {
+ protected:
+  explicit ShiftTest(const char* name = "ers7") : VirtualRobotCommTest({}, name) {}
+  void SetUp() override {
+    Boot();
+    As([&] {
+      tilt = mover->Open(model.joints[0].locator.c_str());
+      pan = mover->Open(model.joints[1].locator.c_str());
+      OPENR::SetMotorPower(opowerON);
+    });
+    Hold();
+  }
+  // Sends set points, as every program does all the time.
+  void Hold() {
+    As([&] {
+      RCRegion* region = mover->NewVector(2);
+      Mover::FillJoint(region, 0, tilt, {0});
+      Mover::FillJoint(region, 1, pan, {0});
+      mover->Send({region});
+    });
+    RunToFrame(robot->frame() + 3);
+  }
+  static void SetGain(OPrimitiveID joint, word p_shift) {
+    EXPECT_EQ(OPENR::EnableJointGain(joint), oSUCCESS);
+    EXPECT_EQ(OPENR::SetJointGain(joint, 10, 4, 2, p_shift, 2, 15), oSUCCESS);
+  }
+  static word PShiftOf(OPrimitiveID joint) {
+    word p, i, d, p_shift, i_shift, d_shift;
+    EXPECT_EQ(OPENR::GetJointGain(joint, &p, &i, &d, &p_shift, &i_shift, &d_shift), oSUCCESS);
+    return p_shift;
+  }
+  OPrimitiveID tilt = 0, pan = 0;
+};
+
+TEST_F(ShiftTest, ShiftsThatDifferAreReportedAndTheLastOnesHoldForAll) {
+  As([&] {
+    SetGain(tilt, 14);
+    SetGain(pan, 15);
+    EXPECT_EQ(PShiftOf(tilt), 15);
+  });
+  EXPECT_EQ(Findings(), "");
+  Hold();
+  Hold();
+  EXPECT_EQ(Findings(),
+            "mover: SetJointGain: shifts 14 2 15 for PRM:/r1/c1-Joint2:11 and 15 2 15 for "
+            "PRM:/r1/c1/c2-Joint2:12; this robot has one SHIFT for all joints, and the last call "
+            "sets it\n");
+}
+
+TEST_F(ShiftTest, NewShiftsForAllJointsAreNoFinding) {
+  As([&] {
+    SetGain(tilt, 14);
+    SetGain(pan, 14);
+  });
+  Hold();
+  As([&] {
+    SetGain(tilt, 15);
+    SetGain(pan, 15);
+  });
+  Hold();
+  EXPECT_EQ(Findings(), "");
+}
+
+// Gains of 0 make a joint limp; their shifts mean nothing.
+TEST_F(ShiftTest, AJointWithoutGainAsksForNoShift) {
+  As([&] {
+    SetGain(tilt, 14);
+    SetGain(pan, 14);
+    EXPECT_EQ(OPENR::SetJointGain(pan, 0, 0, 0, 0, 0, 0), oSUCCESS);
+    EXPECT_EQ(PShiftOf(tilt), 14);
+  });
+  Hold();
+  EXPECT_EQ(CountFindings("SetJointGain: shifts"), 0);
+}
+
+class Ers210ShiftTest : public ShiftTest {
+ protected:
+  Ers210ShiftTest() : ShiftTest("ers210") {}
+};
+
+TEST_F(Ers210ShiftTest, EachJointHasItsOwnShifts) {
+  As([&] {
+    SetGain(tilt, 14);
+    SetGain(pan, 15);
+    EXPECT_EQ(PShiftOf(tilt), 14);
+  });
+  Hold();
+  EXPECT_EQ(Findings(), "");
+}
+
 // ---- reading and closing
 
 TEST_F(JointWatchTest, ReadingAPrimitiveThatNobodyOpenedIsReported) {
