@@ -23,6 +23,15 @@ constexpr double kRayMaxM = 2.0;
 // such a sensor sees grey paper, with a reflectance of 0.18, up to 0.8 m; docs/calibration.md.
 constexpr double kLightMinPerM2 = 0.18 / (0.8 * 0.8);
 
+// Time for which one of two sensors is measured until it is the other one's turn
+// (field-notes.md 8.5).
+constexpr int64_t kTurnUs = 50'000;
+// The signal of a sensor that is measured in turn says whether its value is new.  No source has the
+// two signals, so these are our choice.
+constexpr word kFreshSignal = 1, kKeptSignal = 0;
+
+int TurnOf(int64_t frame) { return static_cast<int>(frame * kFrameUs / kTurnUs % 2); }
+
 // Converts `value` to millionths and rounds it, halves away from zero, with the same result on
 // every machine.
 slongword ToMicro(double value) {
@@ -151,7 +160,8 @@ slongword SensorSource::ValueOf(const Sensor& sensor, const Body& body) {
   }
 }
 
-void SensorSource::SampleNow(const Body& body, const Devices& devices) {
+void SensorSource::SampleTurn(int turn, const Body& body, const Devices& devices) {
+  has_sample_ = true;
   const BodyState& state = body.state();
   for (size_t i = 0; i < latest_.size(); ++i) {
     const Sensor& sensor = model_.sensors[i];
@@ -159,13 +169,18 @@ void SensorSource::SampleNow(const Body& body, const Devices& devices) {
       SampleJoint(i, sensor.joint, state, devices);
       continue;
     }
-    // Computes the value even when a hand sets the sensor, because the computation takes random
-    // numbers, and the noise of the other sensors must stay the same.
+    // Computes the value even when a hand sets the sensor or the sensor keeps its value, because
+    // the computation takes random numbers, and the noise of the other sensors must stay the same.
     const slongword value = ValueOf(sensor, body);
     const slongword before = latest_[i].value;
-    latest_[i].value = held_[i].value_or(value);
+    const bool is_kept = sensor.turn >= 0 && turn != kAllTurns && turn != sensor.turn;
+    latest_[i].value = held_[i].value_or(is_kept ? before : value);
+    if (sensor.turn >= 0) latest_[i].signal = is_kept ? kKeptSignal : kFreshSignal;
     const auto fault = faults_.find(static_cast<int>(i));
-    if (fault != faults_.end()) ApplyFault(fault->second, sensor, before, &latest_[i]);
+    if (fault == faults_.end()) continue;
+    // A value that is kept has its noise already.
+    if (is_kept && fault->second.kind == SensorFaultKind::kNoisy) continue;
+    ApplyFault(fault->second, sensor, before, &latest_[i]);
   }
 }
 
@@ -206,7 +221,8 @@ void SensorSource::Repair(int sensor) {
 bool SensorSource::Sample(int64_t frame, const Body& body, const Devices& devices) {
   ASSERT(collected_ >= 0 && collected_ < kFramesPerVector, "{} frames", collected_);
   if (collected_ == 0) first_frame_ = frame;
-  SampleNow(body, devices);
+  // The first sample measures all sensors, because there is no value yet that one could keep.
+  SampleTurn(has_sample_ ? TurnOf(frame) : kAllTurns, body, devices);
   std::copy(latest_.begin(), latest_.end(),
             frames_.begin() + static_cast<ptrdiff_t>(latest_.size()) * collected_);
   if (++collected_ < kFramesPerVector) return false;
@@ -253,6 +269,7 @@ void SensorSource::SwitchOff() {
   std::memset(static_cast<void*>(frames_.data()), 0, frames_.size() * sizeof frames_[0]);
   first_frame_ = 0;
   collected_ = 0;
+  has_sample_ = false;
   pool_.Clear();
 }
 

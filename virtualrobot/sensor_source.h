@@ -54,8 +54,9 @@ class SensorSource {
   bool Sample(int64_t frame, const Body& body, const Devices& devices);
 
   // Samples all sensors now, so that Latest() returns the new samples; no vector contains them.
-  // Called when a program reads a sensor before the first frame is over.
-  void SampleNow(const Body& body, const Devices& devices);
+  // Sensors that are measured in turn are all measured.  Called when a program reads a sensor
+  // before the first frame is over.
+  void SampleNow(const Body& body, const Devices& devices) { SampleTurn(kAllTurns, body, devices); }
 
   // Returns the newest sample of element `sensor` of the sensor vector.  For a joint, its bytes are
   // an OJointValue.
@@ -106,6 +107,11 @@ class SensorSource {
     bool operator==(const JointReading&) const = default;
   };
 
+  // The turn in which all sensors are measured.
+  static constexpr int kAllTurns = -1;
+
+  // Samples all sensors.  A sensor that is measured in turn, but not in `turn`, keeps its value.
+  void SampleTurn(int turn, const Body& body, const Devices& devices);
   void SampleJoint(size_t index, int joint, const BodyState& state, const Devices& devices);
   bool IsPressed(const BodyState& state, size_t paw) const;
   slongword ValueOf(const Sensor& sensor, const Body& body);
@@ -126,6 +132,7 @@ class SensorSource {
   std::map<int, SensorFault> faults_;           // the key is the index of the sensor
   std::vector<OSensorValue> frames_;  // frames_[frame][sensor]: samples of kFramesPerVector frames
   int body_c_ = 30;
+  bool has_sample_ = false;  // whether a sample was taken since the robot was switched on
   int64_t first_frame_ = 0;  // number of the first frame whose samples are in frames_
   // Number of frames of the next vector whose samples are in frames_; below kFramesPerVector.
   int collected_ = 0;

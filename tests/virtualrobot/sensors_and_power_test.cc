@@ -111,6 +111,66 @@ TEST_F(VirtualRobotCommTest, ADarkThingIsSeenAsFarAsABrightOneUntilItIsOutOfSigh
   EXPECT_NEAR(robot->sensor(psd).value, 450000, 45000);
 }
 
+// ---- near and far sensor of an ERS-7 (field-notes.md 8.5)
+
+class Ers7DistanceTest : public VirtualRobotCommTest {
+ protected:
+  Ers7DistanceTest() : VirtualRobotCommTest({}, "ers7") {}
+  const OSensorValue& Near() const { return Newest("distance_near"); }
+  const OSensorValue& Far() const { return Newest("distance_far"); }
+
+ private:
+  const OSensorValue& Newest(const char* name) const {
+    return robot->sensor(model.SensorsNamed(name).front());
+  }
+};
+
+// Near is measured in frames 0 to 6, which begin in the first 50 ms, far in frames 7 to 12.
+TEST_F(Ers7DistanceTest, NearAndFarAreMeasuredInTurnAndTheSignalSaysWhich) {
+  Boot();
+  body->distance_m = 0.3;
+  RunToFrame(1);  // the first frame measures both
+  EXPECT_EQ(Near().value, 300'000);
+  EXPECT_EQ(Far().value, 300'000);
+  body->distance_m = 0.4;
+  RunToFrame(7);
+  EXPECT_EQ(Near().value, 400'000);
+  EXPECT_EQ(Near().signal, 1);
+  EXPECT_EQ(Far().value, 300'000);  // kept
+  EXPECT_EQ(Far().signal, 0);
+  RunToFrame(8);
+  EXPECT_EQ(Far().value, 400'000);
+  EXPECT_EQ(Far().signal, 1);
+  EXPECT_EQ(Near().signal, 0);
+  body->distance_m = 0.25;
+  RunToFrame(13);
+  EXPECT_EQ(Near().value, 400'000);
+  EXPECT_EQ(Far().value, 250'000);
+  RunToFrame(14);
+  EXPECT_EQ(Near().value, 250'000);
+}
+
+// A program that polls far every 96 ms gets ten or so new values, then ten or so old ones (BBS 1904
+// to 1909).
+TEST_F(Ers7DistanceTest, PollingBeatsWithTheTurns) {
+  Boot();
+  std::string fresh;
+  for (int i = 1; i <= 50; ++i) {
+    RunToFrame(12 * i);
+    fresh += Far().signal != 0 ? 'f' : '-';
+  }
+  EXPECT_EQ(fresh, "ffffffffff-------------ffffffffffff-------------ff");
+}
+
+TEST_F(Ers7DistanceTest, AHandBeforeASensorIsSeenAtAnyTime) {
+  Boot();
+  body->distance_m = 0.3;
+  RunToFrame(2);
+  EXPECT_EQ(system.inputs().Add(dog, "set distance_far 700000"), "");
+  RunToFrame(3);
+  EXPECT_EQ(Far().value, 700'000);
+}
+
 // ---- OPENR functions
 
 TEST_F(VirtualRobotCommTest, ForeignLocatorsAreNotFound) {

@@ -135,8 +135,8 @@ std::vector<DistanceRow> ReadLookup(const JsonReader& table) {
 }
 
 void ReadSensor(const JsonReader& row, RobotModel* model) {
-  row.AllowOnly(
-      {"name", "short", "locator", "kind", "range", "body", "place", "direction", "lookup"});
+  row.AllowOnly({"name", "short", "locator", "kind", "range", "body", "place", "direction",
+                 "lookup", "turn"});
   Sensor sensor;
   sensor.name = row.At("name").Text();
   if (row.Has("short")) {
@@ -159,6 +159,7 @@ void ReadSensor(const JsonReader& row, RobotModel* model) {
   if (row.Has("place")) sensor.place_m = Metres(row.At("place"));
   if (row.Has("direction")) sensor.direction = Unit(row.At("direction"));
   if (row.Has("lookup")) sensor.lookup = ReadLookup(row.At("lookup"));
+  if (row.Has("turn")) sensor.turn = static_cast<int>(row.At("turn").Whole(0, 1));
   if (sensor.kind == SensorKind::kDistance && sensor.body >= 0) {
     row.At("place"), row.At("direction"), row.At("lookup");  // At() fails when a member is missing
   }

@@ -117,6 +117,9 @@ struct Sensor {
   Eigen::Vector3d direction{0, 0, 0};
   // Table of a sensor of kind kDistance: at least two rows, in rising order of distance_m.
   std::vector<DistanceRow> lookup;
+  // Number of the sensor among two sensors that are measured in turn, 0 or 1; -1 for a sensor that
+  // is measured in every frame.
+  int turn = -1;
 };
 
 struct Camera {
