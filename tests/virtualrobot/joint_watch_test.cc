@@ -69,6 +69,22 @@ TEST_F(JointWatchTest, JumpAtStart) {
             1);
 }
 
+// field-notes.md 7.10: the program takes the set point of the joint for its position.
+TEST_F(JointWatchTest, TheRefValueOfAJointThatNobodyCommandedIsNotItsPosition) {
+  OJointValue value;
+  As([&] { EXPECT_EQ(OPENR::GetJointValue(pan, &value), oSUCCESS); });
+  EXPECT_EQ(value.value, 500'000);
+  EXPECT_EQ(value.refValue, 0);
+  Command({value.refValue});
+  As([&] {
+    OPENR::SetMotorPower(opowerON);
+    SetGain();
+  });
+  EXPECT_EQ(CountFindings("its gains take effect far from its set point; the joint is at 28.6 "
+                          "degrees and goes to 0.0"),
+            1);
+}
+
 // A joint that was commanded to its position sinks while it is limp, before the gains are set. That
 // is the effect of its weight and no mistake of the program.
 TEST_F(JointWatchTest, AJointThatSinksDuringTheOpeningIsNoFinding) {
