@@ -1,6 +1,10 @@
 #include "kit/image_source.h"
 
+#include <fmt/format.h>
+
 #include <string_view>
+
+#include "runtime/core/image_info.h"
 
 namespace openr_host {
 namespace {
@@ -26,7 +30,7 @@ extern "C" {
 
 struct ImageInfo {
     unsigned    version;
-    unsigned    reserved;
+    unsigned    headers_version;
     const char* ocf;
 };
 
@@ -34,15 +38,18 @@ struct ImageInfo {
 static __attribute__((section("openr_ocf"), used)) const char openr_ocf_text[] =
     )";
 
-// The part of the generated source after the text of the .ocf file: the description of the image,
-// and two helper functions.  If a function may end without returning a value, compile_tool.cc
-// compiles its source so that all functions call the helpers at their beginning and end.  The
-// helper at the end leaves 0 in the register for the return value.
-constexpr std::string_view kRest = R"(;
+// The description of the image: the source after the text of the .ocf file.  Is formatted with
+// kImageVersion and kHeadersVersion.
+constexpr char kDescription[] = R"(;
 
 extern __attribute__((visibility("default"))) const struct ImageInfo openr_image_info;
-const struct ImageInfo openr_image_info = { 1, 0, openr_ocf_text };
+const struct ImageInfo openr_image_info = {{ {}, {}, openr_ocf_text }};
+)";
 
+// The end of the generated source: two helper functions.  If a function may end without returning
+// a value, compile_tool.cc compiles its source so that all functions call the helpers at their
+// beginning and end.  The helper at the end leaves 0 in the register for the return value.
+constexpr std::string_view kRest = R"(
 void openr_function_begins(void*, void*) __asm__("__cyg_profile_func_enter");
 long openr_function_ends(void*, void*) __asm__("__cyg_profile_func_exit");
 __attribute__((visibility("hidden"), no_instrument_function))
@@ -58,7 +65,8 @@ long openr_function_ends(void* function, void* caller) { (void)function; (void)c
 }  // namespace
 
 std::string MakeImageSource(const std::string& ocf) {
-  return std::string(kOpening) + Quoted(ocf) + std::string(kRest);
+  return std::string(kOpening) + Quoted(ocf) +
+         fmt::format(kDescription, kImageVersion, kHeadersVersion) + std::string(kRest);
 }
 
 }  // namespace openr_host

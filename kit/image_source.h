@@ -1,5 +1,5 @@
 // Generates the source that every image for the host needs beside its own code: the description of
-// the image (struct ImageInfo of runtime/core/image.h) and helper functions.
+// the image (struct ImageInfo of runtime/core/image_info.h) and helper functions.
 #pragma once
 
 #include <string>

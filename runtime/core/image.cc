@@ -102,7 +102,8 @@ std::string ImageObject::Load(const std::string& file, RunFolder* folder) {
         dlerror());
   }
   folder->Replace(copy, original);
-  problem = TakeImports();
+  problem = CheckVersions();
+  if (problem.empty()) problem = TakeImports();
   if (problem.empty()) problem = RunConstructors();
   return problem.empty() ? ReadTables() : problem;
 }
@@ -124,6 +125,25 @@ std::string ImageObject::TakePlace(const std::string& original) {
   if (system->options().find_leaks) arena->KeepCalls();
   stack_ = std::make_unique<HandlerStack>(place->stack(0));
   return bytes;
+}
+
+// Returns "", or why the image does not fit this program.  Called before any code of the image
+// runs, because code that was compiled with other headers may write beyond the runtime's objects.
+std::string ImageObject::CheckVersions() {
+  info_ = static_cast<const ImageInfo*>(dlsym(handle_, "openr_image_info"));
+  if (info_ == nullptr) return "has no openr_image_info; build it with openr build";
+  if (info_->version != kImageVersion) {
+    return fmt::format(
+        "was built for version {} of the image format, this is version {}; build it again",
+        info_->version, kImageVersion);
+  }
+  // Version 0 is an image of a build that did not mark images yet; it may fit, so it is loaded.
+  const uint32_t headers = info_->headers_version;
+  if (headers == 0 || headers == kHeadersVersion) return "";
+  return fmt::format(
+      "was built with version {} of the headers of openr-host, this is version {}; build all its "
+      "sources again",
+      headers, kHeadersVersion);
 }
 
 // Makes imported functions that the image calls run on a stack of their own.  Does nothing if a
@@ -164,17 +184,8 @@ void ImageObject::Run(void (*function)(void*), void* argument) {
 }
 
 std::string ImageObject::ReadTables() {
-  const auto* const info = static_cast<const ImageInfo*>(dlsym(handle_, "openr_image_info"));
   const auto* const table = static_cast<const ObjectEntry*>(dlsym(handle_, "ObjectEntryTable"));
-  if (info == nullptr || table == nullptr) {
-    return fmt::format("has no {}; build it with openr build",
-                       table == nullptr ? "ObjectEntryTable" : "openr_image_info");
-  }
-  if (info->version != kImageVersion) {
-    return fmt::format(
-        "was built for version {} of the image format, this is version {}; build it again",
-        info->version, kImageVersion);
-  }
+  if (table == nullptr) return "has no ObjectEntryTable; build it with openr build";
   for (const ObjectEntry* entry = table; entry->selector != UNDEF; ++entry) {
     if (entry->selector >= kSelectorMax) {
       return fmt::format(
@@ -187,7 +198,7 @@ std::string ImageObject::ReadTables() {
     entries_[entry->selector] = entry->entry;
   }
   while (ImageObject::HasEntry(entry_count)) ++entry_count;
-  const OcfResult ocf = ParseOcf(path + " (.ocf)", info->ocf);
+  const OcfResult ocf = ParseOcf(path + " (.ocf)", info_->ocf);
   if (!ocf.ocf) return "has a bad .ocf text: " + Render(ocf.diagnostics);
   name = ocf.ocf->name;
   limits.priority = ocf.ocf->priority;

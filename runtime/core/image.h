@@ -15,18 +15,10 @@
 #include "runtime/base/temp_folder.h"
 #include "runtime/core/fp_flags.h"
 #include "runtime/core/handler_stack.h"
+#include "runtime/core/image_info.h"
 #include "runtime/core/object.h"
 
 namespace openr_host {
-
-// The description of an image, which the build puts into every image under the symbol
-// openr_image_info.
-struct ImageInfo {
-  uint32_t version;  // the value of kImageVersion in the build that made the image
-  uint32_t reserved;
-  const char* ocf;  // the text of the .ocf file
-};
-constexpr uint32_t kImageVersion = 1;
 
 // A temporary folder for copies of images; its destructor removes the folder.
 class RunFolder {
@@ -73,6 +65,7 @@ class ImageObject : public Object {
 
  private:
   std::string TakePlace(const std::string& original);
+  std::string CheckVersions();
   std::string TakeImports();
   std::string RunConstructors();
   void Run(void (*function)(void*), void* argument);
@@ -81,6 +74,7 @@ class ImageObject : public Object {
 
   std::unique_ptr<HandlerStack> stack_;  // null if addresses are not planned
   void* handle_ = nullptr;
+  const ImageInfo* info_ = nullptr;  // in the image
   bool has_thunks_ = false;
   std::vector<Entry> entries_;  // entry functions by selector; null where the image has no entry
   // The flags (FpFlag) that handlers of this object have raised so far.  Each flag is reported

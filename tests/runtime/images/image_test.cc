@@ -1,14 +1,53 @@
 // Objects loaded from images: statics, heaps, files and ends of methods of their own.
 #include "runtime/core/image.h"
 
+#include <elf.h>
 #include <gtest/gtest.h>
 
+#include <cstddef>
+#include <iterator>
+#include <string_view>
+
+#include "runtime/core/image_info.h"
 #include "runtime/core/load_image.h"
 #include "runtime/core/load_stick.h"
 #include "tests/runtime/images/image_fixture.h"
 
 namespace openr_host {
 namespace {
+
+// Returns the place of ImageInfo::headers_version in the bytes of an image; 0 if there is none.
+size_t PlaceOfHeadersVersion(const std::string& bytes) {
+  const auto* const header = reinterpret_cast<const Elf64_Ehdr*>(bytes.data());
+  const auto* const sections = reinterpret_cast<const Elf64_Shdr*>(bytes.data() + header->e_shoff);
+  for (int i = 0; i < header->e_shnum; ++i) {
+    if (sections[i].sh_type != SHT_DYNSYM) continue;
+    const char* const names = bytes.data() + sections[sections[i].sh_link].sh_offset;
+    const auto* const symbols =
+        reinterpret_cast<const Elf64_Sym*>(bytes.data() + sections[i].sh_offset);
+    for (size_t k = 0; k < sections[i].sh_size / sizeof(Elf64_Sym); ++k) {
+      if (std::string_view(names + symbols[k].st_name) != "openr_image_info") continue;
+      const Elf64_Shdr& home = sections[symbols[k].st_shndx];
+      return home.sh_offset + (symbols[k].st_value - home.sh_addr) +
+             offsetof(ImageInfo, headers_version);
+    }
+  }
+  return 0;
+}
+
+// Writes `version` into the image `file` as the version of the headers, and returns the version
+// that was there.
+uint32_t ReplaceHeadersVersion(const fs::path& file, uint32_t version) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  const size_t place = PlaceOfHeadersVersion(bytes);
+  EXPECT_NE(place, 0u);
+  uint32_t former;
+  std::memcpy(&former, bytes.data() + place, sizeof former);
+  std::memcpy(bytes.data() + place, &version, sizeof version);
+  std::ofstream(file, std::ios::binary) << bytes;
+  return former;
+}
 
 TEST_F(ImageTest, BootsSaysItsStateAndAnswers) {
   Start();
@@ -161,6 +200,27 @@ TEST_F(ImageTest, AnImageThatWasCutOffIsRefused) {
   broken.AddRobot("ERS-210", stick);
   ASSERT_FALSE(LoadStick(&broken, 0));
   EXPECT_NE(broken.findings().all()[0].text.find("ends too early"), std::string::npos);
+}
+
+// field-notes.md, 1.14
+TEST_F(ImageTest, AnImageBuiltWithOtherHeadersIsRefusedWithBothVersions) {
+  const uint32_t other = kHeadersVersion + 1;
+  EXPECT_EQ(ReplaceHeadersVersion(root / "OPEN-R/MW/OBJS/PROBE.BIN", other), kHeadersVersion);
+  System refusing;
+  refusing.AddRobot("ERS-210", stick);
+  ASSERT_FALSE(LoadStick(&refusing, 0));
+  EXPECT_EQ(
+      refusing.findings().all()[0].text,
+      fmt::format("OBJECT.CFG:1: /MS/OPEN-R/MW/OBJS/PROBE.BIN was built with version {} of "
+                  "the headers of openr-host, this is version {}; build all its sources again",
+                  other, kHeadersVersion));
+}
+
+TEST_F(ImageTest, AnImageThatDoesNotSayTheVersionOfItsHeadersIsLoaded) {
+  ReplaceHeadersVersion(root / "OPEN-R/MW/OBJS/PROBE.BIN", 0);
+  Start();
+  EXPECT_EQ(Findings(), "");
+  EXPECT_EQ(talker->Ask("count"), "1");
 }
 
 TEST_F(ImageTest, AReloadThatCannotBeLoadedChangesNothing) {

@@ -1,0 +1,26 @@
+// The description of an image, and the versions with which the build marks it.
+#pragma once
+
+#include <cstdint>
+
+namespace openr_host {
+
+// The version of struct ImageInfo, and of the tables that an image shows to the loader.
+constexpr uint32_t kImageVersion = 1;
+
+// The version of the SDK headers (runtime/include).  Must be raised with each change of the headers
+// that images depend on: the size or the members of a class, its virtual functions, or the value of
+// a constant.  tests/runtime/include/layout_test.cc has the sizes.
+constexpr uint32_t kHeadersVersion = 1;
+
+// The description of an image, which the build puts into every image under the symbol
+// openr_image_info.
+struct ImageInfo {
+  uint32_t version;  // the value of kImageVersion in the build that made the image
+  // The value of kHeadersVersion in the build that made the image; 0 in images of builds that did
+  // not know it yet.
+  uint32_t headers_version;
+  const char* ocf;  // the text of the .ocf file
+};
+
+}  // namespace openr_host
