@@ -9,6 +9,7 @@
 #include <regex>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "kit/source_place.h"
 #include "kit/source_text.h"
@@ -48,6 +49,35 @@ std::string TroubleIn(const std::string& members) {
   return "";
 }
 
+// A regular expression for a part of a statement.  Its length is limited, because
+// std::regex_search() calls itself for each character of a repetition.
+const std::string kPartOfStatement = "[^;]{0,400}";
+
+// A struct or class of the program.
+struct DataType {
+  std::vector<std::string> bases;
+  std::vector<std::string> virtual_functions;  // names, without those of the bases
+};
+
+// Returns all words in the list of base classes `text`, such as ": public Base": its class names,
+// and words like "public", which name no type.
+std::vector<std::string> WordsOf(const std::string& text) {
+  static const std::regex kWord("\\w+");
+  std::vector<std::string> words;
+  for (std::sregex_iterator it(text.begin(), text.end(), kWord), end; it != end; ++it)
+    words.push_back(it->str());
+  return words;
+}
+
+// Returns the names of the virtual functions, except the destructor, that `body` declares.
+std::vector<std::string> VirtualFunctionsIn(const std::string& body) {
+  static const std::regex kVirtual("\\bvirtual\\b[^;{}()~]{1,200}?\\b(\\w+)[ \t\r\n]*\\(");
+  std::vector<std::string> names;
+  for (std::sregex_iterator it(body.begin(), body.end(), kVirtual), end; it != end; ++it)
+    names.push_back((*it)[1]);
+  return names;
+}
+
 class DataCheck {
  public:
   DataCheck(const Project& project, Remarks* remarks) : remarks_(remarks) {
@@ -61,7 +91,10 @@ class DataCheck {
 
   void Run() {
     if (troubles_.empty()) return;
-    for (const auto& [name, file] : files_) CheckCalls(name, file);
+    for (const auto& [name, file] : files_) {
+      CheckCalls(name, file);
+      CheckRegions(name, file);
+    }
   }
 
  private:
@@ -76,15 +109,26 @@ class DataCheck {
       const size_t close = ClosingOf(code, open);
       if (close == std::string::npos) continue;
       const std::string name = (*it)[1];
-      const std::string trouble = TroubleIn(MembersOf(code.substr(open + 1, close - open - 1)));
-      // Removes the name from troubles_ if the program has two types of this name, because the
-      // check does not know which of the two a call means.
+      const std::string body = code.substr(open + 1, close - open - 1);
+      const std::string trouble = TroubleIn(MembersOf(body));
+      // Removes the name from types_ and troubles_ if the program has two types of this name,
+      // because the check does not know which of the two a call means.
       if (!seen_.insert(name).second) {
+        types_.erase(name);
         troubles_.erase(name);
-      } else if (!trouble.empty()) {
-        troubles_[name] = trouble;
+        continue;
       }
+      types_[name] = {WordsOf((*it)[2]), VirtualFunctionsIn(body)};
+      if (!trouble.empty()) troubles_[name] = trouble;
     }
+  }
+
+  // Adds the type `name` and all its bases that are types of the program to `*line`.
+  void AddWithBases(const std::string& name, std::vector<std::string>* line) const {
+    const auto type = types_.find(name);
+    if (type == types_.end() || std::find(line->begin(), line->end(), name) != line->end()) return;
+    line->push_back(name);
+    for (const std::string& base : type->second.bases) AddWithBases(base, line);
   }
 
   // Returns the type of the data in a call SetData(&variable, sizeof measured), if such data cannot
@@ -116,8 +160,65 @@ class DataCheck {
     }
   }
 
+  // Warns of objects with virtual functions that are made in a region, new (region->Base()) Type,
+  // if the region is sent and an object of another folder calls such a function.
+  void CheckRegions(const std::string& name, const File& file) {
+    static const std::regex kPlaced(
+        "\\bnew[ \t]*\\([ \t]*(?:\\([ \t]*void[ \t]*\\*[ \t]*\\)[ \t]*)?(\\w+)[^;]{0,80}?"
+        "(?:->|\\.)[ \t]*Base[ \t]*\\([ \t]*\\)[ \t]*\\)[ \t\r\n]*(\\w+)");
+    const std::string& code = file.code;
+    for (std::sregex_iterator it(code.begin(), code.end(), kPlaced), end; it != end; ++it) {
+      const std::regex sent("\\bSetData[ \t]*\\(" + kPartOfStatement + "\\b" + (*it)[1].str() +
+                            "\\b");
+      const std::string type = (*it)[2];
+      if (!types_.contains(type) || !std::regex_search(code, sent)) continue;
+      const std::string call = VirtualCallOf(type, name);
+      if (call.empty()) continue;
+      remarks_->Add(Remark::Kind::kWarning,
+                    PlaceAt(name, file.text, static_cast<size_t>(it->position(0))),
+                    fmt::format("{} has virtual functions, and {}; the table of them is in the "
+                                "sender's image, so that call crashes on the robot: send plain "
+                                "values and arrays",
+                                type, call));
+    }
+  }
+
+  // Returns a text for users that names a file in which received data are used as a `type`, or as
+  // one of its bases, and a virtual function that this file calls.  Returns "" if there is none.
+  // Ignores files in the folder of `sender`, since an object that is loaded twice from one image
+  // can call the functions (field-notes.md, 2.7).
+  std::string VirtualCallOf(const std::string& type, const fs::path& sender) const {
+    std::vector<std::string> types, functions;
+    AddWithBases(type, &types);
+    for (const std::string& name : types) {
+      const std::vector<std::string>& own = types_.at(name).virtual_functions;
+      functions.insert(functions.end(), own.begin(), own.end());
+    }
+    for (const auto& [name, file] : files_) {
+      if (fs::path(name).parent_path() == sender.parent_path() || !Receives(file.code, types))
+        continue;
+      for (const std::string& function : functions) {
+        if (!std::regex_search(file.code, std::regex("(->|\\.)[ \t]*" + function + "[ \t]*\\(")))
+          continue;
+        return fmt::format("{} calls {}() of received data", fs::path(name).filename().string(),
+                           function);
+      }
+    }
+    return "";
+  }
+
+  // Returns whether `code` uses received data as one of `types`: (const Shape*)event.Data(0).
+  static bool Receives(const std::string& code, const std::vector<std::string>& types) {
+    return std::any_of(types.begin(), types.end(), [&code](const std::string& type) {
+      return HasWord(code, type) &&
+             std::regex_search(code, std::regex("\\b" + type + "\\b[ \t]*(const[ \t]*)?\\*" +
+                                                kPartOfStatement + "\\b(Data|RCData)[ \t]*\\("));
+    });
+  }
+
   Remarks* const remarks_;
   std::map<std::string, File> files_;
+  std::map<std::string, DataType> types_;
   std::set<std::string> seen_;                   // names of all types found so far
   std::map<std::string, std::string> troubles_;  // reasons why a type cannot be sent, by its name
 };

@@ -81,6 +81,38 @@ TEST(CheckTest, DataThatDoNotSurviveBeingCopiedAsBytes) {
   EXPECT_THAT(check("    // Named data; SetData(&data, sizeof(data));"), HasSubstr("0 warnings"));
 }
 
+// field-notes.md, 2.7.
+TEST(CheckTest, AVirtualFunctionCalledInAReceivedRegionIsFound) {
+  const KitFolder folder("makefile");
+  folder.Write("common/Shape.h",
+               "class Shape { public: virtual ~Shape(); virtual int Area() const = 0; int a; };\n"
+               "class Circle : public Shape { public: int Area() const; int Radius() const; };\n");
+  const auto check = [&](const std::string& sender, const std::string& receiver) {
+    folder.Write("Sender/More.cc",
+                 "#include \"../common/Shape.h\"\nvoid More() {\n" + sender + "\n}");
+    folder.Write("Receiver/More.cc", "void More(const ONotifyEvent& event) {\n" + receiver + "\n}");
+    return Checked(folder, 0);
+  };
+  const std::string placed = "    new (region[i]->Base()) Circle(2);\n";
+  const std::string sent = "    subject[0]->SetData(region[i]);";
+  const std::string called = "    const Shape* s = (const Shape*)event.Data(0);\n    s->Area();";
+  EXPECT_THAT(check(placed + sent, called),
+              Says("Sender/More.cc:3:",
+                   "warning: Circle has virtual functions, and More.cc calls Area() of received "
+                   "data; the table of them is in the sender's image, so that call crashes on the "
+                   "robot"));
+  EXPECT_THAT(check(placed + sent, "    ((Circle*)event.RCData(0)->Base())->Area();"),
+              Says("Sender/More.cc:3:", "More.cc calls Area() of received data"));
+  EXPECT_THAT(
+      check("    new ((void*)region->Base()) Circle(2); subject[0]->SetData(region);", called),
+      Says("Sender/More.cc:3:", "Circle has virtual functions"));
+  // Programs that worked on the robot.
+  const std::string read = "    const Circle* s = (const Circle*)event.Data(0);\n    s->Radius();";
+  EXPECT_THAT(check(placed + sent, read), HasSubstr("0 warnings"));
+  EXPECT_THAT(check(placed, called), HasSubstr("0 warnings"));
+  EXPECT_THAT(check(placed + sent + called, ""), HasSubstr("0 warnings"));  // one image
+}
+
 TEST(CheckTest, SectionsOfSeveralRobotsMayNameTheSameImage) {
   const KitFolder folder("handmade");
   ASSERT_EQ(folder.Build().status, 0);
