@@ -138,7 +138,9 @@ class LayoutCheck {
     if (!HasWord(sending.all, type) || !HasWord(receiving.sources, type)) return;
     if (!Sends(sending, type) || !Receives(receiving, type)) return;
     const auto ours = LayoutIn(subject->image, type), theirs = LayoutIn(observer->image, type);
-    if (!ours || !theirs || *ours == *theirs) return;
+    if (!ours || !theirs) return;
+    NoteWideMember(record, *ours);
+    if (*ours == *theirs) return;
     const std::string difference =
         DifferenceOf({subject->folder->folder.filename(), sending, *ours},
                      {observer->folder->folder.filename(), receiving, *theirs});
@@ -151,6 +153,22 @@ class LayoutCheck {
   }
 
  private:
+  // Notes the first member of the struct that has another size here than on the robot.
+  void NoteWideMember(const ConnectRecord& record, const StructLayout& layout) const {
+    const auto wide =
+        std::find_if(layout.members.begin(), layout.members.end(),
+                     [](const StructLayout::Member& member) { return !member.wide_type.empty(); });
+    if (wide == layout.members.end()) return;
+    const std::string& type = record.subject.data;
+    const bool is_pointer = wide->wide_type == kWidePointer;
+    remarks_->AddConsequence(
+        Remark::Kind::kNote, record.subject_place, "width " + type,
+        fmt::format("'{}' has another size here than on the robot: in '{}', {} has 8 bytes instead "
+                    "of 4; sizes written as numbers do not fit{}",
+                    type, wide->name, wide->wide_type,
+                    is_pointer ? "" : ", and longword has 4 bytes on both"));
+  }
+
   // Returns the object that declares the service `name` and is built; null if there is none or
   // more than one.
   const BuiltObject* OwnerOf(const ServiceName& name) const {

@@ -22,6 +22,9 @@ namespace openr_host {
 //     asks nowhere for the size of the data.
 // An array at the end of the struct may have another length, because data of variable length are
 // sent in this way.
+//
+// Notes a struct with a member of type long or size_t, or with a pointer, if the first four of
+// these conditions hold: it has another size here than on the robot (field-notes.md, 12.4).
 void CheckLayouts(const ConnectConfig& wires, const StickImages& images, const ObjectParts& parts,
                   Remarks* remarks);
 

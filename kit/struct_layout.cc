@@ -16,14 +16,21 @@ namespace fs = std::filesystem;
 using OpenElf = std::unique_ptr<Elf, decltype(&elf_end)>;
 using OpenDwarf = std::unique_ptr<Dwarf, decltype(&dwarf_end)>;
 
+// Returns the entry for the type of `die`; nullopt if the entry has no type.
+std::optional<Dwarf_Die> DeclaredTypeOf(Dwarf_Die* die) {
+  Dwarf_Attribute attribute;
+  Dwarf_Die type;
+  if (dwarf_formref_die(dwarf_attr(die, DW_AT_type, &attribute), &type) == nullptr)
+    return std::nullopt;
+  return type;
+}
+
 // Returns the entry for the type of `die`, without typedefs, const and volatile.  Returns nullopt
 // if the entry has no type.
 std::optional<Dwarf_Die> TypeOf(Dwarf_Die* die) {
-  Dwarf_Attribute attribute;
-  Dwarf_Die type, peeled;
-  if (dwarf_formref_die(dwarf_attr(die, DW_AT_type, &attribute), &type) == nullptr ||
-      dwarf_peel_type(&type, &peeled) != 0)
-    return std::nullopt;
+  std::optional<Dwarf_Die> type = DeclaredTypeOf(die);
+  Dwarf_Die peeled;
+  if (!type || dwarf_peel_type(&*type, &peeled) != 0) return std::nullopt;
   return peeled;
 }
 
@@ -39,6 +46,55 @@ bool IsStruct(Dwarf_Die* die) {
   return dwarf_tag(die) == DW_TAG_structure_type || dwarf_tag(die) == DW_TAG_class_type;
 }
 
+std::string NameOf(Dwarf_Die* die) {
+  const char* const name = dwarf_diename(die);
+  return name == nullptr ? "" : name;
+}
+
+std::string WideTypeIn(Dwarf_Die* structure);
+
+// Returns StructLayout::Member::wide_type of `member`.
+std::string WideTypeOf(Dwarf_Die* member) {
+  std::string shown;  // name of the first typedef, by which the user knows the type
+  Dwarf_Die die = *member;
+  while (const std::optional<Dwarf_Die> next = DeclaredTypeOf(&die)) {
+    die = *next;
+    const std::string name = NameOf(&die);
+    switch (dwarf_tag(&die)) {
+      case DW_TAG_pointer_type:
+        return NumberOf(&die, DW_AT_byte_size) == uint64_t{8} ? kWidePointer : "";
+      case DW_TAG_structure_type:
+      case DW_TAG_class_type:
+        return WideTypeIn(&die);
+      case DW_TAG_base_type:
+        if (name != "long int" && name != "long unsigned int") return "";
+        if (NumberOf(&die, DW_AT_byte_size) != uint64_t{8}) return "";
+        return shown.empty() ? name : shown;
+      case DW_TAG_typedef:
+        // A type such as int64_t, which is long here, has 8 bytes on the robot, too.
+        if (name.find("64") != std::string::npos) return "";
+        if (shown.empty()) shown = name;
+        break;
+      default:  // const, volatile, or an array, whose type is that of an element
+        break;
+    }
+  }
+  return "";
+}
+
+// Returns the first type in a struct that has 8 bytes here and 4 on the robot.  Leaves out the
+// pointer of a class with virtual functions, because no source names this pointer.
+std::string WideTypeIn(Dwarf_Die* structure) {
+  Dwarf_Die child;
+  for (int end = dwarf_child(structure, &child); end == 0; end = dwarf_siblingof(&child, &child)) {
+    if (dwarf_tag(&child) != DW_TAG_member || dwarf_hasattr(&child, DW_AT_artificial) != 0 ||
+        dwarf_hasattr(&child, DW_AT_data_member_location) == 0)
+      continue;
+    if (std::string type = WideTypeOf(&child); !type.empty()) return type;
+  }
+  return "";
+}
+
 std::optional<StructLayout::Member> MemberOf(Dwarf_Die* die) {
   const char* const name = dwarf_diename(die);
   const std::optional<uint64_t> begin = NumberOf(die, DW_AT_data_member_location);
@@ -49,7 +105,9 @@ std::optional<StructLayout::Member> MemberOf(Dwarf_Die* die) {
   if (!type) return std::nullopt;
   Dwarf_Word bytes = 0;
   if (dwarf_aggregate_size(&*type, &bytes) != 0) bytes = 0;
-  return StructLayout::Member{name, *begin, bytes, dwarf_tag(&*type) == DW_TAG_array_type};
+  const bool is_array = dwarf_tag(&*type) == DW_TAG_array_type;
+  const bool is_hidden = dwarf_hasattr(die, DW_AT_artificial) != 0;
+  return StructLayout::Member{name, *begin, bytes, is_array, is_hidden ? "" : WideTypeOf(die)};
 }
 
 // Returns the layout of the struct `die`; nullopt if the entry only declares the struct.

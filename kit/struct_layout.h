@@ -9,6 +9,9 @@
 
 namespace openr_host {
 
+// The name of a pointer in StructLayout::Member::wide_type.
+inline constexpr char kWidePointer[] = "a pointer";
+
 // A struct or class.  Bit fields, static members and members without a name are left out.
 struct StructLayout {
   struct Member {
@@ -16,6 +19,9 @@ struct StructLayout {
     uint64_t begin = 0;  // first byte of the member, counted from the beginning of the struct
     uint64_t bytes = 0;  // size of the member; 0 for an array without a length
     bool is_array = false;
+    // A type in this member that has 8 bytes here and 4 on the robot (field-notes.md, 12.4), such
+    // as "long int", "size_t" or "a pointer"; "" if there is none.
+    std::string wide_type;
     bool operator==(const Member&) const = default;
   };
   uint64_t bytes = 0;

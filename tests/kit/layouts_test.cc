@@ -26,9 +26,10 @@ class LayoutsTest : public ::testing::Test {
 
   // Writes the header of one object.
   void Declare(const std::string& object, const std::string& members) const {
-    folder_.Write(
-        object + "/Line.h",
-        "#include <Types.h>\nconst size_t LINE_SIZE = 32;\nstruct Line { " + members + " };\n");
+    folder_.Write(object + "/Line.h",
+                  "#include <Types.h>\n#include <stdint.h>\n"
+                  "const size_t LINE_SIZE = 32;\nstruct Line { " +
+                      members + " };\n");
   }
   void Replace(const std::string& file, const std::string& from, const std::string& to) const {
     std::string text = folder_.Read(file);
@@ -100,6 +101,22 @@ TEST_F(LayoutsTest, ALongTextWithoutASemicolonIsRead) {
   folder_.Write("Talker/Talker.cc", source + table + "};\nconst int* Table() { return table; }\n");
   EXPECT_THAT(BuiltWith(kBoth, "word number; char text[LINE_SIZE];"),
               HasSubstr("'number' has 4 bytes in Talker, 2 in Listener"));
+}
+
+// field-notes.md, 12.4.
+TEST_F(LayoutsTest, AMemberThatHasFourBytesOnTheRobotIsANote) {
+  const auto both = [&](const std::string& members) { return BuiltWith(members, members); };
+  EXPECT_THAT(both("long number; char text[LINE_SIZE];"),
+              HasSubstr("CONNECT.CFG:2: note: 'Line' has another size here than on the robot: in "
+                        "'number', long int has 8 bytes instead of 4; sizes written as numbers do "
+                        "not fit, and longword has 4 bytes on both"));
+  EXPECT_THAT(both("struct { size_t at[2]; } place; int number; char text[LINE_SIZE];"),
+              HasSubstr("in 'place', size_t has 8 bytes instead of 4"));
+  EXPECT_THAT(both("int number; char text[LINE_SIZE]; Line* next;"),
+              HasSubstr("in 'next', a pointer has 8 bytes instead of 4; sizes written as numbers "
+                        "do not fit\n"));
+  EXPECT_THAT(both("int64_t number; char text[LINE_SIZE]; longword far; double near;"),
+              Not(HasSubstr("another size here")));
 }
 
 // ---- Programs that work on the robot
