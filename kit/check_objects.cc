@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <regex>
 
+#include "kit/source_place.h"
 #include "kit/source_text.h"
 #include "kit/text_files.h"
 #include "runtime/config/line_file.h"
@@ -35,6 +37,24 @@ bool HasAnyWord(const std::string& code, std::initializer_list<const char*> word
                      [&](const char* word) { return HasWord(code, word); });
 }
 
+// Returns `code` with blanks in place of everything between #if and #endif.  Programs that also run
+// on a PC have calls there that are not compiled for the robot.
+std::string WithoutConditionalCode(std::string code) {
+  static const std::regex kDirective("^[ \t]*#[ \t]*(if|endif)");
+  int depth = 0;
+  for (size_t at = 0; at < code.size();) {
+    const size_t end = std::min(code.find('\n', at), code.size());
+    const auto begin = code.begin() + static_cast<std::ptrdiff_t>(at);
+    const auto line_end = code.begin() + static_cast<std::ptrdiff_t>(end);
+    std::smatch match;
+    const std::string line(begin, line_end);
+    if (std::regex_search(line, match, kDirective)) depth += match[1] == "if" ? 1 : -1;
+    if (depth > 0) std::fill(begin, line_end, ' ');
+    at = end + 1;
+  }
+  return code;
+}
+
 class ObjectCheck {
  public:
   ObjectCheck(const ObjectFolder& object, const ObjectParts& parts, Remarks* remarks)
@@ -46,8 +66,11 @@ class ObjectCheck {
 
   void Run() {
     if (!object_.stub.empty()) CheckStub();
-    for (const fs::path& file : object_.sources)
-      CheckStickPaths(file, ReadText(file).value_or(""), remarks_);
+    for (const fs::path& file : object_.sources) {
+      const std::string text = ReadText(file).value_or("");
+      CheckStickPaths(file, text, remarks_);
+      if (!parts_.IsForRemoteProcessing(object_)) CheckThreads(file, text);
+    }
     CheckOcfs();
   }
 
@@ -118,6 +141,20 @@ class ObjectCheck {
       remarks_->Add(Remark::Kind::kWarning, heard->place,
                     fmt::format("AssertReady is never called: {}() will not be either",
                                 heard->data_function));
+    }
+  }
+
+  void CheckThreads(const fs::path& file, const std::string& text) {
+    static const std::regex kThread(
+        "\\b(pthread_create|thrd_create)[ \t]*\\(|\\b(std[ \t]*::[ \t]*(thread|async))\\b");
+    const std::string code = WithoutConditionalCode(WithoutComments(text));
+    for (std::sregex_iterator it(code.begin(), code.end(), kThread), end; it != end; ++it) {
+      const std::string name = (*it)[1].matched ? (*it)[1].str() : "std::" + (*it)[3].str();
+      remarks_->Add(Remark::Kind::kWarning,
+                    PlaceAt(file, text, static_cast<size_t>(it->position(0))),
+                    fmt::format("{}(): the robot has no threads: an object is one, and does one "
+                                "thing at a time; do a piece of the work for each message",
+                                name));
     }
   }
 

@@ -63,10 +63,10 @@ grep_in '#include *["<]libwebsockets' cli kit openr runtime virtualrobot distrib
   grep -v '^openr/panel/web_loop\.cc:' | rule 'only openr/panel/web_loop.cc includes libwebsockets'
 grep_in '#include *["<]cairo' cli kit openr runtime virtualrobot distribution objects testing tools |
   grep -v '^openr/chart/draw_chart\.cc:' | rule 'only openr/chart/draw_chart.cc includes Cairo'
-# Excepted: process_hooks.cc defines these calls for objects, wall_clock.cc is for pacing and time
+# Excepted: process_hooks.cc and refused_hooks.cc define these calls for objects, wall_clock.cc is for pacing and time
 # limits, and runtime/ipstack/host_*.cc reads real sockets, whose data enter at frame boundaries.
 grep_in '(steady_clock|system_clock|gettimeofday|clock_gettime|random_device|std::(thread|mutex|async)|pthread_create)' \
-  runtime virtualrobot | grep -vE '^runtime/(hooks/process_hooks|ipstack/host_|base/wall_clock)' |
+  runtime virtualrobot | grep -vE '^runtime/(hooks/(process|refused)_hooks|ipstack/host_|base/wall_clock)' |
   rule 'no wall clock, no threads, no raw randomness in runtime/ and virtualrobot/'
 grep_in 'unordered_(map|set|multi)' runtime virtualrobot distribution |
   rule 'no hash order in runtime/, virtualrobot/ and distribution/'

@@ -3,6 +3,7 @@
 // files and processes of the host.
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <pthread.h>
 #include <signal.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -22,16 +23,16 @@ namespace {
 
 using openr_host::t_current;
 
-// Returns whether code of an object has called the function `name`.  If so, adds a finding and sets
-// errno, because the call must fail.
-bool Refuses(const char* name) {
+constexpr char kNoSuchThing[] =
+    "there is no such thing on the robot (Programmer's Guide, appendix A)";
+
+// Returns whether code of an object has called the function `name`.  If so, adds a finding with the
+// reason `why` and sets errno, because the call must fail.
+bool Refuses(const char* name, const char* why = kNoSuchThing) {
   if (!openr_host::InObject()) return false;
   const openr_host::ApiScope scope;
-  t_current.system->AddFinding(
-      openr_host::Severity::kError,
-      fmt::format("{}() fails: there is no such thing on the robot (Programmer's Guide, "
-                  "appendix A)",
-                  name));
+  t_current.system->AddFinding(openr_host::Severity::kError,
+                               fmt::format("{}() fails: {}", name, why));
   errno = ENOSYS;
   return true;
 }
@@ -99,3 +100,16 @@ extern "C" int fcntl(int descriptor, int command, ...) {
   va_end(arguments);
   return Refuses("fcntl") ? -1 : next(descriptor, command, argument);
 }
+
+#if !defined(__SANITIZE_THREAD__)  // ThreadSanitizer starts a thread before this library is ready
+// Refuses threads to objects, as std::thread makes them too.  Other threads would run beside the
+// handlers, in an order that is another one in each run.
+extern "C" int pthread_create(pthread_t* thread, const pthread_attr_t* attributes,
+                              void* (*start)(void*), void* argument) noexcept {
+  static const auto next = OPENR_NEXT(pthread_create);
+  constexpr char kWhy[] =
+      "the robot has no threads: an object does one thing at a time; do a piece of the work for "
+      "each message";
+  return Refuses("pthread_create", kWhy) ? EAGAIN : next(thread, attributes, start, argument);
+}
+#endif

@@ -92,6 +92,18 @@ TEST_F(FilesConformance, SleepingDoesNothingAndIsReported) {
   }
 }
 
+#if !defined(__SANITIZE_THREAD__)
+// field-notes.md, 1.11
+TEST_F(FilesConformance, AThreadIsRefusedAndReported) {
+  Start();
+  EXPECT_EQ(Answer("thread"), "T pthread_create failed 1\n");
+  EXPECT_TRUE(
+      Found("pthread_create() fails: the robot has no threads: an object does one thing at "
+            "a time; do a piece of the work for each message"))
+      << Findings();
+}
+#endif
+
 TEST_F(FilesConformance, FreopenOpensWhatFopenWouldOpen) {
   Start();
   EXPECT_EQ(Answer("freopen"), "T freopen terminal 0 open 0 free 1\n");

@@ -214,6 +214,25 @@ TEST(CheckTest, NamesThatNoStickHoldsAreFoundOnItAndInSources) {
   EXPECT_THAT(text, Says("More.cc:2:", "'LONGNAME1.TXT' is not an 8.3 name"));
 }
 
+// field-notes.md, 1.11.
+TEST(CheckTest, ThreadsOfAnObjectAreFound) {
+  const KitFolder folder("makefile");
+  folder.Write("Sender/More.cc",
+               "#include <pthread.h>\n"
+               "void More() { pthread_create(&thread, 0, Work, 0); }\n"
+               "void Most() { std::thread worker(Work); }\n");
+  const std::string text = Checked(folder, 0);
+  EXPECT_THAT(text,
+              Says("Sender/More.cc:2:", "warning: pthread_create(): the robot has no threads"));
+  EXPECT_THAT(text, Says("Sender/More.cc:3:", "warning: std::thread(): the robot has no threads"));
+  // Code that is not compiled for the robot.
+  folder.Write("Sender/More.cc",
+               "#ifdef PLATFORM_LOCAL\n#  if 1\nvoid More() { pthread_create(&thread, 0, Work, 0); "
+               "}\n#  endif\nvoid Most() { std::thread worker(Work); }\n#endif\n"
+               "// pthread_create(&thread, 0, Work, 0);\n");
+  EXPECT_THAT(Checked(folder, 0), HasSubstr("0 warnings"));
+}
+
 TEST(CheckTest, DesignDataThatIsNotThereIsFound) {
   const KitFolder folder("makefile");
   folder.Write(std::string(kConf) + "DESIGNDB.CFG", "SONG /MS/OPEN-R/MW/DATA/P/SONG.WAV\n");

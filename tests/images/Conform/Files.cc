@@ -5,6 +5,7 @@
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <pthread.h>
 #include <signal.h>
 #include <sys/stat.h>
 #include <sys/time.h>
@@ -147,6 +148,16 @@ Sleeps()
     OSYSPRINT(("T sleep %d usleep %d nanosleep %d\n", slept, slept_us, nanosleep(&second, 0)));
 }
 
+static void* Work(void*) { return 0; }
+
+static void
+Threads()
+{
+    pthread_t thread;
+    const int failed = pthread_create(&thread, 0, Work, 0) != 0;
+    OSYSPRINT(("T pthread_create failed %d\n", failed));
+}
+
 static void
 Reopens()
 {
@@ -227,6 +238,8 @@ FileCommand(const std::string& command)
         Clocks();
     } else if (command == "sleep") {
         Sleeps();
+    } else if (command == "thread") {
+        Threads();
     } else if (command == "freopen") {
         Reopens();
     } else if (command == "atexit") {
