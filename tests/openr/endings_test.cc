@@ -5,6 +5,7 @@
 #include <sys/socket.h>
 
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "tests/openr/program_run.h"
 
@@ -102,7 +103,9 @@ TEST(EndingTest, OnlyACrashLeavesARecord) {
                                 const Words& more, int status, const std::string& by) {
     const ScratchFolder stick;
     stick.MakeTrouble(word);
-    if (word == "absent") std::filesystem::remove(stick.File("OPEN-R/MW/OBJS/TROUBLE.BIN"));
+    const std::string image = stick.File("OPEN-R/MW/OBJS/TROUBLE.BIN");
+    if (word == "absent") std::filesystem::remove(image);
+    if (word == "cut off") std::filesystem::resize_file(image, 5000);
     Words words{"--stick", stick.path(), "--for", "1s"};
     words.insert(words.end(), more.begin(), more.end());
     if (!events.empty()) {
@@ -116,9 +119,26 @@ TEST(EndingTest, OnlyACrashLeavesARecord) {
   EXPECT_FALSE(leaves_record("nothing", "0.1s draw 9000 for 1s\n", {"--strict"}, 1, "strict"));
   EXPECT_FALSE(leaves_record("hang", "", {"--handler-limit", "200ms"}, 1, "handler-limit"));
   EXPECT_FALSE(leaves_record("absent", "", {}, 1, "no-boot"));
+  EXPECT_FALSE(leaves_record("cut off", "", {}, 1, "no-boot"));
 #ifndef __SANITIZE_ADDRESS__  // AddressSanitizer reports crashes itself
   EXPECT_TRUE(leaves_record("crash", "", {}, 1, "crash"));
 #endif
+}
+
+// field-notes.md 4.6.  Somebody holds a leg: the ERS-210 shuts down after 30 s of load, the ERS-7
+// finds a jam.
+TEST(EndingTest, AJointThatIsHeldLeavesNoRecordWhenStrict) {
+  for (const auto& [robot, why] : {std::pair{"ers210", ""}, std::pair{"ers7", "was jammed"}}) {
+    const ScratchFolder stick;
+    std::filesystem::copy(OPENR_STICK, stick.path(), std::filesystem::copy_options::recursive);
+    stick.Write("run.events", "14s turn LF_j2 60 for 40s\n");
+    const ProgramResult result = RunProgram(
+        {"run", "--rate", "max", "--rc-port", "0", "--stick", stick.path(), "--robot", robot,
+         "--events", stick.File("run.events"), "--for", "60s", "--strict", "--json"});
+    EXPECT_EQ(result.status, 1) << result.err;
+    ExpectEnd(result, result.out, "strict", why);
+    EXPECT_FALSE(std::filesystem::exists(stick.File("OPEN-R/EMON.LOG"))) << robot;
+  }
 }
 
 // A line that cannot be read, and one whose object is not there, which is known after DoInit.
