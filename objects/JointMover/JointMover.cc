@@ -9,7 +9,7 @@
 #include "StickFile.h"
 
 JointMover::JointMover()
-    : robot_(0), numUnderWay_(0), numReports_(0), isStopped_(false), isUp_(false), core_(this)
+    : robot_(0), numUnderWay_(0), numReports_(0), isStopped_(true), isUp_(false), core_(this)
 {
     for (int j = 0; j < MAX_JOINTS; j++) joint_[j] = oprimitiveID_UNDEF;
     for (int i = 0; i < NUM_REGIONS; i++) region_[i] = 0;
@@ -34,12 +34,14 @@ JointMover::DoInit(const OSystemEvent&)
     }
     if (OpenJoints() != oSUCCESS || NewRegions() != oSUCCESS) return oFAIL;
     OPENR::SetMotorPower(opowerON);
+    isStopped_ = false;
     return oSUCCESS;
 }
 
 OStatus
 JointMover::DoStart(const OSystemEvent&)
 {
+    if (isStopped_) return oFAIL;  // DoStart is called even if DoInit has failed
     ENABLE_ALL_SUBJECT;
     core_.Begin(robot_);
     SendVectors();  // sends vectors if the effector is ready; otherwise its ready event sends them

@@ -235,6 +235,18 @@ TEST(FaultsTest, ARunWithoutFaultsIsTheSameAsOneWhoseFaultsAreOver) {
   EXPECT_EQ(hash(true), hash(false));
 }
 
+TEST(FaultsTest, WithoutAJointTheDefaultStickMovesNothingAndGoesOn) {
+  Bench bench(FaultyDog("ideal"));
+  EXPECT_TRUE(bench.Do("break LF_j1 missing"));
+  bench.ExpectFinding(HasSubstr("DoInit"));
+  bench.ExpectFinding(HasSubstr("DoStart"));
+  bench.Boot();
+  const double before_deg = bench.JointDeg("LH_j3");
+  bench.RunFor(2s);
+  EXPECT_EQ(bench.JointDeg("LH_j3"), before_deg);
+  EXPECT_EQ(bench.SensorValue("chin"), 0);
+}
+
 // ---- heat and current
 
 TEST(HeatTest, TheThermometerReadsTheHeatOfTheBody) {
