@@ -21,6 +21,8 @@ struct InputKind {
   const char* kind;
   const char* extension;
 };
+// The kind of a stick, for WhyNoReadableFolder().
+constexpr char kStickKind[] = "folder that holds OPEN-R";
 constexpr InputKind kWorldFile = {"world file (docs/worlds.md)", ".json"};
 constexpr InputKind kCostFile = {"cost file (docs/exploring.md)", ".cost"};
 constexpr InputKind kRecordingFile = {"recording of openr run --record", ".rec"};

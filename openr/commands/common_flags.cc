@@ -24,6 +24,16 @@ CLI::Validator IsDataFile(const char* flag, const InputKind& kind) {
       "");
 }
 
+// Returns a check of --stick: its value must be a folder that can be read.
+CLI::Validator IsStickFolder() {
+  return CLI::Validator(
+      [](const std::string& folder) -> std::string {
+        RefuseInput("--stick", folder, WhyNoReadableFolder(folder, kStickKind));
+        return "";
+      },
+      "");
+}
+
 }  // namespace
 
 void AddCommonFlags(CLI::App* command, SimulationOptions* options) {
@@ -35,6 +45,7 @@ void AddCommonFlags(CLI::App* command, SimulationOptions* options) {
             options->more_sticks.assign(sticks.begin() + 1, sticks.end());
           },
           "A folder that holds OPEN-R/ (default: the stick that came along)")
+      ->check(IsStickFolder())
       ->expected(1)
       ->type_name("FOLDER");
   command->add_option("--robot", options->robot, "Model of the robot")

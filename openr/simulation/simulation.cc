@@ -86,6 +86,8 @@ VirtualRobotOptions DevicesOf(const SimulationOptions& options, bool is_first) {
 
 std::string StickFolder(const std::string& wanted) {
   if (wanted.empty()) return DefaultStick();
+  if (const std::string why = WhyNoReadableFolder(wanted, kStickKind); !why.empty())
+    throw std::runtime_error(fmt::format("{}: {}", wanted, why));
   std::error_code error;
   // Uses Locate() because, like a Memory Stick, it does not distinguish upper and lower case, and
   // so finds a folder "open-r", too.

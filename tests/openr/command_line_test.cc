@@ -215,6 +215,15 @@ TEST(CommandLineTest, AFolderThatIsNoStickIsRefused) {
   ExpectRefusal({"run", "--stick", folder.path()}, 1, "holds no folder OPEN-R");
 }
 
+TEST(CommandLineTest, AStickThatIsNotThereOrNoFolderIsRefused) {
+  const ScratchFolder folder;
+  folder.Write("file", "");
+  ExpectRefusal({"run", "--stick", folder.File("none")}, 2, "none: No such file or directory\n");
+  ExpectRefusal({"graph", "--stick", folder.File("file")}, 2,
+                "is a file; give a folder that holds OPEN-R\n");
+  ExpectRefusal({"explore", "--stick", folder.File("none")}, 2, "No such file or directory\n");
+}
+
 TEST(CommandLineTest, AStickWithoutObjectsIsRefused) {
   const ScratchFolder folder;
   folder.Write("OPEN-R/MW/CONF/CONNECT.CFG", "");
