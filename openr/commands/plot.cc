@@ -148,7 +148,8 @@ int Plot(const PlotFlags& flags) {
 
 void AddPlotCommand(CLI::App* app, int* exit_code) {
   CLI::App* const command = app->add_subcommand(
-      "plot", "Draws joints, sensors and poses over time, from a log or a recording");
+      "plot",
+      "Draws joints, sensors and poses over time with their units, from a log or a recording");
   auto flags = std::make_shared<PlotFlags>();
   command
       ->add_option("FILE", flags->file,

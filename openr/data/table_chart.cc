@@ -4,9 +4,9 @@
 #include <fnmatch.h>
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
+#include "openr/data/quantity_unit.h"
 #include "runtime/base/spelling.h"
 
 namespace openr_host {
@@ -46,26 +46,8 @@ std::string PanelOf(const std::string& name) {
   return panel.erase(panel.find(group->begin), std::string(group->begin).size());
 }
 
-// A unit, and the smallest span of an axis that shows quantities in this unit.  The smallest span
-// keeps small noise from filling a panel.
-struct QuantityUnit {
-  const char* ending;  // end of the names of all quantities with this unit
-  const char* text;
-  double span_min;
-};
-constexpr QuantityUnit kUnits[] = {{"_deg_s", "deg/s", 4}, {"_m_s", "m/s", 0.02},
-                                   {"_deg", "deg", 4},     {"_mm", "mm", 4},
-                                   {"_m", "m", 0.02},      {"_percent", "%", 2}};
-constexpr QuantityUnit kAngle{"", "deg", 4}, kOpenR{"", "OPEN-R's unit", 1}, kNoUnit{"", "", 1e-6};
-
-QuantityUnit UnitOfQuantity(const std::string& name) {
-  if (AngleGroupOf(name) != nullptr) return kAngle;
-  if (name.find("sensor.") != kNowhere) return kOpenR;
-  for (const QuantityUnit& unit : kUnits) {
-    if (name.ends_with(unit.ending)) return unit;
-  }
-  return kNoUnit;
-}
+// The unit of the quantities in kAngleGroups, which do not end with their unit.
+constexpr QuantityUnit kAngle{"deg", 1, 4};
 
 // Returns the part of `series` in the time that `request` asks for, as a curve.  If this part has
 // more than `points_max` points, divides the time into intervals and keeps only the lowest and the
@@ -181,11 +163,13 @@ class ChartMaker {
   }
 
   void AddPanel(const Chosen& chosen) {
-    const QuantityUnit unit = UnitOfQuantity(chosen.series.front()->name);
+    const std::string& name = chosen.series.front()->name;
+    const QuantityUnit unit = AngleGroupOf(name) != nullptr ? kAngle : UnitOfQuantity(name);
     chart::Panel panel{chosen.title, unit.text, {}, unit.span_min};
     for (const Series* const series : chosen.series) {
       panel.curves.push_back(
           CurveOf(*series, request_, static_cast<size_t>(4 * chart_.plot_width)));
+      for (double& value : panel.curves.back().y) value *= unit.factor;
       const AngleGroup* const group = AngleGroupOf(series->name);
       // Adds no legend entry for a quantity whose whole name is the title of its panel.
       if (group == nullptr || chosen.title == series->name) continue;
@@ -195,21 +179,7 @@ class ChartMaker {
     // Sorts the curves by their look, because the legend lists the looks in this order, too.
     std::stable_sort(panel.curves.begin(), panel.curves.end(),
                      [](const Curve& a, const Curve& b) { return a.look < b.look; });
-    if (unit.text == kOpenR.text) ConvertToSi(&panel);
     chart_.panels.push_back(std::move(panel));
-  }
-
-  // Converts the values of a sensor to SI units if they are large.  OPEN-R gives most values in
-  // 10^-6 of an SI unit, and such values are large numbers.  The states 0 and 1 of switches and the
-  // counts of a converter are small numbers, so they are not converted.
-  static void ConvertToSi(chart::Panel* panel) {
-    std::vector<double>& values = panel->curves.front().y;
-    const bool is_micro = std::any_of(values.begin(), values.end(),
-                                      [](double value) { return std::abs(value) > 10'000; });
-    if (!is_micro) return;
-    for (double& value : values) value *= 1e-6;
-    panel->note = "SI unit";
-    panel->y_span_min = 0.02;
   }
 
   const Table& table_;

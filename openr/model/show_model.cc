@@ -27,23 +27,9 @@ std::string ColourOf(const Led& led) {
 
 // Returns the unit of the values that OPEN-R reports for sensors of this kind; "" for plain
 // numbers.
-const char* OpenrUnit(SensorKind kind) {
-  switch (kind) {
-    case SensorKind::kJoint:
-      return "10^-6 rad";
-    case SensorKind::kForce:
-      return "10^-6 N";
-    case SensorKind::kDistance:
-      return "10^-6 m";
-    case SensorKind::kTemperature:
-      return "10^-6 C";
-    case SensorKind::kAcceleration:
-      return "10^-6 m/s^2";
-    case SensorKind::kSwitch:
-    case SensorKind::kRaw:
-      return "";
-  }
-  return "";
+std::string OpenrUnit(SensorKind kind) {
+  const std::string unit = SiUnitOf(kind);
+  return unit.empty() ? "" : "10^-6 " + unit;
 }
 
 std::string JointTable(const RobotModel& model) {

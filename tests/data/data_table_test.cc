@@ -9,9 +9,11 @@
 #include <iterator>
 
 #include "openr/data/mcap_writer.h"
+#include "openr/data/quantity_unit.h"
 #include "openr/data/table.h"
 #include "openr/data/table_chart.h"
 #include "tests/openr/program_run.h"
+#include "virtualrobot/model/robot_model.h"
 
 namespace openr_host {
 namespace {
@@ -206,6 +208,69 @@ TEST(TableChartTest, ManyPointsAreThinnedAndKeepTheirPeaks) {
   EXPECT_LT(curve.x.size(), 4000U);
   EXPECT_EQ(*std::max_element(curve.y.begin(), curve.y.end()), 99);
   EXPECT_TRUE(std::is_sorted(curve.x.begin(), curve.x.end()));
+}
+
+// Draws one panel for a quantity with the values 0 and `value`.
+chart::Panel PanelWith(const std::string& name, double value) {
+  PlotRequest request;
+  request.wanted = {name};
+  return ChartOf({{{name, {0, 1}, {0, value}}}, ""}, request).panels.at(0);
+}
+
+struct QuantityInAChart {
+  const char* name;
+  double in_log;
+  const char* unit;
+  double in_chart;
+};
+
+TEST(TableChartTest, PanelsNameTheUnitOfTheirQuantityWhateverTheSizeOfItsValues) {
+  const QuantityInAChart quantities[] = {{"sensor.acceleration_x", -9'806'650, "m/s^2", -9.80665},
+                                         {"sensor.acceleration_y", 100, "m/s^2", 1e-4},
+                                         {"sensor.head_front", 490'000, "N", 0.49},
+                                         {"sensor.head_back", 0, "N", 0},
+                                         {"robots[1].sensor.distance", 9'000, "m", 0.009},
+                                         {"sensor.temperature", 30'000'000, "deg C", 30},
+                                         {"sensor.chin", 1, "", 1},
+                                         {"sensor.back_front", 20'000, "", 20'000},
+                                         {"joint.LF_j1", 20'000, "deg", 20'000},
+                                         {"robots[1].turn_deg_s", 20'000, "deg/s", 20'000},
+                                         {"thing.ball.x_m", 20'000, "m", 20'000}};
+  for (const QuantityInAChart& quantity : quantities) {
+    const chart::Panel panel = PanelWith(quantity.name, quantity.in_log);
+    EXPECT_EQ(panel.note, quantity.unit) << quantity.name;
+    EXPECT_NEAR(panel.curves.at(0).y.at(1), quantity.in_chart, 1e-9) << quantity.name;
+  }
+}
+
+TEST(TableChartTest, QuantitiesOfOtherProgramsAreNotConverted) {
+  for (const char* const name : {"sensor.nose", "/arm/sensor.distance", "acceleration_x"}) {
+    const chart::Panel panel = PanelWith(name, 20'000);
+    EXPECT_EQ(panel.note, "") << name;
+    EXPECT_EQ(panel.curves.at(0).y.at(1), 20'000) << name;
+  }
+}
+
+// A quantity that is named twice has two curves in one panel.
+TEST(TableChartTest, AllCurvesOfAPanelAreConverted) {
+  PlotRequest request;
+  request.wanted = {"sensor.distance", "sensor.distance"};
+  const Chart chart = ChartOf({{{"sensor.distance", {0}, {500'000}}}, ""}, request);
+  ASSERT_EQ(chart.panels.size(), 1U);
+  for (const chart::Curve& curve : chart.panels[0].curves) EXPECT_NEAR(curve.y.at(0), 0.5, 1e-9);
+}
+
+// Charts find the kind of a sensor by its short name, so no two models may differ about a name.
+TEST(QuantityUnitTest, EverySensorOfEveryModelHasTheUnitOfItsKind) {
+  for (const char* const robot : {"ers210", "ers220", "ers7"}) {
+    const RobotModel model = LoadRobotModel(fmt::format("{}/{}.json", OPENR_MODEL_DIR, robot));
+    for (const Sensor& sensor : model.sensors) {
+      if (sensor.kind == SensorKind::kJoint) continue;
+      const QuantityUnit unit = UnitOfQuantity("sensor." + sensor.short_name);
+      EXPECT_STREQ(unit.text, SiUnitOf(sensor.kind)) << robot << " " << sensor.short_name;
+      EXPECT_EQ(unit.factor, *unit.text == '\0' ? 1 : 1e-6) << robot << " " << sensor.short_name;
+    }
+  }
 }
 
 class PlotCommandTest : public testing::Test {

@@ -19,6 +19,25 @@ int IndexOf(const std::vector<T>& rows, Match match) {
 
 }  // namespace
 
+const char* SiUnitOf(SensorKind kind) {
+  switch (kind) {
+    case SensorKind::kJoint:
+      return "rad";
+    case SensorKind::kForce:
+      return "N";
+    case SensorKind::kDistance:
+      return "m";
+    case SensorKind::kTemperature:
+      return "deg C";
+    case SensorKind::kAcceleration:
+      return "m/s^2";
+    case SensorKind::kSwitch:
+    case SensorKind::kRaw:
+      return "";
+  }
+  return "";
+}
+
 int RobotModel::FindBody(std::string_view body_name) const {
   return IndexOf(bodies, [&](const BodyPart& b) { return b.name == body_name; });
 }

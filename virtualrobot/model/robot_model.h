@@ -90,6 +90,10 @@ struct Plunger {
 
 enum class SensorKind { kJoint, kForce, kDistance, kSwitch, kTemperature, kAcceleration, kRaw };
 
+// Returns the SI unit of sensors of this kind, such as "m/s^2"; OPEN-R gives their values in
+// millionths of it.  Returns "" for switches and for plain numbers, which OPEN-R gives as they are.
+const char* SiUnitOf(SensorKind kind);
+
 // A row of a distance sensor's table: at `distance_m` the sensor measures `value_m`, plus or minus
 // noise * value_m.
 struct DistanceRow {
