@@ -54,6 +54,17 @@ LEGS = ("LF", "LH", "RF", "RH")
 LEG_JOINTS = tuple(f"{leg}_j{number}" for leg in LEGS for number in (1, 2, 3))
 
 
+def _shares(action: Sequence[float]) -> list[float]:
+    """Returns the numbers of an action.  Raises ValueError if they are no action."""
+    shares = [float(share) for share in action]
+    if len(shares) != len(LEG_JOINTS):
+        raise ValueError(f"an action has {len(LEG_JOINTS)} numbers, one for each leg joint; this one has {len(shares)}")
+    for name, share in zip(LEG_JOINTS, shares):
+        if not math.isfinite(share):
+            raise ValueError(f"the action for {name} is {share}; it must be a finite number, from -1 to 1")
+    return shares
+
+
 class AiboEnv(_Base):  # type: ignore[misc]
     """The dog stands.  An action moves the set points of its 12 leg joints for `frames` frames of
     8 ms; the reward is the way forward in m, less `effort` times the mean square of the action.
@@ -126,8 +137,14 @@ class AiboEnv(_Base):  # type: ignore[misc]
         return self._observe(values)
 
     def step(self, action: Sequence[float]) -> tuple[Any, float, bool, bool, dict[str, Any]]:
-        for i, share in enumerate(action):
-            wanted = self._stance[i] + self._reach * min(1.0, max(-1.0, float(share)))
+        """Moves the set points and runs `frames` frames.
+
+        Numbers beyond -1 and 1 count as these.  Raises ValueError, and changes nothing, if the action
+        does not have 12 numbers or if one of them is not finite.
+        """
+        shares = _shares(action)
+        for i, share in enumerate(shares):
+            wanted = self._stance[i] + self._reach * min(1.0, max(-1.0, share))
             wanted = min(self._high[i], max(self._low[i], wanted))
             way = wanted - self._targets[i]
             self._targets[i] += min(self._step_deg[i], max(-self._step_deg[i], way))
@@ -139,7 +156,7 @@ class AiboEnv(_Base):  # type: ignore[misc]
         observation, info = self._observe(values)
         info.update(ended)
         way_m, self._x_m = values[36] - self._x_m, values[36]
-        effort = sum(float(share) ** 2 for share in action) / 12
+        effort = sum(share ** 2 for share in shares) / 12
         has_fallen = max(abs(values[24]), abs(values[25])) > 45 or values[38] < 60
         is_over = self._run.time_s - self._begin_s >= self._episode_s - 1e-6
         return (observation, way_m - self._effort * effort, has_fallen or bool(ended), is_over, info)

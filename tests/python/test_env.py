@@ -68,6 +68,24 @@ class EnvTest(unittest.TestCase):
             low, high, _ = self.env.run.limits[name]
             self.assertTrue(low <= targets[name] <= high, name)
 
+    def test_an_action_of_a_wrong_length_is_refused(self):
+        self.env.reset(seed=1)
+        before = self.env.run.time_s
+        for count in (0, 11, 13):
+            with self.assertRaisesRegex(ValueError, f"has 12 numbers, .*; this one has {count}$"):
+                self.env.step([0.0] * count)
+        self.assertEqual(self.env.run.time_s, before)
+
+    def test_an_action_that_is_not_finite_is_refused_and_changes_nothing(self):
+        self.env.reset(seed=1)
+        before = self.env.run.targets()
+        for wrong in (math.nan, math.inf, -math.inf):
+            with self.assertRaisesRegex(ValueError, f"for LH_j1 is {wrong}; it must be a finite number"):
+                self.env.step([1.0] * 3 + [wrong] + [0.0] * 8)
+        self.assertEqual(self.env.run.targets(), before)
+        _, reward, _, _, _ = self.env.step([0.0] * 12)
+        self.assertTrue(math.isfinite(reward))
+
     def test_a_run_that_ends_terminates_the_episode(self):
         self.env.reset(seed=1)
         self.env.run.press("pause")
