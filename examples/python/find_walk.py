@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Finds a fast walk for the simulated dog, and writes it as motion files.
 
-    PYTHONPATH=python python3 examples/python/find_walk.py -o FOLDER [--minutes 10] [--jobs 2]
+    PYTHONPATH=python python3 examples/python/find_walk.py -o FOLDER [--minutes 10] [--jobs 2] [--at-least 1.5]
 
 The search begins with the walk of the default stick.  Its joints are sums of waves, whose sizes are
 the numbers that evolve: each generation draws gaits around the best ones so far (an evolution
@@ -18,6 +18,10 @@ conditions of three seeds, which each generation draws from eight, so that no ga
 only.  The best gaits of all generations then walk longer, under the conditions of six more seeds,
 and the best of these wins.  At the end the winner and the walk of the default stick are played under
 the conditions of three other seeds, which neither the search nor the choice has seen.
+
+The last line says how fast the winner is.  The exit status is 1 if it is slower, under one of these
+three seeds, than 1.5 times the walk of the default stick (--at-least), or if it is not upright,
+straight and within the limits.
 """
 import argparse
 import json
@@ -191,10 +195,22 @@ def keeps_limits(program, files, run):
     return True
 
 
+def verdict(result, at_least):
+    """Returns the last line that the script prints, and its exit status."""
+    is_fast = result["times_as_fast"] >= at_least
+    said = {True: "yes", False: "no"}
+    line = (f"{result['slowest_mm_s']:.1f} mm/s, {result['times_as_fast']:.2f} times the walk of the stick "
+            f"({result['shipped_mm_s']:.1f} mm/s); at least {at_least:g} times: {said[is_fast]}; "
+            f"upright, straight and within limits: {said[result['good']]}")
+    return line, 0 if is_fast and result["good"] else 1
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("-o", "--output", type=pathlib.Path, required=True)
     parser.add_argument("--minutes", type=float, default=10, help="how long to search (10)")
+    parser.add_argument("--at-least", type=float, default=1.5, metavar="TIMES",
+                        help="status 1 if the winner is not so many times as fast as the walk of the stick (1.5)")
     parser.add_argument("--generations", type=int, default=0, help="end after so many; 0: by time")
     parser.add_argument("--population", type=int, default=16)
     parser.add_argument("--jobs", type=int, default=2, help="candidates at a time (2)")
@@ -227,9 +243,9 @@ def main():
               "keeps_limits": is_kept, "good": is_good, "cycle_frames": best.frames,
               "numbers": best.numbers}
     (arguments.output / "walk.json").write_text(json.dumps(result, indent=1) + "\n")
-    print(f"{slowest:.1f} mm/s, {result['times_as_fast']:.2f} times the walk of the stick "
-          f"({shipped_mm_s:.1f} mm/s); upright, straight and within limits: {'yes' if is_good else 'no'}")
-    return 0 if is_good else 1
+    line, status = verdict(result, arguments.at_least)
+    print(line)
+    return status
 
 
 if __name__ == "__main__":

@@ -11,6 +11,8 @@ import sys
 import tempfile
 import unittest
 
+import find_walk
+
 try:
     import ipykernel  # noqa: F401, the kernel that nbclient starts
     import nbclient
@@ -103,14 +105,33 @@ class DocsTest(unittest.TestCase):
 
 
 class WalkTest(unittest.TestCase):
+    RESULT = {"slowest_mm_s": 120.0, "times_as_fast": 1.5, "shipped_mm_s": 80.0, "good": True}
+
+    def test_a_winner_that_is_fast_enough_is_a_success(self):
+        line, status = find_walk.verdict(self.RESULT, 1.5)
+        self.assertEqual(line, "120.0 mm/s, 1.50 times the walk of the stick (80.0 mm/s); at least 1.5 times: yes; "
+                         "upright, straight and within limits: yes")
+        self.assertEqual(status, 0)
+
+    def test_a_winner_that_is_too_slow_is_a_failure(self):
+        line, status = find_walk.verdict({**self.RESULT, "times_as_fast": 1.499}, 1.5)
+        self.assertIn("at least 1.5 times: no; upright", line)
+        self.assertEqual(status, 1)
+
+    def test_a_winner_that_is_not_upright_is_a_failure(self):
+        line, status = find_walk.verdict({**self.RESULT, "good": False}, 1.5)
+        self.assertIn("upright, straight and within limits: no", line)
+        self.assertEqual(status, 1)
+
     def test_a_short_search_improves_the_walk(self):
         with in_empty_folder() as folder:
             done = subprocess.run(
                 [sys.executable, str(ROOT / "examples/python/find_walk.py"), "-o", "walk",
                  "--generations", "2", "--population", "16"],
                 stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=900)
-            self.assertIn("times the walk of the stick", done.stdout)
             result = json.loads((folder / "walk/walk.json").read_text())
+            line, status = find_walk.verdict(result, 1.5)
+            self.assertEqual((done.stdout.splitlines()[-1], done.returncode), (line, status))
             self.assertTrue(result["keeps_limits"])
             self.assertGreater(result["search_mm_s"], result["begun_mm_s"] + 5)
             # A seed decides conditions under which the dog walks in another way.
