@@ -5,11 +5,12 @@
         run.until_standing()
         print(run.value("height_mm"))
 """
+from .build import build
 from .env import AiboEnv
-from .errors import Error, NotMet, Refused, RunEnded, ProcessError
+from .errors import BuildFailed, Error, NotMet, Refused, RunEnded, ProcessError
 from .parallel import parallel
 from .remote import Remote, RemoteError
 from .run import Connection, Finding, Message, Replay, Run, State, default_motion, replay
 
-__all__ = ["AiboEnv", "Connection", "Error", "Finding", "Message", "NotMet", "Refused", "Remote", "RemoteError",
-           "Replay", "Run", "RunEnded", "State", "ProcessError", "default_motion", "parallel", "replay"]
+__all__ = ["AiboEnv", "BuildFailed", "Connection", "Error", "Finding", "Message", "NotMet", "Refused", "Remote", "RemoteError",
+           "Replay", "Run", "RunEnded", "State", "ProcessError", "build", "default_motion", "parallel", "replay"]

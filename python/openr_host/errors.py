@@ -14,6 +14,11 @@ class Refused(Error):
     """A command was wrong, and has changed nothing."""
 
 
+class BuildFailed(Error):
+    """Objects could not be built.  The text is what `openr build` has said: the compiler's lines
+    first, then what is missing."""
+
+
 class NotMet(Error):
     """What a call has waited for did not come in time."""
 

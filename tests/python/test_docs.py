@@ -40,6 +40,8 @@ class DocsTest(unittest.TestCase):
         text = (ROOT / "docs/python.md").read_text()
         names = {}
         with in_empty_folder(), contextlib.redirect_stdout(io.StringIO()):
+            subprocess.run([os.environ["OPENR_HOST_PROGRAM"], "new", "Greeter"], check=True,
+                           capture_output=True)  # the page says so before its listing
             for match in LISTING.finditer(text):
                 line = text[:match.start()].count("\n") + 1
                 exec(compile("\n" * line + match[1], "docs/python.md", "exec"), names)

@@ -25,9 +25,7 @@ class EndingTest(unittest.TestCase):
                            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
             source = cls.root / name / name / f"{name}.cc"
             source.write_text(source.read_text().replace(CALM, f"{does}\n    {CALM}"))
-            subprocess.run([openr, "build", str(cls.root / name)], check=True,
-                           stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-            cls.sticks[name] = cls.root / name / "MS"
+            cls.sticks[name] = openr_host.build(cls.root / name)
 
     @classmethod
     def tearDownClass(cls):
@@ -50,9 +48,8 @@ class EndingTest(unittest.TestCase):
 
     def test_objects_built_with_sanitizers_run(self):
         folder = self.root / "Checked"
-        for words in (["new", "Checked", folder], ["build", "--sanitize", folder]):
-            subprocess.run([find_program(), *words], check=True, capture_output=True)
-        with openr_host.Run(folder / "MS", body="ideal") as run:
+        subprocess.run([find_program(), "new", "Checked", folder], check=True, capture_output=True)
+        with openr_host.Run(openr_host.build(folder, "sanitize"), body="ideal") as run:
             self.assertIn("checked", [each["name"] for each in run.objects()])
 
     def test_standard_error_says_what_the_message_of_a_crash_said(self):
