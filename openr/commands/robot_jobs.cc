@@ -215,11 +215,7 @@ void RobotJobs::RunInCopy(int robot, int answer) {
     return MakeReport(&simulation_, facts);
   };
   const EndingAction action([&](Ending* ending) {
-    {
-      const CurrentScope scope(&simulation_.system(), ending->object);
-      simulation_.system().AddFinding(Severity::kError, std::string(ending->finding.text()));
-      simulation_.system().NoteRunEnd(EndOf(*ending));
-    }
+    NoteTheEnding(*ending, &simulation_);
     if (!line_.empty()) Print("\n");
     WriteAll(answer, JsonText(report()));
     ending->answered = true;

@@ -94,11 +94,7 @@ std::string Summary(const nlohmann::ordered_json& report, const std::optional<Ru
 // The report has the present state of the run, and the record of the crash as its member "error".
 void ReportTheEnding(Ending* ending, Simulation* simulation, DistributedRun* distribution,
                      const RunFacts& facts, const RunFlags& flags) {
-  {
-    const CurrentScope scope(&simulation->system(), ending->object);
-    simulation->system().AddFinding(Severity::kError, std::string(ending->finding.text()));
-    simulation->system().NoteRunEnd(EndOf(*ending));
-  }
+  NoteTheEnding(*ending, simulation);
   distribution->ShortenTimeouts();
   simulation->CloseFiles();
   nlohmann::ordered_json report = MakeReport(simulation, facts);

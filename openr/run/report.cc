@@ -14,6 +14,7 @@
 #include "openr/explore/quantity.h"
 #include "openr/simulation/simulation.h"
 #include "runtime/core/api.h"
+#include "runtime/core/current.h"
 #include "virtualrobot/det_math.h"
 #include "virtualrobot/kinematics.h"
 
@@ -174,6 +175,13 @@ std::string DescribeFindings(Simulation* simulation, bool has_colours) {
   }
   if (findings.not_kept() > 0) text += "and " + Counted(findings.not_kept(), "more finding") + "\n";
   return text;
+}
+
+void NoteTheEnding(const Ending& ending, Simulation* simulation) {
+  System& system = simulation->system();
+  const CurrentScope scope(&system, ending.object);
+  system.AddFinding(Severity::kError, std::string(ending.finding.text()));
+  system.NoteRunEnd(EndOf(ending));
 }
 
 void TellHandled(const Ending& ending) {

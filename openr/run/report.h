@@ -34,6 +34,10 @@ std::string DescribeObjects(Simulation* simulation);
 // If `has_colours` is true, the first word of each line has the colour of the finding's severity.
 std::string DescribeFindings(Simulation* simulation, bool has_colours = false);
 
+// Adds the finding about a crash, or about a handler that does not return, and notes the end of the
+// run.  Must be called by an EndingAction, because this function allocates memory.
+void NoteTheEnding(const Ending& ending, Simulation* simulation);
+
 // Prints on standard error the message whose handler has ended the process, such as "openr: message
 // 24: boot".  Prints nothing if no message was handled.  Must be called by an EndingAction, because
 // this function allocates memory.

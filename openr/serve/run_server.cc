@@ -12,6 +12,7 @@
 
 #include "cli/exit_code.h"
 #include "cli/json_text.h"
+#include "openr/live/live_events.h"
 #include "openr/run/report.h"
 #include "openr/serve/command_table.h"
 #include "openr/serve/request_too_long.h"
@@ -152,7 +153,24 @@ void RunServer::TellEnding(Ending* ending) {
                                          {"ended", {{"by", EndName(end.kind)}, {"why", end.why}}}};
   pipe_.Send(JsonText(answer), "");
   ending->answered = true;
-  TellHandled(*ending);
+}
+
+// Sends a second message after that of TellEnding(): what the commands findings, console and report
+// would answer now, because the program cannot ask a process that ends.  Called in a signal
+// handler.
+void RunServer::TellLastWords(const Ending& ending) {
+  if (run_ == nullptr) return;
+  try {
+    NoteTheEnding(ending, &run_->simulation());
+    const Json from_first = {{"first", 0}};
+    const nlohmann::ordered_json words = {{"findings", FindingsJson(run_->live())["findings"]},
+                                          {"console", DoConsole({from_first, ""}).json["lines"]},
+                                          {"report", run_->Report()}};
+    pipe_.Send(JsonText(words), "");
+  } catch (const std::exception&) {
+    return;  // the program then finds the pipe closed, and does without the last words
+  }
+  TellHandled(ending);  // called last, so that a crash in this call does not keep the words back
 }
 
 }  // namespace openr_host

@@ -59,6 +59,7 @@ class RunServer {
   void BeginGuards(int64_t handler_limit_us);
   void WatchCrashes();
   void TellEnding(Ending* ending);
+  void TellLastWords(const Ending& ending);
   int64_t LimitOf(const Request& request);
   Answer BecomeCopy(int socket, const std::string& record,
                     const std::function<void(const std::string& problem)>& tell);
@@ -89,6 +90,9 @@ class RunServer {
 
   RequestPipe& pipe_;
   bool is_copy_ = false;
+  // Registered before the EndingActions of `run_`, so that it is called after them: a crash while
+  // it makes the report cannot cost the recording its last messages.
+  const EndingAction last_words_{[this](Ending* ending) { TellLastWords(*ending); }};
   std::unique_ptr<ServedRun> run_;
   // These members end the process when an object crashes or its handler does not return:
   // ending_answer_, crash_log_, watchdog_ and ending_action_.

@@ -8,9 +8,10 @@
 from .build import build
 from .env import AiboEnv
 from .errors import BuildFailed, Error, NotMet, Refused, RunEnded, ProcessError
+from .finding import Finding
 from .parallel import parallel
 from .remote import Remote, RemoteError
-from .run import Connection, Finding, Message, Replay, Run, State, default_motion, replay
+from .run import Connection, Message, Replay, Run, State, default_motion, replay
 
-__all__ = ["AiboEnv", "BuildFailed", "Connection", "Error", "Finding", "Message", "NotMet", "Refused", "Remote", "RemoteError",
-           "Replay", "Run", "RunEnded", "State", "ProcessError", "build", "default_motion", "parallel", "replay"]
+__all__ = ["AiboEnv", "BuildFailed", "Connection", "Error", "Finding", "Message", "NotMet", "Refused", "Remote",
+           "RemoteError", "Replay", "Run", "RunEnded", "State", "ProcessError", "build", "default_motion", "parallel", "replay"]

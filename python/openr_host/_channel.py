@@ -11,6 +11,7 @@ import subprocess
 from typing import Any, Mapping, Optional, Sequence
 
 from .errors import Refused, RunEnded, ProcessError
+from .finding import findings_of
 
 PROGRAM = "OPENR_HOST_PROGRAM"  # environment variable with the path of the program openr
 _SIZES = struct.Struct("<II")
@@ -59,6 +60,7 @@ class Channel:
         self._popen: Optional["subprocess.Popen[bytes]"] = popen
         self.process = popen.pid
         self._socket: Optional[socket.socket] = ours
+        self._rest = b""  # bytes that came after the last answer: the begin of the last words
         # The ids of the processes of open copies, and of copies of these.  Copies share this set with
         # their original.  It has no channels, so that a copy that is dropped ends at once.
         self._copies: set[int] = set()
@@ -69,6 +71,7 @@ class Channel:
         channel._popen = None
         channel.process = process
         channel._socket = ours
+        channel._rest = b""
         channel._copies = copies
         return channel
 
@@ -93,7 +96,7 @@ class Channel:
     def hear(self) -> tuple[dict[str, Any], bytes]:
         """Waits for an answer."""
         assert self._socket is not None
-        received = self._socket.recv(_RECEIVE)
+        received = self._rest or self._socket.recv(_RECEIVE)
         needed = _SIZES.size
         while True:
             if len(received) >= _SIZES.size:
@@ -105,6 +108,7 @@ class Channel:
             if not more:
                 raise self._lost("it has ended")
             received += more
+        self._rest = received[needed:]
         end = _SIZES.size + text_size
         answer = json.loads(received[_SIZES.size:end])
         if "error" in answer:
@@ -113,10 +117,19 @@ class Channel:
 
     def _raise(self, answer: Mapping[str, Any]) -> None:
         if answer.get("kind") == "ended":
-            ended = answer["ended"]
+            ended, words = answer["ended"], self._last_words()
             self.close()
-            raise RunEnded(ended["by"], ended["why"], answer["error"])
+            raise RunEnded(ended["by"], ended["why"], answer["error"], findings_of(words.get("findings", [])),
+                           words.get("console", []), words.get("report"))
         raise Refused(answer["error"])
+
+    def _last_words(self) -> dict[str, Any]:
+        """Returns findings, console and report, which the process of a crashed run sends before it
+        ends; {} if the crash has left it unable to."""
+        try:
+            return self.hear()[0]
+        except (OSError, ProcessError):
+            return {}
 
     def _lost(self, why: str) -> ProcessError:
         status = None

@@ -1,6 +1,10 @@
 """Exceptions of openr_host."""
 from __future__ import annotations
 
+from typing import Any, Optional, Sequence
+
+from .finding import Finding
+
 
 class Error(Exception):
     """What all exceptions of this module are derived from."""
@@ -27,10 +31,17 @@ class RunEnded(Error):
     """The run is over: the robot is off, or an object has crashed.
 
     `by` is a word of docs/cli.md, "How a run ends": pause, battery, power-off, fatal, strict,
-    crash, handler-limit, no-boot; `why` is the sentence about it.
+    crash, handler-limit, no-boot; `why` is the sentence about it.  `findings`, `console` and
+    `report` are what the methods of these names of the run say at its end.  After a crash, or a
+    handler that does not return, the run is closed and only these are left; `report` is empty if the
+    process could not answer any more.
     """
 
-    def __init__(self, by: str, why: str, text: str = "") -> None:
+    def __init__(self, by: str, why: str, text: str = "", findings: Sequence[Finding] = (),
+                 console: Sequence[str] = (), report: Optional[dict[str, Any]] = None) -> None:
         super().__init__(f"ended by {by}: {why}" + (f"\n{text}" if text else ""))
         self.by = by
         self.why = why
+        self.findings: list[Finding] = list(findings)
+        self.console: list[str] = list(console)
+        self.report: dict[str, Any] = report or {}

@@ -20,6 +20,7 @@ from typing import Any, Callable, Iterable, Mapping, NamedTuple, Optional, Seque
 from ._channel import Channel, find_program
 from ._commands import Commands
 from .errors import Error, NotMet, RunEnded
+from .finding import Finding, findings_of
 
 Value = Union[float, str]
 READY = "objects.JointMover.state == accepting-commands"
@@ -49,21 +50,6 @@ class Message(NamedTuple):
             text = text[:117] + "..."
         return (f"Message(#{self.number} t={self.time_s:.6f} {self.kind} {self.sender} -> "
                 f"{self.receiver}, {len(self.data)} bytes{text and ': ' + text})")
-
-
-class Finding(NamedTuple):
-    """An error, a warning or a note about a program.
-
-    `message` is the number of the message that an object handled when the finding was added; 0:
-    none.  `said` is the content of this message in words; "" if it is not known.
-    """
-
-    severity: str
-    object: str
-    time_s: float
-    text: str
-    message: int = 0
-    said: str = ""
 
 
 class State:
@@ -170,7 +156,8 @@ class Run:
         members = answer[0]
         self.time_s = members["time_s"]
         if "ended" in members:
-            raise RunEnded(members["ended"]["by"], members["ended"]["why"])
+            raise RunEnded(members["ended"]["by"], members["ended"]["why"], "", self.findings(),
+                           self.console(), self.report())
         return answer
 
     # ---- Going on
@@ -383,9 +370,7 @@ class Run:
         return self._commands.status()[0]
 
     def findings(self) -> list[Finding]:
-        found = self._commands.findings()[0]["findings"]
-        return [Finding(each["severity"], each["object"], each["time_s"], each["text"], each["message"],
-                        each["said"]) for each in found]
+        return findings_of(self._commands.findings()[0]["findings"])
 
     def console(self, first: int = 0) -> list[str]:
         """Returns the lines that objects have printed, at most the last 1000."""

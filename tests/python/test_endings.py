@@ -1,7 +1,10 @@
 """Objects that crash, or do not return: the exception says which object, and the recording is good."""
+import json
 import os
 import pathlib
+import struct
 import subprocess
+import sys
 import tempfile
 import unittest
 
@@ -45,6 +48,32 @@ class EndingTest(unittest.TestCase):
             openr_host.replay(record, self.sticks["Crasher"])
         with self.assertRaises(openr_host.ProcessError):
             run.step()
+
+    def check_last_words(self, name, **parameters):
+        """Lets the object of a stick end its run, and compares what the exception keeps."""
+        with openr_host.Run(self.sticks[name], body="ideal", **parameters) as run:
+            run.run(0.6)
+            before = run.console()
+            with self.assertRaises(openr_host.RunEnded) as ended:
+                run.run(10)
+            with self.assertRaises(openr_host.ProcessError):
+                run.findings()
+        kept = ended.exception
+        self.assertEqual(kept.console, before)
+        self.assertIn(f"{name} has started", kept.console)
+        self.assertEqual((kept.report["ended_by"], kept.report["ended_why"]), (kept.by, kept.why))
+        self.assertGreater(kept.report["virtual_time_s"], 0.6)
+        finding = kept.findings[-1]
+        self.assertEqual((finding.severity, finding.object), ("error", name.lower()))
+        self.assertIn(finding.text, kept.why)
+        self.assertTrue(finding.said.startswith("PRM:/r1/c1-Joint2:j1 "), finding)
+
+    def test_after_a_crash_findings_console_and_report_are_kept(self):
+        self.addCleanup((self.sticks["Crasher"] / "OPEN-R/EMON.LOG").unlink)
+        self.check_last_words("Crasher")
+
+    def test_after_an_endless_handler_findings_console_and_report_are_kept(self):
+        self.check_last_words("Sleeper", handler_limit_s=0.3)
 
     def test_objects_built_with_sanitizers_run(self):
         folder = self.root / "Checked"
@@ -99,6 +128,38 @@ class EndingTest(unittest.TestCase):
             with run.fork() as copy, self.assertRaises(openr_host.RunEnded) as ended:
                 copy.run(10)
             self.assertEqual(ended.exception.by, "handler-limit")
+
+
+class LastWordsTest(unittest.TestCase):
+    """What the module makes of the last messages of a process that ends."""
+
+    CRASH = {"error": "EXCEPTION SIGSEGV", "kind": "ended", "ended": {"by": "crash", "why": "walker: crash"}}
+    FINDING = {"severity": "error", "robot": 0, "object": "walker", "time_s": 1.5, "message": 7, "said": "boot",
+               "count": 1, "text": "crash"}
+    WORDS = {"findings": [FINDING], "console": ["hello"], "report": {"ended_by": "crash"}}
+
+    def ended_by(self, *messages):
+        """Returns the exception when a process answers the first request with these messages, all at once,
+        and ends."""
+        texts = [json.dumps(each).encode() for each in messages]
+        answer = b"".join(struct.pack("<II", len(text), 0) + text for text in texts)
+        with tempfile.TemporaryDirectory() as folder:
+            program = pathlib.Path(folder, "openr")
+            program.write_text(f"#!{sys.executable}\nimport os\nos.read(0, 1 << 16)\nos.write(1, {answer!r})\n")
+            program.chmod(0o755)
+            with self.assertRaises(openr_host.RunEnded) as ended:
+                openr_host.Run(program=str(program))
+        self.assertEqual((ended.exception.by, ended.exception.why), ("crash", "walker: crash"))
+        return ended.exception
+
+    def test_last_words_that_come_with_the_answer_are_kept(self):
+        ended = self.ended_by(self.CRASH, self.WORDS)
+        self.assertEqual(ended.findings, [openr_host.Finding("error", "walker", 1.5, "crash", 7, "boot")])
+        self.assertEqual((ended.console, ended.report), (["hello"], {"ended_by": "crash"}))
+
+    def test_a_process_that_cannot_say_more_leaves_them_empty(self):
+        ended = self.ended_by(self.CRASH)
+        self.assertEqual((ended.findings, ended.console, ended.report), ([], [], {}))
 
 
 if __name__ == "__main__":

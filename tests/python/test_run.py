@@ -250,6 +250,10 @@ class LifeTest(unittest.TestCase):
             with self.assertRaises(openr_host.RunEnded):
                 run.step()
             self.assertEqual(run.report()["ended_by"], "pause")
+            # The exception keeps the same that the run still says.
+            self.assertEqual(ended.exception.report, run.report())
+            self.assertEqual(ended.exception.console, run.console())
+            self.assertEqual(ended.exception.findings, run.findings())
 
     def test_a_run_that_is_finished_can_be_read(self):
         with openr_host.Run(body="ideal") as run:
