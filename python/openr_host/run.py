@@ -81,8 +81,8 @@ def _seconds(time_s: float) -> str:
 class Run:
     """A run in a process of its own.  `boot=False` leaves the robot off until `boot()`.
 
-    The parameters are those of `openr run`: a stick, a model, a world, a body, a seed.  Without a
-    stick it is the default stick, which makes the dog stand up and listen.
+    The parameters are flags of `openr run`; docs/python.md says which.  Without a stick it is the
+    default stick, which makes the dog stand up and listen.
     """
 
     def __init__(self, stick: Union[str, "os.PathLike[str]"] = "", *, robot: str = "ers210",

@@ -53,6 +53,16 @@ class DocsTest(unittest.TestCase):
              os.environ["OPENR_HOST_PROGRAM"]], stdout=subprocess.PIPE, text=True)
         self.assertEqual(done.returncode, 0, done.stdout)
 
+    def test_the_page_names_every_flag_of_openr_run(self):
+        said = subprocess.run([os.environ["OPENR_HOST_PROGRAM"], "run", "--help"], check=True,
+                              stdout=subprocess.PIPE, text=True).stdout
+        flags = set(re.findall(r"^  (--?[a-z][a-z0-9-]*)(?!\S)", said, re.MULTILINE)) - {"--help", "--help-all"}
+        self.assertIn("--leaks", flags)
+        table = (ROOT / "docs/python.md").read_text().split("| of `openr run` | in Python |")[1].split("\n\n")[0]
+        column = "".join(row.split("|")[1] for row in table.splitlines()[2:])
+        named = set(re.findall(r"`(--?[a-z][a-z0-9-]*)`", column))
+        self.assertEqual(named, flags)
+
     def test_every_command_is_used_by_the_module(self):
         described = subprocess.run([os.environ["OPENR_HOST_PROGRAM"], "serve", "--describe"],
                                    check=True, stdout=subprocess.PIPE).stdout
