@@ -103,6 +103,7 @@ std::vector<NewFile> MakeNewObject(const std::string& name) {
           {config + "CONNECT.CFG", filled(kConnectConfig)},
           {"Makefile", filled(kMakefile)},
           {"CMakeLists.txt", filled(kCMake)},
+          {kIgnoreFile, filled(kIgnore)},
           {"test/" + class_name + "Test.cc", filled(kTest)}};
 }
 

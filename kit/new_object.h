@@ -19,9 +19,12 @@ std::string WhyNoObjectName(const std::string& name);
 // compiles because there is no compiler.
 std::string WhyNoClass(const std::string& name, const std::string& sdk_root);
 
+// Name of the file that tells git what builds and runs leave behind.
+inline constexpr char kIgnoreFile[] = ".gitignore";
+
 // Returns the files of a folder with the object `name`: stub.cfg, sources, .ocf file, a Memory
 // Stick tree that connects the object to the robot's sensors, a Makefile for both SDKs (the robot's
-// and ours), a CMakeLists.txt, and a test with openr::testing.
+// and ours), a CMakeLists.txt, a .gitignore, and a test with openr::testing.
 std::vector<NewFile> MakeNewObject(const std::string& name);
 
 // Writes the files to `folder`.  If one of the files exists already, writes no file.  Returns "" or

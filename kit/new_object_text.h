@@ -178,7 +178,21 @@ install: @Name@/@name@.bin
 	  cp $(OPENRSDK_ROOT)/images/POWERMON.BIN $(OBJS); fi
 
 clean:
-	rm -f @Name@/*.o @Name@/*.bin @Name@/@Name@Stub.* @Name@/def.h @Name@/entry.h
+	rm -f @Name@/*.o @Name@/*.bin @Name@/*.elf @Name@/@Name@Stub.* @Name@/def.h @Name@/entry.h
+)";
+
+// Lists what builds and runs leave behind, so that git does not offer it to be committed.
+inline constexpr char kIgnore[] = R"(# What openr build, make, CMake and runs leave here.
+/build/
+/compile_commands.json
+/MS/OPEN-R/MW/OBJS/
+/MS/OPEN-R/EMON.LOG
+/@Name@/*.o
+/@Name@/*.bin
+/@Name@/*.elf
+/@Name@/@Name@Stub.*
+/@Name@/def.h
+/@Name@/entry.h
 )";
 
 inline constexpr char kCMake[] =

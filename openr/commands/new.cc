@@ -5,6 +5,8 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "cli/exit_code.h"
 #include "cli/install_paths.h"
@@ -48,12 +50,21 @@ std::string WhyNoNewObject(const std::string& name) {
   return problem.empty() ? WhyNoClass(name, SdkRoot()) : problem;
 }
 
-int New(const NewFlags& flags) {
-  const std::string folder = flags.folder.empty() ? flags.name : flags.folder;
-  std::vector<NewFile> files = MakeNewObject(flags.name);
+// Returns the files to write to `folder`.  A .gitignore that is there stays as it is, because an
+// object may be made in a repository that has nothing else yet.
+std::vector<NewFile> FilesFor(const std::string& name, const std::string& folder) {
+  std::vector<NewFile> files = MakeNewObject(name);
   const std::string prefix = std::filesystem::path(ProgramFolder()).parent_path();
   for (NewFile& file : EditorFiles({ProgramFile(), prefix, GdbPrinters()}))
     files.push_back(std::move(file));
+  if (std::filesystem::exists(std::filesystem::path(folder) / kIgnoreFile))
+    std::erase_if(files, [](const NewFile& file) { return file.path == kIgnoreFile; });
+  return files;
+}
+
+int New(const NewFlags& flags) {
+  const std::string folder = flags.folder.empty() ? flags.name : flags.folder;
+  const std::vector<NewFile> files = FilesFor(flags.name, folder);
   const std::string problem = WriteNewObject(files, folder);
   if (!problem.empty()) throw std::runtime_error(problem);
   for (const NewFile& file : files) fmt::print("{}/{}\n", folder, file.path);

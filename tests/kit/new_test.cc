@@ -1,10 +1,13 @@
+#include <fnmatch.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "cli/process.h"
 #include "tests/kit/kit_folder.h"
@@ -153,6 +156,45 @@ TEST(NewTest, NothingIsOverwritten) {
   EXPECT_EQ(result.status, 1);
   EXPECT_THAT(result.err, HasSubstr("Makefile is there already; nothing was written"));
   EXPECT_EQ(folder.Files(), std::vector<std::string>{"Makefile"});
+}
+
+// Whether a line of .gitignore names `file`.  The lines that `openr new` writes begin with "/"; one
+// that ends in "/" names a folder with all that is in it.
+bool IsIgnored(const std::string& file, const std::string& lines) {
+  std::istringstream text(lines);
+  for (std::string line; std::getline(text, line);) {
+    if (!line.starts_with("/")) continue;
+    if (line.ends_with("/")) line += "*";
+    if (fnmatch(line.c_str(), ("/" + file).c_str(), 0) == 0) return true;
+  }
+  return false;
+}
+
+TEST(NewTest, GitIgnoresWhatBuildsAndRunsLeaveBehind) {
+  const KitFolder folder("");
+  ASSERT_EQ(RunProgram({"new", "Wag", folder.File("")}).status, 0);
+  const std::vector<std::string> sources = folder.Files();
+  ASSERT_EQ(folder.Build().status, 0);
+  const std::string sdk = std::string("OPENRSDK_ROOT=") + OPENR_BUILD + "/share/openr-host/sdk";
+  const ProcessResult made =
+      RunProcess({"make", "-C", folder.File(""), "install", sdk}, {{}, "", true, true});
+  ASSERT_TRUE(made.good()) << made.output;
+  folder.Say();
+  const std::string lines = folder.Read(".gitignore");
+  EXPECT_GT(folder.Files().size(), sources.size());
+  for (const std::string& file : folder.Files()) {
+    const bool is_source = std::ranges::find(sources, file) != sources.end();
+    EXPECT_EQ(IsIgnored(file, lines), !is_source) << file;
+  }
+}
+
+TEST(NewTest, AGitignoreThatIsThereStays) {
+  const KitFolder folder("");
+  folder.Write(".gitignore", "mine\n");
+  const ProgramResult made = RunProgram({"new", "Wag", folder.File("")});
+  EXPECT_EQ(made.status, 0) << made.err;
+  EXPECT_THAT(made.out, ::testing::Not(HasSubstr(".gitignore")));
+  EXPECT_EQ(folder.Read(".gitignore"), "mine\n");
 }
 
 TEST(NewTest, ANameThatIsNoClassIsRefused) {
