@@ -36,8 +36,7 @@ while [ $# -gt 0 ]; do
   shift
 done
 
-say() { echo "packages: $*" >&2; }
-give_up() { say "$*"; exit 1; }
+. tools/clean_root.sh
 
 # as_owner COMMAND...: as the owner of the build folder, who could not remove files of root.
 as_owner() {
@@ -63,28 +62,6 @@ make_here() {
   as_owner rm -rf "$packages/_CPack_Packages"
 }
 
-# make_root ROOT: a Debian with nothing in it.
-make_root() {
-  say "making a root of Debian $suite"
-  mkdir -p "$1"
-  debootstrap --variant=minbase "$suite" "$1" "$mirror" >"$roots/debootstrap.log" 2>&1 || {
-    tail -n 20 "$roots/debootstrap.log" >&2
-    give_up "debootstrap failed"
-  }
-  cp -L /etc/resolv.conf "$1/etc/resolv.conf"
-  # A network may have certificates of its own, which npm needs for the page of the panel.
-  if [ -n "${NODE_EXTRA_CA_CERTS:-}" ]; then cp -L "$NODE_EXTRA_CA_CERTS" "$1/etc/certificates.crt"; fi
-}
-
-# in_root ROOT SCRIPT ARGS...: runs a script in the root.  Mounts and processes of the root end with it.
-in_root() {
-  unshare --mount --pid --fork bash -c '
-    mount -t proc proc "$1/proc" && mount --rbind /dev "$1/dev" && mount -t tmpfs tmpfs "$1/run" &&
-      root=$1 && shift && exec env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin LANG=C.UTF-8 TERM=dumb \
-        ${NODE_EXTRA_CA_CERTS:+NODE_EXTRA_CA_CERTS=/etc/certificates.crt} chroot "$root" bash "$@"
-  ' bash "$@"
-}
-
 # make_there: the packages of another Debian, from the sources of this checkout.
 make_there() {
   make_root "$roots/maker"
@@ -105,15 +82,9 @@ mkdir -p "$build"
 build=$(cd "$build" && pwd)
 if [ "$suite" = "$this_suite" ]; then packages=$build/packages; else packages=$build/packages-$suite; fi
 if ! $only_make || [ "$suite" != "$this_suite" ]; then
-  [ "$(id -u)" -eq 0 ] || give_up "a clean root needs chroot and mount: call this as root (sudo)"
-  command -v debootstrap >/dev/null || give_up "debootstrap is missing; apt-get install debootstrap"
+  need_root
 fi
-roots=$(mktemp -d "${TMPDIR:-/tmp}/openr-host-roots.XXXXXX")
-chmod 755 "$roots"
-clean_up() {
-  if $keep; then say "the roots are in $roots"; else rm -rf --one-file-system "$roots"; fi
-}
-trap clean_up EXIT
+begin_roots
 if [ "$suite" = "$this_suite" ]; then make_here; else make_there; fi
 ls -sh "$packages" >&2
 if $only_make; then exit; fi

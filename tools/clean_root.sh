@@ -1,0 +1,45 @@
+# Debians with nothing in them, to try things in: functions for scripts that source this file.  Such
+# a script sets $suite (the name of the Debian), $mirror (where its packages come from) and $keep
+# (true: the roots stay), and calls begin_roots before it makes a root.
+
+say() { echo "$(basename "$0" .sh): $*" >&2; }
+give_up() { say "$*"; exit 1; }
+
+# need_root: ends the script, with the reason, if no root can be made here.
+need_root() {
+  [ "$(id -u)" -eq 0 ] || give_up "a clean root needs chroot and mount: call this as root (sudo)"
+  command -v debootstrap >/dev/null || give_up "debootstrap is missing; apt-get install debootstrap"
+}
+
+# begin_roots: makes the folder $roots, in which the roots are, and removes it at the end.
+begin_roots() {
+  roots=$(mktemp -d "${TMPDIR:-/tmp}/openr-host-roots.XXXXXX")
+  chmod 755 "$roots"
+  trap end_roots EXIT
+}
+
+end_roots() {
+  if $keep; then say "the roots are in $roots"; else rm -rf --one-file-system "$roots"; fi
+}
+
+# make_root ROOT: a Debian with nothing in it.
+make_root() {
+  say "making a root of Debian $suite"
+  mkdir -p "$1"
+  debootstrap --variant=minbase "$suite" "$1" "$mirror" >"$roots/debootstrap.log" 2>&1 || {
+    tail -n 20 "$roots/debootstrap.log" >&2
+    give_up "debootstrap failed"
+  }
+  cp -L /etc/resolv.conf "$1/etc/resolv.conf"
+  # A network may have certificates of its own, which npm needs for the page of the panel.
+  if [ -n "${NODE_EXTRA_CA_CERTS:-}" ]; then cp -L "$NODE_EXTRA_CA_CERTS" "$1/etc/certificates.crt"; fi
+}
+
+# in_root ROOT SCRIPT ARGS...: runs a script in the root.  Mounts and processes of the root end with it.
+in_root() {
+  unshare --mount --pid --fork bash -c '
+    mount -t proc proc "$1/proc" && mount --rbind /dev "$1/dev" && mount -t tmpfs tmpfs "$1/run" &&
+      root=$1 && shift && exec env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin LANG=C.UTF-8 TERM=dumb \
+        ${NODE_EXTRA_CA_CERTS:+NODE_EXTRA_CA_CERTS=/etc/certificates.crt} chroot "$root" bash "$@"
+  ' bash "$@"
+}
