@@ -57,11 +57,16 @@ install(DIRECTORY ${OPENR_PAGES} DESTINATION share/man COMPONENT runtime FILES_M
 install(FILES ${OPENR_COMPLETION}/openr DESTINATION share/bash-completion/completions COMPONENT runtime)
 
 # Documents and examples under the paths that they have in this tree, so that their links lead on.
+# Links to files that are not installed become text.
 set(OPENR_DOC share/doc/openr-host)
 install(FILES README.md CHANGELOG.md CONTRIBUTING.md LICENSE DESTINATION ${OPENR_DOC} COMPONENT doc)
 install(DIRECTORY docs examples DESTINATION ${OPENR_DOC} COMPONENT doc
   PATTERN "*.BIN" EXCLUDE PATTERN "*.DBG" EXCLUDE PATTERN "build" EXCLUDE
   PATTERN ".*" EXCLUDE PATTERN "__pycache__" EXCLUDE)
+install(CODE "
+  set(SOURCES \"${PROJECT_SOURCE_DIR}\")
+  set(DOCUMENTS \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${OPENR_DOC}\")
+  include(\"${PROJECT_SOURCE_DIR}/cmake/UnlinkSources.cmake\")" COMPONENT doc)
 
 # The licence, where Debian looks for that of a package.
 set(OPENR_PACKAGE_runtime openr-host)

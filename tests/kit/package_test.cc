@@ -5,7 +5,9 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <regex>
 #include <string>
+#include <vector>
 
 #include "cli/process.h"
 #include "tests/kit/kit_folder.h"
@@ -162,6 +164,33 @@ TEST_F(PackageTest, AnInstallationHasDocumentsLicenceManualPagesAndCompletion) {
     EXPECT_TRUE(std::filesystem::is_regular_file(documents + file)) << file;
   // Nothing of the build stays in the examples.
   EXPECT_FALSE(std::filesystem::exists(documents + "examples/Hello/MS/OPEN-R/MW/OBJS/HELLO.BIN"));
+}
+
+// Returns the links of a Markdown document to files that are not there.
+std::vector<std::string> LinksToNowhere(const std::filesystem::path& document) {
+  static const std::regex link(R"(\[[^\]\[]+\]\(([^)#: ]+)[)#])");
+  std::vector<std::string> found;
+  std::ifstream stream(document);
+  for (std::string line; std::getline(stream, line);) {
+    for (std::sregex_iterator at(line.begin(), line.end(), link), end; at != end; ++at) {
+      if (!std::filesystem::exists(document.parent_path() / (*at)[1].str()))
+        found.push_back((*at)[1]);
+    }
+  }
+  return found;
+}
+
+TEST_F(PackageTest, NoLinkOfADocumentLeadsOutOfTheInstallation) {
+  const std::filesystem::path documents = prefix_->File("share/doc/openr-host");
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(documents)) {
+    if (entry.path().extension() != ".md") continue;
+    EXPECT_THAT(LinksToNowhere(entry.path()), ::testing::IsEmpty()) << entry.path();
+  }
+  // A link to the sources has become its text; one to another document has stayed.
+  std::ifstream stream(documents / "README.md");
+  const std::string readme{std::istreambuf_iterator<char>(stream), {}};
+  EXPECT_THAT(readme, HasSubstr("**OVirtualRobotComm** is the robot: virtualrobot/, a body"));
+  EXPECT_THAT(readme, HasSubstr("([docs/body.md](docs/body.md))"));
 }
 
 // A person who takes a part of it does not get the others.
