@@ -36,6 +36,25 @@ constexpr const char* kConsoleObjects[] = {"ANTTCPIO", "HOOK", "HOOKACT"};
 // A robot has 32 MiB of memory; an image that is larger cannot be loaded.
 constexpr uint64_t kRobotMemory = 32u << 20;
 
+// Returns the names of the image files that the stick in the folder `root` lacks in
+// OPEN-R/SYSTEM/OBJS.  `objects` has the names of all wanted images, without ".BIN".
+template <size_t N>
+std::vector<std::string> MissingObjects(const fs::path& root, const char* const (&objects)[N]) {
+  std::vector<std::string> missing;
+  for (const std::string name : objects)
+    if (FindBelow(root, "OPEN-R/SYSTEM/OBJS/" + name + ".BIN").empty())
+      missing.push_back(name + ".BIN");
+  return missing;
+}
+
+// Returns the files of the base image, without its objects, that the stick in `root` lacks.
+std::vector<std::string> MissingBaseFiles(const fs::path& root) {
+  std::vector<std::string> missing;
+  for (const std::string file : kBaseFiles)
+    if (FindBelow(root, file).empty()) missing.push_back(file);
+  return missing;
+}
+
 class BootCheck {
  public:
   BootCheck(const std::string& root, std::string design, Remarks* remarks)
@@ -55,16 +74,6 @@ class BootCheck {
   std::string Shown(const std::string& path) const {
     const fs::path found = On(path);
     return (found.empty() ? root_ / path : found).string();
-  }
-
-  // Returns the names of the image files that are missing in OPEN-R/SYSTEM/OBJS.  `objects` has the
-  // names of all wanted images, without ".BIN".
-  template <size_t N>
-  std::vector<std::string> Missing(const char* const (&objects)[N]) const {
-    std::vector<std::string> missing;
-    for (const std::string name : objects)
-      if (On("OPEN-R/SYSTEM/OBJS/" + name + ".BIN").empty()) missing.push_back(name + ".BIN");
-    return missing;
   }
 
   void Measure();
@@ -91,29 +100,26 @@ void BootCheck::Measure() {
 }
 
 void BootCheck::CheckBase() {
-  std::vector<std::string> missing;
-  for (const std::string file : kBaseFiles)
-    if (On(file).empty()) missing.push_back(file);
-  const std::vector<std::string> objects = Missing(kSystemObjects);
-  if (missing.size() == std::size(kBaseFiles) && objects.size() == std::size(kSystemObjects)) {
+  if (!HasBaseImage(root_)) {
     remarks_->Error(root_.string(),
                     "has no base image, so a robot does not boot from it: copy OPEN-R of the SDK's "
                     "OPEN_R/MS_ERS200 (ERS-7: MS_ERS7) here first, WCONSOLE/memprot for network "
                     "and console; 'openr stick new --base DIR' and 'openr stick robot' do so");
     return;
   }
-  for (const std::string& file : missing)
+  for (const std::string& file : MissingBaseFiles(root_))
     remarks_->Error(Shown(file),
                     "is missing; it belongs to the base image of the SDK, which must "
                     "be copied whole");
+  const std::vector<std::string> objects = MissingObjects(root_, kSystemObjects);
   if (!objects.empty()) {
     remarks_->Error(Shown("OPEN-R/SYSTEM/OBJS"),
                     fmt::format("lacks {} of the base image, which must be copied whole",
                                 fmt::join(objects, ", ")));
   }
-  summary_.base = !Missing(kNetworkObjects).empty()   ? "BASIC"
-                  : !Missing(kConsoleObjects).empty() ? "WLAN"
-                                                      : "WCONSOLE";
+  summary_.base = !MissingObjects(root_, kNetworkObjects).empty()   ? "BASIC"
+                  : !MissingObjects(root_, kConsoleObjects).empty() ? "WLAN"
+                                                                    : "WCONSOLE";
   if (summary_.base == "WCONSOLE") {
     remarks_->Note(root_.string(),
                    "has the base image with a console: the robot may seem dead until somebody "
@@ -187,6 +193,18 @@ void BootCheck::CheckNetwork() {
 }
 
 }  // namespace
+
+bool HasBaseImage(const std::string& root) {
+  return MissingBaseFiles(root).size() < std::size(kBaseFiles) ||
+         MissingObjects(root, kSystemObjects).size() < std::size(kSystemObjects);
+}
+
+std::string BaseImageContents() {
+  return fmt::format(
+      "a base image has {}, and {}.BIN in OPEN-R/SYSTEM/OBJS; those of the SDK are in "
+      "OPEN_R/MS_ERS200 (ERS-7: MS_ERS7), such as WCONSOLE/memprot",
+      fmt::join(kBaseFiles, ", "), fmt::join(kSystemObjects, ".BIN, "));
+}
 
 StickSummary CheckBoot(const std::string& root, const std::string& design, Remarks* remarks) {
   return BootCheck(root, design, remarks).Run();

@@ -15,6 +15,13 @@ struct StickSummary {
   uint64_t num_bytes = 0;
 };
 
+// Returns whether the folder `root`, which holds OPEN-R/, has at least a part of a base image,
+// which is the robot's system.
+bool HasBaseImage(const std::string& root);
+
+// Returns what each base image has and where they are, to complete an error message.
+std::string BaseImageContents();
+
 // Adds a remark for each part of the robot's system that is missing on the stick in the folder
 // `root`, which holds OPEN-R/.  These parts are the base image with its system objects, DESIGN.CFG
 // for `design` ("ERS-210"; "": any design), images for the robot's processor, and the network if an

@@ -8,6 +8,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "kit/check_boot.h"
 #include "kit/stick_draft.h"
 #include "kit/stick_merge.h"
 #include "kit/text_files.h"
@@ -64,6 +65,17 @@ void MergeInto(const fs::path& file, const std::string& ours) {
   Write(file, MergeConfig(ReadText(file).value_or(""), ours));
 }
 
+// Copies the OPEN-R/ of the folder `base` to the stick `root`.  Throws if it has no base image.
+void CopyBase(const std::string& base, const fs::path& root) {
+  const fs::path tree = FindEntry(base, "OPEN-R");
+  const std::string problem = tree.empty()          ? "there is no OPEN-R/ in it"
+                              : !HasBaseImage(base) ? "it has no base image"
+                                                    : "";
+  if (!problem.empty())
+    throw std::runtime_error(fmt::format("--base {}: {}; {}", base, problem, BaseImageContents()));
+  CopyTree(tree, root / "OPEN-R");
+}
+
 // Returns the names of the images in OPEN-R/MW/OBJS of the stick `root` that its OBJECT.CFG names
 // for no robot.
 std::vector<std::string> UnlistedImages(const fs::path& root) {
@@ -89,12 +101,7 @@ std::vector<std::string> UnlistedImages(const fs::path& root) {
 std::vector<std::string> MakeNewStick(const NewStickOptions& options) {
   StickDraft draft(options.output);
   const fs::path root = draft.stick();
-  if (!options.base.empty()) {
-    const fs::path base = FindEntry(options.base, "OPEN-R");
-    if (base.empty())
-      throw std::runtime_error(fmt::format("--base {}: there is no OPEN-R/ in it", options.base));
-    CopyTree(base, root / "OPEN-R");
-  }
+  if (!options.base.empty()) CopyBase(options.base, root);
   for (const char* folder : {"OPEN-R/MW/CONF", "OPEN-R/MW/OBJS", "OPEN-R/MW/DATA/P"})
     fs::create_directories(SpeltBelow(root, folder));
   const std::string list = PutImages(options.images, SpeltBelow(root, "OPEN-R/MW/OBJS"));

@@ -10,8 +10,9 @@ struct NewStickOptions {
   std::string output;               // folder to make; OPEN-R/ will be in it
   std::vector<std::string> images;  // .BIN files, in the order of OBJECT.CFG
   std::string connections;          // path of the CONNECT.CFG to copy; "": an empty file is made
-  std::string base;                 // folder whose OPEN-R/ is the base of the stick; "": none
-  std::string wlan;                 // text of WLANCONF.TXT; "": none is written
+  // Folder whose OPEN-R/ has a base image, the robot's system, for the stick; "": none
+  std::string base;
+  std::string wlan;  // text of WLANCONF.TXT; "": none is written
 };
 
 // Makes the stick completely or, if anything fails, not at all.  Returns the names of the images in

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <cstdlib>
 
+#include "kit/text_files.h"
+
 namespace openr_host {
 namespace {
 
@@ -30,6 +32,18 @@ uint32_t AddressOf(const std::string& text) {
 }
 
 std::string Flag(bool value) { return value ? "1" : "0"; }
+
+// Returns the answer as the file has it: 1 for yes and 0 for no.  Other answers stay as they are.
+std::string FlagOf(const std::string& answer) {
+  const std::string word = LowerCase(answer);
+  return word == "yes" || word == "y" ? "1" : word == "no" || word == "n" ? "0" : answer;
+}
+
+// Returns the value of the setting as a person reads it.
+std::string ShownValue(const WlanConfig& config, const WlanQuestion& question) {
+  const std::string value = WlanValue(config, question.key);
+  return !question.is_yes_no ? value : value == "1" ? "yes" : "no";
+}
 
 bool Sets(const WlanResult& settings, const char* key) {
   return std::find(settings.keys.begin(), settings.keys.end(), key) != settings.keys.end();
@@ -73,22 +87,24 @@ void CheckAddresses(const WlanConfig& config, Sense* sense) {
 
 const std::vector<WlanQuestion>& WlanQuestions() {
   static const std::vector<WlanQuestion> kQuestions = {
-      {"HOSTNAME", "--hostname", "Name of the robot, up to 8 letters and digits", &Always},
-      {"ESSID", "--essid", "Name of the wireless network (ESSID)", &Always},
-      {"WEPENABLE", "--wep", "Is it encrypted by WEP? 1: yes, 0: no; the robot knows nothing else",
-       &Always},
+      {"HOSTNAME", "--hostname", "Name of the robot, up to 8 letters and digits", false, &Always},
+      {"ESSID", "--essid", "Name of the wireless network (ESSID)", false, &Always},
+      {"WEPENABLE", "--wep", "Is it encrypted by WEP? yes or no; the robot knows nothing else",
+       true, &Always},
       {"WEPKEY", "--wep-key", "Its key: 5 or 13 characters, or 0x and 10 or 26 hexadecimal digits",
-       &WithWep},
-      {"APMODE", "--mode", "1: by an access point, 0: ad hoc, 2: whichever is there", &Always},
-      {"CHANNEL", "--channel", "Channel of the ad hoc network, 1 to 11", &MayBeAdHoc},
-      {"USE_DHCP", "--dhcp", "Does the network give the robot its address (DHCP)? 1: yes, 0: no",
+       false, &WithWep},
+      {"APMODE", "--mode", "1: by an access point, 0: ad hoc, 2: whichever is there", false,
        &Always},
-      {"ETHER_IP", "--ip", "Address of the robot", &WithoutDhcp},
-      {"ETHER_NETMASK", "--netmask", "Mask of its network", &WithoutDhcp},
+      {"CHANNEL", "--channel", "Channel of the ad hoc network, 1 to 11", false, &MayBeAdHoc},
+      {"USE_DHCP", "--dhcp", "Does the network give the robot its address (DHCP)? yes or no", true,
+       &Always},
+      {"ETHER_IP", "--ip", "Address of the robot", false, &WithoutDhcp},
+      {"ETHER_NETMASK", "--netmask", "Mask of its network", false, &WithoutDhcp},
       {"IP_GATEWAY", "--gateway", "Gateway to other networks; the robot's own address if none",
+       false, &WithoutDhcp},
+      {"DNS_SERVER_1", "--dns", "Server for names (DNS); nothing if none", false, &WithoutDhcp},
+      {"DNS_DEFDNAME", "--domain", "Domain of names without a dot; nothing if none", false,
        &WithoutDhcp},
-      {"DNS_SERVER_1", "--dns", "Server for names (DNS); nothing if none", &WithoutDhcp},
-      {"DNS_DEFDNAME", "--domain", "Domain of names without a dot; nothing if none", &WithoutDhcp},
   };
   return kQuestions;
 }
@@ -128,12 +144,13 @@ bool AskForWlan(
     const std::function<void(const std::string&)>& refuse, WlanConfig* config) {
   for (const WlanQuestion& question : WlanQuestions()) {
     while (question.is_asked(*config)) {
-      const auto answer = ask(question.question, WlanValue(*config, question.key));
+      const auto answer = ask(question.question, ShownValue(*config, question));
       if (!answer) return false;
       if (answer->empty()) break;
-      const std::string problem = SetWlanKey(question.key, *answer, config);
+      const std::string value = question.is_yes_no ? FlagOf(*answer) : *answer;
+      const std::string problem = SetWlanKey(question.key, value, config);
       if (problem.empty()) break;
-      refuse(problem);
+      refuse(question.is_yes_no ? "answer yes or no" : problem);
     }
   }
   return true;

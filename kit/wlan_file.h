@@ -17,6 +17,7 @@ struct WlanQuestion {
   const char* key;       // key in the file, such as "ETHER_IP"
   const char* flag;      // flag of the command, such as "--ip"
   const char* question;  // text of the question, such as "Address of the robot"
+  bool is_yes_no;        // true: the file has 1 for yes and 0 for no
   // Returns whether the setting has a meaning with the present values of the other settings.  If
   // not, the user is not asked for the setting.
   bool (*is_asked)(const WlanConfig& config);
@@ -33,9 +34,10 @@ std::string SetWlanKey(const std::string& key, const std::string& value, WlanCon
 std::string WlanValue(const WlanConfig& config, const std::string& key);
 
 // Asks each question by `ask`.  `ask` gets the text of the question and the present value, which
-// stays if the answer is empty.  `ask` returns the answer, or nullopt at the end of the input.  An
-// answer that the robot would not accept is given to `refuse` with the reason, and the question is
-// asked again.  Returns false if the input ended before the last question.
+// stays if the answer is empty.  `ask` returns the answer, or nullopt at the end of the input.  The
+// answer to a question with `is_yes_no` may be yes, y, no or n as well as 1 or 0.  For an answer
+// that the robot would not accept, `refuse` gets the reason, and the question is asked again.
+// Returns false if the input ended before the last question.
 bool AskForWlan(const std::function<std::optional<std::string>(const std::string& question,
                                                                const std::string& value)>& ask,
                 const std::function<void(const std::string& reason)>& refuse, WlanConfig* config);

@@ -33,6 +33,7 @@ namespace {
 struct WlanFlags {
   WlanConfig config;
   bool is_given = false;  // true: the user has given at least one setting by a flag
+  bool has_key = false;   // true: one of the flags was --wep-key
 };
 
 void SetByFlag(const std::string& flag, const std::string& key, const std::string& value,
@@ -40,6 +41,7 @@ void SetByFlag(const std::string& flag, const std::string& key, const std::strin
   const std::string problem = SetWlanKey(key, value, &flags->config);
   if (!problem.empty()) throw CLI::ValidationError(flag, problem);
   flags->is_given = true;
+  flags->has_key = flags->has_key || key == "WEPKEY";
 }
 
 void AddWlanFlags(CLI::App* command, WlanFlags* flags) {
@@ -88,6 +90,21 @@ void AskAll(WlanConfig* config) {
       "as well: openr help stick wlan");
 }
 
+void TellNote(const std::string& text) {
+  const std::string begin = Coloured(Colour::kNote, "openr: note:", HasColours(STDERR_FILENO));
+  fmt::print(stderr, "{} {}\n", begin, text);
+}
+
+// Prints a note on standard error if the flags leave WEP on with the key of Sony's file, which is
+// probably not the key of the user's network.
+void TellDefaultKey(const WlanFlags& flags) {
+  if (!flags.is_given || flags.has_key || !flags.config.wep_enable) return;
+  TellNote(
+      fmt::format("WEP is on with the key of Sony's file, {}; --wep-key gives another one, "
+                  "--no-wep is for a network without encryption",
+                  flags.config.wep_key));
+}
+
 // Prints warnings on standard error about wireless settings that make no sense.
 void TellSense(const std::string& file, const std::string& text) {
   fmt::print(stderr, "{}", Render(CheckWlanSense(file, ParseWlanConfig(file, text))));
@@ -103,6 +120,7 @@ int WriteWlan(WlanCommand command) {
   if (!command.stick.empty() && FindEntry(command.stick, "OPEN-R").empty())
     throw std::runtime_error(command.stick + ": is no stick, there is no OPEN-R/ in it");
   if (!command.wlan.is_given) AskAll(&command.wlan.config);
+  TellDefaultKey(command.wlan);
   const std::string text = WlanText(command.wlan.config);
   if (command.stick.empty() && command.output.empty()) {
     PrintAnswer(text);
@@ -173,6 +191,11 @@ int MakeNew(NewCommand command) {
                     "it among the images if it is needed\n",
                     name));
   }
+  if (command.stick.images.empty())
+    TellNote(
+        "no IMAGE is named, so the stick has no object of yours; name your .BIN files in "
+        "the order to load them");
+  TellDefaultKey(command.wlan);
   if (command.wlan.is_given) TellSense("WLANCONF.TXT", command.stick.wlan);
   const std::string openr = ShellWord(ProgramCall());
   PrintAnswer(fmt::format("\nwhat a robot needs beyond that:\n{0} stick check {1} --robot {2}\n",

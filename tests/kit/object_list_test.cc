@@ -94,6 +94,7 @@ TEST_F(ObjectListTest, AnImageOfAnEarlierBuildIsNotListedByItself) {
 
 TEST_F(ObjectListTest, ANewStickNamesTheImagesOfItsBaseThatNobodyLoads) {
   folder_.Write("base/OPEN-R/MW/CONF/OBJECT.CFG", "/MS/OPEN-R/MW/OBJS/POWERMON.BIN\n");
+  folder_.Write("base/OPEN-R/APERIOS.GZ", "");
   folder_.Write("base/OPEN-R/MW/OBJS/POWERMON.BIN", RobotBinary());
   folder_.Write("base/OPEN-R/MW/OBJS/TINYFTPD.BIN", RobotBinary());
   folder_.Write("HELLO.BIN", RobotBinary());

@@ -166,6 +166,42 @@ TEST_F(RobotStickCheckTest, NothingIsLeftOfANewStickThatFails) {
   EXPECT_FALSE(std::filesystem::exists(folder_.File("new")));
 }
 
+TEST_F(RobotStickCheckTest, ABaseWithoutABaseImageIsRefusedWithWhatOneHas) {
+  folder_.Write("hello.bin", RobotImage());
+  folder_.Write("other/OPEN-R/MW/CONF/OBJECT.CFG", "");
+  const ProgramResult made = RunProgram({"stick", "new", "-o", folder_.File("new"), "--base",
+                                         folder_.File("other"), folder_.File("hello.bin")});
+  EXPECT_EQ(made.status, 1);
+  EXPECT_THAT(made.err, HasSubstr("other: it has no base image; a base image has "
+                                  "OPEN-R/APERIOS.GZ, OPEN-R/APERINIT.GZ, "));
+  EXPECT_FALSE(std::filesystem::exists(folder_.File("new")));
+}
+
+TEST_F(RobotStickCheckTest, ANewStickWithoutImagesIsNoted) {
+  MakeBase();
+  const ProgramResult made =
+      RunProgram({"stick", "new", "-o", folder_.File("new"), "--base", folder_.File("stick")});
+  EXPECT_EQ(made.status, 0) << made.err;
+  EXPECT_THAT(made.err, HasSubstr("note: no IMAGE is named, so the stick has no object of yours"));
+}
+
+TEST_F(RobotStickCheckTest, TheKeyOfSonysFileIsNotedWhenNoFlagSpeaksOfWep) {
+  constexpr char kNote[] = "note: WEP is on with the key of Sony's file, AIBO2; --wep-key gives";
+  folder_.Write("hello.bin", RobotImage());
+  const ProgramResult made = RunProgram(
+      {"stick", "new", "-o", folder_.File("new"), folder_.File("hello.bin"), "--essid", "kitchen"});
+  EXPECT_EQ(made.status, 0);
+  EXPECT_THAT(made.err, HasSubstr(kNote));
+  const std::vector<std::string> wlan = {"stick", "wlan", "--essid", "kitchen"};
+  EXPECT_THAT(RunProgram(wlan).err, HasSubstr(kNote));
+  for (const std::vector<std::string>& more :
+       std::vector<std::vector<std::string>>{{"--no-wep"}, {"--wep-key", "abcde"}}) {
+    std::vector<std::string> words = wlan;
+    words.insert(words.end(), more.begin(), more.end());
+    EXPECT_EQ(RunProgram(words).err, "") << more[0];
+  }
+}
+
 TEST_F(RobotStickCheckTest, SettingsOfTheNetworkGoWhereTheRobotReadsThem) {
   MakeBase();
   const ProgramResult wrote = RunProgram(

@@ -97,6 +97,22 @@ TEST_F(AskedTest, OnlyWhatHasAMeaningIsAsked) {
   EXPECT_EQ(asked_.size(), 5u);
 }
 
+TEST_F(AskedTest, YesAndNoCanBeWrittenAsWords) {
+  EXPECT_TRUE(Ask({"", "", "N", "1", "y"}));
+  EXPECT_FALSE(config_.wep_enable);
+  EXPECT_TRUE(config_.use_dhcp);
+  EXPECT_TRUE(Ask({"", "", "yes", "", "1", "no", "", "", "", "", ""}));
+  EXPECT_TRUE(config_.wep_enable);
+  EXPECT_FALSE(config_.use_dhcp);
+  EXPECT_THAT(refused_, IsEmpty());
+}
+
+TEST_F(AskedTest, WhatIsNeitherYesNorNoIsAskedAgain) {
+  EXPECT_TRUE(Ask({"", "", "maybe", "no", "1", "yes"}));
+  EXPECT_FALSE(config_.wep_enable);
+  EXPECT_THAT(refused_, ElementsAre("answer yes or no"));
+}
+
 TEST_F(AskedTest, TheEndOfTheInputIsNoAnswer) { EXPECT_FALSE(Ask({"rex", "kitchen"})); }
 
 TEST(WlanSenseTest, TheGatewayMustBeInTheRobotsNetwork) {
