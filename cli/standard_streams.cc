@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "cli/exit_code.h"
 #include "cli/output_file.h"
 #include "cli/progress_line.h"
 
@@ -51,6 +52,7 @@ void KeepErrorStreamGood() {
 
 [[noreturn]] void Fail(int error) {
   NoteLostAnswer(error);
+  if (error == EPIPE) throw ReaderGone(WhyNoStandardOutput(error));
   g_is_told = true;
   throw std::runtime_error(WhyNoStandardOutput(error));
 }
@@ -105,9 +107,10 @@ void FlushAnswer() {
 
 int FinishStandardOutput(int exit_code, const char* program) {
   if (FlushStreams() && !g_has_failed) return exit_code;
+  if (g_output_error == EPIPE) return kExitReaderGone;
   if (!g_is_told)
     std::fprintf(stderr, "%s: %s\n", program, WhyNoStandardOutput(g_output_error).c_str());
-  return exit_code == 0 ? 1 : exit_code;
+  return exit_code == kExitGood ? kExitWrong : exit_code;
 }
 
 }  // namespace openr_host

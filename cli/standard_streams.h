@@ -2,17 +2,24 @@
 // reader.  The answer is the text that a command prints on standard output.
 #pragma once
 
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
 namespace openr_host {
 
+// Thrown when the reader of standard output has closed its pipe, as in `openr trace FILE | head`.
+// The command ends without a message, as one that SIGPIPE ends.
+struct ReaderGone : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 // Prepares the streams.  Must be called first in main().  Afterwards
 //   - each of the descriptors 0 to 2 is open, so that no file opened later gets one of these
 //     numbers.  A descriptor that was closed is opened on /dev/null; standard output is opened so
 //     that writing fails, because a lost answer must be noticed;
-//   - writing to a pipe without a reader, or beyond the file size limit, gives an error and does
-//     not end the process;
+//   - writing to a pipe or a socket without a reader, or beyond the file size limit, gives an error
+//     and does not end the process;
 //   - writing to standard error never fails: text that cannot be written is lost.
 void PrepareStandardStreams();
 
@@ -25,7 +32,8 @@ int StandardOutput();
 void SetStandardOutput(int descriptor);
 
 // Prints a part of the answer on standard output.  Throws std::runtime_error "standard output:
-// cannot be written: why", so that a command with an endless answer stops when its reader is gone.
+// cannot be written: why", or ReaderGone.  So a command with an endless answer stops when its
+// reader is gone.
 void PrintAnswer(std::string_view text);
 
 // Writes out at once the parts of the answer that are still in a buffer.  Throws as PrintAnswer()
@@ -38,7 +46,8 @@ void NoteLostAnswer(int error);
 
 // Writes out the text that is still in the buffer of standard output.  Must be called last in
 // main().  Returns `exit_code`.  If some text was lost, prints an error in the name of `program` on
-// standard error, and returns 1 instead of 0.
+// standard error, and returns 1 instead of 0.  If it was lost because the reader has closed its
+// pipe, prints nothing and returns kExitReaderGone.
 int FinishStandardOutput(int exit_code, const char* program);
 
 // Returns the error message "standard output: cannot be written: why".  `error` is an errno, or 0

@@ -113,7 +113,8 @@ void AddBelow(const CommandInfo& command, std::string* page) {
 }
 
 constexpr char kFacts[] = R"(.SH EXIT STATUS
-0: good; 1: the input or the run is wrong, or output cannot be written; 2: the command line is wrong.
+0: good; 1: the input or the run is wrong, or output cannot be written; 2: the command line is wrong;
+141: the reader of standard output has closed its pipe.
 .SH ENVIRONMENT
 .TP
 \fBNO_COLOR\fR

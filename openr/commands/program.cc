@@ -64,6 +64,8 @@ int PrintAskedFor(const CLI::App& app, const CLI::ParseError& error) {
   try {
     PrintAnswer(ForTerminal(text.str()));
     return exit_code;
+  } catch (const ReaderGone&) {
+    return kExitReaderGone;
   } catch (const std::exception& failure) {
     TellFailure(failure.what(), false);
     return kExitWrong;
@@ -103,6 +105,8 @@ int RunProgram(int argc, char** argv) {
     TellFailure(ExplainCommandLine(app, error), as_json);
     std::fprintf(stderr, "'%s' tells more\n", HelpWords(app).c_str());
     return kExitCommandLine;
+  } catch (const ReaderGone&) {
+    return kExitReaderGone;
   } catch (const std::filesystem::filesystem_error& error) {
     TellFailure(Explain(error), as_json);
     return kExitWrong;

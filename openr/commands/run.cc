@@ -63,6 +63,8 @@ bool Answer(const std::string& text) {
   try {
     PrintAnswer(text);
     return true;
+  } catch (const ReaderGone&) {
+    return true;  // the run writes its files, and FinishStandardOutput() returns the exit status
   } catch (const std::exception& error) {
     return IsGood(error.what());
   }
