@@ -152,6 +152,9 @@ STRIP = $(OPENRSDK_ROOT)/bin/mipsel-linux-strip
 MKBIN = $(OPENRSDK_ROOT)/OPEN_R/bin/mkbin
 STUBGEN = $(OPENRSDK_ROOT)/OPEN_R/bin/stubgen2
 LIBS = -lObjectComm -lOPENR
+# Every .cc file of the folder @Name@ belongs to the object; stubgen2 makes @Name@Stub.cc.
+SOURCES = $(filter-out @Name@/@Name@Stub.cc,$(wildcard @Name@/*.cc))
+OBJECTS = @Name@/@Name@Stub.o $(SOURCES:.cc=.o)
 CXXFLAGS = -O2 -g -I@Name@ -I$(OPENRSDK_ROOT)/OPEN_R/include/R4000 \
   -I$(OPENRSDK_ROOT)/OPEN_R/include
 
@@ -163,10 +166,10 @@ all: @Name@/@name@.bin
 
 @Name@/def.h: @Name@/@Name@Stub.cc
 
-@Name@/%.o: @Name@/%.cc @Name@/def.h @Name@/@Name@.h
+@Name@/%.o: @Name@/%.cc @Name@/def.h $(wildcard @Name@/*.h)
 	$(CXX) $(CXXFLAGS) -o $@ -c $<
 
-@Name@/@name@.bin: @Name@/@Name@Stub.o @Name@/@Name@.o @Name@/@name@.ocf
+@Name@/@name@.bin: $(OBJECTS) @Name@/@name@.ocf
 	$(MKBIN) -p $(OPENRSDK_ROOT) -o $@ $^ $(LIBS)
 	$(STRIP) $@
 
@@ -205,10 +208,14 @@ cmake_minimum_required(VERSION 3.16)
 project(@Name@ LANGUAGES CXX)
 find_package(openr-host REQUIRED)
 
+# Every .cc file of the folder @Name@ belongs to the object.  The robot's make leaves
+# @Name@Stub.cc there, which openr_add_object() makes anew.
+file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/@Name@/*.cc")
+list(REMOVE_ITEM sources "${CMAKE_CURRENT_SOURCE_DIR}/@Name@/@Name@Stub.cc")
 openr_add_object(NAME @name@ BIN @NAME@.BIN
   STUB @Name@/stub.cfg
   OCF @Name@/@name@.ocf
-  SOURCES @Name@/@Name@.cc
+  SOURCES ${sources}
   INCLUDES @Name@)
 openr_add_stick(NAME stick FOLDER MS OBJECTS @name@)
 

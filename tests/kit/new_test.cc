@@ -27,6 +27,48 @@ TEST(NewTest, ANewObjectBuildsAndRuns) {
   EXPECT_EQ(folder.Say(), "Wag has started\nWag hears 31 sensors\n");
 }
 
+// Adds a source to the object Wag that Wag.cc calls.
+void AddSecondSource(const KitFolder& folder) {
+  folder.Write("Wag/Helper.h", "int Helper();\n");
+  folder.Write("Wag/Helper.cc", "#include \"Helper.h\"\nint Helper() { return 42; }\n");
+  std::string source = folder.Read("Wag/Wag.cc");
+  const std::string line = "    OSYSPRINT((\"Wag has started\\n\"));\n";
+  const size_t at = source.find(line);
+  ASSERT_NE(at, std::string::npos);
+  source.replace(at, line.size(), "    OSYSPRINT((\"helped by %d\\n\", Helper()));\n");
+  folder.Write("Wag/Wag.cc", "#include \"Helper.h\"\n" + source);
+}
+
+TEST(NewTest, ASecondSourceOfTheFolderIsBuiltByTheMakefile) {
+  const KitFolder folder("");
+  ASSERT_EQ(RunProgram({"new", "Wag", folder.File("")}).status, 0);
+  AddSecondSource(folder);
+  const ProgramResult built = folder.Build();
+  ASSERT_EQ(built.status, 0) << built.err;
+  EXPECT_EQ(folder.Say(), "helped by 42\nWag hears 31 sensors\n");
+}
+
+TEST(NewTest, ASecondSourceOfTheFolderIsBuiltByCMake) {
+#if defined(__SANITIZE_ADDRESS__)
+  GTEST_SKIP() << "the package for CMake wants a program with sanitizers";
+#endif
+  const KitFolder folder("");
+  ASSERT_EQ(RunProgram({"new", "Wag", folder.File("")}).status, 0);
+  AddSecondSource(folder);
+  // The robot's make leaves its stub in the folder.
+  folder.Write("Wag/WagStub.cc", "#error made for the robot\n");
+  const std::string prefix = std::filesystem::path(OPENR_PROGRAM).parent_path().parent_path();
+  for (const std::vector<std::string>& command : std::vector<std::vector<std::string>>{
+           {"cmake", "-S", folder.File(""), "-B", folder.File("build"),
+            "-DCMAKE_PREFIX_PATH=" + prefix},
+           {"cmake", "--build", folder.File("build"), "--target", "stick"}}) {
+    const ProcessResult result =
+        RunProcess(command, {.captures_error = true, .captures_out = true});
+    ASSERT_TRUE(result.good()) << result.output;
+  }
+  EXPECT_EQ(KitFolder::SayOf(folder.File("build/stick")), "helped by 42\nWag hears 31 sensors\n");
+}
+
 TEST(NewTest, ANameOfAnObjectOfTheRobotIsRefused) {
   const KitFolder folder("");
   for (const char* name : {"OVirtualRobotComm", "OVirtualRobotAudioComm", "IPStack", "ipstack",
