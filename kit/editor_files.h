@@ -1,4 +1,5 @@
-// The files by which Visual Studio Code builds, runs, tests and debugs a new object.
+// The files by which Visual Studio Code builds, runs, tests and debugs a folder of objects or a
+// controller.
 #pragma once
 
 #include <string>
@@ -13,10 +14,26 @@ struct EditorPlaces {
   std::string program;   // absolute path of the program openr
   std::string prefix;    // absolute path of the folder where CMake finds openr-host
   std::string printers;  // absolute path of the pretty printers of gdb; "": none
+  std::string headers;   // absolute path of the folder of the headers for controllers
 };
+
+// What the files for the editor have to know of the folder that they are for.
+struct EditorFolder {
+  bool is_controller = false;  // true: `openr controller build` builds it; false: `openr build`
+  std::string stick = "MS";    // path of the stick, below the folder; ".": the folder itself
+  bool has_tests = true;       // true: its CMakeLists.txt uses the package openr-host
+};
+
+// Returns the paths of this installation.
+EditorPlaces FindEditorPlaces();
+
+// Describes the folder of an existing program or controller.  If it has several sticks, names the
+// one with the shortest path.  Throws std::runtime_error if `folder` has nothing that openr build
+// or openr controller build could build.
+EditorFolder DescribeEditorFolder(const std::string& folder);
 
 // Returns .vscode/tasks.json, launch.json, settings.json and extensions.json.  Their paths begin
 // with ${workspaceFolder}, the folder that is open in the editor.
-std::vector<NewFile> EditorFiles(const EditorPlaces& places);
+std::vector<NewFile> EditorFiles(const EditorPlaces& places, const EditorFolder& folder);
 
 }  // namespace openr_host

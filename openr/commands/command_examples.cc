@@ -90,6 +90,8 @@ constexpr Example kExamples[] = {
     {"coverage", "openr coverage Greeter"},
     {"coverage", "openr coverage Greeter --lcov greeter.info"},
     {"new", "openr new Greeter"},
+    {"editor", "openr editor Greeter"},
+    {"editor", "openr editor wag"},
     {"controller", "openr controller new wag"},
     {"controller", "openr controller build wag"},
     {"controller build", "openr controller build wag -o mystick"},

@@ -35,6 +35,7 @@ void AddExploreCommand(CLI::App* app, int* exit_code);
 void AddBuildCommand(CLI::App* app, int* exit_code);
 void AddCoverageCommand(CLI::App* app, int* exit_code);
 void AddNewCommand(CLI::App* app, int* exit_code);
+void AddEditorCommand(CLI::App* app, int* exit_code);
 void AddControllerCommand(CLI::App* app, int* exit_code);
 void AddCheckCommand(CLI::App* app, int* exit_code);
 void AddEmonCommand(CLI::App* app, int* exit_code);

@@ -54,9 +54,7 @@ std::string WhyNoNewObject(const std::string& name) {
 // object may be made in a repository that has nothing else yet.
 std::vector<NewFile> FilesFor(const std::string& name, const std::string& folder) {
   std::vector<NewFile> files = MakeNewObject(name);
-  const std::string prefix = std::filesystem::path(ProgramFolder()).parent_path();
-  for (NewFile& file : EditorFiles({ProgramFile(), prefix, GdbPrinters()}))
-    files.push_back(std::move(file));
+  for (NewFile& file : EditorFiles(FindEditorPlaces(), {})) files.push_back(std::move(file));
   if (std::filesystem::exists(std::filesystem::path(folder) / kIgnoreFile))
     std::erase_if(files, [](const NewFile& file) { return file.path == kIgnoreFile; });
   return files;

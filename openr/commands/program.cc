@@ -45,6 +45,7 @@ constexpr Command kCommands[] = {
     {"serve", &AddServeCommand},     {"help", &AddHelpCommand},
     {"version", &AddVersionCommand}, {"completion", &AddCompletionCommand},
     {"man", &AddManCommand},         {"emon", &AddEmonCommand},
+    {"editor", &AddEditorCommand},
 };
 
 // Prints the error `why` on standard error.  With `as_json`, because the user gave --json, also

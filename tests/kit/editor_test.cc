@@ -1,4 +1,5 @@
-// The files for Visual Studio Code that `openr new` writes, and compile_commands.json.
+// The files for Visual Studio Code that `openr new` and `openr editor` write, and
+// compile_commands.json.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -113,6 +114,83 @@ TEST_F(EditorTest, TheDebuggerStopsAtALineOfTheUsersFile) {
   EXPECT_THAT(result.output, HasSubstr("Wag::NotifySensor (this="));
   EXPECT_THAT(result.output, HasSubstr("Wag/Wag.cc:" + std::to_string(line)));
   EXPECT_THAT(result.output, HasSubstr("$1 = 1"));
+}
+
+std::set<std::string> TasksOf(const KitFolder& folder) {
+  std::set<std::string> labels;
+  for (const Json& task : EditorFile(folder, "tasks.json").at("tasks"))
+    labels.insert(task.at("label"));
+  return labels;
+}
+
+TEST_F(EditorTest, AFolderThatExistsGetsTheSameFiles) {
+  constexpr const char* kFiles[] = {"tasks.json", "launch.json", "settings.json",
+                                    "extensions.json"};
+  std::vector<std::string> before;
+  for (const std::string name : kFiles) before.push_back(folder_.Read(".vscode/" + name));
+  std::filesystem::remove_all(folder_.File(".vscode"));
+  const ProgramResult made = RunProgram({"editor", folder_.File("")});
+  ASSERT_EQ(made.status, 0) << made.err;
+  EXPECT_THAT(made.out, HasSubstr("/.vscode/tasks.json\n"));
+  EXPECT_THAT(made.out, HasSubstr("the tasks run this stick: MS\n"));
+  std::vector<std::string> after;
+  for (const std::string name : kFiles) after.push_back(folder_.Read(".vscode/" + name));
+  EXPECT_EQ(after, before);
+}
+
+TEST_F(EditorTest, FilesOfTheUserAreNotOverwritten) {
+  folder_.Write(".vscode/settings.json", "mine");
+  std::filesystem::remove(folder_.File(".vscode/tasks.json"));
+  const ProgramResult made = RunProgram({"editor", folder_.File("")});
+  EXPECT_EQ(made.status, 1);
+  EXPECT_THAT(made.err, HasSubstr(" is there already; nothing was written"));
+  EXPECT_EQ(folder_.Read(".vscode/settings.json"), "mine");
+  EXPECT_FALSE(std::filesystem::exists(folder_.File(".vscode/tasks.json")));
+}
+
+TEST_F(EditorTest, WithoutTestsForTheHostThereIsNoTaskForThem) {
+  std::filesystem::remove_all(folder_.File(".vscode"));
+  std::filesystem::remove(folder_.File("CMakeLists.txt"));
+  ASSERT_EQ(RunProgram({"editor", folder_.File("")}).status, 0);
+  EXPECT_THAT(TasksOf(folder_), ElementsAre("build", "build for the debugger", "run"));
+}
+
+TEST_F(EditorTest, TheTasksRunTheNearestOfSeveralSticks) {
+  std::filesystem::remove_all(folder_.File(".vscode"));
+  folder_.Write("A/OPEN-R/MW/CONF/CONNECT.CFG", "");
+  folder_.Write("build/stick/OPEN-R/MW/CONF/CONNECT.CFG", "");
+  const ProgramResult made = RunProgram({"editor", folder_.File("")});
+  ASSERT_EQ(made.status, 0) << made.err;
+  EXPECT_THAT(made.out, HasSubstr("the tasks run this stick: A\n"));
+  const Json arguments = Launch().at("args");
+  EXPECT_THAT(arguments.at(2), folder_.File("A"));
+}
+
+TEST(EditorFolderTest, TheTasksOfAControllerBuildAndRunIt) {
+  const KitFolder folder("");
+  ASSERT_EQ(RunProgram({"controller", "new", "blink", folder.File("")}).status, 0);
+  const ProgramResult made = RunProgram({"editor", folder.File("")});
+  ASSERT_EQ(made.status, 0) << made.err;
+  EXPECT_THAT(TasksOf(folder), ElementsAre("build", "run"));
+  for (const Json& task : EditorFile(folder, "tasks.json").at("tasks")) {
+    const ProcessResult result = RunInEditor(folder, task.at("command"), task.at("args"));
+    EXPECT_TRUE(result.good()) << task << result.output;
+  }
+  EXPECT_TRUE(std::filesystem::exists(folder.File("OPEN-R/MW/OBJS/CONTROLL.BIN")));
+  EXPECT_EQ(EditorFile(folder, "launch.json").at("configurations").at(0).at("preLaunchTask"),
+            "build");
+  const Json headers = EditorFile(folder, "settings.json").at("C_Cpp.default.includePath");
+  EXPECT_TRUE(std::filesystem::exists(std::string(headers.at(1)) + "/device/robot.h"));
+}
+
+TEST(EditorFolderTest, AFolderWithoutAProgramIsRefused) {
+  const KitFolder folder("");
+  folder.Write("notes.txt", "");
+  const ProgramResult made = RunProgram({"editor", folder.File("")});
+  EXPECT_EQ(made.status, 1);
+  EXPECT_THAT(made.err,
+              HasSubstr("no stub.cfg, no entry table, no Makefile and no controller in it"));
+  EXPECT_FALSE(std::filesystem::exists(folder.File(".vscode")));
 }
 
 // Builds the folder, compiles its files with the commands of compile_commands.json, and returns the
