@@ -1,11 +1,14 @@
 #include "openr/inspect/stepper.h"
 
 #include <fmt/format.h>
+#include <signal.h>
 #include <sys/mman.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <cstdio>
 #include <cstdlib>
@@ -18,6 +21,7 @@
 #include "cli/prompt.h"
 #include "openr/decode/decode_message.h"
 #include "openr/inspect/breakpoints.h"
+#include "openr/inspect/snapshot_list.h"
 #include "openr/inspect/trace_text.h"
 #include "runtime/base/duration.h"
 #include "runtime/base/spelling.h"
@@ -26,7 +30,8 @@
 namespace openr_host {
 namespace {
 
-constexpr uint64_t kSnapshotMessages = 1000;  // number of messages between two snapshots
+// The number of messages between two snapshots, before old snapshots are thinned out.
+constexpr uint64_t kSnapshotMessages = 1000;
 constexpr size_t kBreaksBytes = 16 << 10;
 
 constexpr char kHelp[] =
@@ -52,8 +57,12 @@ struct Shared {
   bool went_back;    // true: a copy of the process has ended because the session goes back
   uint64_t target;   // number of messages after which going back ends
   int64_t until_us;  // virtual time up to which the session runs after going back; 0: none
-  bool ends;         // true: the session is over
+  // True while a process runs the session.  A process that ends as it should sets it to false.  If
+  // it is still true when the process has ended, the run has crashed.
+  bool runs;
+  bool ends;  // true: the session is over
   bool differs;
+  SnapshotList snapshots;
   char breaks[kBreaksBytes];
   PromptHistory history;
 };
@@ -96,29 +105,65 @@ class Stepper {
   // copy.  Returns true in a copy, and false in the original when the session is over.
   bool Snapshot() {
     const uint64_t here = replayer_->count();
+    AddToSnapshots(here);
     for (;;) {
       std::fflush(nullptr);
       const pid_t copy = fork();
       if (copy == 0) {
-        is_copy_ = true;
-        last_snapshot_ = here;
-        breaks_.Load(shared_->breaks);
-        went_back_ = shared_->went_back;
-        shared_->went_back = false;
-        if (went_back_) CatchUp(here);
+        BeginCopy(here);
         return true;
       }
-      int status = 0;
-      if (copy < 0 || waitpid(copy, &status, 0) != copy) return false;
-      if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
-        fmt::print("the replay has ended here, as the run did; start again to step up to it\n");
-        shared_->ends = shared_->differs = true;
+      if (copy < 0) {
+        EndSession(fmt::format("the process cannot be copied: {}", std::strerror(errno)));
+        return false;
       }
+      WaitForCopies();
       if (shared_->ends) return false;
       // Ends this copy if the session goes back to a moment before its snapshot.  The process of an
       // earlier snapshot then makes a new copy.
       if (shared_->target < here && is_copy_) _exit(0);
     }
+  }
+
+  // Adds this process to the list of snapshots, and ends the processes of snapshots that are no
+  // longer needed.  Each of those waits for its child process.  The kernel makes this child process
+  // a child of the nearest snapshot before, because each snapshot is a "subreaper" (prctl(2)).
+  void AddToSnapshots(uint64_t here) {
+    prctl(PR_SET_CHILD_SUBREAPER, 1);
+    for (const pid_t process :
+         shared_->snapshots.Add({here, replayer_->system().now_us(), getpid()}))
+      kill(process, SIGKILL);
+  }
+
+  // Prepares this process, a new copy of the snapshot that was taken after `here` messages, to
+  // continue the session.
+  void BeginCopy(uint64_t here) {
+    is_copy_ = true;
+    shared_->runs = true;
+    shared_->snapshots.RemoveAfter(here);
+    last_snapshot_ = here;
+    breaks_.Load(shared_->breaks);
+    went_back_ = shared_->went_back;
+    shared_->went_back = false;
+    if (went_back_) CatchUp(here);
+  }
+
+  // Waits until the session goes back to this snapshot or to an earlier one, or is over: until no
+  // child process is left.  A child process may end earlier, because its snapshot is no longer
+  // needed; its own child process is then a child of this process.
+  void WaitForCopies() {
+    while (waitpid(-1, nullptr, 0) > 0 || errno == EINTR) {
+    }
+    if (shared_->runs)
+      EndSession("the replay has ended here, as the run did; start again to step up to it");
+  }
+
+  // Ends the session, because it cannot go on for the reason `why`.
+  void EndSession(const std::string& why) {
+    fmt::print("{}\n", why);
+    std::fflush(nullptr);  // _exit() may follow
+    shared_->ends = shared_->differs = true;
+    shared_->runs = false;
   }
 
   // Runs the new copy of a snapshot forward, to the message or the time to which the user goes
@@ -132,6 +177,7 @@ class Stepper {
 
   [[noreturn]] void Leave() {
     shared_->ends = true;
+    shared_->runs = false;
     shared_->differs = !replayer_->difference().empty();
     std::fflush(nullptr);
     _exit(0);
@@ -177,6 +223,7 @@ class Stepper {
     shared_->target = target;
     shared_->until_us = until_us;
     shared_->went_back = true;
+    shared_->runs = false;
     std::fflush(nullptr);
     _exit(0);
   }
@@ -187,7 +234,8 @@ class Stepper {
     if (const auto number = NumberIn(where)) {
       GotoMessage(*number);
     } else if (ParseDuration(where, &time_us).empty()) {
-      if (time_us < replayer_->system().now_us()) Back(0, time_us);
+      if (time_us < replayer_->system().now_us())
+        Back(shared_->snapshots.CountBefore(time_us), time_us);
       ForwardTo(time_us);
       Show();
     } else {

@@ -478,6 +478,28 @@ TEST_F(ReplayTest, AThousandMessagesBackIsTheExactState) {
   EXPECT_EQ(hashes[2], hashes[0]);
 }
 
+// After so many messages, many of the processes that were snapshots have been ended.
+TEST_F(ReplayTest, GoingBackIsExactAfterSnapshotsWereThinnedOut) {
+  MakeKeepersStick();
+  Record(true, 120'000'000);
+  ASSERT_GT(messages_, 25'000u);
+  const std::string text = Step(
+      "step 2500\nprint hash\nstep 2500\nprint hash\ngoto 60s\nprint hash\nstep 99999\n"
+      "goto 60s\nprint hash\nstep 99999\nback 5\nback 20000\nstep 99999\n"
+      "goto 0\nstep 5000\nprint hash\nstep 99999\nback 20000\ngoto 0\nstep 2500\nprint hash\n"
+      "quit\n");
+  EXPECT_THAT(text, testing::Not(testing::HasSubstr("difference")));
+  std::vector<std::string> hashes;
+  for (size_t at = text.find("trace "); at != std::string::npos; at = text.find("trace ", at + 1))
+    hashes.push_back(text.substr(at, 45));
+  ASSERT_EQ(hashes.size(), 6u) << text;
+  EXPECT_NE(hashes[0], hashes[1]);
+  EXPECT_NE(hashes[1], hashes[2]);
+  EXPECT_EQ(hashes[3], hashes[2]);
+  EXPECT_EQ(hashes[4], hashes[1]);
+  EXPECT_EQ(hashes[5], hashes[0]);
+}
+
 // The run writes to the stick; the stick is then another one than it began with.
 TEST_F(ReplayTest, WhatTheRunChangedOnTheStickIsPutBack) {
   MakeKeepersStick();

@@ -1,0 +1,54 @@
+// SnapshotList: the processes that serve as snapshots in openr replay --step (stepper.h).
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace openr_host {
+
+// A process that waits, and so keeps the state of the replay at one moment.
+struct ProcessSnapshot {
+  uint64_t count = 0;   // number of messages before this moment
+  int64_t time_us = 0;  // virtual time of this moment
+  pid_t process = -1;
+};
+
+// The snapshots of a session, the oldest first, in memory of a fixed size without pointers, because
+// all processes of the session share the list.
+//
+// Old snapshots are thinned out, because fork() takes longer with each ancestor that lives.  The
+// distances between snapshots grow with their age.  A snapshot is at most n/4 messages after the
+// one before it, where n is the number of messages between it and the newest one, unless the two
+// were added one after the other.  So the number of snapshots grows only with the logarithm of the
+// number of messages.
+class SnapshotList {
+ public:
+  // The greatest number of snapshots.  A replay of 10^9 messages, with a snapshot after each 1000,
+  // needs about 100.
+  static constexpr size_t kSizeMax = 256;
+
+  // Adds the snapshot of the present moment.  Removes older ones that are too close together, and
+  // returns their processes, which the caller must end.  Never removes the first snapshot.
+  // REQUIRES: `snapshot` is later than all others.
+  std::vector<pid_t> Add(const ProcessSnapshot& snapshot);
+  // Removes the snapshots that were taken after more than `count` messages.
+  void RemoveAfter(uint64_t count);
+
+  // Returns the number of messages of the last snapshot before the virtual time `time_us`; 0 if
+  // there is none.
+  uint64_t CountBefore(int64_t time_us) const;
+  size_t size() const { return size_; }
+  const ProcessSnapshot& operator[](size_t index) const { return all_[index]; }
+
+ private:
+  // Removes the snapshot `index`, and returns its process.
+  pid_t Remove(size_t index);
+
+  size_t size_ = 0;
+  ProcessSnapshot all_[kSizeMax];
+};
+
+}  // namespace openr_host
