@@ -240,7 +240,7 @@ std::string Prompt::Continuation(const std::string& begin,
     words.pop_back();
   }
   std::vector<std::string> fitting;
-  for (const std::string& word : complete_(words)) {
+  for (const std::string& word : complete_(words, start)) {
     if (word.starts_with(start)) fitting.push_back(word);
   }
   std::sort(fitting.begin(), fitting.end());

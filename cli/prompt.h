@@ -35,8 +35,10 @@ class PromptHistory {
 class Prompt {
  public:
   // A function that returns all words that may follow `words`, the whole words of a line before the
-  // word that Tab completes.  If the function throws, no word is completed.
-  using Complete = std::function<std::vector<std::string>(const std::vector<std::string>& words)>;
+  // word that Tab completes.  `start` is what the user has typed of that word; the function may
+  // return words that do not begin with it.  If the function throws, no word is completed.
+  using Complete = std::function<std::vector<std::string>(const std::vector<std::string>& words,
+                                                          const std::string& start)>;
 
   // `history` must outlive the prompt.  The prompt adds each line to it.
   Prompt(PromptHistory* history, Complete complete)

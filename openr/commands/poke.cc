@@ -283,7 +283,7 @@ int RunAttach(const LiveFlags& flags) {
   if (is_terminal) PrintAnswer("'help' lists what can be typed\n");
   FlushAnswer();
   PromptHistory history;
-  Prompt lines(&history, [&console](const std::vector<std::string>& words) {
+  Prompt lines(&history, [&console](const std::vector<std::string>& words, const std::string&) {
     return console.WordsAfter(words);
   });
   bool good = true;

@@ -302,6 +302,14 @@ std::vector<std::string> QuantitiesOf(const RunView& view) {
   return names;
 }
 
+std::vector<std::string> LongNamesOf(const RunView& view) {
+  std::vector<std::string> names;
+  for (const std::string& name : QuantitiesOf(view)) {
+    if (IsOfFirstRobot(name) || name.starts_with("objects.")) names.push_back("robots[0]." + name);
+  }
+  return names;
+}
+
 SimulationView::SimulationView(Simulation* simulation) {
   prepared_.system = &simulation->system();
   prepared_.simulation = simulation;

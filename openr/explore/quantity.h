@@ -31,6 +31,9 @@ std::vector<std::string> NumbersOf(const RunView& view);
 // have no "robots[0]." in front.
 std::vector<std::string> QuantitiesOf(const RunView& view);
 
+// Returns the long names of the quantities of robot 0, which begin with "robots[0].".
+std::vector<std::string> LongNamesOf(const RunView& view);
+
 // The parts of a run of a Simulation that quantities can read.
 class SimulationView {
  public:

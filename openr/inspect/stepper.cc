@@ -16,6 +16,7 @@
 #include <new>
 #include <optional>
 #include <sstream>
+#include <utility>
 
 #include "cli/counted.h"
 #include "cli/prompt.h"
@@ -84,7 +85,9 @@ class Stepper {
         breaks_(replayer, &view_),
         shared_(shared),
         prompt_(&shared->history,
-                [this](const std::vector<std::string>& words) { return WordsAfter(words); }) {
+                [this](const std::vector<std::string>& words, const std::string& start) {
+                  return WordsAfter(words, start);
+                }) {
     breaks_.Load(shared_->breaks);
   }
 
@@ -190,7 +193,9 @@ class Stepper {
                         line);
   }
 
-  std::vector<std::string> WordsAfter(const std::vector<std::string>& words);
+  std::vector<std::string> WordsAfter(const std::vector<std::string>& words,
+                                      const std::string& start) const;
+  std::vector<std::string> QuantitiesFor(const std::string& start) const;
 
   // Runs forward by `count` messages, and takes snapshots on the way.  Returns false if the replay
   // ends earlier.  When the user later goes back to one of these snapshots, this function returns
@@ -357,8 +362,21 @@ class Stepper {
   uint64_t last_snapshot_ = 0;
 };
 
-// Returns the words that may follow `words` in a command of the session, for completion.
-std::vector<std::string> Stepper::WordsAfter(const std::vector<std::string>& words) {
+// Returns the names of quantities for the completion of `start`.  Those of robot 0 that begin with
+// "robots[0]." are left out, unless the user has begun to type this, because each of these
+// quantities has a short name, too.
+std::vector<std::string> Stepper::QuantitiesFor(const std::string& start) const {
+  std::vector<std::string> names = QuantitiesOf(view_.run());
+  if (start.starts_with("rob")) {
+    for (std::string& name : LongNamesOf(view_.run())) names.push_back(std::move(name));
+  }
+  return names;
+}
+
+// Returns the words that may follow `words` in a command of the session, for the completion of
+// `start`.
+std::vector<std::string> Stepper::WordsAfter(const std::vector<std::string>& words,
+                                             const std::string& start) const {
   if (words.empty()) return kVerbs;
   const std::string& verb = words[0];
   const bool is_break = verb == "break" && words.size() > 1;
@@ -375,9 +393,9 @@ std::vector<std::string> Stepper::WordsAfter(const std::vector<std::string>& wor
       }
     }
   } else if (is_break && words.size() == 2 && words[1] == "when") {
-    names = QuantitiesOf(view_.run());
+    names = QuantitiesFor(start);
   } else if ((verb == "print" || verb == "p") && words.size() == 1) {
-    names = QuantitiesOf(view_.run());
+    names = QuantitiesFor(start);
     for (const char* const what :
          {"queue", "waiting", "objects", "joints", "findings", "hash", "message"})
       names.push_back(what);

@@ -47,7 +47,8 @@ class ContinuationTest : public testing::Test {
   // Returns what Tab inserts behind `begin`, and the choices that it shows.
   std::string After(const std::string& begin, Words* choices) {
     return Prompt(&history_,
-                  [](const Words& words) -> Words {
+                  [this](const Words& words, const std::string& start) -> Words {
+                    start_ = start;
                     if (words.empty()) return {"step", "state", "print"};
                     if (words == Words{"print"}) return {"hash", "queue"};
                     return {};
@@ -62,7 +63,17 @@ class ContinuationTest : public testing::Test {
   }
 
   PromptHistory history_;
+  std::string start_;  // beginning of the word that was completed last
 };
+
+TEST_F(ContinuationTest, TheSourceOfWordsKnowsWhatWasTyped) {
+  After("print h");
+  EXPECT_EQ(start_, "h");
+  After("s");
+  EXPECT_EQ(start_, "s");
+  After("none ");
+  EXPECT_EQ(start_, "");
+}
 
 TEST_F(ContinuationTest, AnOnlyWordIsCompletedWithABlank) {
   EXPECT_EQ(After("p"), "rint ");

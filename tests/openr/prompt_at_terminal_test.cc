@@ -61,6 +61,9 @@ TEST_F(PromptAtTerminalTest, TabCompletesVerbsNamesAndQuantities) {
   EXPECT_NE(step.Ask("p heig\t\r", "height_mm is "), "") << step.shown();
   EXPECT_NE(step.Ask("p objects.JointM\tst\t\r", "objects.JointMover.state is "), "")
       << step.shown();
+  EXPECT_NE(step.Ask("p rob\tpit\t\r", "robots[0].pitch_deg is "), "") << step.shown();
+  EXPECT_NE(step.Ask("break when robots[0].objects.JointM\tsta\t== x\r", "break 3\r\n"), "")
+      << step.shown();
   // Two verbs begin so: the second Tab shows them.
   step.Type("br\t\t");
   EXPECT_TRUE(step.WaitFor("break   breaks\r\n")) << step.shown();
