@@ -58,7 +58,7 @@ void PrintAnswers(const Replayer& replayer, const ReplayFlags& flags) {
   for (const AnswerDifference& difference : replayer.answer_differences())
     fmt::print(stderr, "{}", DescribeAnswer(difference));
   fmt::print(stderr, "openr: {} of {}, {}\n", Counted(replayer.answer_count(), "message"),
-             flags.replay.only,
+             replayer.only(),
              replayer.answer_differences().empty()
                  ? "all as recorded"
                  : fmt::format("{} other than recorded", replayer.answer_differences().size()));
@@ -111,7 +111,7 @@ int Finish(Replayer* replayer, const ReplayFlags& flags) {
                                      {"difference", replayer->difference()},
                                      {"problems", problems}};
     if (!flags.replay.only.empty()) {
-      answer["only"] = flags.replay.only;
+      answer["only"] = replayer->only();
       answer["answers"] = replayer->answer_count();
       answer["answer_differences"] = AnswersJson(*replayer);
     }
@@ -227,9 +227,10 @@ void AddReplayCommand(CLI::App* app, int* exit_code) {
       ->excludes(step);
   CLI::Option* const only =
       command
-          ->add_option("--only", flags->replay.only,
-                       "Compare only what this object sends, such as a new build of it on the "
-                       "stick; the others get what was recorded")
+          ->add_option(
+              "--only", flags->replay.only,
+              "Compare only what this object (in upper or lower case) sends, such as a new "
+              "build of it on the stick; the others get what was recorded")
           ->excludes(step)
           ->excludes(panel);
   CLI::Option* const go_on = AddDurationFlag(

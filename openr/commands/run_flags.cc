@@ -45,8 +45,10 @@ void DescribeRun(CLI::App* command, RunFlags* flags) {
       ->check(CLI::IsMember({"ode", "ideal"}))
       ->capture_default_str();
   AddBatteryFlag(command, &flags->simulation);
-  command->add_option("--gdb", flags->gdb,
-                      "Start gdb on the run, with breakpoints in the handlers of this object");
+  command->add_option(
+      "--gdb", flags->gdb,
+      "Start gdb on the run, with breakpoints in the handlers of this object (in upper "
+      "or lower case)");
   command->add_flag("--leaks", flags->simulation.find_leaks,
                     "Name blocks and regions of objects that nothing points to at the end");
   command->add_flag("--strict", flags->simulation.strict,

@@ -119,8 +119,7 @@ void Replayer::MakeRun(SimulationOptions options) {
   SetSchedule(&prepared_, json.at("seed"), schedule_.get(), json.at("for_us"));
 }
 
-Replayer::Replayer(const ReplayOptions& replay)
-    : file_(replay.file), reader_(replay.file), only_(replay.only) {
+Replayer::Replayer(const ReplayOptions& replay) : file_(replay.file), reader_(replay.file) {
   if (reader_.header().is_free) {
     throw std::runtime_error(fmt::format(
         "{}: a free run (--free-running) cannot be replayed: the wall clock decided when "
@@ -162,12 +161,7 @@ Replayer::Replayer(const ReplayOptions& replay)
         "files of then back there",
         file_, i + 1, options.more_sticks[i]));
   }
-  if (!only_.empty() && system().FindObject(0, only_) == nullptr) {
-    std::vector<std::string> known;
-    for (const auto& object : system().objects()) known.push_back(object->name);
-    throw std::runtime_error(
-        fmt::format("{}: there is no object '{}'{}", file_, only_, DidYouMean(only_, known)));
-  }
+  if (!replay.only.empty()) only_ = FindOnly(replay.only);
   if (replay.begin) replay.begin(simulation_, options, changes);
   system().trace().AddSink(
       [this](const TraceRecord& record, const Message& message) { Compare(record, message); });
@@ -175,6 +169,19 @@ Replayer::Replayer(const ReplayOptions& replay)
 }
 
 Replayer::~Replayer() = default;
+
+// Returns the name of the object of robot 0 that the user has named as `name`.  Throws
+// std::runtime_error if there is no such object.
+std::string Replayer::FindOnly(const std::string& name) {
+  std::vector<std::string> known;
+  for (const auto& object : system().objects()) {
+    if (object->robot == 0) known.push_back(object->name);
+  }
+  const std::optional<std::string> match = MatchIgnoringCase(name, known);
+  if (match) return *match;
+  throw std::runtime_error(
+      fmt::format("{}: there is no object '{}'{}", file_, name, DidYouMean(name, known)));
+}
 
 void Replayer::SkipNames() {
   for (const TraceEntry* next = reader_.Peek();

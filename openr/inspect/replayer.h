@@ -23,8 +23,9 @@ struct ReplayOptions {
   std::string file;
   std::string stick;  // folder of the Memory Stick; "": the folder that the recording names
   std::function<void(std::string_view)> console;
-  // The name of an object whose messages are compared with the recording, see answers.h.  "" means
-  // that all messages are compared, and that the replay ends at the first difference.
+  // The name of an object whose messages are compared with the recording, see answers.h.  The case
+  // of letters counts only if two objects differ in nothing else.  "" means that all messages are
+  // compared, and that the replay ends at the first difference.
   std::string only = {};
   // A function that changes the options of the simulation before the simulation is made; null: the
   // options are not changed.
@@ -71,6 +72,8 @@ class Replayer : public KnownRun {
   // Ends the comparison with the recording.  The run can then go on without the recording.
   void Leave() { at_end_ = true; }
 
+  // Returns the name of the object ReplayOptions::only, as the object itself has it.
+  const std::string& only() const { return only_; }
   // Returns how many messages of the object ReplayOptions::only were compared.
   uint64_t answer_count() const { return answer_count_; }
   // Returns the messages of the object ReplayOptions::only that differ from the recorded messages.
@@ -108,6 +111,7 @@ class Replayer : public KnownRun {
   // differs from it.
   void Differ(const TraceEntry& recorded, const std::string& what);
   void CompareFields(const TraceEntry& recorded, const TraceRecord& record, const Message& message);
+  std::string FindOnly(const std::string& name);
   bool IsAnswer(const TraceRecord& record) const;
   void CompareAnswerOf(const Message& message, const TraceRecord& record);
   void MakeRun(SimulationOptions options);

@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <regex>
 #include <stdexcept>
@@ -40,18 +41,21 @@ std::string ObjectIn(const fs::path& file, const std::string& bytes) {
 }
 
 // Returns the bytes of the image that contains the object `object`.  Looks for the image on the
-// stick in the folder `stick`.
+// stick in the folder `stick`.  The case of letters in `object` counts only if two objects differ
+// in nothing else.
 std::string ImageOf(const std::string& object, const std::string& stick) {
-  std::vector<std::string> names;
+  std::map<std::string, fs::path> images;  // the image of each object
   for (const auto& entry : fs::recursive_directory_iterator(fs::path(stick))) {
     if (!entry.is_regular_file()) continue;
-    ImageFile image = ReadImageFile(entry.path());
+    const ImageFile image = ReadImageFile(entry.path());
     if (!image.problem.empty()) continue;
     const std::string name = ObjectIn(entry.path(), image.bytes);
-    if (name == object) return std::move(image.bytes);
-    if (!name.empty()) names.push_back(name);
+    if (!name.empty()) images.emplace(name, entry.path());
   }
-  std::sort(names.begin(), names.end());
+  std::vector<std::string> names;
+  for (const auto& [name, image] : images) names.push_back(name);
+  if (const auto match = MatchIgnoringCase(object, names))
+    return ReadImageFile(images.at(*match)).bytes;
   throw std::runtime_error(fmt::format("--gdb: no object '{}' on {}{}; it has {}", object, stick,
                                        DidYouMean(object, names), fmt::join(names, ", ")));
 }

@@ -21,6 +21,19 @@ bool EqualsIgnoringCase(std::string_view a, std::string_view b) {
                     [](char x, char y) { return Lower(x) == Lower(y); });
 }
 
+std::optional<std::string> MatchIgnoringCase(std::string_view word,
+                                             const std::vector<std::string>& candidates) {
+  std::optional<std::string> match;
+  bool is_ambiguous = false;
+  for (const std::string& candidate : candidates) {
+    if (candidate == word) return candidate;
+    if (!EqualsIgnoringCase(candidate, word)) continue;
+    is_ambiguous = is_ambiguous || (match && *match != candidate);
+    match = candidate;
+  }
+  return is_ambiguous ? std::nullopt : match;
+}
+
 int EditDistance(std::string_view a, std::string_view b) {
   const size_t width = b.size() + 1;
   // The table of edit distances is computed row by row.  Only three rows are kept: `row` is

@@ -11,6 +11,12 @@ namespace openr_host {
 // Returns true if `a` and `b` are equal when the case of ASCII letters is ignored.
 bool EqualsIgnoringCase(std::string_view a, std::string_view b);
 
+// Returns `word` if it is one of the candidates.  Otherwise returns the candidate that equals
+// `word` when the case of ASCII letters is ignored; nullopt if no candidate does, or if several
+// different ones do.
+std::optional<std::string> MatchIgnoringCase(std::string_view word,
+                                             const std::vector<std::string>& candidates);
+
 // Returns the smallest number of insertions, deletions, replacements and swaps of neighbouring
 // characters that turn `a` into `b` (optimal string alignment).  The case of ASCII letters does not
 // count.

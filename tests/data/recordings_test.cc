@@ -124,6 +124,11 @@ TEST_F(RecordingsTest, SameBuildOfAnObjectAnswersAsRecorded) {
   const json answer = json::parse(result.out);
   EXPECT_GT(answer["answers"].get<int>(), 50);
   EXPECT_TRUE(answer["answer_differences"].empty());
+  const ProgramResult lower = Openr({"replay", At("run.rec"), "--only", "jointmover", "--json"});
+  ASSERT_EQ(lower.status, 0) << lower.err;
+  EXPECT_THAT(lower.err, HasSubstr(" of JointMover, all as recorded"));
+  EXPECT_EQ(json::parse(lower.out), answer);
+  EXPECT_EQ(answer["only"], "JointMover");
   const ProgramResult wrong = Openr({"replay", At("run.rec"), "--only", "JointMovr"});
   EXPECT_EQ(wrong.status, 1);
   EXPECT_THAT(wrong.err, HasSubstr("no object 'JointMovr'; did you mean 'JointMover'?"));

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -86,6 +87,16 @@ TEST(GdbTest, AnUnknownObjectIsRefused) {
   EXPECT_EQ(result.status, 1);
   EXPECT_THAT(result.err, HasSubstr("--gdb: no object 'JointMovr' on "));
   EXPECT_THAT(result.err, HasSubstr("did you mean 'JointMover'?"));
+}
+
+// gdb itself is not needed: the object has been found when gdb cannot be.
+TEST(GdbTest, TheNameOfTheObjectMayBeInAnotherCase) {
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", "/nowhere", 1);
+  const ProgramResult result = RunProgram({"run", "--gdb", "jointmover"});
+  setenv("PATH", path.c_str(), 1);
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.err, HasSubstr("--gdb: gdb cannot be started: "));
 }
 
 TEST(GdbTest, HandlersAreMethodsThatTakeEvents) {

@@ -16,6 +16,18 @@ TEST(SpellingTest, SwapOfNeighboursIsOneEdit) { EXPECT_EQ(EditDistance("Mvoe", "
 
 TEST(SpellingTest, CaseDoesNotCount) { EXPECT_EQ(EditDistance("MOVER", "mover"), 0); }
 
+TEST(SpellingTest, MatchPrefersTheExactNameToThatInAnotherCase) {
+  EXPECT_EQ(MatchIgnoringCase("Talker", {"talker", "listener"}), "talker");
+  EXPECT_EQ(MatchIgnoringCase("talker", {"Talker", "talker"}), "talker");
+  EXPECT_EQ(MatchIgnoringCase("TALKER", {"talker", "talker"}), "talker");
+}
+
+TEST(SpellingTest, NothingMatchesWhereSeveralNamesDifferInCaseOnly) {
+  EXPECT_EQ(MatchIgnoringCase("TALKER", {"Talker", "talker"}), std::nullopt);
+  EXPECT_EQ(MatchIgnoringCase("talk", {"talker"}), std::nullopt);
+  EXPECT_EQ(MatchIgnoringCase("talker", {}), std::nullopt);
+}
+
 TEST(SpellingTest, NearestCandidateIsOffered) {
   EXPECT_EQ(DidYouMean("JOINTMVR.BIN", {"POWERMON.BIN", "JOINTMOV.BIN"}),
             "; did you mean 'JOINTMOV.BIN'?");
