@@ -1,8 +1,10 @@
 // The prompts of openr replay --step and openr attach at a terminal: editing, history, completion.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <string>
 
 #include "runtime/base/temp_folder.h"
@@ -17,6 +19,16 @@ using testing::Not;
 
 constexpr char kUp[] = "\x1b[A", kLeft[] = "\x1b[D", kCtrlC[] = "\x03", kCtrlD[] = "\x04";
 
+// Returns the number of processes of the session `session`.
+int ProcessesOf(pid_t session) {
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+    const pid_t process = std::atoi(entry.path().filename().c_str());
+    count += process > 0 && getsid(process) == session;
+  }
+  return count;
+}
+
 class PromptAtTerminalTest : public testing::Test {
  protected:
   PromptAtTerminalTest() {
@@ -25,11 +37,11 @@ class PromptAtTerminalTest : public testing::Test {
   }
   ~PromptAtTerminalTest() override { unsetenv("XDG_RUNTIME_DIR"); }
 
-  // Records a short run, and returns its file.
-  std::string Record() const {
+  // Records a run of the virtual time `length`, and returns its file.
+  std::string Record(const std::string& length = "2s") const {
     const std::string file = folder_.path() + "/run.rec";
-    const ProgramResult run = RunProgram({"run", "--body", "ideal", "--for", "2s", "--rate", "max",
-                                          "--no-panel", "--rc-port", "0", "--record", file});
+    const ProgramResult run = RunProgram({"run", "--body", "ideal", "--for", length, "--rate",
+                                          "max", "--no-panel", "--rc-port", "0", "--record", file});
     EXPECT_EQ(run.status, 0) << run.err;
     return file;
   }
@@ -92,6 +104,20 @@ TEST_F(PromptAtTerminalTest, GoingBackKeepsTheHistory) {
   EXPECT_NE(step.Ask("back 700\r", "t="), "") << step.shown();  // before the snapshot
   // Up to "back 700", "back 5", "print hash".
   EXPECT_NE(step.Ask(std::string(kUp) + kUp + kUp + "\r", "trace "), "") << step.shown();
+  step.Type("quit\r");
+  EXPECT_EQ(step.Finish(), 0) << step.shown();
+}
+
+// The processes are snapshots, one after each 1000 messages, of which old ones are thinned out.
+TEST_F(PromptAtTerminalTest, AfterALongWaySomeDozenProcessesAreLeftAndGoingBackEndsThem) {
+  TerminalRun step({"replay", Record("150s"), "--step"}, "(");
+  ASSERT_TRUE(step.WaitFor("(start) ")) << step.shown();
+  EXPECT_NE(step.Ask("step 50000\r", "t="), "") << step.shown();
+  const int count = ProcessesOf(step.pid());
+  EXPECT_GT(count, 10);
+  EXPECT_LT(count, 40);
+  EXPECT_NE(step.Ask("back 49500\r", "t="), "") << step.shown();
+  EXPECT_EQ(ProcessesOf(step.pid()), 2);  // the snapshot of the start, and its copy
   step.Type("quit\r");
   EXPECT_EQ(step.Finish(), 0) << step.shown();
 }
