@@ -3,7 +3,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <cstdlib>
+#include <string_view>
 #include <utility>
 
 #include "cli/output_file.h"
@@ -15,6 +19,8 @@ namespace {
 constexpr int64_t kPauseNs = 200'000'000;  // least time between two drawings
 constexpr char kToStart[] = "\r\x1b[K";    // moves to the start of the line and clears it
 
+constexpr int64_t kSecondUs = 1'000'000;
+
 int g_drawn_on = -1;  // descriptor of the terminal that shows a line; -1: no terminal shows a line
 
 std::string TimeLeft(double left_s) {
@@ -25,6 +31,16 @@ std::string TimeLeft(double left_s) {
 }
 
 }  // namespace
+
+int64_t ProgressQuietNs() {
+  constexpr int64_t kQuietMs = 2000, kMillisecondNs = 1'000'000;
+  const char* const value = std::getenv("OPENR_HOST_PROGRESS_MS");
+  const std::string_view text = value == nullptr ? "" : value;
+  uint32_t quiet_ms = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), quiet_ms);
+  const bool is_number = error == std::errc() && end == text.data() + text.size();
+  return (is_number ? int64_t{quiet_ms} : kQuietMs) * kMillisecondNs;
+}
 
 std::string ProgressText(uint64_t done, uint64_t total, const std::string& what, double elapsed_s) {
   std::string text = fmt::format("openr: {} of {} {}", done, total, what);
@@ -50,6 +66,15 @@ void ProgressLine::Show(uint64_t done) {
   const double elapsed_s = static_cast<double>(now_ns - begin_ns_) / 1e9;
   WriteAll(descriptor_, kToStart + ProgressText(done, total_, what_, elapsed_s));
   g_drawn_on = descriptor_;
+}
+
+RunProgressLine::RunProgressLine(int descriptor, int64_t begin_us, int64_t end_us)
+    : begin_us_(begin_us),
+      line_(descriptor, static_cast<uint64_t>(std::max<int64_t>(end_us - begin_us, 0) / kSecondUs),
+            "s of virtual time") {}
+
+void RunProgressLine::Show(int64_t now_us) {
+  line_.Show(static_cast<uint64_t>(std::max<int64_t>(now_us - begin_us_, 0) / kSecondUs));
 }
 
 void ClearProgressLine() {

@@ -11,14 +11,16 @@ namespace openr_host {
 // not known yet, and the text leaves it out.
 std::string ProgressText(uint64_t done, uint64_t total, const std::string& what, double elapsed_s);
 
-// A command that takes less than this time shows no line.
-inline constexpr int64_t kQuickNs = 2'000'000'000;
+// Returns the time before which a command shows no line: 2 s, or the number of milliseconds in the
+// environment variable OPENR_HOST_PROGRESS_MS.
+int64_t ProgressQuietNs();
 
 // Draws the progress line on a terminal.  Each drawing replaces the previous one.  Writes nothing
 // if `descriptor` is -1 or no terminal, and nothing before `quiet_ns` have passed.
 class ProgressLine {
  public:
-  ProgressLine(int descriptor, uint64_t total, std::string what, int64_t quiet_ns = kQuickNs);
+  ProgressLine(int descriptor, uint64_t total, std::string what,
+               int64_t quiet_ns = ProgressQuietNs());
   ~ProgressLine();  // clears the line
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
@@ -37,6 +39,19 @@ class ProgressLine {
   const int64_t begin_ns_;
   const int64_t quiet_ns_;
   int64_t drawn_ns_ = 0;
+};
+
+// A progress line of a run: counts the seconds of virtual time from `begin_us` to `end_us`.
+class RunProgressLine {
+ public:
+  RunProgressLine(int descriptor, int64_t begin_us, int64_t end_us);
+
+  // Draws the line for a run whose virtual time is `now_us`, as ProgressLine::Show() does.
+  void Show(int64_t now_us);
+
+ private:
+  const int64_t begin_us_;
+  ProgressLine line_;
 };
 
 // Clears the line that a ProgressLine of this process has drawn last, if it is still there.  Must

@@ -1,6 +1,7 @@
 #include "openr/commands/continue_run.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "cli/exit_code.h"
+#include "cli/progress_line.h"
 #include "openr/ending/crash_log.h"
 #include "openr/ending/ending.h"
 #include "openr/inspect/recorder.h"
@@ -108,7 +110,7 @@ class ContinuedRun {
                                            FormatDuration(options_.at_us),
                                            FormatDuration(replayer_->length_us())));
     }
-    replayer_->RunUntil(options_.at_us);
+    replayer_->RunWithProgress(options_.at_us, STDERR_FILENO);
     if (!replayer_->difference().empty() || !replayer_->loss().empty())
       throw std::runtime_error(fmt::format("{}: {}", file, replayer_->WhyOver()));
     if (simulation().system().powered_off()) {
@@ -168,7 +170,12 @@ int ContinueRun(const ContinueOptions& options) {
     panel = std::make_unique<PanelProcess>(PanelOptions{.port = options.panel_port, .run = socket});
   plan.live = &live;
   plan.clock = &clock;
-  plan.after_frame = [&run] { run.ForgetEvents(); };
+  RunProgressLine progress(options.for_us ? STDERR_FILENO : -1, options.at_us,
+                           plan.for_us.value_or(0));
+  plan.after_frame = [&run, &system, &progress] {
+    run.ForgetEvents();
+    progress.Show(system.now_us());
+  };
   Runner runner(&run.simulation(), plan, &interrupts);
   bool good = runner.Run();
   const std::string problem = run.Finish();

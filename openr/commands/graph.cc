@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -15,6 +16,7 @@
 #include "cli/json_text.h"
 #include "cli/output_file.h"
 #include "cli/process.h"
+#include "cli/progress_line.h"
 #include "cli/standard_streams.h"
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
@@ -53,6 +55,17 @@ void Write(const std::string& text, const std::string& name) {
   if (!problem.empty()) throw std::runtime_error(problem);
 }
 
+// Runs to the virtual time `end_us`.  Shows the progress on a terminal.
+void RunFor(System* system, int64_t end_us) {
+  constexpr int64_t kSliceUs = 200'000;
+  RunProgressLine progress(STDERR_FILENO, system->now_us(), end_us);
+  for (int64_t time_us = system->now_us(); time_us < end_us;) {
+    time_us = std::min(time_us + kSliceUs, end_us);
+    system->RunUntil(time_us);
+    progress.Show(time_us);
+  }
+}
+
 int Graph(GraphFlags flags) {
   const Console console("");
   flags.simulation.console = [](std::string_view) {};  // discards the text that objects print
@@ -65,7 +78,7 @@ int Graph(GraphFlags flags) {
   if (simulation.loaded()) {
     system.Boot();
     booted = system.RunUntil([&system] { return system.booted(); }, kBootMaxUs);
-    if (booted && flags.for_us > system.now_us()) system.RunUntil(flags.for_us);
+    if (booted) RunFor(&system, flags.for_us);
   }
   if (!booted) {
     fmt::print(stderr, "{}openr graph: the robot does not boot\n",

@@ -1,5 +1,6 @@
 // The command openr plot: draws quantities over time, from logs and recordings.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <cerrno>
@@ -13,6 +14,7 @@
 
 #include "cli/exit_code.h"
 #include "cli/input_file.h"
+#include "cli/progress_line.h"
 #include "cli/standard_streams.h"
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
@@ -50,6 +52,14 @@ std::string BytesOf(const std::string& file) {
   return *bytes;
 }
 
+// Reads `bytes`, the content of `file`, with `read`, which is ReadCsvTable or ReadMcapTable.  Shows
+// the progress on a terminal.
+Table ReadWithProgress(TableReader* read, const std::string& file, const std::string& bytes) {
+  constexpr size_t kMegabyte = 1'000'000;
+  ProgressLine progress(STDERR_FILENO, bytes.size() / kMegabyte, "MB read");
+  return read(file, bytes, [&progress](size_t count) { progress.Show(count / kMegabyte); });
+}
+
 // Replays the recording and returns the values of its quantities over time.
 Table TableOfRecording(const PlotFlags& flags) {
   const ReplayOptions replay = {
@@ -62,13 +72,13 @@ Table TableOfRecording(const PlotFlags& flags) {
   DataLogOptions log;
   log.file = folder.path() + "/run.csv";
   Replayer replayer(replay);
-  const std::string problem = LogReplay(&replayer, log, "", flags.until_us);
+  const std::string problem = LogReplay(&replayer, log, "", flags.until_us, STDERR_FILENO);
   if (!problem.empty()) throw std::runtime_error(problem);
   if (!replayer.difference().empty()) {
     throw std::runtime_error(
         fmt::format("{}: the replay differs: {}", flags.file, replayer.difference()));
   }
-  Table table = ReadCsvTable(log.file, BytesOf(log.file));
+  Table table = ReadWithProgress(ReadCsvTable, log.file, BytesOf(log.file));
   table.note = replayer.reader().note();
   return table;
 }
@@ -98,9 +108,9 @@ Table TableOfMotionLog(const PlotFlags& flags, const std::string& bytes) {
 // Reads the file as a table.  The first bytes of the file tell its format.
 Table ReadTable(const PlotFlags& flags) {
   const std::string bytes = BytesOf(flags.file);
-  if (bytes.starts_with(kMcapMagic)) return ReadMcapTable(flags.file, bytes);
+  if (bytes.starts_with(kMcapMagic)) return ReadWithProgress(ReadMcapTable, flags.file, bytes);
   if (bytes.starts_with("OPENRTRC")) return TableOfRecording(flags);
-  if (!bytes.starts_with("AIBO_")) return ReadCsvTable(flags.file, bytes);
+  if (!bytes.starts_with("AIBO_")) return ReadWithProgress(ReadCsvTable, flags.file, bytes);
   try {
     return TableOfMotionLog(flags, bytes);
   } catch (const std::runtime_error& error) {

@@ -120,21 +120,6 @@ int Finish(Replayer* replayer, const ReplayFlags& flags) {
   return equal && problems.empty() ? kExitGood : kExitWrong;
 }
 
-// Replays until the time of --until, or to the end of the recording.  Shows the progress on a
-// terminal.
-void RunToTheEnd(Replayer* replayer, const ReplayFlags& flags) {
-  constexpr int64_t kSliceUs = 200'000, kSecondUs = 1'000'000;
-  const int64_t length_us = std::min(flags.until_us.value_or(INT64_MAX), replayer->length_us());
-  ProgressLine progress(flags.json ? -1 : STDERR_FILENO,
-                        static_cast<uint64_t>(length_us / kSecondUs), "s of virtual time");
-  for (int64_t time_us = kSliceUs; time_us < length_us && replayer->WhyOver().empty();
-       time_us += kSliceUs) {
-    replayer->RunUntil(time_us);
-    progress.Show(static_cast<uint64_t>(time_us / kSecondUs));
-  }
-  replayer->RunUntil(flags.until_us.value_or(INT64_MAX));
-}
-
 // Shows the recorded run on the panel.  Returns the exit code.
 int Show(const ReplayFlags& flags) {
   ShowOptions show = flags.show;
@@ -154,6 +139,7 @@ int Replay(ReplayFlags flags) {
   if (!flags.console) flags.replay.console = [](std::string_view) {};
   if (flags.console) {
     flags.replay.console = [](std::string_view text) {
+      ClearProgressLine();
       std::fwrite(text.data(), 1, text.size(), stderr);
     };
   }
@@ -186,12 +172,14 @@ int Replay(ReplayFlags flags) {
                stderr);
     TellHandled(*ending);
   });
+  const int64_t until_us = flags.until_us.value_or(INT64_MAX);
+  const int terminal = flags.json ? -1 : STDERR_FILENO;
   if (flags.data_log.file.empty() && flags.timeline_file.empty()) {
-    RunToTheEnd(&replayer, flags);
+    replayer.RunWithProgress(until_us, terminal);
     return Finish(&replayer, flags);
   }
   const std::string problem =
-      LogReplay(&replayer, flags.data_log, flags.timeline_file, flags.until_us.value_or(INT64_MAX));
+      LogReplay(&replayer, flags.data_log, flags.timeline_file, until_us, terminal);
   if (!problem.empty()) fmt::print(stderr, "openr: {}\n", problem);
   const int exit_code = Finish(&replayer, flags);
   return problem.empty() ? exit_code : kExitWrong;

@@ -167,9 +167,6 @@ class CommandedRun {
   // Returns the file descriptor on which a line shows the progress of the run.  Returns -1, so that
   // no line is shown, if it is not known when the run ends, or if a program reads the output.
   int ProgressStream() const { return plan_.for_us && !flags_.json ? STDERR_FILENO : -1; }
-  uint64_t VirtualSeconds() const {
-    return static_cast<uint64_t>(plan_.for_us.value_or(0) / 1'000'000);
-  }
   void BeginDataLog();
   bool RunToTheEnd();
   bool Report();
@@ -362,10 +359,10 @@ bool CommandedRun::RunToTheEnd() {
     plan_.rewind = &rewind_;
   }
   const std::unique_ptr<PanelProcess> panel = StartPanel(flags_, live.get(), LiveName());
-  ProgressLine progress(ProgressStream(), VirtualSeconds(), "s of virtual time");
+  RunProgressLine progress(ProgressStream(), 0, plan_.for_us.value_or(0));
   plan_.after_frame = [this, &progress, also = plan_.after_frame] {
     if (also) also();
-    progress.Show(static_cast<uint64_t>(system().now_us() / 1'000'000));
+    progress.Show(system().now_us());
   };
   Runner runner(&simulation_, plan_, &interrupts_);
   BeginRewind(live.get(), &runner, &watchdog);

@@ -50,7 +50,8 @@ std::optional<double> NumberOfField(const std::string& text) {
 
 class CsvReader {
  public:
-  CsvReader(const std::string& file, std::string_view bytes) : file_(file), rest_(bytes) {}
+  CsvReader(const std::string& file, std::string_view bytes, const OnBytesRead& on_read)
+      : file_(file), size_(bytes.size()), rest_(bytes), on_read_(on_read) {}
 
   Table Read() {
     std::string line;
@@ -61,7 +62,10 @@ class CsvReader {
     names_ = FieldsOf(line);
     FindTime();
     columns_.resize(names_.size());
-    while (NextLine(&line)) AddLine(line);
+    while (NextLine(&line)) {
+      AddLine(line);
+      if (on_read_) on_read_(size_ - rest_.size());
+    }
     return TableOfColumns();
   }
 
@@ -151,7 +155,9 @@ class CsvReader {
   }
 
   const std::string& file_;
+  const size_t size_;  // bytes of the whole file
   std::string_view rest_;
+  const OnBytesRead& on_read_;
   int number_ = 0;  // number of the last line that was read
   std::vector<std::string> names_;
   size_t time_ = 0;    // index of the column with the time
@@ -162,8 +168,8 @@ class CsvReader {
 
 }  // namespace
 
-Table ReadCsvTable(const std::string& file, std::string_view bytes) {
-  return CsvReader(file, bytes).Read();
+Table ReadCsvTable(const std::string& file, std::string_view bytes, const OnBytesRead& on_read) {
+  return CsvReader(file, bytes, on_read).Read();
 }
 
 }  // namespace openr_host

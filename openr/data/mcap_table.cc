@@ -62,13 +62,17 @@ std::string QuantityOfTopic(const std::string& topic) {
 
 class McapReader {
  public:
-  explicit McapReader(const std::string& file) : file_(file) {}
+  McapReader(const std::string& file, const OnBytesRead& on_read)
+      : file_(file), on_read_(on_read) {}
 
   Table Read(std::string_view bytes) {
     if (!bytes.starts_with(kMcapMagic)) throw std::runtime_error(file_ + ": is no MCAP file");
     RecordFields fields(bytes.substr(kMcapMagic.size()));
     try {
-      while (!is_over_) ReadRecord(&fields);
+      while (!is_over_) {
+        ReadRecord(&fields);
+        if (on_read_) on_read_(kMcapMagic.size() + fields.at());
+      }
     } catch (const FileIsCut&) {
       table_.note = fmt::format(
           "{}: ends without a summary, because the program that wrote it was killed or still "
@@ -172,6 +176,7 @@ class McapReader {
   }
 
   const std::string& file_;
+  const OnBytesRead& on_read_;
   Table table_;
   std::map<std::string, size_t> places_;  // key: name of a quantity; value: index in table_.series
   std::map<uint16_t, std::string> schemas_, topics_;
@@ -183,8 +188,8 @@ class McapReader {
 
 }  // namespace
 
-Table ReadMcapTable(const std::string& file, std::string_view bytes) {
-  return McapReader(file).Read(bytes);
+Table ReadMcapTable(const std::string& file, std::string_view bytes, const OnBytesRead& on_read) {
+  return McapReader(file, on_read).Read(bytes);
 }
 
 }  // namespace openr_host

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cli/progress_line.h"
 #include "openr/ending/ending.h"
 #include "openr/inspect/replayer.h"
 #include "openr/timeline/timeline.h"
@@ -9,7 +10,7 @@
 namespace openr_host {
 
 std::string LogReplay(Replayer* replayer, const DataLogOptions& options,
-                      const std::string& timeline_file, int64_t until_us) {
+                      const std::string& timeline_file, int64_t until_us, int descriptor) {
   System& system = replayer->system();
   std::unique_ptr<DataLog> log;
   std::unique_ptr<Timeline> timeline;
@@ -21,12 +22,14 @@ std::string LogReplay(Replayer* replayer, const DataLogOptions& options,
     return of_log.empty() ? of_timeline : of_log;
   };
   const EndingAction ending_action([&finish](Ending*) { finish(); });
+  RunProgressLine progress(descriptor, system.now_us(), std::min(until_us, replayer->length_us()));
   while (replayer->WhyOver().empty() && system.now_us() < until_us) {
     const int64_t before_us = system.now_us();
     const int64_t frame_end_us = (before_us / kFrameUs + 1) * kFrameUs;
     replayer->RunUntil(std::min(frame_end_us, until_us));
     if (timeline != nullptr) timeline->Rest();
     if (log != nullptr && system.now_us() == frame_end_us) log->Sample();
+    progress.Show(system.now_us());
     // Ends the loop, because time stands still when all robots are off.
     if (system.now_us() == before_us) break;
   }

@@ -19,6 +19,7 @@
 #include <utility>
 
 #include "cli/counted.h"
+#include "cli/progress_line.h"
 #include "cli/prompt.h"
 #include "openr/decode/decode_message.h"
 #include "openr/inspect/breakpoints.h"
@@ -163,6 +164,7 @@ class Stepper {
 
   // Ends the session, because it cannot go on for the reason `why`.
   void EndSession(const std::string& why) {
+    ClearProgressLine();
     fmt::print("{}\n", why);
     std::fflush(nullptr);  // _exit() may follow
     shared_->ends = shared_->differs = true;
@@ -173,7 +175,7 @@ class Stepper {
   // back. The snapshot was taken after `here` messages.
   void CatchUp(uint64_t here) {
     went_back_ = false;  // Forward() must not stop at the snapshots that it takes now
-    if (shared_->target > here) Forward(shared_->target - here);
+    if (shared_->target > here) ForwardBy(shared_->target - here);
     if (shared_->until_us > 0) ForwardTo(shared_->until_us);
     went_back_ = true;
   }
@@ -219,9 +221,20 @@ class Stepper {
     return true;
   }
 
+  // Runs forward by `count` messages, or to the end of the replay, and shows the progress on a
+  // terminal.
+  void ForwardBy(uint64_t count) {
+    ProgressLine progress(STDERR_FILENO, count, "messages");
+    for (uint64_t done = 0; done < count && Forward(1);) progress.Show(++done);
+  }
+
+  // Runs forward to the virtual time `time_us`, or to the end of the replay, and shows the progress
+  // on a terminal.
   void ForwardTo(int64_t time_us) {
-    while (replayer_->NextTimeUs() <= time_us && Forward(1)) {
-    }
+    RunProgressLine progress(STDERR_FILENO, replayer_->system().now_us(),
+                             std::min(time_us, replayer_->length_us()));
+    while (replayer_->NextTimeUs() <= time_us && Forward(1))
+      progress.Show(replayer_->system().now_us());
   }
 
   [[noreturn]] void Back(uint64_t target, int64_t until_us = 0) {
@@ -255,18 +268,25 @@ class Stepper {
       return;
     }
     if (*count < replayer_->count()) Back(*count);
-    Forward(*count - replayer_->count());
+    ForwardBy(*count - replayer_->count());
     Show();
+  }
+
+  // Runs forward to the next break, and shows on a terminal how far the end of the recording is.
+  // Returns the number of the break; 0 if the replay has ended before one.
+  size_t ForwardToBreak() {
+    RunProgressLine progress(STDERR_FILENO, replayer_->system().now_us(), replayer_->length_us());
+    while (Forward(1)) {
+      if (const size_t hit = breaks_.Hit(); hit > 0) return hit;
+      progress.Show(replayer_->system().now_us());
+    }
+    return 0;
   }
 
   void RunOn() {
     breaks_.Arm();
-    while (Forward(1)) {
-      if (const size_t hit = breaks_.Hit(); hit > 0) {
-        fmt::print("break {}: {}\n", hit, breaks_.text(hit));
-        break;
-      }
-    }
+    if (const size_t hit = ForwardToBreak(); hit > 0)
+      fmt::print("break {}: {}\n", hit, breaks_.text(hit));
     Show();
   }
 
@@ -312,7 +332,7 @@ class Stepper {
     if (!number) {
       fmt::print("'{}' is no number\n", rest);
     } else if (steps) {
-      Forward(*number);
+      ForwardBy(*number);
       Show();
     } else if (backs) {
       Back(replayer_->count() - std::min(*number, replayer_->count()));

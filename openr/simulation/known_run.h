@@ -31,6 +31,9 @@ class KnownRun {
   // Runs to the virtual time `time_us` or to the end of the run.  Delivers all messages that are
   // due at `time_us`, too.
   void RunUntil(int64_t time_us);
+
+  // Runs as RunUntil() does, and shows the progress on the terminal `descriptor`; -1: shows none.
+  void RunWithProgress(int64_t time_us, int descriptor);
 };
 
 }  // namespace openr_host

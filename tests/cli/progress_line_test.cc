@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cstdint>
+#include <cstdlib>
 #include <functional>
 #include <string>
 
@@ -48,6 +49,22 @@ std::string Written(
     text.append(buffer, static_cast<size_t>(n));
   close(reader);
   return text;
+}
+
+// Returns the quiet time that `value` of OPENR_HOST_PROGRESS_MS means.
+int64_t QuietNsFor(const char* value) {
+  setenv("OPENR_HOST_PROGRESS_MS", value, 1);
+  const int64_t quiet_ns = ProgressQuietNs();
+  unsetenv("OPENR_HOST_PROGRESS_MS");
+  return quiet_ns;
+}
+
+TEST(ProgressLineTest, BeginsAfterTwoSecondsUnlessTheEnvironmentSaysOtherwise) {
+  EXPECT_EQ(ProgressQuietNs(), 2'000'000'000);
+  EXPECT_EQ(QuietNsFor("0"), 0);
+  EXPECT_EQ(QuietNsFor("500"), 500'000'000);
+  for (const char* const wrong : {"", "soon", "5s", "-1"})
+    EXPECT_EQ(QuietNsFor(wrong), 2'000'000'000) << wrong;
 }
 
 TEST(ProgressLineTest, IsDrawnInOnePlaceOfATerminalAndWipedAtTheEnd) {

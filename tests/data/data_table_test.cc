@@ -3,10 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <vector>
 
 #include "openr/data/mcap_writer.h"
 #include "openr/data/quantity_unit.h"
@@ -90,6 +92,19 @@ TEST(McapTableTest, TopicsBecomeTheNamesOfTheirQuantities) {
 }
 
 // Wherever the file ends, it is read up to its last whole record.
+TEST(TableTest, ReadersTellHowManyBytesTheyHaveRead) {
+  std::vector<size_t> counts;
+  const OnBytesRead on_read = [&counts](size_t count) { counts.push_back(count); };
+  ReadCsvTable("run.csv", "time_s,a\n0,1\n1,2\n", on_read);
+  EXPECT_THAT(counts, ElementsAre(13, 17));
+  counts.clear();
+  const std::string bytes = SmallMcap();
+  ReadMcapTable("run.mcap", bytes, on_read);
+  ASSERT_GT(counts.size(), 2u);  // the header and two chunks
+  EXPECT_TRUE(std::is_sorted(counts.begin(), counts.end()));
+  EXPECT_LE(counts.back(), bytes.size());
+}
+
 TEST(McapTableTest, FileThatEndsAnywhereIsReadUpToThere) {
   const std::string bytes = SmallMcap();
   size_t most = 0;
