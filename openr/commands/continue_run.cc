@@ -136,7 +136,10 @@ RunPlan PlanOf(const ContinueOptions& options) {
     plan.for_text = FormatDuration(*options.for_us);
   }
   plan.rate = options.rate;
-  plan.say = [](const std::string& line) { fmt::print(stderr, "openr: {}\n", line); };
+  plan.say = [](const std::string& line) {
+    ClearProgressLine();
+    fmt::print(stderr, "openr: {}\n", line);
+  };
   return plan;
 }
 

@@ -12,6 +12,7 @@
 
 #include "cli/counted.h"
 #include "cli/output_file.h"
+#include "cli/progress_line.h"
 #include "cli/standard_streams.h"
 #include "openr/commands/common_flags.h"
 #include "openr/commands/listen_flags.h"
@@ -272,7 +273,10 @@ RunPlan PlanOf(const RunFlags& flags) {
   plan.rate = RateOf(flags.rate);
   plan.snapshots = PictureRequests(flags);
   plan.stdin_file = flags.stdin_file;
-  plan.say = [](const std::string& line) { fmt::print(stderr, "openr: {}\n", line); };
+  plan.say = [](const std::string& line) {
+    ClearProgressLine();
+    fmt::print(stderr, "openr: {}\n", line);
+  };
   if (flags.placement.is_free && plan.rate <= 0)
     throw CLI::ValidationError("--free-running", "needs a clock: --rate max has none");
   return plan;
