@@ -17,6 +17,8 @@ import shutil
 import signal
 import subprocess
 import sys
+import threading
+import time
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 WORK = os.path.join(ROOT, "build", "fuzz")  # corpora, crashes and logs
@@ -35,6 +37,49 @@ ENVIRONMENT = {**os.environ,
                **({"TMPDIR": "/dev/shm"} if os.access("/dev/shm", os.W_OK) else {}),
                "ASAN_OPTIONS": "detect_leaks=0:allocator_may_return_null=0",
                "UBSAN_OPTIONS": "print_stacktrace=1"}
+
+
+QUIET_SECONDS = 2  # before a progress line is shown, as openr does
+PAUSE_SECONDS = 0.5  # between two drawings of the progress line
+
+
+def progress_text(done, total, elapsed, seconds=None):
+    """Returns the text of the progress line.  `seconds` is how long all targets take; None: this
+    is not known, and the time left follows from the targets that are done."""
+    text = f"fuzz: {done} of {total} targets done"
+    if seconds is None and done == 0:
+        return text
+    left = elapsed / done * (total - done) if seconds is None else seconds - elapsed
+    return f"{text}, about {max(0, round(left))} s left"
+
+
+class ProgressLine:
+    """Shows on a terminal how many targets are done and how long the others take."""
+
+    def __init__(self, stream):
+        self.stream = stream
+        self.lock = threading.Lock()  # targets report from threads
+        self.is_drawn = False
+
+    def draw(self, text):
+        with self.lock:
+            if self.stream.isatty():
+                self.stream.write(f"\r\x1b[K{text}")
+                self.stream.flush()
+                self.is_drawn = True
+
+    def say(self, text=None):
+        """Clears the line, and prints `text`, if there is one, on standard output."""
+        with self.lock:
+            if self.is_drawn:
+                self.stream.write("\r\x1b[K")
+                self.stream.flush()
+                self.is_drawn = False
+            if text is not None:
+                print(text, flush=True)
+
+
+LINE = ProgressLine(sys.stderr)
 
 
 def targets():
@@ -127,23 +172,34 @@ def fuzz(name, found, seconds, seed, planted=False):
 
 
 def report(name, result):
-    print(f"{name:16} {result['executions']:>10,} executions  {result['edges']:>6,} edges  "
-          f"{len(result['crashes'])} crashes", flush=True)
+    LINE.say(f"{name:16} {result['executions']:>10,} executions  {result['edges']:>6,} edges  "
+             f"{len(result['crashes'])} crashes")
     if result["status"] == 0:
         return True
     for crash in result["crashes"]:
-        print(f"  {os.path.relpath(crash, ROOT)}")
-        print(f"  again: ./dev fuzz {name} --show {os.path.relpath(crash, ROOT)}")
+        LINE.say(f"  {os.path.relpath(crash, ROOT)}")
+        LINE.say(f"  again: ./dev fuzz {name} --show {os.path.relpath(crash, ROOT)}")
     if not result["crashes"]:
-        print(f"  openr_fuzz ended with status {result['status']}")
-    print(f"  its output: build/fuzz/{name}.log", flush=True)
+        LINE.say(f"  openr_fuzz ended with status {result['status']}")
+    LINE.say(f"  its output: build/fuzz/{name}.log")
     return False
 
 
-def run_all(names, work):
-    """Calls work(name) for all names, two at a time.  Returns how many returned True."""
+def run_all(names, work, seconds=None, quiet=QUIET_SECONDS, clock=time.monotonic):
+    """Calls work(name) for all names, two at a time.  Shows the progress meanwhile; `seconds` is
+    how long one call takes, if that is known.  Returns how many calls returned True."""
+    whole = None if seconds is None else seconds * -(-len(names) // PROCESSES)
+    begin = clock()
     with concurrent.futures.ThreadPoolExecutor(PROCESSES) as pool:
-        return sum(pool.map(work, names))
+        calls = [pool.submit(work, name) for name in names]
+        waiting = set(calls)
+        while waiting:
+            _, waiting = concurrent.futures.wait(waiting, PAUSE_SECONDS)
+            elapsed = clock() - begin
+            if waiting and elapsed >= quiet:
+                LINE.draw(progress_text(len(names) - len(waiting), len(names), elapsed, whole))
+    LINE.say()
+    return sum(call.result() for call in calls)
 
 
 def main():
@@ -171,7 +227,8 @@ def main():
     # Each target gets its share of the processes' time.
     seconds = max(1, int(options.argument) // len(names))
 
-    good = run_all(names, lambda name: report(name, fuzz(name, known[name], seconds, options.seed)))
+    good = run_all(names, lambda name: report(name, fuzz(name, known[name], seconds, options.seed)),
+                   seconds)
     print(f"{good} passed, {len(names) - good} failed")
     return 0 if good == len(names) else 1
 
@@ -183,8 +240,8 @@ def planted_bugs(known, options):
     def find(name):
         result = fuzz(name, known[name], PLANTED_SECONDS, options.seed or 1, planted=True)
         is_found = "openr_fuzz: the planted bug" in result["text"]
-        print(f"{name:16} {'found' if is_found else 'NOT FOUND'} after {result['executions']:,} "
-              "executions", flush=True)
+        LINE.say(f"{name:16} {'found' if is_found else 'NOT FOUND'} after "
+                 f"{result['executions']:,} executions")
         return is_found
 
     names = [options.argument] if options.argument else list(known)

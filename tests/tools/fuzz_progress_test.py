@@ -1,0 +1,62 @@
+#!/usr/bin/env python3
+"""tests/fuzz/fuzz.py: the progress line of ./dev fuzz.  The last line is "N passed, N failed"."""
+import io
+import sys
+import threading
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent.parent
+sys.path[:0] = [str(ROOT / "tests/support"), str(ROOT / "tests/fuzz")]
+import fuzz  # noqa: E402
+from verdicts import finish, verdict  # noqa: E402
+
+
+class Stream(io.StringIO):
+    """A stream that says whether it is a terminal, and tells when something is written to it."""
+
+    def __init__(self, is_terminal):
+        super().__init__()
+        self.is_terminal = is_terminal
+        self.is_written = threading.Event()
+
+    def isatty(self):
+        return self.is_terminal
+
+    def write(self, text):
+        self.is_written.set()
+        return super().write(text)
+
+
+def drawn(is_terminal, quiet=0):
+    """Returns what run_all() writes to the stream, while its calls wait for a drawing."""
+    stream = Stream(is_terminal)
+    fuzz.LINE = fuzz.ProgressLine(stream)
+    waits = is_terminal and quiet == 0
+
+    def work(name):
+        return name != "bad" and (not waits or stream.is_written.wait(60))
+
+    good = fuzz.run_all(["mtn", "bad", "cfg"], work, 10, quiet, clock=lambda: 0)
+    verdict(f"calls that return True are counted ({is_terminal}, {quiet})", good == 2, str(good))
+    return stream.getvalue()
+
+
+def check(name, text, expected):
+    verdict(name, text == expected, f"{text!r}, not {expected!r}")
+
+
+check("a known duration gives the time left", fuzz.progress_text(0, 4, 30, 100),
+      "fuzz: 0 of 4 targets done, about 70 s left")
+check("a target that ends late leaves no negative time", fuzz.progress_text(3, 4, 105, 100),
+      "fuzz: 3 of 4 targets done, about 0 s left")
+check("else the time left follows from the targets that are done", fuzz.progress_text(1, 4, 20),
+      "fuzz: 1 of 4 targets done, about 60 s left")
+check("and is not known before the first", fuzz.progress_text(0, 4, 20),
+      "fuzz: 0 of 4 targets done")
+
+shown = drawn(is_terminal=True)
+verdict("a terminal shows the line", " of 3 targets done, about 20 s left" in shown, shown)
+verdict("the line is cleared at the end", shown.endswith("\r\x1b[K"), repr(shown))
+check("a pipe shows nothing", drawn(is_terminal=False), "")
+check("a short run shows nothing", drawn(is_terminal=True, quiet=60), "")
+sys.exit(finish())
