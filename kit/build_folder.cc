@@ -20,7 +20,7 @@
 #include "cli/colour.h"
 #include "cli/exit_code.h"
 #include "cli/install_paths.h"
-#include "cli/progress_line.h"
+#include "kit/build_progress.h"
 #include "kit/compile_database.h"
 #include "kit/controller_sources.h"
 #include "kit/convention_build.h"
@@ -86,8 +86,6 @@ class FolderBuild {
   void PrepareWork();
   void CheckWorkIsOurs() const;
   void Build();
-  uint64_t CountSources() const;
-  void CallTheTools();
   void TryConvention(const std::vector<ObjectFolder>& objects, const MakePlan& plan);
   bool HasFailure(const ObjectFolder& object) const;
   std::vector<ObjectFolder> NotBuilt() const;
@@ -220,33 +218,20 @@ std::vector<ObjectFolder> FolderBuild::NotBuilt() const {
   return objects;
 }
 
-// Returns about how many sources the build compiles: the sources found, and the stub of each
-// stub.cfg.  The number is not exact, because Makefiles may name more or fewer.
-uint64_t FolderBuild::CountSources() const {
-  uint64_t count = project_.shared_sources.size();
-  for (const ObjectFolder& object : project_.objects)
-    count += object.sources.size() + (object.stub.empty() ? 0 : 1);
-  return count;
-}
-
 void FolderBuild::Build() {
-  ProgressLine progress(STDERR_FILENO, CountSources(), "sources compiled");
-  if (progress.is_shown()) {
-    make_.while_waiting = [&progress, this, before = CountCompiles(make_.log)] {
-      progress.Show(CountCompiles(make_.log) - before);
-    };
-  }
-  CallTheTools();
-  make_.while_waiting = {};
-}
-
-void FolderBuild::CallTheTools() {
   const MakePlan plan = PlanMake(project_, sdk_root_);
   if (plan.folders.empty()) {
     TryConvention(project_.objects, plan);
     return;
   }
-  MakeOutcome outcome = RunMake(plan, make_);
+  MakeOutcome outcome;
+  ShowBuildProgress(
+      &make_,
+      [&] {
+        const uint64_t planned = CountPlannedCompiles(plan, make_);
+        return planned > 0 ? planned : CountByConvention(project_, project_.objects);
+      },
+      [&] { outcome = RunMake(plan, make_); });
   RemoveOldImages(outcome.is_good);
   // Runs make in the folder of each object that has no image yet, because the rule of a top
   // Makefile often loops over these folders and ends at the first object that fails.
@@ -327,8 +312,10 @@ bool FolderBuild::SomeImageIsMissing() const {
 }
 
 void FolderBuild::TryConvention(const std::vector<ObjectFolder>& objects, const MakePlan& plan) {
-  const std::vector<std::string> problems =
-      BuildByConvention(project_, objects, plan, work_ / "build", make_);
+  std::vector<std::string> problems;
+  ShowBuildProgress(
+      &make_, [&] { return CountByConvention(project_, objects); },
+      [&] { problems = BuildByConvention(project_, objects, plan, work_ / "build", make_); });
   hurdles_.insert(hurdles_.end(), problems.begin(), problems.end());
 }
 

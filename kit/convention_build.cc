@@ -46,6 +46,14 @@ bool HasMain(const fs::path& source) {
   return std::regex_search(ReadText(source).value_or(""), kMain);
 }
 
+// Returns the shared sources of the project that may be parts of objects.
+Paths SharedParts(const Project& project) {
+  Paths shared;
+  for (const fs::path& source : project.shared_sources)
+    if (!HasMain(source)) shared.push_back(source);
+  return shared;
+}
+
 std::string Joined(const Paths& paths) {
   std::string text;
   for (const fs::path& path : paths) text += " " + path.string();
@@ -152,9 +160,7 @@ class ConventionBuild {
     // Gives this build a log of its own, because undefined names at its first attempt to link are
     // no failure if the second attempt succeeds.
     options_.log = build_ / "log.txt";
-    for (const fs::path& source : project.shared_sources) {
-      if (!HasMain(source)) shared_.push_back(source);
-    }
+    shared_ = SharedParts(project);
   }
 
   // Builds the object.  Returns "", or the reason why the build could not begin.  Failures during
@@ -291,6 +297,16 @@ std::vector<fs::path> SourcesIncluded(const Paths& sources, const Paths& shared)
     }
   }
   return {found.begin(), found.end()};
+}
+
+uint64_t CountByConvention(const Project& project, const std::vector<ObjectFolder>& objects) {
+  const Paths shared = SharedParts(project);
+  uint64_t count = 0;
+  for (const ObjectFolder& object : objects) {
+    const uint64_t stubs = object.stub.empty() ? 0 : 1;
+    count += object.sources.size() + stubs + SourcesIncluded(object.sources, shared).size();
+  }
+  return count;
 }
 
 std::vector<std::string> BuildByConvention(const Project& project,

@@ -6,6 +6,7 @@
 // not.  If names are still undefined at linking, all shared sources that compile are added.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -24,6 +25,10 @@ std::vector<std::string> IncludedNames(const std::string& text);
 std::vector<std::filesystem::path> SourcesIncluded(
     const std::vector<std::filesystem::path>& sources,
     const std::vector<std::filesystem::path>& shared);
+
+// Returns how many sources BuildByConvention() compiles for `objects` when nothing is up to date.
+// Leaves out the shared sources that it adds if names are still undefined at linking.
+uint64_t CountByConvention(const Project& project, const std::vector<ObjectFolder>& objects);
 
 // Builds `objects` of `project` in folders below `work`.  `plan` has the variables with which make
 // was called.  With these variables, the compiler flags are read from the objects' Makefiles.  The

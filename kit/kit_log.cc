@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -50,6 +51,15 @@ std::vector<std::string> Split(const std::string& line) {
 // Returns `words` without the first `n` words.
 std::vector<std::string> From(size_t n, const std::vector<std::string>& words) {
   return {words.begin() + static_cast<long>(n), words.end()};
+}
+
+// Returns the number of compilations in the log `file`, together with those of earlier builds.
+uint64_t CountCompiles(const std::string& file) {
+  uint64_t count = 0;
+  std::ifstream stream(file);
+  for (std::string line; std::getline(stream, line);)
+    if (line.starts_with("compile\t")) ++count;
+  return count;
 }
 
 std::vector<std::string> ImageWords(const KitLog::Image& image) {
@@ -135,12 +145,14 @@ KitLog ReadKitLog(const std::string& file) {
   return log;
 }
 
-uint64_t CountCompiles(const std::string& file) {
-  uint64_t count = 0;
-  std::ifstream stream(file);
-  for (std::string line; std::getline(stream, line);)
-    if (line.starts_with("compile\t")) ++count;
-  return count;
+uint64_t CompileCounter::CountIn(const std::string& file) {
+  const uint64_t count = CountCompiles(file);
+  Lines& lines = logs_.try_emplace(file, Lines{count, 0}).first->second;
+  // Keeps the largest count, because CleanKitLog() removes repeated compilations from the log.
+  if (count > lines.before) lines.now = std::max(lines.now, count - lines.before);
+  uint64_t all = 0;
+  for (const auto& [name, each] : logs_) all += each.now;
+  return all;
 }
 
 void AppendKitLog(const std::string& file, const KitLog& log) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -61,9 +62,20 @@ void LogRepair(const KitLog::Repair& repair);
 // Returns the content of the log; an empty log when there is no such file.
 KitLog ReadKitLog(const std::string& file);
 
-// Returns the number of compilations in the log, together with the compilations of earlier builds.
-// A source that was compiled twice counts twice.
-uint64_t CountCompiles(const std::string& file);
+// Counts the sources that a build has compiled so far.  A build may have several logs.
+class CompileCounter {
+ public:
+  // Reads the log `file` again and returns the number of sources compiled so far, in all logs that
+  // were read.  What a log has when it is read first is of earlier builds and does not count.
+  uint64_t CountIn(const std::string& file);
+
+ private:
+  struct Lines {
+    uint64_t before = 0;  // compilations of earlier builds
+    uint64_t now = 0;     // most compilations of this build that the log has had
+  };
+  std::map<std::string, Lines> logs_;
+};
 
 void AppendKitLog(const std::string& file, const KitLog& log);
 

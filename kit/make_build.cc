@@ -13,6 +13,7 @@
 #include "kit/kit_log.h"
 #include "kit/makefile_text.h"
 #include "kit/sdk_paths.h"
+#include "kit/shell_words.h"
 #include "kit/text_files.h"
 
 namespace openr_host {
@@ -57,6 +58,8 @@ ProcessResult Make(const fs::path& folder, const std::vector<std::string>& argum
   if (HasProgram("/bin/bash")) all.push_back("SHELL=/bin/bash");
   all.insert(all.end(), arguments.begin(), arguments.end());
   Environment environment = MakeEnvironment(options);
+  std::function<void()> while_waiting;
+  if (options.while_waiting) while_waiting = [&options] { options.while_waiting(options.log); };
   // Sets PWD, because rules use it as the folder of their Makefile.
   environment.emplace_back("PWD", folder);
   return RunProcess(all, {.environment = environment,
@@ -65,7 +68,7 @@ ProcessResult Make(const fs::path& folder, const std::vector<std::string>& argum
                           .captures_out = true,
                           .echoes = echoes,
                           .has_no_input = true,
-                          .while_waiting = options.while_waiting});
+                          .while_waiting = while_waiting});
 }
 
 // Returns the folders in which make must run: all folders with a Makefile.  Leaves out a folder
@@ -214,6 +217,31 @@ MakePlan PlanMake(const Project& project, const std::string& sdk_root) {
     plan.needed_folders.push_back(SpeltBelow(folder, "DATA/P"));
   }
   return plan;
+}
+
+uint64_t CountSourcesIn(const std::string& commands) {
+  static const std::regex kContinued("\\\\\n");
+  std::istringstream lines(std::regex_replace(commands, kContinued, " "));
+  uint64_t count = 0;
+  for (std::string line; std::getline(lines, line);) {
+    const std::vector<std::string> words = SplitShellWords(line);
+    const bool has_compiler = std::any_of(words.begin(), words.end(), [](const std::string& word) {
+      return word.ends_with("g++") || word.ends_with("gcc");
+    });
+    if (!has_compiler || std::find(words.begin(), words.end(), "-c") == words.end()) continue;
+    count += static_cast<uint64_t>(std::count_if(
+        words.begin(), words.end(), [](const std::string& word) { return IsSourceName(word); }));
+  }
+  return count;
+}
+
+uint64_t CountPlannedCompiles(const MakePlan& plan, const MakeOptions& options) {
+  std::vector<std::string> arguments = VariableArguments(plan);
+  arguments.insert(arguments.begin(), "-n");
+  uint64_t count = 0;
+  for (const fs::path& folder : plan.folders)
+    count += CountSourcesIn(Make(folder, arguments, 1, false, options).output);
+  return count;
 }
 
 MakeOutcome RunMakeIn(const fs::path& folder, const std::vector<std::string>& arguments,

@@ -1,6 +1,7 @@
 // Builds a program with its own Makefiles.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -18,8 +19,9 @@ struct MakeOptions {
   std::string variant;  // name of the variant to build (build_variant.h)
   int jobs = 1;
   bool is_verbose = false;
-  // A function that is called again and again while make runs; may be null.
-  std::function<void()> while_waiting;
+  // A function that is called again and again while make runs, with the path of the log in which
+  // this make records its compilations; may be null.
+  std::function<void(const std::string& log)> while_waiting;
   // Says when the output of make is printed: always, only if make succeeds, or never.
   enum class Says { kAlways, kIfGood, kNever } says = Says::kAlways;
 };
@@ -46,6 +48,13 @@ struct MakeOutcome {
 // Plans how to call make.  A Makefile variable that names a Memory Stick outside of the project is
 // set to the project's own stick that is nearest to the folder in which make runs.
 MakePlan PlanMake(const Project& project, const std::string& sdk_root);
+
+// Returns how many sources the commands of make compile.  `commands` is the output of make -n.
+uint64_t CountSourcesIn(const std::string& commands);
+
+// Returns how many sources RunMake() is going to compile, according to make -n.  Returns 0 if make
+// does not know its commands before it runs, such as in rules that call make from a script.
+uint64_t CountPlannedCompiles(const MakePlan& plan, const MakeOptions& options);
 
 // Runs make as planned.  Prints the output of compilers and make.  Afterwards the log (kit_log.h)
 // lists the images that were made.

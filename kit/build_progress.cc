@@ -1,0 +1,28 @@
+#include "kit/build_progress.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <string>
+
+#include "cli/progress_line.h"
+#include "kit/kit_log.h"
+
+namespace openr_host {
+
+void ShowBuildProgress(MakeOptions* options, const std::function<uint64_t()>& count,
+                       const std::function<void()>& work) {
+  const uint64_t total = isatty(STDERR_FILENO) != 0 ? count() : 0;
+  ProgressLine progress(total > 0 ? STDERR_FILENO : -1, total, "sources compiled");
+  CompileCounter counter;
+  if (progress.is_shown()) {
+    // Shows no more than all, because sources that fail are compiled several times.
+    options->while_waiting = [&progress, &counter, total](const std::string& log) {
+      progress.Show(std::min(counter.CountIn(log), total));
+    };
+  }
+  work();
+  options->while_waiting = {};
+}
+
+}  // namespace openr_host
