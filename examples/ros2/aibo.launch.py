@@ -28,7 +28,7 @@ ANSWER_MULTICAST = """<CycloneDDS><Domain id="any">
 
 def start(context):
     value = lambda name: LaunchConfiguration(name).perform(context)
-    run = ["openr", "run", "--ros2", "--model", value("model"), "--dds-domain", value("domain")]
+    run = ["openr", "run", "--ros2", "--robot", value("model"), "--dds-domain", value("domain")]
     actions = [SetEnvironmentVariable("RMW_IMPLEMENTATION", value("rmw")),
                SetEnvironmentVariable("ROS_DOMAIN_ID", value("domain"))]
     if value("rmw") == "rmw_cyclonedds_cpp":
