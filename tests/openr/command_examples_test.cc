@@ -10,6 +10,7 @@
 
 #include "openr/commands/command_tree.h"
 #include "openr/commands/commands.h"
+#include "tests/openr/command_check.h"
 #include "tests/openr/program_run.h"
 
 namespace openr_host {
@@ -17,39 +18,24 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// Returns the words of an example: without the comment, and without where its output goes.
-std::vector<std::string> WordsOf(const std::string& line) {
-  std::istringstream stream(line);
-  std::vector<std::string> words;
-  for (std::string word; stream >> word && word[0] != '#' && word[0] != '>';) words.push_back(word);
-  return words;
+// Returns the words behind "openr" in an example; none if it is no call of openr.
+CallWords WordsOf(const std::string& line) {
+  const std::vector<CallWords> calls = CallsIn(line);
+  return calls.empty() ? CallWords{} : calls.front();
 }
 
-// Reads the command line without doing the work.  Returns the error; "" if there is none.
+// Returns why the program does not understand an example; "" if it does.
 std::string WhyWrong(const std::string& line) {
-  std::vector<std::string> words = WordsOf(line);
-  if (words.empty() || words[0] != "openr") return "is no call of openr";
-  CLI::App app;
-  int exit_code = 0;
-  DescribeProgram(&app, &exit_code, "");
-  // Ends the reading when all is understood, before the command does its work.
-  app.parse_complete_callback([] { throw CLI::Success(); });
-  // CLI11 takes the words from the back.
-  std::vector<std::string> reversed(words.rbegin(), words.rend() - 1);
-  try {
-    app.parse(reversed);
-  } catch (const CLI::Success&) {
-    return "";
-  } catch (const CLI::ParseError& error) {
-    return error.what();
-  }
-  return "was understood without an end";
+  const CallWords words = WordsOf(line);
+  if (words.empty()) return "is no call of openr";
+  const std::optional<CLI::ParseError> error = ParseErrorOf(words, Arguments::kAll);
+  return error ? error->what() : "";
 }
 
 // Returns whether a command line calls the command `path`.  Other words may stand between those of
 // the path ("openr rc ADDRESS info").
 bool Calls(const std::string& line, const std::string& path) {
-  const std::vector<std::string> words = WordsOf(line);
+  const CallWords words = WordsOf(line);
   std::istringstream wanted(path);
   auto from = words.begin();
   for (std::string word; wanted >> word; ++from) {
