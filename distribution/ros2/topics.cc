@@ -145,6 +145,17 @@ void Ros2Number::Publish(double value) {
   writer_.Write(&sample);
 }
 
+Ros2Temperature::Ros2Temperature(Bus* bus, const std::string& topic, std::string frame_id)
+    : writer_(bus, sensor_msgs_msg_dds__Temperature__desc, topic, kSensorDepth),
+      frame_id_(std::move(frame_id)) {}
+
+void Ros2Temperature::Publish(int64_t time_us, double celsius) {
+  sensor_msgs_msg_dds__Temperature_ sample{};
+  sample.header_ = HeaderOf(time_us, frame_id_.c_str());
+  sample.temperature_ = celsius;
+  writer_.Write(&sample);
+}
+
 Ros2Text::Ros2Text(Bus* bus, const std::string& topic, LateReaders late)
     : writer_(bus, std_msgs_msg_dds__String__desc, topic,
               late == LateReaders::kGetNewest ? 1 : kSensorDepth, late) {}

@@ -88,6 +88,17 @@ class Ros2Number {
   Ros2Writer writer_;
 };
 
+// Publishes a temperature as sensor_msgs/Temperature.
+class Ros2Temperature {
+ public:
+  Ros2Temperature(Bus* bus, const std::string& topic, std::string frame_id);
+  void Publish(int64_t time_us, double celsius);
+
+ private:
+  Ros2Writer writer_;
+  const std::string frame_id_;
+};
+
 // Publishes texts as std_msgs/String.
 class Ros2Text {
  public:

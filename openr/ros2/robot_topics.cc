@@ -116,15 +116,20 @@ RobotTopics::RobotTopics(Bus* bus, const std::string& space, VirtualRobot* robot
       case SensorKind::kDistance:
         numbers_[sensor] = std::make_unique<Ros2Number>(bus, space + "/distance/" + part);
         break;
-      default:
-        // Makes no topic: joints and acceleration have topics of other types, and temperature is
-        // not published.
+      case SensorKind::kTemperature:
+        temperatures_[sensor] = std::make_unique<Ros2Temperature>(
+            bus, space + "/temperature/" + part, space + "/base_link");
+        break;
+      case SensorKind::kJoint:
+      case SensorKind::kAcceleration:
+        // Makes no topic of its own: joint_states has all joints, imu the acceleration.
         break;
     }
   }
 }
 
-// Returns the present value of the sensor with the index `sensor`, in SI units.
+// Returns the present value of the sensor with the index `sensor`, in SI units; that of a
+// temperature sensor in degrees Celsius.
 double RobotTopics::Value(int sensor) const {
   const double value = robot_->sensor(sensor).value;
   const SensorKind kind = robot_->model().sensors[static_cast<size_t>(sensor)].kind;
@@ -138,6 +143,7 @@ std::string RobotTopics::Publish(int64_t time_us) {
   PublishAcceleration(time_us);
   for (const auto& [sensor, topic] : switches_) topic->Publish(Value(sensor) != 0);
   for (const auto& [sensor, topic] : numbers_) topic->Publish(Value(sensor));
+  for (const auto& [sensor, topic] : temperatures_) topic->Publish(time_us, Value(sensor));
   PublishFaults();
   PublishMotion(time_us);
   PublishLights();

@@ -53,6 +53,7 @@ class RobotTopics {
   std::string last_faults_;  // text of the faults that was published last
   std::map<int, std::unique_ptr<Ros2Switch>> switches_;  // key: number of the sensor
   std::map<int, std::unique_ptr<Ros2Number>> numbers_;
+  std::map<int, std::unique_ptr<Ros2Temperature>> temperatures_;
   // Topics of the lights, in the order of RobotModel::leds.
   std::vector<std::unique_ptr<Ros2Number>> lights_;
   std::vector<double> last_lights_;  // brightness values that were published last

@@ -169,6 +169,12 @@ std::string JsonOfBattery(const void* sample) {
          ",\"present\":" + (battery.present_ ? "true" : "false") + "}";
 }
 
+std::string JsonOfTemperature(const void* sample) {
+  const auto& temperature = *static_cast<const sensor_msgs_msg_dds__Temperature_*>(sample);
+  const double values[] = {temperature.temperature_, temperature.variance_};
+  return "{" + Header(temperature.header_) + ",\"values\":" + Numbers(values, 2) + "}";
+}
+
 std::string JsonOfSound(const void* sample) {
   const auto& sound = *static_cast<const audio_common_msgs_msg_dds__AudioData_*>(sample);
   int loudest = 0;
@@ -211,6 +217,7 @@ Type TypeOf(const std::string& name) {
       {"sensor_msgs/JointState", {&sensor_msgs_msg_dds__JointState__desc, &JsonOfJointState}},
       {"sensor_msgs/Imu", {&sensor_msgs_msg_dds__Imu__desc, &JsonOfImu}},
       {"sensor_msgs/BatteryState", {&sensor_msgs_msg_dds__BatteryState__desc, &JsonOfBattery}},
+      {"sensor_msgs/Temperature", {&sensor_msgs_msg_dds__Temperature__desc, &JsonOfTemperature}},
       {"nav_msgs/Odometry", {&nav_msgs_msg_dds__Odometry__desc, &JsonOfOdometry}},
       {"tf2_msgs/TFMessage", {&tf2_msgs_msg_dds__TFMessage__desc, &JsonOfTransforms}},
       {"audio_common_msgs/AudioData", {&audio_common_msgs_msg_dds__AudioData__desc, &JsonOfSound}},

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "tests/distribution/ros2/ros2_run.h"
+#include "tests/distribution/sticks.h"
 #include "virtualrobot/model/robot_model.h"
 
 namespace openr_host {
@@ -46,6 +47,35 @@ TEST(Ros2StateTopicsTest, TheBatteryHasTheUnitsOfRos2) {
   EXPECT_NEAR(values[4], 0.8, 1e-6);
   EXPECT_EQ(battery["status"], 2) << "discharging";
   EXPECT_EQ(battery["present"], true);
+}
+
+TEST(Ros2StateTopicsTest, TheTemperatureIsThatOfTheSensorInDegreesCelsius) {
+  const ScratchFolder folder;
+  folder.Write("heat.events", "1s heat body 41\n");
+  const Ros2Run run({"--events", folder.File("heat.events")});
+  run.WaitUntil(3'000'000);
+  const json temperature =
+      run.peer().ReadOne("sensor_msgs/Temperature", "rt/aibo/temperature/thermo_sensor");
+  EXPECT_EQ(temperature["frame_id"], "aibo/base_link");
+  EXPECT_GE(temperature["stamp_us"], 3'000'000);
+  EXPECT_EQ(temperature["values"], json::parse("[41,0]")) << "degrees Celsius, variance not known";
+}
+
+// The tone of examples/Tone begins at the boot and lasts a second.  The run is slow, so that the
+// reader comes before its end.
+TEST(Ros2StateTopicsTest, AReaderHearsWhatTheSpeakerPlays) {
+  const ScratchFolder stick;
+  MakeStick(stick, {"TONE.BIN"},
+            "Tone.Speaker.OSoundVectorData.S "
+            "OVirtualRobotAudioComm.Speaker.OSoundVectorData.O\n");
+  const Ros2Run run({"--stick", stick.path()}, "0.1");
+  const std::vector<json> sounds =
+      run.peer().Read("audio_common_msgs/AudioData", "rt/aibo/audio", 3);
+  ASSERT_EQ(sounds.size(), 3u);
+  for (const json& sound : sounds) {
+    EXPECT_EQ(sound["bytes"], 256) << "a frame of 8 ms, 16,000 samples of 16 bits a second";
+    EXPECT_EQ(sound["loudest"], 8000) << "the amplitude of the tone";
+  }
 }
 
 TEST(Ros2StateTopicsTest, EveryLightOfTheModelHasATopic) {

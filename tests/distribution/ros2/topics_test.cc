@@ -34,6 +34,7 @@ TEST(Ros2TopicsTest, TopicsAndTypesAreNamedAsRos2HasThem) {
   EXPECT_EQ(type("aibo/touch/chin_switch"), "std_msgs::msg::dds_::Bool_");
   EXPECT_EQ(type("aibo/touch/head_sensor_front"), "std_msgs::msg::dds_::Float32_");
   EXPECT_EQ(type("aibo/distance/distance_sensor_psd"), "std_msgs::msg::dds_::Float32_");
+  EXPECT_EQ(type("aibo/temperature/thermo_sensor"), "sensor_msgs::msg::dds_::Temperature_");
   EXPECT_EQ(type("aibo/odom"), "nav_msgs::msg::dds_::Odometry_");
   EXPECT_EQ(type("tf"), "tf2_msgs::msg::dds_::TFMessage_");
   EXPECT_EQ(type("aibo/battery"), "sensor_msgs::msg::dds_::BatteryState_");
