@@ -11,7 +11,6 @@
 #include <cerrno>
 #include <charconv>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <new>
 #include <optional>
@@ -24,6 +23,7 @@
 #include "openr/decode/decode_message.h"
 #include "openr/inspect/breakpoints.h"
 #include "openr/inspect/snapshot_list.h"
+#include "openr/inspect/step_commands.h"
 #include "openr/inspect/trace_text.h"
 #include "runtime/base/duration.h"
 #include "runtime/base/spelling.h"
@@ -35,22 +35,6 @@ namespace {
 // The number of messages between two snapshots, before old snapshots are thinned out.
 constexpr uint64_t kSnapshotMessages = 1000;
 constexpr size_t kBreaksBytes = 16 << 10;
-
-constexpr char kHelp[] =
-    "step [N]             N messages forward (s)\n"
-    "back [N]             N messages back (b)\n"
-    "goto N | goto TIME   to message N, as traces and differences number them, or to a time:\n"
-    "                     goto 1.25s; goto 0 is the start (g)\n"
-    "run                  to the next break, difference or the end (r)\n"
-    "break object NAME | break service TEXT | break state OBJECT TEXT | break finding\n"
-    "break when QUANTITY OP VALUE\n"
-    "                     where it begins to hold: break when robots[0].pitch_deg > 10\n"
-    "breaks, delete N     shows breaks, removes one\n"
-    "print queue | waiting | objects | joints | findings | hash | message | QUANTITY (p)\n"
-    "quit (q)\n";
-
-const std::vector<std::string> kVerbs = {"step",   "back",   "goto",  "run",  "break",
-                                         "breaks", "delete", "print", "help", "quit"};
 
 // The state of a session of openr replay --step, in memory that all processes of the session share
 // (stepper.h describes these processes).  A process that ends writes here what the waiting process
@@ -171,8 +155,7 @@ class Stepper {
     shared_->runs = false;
   }
 
-  // Runs the new copy of a snapshot forward, to the message or the time to which the user goes
-  // back. The snapshot was taken after `here` messages.
+  // Runs this new copy of the snapshot after `here` messages to where the user goes back.
   void CatchUp(uint64_t here) {
     went_back_ = false;  // Forward() must not stop at the snapshots that it takes now
     if (shared_->target > here) ForwardBy(shared_->target - here);
@@ -365,9 +348,10 @@ class Stepper {
     } else if (verb == "quit" || verb == "q") {
       return false;
     } else if (verb == "help" || verb == "h") {
-      fmt::print("{}", kHelp);
+      fmt::print("{}", kStepHelp);
     } else if (!verb.empty()) {
-      fmt::print("no command '{}'{}; 'help' tells the commands\n", verb, DidYouMean(verb, kVerbs));
+      fmt::print("no command '{}'{}; 'help' tells the commands\n", verb,
+                 DidYouMean(verb, kStepVerbs));
     }
     return true;
   }
@@ -397,7 +381,7 @@ std::vector<std::string> Stepper::QuantitiesFor(const std::string& start) const 
 // `start`.
 std::vector<std::string> Stepper::WordsAfter(const std::vector<std::string>& words,
                                              const std::string& start) const {
-  if (words.empty()) return kVerbs;
+  if (words.empty()) return kStepVerbs;
   const std::string& verb = words[0];
   const bool is_break = verb == "break" && words.size() > 1;
   std::vector<std::string> names;

@@ -142,6 +142,7 @@ TEST_F(ReplayTest, WithHashesOnlyAsWell) {
 TEST_F(ReplayTest, TheReaderSeesWhatTheTraceSaw) {
   Record();
   TraceReader reader(file_);
+  EXPECT_EQ(reader.header().images, "world");
   uint64_t messages = 0, hash = 0;
   int pauses = 0;
   while (reader.Peek() != nullptr) {
@@ -315,29 +316,6 @@ TEST_F(ReplayTest, ARecordingOfTheVersionBeforeIsStillRead) {
   file.close();
   EXPECT_EQ(Replay(), "");
   EXPECT_EQ(count_, messages_);
-}
-
-// A recording of version 3 has entries of their own for the pause button and for typed text.
-TEST(OldRecordingTest, TypedTextAndThePauseButtonAreReadAsInputs) {
-  TraceReader reader(OPENR_TEST_DATA "/version3.rec");
-  std::vector<std::string> inputs;
-  while (reader.Peek() != nullptr) {
-    const TraceEntry entry = reader.Take();
-    if (entry.kind == TraceEntry::Kind::kInput)
-      inputs.push_back(std::to_string(entry.robot) + " " + entry.name);
-  }
-  EXPECT_EQ(inputs, (std::vector<std::string>{"0 type hello\n", "-1 press pause"}));
-  EXPECT_EQ(reader.ended().first, "pause");
-}
-
-// Older programs left the field empty, and their cameras saw the test pattern.
-TEST(OldRecordingTest, CamerasSawTheTestPattern) {
-  EXPECT_EQ(TraceReader(OPENR_TEST_DATA "/version3.rec").header().images, "pattern");
-}
-
-TEST_F(ReplayTest, TheRecordingSaysWhatCamerasSee) {
-  Record();
-  EXPECT_EQ(TraceReader(file_).header().images, "world");
 }
 
 TEST_F(ReplayTest, TextCsvAndPerfettoTellTheSameMessages) {
