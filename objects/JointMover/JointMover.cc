@@ -41,10 +41,11 @@ JointMover::DoInit(const OSystemEvent&)
 OStatus
 JointMover::DoStart(const OSystemEvent&)
 {
-    if (isStopped_) return oFAIL;  // DoStart is called even if DoInit has failed
     ENABLE_ALL_SUBJECT;
     core_.Begin(robot_);
-    SendVectors();  // sends vectors if the effector is ready; otherwise its ready event sends them
+    // Sends vectors if the effector is ready; otherwise its ready event sends them.  Sends none if
+    // DoInit has failed, after which DoStart is called, too.
+    SendVectors();
     SendReports();
     return oSUCCESS;
 }

@@ -118,8 +118,8 @@ TEST_F(EditorTest, TheDebuggerStopsAtALineOfTheUsersFile) {
 
 std::set<std::string> TasksOf(const KitFolder& folder) {
   std::set<std::string> labels;
-  for (const Json& task : EditorFile(folder, "tasks.json").at("tasks"))
-    labels.insert(task.at("label"));
+  const Json file = EditorFile(folder, "tasks.json");
+  for (const Json& task : file.at("tasks")) labels.insert(task.at("label"));
   return labels;
 }
 
@@ -172,7 +172,8 @@ TEST(EditorFolderTest, TheTasksOfAControllerBuildAndRunIt) {
   const ProgramResult made = RunProgram({"editor", folder.File("")});
   ASSERT_EQ(made.status, 0) << made.err;
   EXPECT_THAT(TasksOf(folder), ElementsAre("build", "run"));
-  for (const Json& task : EditorFile(folder, "tasks.json").at("tasks")) {
+  const Json file = EditorFile(folder, "tasks.json");
+  for (const Json& task : file.at("tasks")) {
     const ProcessResult result = RunInEditor(folder, task.at("command"), task.at("args"));
     EXPECT_TRUE(result.good()) << task << result.output;
   }

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <optional>
+#include <regex>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,11 +17,12 @@ namespace openr_host {
 using CallWords = std::vector<std::string>;
 
 // Splits a line of a shell into commands, and each command into words.  Knows quotes, comments and
-// redirections, and replaces no variables.
+// redirections, and replaces no variables.  The output of a command, $(...), becomes "$output".
 class ShellLine {
  public:
   explicit ShellLine(const std::string& line) {
-    for (const char c : line) {
+    static const std::regex kOutput("\\$\\([^()]*\\)");
+    for (const char c : std::regex_replace(line, kOutput, "$$output")) {
       if (c == '#' && !word_ && quote_ == 0) break;
       Take(c);
     }

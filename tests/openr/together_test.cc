@@ -253,7 +253,7 @@ TEST(TogetherTest, FlagsThatDoNotFitAreRefused) {
   EXPECT_NE(refusal({"--robots", "2", "--together", "--body", "ideal"})
                 .find("--together: needs --body ode"),
             std::string::npos);
-  EXPECT_NE(refusal({"--stick", "a", "--stick", "b"}).find("2 sticks for 1 robot; give --robots 2"),
+  EXPECT_NE(refusal({"--stick", ".", "--stick", "."}).find("2 sticks for 1 robot; give --robots 2"),
             std::string::npos);
   EXPECT_NE(refusal({"--robots", "9", "--together", "--world", "field-2004.json"})
                 .find("has places for 8 robots (starts); robot 8 has none"),
