@@ -21,7 +21,12 @@ void ShowBuildProgress(MakeOptions* options, const std::function<uint64_t()>& co
       progress.Show(std::min(counter.CountIn(log), total));
     };
   }
-  work();
+  try {
+    work();
+  } catch (...) {
+    options->while_waiting = {};  // refers to local variables
+    throw;
+  }
   options->while_waiting = {};
 }
 

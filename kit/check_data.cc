@@ -195,24 +195,31 @@ class DataCheck {
       functions.insert(functions.end(), own.begin(), own.end());
     }
     for (const auto& [name, file] : files_) {
-      if (fs::path(name).parent_path() == sender.parent_path() || !Receives(file.code, types))
-        continue;
+      if (fs::path(name).parent_path() == sender.parent_path()) continue;
       for (const std::string& function : functions) {
-        if (!std::regex_search(file.code, std::regex("(->|\\.)[ \t]*" + function + "[ \t]*\\(")))
-          continue;
-        return fmt::format("{} calls {}() of received data", fs::path(name).filename().string(),
-                           function);
+        if (CallsOfData(file.code, types, function))
+          return fmt::format("{} calls {}() of received data", fs::path(name).filename().string(),
+                             function);
       }
     }
     return "";
   }
 
-  // Returns whether `code` uses received data as one of `types`: (const Shape*)event.Data(0).
-  static bool Receives(const std::string& code, const std::vector<std::string>& types) {
-    return std::any_of(types.begin(), types.end(), [&code](const std::string& type) {
-      return HasWord(code, type) &&
-             std::regex_search(code, std::regex("\\b" + type + "\\b[ \t]*(const[ \t]*)?\\*" +
-                                                kPartOfStatement + "\\b(Data|RCData)[ \t]*\\("));
+  // Returns whether `code` calls `function` of received data that it takes for one of `types`:
+  // ((Shape*)event.Data(0))->Area(), or shape->Area() after shape = (Shape*)event.Data(0).
+  static bool CallsOfData(const std::string& code, const std::vector<std::string>& types,
+                          const std::string& function) {
+    return std::any_of(types.begin(), types.end(), [&](const std::string& type) {
+      if (!HasWord(code, type)) return false;
+      const std::string data = "\\b" + type + "\\b[ \t]*(?:const[ \t]*)?\\*" + kPartOfStatement +
+                               "\\b(?:Data|RCData)[ \t]*\\(";
+      const std::string call = "[ \t]*->[ \t]*" + function + "[ \t]*\\(";
+      if (std::regex_search(code, std::regex(data + kPartOfStatement + call))) return true;
+      const std::regex assigned("\\b(\\w+)[ \t]*=" + kPartOfStatement + data);
+      for (std::sregex_iterator it(code.begin(), code.end(), assigned), end; it != end; ++it) {
+        if (std::regex_search(code, std::regex("\\b" + (*it)[1].str() + call))) return true;
+      }
+      return false;
     });
   }
 

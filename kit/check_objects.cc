@@ -146,7 +146,8 @@ class ObjectCheck {
 
   void CheckThreads(const fs::path& file, const std::string& text) {
     static const std::regex kThread(
-        "\\b(pthread_create|thrd_create)[ \t]*\\(|\\b(std[ \t]*::[ \t]*(thread|async))\\b");
+        "\\b(pthread_create|thrd_create)[ \t]*\\(|\\b(std[ \t]*::[ \t]*(thread|async))\\b(?![ "
+        "\t]*::)");
     const std::string code = WithoutConditionalCode(WithoutComments(text));
     for (std::sregex_iterator it(code.begin(), code.end(), kThread), end; it != end; ++it) {
       const std::string name = (*it)[1].matched ? (*it)[1].str() : "std::" + (*it)[3].str();

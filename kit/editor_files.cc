@@ -125,7 +125,10 @@ std::string NearestStick(const Project& project) {
     sticks.push_back(stick.root.lexically_normal().lexically_relative(project.root));
   if (sticks.empty()) return "MS";
   const auto is_nearer = [](const std::string& a, const std::string& b) {
-    return a.size() != b.size() ? a.size() < b.size() : a < b;
+    const fs::path path_a(a), path_b(b);
+    const auto depth_a = std::distance(path_a.begin(), path_a.end());
+    const auto depth_b = std::distance(path_b.begin(), path_b.end());
+    return depth_a != depth_b ? depth_a < depth_b : a < b;
   };
   return *std::min_element(sticks.begin(), sticks.end(), is_nearer);
 }

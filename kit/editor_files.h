@@ -28,7 +28,7 @@ struct EditorFolder {
 EditorPlaces FindEditorPlaces();
 
 // Describes the folder of an existing program or controller.  If it has several sticks, names the
-// one with the shortest path.  Throws std::runtime_error if `folder` has nothing that openr build
+// one nearest to `folder`.  Throws std::runtime_error if `folder` has nothing that openr build
 // or openr controller build could build.
 EditorFolder DescribeEditorFolder(const std::string& folder);
 

@@ -10,6 +10,7 @@ in the build folder, failed/NAME.log, with the command that runs it again at its
 """
 import argparse
 import concurrent.futures
+import fcntl
 import os
 import pathlib
 import re
@@ -53,17 +54,32 @@ def compiler_cache():
             "CCACHE_SLOPPINESS": "include_file_ctime,include_file_mtime"}
 
 
-def run(name, command, shard, build):
-    """Returns (name, passed, failed, skipped, output, seconds)."""
+def owns_scratch(build):
+    """Returns whether no other run of the tests of this build uses its folder `scratch`."""
+    lock = os.open(build / "scratch.lock", os.O_CREAT | os.O_RDWR | os.O_CLOEXEC, 0o666)
+    try:
+        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)  # kept until this process ends
+    except BlockingIOError:
+        return False
+    return True
+
+
+def run(name, command, shard, scratch_root):
+    """Returns (name, passed, failed, skipped, output, seconds).
+
+    `scratch_root`: the folder for a folder of the program that has the same name each time, because
+    the compiler's cache has only what was compiled at the same place; None without a cache.
+    """
     begin = time.monotonic()
-    # Has the same name each time: the compiler's cache has only what was compiled at the same place.
-    same = build / "scratch" / re.sub(r"[^\w.]+", "-", name)
-    shutil.rmtree(same, ignore_errors=True)
-    same.mkdir(parents=True)
+    same = None
+    if scratch_root:
+        same = scratch_root / re.sub(r"[^\w.]+", "-", name)
+        shutil.rmtree(same, ignore_errors=True)
+        same.mkdir(parents=True)
+        shard = {**shard, "OPENR_TEST_SCRATCH": str(same)}
     with tempfile.TemporaryDirectory(prefix="openr-test-") as scratch:
         try:
-            done = subprocess.run(command, cwd=scratch, timeout=LIMIT_S,
-                                  env=environment({**shard, "OPENR_TEST_SCRATCH": str(same)}),
+            done = subprocess.run(command, cwd=scratch, env=environment(shard), timeout=LIMIT_S,
                                   stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                   stderr=subprocess.STDOUT)
             output, status = done.stdout.decode(errors="replace"), done.returncode
@@ -71,7 +87,8 @@ def run(name, command, shard, build):
             output = (late.stdout or b"").decode(errors="replace")
             output += f"\n{name}: not done after {LIMIT_S} s\n"
             status = -1
-    shutil.rmtree(same, ignore_errors=True)
+    if same:
+        shutil.rmtree(same, ignore_errors=True)
     lines = output.strip().splitlines()
     totals = TOTALS.match(lines[-1]) if lines else None
     seconds = time.monotonic() - begin
@@ -174,7 +191,10 @@ def main():
     arguments = parser.parse_args()
     sums = [0, 0, 0]
     build = arguments.build.resolve()
-    os.environ.update(compiler_cache())
+    cache = compiler_cache()
+    scratch_root = build / "scratch" if cache and owns_scratch(build) else None
+    if scratch_root:
+        os.environ.update(cache)
     shutil.rmtree(build / "failed", ignore_errors=True)
     waiting, others, alone = jobs(build, arguments.filter, arguments.quick,
                                   arguments.programs)
@@ -191,12 +211,12 @@ def main():
 
     with concurrent.futures.ThreadPoolExecutor(max(1, len(waiting))) as waiters, \
             concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        todo = {waiters.submit(run, *job, build): job for job in waiting}
-        todo.update({pool.submit(run, *job, build): job for job in others})
+        todo = {waiters.submit(run, *job, scratch_root): job for job in waiting}
+        todo.update({pool.submit(run, *job, scratch_root): job for job in others})
         for future in concurrent.futures.as_completed(todo):
             count(todo[future], future.result())
     for job in alone:
-        count(job, run(*job, build))
+        count(job, run(*job, scratch_root))
     for name, file, tests in failures:
         print(f"FAILED in {name}, kept in {file}:")
         print("\n".join(f"  {test}" for test in tests or ["(it names no test)"]))

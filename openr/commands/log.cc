@@ -12,12 +12,14 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "cli/counted.h"
 #include "cli/exit_code.h"
 #include "cli/input_file.h"
 #include "cli/json_text.h"
+#include "cli/standard_streams.h"
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
 #include "openr/commands/motion_input.h"
@@ -345,6 +347,10 @@ int PerformLog(LogAction action, const LogFlags& flags) {
   try {
     action(flags);
     return kExitGood;
+  } catch (const std::system_error&) {
+    throw;  // the answer cannot be written, which is told at the end of the program (program.cc)
+  } catch (const ReaderGone&) {
+    throw;
   } catch (const std::runtime_error& error) {
     fmt::print(stderr, "openr: {}\n", error.what());
     if (flags.json) fmt::print("{}\n", JsonText(Json{{"error", error.what()}}));

@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "cli/counted.h"
@@ -19,6 +20,7 @@
 #include "cli/input_file.h"
 #include "cli/json_text.h"
 #include "cli/output_file.h"
+#include "cli/standard_streams.h"
 #include "openr/commands/common_flags.h"
 #include "openr/commands/motion_input.h"
 #include "openr/motion/log_charts.h"
@@ -38,6 +40,10 @@ void OnCall(CLI::App* command, int* exit_code, std::function<void()> action) {
     try {
       action();
       *exit_code = kExitGood;
+    } catch (const std::system_error&) {
+      throw;  // the answer cannot be written, which is told at the end of the program (program.cc)
+    } catch (const ReaderGone&) {
+      throw;
     } catch (const std::runtime_error& error) {
       fmt::print(stderr, "openr: {}\n", error.what());
       *exit_code = kExitWrong;

@@ -42,6 +42,11 @@ class RunEnded(Error):
         super().__init__(f"ended by {by}: {why}" + (f"\n{text}" if text else ""))
         self.by = by
         self.why = why
+        self._text = text
         self.findings: list[Finding] = list(findings)
         self.console: list[str] = list(console)
         self.report: dict[str, Any] = report or {}
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        # Lets a process of a pool send the exception to the process that waits for it.
+        return type(self), (self.by, self.why, self._text, self.findings, self.console, self.report)

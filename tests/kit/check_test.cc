@@ -109,6 +109,9 @@ TEST(CheckTest, AVirtualFunctionCalledInAReceivedRegionIsFound) {
   // Programs that worked on the robot.
   const std::string read = "    const Circle* s = (const Circle*)event.Data(0);\n    s->Radius();";
   EXPECT_THAT(check(placed + sent, read), HasSubstr("0 warnings"));
+  const std::string own =
+      "    const Shape* s = (const Shape*)event.Data(0);\n    table->Area(s->a);";
+  EXPECT_THAT(check(placed + sent, own), HasSubstr("0 warnings"));
   EXPECT_THAT(check(placed, called), HasSubstr("0 warnings"));
   EXPECT_THAT(check(placed + sent + called, ""), HasSubstr("0 warnings"));  // one image
 }

@@ -182,7 +182,8 @@ class KitFolder {
     const char* const scratch = getenv("OPENR_TEST_SCRATCH");
     if (scratch == nullptr) return {};
     const testing::TestInfo* const test = testing::UnitTest::GetInstance()->current_test_info();
-    std::string name = test == nullptr ? "shared" : test->name();
+    std::string name =
+        test == nullptr ? "shared" : std::string(test->test_suite_name()) + "." + test->name();
     std::replace(name.begin(), name.end(), '/', '_');
     static int count = 0;
     static std::string last;

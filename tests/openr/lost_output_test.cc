@@ -113,6 +113,8 @@ std::vector<std::string> Answering(const Recorded& recorded) {
           "$openr mtn info " + mtn,
           "$openr mtn check --json " + mtn,
           "$openr mtn dump " + mtn,
+          "$openr log csv " OPENR_TEST_DATA "/walk.log",
+          "$openr log compare " OPENR_TEST_DATA "/walk.log",
           "$openr check --json " + recorded.stick(),
           "$openr help run",
           "$openr run --help",

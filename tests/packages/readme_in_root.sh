@@ -40,14 +40,14 @@ step() {
 }
 
 # step_beside COMMAND: the same beside the run.  The dog refuses to move until it stands, so a
-# command is typed again for a minute.  One that watches shows something until Ctrl-C, after 5 s.
+# command is typed again for a minute.  One that watches shows the joint neck_pan until Ctrl-C, after 5 s.
 step_beside() {
   local begin=$SECONDS status limit=60
   case $1 in *--watch*) limit=5 ;; esac
   while true; do
     status=0
     timeout --foreground --signal=INT "$limit" bash -c "exec $1" >"$log" 2>&1 </dev/null || status=$?
-    if [ "$limit" -eq 5 ] && [ "$status" -eq 124 ] && [ -s "$log" ]; then status=0; fi
+    if [ "$limit" -eq 5 ] && [ "$status" -eq 124 ] && grep -q neck_pan "$log"; then status=0; fi
     if [ "$status" -eq 0 ] || [ $((SECONDS - begin)) -ge 60 ]; then break; fi
     kill -0 "$run" 2>/dev/null || break
     sleep 1
