@@ -170,8 +170,9 @@ int32_t RemoteProcess::Post(const openr_wire_PostedMessage& posted, Object* self
   Check(posted.message, self);
   const CurrentScope scope(system_, self);
   OwnedMessage message = system_->NewMessage(posted.message.target, posted.message.selector);
-  // Keeps the class and the cause (the number of the message whose handler sends this message) that
-  // NewMessage() has set.  The worker's values are not used.
+  // Keeps the class of the message and its cause (the number of the message whose handler sends
+  // this message), which NewMessage() has set.  They are kept because Decode() overwrites them with
+  // the worker's values, and the message must be the same as in a run with one process.
   const MessageClass message_class = message->message_class;
   const uint64_t cause = message->cause;
   const std::string problem = marshaller_->Decode(posted.message, message.get());

@@ -54,9 +54,9 @@ void Worker::KeepUntilSent(uint32_t region) {
   pinned_.push_back(region);
 }
 
-// Removes the bytes of `part` if the next sample has them already.  A sample has the bytes of a
-// region only once, even for several observers, because the master copies them with the first
-// notification.
+// Removes the bytes of `part` if the sample that is being collected for the master already has
+// these bytes of the region.  One copy is enough, even for several observers, because the master
+// stores the bytes when it handles the first notification.
 void Worker::SendOnce(openr_wire_NotifiedRegion* part) {
   const auto [first, is_first] = parts_in_sample_.try_emplace(part->region, *part);
   const openr_wire_NotifiedRegion& sent = first->second;
@@ -185,8 +185,8 @@ CallResult Worker::WaitForAnswer() {
 
 void Worker::Waits(uint64_t box, int64_t timeout_us, std::string_view why) {
   ASSERT(t_current.object != nullptr);
-  // Only records the wait, because the handler has not stopped yet.  When it has stopped,
-  // SendStopped() tells the master.
+  // Only records what the handler is going to wait for.  The handler stops after this call, and
+  // then SendStopped() tells the master.
   waits_[t_current.object->id] = {openr_wire_STOP_WAITS, box, timeout_us, 0, std::string(why)};
 }
 

@@ -50,7 +50,8 @@ class BenchSchedule : public openr_host::Schedule {
   // the order that the seed gives.
   void Prefer(std::vector<std::string> objects) { preferred_ = std::move(objects); }
 
-  // Delivers, from now on, messages that fit `spec` later by `extra_us`; 0 ends the delay.
+  // From now on, delays each message that fits `spec` by `extra_us` microseconds.  0 ends the
+  // delay.
   void Delay(MessageSpec spec, int64_t extra_us);
 
   RefusedMessage& Refuse(MessageSpec spec, uint64_t nth, const Place& place) {

@@ -30,7 +30,8 @@ void Fail(const Place& place, const std::string& text);
 // process.  So the copy calls NoteFatalFailure() for each fatal failure.
 bool FailedFatally();
 
-// Makes FailedFatally() return true from now on, in a copy of the process.
+// Makes FailedFatally() return true from now on.  Called in a copy of the process (RunInCopy())
+// after a fatal failure.
 void NoteFatalFailure();
 
 }  // namespace openr::testing

@@ -41,8 +41,9 @@ public:
     // Stores the newest sensor values, which the controller program can then read.
     void SetSensors(const SensorValues& values) { sensors_ = values; }
 
-    // Begins the next iteration of the program's loop, or sends LEDs that the remote control has
-    // changed.  Called when the observer of LED vectors has become ready.
+    // Begins the next iteration of the program's loop.  If the program has no loop, only sends the
+    // LEDs that the remote control has changed.  Called when the observer of LED vectors has become
+    // ready.
     void LedReady();
     // Sends a change of the ears that could not be sent before.  Called when the observer of ear
     // vectors has become ready.

@@ -40,14 +40,15 @@ std::string TextOfRun(const std::string& record) {
   return record.substr(0, record.find(kRobotRecordBegin));
 }
 
-// Returns the last record of a file to which the processes of a run have added theirs.
+// Returns the last record of a file to which the processes of a run have added their records.
 std::string LastRecord(const std::string& text) {
   const size_t last = text.rfind(std::string("\n") + kOwnRecord);
   return last == std::string::npos ? text : text.substr(last + 1);
 }
 
-// Tells what the record of a run on a computer says, which needs no image.
-// `log` has no value if the record has no part in the robot's form.
+// Prints what the record of a run on a computer says.  Needs no image, because such a record
+// already names functions and lines.  `log` has no value if the record has no part in the robot's
+// form.
 void TellRun(const EmonFlags& flags, const std::string& text, const std::optional<EmonLog>& log) {
   if (!flags.image.empty()) {
     throw std::runtime_error(flags.file +

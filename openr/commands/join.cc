@@ -207,8 +207,8 @@ int JoinHere(const JoinFlags& flags, bool is_known) {
   }
 }
 
-// Runs JoinHere() in a child process and waits until this process ends.  Returns the status that
-// waitpid() gives.  Sets `*child` to the child's process id, which the caller prints.
+// Runs JoinHere() in a child process and waits until the child process ends.  Returns the status
+// that waitpid() gives.  Sets `*child` to the child's process id, which the caller prints.
 int JoinInChild(const JoinFlags& flags, bool is_known, pid_t* child) {
   *child = fork();
   if (*child < 0) throw std::runtime_error(fmt::format("fork: {}", strerror(errno)));

@@ -49,7 +49,7 @@ struct RunningCopy {
 };
 
 // Reads the data that `copy`, the process of one robot, has sent.  Does not wait for more data.
-// Returns false when this process has ended.
+// Returns false when the copy has ended, so that no more data can come.
 bool ReadSome(RunningCopy* copy) {
   char buffer[65536];
   const ssize_t size = read(copy->process.answers, buffer, sizeof buffer);

@@ -202,7 +202,7 @@ unsigned MemoryExceptionCode(const void* context) {
 // Returns the code of the exception that the robot's processor raises for the signal
 // (field-notes.md 4.1); 0 for an error that it does not notice.
 unsigned RobotExceptionCode(int signal, const siginfo_t& info, const void* context) {
-  if (*AnnouncedFault() != 0) {  // "a division by zero at Dog.cc:5 (exception 9)"
+  if (*AnnouncedFault() != 0) {  // such as "a division by zero at Dog.cc:5 (exception 9)"
     static constexpr char kException[] = "(exception ";
     const char* const begin = std::strstr(AnnouncedFault(), kException);
     if (begin == nullptr) return 0;

@@ -31,8 +31,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr char kReady[] = "ready";
-constexpr int64_t kOddSliceUs = 50'021;  // time slice of the second run of a plan with "twice"; not
-                                         // a multiple of a frame
+constexpr int64_t kOddSliceUs = 50'021;  // time slice of a plan's second run, not whole frames
 
 void SilenceOutput() {
   const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
@@ -89,8 +88,9 @@ bool AreEqual(const Json& one, const Json& other) {
          one.value("trace", "") == other.value("trace", "");
 }
 
-// Runs plans in copies of this process.  A plan with "twice" is also run in the process
-// `elsewhere`, which has other memory addresses.
+// Runs plans (descriptions of runs in JSON) in copies of this process.  A plan that has "twice":
+// true is also run in the process `elsewhere`, which has other memory addresses, to find out
+// whether the run depends on addresses.
 class PlanServer {
  public:
   PlanServer(PreparedRun prepared, const RunOptions& options, const ForkLimits& limits,

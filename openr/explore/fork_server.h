@@ -33,9 +33,9 @@ class ForkServer {
   // Runs `plan` in a copy of the process and returns the answer of RunPlan().  If the copy crashes,
   // the answer says that the property no-crash is broken.  A handler that uses more time than
   // handler_us of the ForkLimits, or a copy that must be killed after wall_s seconds, breaks the
-  // property handlers-return; the latter answer has the field kNotEnded.  If the plan does not fit
-  // the graph, for example names an object that the graph does not have, the answer is {"problem":
-  // text}.
+  // property handlers-return; the answer about a killed copy also has the field kNotEnded.  If the
+  // plan does not fit the graph, for example names an object that the graph does not have, the
+  // answer is {"problem": text}.
   nlohmann::ordered_json Run(const nlohmann::ordered_json& plan);
 
  private:

@@ -1,4 +1,5 @@
-// Shortens a list of deviations to those deviations that are needed to break a property.
+// Shortens a list of deviations to those that are needed to break a property.  A deviation is a
+// change that the explorer makes to the order or to the times of the messages in a run.
 #pragma once
 
 #include <functional>

@@ -246,8 +246,8 @@ bool Replayer::IsAnswer(const TraceRecord& record) const {
   return sender != nullptr && sender->name == only_;
 }
 
-// Compares a message of the object `only_` with the recording, and then gives the message the
-// recorded bytes.
+// Compares a message of the object `only_` with the recording.  Then gives the message the recorded
+// bytes, so that the other objects get what they got in the recorded run.
 void Replayer::CompareAnswerOf(const Message& message, const TraceRecord& record) {
   ++answer_count_;
   const std::string now = PayloadBytes(message);

@@ -20,10 +20,10 @@ struct ProcessSnapshot {
 // all processes of the session share the list.
 //
 // Old snapshots are thinned out, because fork() takes longer with each ancestor that lives.  The
-// distances between snapshots grow with their age.  A snapshot is at most n/4 messages after the
-// one before it, where n is the number of messages between it and the newest one, unless the two
-// were added one after the other.  So the number of snapshots grows only with the logarithm of the
-// number of messages.
+// distances between snapshots grow with their age.  Let n be the number of messages between a
+// snapshot and the newest snapshot.  Then the snapshot is at most n/4 messages after the snapshot
+// before it in the list, unless these two were added one after the other.  So the number of
+// snapshots grows only with the logarithm of the number of messages.
 class SnapshotList {
  public:
   // The greatest number of snapshots.  A replay of 10^9 messages, with a snapshot after each 1000,

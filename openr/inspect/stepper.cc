@@ -107,15 +107,15 @@ class Stepper {
       }
       WaitForCopies();
       if (shared_->ends) return false;
-      // Ends this copy if the session goes back to a moment before its snapshot.  The process of an
-      // earlier snapshot then makes a new copy.
+      // Ends this copy if the session goes back to a moment before the snapshot that this copy
+      // keeps.  The process of an earlier snapshot then makes a new copy.
       if (shared_->target < here && is_copy_) _exit(0);
     }
   }
 
   // Adds this process to the list of snapshots, and ends the processes of snapshots that are no
-  // longer needed.  Each of those waits for its child process.  The kernel makes this child process
-  // a child of the nearest snapshot before, because each snapshot is a "subreaper" (prctl(2)).
+  // longer needed.  The child of an ended process becomes a child of the nearest snapshot before,
+  // which then waits for it, because each snapshot is a "subreaper" (prctl(2)).
   void AddToSnapshots(uint64_t here) {
     prctl(PR_SET_CHILD_SUBREAPER, 1);
     for (const pid_t process :
@@ -136,9 +136,9 @@ class Stepper {
     if (went_back_) CatchUp(here);
   }
 
-  // Waits until the session goes back to this snapshot or to an earlier one, or is over: until no
-  // child process is left.  A child process may end earlier, because its snapshot is no longer
-  // needed; its own child process is then a child of this process.
+  // Waits until no child process is left: the session then goes back to this snapshot or an earlier
+  // one, or is over.  A child whose snapshot is no longer needed ends earlier; its own child
+  // process then becomes a child of this process.
   void WaitForCopies() {
     while (waitpid(-1, nullptr, 0) > 0 || errno == EINTR) {
     }
@@ -150,12 +150,12 @@ class Stepper {
   void EndSession(const std::string& why) {
     ClearProgressLine();
     fmt::print("{}\n", why);
-    std::fflush(nullptr);  // _exit() may follow
+    std::fflush(nullptr);  // needed before _exit(), which would drop buffered text
     shared_->ends = shared_->differs = true;
     shared_->runs = false;
   }
 
-  // Runs this new copy of the snapshot after `here` messages to where the user goes back.
+  // Runs this new copy of the snapshot after `here` messages forward to the wanted moment.
   void CatchUp(uint64_t here) {
     went_back_ = false;  // Forward() must not stop at the snapshots that it takes now
     if (shared_->target > here) ForwardBy(shared_->target - here);
@@ -255,8 +255,8 @@ class Stepper {
     Show();
   }
 
-  // Runs forward to the next break, and shows on a terminal how far the end of the recording is.
-  // Returns the number of the break; 0 if the replay has ended before one.
+  // Runs forward to the next breakpoint, and shows on a terminal how far the end of the recording
+  // is.  Returns the number of the breakpoint; 0 if the replay has ended before a breakpoint.
   size_t ForwardToBreak() {
     RunProgressLine progress(STDERR_FILENO, replayer_->system().now_us(), replayer_->length_us());
     while (Forward(1)) {

@@ -10,9 +10,10 @@ namespace {
 // Largest payload that is read from a file.  No region of this size fits into the robot's memory,
 // so a larger size means that the file is damaged.
 constexpr uint64_t kPayloadMax = 64 << 20;
-// The most bytes that the last payloads of all senders may have together when a file is read.
-// Without this limit, a damaged file of some hundred bytes could make the reader use all memory,
-// because a payload that equals the one before takes no room in the file.
+// The most bytes that the last payloads of all senders may have together when a file is read.  Only
+// the size of a payload and its differences from the last payload are in the file.  So without this
+// limit, a damaged file of some hundred bytes could give large sizes without differences and make
+// the reader use all memory.
 constexpr uint64_t kKeptMax = 512 << 20;
 
 void WriteEvent(const NetworkEvent& event, ByteWriter* out) {

@@ -30,7 +30,8 @@ class Couplings {
   // Ends the couplings of a client whose connection has ended.
   void End(uint64_t client);
 
-  // Forgets all couplings.  Called in a fork of the process, because the fork chooses its own rate.
+  // Forgets all robots with which this run was coupled.  Called in a fork of the process, because
+  // the fork chooses its own speed of virtual time.
   void Forget();
 
  private:

@@ -36,7 +36,7 @@ struct JointDifference {
   // The lag; nullopt when the joint moves by less than kMovesDeg, when fewer than kSamplesMin
   // records are left for the comparison, or when the best shift is the largest that was tried.
   std::optional<double> lag_ms;
-  std::optional<double> gain;  // gain of the motion in B; nullopt when lag_ms is nullopt
+  std::optional<double> gain;  // the gain of the formula above; nullopt when lag_ms is nullopt
   // Root of the mean square of the difference between motions B and A, after B was shifted by the
   // lag.
   std::optional<double> rms_after_lag_deg;

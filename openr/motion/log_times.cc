@@ -46,8 +46,9 @@ std::vector<double> TimesOf(const LogFile& log) {
           "(--motion FILE.MTN), which has their number",
           i, now));
     }
-    // Refuses a second key frame 0 in the log.  Only the beginning of a motion has key frame 0,
-    // because a further loop begins with the gap before its second key frame.
+    // Refuses a second key frame 0 in the log.  Key frame 0 is logged only when a motion begins,
+    // and not when it is repeated: a repetition begins with the movement from key frame 0 to key
+    // frame 1, after which key frame 1 is reached.
     if (i > 0 && now == 0) {
       throw std::runtime_error(
           fmt::format("record {}: another motion begins; a log to be read has one motion", i));
@@ -59,8 +60,8 @@ std::vector<double> TimesOf(const LogFile& log) {
 }
 
 std::vector<double> TimesOf(const LogFile& log, const MtnFile& motion) {
-  // Returns early for a motion with only one key frame: it has no gap to play, so its log has only
-  // one record.
+  // Returns early for a motion with only one key frame: it has no movement between key frames, so
+  // its log has only one record.
   if (motion.NumKeyFrames() < 2 && log.records.size() < 2)
     return std::vector<double>(log.records.size(), 0.0);
   size_t most = 0;  // largest number of records that agree with a play-back of `motion`

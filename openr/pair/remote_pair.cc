@@ -30,7 +30,7 @@ constexpr size_t kTripsMax = 32;  // number of round trips that are kept; the sh
                                   // as the time of the network
 // Largest number of events that are taken from one robot before it is the other robot's turn.
 constexpr int kEventsMax = 100;
-// A goal that changes by less than this, in 0.01 degree, is not sent.
+// Least change of a joint's goal that is sent, in 0.01 degree.
 constexpr int32_t kChangeMin = 5;
 constexpr uint32_t kFramesPerTurn = 0x0ffffff1;  // number of frames after which frame numbers begin
                                                  // again with 0

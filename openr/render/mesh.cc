@@ -20,7 +20,8 @@ void AddSide(int axis, float sign, const Eigen::Vector3f& flat, float radius, in
   // direction of the side.  The angles go from -45 to 45 degrees in equal steps, because this makes
   // the edge evenly round.
   const auto slope = [steps](int i) {
-    // `step` goes from -steps to 0, then from 0 to steps, because the middle line exists twice.
+    // The grid has its middle line twice, at the two borders of the flat part of the side.  So
+    // `step` goes from -steps to 0, and then from 0 to steps.
     const int step = i <= steps ? i - steps : i - steps - 1;
     return std::tan(static_cast<float>(step) / static_cast<float>(steps) * 0.78539816f);
   };

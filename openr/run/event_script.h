@@ -30,8 +30,8 @@ class EventScript {
   // Gives the robots the inputs of the script that are due now.  Called between frames of 8 ms.
   void Feed(System* system);
 
-  // Removes the next event of the script if it is this input to this robot, because another part of
-  // the program has already given the input to the robot.
+  // Removes the next event of the script if it is the input `input` to the robot number `robot`,
+  // because another part of the program has already given the input to the robot.
   void Skip(int robot, const std::string& input);
 
   // Adds an error finding if some inputs of the script were not due before the end of the run.

@@ -168,9 +168,9 @@ void RunServer::TellLastWords(const Ending& ending) {
                                           {"report", run_->Report()}};
     pipe_.Send(JsonText(words), "");
   } catch (const std::exception&) {
-    return;  // the program then finds the pipe closed, and does without the last words
+    return;  // the program then finds the pipe closed, and does not get this second message
   }
-  TellHandled(ending);  // called last, so that a crash in this call does not keep the words back
+  TellHandled(ending);  // called last, so that a crash in it comes after Send()
 }
 
 }  // namespace openr_host

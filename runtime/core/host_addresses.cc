@@ -10,8 +10,9 @@
 namespace openr_host {
 namespace {
 
-// The range of host addresses.  The kernel puts programs, their heaps and libraries above all
-// planned addresses, from 17 TiB on, and below 128 TiB, where the addresses of a program end.
+// The range of the addresses that the kernel gives to the host's own memory: programs, their heaps
+// and libraries.  The range begins at 17 TiB, above the memory of objects (address_plan.h), and
+// ends at 128 TiB, where the addresses of a program end.
 constexpr uint64_t kLowest = uint64_t{0x1100} << 32;
 constexpr uint64_t kEnd = uint64_t{1} << 47;
 

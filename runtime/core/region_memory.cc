@@ -19,7 +19,7 @@ constexpr size_t kMapBytes = 64 << 10;
 constexpr size_t kKeepBytes = 256 << 10;
 // The largest sum of bytes of the free cells that stay mapped (RegionMemory::kept_bytes_).  Cells
 // smaller than kMapBytes do not count.  After a reboot of the robot the same regions are in other
-// slots, so without a limit each reboot would leave mapped cells behind.
+// slots of the RegionTable, so without a limit each reboot would leave mapped cells behind.
 constexpr size_t kKeptBytesMax = 1 << 20;
 
 // Sets flag `index` of a list to `value`.  Flags beyond the end of the list are false.  So the list

@@ -32,9 +32,10 @@ class RegionMemory {
   void Free(char* block);
 
  private:
-  // Blocks belong to size classes.  Each class has one cell, the memory for one block, for each
-  // slot.  A cell of class 0 has 64 bytes, and a cell of each further class four times as many as a
-  // cell of the class before.
+  // The size of a block is rounded up to one of kClasses sizes, the size classes.  A cell is the
+  // memory for one block.  For each slot of the RegionTable there is one cell of each size class.
+  // A cell of class 0 has 64 bytes, and a cell of each further class four times as many as a cell
+  // of the class before.
   static constexpr int kClasses = 10;
   static size_t CellBytes(int size_class) { return size_t{64} << (2 * size_class); }
   static size_t OffsetOf(int size_class);

@@ -160,8 +160,9 @@ bool ForgetDescriptor(int descriptor) {
   return false;
 }
 
-// Calls `next`, a function of the C library.  For an object, replaces `path` by the path of the
-// same file on the host, or returns -1 if the object may not use the file for `use`.
+// Calls `next`, a function of the C library, with `path`.  If an object is the caller, passes the
+// path of the same file on the host instead, or returns -1 if the object may not use the file in
+// the way `use`.
 template <typename Function, typename... Rest>
 int WithPath(Function* next, StickUse use, const char* path, Rest... rest) {
   if (!InObject()) return next(path, rest...);

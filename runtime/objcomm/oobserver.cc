@@ -126,8 +126,9 @@ OControlReplyMessage AskSubject(ObserverState* state, const OServiceEntry& entry
 OStatus OObserver::ConnectHandler(const OConnectMessage& msg, OStatus status) {
   const ApiScope scope;
   const bool connect = msg.command == oconnectcmdCONNECT;
-  // Stores the name of the service, by which findings name this observer.  NameService() finds the
-  // name by the entry that runs now, so the name can be found only here.
+  // Stores the name of the service, by which findings name this observer.  NameService() takes the
+  // name from the Connect entry that runs now.  The name is stored, because it cannot be found any
+  // more when this entry has returned.
   state_->service = state_->object->NameService(state_->id.GetSelector(), "Notify");
   OStatusMessage answer(status);
   if (status == oSUCCESS) {

@@ -1,4 +1,5 @@
-// A block at the start of shared memory that describes the place of this memory.
+// The header at the start of shared memory.  It has the memory's id, physical address, offset in
+// its region and size.
 #ifndef OPENR_SHAREDMEMORYHEADER_H_INCLUDED
 #define OPENR_SHAREDMEMORYHEADER_H_INCLUDED
 
