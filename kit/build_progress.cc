@@ -16,7 +16,8 @@ void ShowBuildProgress(MakeOptions* options, const std::function<uint64_t()>& co
   ProgressLine progress(total > 0 ? STDERR_FILENO : -1, total, "sources compiled");
   CompileCounter counter;
   if (progress.is_shown()) {
-    // Shows no more than all, because sources that fail are compiled several times.
+    // Limits the shown number to `total`, because a source that fails is compiled several times,
+    // and each time counts.
     options->while_waiting = [&progress, &counter, total](const std::string& log) {
       progress.Show(std::min(counter.CountIn(log), total));
     };

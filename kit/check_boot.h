@@ -19,7 +19,8 @@ struct StickSummary {
 // which is the robot's system.
 bool HasBaseImage(const std::string& root);
 
-// Returns what each base image has and where they are, to complete an error message.
+// Returns a text for the end of an error message.  It lists the files that a base image has, and
+// names the folders of the SDK in which there are base images.
 std::string BaseImageContents();
 
 // Adds a remark for each part of the robot's system that is missing on the stick in the folder

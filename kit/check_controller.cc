@@ -162,8 +162,9 @@ class ControllerCheck {
            (code[before] == '.' || (code[before] == '>' && before > 0 && code[before - 1] == '-'));
   }
 
-  // Returns whether the word at `at` is a variable that is declared there with a type such as
-  // std::ifstream.  The brackets after such a variable contain the name of a file.
+  // Returns whether the word at `at` is the name of a new variable with a type such as
+  // std::ifstream, as `file` in std::ifstream file("A.TXT").  The brackets after such a name
+  // contain the name of a file.
   static bool IsFileStream(const std::string& code, size_t at) {
     size_t begin = PreviousOf(code, at);
     if (begin == kNone || begin + 1 == at) return false;

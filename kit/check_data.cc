@@ -160,8 +160,10 @@ class DataCheck {
     }
   }
 
-  // Warns of objects with virtual functions that are made in a region, new (region->Base()) Type,
-  // if the region is sent and an object of another folder calls such a function.
+  // Warns of instances of classes with virtual functions that are made in a region, new
+  // (region->Base()) Type, if the region is sent and an OPEN-R object of another folder calls such
+  // a function.  On the robot this call crashes, because the table of virtual functions is in the
+  // image of the sender.
   void CheckRegions(const std::string& name, const File& file) {
     static const std::regex kPlaced(
         "\\bnew[ \t]*\\([ \t]*(?:\\([ \t]*void[ \t]*\\*[ \t]*\\)[ \t]*)?(\\w+)[^;]{0,80}?"

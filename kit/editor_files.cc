@@ -37,12 +37,12 @@ std::string StickOf(const EditorFolder& folder) {
   return folder.stick == "." ? kFolder : std::string(kFolder) + "/" + folder.stick;
 }
 
-// Returns how long the tasks run the stick, in virtual time.  A controller begins when the robot
-// has stood up, which takes more than 10 s.
+// Returns how long the tasks run the stick, in virtual time.  A controller gets more time, because
+// it begins only when the robot has stood up, which takes more than 10 s.
 const char* DurationOf(const EditorFolder& folder) { return folder.is_controller ? "30s" : "10s"; }
 
 // Returns the name of the task whose images the debugger runs.  A controller is always built with
-// debug information, so it has one task for both.
+// debug information, so its one build task is also the task for the debugger.
 const char* TaskBeforeDebugger(const EditorFolder& folder) {
   return folder.is_controller ? kBuildTask : kDebugBuildTask;
 }
@@ -107,8 +107,9 @@ Json Launch(const EditorPlaces& places, const EditorFolder& folder) {
                                            {"preLaunchTask", TaskBeforeDebugger(folder)}}})}};
 }
 
-// Returns how the editor finds headers: in the commands of the build, or for a controller, whose
-// build writes none, in the folders where `openr controller build` finds them.
+// Returns the settings with which the editor finds headers.  They name the file of compile commands
+// that the build writes.  The build of a controller writes no such file, so for a controller they
+// list the folders in which `openr controller build` finds headers.
 Json Settings(const EditorPlaces& places, const EditorFolder& folder) {
   if (folder.is_controller)
     return {{"C_Cpp.default.includePath",

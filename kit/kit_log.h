@@ -66,13 +66,14 @@ KitLog ReadKitLog(const std::string& file);
 class CompileCounter {
  public:
   // Reads the log `file` again and returns the number of sources compiled so far, in all logs that
-  // were read.  What a log has when it is read first is of earlier builds and does not count.
+  // were read.  The compilations that a log has when it is read for the first time belong to
+  // earlier builds and do not count.
   uint64_t CountIn(const std::string& file);
 
  private:
   struct Lines {
     uint64_t before = 0;  // compilations of earlier builds
-    uint64_t now = 0;     // most compilations of this build that the log has had
+    uint64_t now = 0;     // largest number of compilations of this build that the log has had
   };
   std::map<std::string, Lines> logs_;
 };

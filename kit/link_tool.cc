@@ -141,8 +141,8 @@ std::string Summarise(const std::string& output) {
                      fmt::join(first, ", "), names.size() > kShown ? ", ..." : "");
 }
 
-// Returns the path by which the user knows `file`: that of the original if `openr build` has made
-// `file` in a private copy of the user's folder, else `file`.
+// Returns the path by which the user knows `file`: the path of the original if `openr build` has
+// made `file` in a private copy of the user's folder, else `file`.
 std::string NameForUser(const std::string& file) {
   const std::string original =
       OriginalOf(fs::absolute(file).lexically_normal().string(), SourceCopies());

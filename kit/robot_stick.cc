@@ -102,8 +102,8 @@ class RobotStick {
   }
 
   // Writes the network settings to the stick.  Takes the WLANCONF.TXT in the folder of the
-  // controller.  If there is no such file, takes the WLANCONF.TXT of the base, or else the file of
-  // this project.
+  // controller.  If there is no such file, takes the WLANCONF.TXT of the base (the system files
+  // with which the stick begins), or else the file of this project.
   void PutNetworkSettings() {
     const fs::path to = On("SYSTEM/CONF", "WLANCONF.TXT");
     fs::path from =

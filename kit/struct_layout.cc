@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 using OpenElf = std::unique_ptr<Elf, decltype(&elf_end)>;
 using OpenDwarf = std::unique_ptr<Dwarf, decltype(&dwarf_end)>;
 
-// Returns the entry for the type of `die`; nullopt if the entry has no type.
+// Returns the type of `die`, an entry of the debug information (DWARF), as an entry.  Returns
+// nullopt if `die` has no type.
 std::optional<Dwarf_Die> DeclaredTypeOf(Dwarf_Die* die) {
   Dwarf_Attribute attribute;
   Dwarf_Die type;
@@ -25,8 +26,8 @@ std::optional<Dwarf_Die> DeclaredTypeOf(Dwarf_Die* die) {
   return type;
 }
 
-// Returns the entry for the type of `die`, without typedefs, const and volatile.  Returns nullopt
-// if the entry has no type.
+// Returns the type of `die`, an entry of the debug information, as an entry: the type without
+// typedefs, const and volatile.  Returns nullopt if `die` has no type.
 std::optional<Dwarf_Die> TypeOf(Dwarf_Die* die) {
   std::optional<Dwarf_Die> type = DeclaredTypeOf(die);
   Dwarf_Die peeled;
@@ -53,7 +54,8 @@ std::string NameOf(Dwarf_Die* die) {
 
 std::string WideTypeIn(Dwarf_Die* structure);
 
-// Returns StructLayout::Member::wide_type of `member`.
+// Returns the name of the type in `member` that has 8 bytes here and 4 on the robot
+// (StructLayout::Member::wide_type); "" if there is none.
 std::string WideTypeOf(Dwarf_Die* member) {
   std::string shown;  // name of the first typedef, by which the user knows the type
   Dwarf_Die die = *member;
@@ -110,7 +112,8 @@ std::optional<StructLayout::Member> MemberOf(Dwarf_Die* die) {
   return StructLayout::Member{name, *begin, bytes, is_array, is_hidden ? "" : WideTypeOf(die)};
 }
 
-// Returns the layout of the struct `die`; nullopt if the entry only declares the struct.
+// Returns the layout of the struct whose entry in the debug information is `die`.  Returns nullopt
+// if the entry only declares the struct.
 std::optional<StructLayout> LayoutOf(Dwarf_Die* die) {
   const std::optional<uint64_t> bytes = NumberOf(die, DW_AT_byte_size);
   if (!bytes || dwarf_hasattr(die, DW_AT_declaration) != 0) return std::nullopt;
@@ -122,8 +125,8 @@ std::optional<StructLayout> LayoutOf(Dwarf_Die* die) {
   return layout;
 }
 
-// Adds to `layouts` each layout of the type `name` in the debug information `dwarf`.  Each
-// compilation unit of the image may have another one.
+// Adds to `layouts` each layout of the type `name` in the debug information `dwarf`.  There can be
+// several layouts, because each source of the image may have another definition of the type.
 void Collect(Dwarf* dwarf, const std::string& name, std::vector<StructLayout>* layouts) {
   Dwarf_CU* unit = nullptr;
   Dwarf_Die root, child;

@@ -15,9 +15,10 @@ class BodyMover {
   // must outlive the mover.
   BodyMover(const RobotModel& model, Body* body);
 
-  // Simulates one frame of the body under the commands in `commands`.
+  // Simulates one frame of the body, with the member `commands` as the commands to its joints.
   void Frame() { body_.Advance(commands); }
-  // Simulates frames for `seconds` seconds under the commands in `commands`.
+  // Simulates frames for `seconds` seconds, with the member `commands` as the commands to the
+  // joints.
   void Hold(double seconds);
 
   // Switches the servos of all joints on, with their present angles as set points, so that no joint

@@ -119,8 +119,8 @@ OStatus Devices::SetGain(int joint, const GainWords& gains) {
   if (!device.gain_enabled) return oGAIN_DISABLED;
   device.gains = gains;
   std::copy(gains.begin() + kNumGains, gains.end(), device.asked_shifts.begin());
-  // Gains of 0 switch a servo off.  A program that does so does not care for the shifts, so they
-  // are kept from the other joints.
+  // Gains of 0 switch a servo off.  A program that does so does not care for the shifts, so they do
+  // not change the shifts of the other joints.
   if (has_one_shift_ && HasGain(joint)) ShareShifts(joint);
   return oSUCCESS;
 }

@@ -28,8 +28,9 @@ struct JointDevice {
   ObjectId commander = kNoObject;  // the object that sent the set point
   bool gain_enabled = false;
   GainWords gains{};  // gains of the servo; all are 0 while gain_enabled is false
-  // The shifts that the last call for this joint has asked for.  On an ERS-7 those of `gains` may
-  // be others (Devices::HasOneShift()).
+  // The shifts that the last call for this joint has asked for.  On an ERS-7 the shifts in `gains`
+  // may differ from them, because all joints share one register for the shifts
+  // (Devices::HasOneShift()).
   ShiftWords asked_shifts{};
   // The joint's default gains, which RegisterDefaultJointGain() has stored.
   std::optional<GainWords> registered;

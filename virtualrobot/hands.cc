@@ -329,7 +329,7 @@ void Hands::ReleaseJoint(int joint) {
   if (turns_.erase(joint) > 0) robot_.devices.Trouble(joint).hand_rad.reset();
 }
 
-// Moves the hands that turn joints by one frame.
+// Simulates one frame (8 ms) of the hands that turn joints.
 void Hands::MoveJoints() {
   for (auto at = turns_.begin(); at != turns_.end();) {
     auto& [joint, turn] = *at++;  // `at` goes on first, because ReleaseJoint() erases this element

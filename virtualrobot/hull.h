@@ -50,8 +50,9 @@ class Hull {
   // lowest point found so far.
   struct BallPair {
     Pair x{}, y{}, z{};  // coordinates of the balls' centres
-    // At first both radii are minus infinity.  If the pair has only one box, the second radius
-    // keeps this value, so its ball has its lowest point infinitely high and is never the lowest.
+    // The radii of the two balls.  If the pair has only one box, the second radius stays minus
+    // infinity.  Then the lowest point of the second ball (height of the centre minus radius) is
+    // infinitely high, so LowestAlong() never takes its box.
     Pair radius = {-std::numeric_limits<double>::infinity(),
                    -std::numeric_limits<double>::infinity()};
   };

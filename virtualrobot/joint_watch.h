@@ -85,8 +85,9 @@ class JointWatch {
                        std::vector<std::string>* problems);
 
   // Checks whether the last calls for two joints ask for different shifts of the gains, on a robot
-  // that has one register for all.  A program that changes the shifts of all joints, one after the
-  // other, makes no mistake; so this is checked when a vector starts and not at each change.
+  // whose joints share one register for the shifts.  A program that changes the shifts of all
+  // joints, one after the other, makes no mistake; so this is checked when a vector starts and not
+  // at each change.
   void CheckShifts(std::vector<std::string>* problems);
 
   const RobotModel& model_;

@@ -23,11 +23,11 @@ constexpr double kRayMaxM = 2.0;
 // such a sensor sees grey paper, with a reflectance of 0.18, up to 0.8 m; docs/calibration.md.
 constexpr double kLightMinPerM2 = 0.18 / (0.8 * 0.8);
 
-// Time for which one of two sensors is measured until it is the other one's turn
-// (field-notes.md 8.5).
+// Two sensors are measured in turn: time for which one is measured before the other sensor's turn
+// comes (field-notes.md 8.5).
 constexpr int64_t kTurnUs = 50'000;
-// The signal of a sensor that is measured in turn says whether its value is new.  No source has the
-// two signals, so these are our choice.
+// The signal of a sensor that is measured in turn says whether its value is new.  No document gives
+// the two values of this signal, so they are our choice.
 constexpr word kFreshSignal = 1, kKeptSignal = 0;
 
 int TurnOf(int64_t frame) { return static_cast<int>(frame * kFrameUs / kTurnUs % 2); }
@@ -178,7 +178,7 @@ void SensorSource::SampleTurn(int turn, const Body& body, const Devices& devices
     if (sensor.turn >= 0) latest_[i].signal = is_kept ? kKeptSignal : kFreshSignal;
     const auto fault = faults_.find(static_cast<int>(i));
     if (fault == faults_.end()) continue;
-    // A value that is kept has its noise already.
+    // Adds no noise to a value that is kept, because its noise was added when it was measured.
     if (is_kept && fault->second.kind == SensorFaultKind::kNoisy) continue;
     ApplyFault(fault->second, sensor, before, &latest_[i]);
   }
@@ -221,7 +221,8 @@ void SensorSource::Repair(int sensor) {
 bool SensorSource::Sample(int64_t frame, const Body& body, const Devices& devices) {
   ASSERT(collected_ >= 0 && collected_ < kFramesPerVector, "{} frames", collected_);
   if (collected_ == 0) first_frame_ = frame;
-  // The first sample measures all sensors, because there is no value yet that one could keep.
+  // The first sample measures all sensors, because no sensor has an earlier value yet that it could
+  // keep.
   SampleTurn(has_sample_ ? TurnOf(frame) : kAllTurns, body, devices);
   std::copy(latest_.begin(), latest_.end(),
             frames_.begin() + static_cast<ptrdiff_t>(latest_.size()) * collected_);

@@ -107,7 +107,7 @@ class SensorSource {
     bool operator==(const JointReading&) const = default;
   };
 
-  // The turn in which all sensors are measured.
+  // The value of the parameter `turn` of SampleTurn() with which all sensors are measured.
   static constexpr int kAllTurns = -1;
 
   // Samples all sensors.  A sensor that is measured in turn, but not in `turn`, keeps its value.

@@ -10,9 +10,10 @@
 
 namespace openr_host {
 
-// Keeps the results for the joint angles of the last Move().  The next Move() computes again only
-// the parts that a joint has moved since then.  All results have the same bits as the results of a
-// new StiffRobot with the same angles.
+// Computes the poses of the robot's parts from the angles of its joints, and how the robot rests on
+// a floor.  Keeps the results for the angles of the last Move().  The next Move() computes again
+// only the parts that a joint has moved since then.  All results have the same bits as the results
+// of a new StiffRobot with the same angles.
 class StiffRobot {
  public:
   // Makes a robot with all joints at 0.  `model` must outlive the robot.

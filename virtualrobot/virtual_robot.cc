@@ -34,7 +34,8 @@ OStatus VirtualRobot::OpenPrimitive(const char* locator, OPrimitiveID* id) {
   *id = parts_.primitives.IdOf(locator);
   if (*id == oprimitiveID_UNDEF) return oNOT_FOUND;
   Primitive* const primitive = parts_.primitives.Find(*id);
-  // An ERS-7 with a broken part logged status 6, which is oNOT_FOUND (field-notes.md 5.4).
+  // Returns oNOT_FOUND for a missing part, because an ERS-7 with a broken part logged status 6,
+  // which is oNOT_FOUND (field-notes.md 5.4).
   if (primitive->is_missing) {
     *id = oprimitiveID_UNDEF;
     return oNOT_FOUND;

@@ -67,7 +67,8 @@ class Canvas {
   // Draws paint, a face on the floor.  REQUIRES: called before faces and balls are drawn.
   void DrawPaint(Face face, const RgbBytes& colour);
 
-  // Draws a ball that is lit from the direction `to_light_W`; `ambient` is as in World.
+  // Draws a ball that is lit from the direction `to_light_W`.  `ambient` is the share of the light
+  // that comes from all directions, 0 to 1.
   void DrawBall(const Eigen::Vector3d& centre_W, double radius_m, const Eigen::Vector3d& colour,
                 const Eigen::Vector3d& to_light_W, double ambient);
 

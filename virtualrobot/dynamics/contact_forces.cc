@@ -14,7 +14,8 @@ constexpr int kOpenRounds = 3;
 
 double Length(double x, double y) { return std::sqrt(x * x + y * y); }
 
-// Returns the part of the wanted change of velocity in row `row` that the impulses do not give.
+// Returns the part of the wanted change of velocity in row `row` (one direction of a contact) that
+// the impulses do not give.
 double Missing(const ContactEquations& equations, const std::vector<double>& impulses, int row) {
   double missing = equations.wanted[row];
   const double* const k = equations.Row(row);

@@ -37,7 +37,8 @@ class ContactEquations {
   double& At(int row, int column) { return matrix_[static_cast<size_t>(row) * rows() + column]; }
   const double* Row(int row) const { return &matrix_[static_cast<size_t>(row) * rows()]; }
 
-  // For each row, the wanted change of velocity d, in m/s.
+  // The wanted change of velocity for each row (one of the three directions of a contact), in m/s.
+  // This is the vector d of the comment at the top of this file.
   std::vector<double> wanted;
 
  private:
@@ -49,8 +50,9 @@ class ContactForces {
   // `friction` is Coulomb's coefficient of friction.
   explicit ContactForces(double friction) : friction_(friction) {}
 
-  // Find() ends after a sweep over all contacts that changes no impulse by more than this, in N s.
-  // For comparison: a standing ERS-210 presses with 0.13 N s on the floor in a frame.
+  // Largest change of an impulse, in N s, that counts as no change.  Find() ends after a sweep over
+  // all contacts in which no impulse changes by more.  For comparison: a standing ERS-210 presses
+  // with 0.13 N s on the floor in a frame.
   static constexpr double kTolerance_n_s = 1e-6;
   // Limit of the number of sweeps over all contacts.  After so many sweeps Find() returns the
   // impulses as they are.

@@ -10,9 +10,9 @@
 
 namespace openr_host {
 
-// Adds the points, at most kHeightPointsMax, at which a ball touches the heightfield `thing`, the
-// deepest first.  There can be more than one point, because a ball in a valley touches both sides
-// of the valley.
+// TouchBallOnHeights() adds to `points` the points, at most kHeightPointsMax, at which a ball
+// touches the heightfield `thing`, the deepest first.  There can be more than one point, because a
+// ball in a valley touches both sides of the valley.
 inline constexpr int kHeightPointsMax = 8;
 void TouchBallOnHeights(const Eigen::Vector3d& centre_W, double radius_m, const WorldThing& thing,
                         std::vector<TouchPoint>* points);

@@ -92,14 +92,16 @@ class JointTree {
   void AddRow(int part, const Eigen::Vector3d& p_W, const Eigen::Vector3d& direction_W);
   int rows() const { return static_cast<int>(row_speed_.size()); }
 
-  // Returns the velocity along row `row` at the end of the step if no contact acts, in m/s.
+  // Returns the velocity along row `row` (the point and direction of a call of AddRow()) at the end
+  // of the step if no contact acts, in m/s.
   double FreeSpeed(int row) const { return row_speed_[row]; }
 
   // Returns by how much an impulse of 1 N s along row `b` changes the velocity along row `a`, in
-  // m/s.
+  // m/s.  A row is the point and direction of a call of AddRow().
   double Mobility(int a, int b) const;
 
-  // Ends the step: applies an impulse along each row, in N s, and moves all parts.
+  // Ends the step: applies an impulse along each row that AddRow() has added, in N s, and moves all
+  // parts.
   void EndStep(const std::vector<double>& impulses);
 
   void HashState(Hasher* hasher) const;

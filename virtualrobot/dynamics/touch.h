@@ -32,8 +32,8 @@ SurfaceDistance DistanceTo(ThingShape shape, const Eigen::Vector3d& size_m,
 void TouchBall(const Eigen::Vector3d& centre_W, double radius_m, const WorldThing& thing,
                std::vector<TouchPoint>* points);
 
-// Adds the points, at most kBoxPointsMax, at which a box touches `thing`.  REQUIRES: `thing` is a
-// sphere or a cylinder.
+// TouchBox() adds to `points` the points, at most kBoxPointsMax, at which a box touches `thing`.
+// REQUIRES: `thing` is a sphere or a cylinder.
 inline constexpr int kBoxPointsMax = 8;
 void TouchBox(const Eigen::Vector3d& centre_W, const Eigen::Matrix3d& R_WB,
               const Eigen::Vector3d& size_m, const WorldThing& thing,

@@ -18,10 +18,10 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-// Largest number of contacts of a group of touching trees, for each robot in the group.  A group
-// without robots may have as many contacts as a group with one robot.  If there are more contacts,
-// only the deepest count, because the work of the solver grows with the third power of their
-// number.
+// Largest number of contacts of a group of robots and movable things that touch each other, for
+// each robot in the group.  A group without robots may have as many contacts as a group with one
+// robot.  If there are more contacts, only the deepest count, because the work of the solver grows
+// with the third power of their number.
 constexpr size_t kContactsPerRobot = 64;
 constexpr size_t kContactsMax = 3 * kContactsPerRobot;
 
@@ -155,8 +155,8 @@ void PhysicsWorld::AddRows(const std::vector<ContactPoint>& points) {
   for (size_t i = 0; i < trees_.size(); ++i) impulses_[i].assign(trees_[i]->rows(), 0);
 }
 
-// Forms groups of trees that touch one another.  The number of a group is the lowest number of its
-// trees.
+// Forms groups of trees that touch one another; a tree is a robot or a movable thing.  The number
+// of a group is the lowest number of its trees.
 void PhysicsWorld::FindGroups(const std::vector<ContactPoint>& points) {
   groups_.resize(trees_.size());
   for (int i = 0; i < static_cast<int>(trees_.size()); ++i) groups_[i] = i;
@@ -220,7 +220,7 @@ void PhysicsWorld::FillEquations(const std::vector<ContactPoint>& points, double
 }
 
 // Returns by how much an impulse of 1 N s along row `b` changes the velocity along row `a`: the sum
-// over the trees that both rows have in common.
+// over the trees (robots or movable things) that both rows have in common.
 double PhysicsWorld::Mobility(const RowSides& a, const RowSides& b) const {
   double sum = 0;
   if (a.tree == b.tree) sum += trees_[a.tree]->Mobility(a.row, b.row);

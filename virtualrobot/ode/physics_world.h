@@ -113,8 +113,9 @@ class PhysicsWorld {
 
   // The members below belong to the present step.
   std::vector<RowSides> rows_;  // three rows for each contact
-  // For each tree, the number of a tree of the same group: the tree itself, or a tree with a lower
-  // number (see GroupOf()).
+  // A tree is a robot or a movable thing, and trees that touch each other form a group.  This list
+  // has for each tree the number of a tree of its group: of itself, or of a tree with a lower
+  // number.  GroupOf() follows these numbers to the lowest one.
   std::vector<int> groups_;
   std::vector<size_t> contacts_of_group_;  // contacts of the group that is solved
   // The impulses of the present step: impulses_[tree][row of the tree].
