@@ -84,8 +84,8 @@ const StructLayout::Member* FindMember(const StructLayout& layout, const std::st
   return found == layout.members.end() ? nullptr : &*found;
 }
 
-// Returns the first difference between the layouts that lets `receiver` read something else than
-// `sender` has sent, as a text for the user; "" if there is none.
+// Returns, as a text for the user, the first difference between the layouts because of which
+// `receiver` reads something else than `sender` has sent; "" if there is none.
 std::string DifferenceOf(const End& sender, const End& receiver) {
   for (const StructLayout::Member& theirs : receiver.layout.members) {
     if (!HasWord(receiver.code.sources, theirs.name)) continue;
@@ -169,8 +169,8 @@ class LayoutCheck {
                     is_pointer ? "" : ", and longword has 4 bytes on both"));
   }
 
-  // Returns the object that declares the service `name` and is built; null if there is none or
-  // more than one.
+  // Returns the object that declares the service `name` and is built; null if no object or more
+  // than one object does so.
   const BuiltObject* OwnerOf(const ServiceName& name) const {
     const auto [begin, end] = owners_.equal_range(Compose(name));
     return begin != end && std::next(begin) == end ? begin->second : nullptr;

@@ -38,7 +38,7 @@ bool HasAnyWord(const std::string& code, std::initializer_list<const char*> word
 }
 
 // Returns `code` with blanks in place of everything between #if and #endif.  Programs that also run
-// on a PC have calls there that are not compiled for the robot.
+// on a PC have calls between these lines that are not compiled for the robot.
 std::string WithoutConditionalCode(std::string code) {
   static const std::regex kDirective("^[ \t]*#[ \t]*(if|endif)");
   int depth = 0;

@@ -30,11 +30,11 @@ std::vector<std::filesystem::path> SourcesIncluded(
 // Leaves out the shared sources that it adds if names are still undefined at linking.
 uint64_t CountByConvention(const Project& project, const std::vector<ObjectFolder>& objects);
 
-// Builds `objects` of `project` in folders below `work`.  Compiles them with the usual flags, and
-// with the flags (-D, -I, -std ...) that their Makefiles have for the variables of `plan`, which
-// make was called with.  Returns an error message for each object whose build cannot begin, for
-// example without an .ocf file.  Prints the messages of the compilers.  Failures and images are in
-// the log of `options` (kit_log.h).
+// Builds `objects` of `project` in folders below `work`.  Compiles them with the kit's flags, and
+// with the flags (-D, -I, -std ...) that their Makefiles have when make sets the variables of
+// `plan`.  Returns an error message for each object whose build cannot begin, for example without
+// an .ocf file.  Prints the messages of the compilers.  Failures and images are in the log of
+// `options` (kit_log.h).
 std::vector<std::string> BuildByConvention(const Project& project,
                                            const std::vector<ObjectFolder>& objects,
                                            const MakePlan& plan, const std::filesystem::path& work,

@@ -86,7 +86,7 @@ Json Tasks(const EditorPlaces& places, const EditorFolder& folder) {
 }
 
 // Returns the settings for a run under gdb.  The run has no time limit for handlers, because the
-// user may stop inside one.  Its standard input is /dev/null, because gdb reads the terminal.
+// user may stop inside a handler.  Its standard input is /dev/null, because gdb reads the terminal.
 Json Launch(const EditorPlaces& places, const EditorFolder& folder) {
   Json settings = Json::array();
   for (const std::string& command : GdbSettings(places.printers))
@@ -119,7 +119,7 @@ Json Settings(const EditorPlaces& places, const EditorFolder& folder) {
 }
 
 // Returns the path of the stick that is nearest to the root of the project, below the root. Without
-// a stick, returns the one that `openr build` makes.
+// a stick, returns the stick that `openr build` makes.
 std::string NearestStick(const Project& project) {
   std::vector<std::string> sticks;
   for (const StickFolder& stick : project.sticks)

@@ -10,7 +10,7 @@ namespace openr_host {
 
 struct ReferredPlaces {
   // The folder of the program, then folders outside of it in the order in which they were found.
-  // No folder is inside another one.
+  // No folder of this list is inside another folder of the list.
   std::vector<std::filesystem::path> folders;
   // Folders that contain one of `folders` and that a Makefile names, such as the parent folder in
   // "VPATH=..".  Only the files directly in them count, because files in folders below them may not

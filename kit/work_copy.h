@@ -35,8 +35,8 @@ class WorkCopy {
   // Returns the path in the copy that belongs to `original`, even if that file was not copied.
   std::filesystem::path PlaceOf(const std::filesystem::path& original) const;
 
-  // Returns all copied folders.  The first is the one that the user named.  At the end of the list
-  // are folders of which only the files directly inside were copied.
+  // Returns all copied folders.  The first is the folder that the user named.  At the end of the
+  // list are folders of which only the files directly inside were copied.
   const std::vector<SourceCopy>& copies() const { return copies_; }
 
   // Returns the originals of object files, libraries and images that were not copied because they

@@ -52,7 +52,7 @@ class Hull {
     Pair x{}, y{}, z{};  // coordinates of the balls' centres
     // The radii of the two balls.  If the pair has only one box, the second radius stays minus
     // infinity.  Then the lowest point of the second ball (height of the centre minus radius) is
-    // infinitely high, so LowestAlong() never takes its box.
+    // infinitely high, so LowestAlong() never looks for a second box.
     Pair radius = {-std::numeric_limits<double>::infinity(),
                    -std::numeric_limits<double>::infinity()};
   };

@@ -28,8 +28,8 @@ remote::Address AddressOf(const RcFlags& flags) {
 }
 
 int Perform(const RcFlags& flags, const RcAction& action) {
-  // Performs the action at each of the two robots separately if --with names a second one.  If
-  // --log is given as well, performs one action for both, because the log has the records of both.
+  // If --with names a second robot, performs the action at each of the two robots separately.  But
+  // with --log performs one action for both robots, because the log has the records of both.
   if (!flags.with.empty() && flags.log.empty()) {
     AddressOf(flags);
     return PerformAtBoth(flags, action);

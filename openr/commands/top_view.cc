@@ -15,8 +15,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Run = RunsHeard::Run;
 
-// A run that is silent for longer than this is shown as silent.  Each run sends its status once a
-// second.
+// A run is shown as silent if its last status came longer ago than this.  Each run sends its status
+// once a second.
 constexpr double kSilent_s = 3;
 constexpr double kEnded_s = 10;   // time for which a run is shown after its end
 constexpr size_t kStateMax = 40;  // most characters of an object's state in the table

@@ -24,8 +24,9 @@ void FindCalls(const RobotCode& code, EmonStory* story) {
     story->has_more_calls = story->calls.size() == kCallsMax;
     if (!story->has_more_calls) story->calls.push_back(CallBefore(code, address));
   };
-  // Leaves out register ra if it leads into the function that failed: this function has called
-  // another one, and ra is left from that call.  So ra does not name the caller.
+  // Leaves out register ra if it leads into the function that failed.  This function has then
+  // called another function, and ra is left from that call, so ra does not name the caller of the
+  // function that failed.
   const uint32_t ra = log.registers[kRobotRa].value_or(0);
   const std::string& function = story->place->code.function;
   if (function.empty() || code.LookUp(ra - 8).function != function) add(ra);

@@ -178,7 +178,7 @@ int64_t RandomSchedule::PickCostUs(const Deviation&, int64_t range_us) {
 
 // Picks the number of the robot's first frame: 0, or so large a number that the frame counter
 // begins again at 0 within the run of `frames` frames.  A real robot comes to the end of the
-// counter only after weeks, so this case is seldom tested there.
+// counter only after weeks, so this case is seldom tested on a real robot.
 int64_t RandomSchedule::PickFrame(const Deviation&, int64_t frames) {
   if (frames <= 1 || !Happens(&frame_, frame_rate_)) return 0;
   return int64_t{oframeMAX_NUMBER} -

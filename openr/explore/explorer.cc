@@ -49,7 +49,7 @@ class Sum {
   explicit Sum(const ExplorePlan& plan) : plan_(plan) {}
 
   // Returns whether more runs are wanted.  Returns false when plan_ asks to stop at the first
-  // broken property and a run has broken one.
+  // broken property and a run has broken a property.
   bool wants_more() const { return !(plan_.stop_at_first && first_broken_); }
 
   void Add(const Json& answer) {

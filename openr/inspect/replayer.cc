@@ -271,7 +271,7 @@ void Replayer::ComparePayload(const TraceEntry& recorded, const Message& message
   const std::string& then = recorded.payload;
   // The content of a message of the network stack is a description.  Only the hash decides whether
   // such messages are equal, because another version of this program may describe them in other
-  // words, and an older one has recorded no description.
+  // words, and an older version has recorded no description.
   if (message.kind == PayloadKind::kHashed) {
     if (hash != recorded.record.payload_hash && !then.empty() && now != then)
       Differ(recorded, fmt::format("is '{}' now, '{}' when recorded", now, then));

@@ -30,8 +30,8 @@ class SnapshotList {
   // needs about 100.
   static constexpr size_t kSizeMax = 256;
 
-  // Adds the snapshot of the present moment.  Removes older ones that are too close together, and
-  // returns their processes, which the caller must end.  Never removes the first snapshot.
+  // Adds the snapshot of the present moment.  Removes older snapshots that are too close together,
+  // and returns their processes, which the caller must end.  Never removes the first snapshot.
   // REQUIRES: `snapshot` is later than all others.
   std::vector<pid_t> Add(const ProcessSnapshot& snapshot);
   // Removes the snapshots that were taken after more than `count` messages.

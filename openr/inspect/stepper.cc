@@ -366,8 +366,8 @@ class Stepper {
   uint64_t last_snapshot_ = 0;
 };
 
-// Returns the names of quantities for the completion of `start`.  Those of robot 0 that begin with
-// "robots[0]." are left out, unless the user has begun to type this, because each of these
+// Returns the names of quantities for the completion of `start`.  Leaves out the long names of
+// robot 0, "robots[0]. ...", unless the user has begun to type "robots", because each of these
 // quantities has a short name, too.
 std::vector<std::string> Stepper::QuantitiesFor(const std::string& start) const {
   std::vector<std::string> names = QuantitiesOf(view_.run());

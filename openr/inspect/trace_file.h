@@ -186,9 +186,10 @@ class TraceWriter {
   std::string Finish(System* system);
 
  private:
-  // The values of Object::predecessors of the two ends of a link, its sender and its target, when
-  // the file last had the names of both; -1: there is no such object.  If a value has changed since
-  // then, an object was replaced, and its names may have to be written again.
+  // How often the objects at the two ends of a link, its sender and its target, had been replaced
+  // (Object::predecessors) when the file last had the names of both; -1: there is no such object.
+  // If a number has changed since then, an object was replaced, and its names may have to be
+  // written again.
   struct Lives {
     int sender = -2;
     int target = -2;
@@ -209,9 +210,9 @@ class TraceWriter {
   std::map<int32_t, int> objects_;  // key: id of an object; value: Object::predecessors when the
                                     // object's name was written
   std::set<std::pair<int32_t, uint32_t>> entries_;
-  // The Lives of each link; the index is the number of the link.  AddMessage() must look up names
-  // only when the Lives of a link have changed: for the first message of the link, and after an
-  // object was replaced.
+  // For each link, by its number: how often the objects at its two ends had been replaced when
+  // their names were last written.  AddMessage() looks up names only when these numbers have
+  // changed: for the first message of the link, and after an object was replaced.
   std::vector<Lives> named_;
   std::string payload_copy_;
 };

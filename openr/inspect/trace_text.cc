@@ -146,7 +146,7 @@ void WriteTracePerfetto(TraceReader* reader, const TraceFilter& filter, const Te
     if (entry.kind == Kind::kObject) writer.AddObject(entry.robot, entry.id, entry.name);
     if (entry.kind != Kind::kMessage || !Shows(filter, *reader, record)) continue;
     // Messages with the same virtual time would cover each other in the drawing.  So each of them
-    // is drawn 1 us later than the one before.
+    // is drawn 1 us later than the message before.
     at_us = std::max(at_us + 1, static_cast<double>(record.time_us));
     HandlerSlice slice;
     slice.record = record;

@@ -16,7 +16,8 @@ constexpr double kPlayedFrameMs = 8;
 // the times of these records, up to the first record whose key frame is not the same as in the log.
 std::vector<double> PlayTimes(const LogFile& log, const MtnFile& motion, int per_vector) {
   MtnPlayer player;
-  // Plays more loops than there are records, so that the end of the log ends the play-back.
+  // Lets the motion repeat more often than the log has records, so that the end of the log ends the
+  // play-back.
   player.Start(&motion, static_cast<int>(log.records.size()) + 1, per_vector);
   std::vector<double> times_ms;
   int frames = 0;
@@ -36,7 +37,7 @@ std::vector<double> PlayTimes(const LogFile& log, const MtnFile& motion, int per
 
 std::vector<double> TimesOf(const LogFile& log) {
   std::vector<double> times_ms;
-  int loop_begin = 0;  // number of key frames in all loops before the present one
+  int loop_begin = 0;  // number of key frames in all earlier repetitions
   for (size_t i = 0; i < log.records.size(); ++i) {
     const int now = log.records[i].key_frame;
     const int before = i > 0 ? log.records[i - 1].key_frame : -1;

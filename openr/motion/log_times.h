@@ -13,8 +13,8 @@ namespace openr_host {
 
 // Returns the time of each record of `log`, in ms.  Assumes that key frames are 16 ms apart, as in
 // a motion without interpolated frames.  A key frame with a smaller number than the one before
-// belongs to the next loop of the motion.  Refuses a log in which a key frame repeats, because its
-// motion has interpolated frames.
+// belongs to the next repetition of the motion.  Refuses a log in which a key frame repeats,
+// because its motion has interpolated frames.
 std::vector<double> TimesOf(const LogFile& log);
 
 // Returns the time of each record of `log`, in ms.  Plays `motion`, the motion of the log, to find

@@ -188,8 +188,8 @@ std::optional<OwnAnswer> Forwarding::OwnAnswerToRequest() const {
                    false};
 }
 
-// Sends the requests that have come to the robot, and answers those that must not reach it.
-// Returns false if the connection must end.
+// Takes the requests that have come from the client.  Sends them to the robot, or answers them here
+// if they must not reach the robot.  Returns false if the connection must end.
 bool Forwarding::ForwardRequests() {
   for (;;) {
     if (delayed_) {

@@ -79,7 +79,7 @@ class Rewind {
   // Begins to follow the run that `parts` describes.  REQUIRES: System::Boot() has not been called.
   void Begin(RewindParts parts);
 
-  // Takes a checkpoint if the last one is old enough, and drops old checkpoints.  Drops all
+  // Takes a checkpoint if the last checkpoint is old enough, and drops old checkpoints.  Drops all
   // checkpoints if no client watches the run.  Called after each frame.  Returns false in the
   // original run.  Returns again, with true, in a branch, a copy that goes on as a run of its own.
   bool AfterFrame(bool is_watched);

@@ -18,8 +18,8 @@ class KnownRun {
   virtual Simulation& simulation() = 0;
 
   // Gives the run the inputs that are due now.  Then delivers the next message if it is due by
-  // `time_us`.  Otherwise sets the clock to `time_us`, or to the time of the next input if this is
-  // earlier.  Does nothing when the run is over.
+  // `time_us`.  Otherwise sets the clock to `time_us`, or to the time of the next input if this
+  // input is due earlier.  Does nothing when the run is over.
   virtual void RunOne(int64_t time_us) = 0;
 
   // Returns the virtual time at which the run is over.

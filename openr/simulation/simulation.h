@@ -57,7 +57,7 @@ struct SimulationOptions {
   uint32_t log_level = 3;           // see SystemOptions::log_level
   bool host_network = true;         // false: the robots cannot reach other programs
   // The port of this computer for the first robot's remote control; 0: any free port; -1: the
-  // robot's own port or, if that is taken, the next free one.
+  // robot's own port or, if that is taken, the next free port.
   int rc_port = -1;
   // Each pair names an address that the robots' programs use and the address that this computer
   // uses in its place.  These pairs have precedence over those in HOSTADDR.CFG of the stick.

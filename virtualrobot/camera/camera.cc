@@ -165,7 +165,8 @@ void CameraDevice::FillInfos(longword frame_number, OFbkImageVectorData* vector)
 
 RCRegion* CameraDevice::MakeVector(int64_t frame, const Body& body, std::string* problem) {
   const CameraShot shot = ShotBefore(frame, body);
-  // Allocates the memory of the picture only here, because most robots never take an image.
+  // Allocates the memory of the picture here and not in the constructor, because most robots never
+  // take an image.
   picture_.rgb.resize(PictureBytes(model_));
   *problem = source_->Capture(shot, &picture_);
   RCRegion* const region = FreeVector();
