@@ -73,7 +73,8 @@ std::string WideTypeOf(Dwarf_Die* member) {
         if (NumberOf(&die, DW_AT_byte_size) != uint64_t{8}) return "";
         return shown.empty() ? name : shown;
       case DW_TAG_typedef:
-        // A type such as int64_t, which is long here, has 8 bytes on the robot, too.
+        // A type such as int64_t, which is long here, does not count, because it has 8 bytes on the
+        // robot, too.
         if (name.find("64") != std::string::npos) return "";
         if (shown.empty()) shown = name;
         break;

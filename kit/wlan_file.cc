@@ -19,7 +19,8 @@ bool WithWep(const WlanConfig& config) { return config.wep_enable; }
 // channel; an access point has its own channel (Installation Guide 3.2.2).
 bool MayBeAdHoc(const WlanConfig& config) { return config.ap_mode != 1; }
 
-// Returns an address such as "10.0.1.100" as a number.  The parser has accepted the address before.
+// Returns an address such as "10.0.1.100" as a number.  The address is valid, because the parser
+// has accepted it before.
 uint32_t AddressOf(const std::string& text) {
   uint32_t address = 0;
   const char* at = text.c_str();
@@ -33,7 +34,8 @@ uint32_t AddressOf(const std::string& text) {
 
 std::string Flag(bool value) { return value ? "1" : "0"; }
 
-// Returns the answer as the file has it: 1 for yes and 0 for no.  Other answers stay as they are.
+// Returns `answer` as it is written in the file: 1 for yes and 0 for no.  Other answers stay as
+// they are.
 std::string FlagOf(const std::string& answer) {
   const std::string word = LowerCase(answer);
   return word == "yes" || word == "y" ? "1" : word == "no" || word == "n" ? "0" : answer;

@@ -33,8 +33,8 @@ constexpr double kAngleMax_deg = 360;
 constexpr double kMassMin_kg = 0.001, kMassMax_kg = 1000, kMovableMin_m = 0.005;
 // Largest thickness of a thing that is paint on the floor, and largest height of its middle.
 constexpr double kPaintMax_m = 0.01;
-// Thickness of the board that is a ramp.  A falling part moves less than this in a frame, so it
-// cannot pass through the board.
+// Thickness of the board that is a ramp.  A falling part moves less than this thickness in a frame,
+// so it cannot pass through the board.
 constexpr double kRampThickness_m = 0.1;
 
 // Reads the angle `yaw_deg` about the vertical, in radians; 0 if the file does not give it.

@@ -23,8 +23,8 @@ namespace openr_host {
 namespace {
 
 constexpr InputKind kEmonLog = {"crash record of a robot, OPEN-R/EMON.LOG", ".LOG"};
-// Begin of a line of a record that a run on a computer has written (ending/crash_log.h).  A robot
-// writes "exception code".
+// The beginning of a record that a run on a computer has written (ending/crash_log.h).  The record
+// of a robot has the words "exception code" instead.
 constexpr char kOwnRecord[] = "EXCEPTION ";
 
 struct EmonFlags {

@@ -15,8 +15,8 @@ std::string FrameText(uint32_t frame);
 // the robot has no sensor values yet.
 nlohmann::ordered_json FrameJson(uint32_t frame);
 
-// A label for answers.  While it exists, each answer that its thread prints begins with the address
-// of the robot that has sent it.
+// A label for answers.  While the label exists, each answer that is printed by the thread of the
+// label begins with the address of the robot that has sent it.
 class RcRobotLabel {
  public:
   explicit RcRobotLabel(const std::string& address);

@@ -324,7 +324,7 @@ void Replayer::Compare(const TraceRecord& record, const Message& message) {
   if (difference_.empty()) ++count_;
 }
 
-// Reports `message`, which is delivered although the recorded run had no message more before its
+// Reports `message`, which is delivered although the recorded run had no more messages before its
 // end at `end_us`.
 void Replayer::DifferAfterLast(const TraceRecord& record, const Message& message, int64_t end_us) {
   difference_ = fmt::format(
@@ -349,7 +349,7 @@ void Replayer::EndAtLoss() {
 void Replayer::CompareEnd(const TraceEntry& end) {
   at_end_ = true;
   if (system().now_us() < end.time_us) system().RunUntil(end.time_us);
-  // Does not compare hashes if an answer differs, because the hashes then differ, too.
+  // Does not compare hashes if a message differs, because the hashes then differ, too.
   if (!difference_.empty() || !answer_differences_.empty()) return;
   if (system().trace_hash() != end.trace_hash) {
     difference_ = fmt::format("at the end: trace hash {:016x} now, {:016x} when recorded",

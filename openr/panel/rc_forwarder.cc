@@ -204,7 +204,8 @@ bool Forwarding::ForwardRequests() {
       delayed_ =
           OwnAnswer{{RC_HEADER_SIZE, RC_VERSION, 0, 0}, rcerrorBAD_PACKET, requests_.Error(), true};
     } else if (delayed_ = OwnAnswerToRequest(); !delayed_) {
-      // A client acknowledges events with the command EVENT, which has no answer.
+      // Does not count the command EVENT, by which a client acknowledges events, because it has no
+      // answer.
       if (requests_.Header().command != rcEVENT) ++unanswered_;
       if (!SendAll(robot_, requests_.Payload() - RC_HEADER_SIZE, requests_.Header().size))
         return false;

@@ -90,9 +90,9 @@ double OverlapAlongAxis(const Vector3d& centre, const Matrix3d& R, const Vector3
 }
 
 // Adds the points at which the side of the cylinder `thing` is below a face of the box.  Tests
-// three points of the cylinder's side: its middle and its two ends.  If the box is less deep in an
-// end of the cylinder than in the side, adds no point, because the box then touches that end and
-// not the side.
+// three points of the cylinder's side: its middle and its two ends.  Adds no point that is deeper
+// than the overlap along the axis of the cylinder, because the box then touches an end of the
+// cylinder and not its side.
 void TouchByFaces(const Vector3d& centre, const Matrix3d& R, const Vector3d& half,
                   const WorldThing& thing, std::vector<TouchPoint>* points) {
   const double radius_m = thing.size_m.x() / 2;

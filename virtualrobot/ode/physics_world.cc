@@ -231,7 +231,7 @@ double PhysicsWorld::Mobility(const RowSides& a, const RowSides& b) const {
   return sum;
 }
 
-// Moves the thing and its body of ODE to the place of the thing's tree.
+// Moves the thing and its body of ODE to the place that the JointTree of the thing has computed.
 void PhysicsWorld::PlaceMover(Mover* mover) {
   WorldThing& thing = things_[mover->thing];
   thing.centre_m = mover->tree.centre_W(0);

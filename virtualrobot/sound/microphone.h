@@ -55,7 +55,7 @@ class Microphone {
   const OPrimitiveID id_;
   const int frames_per_vector_;
   Settings settings_;
-  int64_t first_frame_ = 0;  // frame of the source that is heard in frame 0 after the present boot
+  int64_t first_frame_ = 0;  // frame of the source that belongs to frame 0 of the present boot
   VectorPool pool_;
 };
 

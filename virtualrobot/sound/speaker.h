@@ -82,7 +82,7 @@ class Speaker {
   std::unique_ptr<SoundSink> sink_;
   Settings settings_;
   Sound newest_;
-  int64_t first_frame_ = 0;  // frame of the sink in which frame 0 after the present boot is played
+  int64_t first_frame_ = 0;  // frame of the sink that belongs to frame 0 of the present boot
 };
 
 }  // namespace openr_host
