@@ -1,5 +1,5 @@
-// Shows a run that is already known on the panel: a recording, or a failing run that openr explore
-// has found.
+// Shows on the panel a run that is known before it begins: a recording, or a failing run that openr
+// explore has found.
 #pragma once
 
 #include <cstdint>

@@ -34,7 +34,8 @@ struct EmonLog {
   std::optional<uint32_t> code;
   std::optional<uint32_t> cause;        // value of the register Cause
   std::optional<uint32_t> bad_address;  // value of the register BadVAddr
-  // Address of the instruction that failed, or of the branch before it.
+  // Address of the instruction that failed or, if it is in the delay slot of a branch, of this
+  // branch.
   std::optional<uint32_t> epc;
   std::optional<uint32_t> context;  // context of the object that crashed
   std::array<std::optional<uint32_t>, kRobotRegisters> registers;

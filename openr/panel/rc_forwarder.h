@@ -19,7 +19,7 @@ class RcForwarder {
   static constexpr int kWithoutTokenMax = 16;
   // The longest time in which a new client must show the token.
   static constexpr int kTokenTimeoutMs = 10'000;
-  // The longest time for which a client, or the robot, may take no bytes that wait for it.
+  // The longest time in which a client, or the robot, must take a piece of data that is sent to it.
   static constexpr int kSendTimeoutMs = 30'000;
 
   // `find_address` is called in threads of this class.

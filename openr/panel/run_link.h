@@ -20,7 +20,7 @@ class RunLink final : public WebDescriptor {
   struct Owner {
     std::function<void(std::string line)> take_line;
     // A function that is called once when the connection is lost.  The owner of the link may delete
-    // the link in it.
+    // the link in this function.
     std::function<void(const std::string& why)> end;
     // A function that is called when fewer than kWaitingMax bytes wait again.
     std::function<void()> resume;

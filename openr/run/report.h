@@ -35,12 +35,14 @@ std::string DescribeObjects(Simulation* simulation);
 std::string DescribeFindings(Simulation* simulation, bool has_colours = false);
 
 // Adds the finding about a crash, or about a handler that does not return, and notes the end of the
-// run.  Must be called by an EndingAction, because this function allocates memory.
+// run.  Must be called by an EndingAction: the function allocates memory in a signal handler, which
+// may crash, and only a crash of an EndingAction is handled (ending.h).
 void NoteTheEnding(const Ending& ending, Simulation* simulation);
 
 // Prints on standard error the message whose handler has ended the process, such as "openr: message
-// 24: boot".  Prints nothing if no message was handled.  Must be called by an EndingAction, because
-// this function allocates memory.
+// 24: boot".  Prints nothing if no message was handled.  Must be called by an EndingAction: the
+// function allocates memory in a signal handler, which may crash, and only a crash of an
+// EndingAction is handled (ending.h).
 void TellHandled(const Ending& ending);
 
 }  // namespace openr_host

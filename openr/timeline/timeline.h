@@ -60,7 +60,8 @@ class Timeline {
                                          // this computer
   double free_us_ = 0;                   // end of the last slice whose length is wall time; the
                                          // next such slice begins at this time or later
-  // Objects whose names were written: id and number of predecessors.
+  // Objects whose names were written: the id, and how many objects had this id before
+  // (Object::predecessors).
   std::set<std::pair<int32_t, int>> known_;
   bool is_finished_ = false;
 };
