@@ -19,7 +19,8 @@ enum DNSEndpointError {
   DNS_OPERATION_UNKNOWN = 11
 };
 
-// Writes the constant's name, "DNS_FAIL"; "unknown DNSEndpointError" for other numbers.
+// Writes the name of the error's constant, such as "DNS_FAIL".  Writes "unknown DNSEndpointError"
+// for a number that belongs to no constant.
 std::ostream& operator<<(std::ostream& out, DNSEndpointError error);
 
 #endif  // OPENR_DNSENDPOINTERR_H_INCLUDED

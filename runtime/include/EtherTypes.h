@@ -22,7 +22,8 @@ enum EtherStatus {
   ETHER_NO_DEVICE = 12
 };
 
-// Returns the constant's name, "ETHER_OK"; "unknown EtherStatus" for other numbers.
+// Returns the name of the status constant, such as "ETHER_OK".  Returns "unknown EtherStatus" for a
+// number that belongs to no constant.
 const char* EtherStatusText(int status);
 #define etherStatusStr(s) EtherStatusText(s)
 
@@ -86,7 +87,7 @@ struct EtherMACAddress {
   }
 };
 
-// Writes "02:00:00:00:00:01".
+// Writes the address in the form "02:00:00:00:00:01".
 std::ostream& operator<<(std::ostream& out, const EtherMACAddress& address);
 
 // A value of ether_type; the high byte is sent first.
@@ -137,7 +138,8 @@ enum EtherDeviceMode {
   ETHER_MODE_AUTONEGOTIATION = 5
 };
 
-// The frames for other receivers that a client gets too.
+// The level of the promiscuous mode, in which a client also gets frames that are addressed to other
+// receivers.
 enum EtherPromiscLevel { ETHER_PROMISC_PHYS = 1, ETHER_PROMISC_RAW = 2, ETHER_PROMISC_MULTI = 4 };
 
 // The moment at which the driver reports that frames have been sent.

@@ -32,7 +32,8 @@ class IPAddress {
   bool InLoop() const;         // 127.0.0.0 to 127.255.255.255
   bool AllHostsGroup() const;  // 224.0.0.1
 
-  // Writes "10.0.1.2" into `text`, which needs room for 16 characters, and returns it.
+  // Writes the address in the form "10.0.1.2" into `text`, which needs room for 16 characters.
+  // Returns `text`.
   char* GetAsString(char* text) const;
 
   // Prints the address on the console, in the form "10.0.1.2".

@@ -29,7 +29,8 @@ enum IPPacketType {
   IP_PACKETTYPE_MAX = 9
 };
 
-// Writes the constant's name, "IP_FAIL"; "unknown IPEndpointError" for other numbers.
+// Writes the name of the error's constant, such as "IP_FAIL".  Writes "unknown IPEndpointError" for
+// a number that belongs to no constant.
 std::ostream& operator<<(std::ostream& out, IPEndpointError error);
 
 // The base of the messages below.

@@ -32,7 +32,8 @@ enum IPv4Error {
   IPV4_TTL_EXCEEDED = 16
 };
 
-// Writes the constant's name, "IPV4_FAIL"; "unknown IPv4Error" for other numbers.
+// Writes the name of the error's constant, such as "IPV4_FAIL".  Writes "unknown IPv4Error" for a
+// number that belongs to no constant.
 std::ostream& operator<<(std::ostream& out, IPv4Error error);
 
 #endif  // OPENR_IPV4TYPES_H_INCLUDED

@@ -23,7 +23,8 @@ extern "C" {
 // before, so that a loop that waits for time to pass ends.
 sError GetSystemTime(SystemTime* time);
 
-// Functions for names.  The name of an object is the OBJECT_NAME of its .ocf file.
+// Functions that find objects and entries by name, or change the names of objects.  The name of an
+// object is the OBJECT_NAME of its .ocf file.
 sError WhoAmI(OID* oid);
 sError Find(const char* name, OID* oid);
 sError Register(OID oid, const char* name);

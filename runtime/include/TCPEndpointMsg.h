@@ -31,7 +31,8 @@ enum TCPEndpointError {
   TCP_OPERATION_UNKNOWN = 18
 };
 
-// Writes the constant's name, "TCP_FAIL"; "unknown TCPEndpointError" for other numbers.
+// Writes the name of the error's constant, such as "TCP_FAIL".  Writes "unknown TCPEndpointError"
+// for a number that belongs to no constant.
 std::ostream& operator<<(std::ostream& out, TCPEndpointError error);
 
 // The base of the messages below.

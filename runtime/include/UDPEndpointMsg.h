@@ -28,7 +28,8 @@ enum UDPEndpointError {
   UDP_WOULDBLOCK = 16
 };
 
-// Writes the constant's name, "UDP_FAIL"; "unknown UDPEndpointError" for other numbers.
+// Writes the name of the error's constant, such as "UDP_FAIL".  Writes "unknown UDPEndpointError"
+// for a number that belongs to no constant.
 std::ostream& operator<<(std::ostream& out, UDPEndpointError error);
 
 // The base of the messages below.

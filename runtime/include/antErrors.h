@@ -41,7 +41,8 @@ enum antError {
 // A notification of the stack, not an error; not used.
 const int ANT_SDUMEMORY_AVAILABLE = 1;
 
-// Returns the constant's name, "ANT_FAIL"; "unknown antError" for other numbers.
+// Returns the name of the error's constant, such as "ANT_FAIL".  Returns "unknown antError" for a
+// number that belongs to no constant.
 const char* antErrorString(antError error);
 
 // Writes the text of antErrorString().

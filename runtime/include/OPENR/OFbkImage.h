@@ -42,7 +42,7 @@ class OFbkImage {
   byte Pixel(int x, int y) const;
 
   // Return values of the tag, which are the same for all bands of an image.  GetTagInfo(): the
-  // first four bytes, low byte first.  FieldCounter(): the camera's count of fields, the low half
+  // first four bytes, low byte first.  FieldCounter(): the camera's count of fields, the first two
   // of these bytes.  ColorFrequency(): the number of detected pixels of one channel, divided by 16.
   longword GetTagInfo() const;
   word FieldCounter() const;

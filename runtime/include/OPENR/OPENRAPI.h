@@ -1,10 +1,9 @@
 // The functions of the robot: primitives, vectors, gains, power, files, time.
 //
 // All functions are synchronous and return a status.  Programs may call them from DoInit on, but
-// not in constructors.  Results are written through pointers.  A comment "Errors" after a
-// declaration lists the errors that the function returns.  Four functions of the SDK, which make
-// and delete sensor and image vectors, are left out, because the SDK says that programs must not
-// use them.
+// not in constructors.  Results are written through pointers.  A comment that begins with "Errors"
+// follows the functions that return these errors.  Four functions of the SDK, which make and delete
+// sensor and image vectors, are left out, because the SDK says that programs must not use them.
 #ifndef OPENR_OPENRAPI_H_INCLUDED
 #define OPENR_OPENRAPI_H_INCLUDED
 
@@ -22,20 +21,21 @@ namespace OPENR {
 
 // Opens a primitive.  Every object gets the same id for it.  On failure *id is oprimitiveID_UNDEF.
 OStatus OpenPrimitive(const char* locator, OPrimitiveID* id);
-// Errors: oNOT_FOUND (not on this robot), oOPEN_FAILURE, oINVALID_ARG (NULL), oFAIL
+// Errors of OpenPrimitive(): oNOT_FOUND (not on this robot), oOPEN_FAILURE, oINVALID_ARG (NULL),
+// oFAIL
 
 OStatus ClosePrimitive(OPrimitiveID id);
-// Errors: oINVALID_PRIMITIVE_ID
+// Errors of ClosePrimitive(): oINVALID_PRIMITIVE_ID
 
 // Sends a request of OPrimitiveControl.h; arguments that the request does not use are 0.
 OStatus ControlPrimitive(OPrimitiveID id, OPrimitiveRequest request, void* param, size_t paramSize,
                          void* result, size_t resultSize);
-// Errors: oINVALID_PRIMITIVE_ID, oINVALID_ARG
+// Errors of ControlPrimitive(): oINVALID_PRIMITIVE_ID, oINVALID_ARG
 
 // Return the present value, also while gains or motor power are off.
 OStatus GetJointValue(OPrimitiveID id, OJointValue* value);
 OStatus GetSensorValue(OPrimitiveID id, OSensorValue* value);
-// Errors: oINVALID_PRIMITIVE_ID
+// Errors of GetJointValue() and GetSensorValue(): oINVALID_PRIMITIVE_ID
 
 // ---- vectors in shared memory
 
@@ -46,16 +46,17 @@ OStatus NewCommandVectorData(size_t numCommands, MemoryRegionID* memID,
 OStatus NewSoundVectorData(size_t numSounds, size_t dataSize, MemoryRegionID* memID,
                            OSoundVectorData** baseAddr);
 OStatus NewCdtVectorData(MemoryRegionID* memID, OCdtVectorData** baseAddr);
-// Errors: oNO_MEMORY
+// Errors of the three functions New...VectorData(): oNO_MEMORY
 
 OStatus DeleteCommandVectorData(MemoryRegionID memID);
 OStatus DeleteSoundVectorData(MemoryRegionID memID);
 OStatus DeleteCdtVectorData(MemoryRegionID memID);
-// Errors: oINVALID_ARG (sound only), oFAIL
+// Errors of the three functions Delete...VectorData(): oINVALID_ARG (sound only), oFAIL
 
 // Loads the colour detection tables into the camera.
 OStatus SetCdtVectorData(MemoryRegionID memID);
-// Errors: oINVALID_ARG (channel), oINVALID_PRIMITIVE_ID, oINVALID_DATA_TYPE, oFAIL
+// Errors of SetCdtVectorData(): oINVALID_ARG (channel), oINVALID_PRIMITIVE_ID, oINVALID_DATA_TYPE,
+// oFAIL
 
 // ---- joint gains
 //
@@ -63,19 +64,19 @@ OStatus SetCdtVectorData(MemoryRegionID memID);
 // opened joint.  The order of the six numbers is: gains P, I, D, then shifts P, I, D.
 
 OStatus EnableJointGain(OPrimitiveID id);
-// Errors: oINVALID_PRIMITIVE_ID, oALERT_JOINT_UNCONTROLLABLE
+// Errors of EnableJointGain(): oINVALID_PRIMITIVE_ID, oALERT_JOINT_UNCONTROLLABLE
 
 // Sets the gains to zero, so that the joint moves freely.
 OStatus DisableJointGain(OPrimitiveID id);
-// Errors: oINVALID_PRIMITIVE_ID, oFAIL
+// Errors of DisableJointGain(): oINVALID_PRIMITIVE_ID, oFAIL
 
 OStatus SetJointGain(OPrimitiveID id, word pg, word ig, word dg, word ps, word is, word ds);
-// Errors: oINVALID_PRIMITIVE_ID, oGAIN_DISABLED (not enabled: nothing is set),
+// Errors of SetJointGain(): oINVALID_PRIMITIVE_ID, oGAIN_DISABLED (not enabled: nothing is set),
 // oALERT_JOINT_UNCONTROLLABLE, oFAIL
 
 // Returns the gains; on failure all six are 0.
 OStatus GetJointGain(OPrimitiveID id, word* pg, word* ig, word* dg, word* ps, word* is, word* ds);
-// Errors: those of SetJointGain()
+// Errors of GetJointGain(): those of SetJointGain()
 
 // Stores a set of gains for the joint, which SetDefaultJointGain() applies.
 OStatus RegisterDefaultJointGain(OPrimitiveID id, word pg, word ig, word dg, word ps, word is,
@@ -98,19 +99,19 @@ OStatus CancelSyncKey(OVRSyncKey key);
 // Divides a key into two parts.  The program puts each part into the syncKey of one vector; output
 // begins when the vectors with all parts have arrived.
 OStatus DivideSyncKey(OVRSyncKey key, OVRSyncKey* key1, OVRSyncKey* key2);
-// Errors: oFAIL
+// Errors of DivideSyncKey(): oFAIL
 
 // ---- power
 
 OStatus SetMotorPower(OPower power);
-// Errors: oFAIL
+// Errors of SetMotorPower(): oFAIL
 
 // Stores the conditions under which the robot boots again and begins the shutdown.  Returns before
 // any object is stopped.
 OStatus Shutdown(const OBootCondition& bootCondition);
 OStatus GetBootCondition(OBootCondition* bootCondition);  // only `bitmap` is valid
 OStatus GetPowerStatus(OPowerStatus* powerStatus);
-// Errors: oFAIL, oNOT_FOUND
+// Errors of Shutdown(), GetBootCondition() and GetPowerStatus(): oFAIL, oNOT_FOUND
 
 // Sends an OPowerStatusMessage to `entry` at every change that `notifyStatus` selects
 // (power_constants.h), until UnobservePowerStatus() is called with the same entry.
@@ -144,7 +145,7 @@ OStatus DeleteDesignData(ODesignDataID id);
 // characters.
 OStatus GetRobotDesign(char* robotDesign);
 OStatus GetMemoryStickStatus(OMemoryStickStatus* status);
-// Errors: oFAIL
+// Errors of GetRobotDesign() and GetMemoryStickStatus(): oFAIL
 
 // ---- clock and volume switch
 
@@ -152,11 +153,11 @@ OStatus SetTime(const OTime& time);
 OStatus GetTime(OTime* time);
 OStatus SetTimeDifference(sbyte timeDif);  // hours, -12..12
 OStatus GetTimeDifference(sbyte* timeDif);
-// Errors: oFAIL, oNOT_FOUND
+// Errors of the four functions for time: oFAIL, oNOT_FOUND
 
 OStatus SetVolumeSwitch(OVolumeSwitch volume);
 OStatus GetVolumeSwitch(OVolumeSwitch* volume);
-// Errors: oFAIL
+// Errors of the two functions for the volume switch: oFAIL
 
 // ---- "level 1" information, undocumented
 

@@ -118,8 +118,8 @@ struct OSyslogMessage {
   OSyslogMessage() : msgType(omsgSYSLOG), priority(osyslogINFO) { memset(log, 0, sizeof log); }
 };
 
-// Sent by the service manager to an observer: connect to the subject whose Control entry is
-// `entry`.
+// The service manager sends this message to an observer, which must then connect to the subject
+// whose Control entry is `entry`.
 struct OConnectMessage {
   OMessageType msgType;  // omsgCONNECT
   OConnectCmd command;

@@ -10,7 +10,8 @@
 #include <OPENR/ObjcommTypes.h>
 #include <OPENR/RCRegion.h>
 
-// An observer asks to be added to, or removed from, subject SbjIndex().
+// The event of subject SbjIndex() when an observer asks to be added to its observers, or to be
+// removed from them.
 class OControlEvent {
  public:
   OControlEvent(int index, char* subName, ObjcommCommand command)
@@ -37,7 +38,8 @@ class OControlEvent {
   ObjcommCommand command_;
 };
 
-// Observer ObsIndex() is being connected to a subject.
+// The event of observer ObsIndex() when the service manager asks it to connect to a subject, or to
+// disconnect.
 class OConnectEvent {
  public:
   OConnectEvent(int index, char* subName, OConnectCmd command)
@@ -56,7 +58,7 @@ class OConnectEvent {
   OConnectCmd command_;
 };
 
-// An observer of subject SbjIndex() has asserted or deasserted ready.
+// The event of subject SbjIndex() when one of its observers has asserted or deasserted ready.
 class OReadyEvent {
  public:
   OReadyEvent(int index, ObserverID id, ObjcommCommand command)

@@ -134,7 +134,8 @@ struct ONotifyMessageV10 {
   char data[236];         // a sequence of chunks
 };
 
-// The two kinds of chunk: OChunkMSG contains the data, OChunkSHM their place in shared memory.
+// The two kinds of chunk: OChunkMSG contains the data; OChunkSHM contains the place of the data in
+// shared memory.
 struct OChunkMSG {
   ObjcommDataType type;  // objcommDATA_TYPE_MSG
   unsigned int size;     // bytes

@@ -4,8 +4,10 @@
 // when its count reaches 0.  Subject and observer each have an RCRegion of their own for the same
 // memory, each with a count of its own.
 //
-// A count of 1 in the subject's RCRegion means that only the owner has a reference, so the memory
-// may be written.  A larger count means that observers still use the memory.
+// A subject that sends an RCRegion adds a reference to its own RCRegion for each observer, and
+// removes the reference when the observer gives the memory back with its next ready.  So a count of
+// 1 in the subject's RCRegion means that no observer uses the memory, and the program may write to
+// it.
 #ifndef OPENR_RCREGION_H_INCLUDED
 #define OPENR_RCREGION_H_INCLUDED
 
