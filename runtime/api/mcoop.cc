@@ -51,8 +51,9 @@ sError GetSystemTime(SystemTime* time) {
         "1000000 calls of GetSystemTime() in one handler: a busy loop holds up "
         "every object of this robot");
   }
-  // Virtual time stands still while a handler runs.  So each call adds 1 us.  Otherwise a loop that
-  // waits for a certain time would never end.  The robot's clock begins at its boot.
+  // Adds 1 us for each call of this function in the running handler.  Otherwise a loop that waits
+  // for a certain time would never end, because virtual time stands still while a handler runs.
+  // Subtracts the time of the robot's boot, because the robot's clock begins at 0 when it boots.
   System& system = *t_current.system;
   const bool has_robot = object->robot < system.robot_count();
   const int64_t booted_us = has_robot ? system.robot(object->robot).booted_us : 0;
@@ -146,8 +147,9 @@ sError Reply(void* msg, size_t size) {
   openr_host::Object* const object = t_current.object;
   if (object == nullptr) return sFAIL;
   if (size > kMessageMax) return sEXCEEDEDSIZEOFMSG;
-  // An object that connects two of its own services calls this handler directly, without a request.
-  // The reply to such a call is copied to the place that the caller has given.
+  // If the observer and the subject of a connection belong to one object, the object calls its own
+  // entry directly, without a request.  In this case the reply is copied to the memory that the
+  // caller of the entry has given.
   if (object->handler.self_reply != nullptr) {
     std::memcpy(object->handler.self_reply->data, msg,
                 std::min(size, object->handler.self_reply->size));

@@ -10,9 +10,9 @@ using namespace openr_host;
 
 namespace {
 
-// Checks whether the current object may order one more event.  An event sends the letter, a message
-// of `size` bytes, to object `oid` at a certain time or when a reply arrives.  Returns sSUCCESS or
-// the error for the program.
+// Checks whether the current object may order one more event.  An event is a letter, a message of
+// `size` bytes that goes to object `oid` at a certain time or when a reply arrives.  Returns
+// sSUCCESS or the error for the program.
 sError CheckLetter(const OID& oid, size_t size) {
   if (t_current.object == nullptr) return sFAIL;
   if (size > kMessageMax) return sEXCEEDEDSIZEOFMSG;
@@ -91,8 +91,8 @@ sError GetResourceValue(sResource resource, slongword* current, slongword* max, 
     default:
       return sINVALIDRESOURCE;
   }
-  // Sets the maximum of each limit to its current value.  This is right for the queue, too, because
-  // the host has no larger maximum for the length of the queue.
+  // Sets the maximum of each limit to its current value.  This is right for the length of the
+  // queue, too, because the host has no other maximum for it.
   if (max != nullptr) *max = *current;
   if (min != nullptr) *min = 1;
   return sSUCCESS;

@@ -18,7 +18,7 @@ using namespace openr_host;
 
 namespace {
 
-constexpr longword kCpuClockHz = 192'000'000;  // clock of the ERS-210's CPU, one of the R4300 class
+constexpr longword kCpuClockHz = 192'000'000;  // clock of the ERS-210's CPU (R4300 class)
 
 Robot& CurrentRobot() { return t_current.system->robot(t_current.object->robot); }
 RobotServices& Services() { return *CurrentRobot().services; }

@@ -43,7 +43,8 @@ std::string Format(const char* format, va_list arguments) {
 }
 
 // Stores the state that an object reports with a message of level info that begins with "state: ".
-// The panel shows this state, and a property, which `openr explore` checks, can ask for it.
+// The panel shows this state.  `openr explore` can check properties of a run that depend on this
+// state.
 void NoteState(openr_host::Object* object, OSyslogPriority priority, const std::string& text) {
   constexpr char kPrefix[] = "state: ";
   if (priority != osyslogINFO || object == nullptr || !text.starts_with(kPrefix)) return;

@@ -90,8 +90,8 @@ OStatus DeleteVector(MemoryRegionID id, ODataType type, OStatus unknown) {
 }
 
 // Returns the size of `count` elements of `each` bytes, but at most kRobotMemoryBytes, so that the
-// multiplication cannot overflow.  With the size of the header, which the caller adds, such a size
-// is more than the robot has, and NewVector() returns oNO_MEMORY.
+// multiplication cannot overflow.  The caller adds the size of the header.  kRobotMemoryBytes and a
+// header are more than the memory of the robot, so NewVector() then returns oNO_MEMORY.
 size_t BytesOf(size_t count, size_t each) {
   return each != 0 && count > kRobotMemoryBytes / each ? kRobotMemoryBytes : count * each;
 }

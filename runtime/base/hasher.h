@@ -4,8 +4,8 @@
 //
 // Only values are hashed, never addresses or padding, because those differ from run to run: Add()
 // takes arithmetic types and enumerations, AddBytes() takes bytes that are all initialised.  Add()
-// does not read its argument as a bool or an enumeration, because a robot program can write any
-// bytes into the fields of a message.
+// copies the bytes of its argument and does not read it as a bool or an enumeration, because the
+// fields of a message may contain bytes that are no valid bool.
 #pragma once
 
 #include <cstddef>

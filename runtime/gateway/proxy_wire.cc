@@ -49,8 +49,9 @@ const char* NameOf(ProxyCommand command) {
   return kNames[static_cast<size_t>(command)];
 }
 
-// Reads the arguments of the command in `frame` from the item, the bytes of one call or answer.
-// Sets `*size` to the number of bytes that must follow them.  Returns false if the item is too
+// Reads the arguments of the command `frame->command` from `reader`, which reads an item: the bytes
+// of one call or answer.  Sets `*size` to the number of bytes that must follow the arguments;
+// leaves `*size` as it is if the command has no such bytes.  Returns false if the item is too
 // short.
 bool ReadWords(ItemReader* reader, ProxyFrame* frame, uint32_t* size) {
   switch (frame->command) {

@@ -264,7 +264,7 @@ FILE* freopen(const char* path, const char* mode, FILE* file) {
   const ApiScope scope;
   if (may_open) return Remember(next(host.c_str(), mode, file), host, writes);
   const int error = errno;
-  fclose(file);  // the C library closes the old stream, too, if it cannot open the file
+  fclose(file);  // as freopen() of the C library does if it cannot open the new file
   errno = error;
   return nullptr;
 }

@@ -90,8 +90,8 @@ OPENR_REFUSE(int, socket, -1, (int domain, int type, int protocol) noexcept,
              (domain, type, protocol))
 
 // Refuses fcntl() to objects.  For other callers, passes the third argument on as a pointer.  This
-// is right even if the argument is an int, because the calling convention passes both in the same
-// way.
+// is right even if the argument is an int, because the calling convention passes an int and a
+// pointer in the same way.
 extern "C" int fcntl(int descriptor, int command, ...) {
   static const auto next = OPENR_NEXT(fcntl);
   va_list arguments;
@@ -102,8 +102,9 @@ extern "C" int fcntl(int descriptor, int command, ...) {
 }
 
 #if !defined(__SANITIZE_THREAD__)  // ThreadSanitizer starts a thread before this library is ready
-// Refuses threads to objects, as std::thread makes them too.  Other threads would run beside the
-// handlers, in an order that is another one in each run.
+// Refuses to start a thread for an object, also with std::thread, which calls this function.  A
+// thread would run at the same time as the handlers, so the order of their steps would differ from
+// run to run.
 extern "C" int pthread_create(pthread_t* thread, const pthread_attr_t* attributes,
                               void* (*start)(void*), void* argument) noexcept {
   static const auto next = OPENR_NEXT(pthread_create);

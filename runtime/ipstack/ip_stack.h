@@ -104,7 +104,8 @@ class IpStack : public CodeObject {
   // `ip`.  For loopback and the any address, the local address is the robot's own address.
   uint32_t LocalAddress(uint32_t ip) const { return FurtherAddress(ip) == 0 ? address_ : ip; }
 
-  // Makes the number of a new socket, whose events go to `sink`.  Drop() closes the socket.
+  // Returns a number for a new socket, and sends the events of this socket to `sink`.  Drop()
+  // closes the socket.
   NetHandle Open(EventSink* sink);
   void Drop(NetHandle handle, bool reset);
 

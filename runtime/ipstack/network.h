@@ -89,8 +89,8 @@ class Network {
   // Accepts connections to `port` from now on, as socket `listener`.  Holds a few connections until
   // Accept() takes them.
   virtual void Listen(NetHandle listener, uint16_t port) = 0;
-  // Gives the next connection to `listener` the socket number `handle`.  If several Accept() wait,
-  // the first one gets the first connection.
+  // Gives the next connection to `listener` the socket number `handle`.  If several calls of
+  // Accept() wait for a connection, the first call gets the first connection.
   virtual void Accept(NetHandle listener, NetHandle handle) = 0;
   // Connects to `remote`.  Programs see `local_port` as the local port; on the host the connection
   // may have another local port.
@@ -128,7 +128,7 @@ class Network {
 
   // ---- All handles
 
-  // Makes the number of a new socket.  Numbers are never used again, not even after a boot.
+  // Returns a number for a new socket.  No number is returned twice, not even after a boot.
   NetHandle NewHandle() { return ++last_handle_; }
   NetHandle last_handle() const { return last_handle_; }
 
