@@ -24,10 +24,11 @@ namespace {
 // refused.
 constexpr int64_t kDelayMaxUs = int64_t{1} << 53;
 
-// Tells WorkerCallList::Call() on which C++ object it is to call a function.  Call() passes a null
-// pointer to the class of the function; the type of this pointer selects the overload.  For
-// RobotServices, the C++ object is the services of the current object's robot.  For the other
-// classes, it is the CheckedCalls, which check the call of the worker.
+// Gives WorkerCallList::Call() the C++ object on which it is to call a function.  Call() calls
+// operator() with a null pointer to the class of the function, and the type of this pointer selects
+// one of the overloads below.  For RobotServices, the C++ object is the services of the current
+// object's robot.  For the other classes, it is the CheckedCalls, which check the call of the
+// worker.
 struct CallTargets {
   System* system;
   CheckedCalls* calls;

@@ -349,8 +349,8 @@ bool RemoteProcess::HandleReceived() {
     while (const ReceivedSample to_master = slot_.channel()->Receive(0)) {
       came = true;
       HandleFreeSample(*to_master);
-      // Leaves samples that arrive during this call for the next call, so that a busy worker cannot
-      // keep the master in this loop.
+      // Ends after the samples that have already been read from DDS.  The next call handles samples
+      // that arrive during this call, so that a busy worker cannot keep the master in this loop.
       if (!slot_.channel()->has_received()) break;
     }
   });

@@ -301,10 +301,11 @@ void Worker::Deliver(const openr_wire_Deliver& deliver, bool timed_out) {
   SendStopped(object);
 }
 
-// Runs a handler in a free run, and measures whether the handler is fast.  If the last handler of
-// this object was fast, the kept effects of earlier handlers are sent together with the effects of
-// this handler.  If it was slow, the kept effects are sent before this handler runs, so that they
-// do not wait for it.
+// Runs a handler in a free run, and measures whether the handler is fast.  The channel may still
+// keep the effects of earlier handlers, to send them in one packet with the effects of later
+// handlers.  If the last handler of this object was fast, the kept effects are sent together with
+// the effects of this handler.  If it was slow, the kept effects are sent before this handler runs,
+// so that they do not wait for it.
 void Worker::RunTimed(ObjectId id) {
   if (!fast_objects_.contains(id)) channel_->FlushBatch();
   const int64_t begin_ns = WallClockNs();

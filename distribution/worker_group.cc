@@ -184,8 +184,8 @@ openr_wire_Load WorkerGroup::NextLoadFor(Member* member, WireArena* arena) {
                        object.is_system, object.name == IpStack::kName,
                        member->objects.contains(object.id), object.boxes.last});
   }
-  // Sends the heap use of all robots with every load, and not only of new robots, because objects
-  // in other processes may have used more heap since the load before.
+  // Sends the heap use of all robots with every Load, and not only of new robots, because objects
+  // in other processes may have used more heap since the previous Load.
   std::vector<uint64_t> heap_elsewhere;
   for (int i = 0; i < system_->robot_count(); ++i)
     heap_elsewhere.push_back(member->process->HeapElsewhere(system_, i));

@@ -23,8 +23,8 @@ struct ReferredPlaces {
 // are replaced by their values: "$(TOP)/lib" becomes "../../lib" if TOP is "../..".
 std::string ExpandedMakefile(const std::filesystem::path& file);
 
-// Returns the places that are named in files below `root`, an absolute folder, and the places that
-// are named in files of these places.
+// Searches the files below `root`, an absolute folder, for paths that lead out of `root`.  Then
+// searches the files in the places that it has found in the same way.  Returns these places.
 ReferredPlaces FindReferredPlaces(const std::filesystem::path& root);
 
 }  // namespace openr_host

@@ -51,7 +51,7 @@ bool Sets(const WlanResult& settings, const char* key) {
   return std::find(settings.keys.begin(), settings.keys.end(), key) != settings.keys.end();
 }
 
-// Collects the warnings of CheckWlanSense().
+// Collects the warnings about settings that are valid but do not fit together.
 class Sense {
  public:
   explicit Sense(std::string file) { place_.file = std::move(file); }

@@ -380,10 +380,10 @@ class Bench {
   std::vector<std::string> ServicesOf(const std::string& object);
   // Returns the full names of all services of the objects on the bench.
   std::vector<std::string> KnownServices();
-  // Returns the full name of the service whose full name, or first parts, are `name`.  `direction`
-  // is 'S' for a subject, 'O' for an observer.  If only services of the other direction fit,
-  // returns one of them, so that the caller can report this mistake.  Throws std::invalid_argument
-  // when no service fits, or several do.
+  // Returns the full name of a service.  `name` is the full name or its first parts, such as
+  // "RCServer.Mover".  `direction` is 'S' for a subject, 'O' for an observer.  If only services of
+  // the other direction fit, returns one of them, so that the caller can report this mistake.
+  // Throws std::invalid_argument when no service fits, or several do.
   std::string FullName(const std::string& name, char direction);
   // Adds a probe with one service, a subject if `direction` is 'S' and an observer if it is 'O'.
   // Connects the probe with `given`, a service of the other direction.  Returns the probe and the

@@ -26,9 +26,9 @@ class JointTargets {
   // Adds the input `target` to the System of this robot, so that people and scripts can use it.
   void AddVerbs();
 
-  // Sets the set points of all joints in ways_ for the frame of 8 ms that begins.  Called after the
-  // objects' command vectors have set their set points, because the set points of inputs replace
-  // them.
+  // Moves the set points of all joints that an input has taken over (ways_), for the frame of 8 ms
+  // that begins.  Called after the set points of the objects' command vectors have been set, so
+  // that the set points of inputs replace them.
   void DoFrame();
 
   // Gives a joint back to the objects of the robot.

@@ -87,8 +87,8 @@ ControllerCore::Live(void (*reset)())
     if (reset != 0) reset();
 }
 
-// Sets the run function, and calls it at once if main() sets it.  When a run function calls Run(),
-// the new function is called from the next iteration on.
+// Sets the run function.  If main() calls Run(), also calls the run function at once.  If a run
+// function calls Run(), the new function is called from the next iteration on.
 void
 ControllerCore::Run(int (*run)(int))
 {

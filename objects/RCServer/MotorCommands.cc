@@ -31,8 +31,8 @@ RequestHandler::SwitchMotor(int command, RcReader* in)
     return rcOK;
 }
 
-// Answers with the gains of a joint.  If the request has gains, sets them first, and answers with
-// the new gains although JointMover sets them a moment later.
+// Answers with the gains of a joint.  If the request has new gains, asks JointMover to set them,
+// and answers with the new gains although JointMover sets them a moment later.
 int
 RequestHandler::SetOrTellGains(RcReader* in, RcWriter* out)
 {

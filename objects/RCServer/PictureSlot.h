@@ -52,7 +52,8 @@ public:
     void WritePart(int part, RcWriter* out) const;
 
 private:
-    // Time after which another client may take the slot: two seconds, in frames of 8 ms.
+    // Time after the owner's last request from which on another client may take the slot: two
+    // seconds, in frames of 8 ms.
     static const Uint32 FORGOTTEN_FRAMES = 250;
 
     int owner_;

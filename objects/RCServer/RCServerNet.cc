@@ -260,7 +260,8 @@ RCServer::SendCont(ANTENVMSG msg)
         Serve(index);
         return;
     }
-    // Ends the run also if the answer could not be sent, because the client has asked for the end.
+    // The client has asked for the end of the run, so the run ends even if the answer could not be
+    // sent.
     if (client_[index].session.EndsRun()) {
         isEnding_ = true;
         endFrame_ = sensors_.frame;

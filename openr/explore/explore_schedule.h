@@ -72,8 +72,9 @@ class ExploreSchedule : public Schedule {
  protected:
   // These functions make one choice.  `spot` says where in the run the choice is.  The field of
   // `spot` for the result is not set yet: `object` for PickOf(), `us` for the other functions.
-  // PickOf() returns the index of the chosen candidate, PickFrame() a frame number, the other
-  // functions a time.  The result 0 is always the canonical choice.
+  // PickOf() returns the index of the chosen candidate, PickFrame() the number of the first frame,
+  // the other functions a time that is added.  The result 0 always means: as in a run without
+  // exploration.
   virtual size_t PickOf(const Deviation& spot, const std::vector<ObjectId>& candidates) = 0;
   virtual int64_t PickDelayUs(const Deviation& spot, bool from_network) = 0;
   virtual int64_t PickCostUs(const Deviation& spot, int64_t range_us) = 0;

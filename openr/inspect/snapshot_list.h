@@ -27,7 +27,7 @@ struct ProcessSnapshot {
 class SnapshotList {
  public:
   // The greatest number of snapshots.  A replay of 10^9 messages, with a snapshot after each 1000,
-  // needs about 100.
+  // needs only about 100, because old snapshots are thinned out.
   static constexpr size_t kSizeMax = 256;
 
   // Adds the snapshot of the present moment.  Removes older snapshots that are too close together,

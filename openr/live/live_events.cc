@@ -123,8 +123,9 @@ std::string LiveEvents::Line(std::string_view name, EventCursor* cursor) {
   return line(name == "values" ? ValuesJson(context_.simulation) : Graph());
 }
 
-// Returns the event `name` of the earlier moment that is shown.  The process that shows this moment
-// makes the event.  Returns "" for the event "log", because the client has got the lines already.
+// While the user looks at an earlier moment of the run, returns the event `name` of that moment.
+// The process that shows that moment makes the event.  Returns "" for the event "log", because the
+// client has already got the log lines up to that moment.
 std::string LiveEvents::LineOfPast(std::string_view name, EventCursor* cursor) {
   if (name == "log") return "";
   // Resets the cursor, so that the client gets all findings again when the present is shown again.

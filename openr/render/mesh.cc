@@ -9,8 +9,9 @@ namespace {
 
 // Adds one of the six sides of a rounded box as a square grid of points.  `axis` (0 to 2: x to z)
 // and `sign` (1 or -1) give the direction in which the side faces.  `flat` is half the size of the
-// box without its rounding, in each direction.  The grid has its middle line twice, at the two
-// borders of the flat part of the side; the other lines form the rounding.
+// box without its rounding, in each direction.  In each of its two directions, the first half of
+// the grid's lines forms the rounding at one edge of the side, the second half the rounding at the
+// opposite edge.  The flat part of the side lies between the two halves.
 void AddSide(int axis, float sign, const Eigen::Vector3f& flat, float radius, int steps,
              Mesh* mesh) {
   const int u_axis = (axis + 1) % 3;

@@ -31,8 +31,9 @@ struct Friction {
 // Returns the next impulse of a contact along the ground, after the impulse `now`.  This is the
 // impulse that stops the sliding, if its length is at most `max`.  Otherwise the contact slides,
 // and the result is one step of the search for the impulse of a sliding contact, cut to the length
-// `max`.  `a`, `b` and `c` are the contact's part of the matrix, with the rows (a, b) and (b, c).
-// `missing` is the change of velocity that `now` lacks to stop the sliding.
+// `max`.  `missing` is the change of velocity that is still needed, besides the effect of `now`, to
+// stop the sliding.  `a`, `b` and `c` are the contact's part of the matrix K, with the rows (a, b)
+// and (b, c), which gives the change of velocity that an impulse along the ground causes.
 Friction NextFriction(const Friction& now, double a, double b, double c, const Friction& missing,
                       double max) {
   const double det = a * c - b * b;

@@ -55,8 +55,8 @@ class PhysicsWorld {
   // Adds a robot, which must outlive the world's last Advance().
   void AddRobot(OdeBody* robot);
 
-  // Says that the next Advance() begins a frame.  All robots of the world call this when they get
-  // their commands.
+  // Prepares for a frame, which the next Advance() simulates.  Every robot of the world calls this
+  // when it gets its commands; the calls after the first change nothing.
   void AwaitFrame() { is_awaited_ = true; }
 
   // Simulates a frame of 8 ms, with all robots and things.  Only the first call after
