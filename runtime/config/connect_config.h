@@ -21,7 +21,7 @@ struct ConnectRecord {
 };
 
 struct ConnectConfig {
-  std::vector<ConnectRecord> connections;  // in the order of the file and of connecting
+  std::vector<ConnectRecord> connections;  // in the order of the file, in which they are made
   std::vector<Diagnostic> diagnostics;
 };
 

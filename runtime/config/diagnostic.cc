@@ -19,7 +19,8 @@ std::string Printable(std::string text) {
   return text;
 }
 
-// Returns blanks and tabs as wide as the first `column` - 1 bytes of `text` are on a terminal.
+// Returns blanks and tabs that take as much width on a terminal as the first `column` - 1 bytes of
+// `text`.
 std::string Indent(const std::string& text, int column) {
   std::string indent;
   for (int i = 0; i + 1 < column; ++i) {

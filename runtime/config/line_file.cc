@@ -16,8 +16,8 @@ namespace {
 constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 constexpr size_t kQuotedBytesMax = 60;  // bytes that a message shows of a line that is too long
 
-// The designs that OPENR::GetRobotDesign can answer.  Other designs are legal (a stick's DESIGN.CFG
-// may name its own), so this list serves only to warn about misspelt names.
+// The robot designs that OPENR::GetRobotDesign() can return.  Other designs are legal (a stick's
+// DESIGN.CFG may name its own), so this list serves only to warn about misspelt names.
 const std::vector<std::string> kKnownDesigns = {"ERS-210", "ERS-220", "ERS-7"};
 
 std::string_view Trim(std::string_view text) {

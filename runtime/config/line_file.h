@@ -1,4 +1,4 @@
-// Splits a text file of a Memory Stick into lines and words, the form that all these files share.
+// Splits a text file of a Memory Stick into lines and words.  All these files have the same form.
 //
 // Lines end in LF or CR LF, which may be missing after the last line.  Blanks and tabs separate
 // words and may follow the last word.  A line that begins with '#' is a comment.  A comment after a

@@ -18,8 +18,8 @@ constexpr size_t kLongFieldCount = 14;
 // Limit of sizes on the 32-bit robot.
 constexpr int64_t kSizeBytesMax = std::numeric_limits<int32_t>::max();
 constexpr int kPriorityMax = 255;
-// A heap size in Sony's samples, a typing error for 16384.  This size gets a warning, because
-// programs were made from those samples.
+// A heap size in Sony's samples, where it is a typing error for 16384.  Programs that were made
+// from those samples may have this size too, so it gets a warning.
 constexpr int64_t kMistypedHeapBytes = 16386;
 
 struct Field {

@@ -12,8 +12,8 @@
 namespace openr_host {
 namespace {
 
-// The subjects of a stub.cfg, or its observers, as far as the parser has read them: their declared
-// number and their Service lines.
+// The state of the parser for the subjects of a stub.cfg, or for its observers: their declared
+// number and the Service lines that were read so far.
 struct Side {
   const char* noun;        // "subject" or "observer"
   const char* count_word;  // usual spelling of the keyword that declares the number

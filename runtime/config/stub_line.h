@@ -16,7 +16,7 @@ enum class StubKeyword { kObjectName, kNumOfSubject, kNumOfObserver, kService, k
 // A line of stub.cfg with a keyword and a colon, such as "ObjectName : Mover".
 struct StubLine {
   StubKeyword keyword = StubKeyword::kService;
-  std::string word;    // the keyword as written: two spellings mean the same keyword
+  std::string word;    // the keyword as written; some keywords have two spellings
   FilePosition place;  // position of `value`
   std::string value;   // the text after the colon, without blanks at both ends
 };

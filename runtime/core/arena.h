@@ -53,8 +53,8 @@ class Arena {
   // Frees a block of an arena.  Returns false, and changes nothing, if no block in use begins at
   // `block`, for example because it was freed already.  REQUIRES: OwnerOf(block) is not null.
   static bool Free(void* block);
-  // Returns whether an address, at which no block in use begins, is the first address of a block
-  // that was freed.  REQUIRES: OwnerOf(block) is not null.
+  // Returns whether a block that was freed began at `block`.  REQUIRES: OwnerOf(block) is not null,
+  // and no block in use begins at `block`.
   static bool WasFreed(const void* block);
   // Frees a block of an arena or of the host's heap.  If a caller got the block from Allocate()
   // itself, it must use this function and not free(): under Valgrind, free() is a function of
@@ -118,7 +118,7 @@ class Arena {
   size_t first_free_ = 0;    // index of a span; all spans before this index are in use
   size_t mapped_spans_ = 0;  // number of mapped spans, counted from the first span
   FreeBlock* free_[kClasses] = {};
-  char* bump_[kClasses] = {};  // for each class, the next block that was never used
+  char* bump_[kClasses] = {};  // for each size class, the next block that was never used
   char* bump_end_[kClasses] = {};
   // Tells for each 16 bytes of mapped memory whether a block in use begins at these bytes.
   std::vector<bool> begins_;

@@ -92,7 +92,7 @@ void Report(SourcePlace* place, const std::string& what, const char* exception) 
                                                                what, Render(*place), exception));
 }
 
-// Adds a finding about `what`, which the language leaves undefined, once for each place in the
+// Adds a finding about `what`, an operation that is undefined in C++, once for each place in the
 // source.  Only images of openr build --sanitize have the checks for such behaviour.
 void ReportUndefined(SourcePlace* place, const std::string& what) {
   if (t_current.system == nullptr || t_current.object == nullptr) return;

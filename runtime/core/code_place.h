@@ -1,7 +1,7 @@
 // Names places in the source code of objects for the texts of findings: "Talker.cc:57".
 //
-// A name comes from the debug information of an image.  The runtime cannot read debug information,
-// so code outside the runtime that can (openr/ending/crash_log.cc) gives it a function with
+// A name comes from the debug information of an image.  The runtime cannot read debug information.
+// So openr/ending/crash_log.cc, which can read it, gives the runtime a function for this with
 // SetPlaceNamer().
 #pragma once
 
@@ -38,12 +38,12 @@ constexpr size_t kCallsMax = 8;
 // name.
 std::string NameOfCalls(const std::vector<const void*>& calls);
 
-// Returns "DoStart: ", the name of the entry whose handler runs in the current object.  Returns ""
-// if no handler runs.
+// Returns the name of the entry whose handler runs in the current object, with a colon and a blank,
+// such as "DoStart: ".  Returns "" if no handler runs.
 std::string InHandler();
 
-// Returns ", at Talker.cc:57", the end of a finding's text, for the place of CallerInImage().
-// Returns "" if that place has no name.
+// Returns the end of a finding's text, such as ", at Talker.cc:57", with the name of the place of
+// CallerInImage().  Returns "" if that place has no name.
 std::string AtCaller();
 
 }  // namespace openr_host

@@ -26,9 +26,9 @@ class System;
 // Operations on RCRegions (references to shared memory) that the runtime may do and objects may
 // not.
 struct RegionAccess {
-  // Makes the observer's own RCRegion, with one reference, for `source`, the subject's RCRegion
-  // that a notification has brought.  The two RCRegions refer to the same memory, unless the
-  // observer gets a read-only copy (guard_pages.h).
+  // Makes an RCRegion for an observer, with one reference.  `source` is the subject's RCRegion in
+  // the notification.  Both RCRegions refer to the same memory, unless the observer gets a
+  // read-only copy (guard_pages.h).
   static RCRegion* Receive(RCRegion* source, MemoryRegionID id, offset_t offset, size_t size);
   // Deletes an RCRegion that Receive() has made.
   static void GiveBack(RCRegion* received);

@@ -137,8 +137,8 @@ void Dispatcher::Recycle() {
 }
 
 // Loads into the processor's cache what the next deliveries need: the receiver of the message that
-// comes second after `message` in its list, and the message that comes third.  With thousands of
-// objects, most of the time of a message would be waiting for memory.
+// comes second after `message` in its list, and the message that comes third.  Otherwise a run with
+// thousands of objects would spend most of its time waiting for memory.
 [[gnu::always_inline]] inline void Dispatcher::PrefetchAfter(const Message& message) {
   constexpr int kCacheLine = 64;
   const auto prefetch = [](const void* address, int lines) {
@@ -203,8 +203,8 @@ void Dispatcher::ReportSelector(uint32_t selector) {
                                   selector));
 }
 
-// Reports an exception that the handler of `object` has not caught.  `what` is the text of the
-// exception behind a colon, or empty.
+// Reports an exception that the handler of `object` has not caught.  `what` is a colon and the text
+// of the exception, or "" if the exception has no text.
 void Dispatcher::ReportException(const Object& object, const std::string& what) {
   t_current.image_code = false;
   const std::string entry = object.EntryName(object.handler.running->selector);
@@ -245,9 +245,9 @@ void Dispatcher::Loop() {
 }
 
 void Dispatcher::AdvanceTo(int64_t time_us) {
-  // Goes on counting the messages of one instant after a step of 1 us.  Such a step may come from
-  // creep_us(), which slows down objects that answer each other without waiting, and the count is
-  // what finds such objects.
+  // Does not reset the count of messages at one instant after a step of 1 us.  Such a step may come
+  // from creep_us(), which delays the messages of objects that answer each other without waiting.
+  // With a reset, creep_us() would take these objects for normal ones again.
   if (time_us > system_->now_us_ + 1) deliveries_at_instant_ = 0;
   system_->queue_.Advance(time_us);
   system_->now_us_ = time_us;

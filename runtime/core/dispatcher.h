@@ -36,8 +36,8 @@ class Dispatcher {
   // limits.time_us.  REQUIRES: not called in a handler.
   uint64_t Run(const Limits& limits);
 
-  // Suspends the running handler until a reply to `box` arrives, and returns the reply.  REQUIRES:
-  // called in a handler.
+  // Suspends the running handler until a reply arrives in the object's reply box `box`, and returns
+  // the reply.  REQUIRES: called in a handler.
   OwnedMessage WaitFor(uint64_t box);
 
   // Does the work of System::AbandonHandler(): ends the running handler without returning to it.

@@ -26,8 +26,8 @@ constexpr int kFpKinds = 5;  // number of bits in kFpAll
 // The flags of operations that would stop the robot.  SIGFPE can find the instruction that raises
 // one of these flags (arithmetic_watch.h).
 constexpr unsigned kFpCaught = kFpInvalid | kFpDenormal | kFpDivByZero | kFpOverflow;
-// The distance in MXCSR from a flag to its mask bit, which is to the left.  While the mask bit is
-// set, the operation raises no SIGFPE.
+// The mask bit of a flag lies this number of bits to the left of the flag in MXCSR.  While the mask
+// bit is set, operations that set the flag raise no SIGFPE.
 constexpr int kFpMaskShift = 7;
 
 // Without SSE2 the next three functions do nothing.

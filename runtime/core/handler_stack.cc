@@ -80,8 +80,8 @@ struct SanitizedCall {
 
 // Calls the function of `data`, a SanitizedCall, on the handler's stack, and tells AddressSanitizer
 // when the use of this stack begins and when it ends.  Otherwise AddressSanitizer would take the
-// handler's stack for a part of another stack, and would keep the marks of frames that an exception
-// has left.
+// handler's stack for a part of another stack.  It would also keep its marks for stack frames that
+// an exception has ended.
 void CallAndSayWhere(void* data) {
   SanitizedCall* const call = static_cast<SanitizedCall*>(data);
   __sanitizer_finish_switch_fiber(nullptr, &call->bottom, &call->bytes);

@@ -74,7 +74,7 @@ class ImageObject : public Object {
 
   std::unique_ptr<HandlerStack> stack_;  // null if addresses are not planned
   void* handle_ = nullptr;
-  const ImageInfo* info_ = nullptr;  // in the image
+  const ImageInfo* info_ = nullptr;  // points into the loaded image
   bool has_thunks_ = false;
   std::vector<Entry> entries_;  // entry functions by selector; null where the image has no entry
   // The flags (FpFlag) that handlers of this object have raised so far.  Each flag is reported

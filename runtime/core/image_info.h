@@ -8,9 +8,9 @@ namespace openr_host {
 // The version of struct ImageInfo, and of the tables that an image shows to the loader.
 constexpr uint32_t kImageVersion = 1;
 
-// The version of the SDK headers (runtime/include).  Must be raised with each change of the headers
-// that images depend on: the size or the members of a class, its virtual functions, or the value of
-// a constant.  tests/runtime/include/layout_test.cc has the sizes.
+// The version of the SDK headers (runtime/include).  Must be raised when a change of the headers
+// affects images: a change of the size, the members or the virtual functions of a class, or of the
+// value of a constant.  tests/runtime/include/layout_test.cc has the sizes.
 constexpr uint32_t kHeadersVersion = 1;
 
 // The description of an image, which the build puts into every image under the symbol

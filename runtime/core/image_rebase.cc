@@ -12,8 +12,8 @@ namespace openr_host {
 namespace {
 
 // Two types of relocations.  A relocation is a place in the image that the loader fills in with an
-// address.  With these types, the loader computes this address from the addend, which is itself an
-// address in the image.  So moving the image changes the addend.
+// address.  With these types, the loader computes this address from the addend, a number in the
+// relocation that is itself an address in the image.  So moving the image changes the addend.
 #if defined(__aarch64__)
 constexpr uint32_t kRelative = R_AARCH64_RELATIVE, kIndirect = R_AARCH64_IRELATIVE;
 #else

@@ -30,10 +30,11 @@ std::string RedirectImports(char* image, char* thunks, size_t bytes);
 // part of the program.
 bool IsStackChange(uintptr_t address);
 
-// Returns the address in the image to which a function F of the SDK will return.  F calls this
-// function with `own`, F's __builtin_return_address(0).  If the image has called F through a thunk,
-// `own` lies in the code that changes the stack, and that code has saved the address in the image.
-// Without a thunk, returns `own`.
+// A function F of the SDK calls this function to learn where in the image it was called.  `own` is
+// the return address of F, __builtin_return_address(0).  If the image has called F directly, `own`
+// lies in the image and is the result.  If the image has called F through a thunk, `own` lies in
+// the code that changes the stack.  Then the result is the return address in the image, which that
+// code has saved.
 const void* ReturnAddressInImage(const void* own);
 
 }  // namespace openr_host

@@ -1,10 +1,10 @@
 // Inputs: what people, scripts and other programs do to a run, one line of text each.
 //
-// "press chin for 300ms" is an input: a verb, then what the verb needs.  An input takes effect at a
-// frame boundary, like all that comes from outside.  A recording stores the lines with their times,
-// so a replay gives the same lines at the same times.  The runtime defines some verbs
-// (system_verbs.h), a virtual robot defines the verbs of its body (virtualrobot/hands.h).
-// docs/inputs.md lists all verbs.
+// The first word of an input is its verb: "press chin for 300ms" has the verb "press".  The rest
+// are the arguments of the verb.  An input takes effect at a frame boundary, like all that comes
+// from outside.  A recording stores the lines with their times, so a replay gives the same lines at
+// the same times.  The runtime defines some verbs (system_verbs.h), a virtual robot defines the
+// verbs of its body (virtualrobot/hands.h).  docs/inputs.md lists all verbs.
 #pragma once
 
 #include <concepts>
@@ -28,7 +28,7 @@ class Inputs {
   // The work of one input.  `work` is called at the input's frame boundary, outside all handlers.
   struct Action {
     Action() = default;
-    // Not explicit, so that a verb can write `*action = [this] { ... };`.
+    // Not explicit, so that the function Verb::read can write `*action = [this] { ... };`.
     template <std::invocable Work>
     requires(!std::same_as<std::remove_cvref_t<Work>, Action>) Action(Work&& work_in)
         : work(std::forward<Work>(work_in)) {}
@@ -44,17 +44,18 @@ class Inputs {
     std::string name;   // "press"
     std::string usage;  // "press NAME [N%] [for DURATION]"
     std::string help;   // "Presses a sensor that people touch."
-    // Reads `rest`, the text after the verb and one blank, for a robot.  Sets `action` and returns
-    // "", or returns the error in `rest`.
+    // Parses `rest`, the text behind the verb and one blank, of an input for `robot`.  Sets
+    // `*action` and returns "", or returns the error in `rest`.
     std::function<std::string(int robot, std::string_view rest, Action* action)> read;
   };
 
-  // Robot number of verbs that every robot has.
+  // The value of `robot` in AddVerb() for a verb that every robot has.
   static constexpr int kEveryRobot = -1;
 
   explicit Inputs(System* system) : system_(system) {}
 
-  // Adds a verb for one robot or for every robot.  REQUIRES: the robot has no verb of this name.
+  // Adds a verb, the first word of inputs such as "press chin", for one robot or for every robot.
+  // REQUIRES: the robot has no verb of this name.
   void AddVerb(int robot, Verb verb);
 
   // Returns the verbs of `robot` in order of their names.

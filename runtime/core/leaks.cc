@@ -24,8 +24,9 @@
 namespace openr_host {
 namespace {
 
-// An address as the tables of this file keep it: changed by a mask.  The search reads all memory of
-// this process, also these tables, and must not find addresses of blocks in the tables.
+// An address in the tables of this file, hidden from the search for leaks: stored with some bits
+// changed.  The search reads all memory of this process, also these tables, but must not find
+// addresses of blocks in the tables.
 class HiddenAddress {
  public:
   HiddenAddress() = default;
@@ -35,14 +36,14 @@ class HiddenAddress {
   const char* pointer() const { return reinterpret_cast<const char*>(value()); }
 
  private:
-  // The mask sets upper bits that are 0 in every address, so a hidden address is never taken for an
-  // address.
+  // An address is stored as its XOR with this mask.  The mask sets upper bits that are 0 in every
+  // address, so the search for leaks never takes the stored number for an address.
   static constexpr uintptr_t kMask = 0xa5a5'0000'0000'0000;
   uintptr_t hidden_ = kMask;
 };
 
-// A block or a region that may have leaked.  Its bytes are searched for addresses only if it is
-// reachable itself.
+// A block or a region that may have leaked.  Its bytes are searched for addresses only if the block
+// or region is reachable itself.
 struct Node {
   HiddenAddress begin;
   size_t bytes = 0;

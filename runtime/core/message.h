@@ -63,7 +63,7 @@ struct alignas(64) Message {
   alignas(16) unsigned char payload[kPayloadMax];
 };
 // A message that takes more cache lines makes every delivery slower.  So a new field must fit into
-// the padding before the payload, and a message begins with a cache line.
+// the padding before the payload, and each message begins at the start of a cache line.
 static_assert(sizeof(void*) != 8 || offsetof(Message, payload) == 80);
 
 // The deleter of OwnedMessage, which gives a message back to its pool.

@@ -58,8 +58,8 @@ struct HandlerState {
   int64_t blocked_since_us = 0;  // virtual time when the wait began
   // The text that tells users what the handler waits for: "the answer of IPStack (Send)".
   std::string blocked_why;
-  // The place for a reply when an object calls an entry of its own.  This happens when a subject
-  // and an observer of the same object are connected with each other.
+  // The place where an object receives the reply when it calls an entry of its own.  An object does
+  // this if one of its subjects is connected with one of its observers.
   struct SelfReply {
     void* data;
     size_t size;

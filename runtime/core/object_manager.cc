@@ -138,8 +138,8 @@ void ObjectManager::ReleaseEarlyMessages() {
   }
 }
 
-// Boots `robot`, or all robots if `robot` is kAllRobots.  Before this boot there were
-// `findings_before` findings, so all later findings are about the boot.
+// Boots `robot`, or all robots if `robot` is kAllRobots.  `findings_before` is the number of
+// findings before this boot; all later findings count as findings about the boot.
 void ObjectManager::RunBoot(int robot, size_t findings_before) {
   SendToAll(oentryINIT, oreasonBOOT, true, robot);
   SendToAll(oentryINIT, oreasonBOOT, false, robot);
@@ -215,9 +215,9 @@ void ObjectManager::Begin(std::vector<std::unique_ptr<Object>> fresh) {
   for (const auto& object : fresh) starting_[object->id] = false;
   ObjectTable::Readies readies = system().object_table().Replace(std::move(fresh));
   for (const auto& [id, standing] : readies) Send(system().object(id), oentryINIT, oreasonBOOT);
-  // Makes the connections that begin or end at a new object.  Another connection may have a service
-  // that was unknown, but was not reported while a worker process was lost, because it might have
-  // belonged to that process.  Such services are reported now.
+  // Makes the connections that begin or end at a new object.  For the other connections, reports
+  // the unknown services in unreported_.  They were not reported before, because they might have
+  // belonged to a lost worker process.
   for (const Connection& connection : system().connections()) {
     const auto& directory = system().robot(connection.robot).directory;
     const auto is_fresh = [&](const std::string& service) {

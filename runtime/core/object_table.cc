@@ -17,8 +17,9 @@ namespace {
 bool IsOf(const OServiceEntry& entry, ObjectId id) { return ObjectIdOf(entry.GetOID()) == id; }
 
 // Gives up the regions that `observer` has received from the subjects for which `ends` returns
-// true.  Calls `release` with the subject's RCRegion of each region.  A ready cannot give the
-// regions back, because the observer's or the subject's object is being replaced.
+// true, and which its object no longer reads.  Calls `release` with the subject's RCRegion of each
+// region.  The regions are not given back by a ready, because the object of the observer or of the
+// subject is being replaced.
 void ReleaseHeld(ObserverState* observer, const std::function<bool(const SubjectID&)>& ends,
                  const std::function<void(RCRegion*)>& release) {
   for (ObserverState::Held& held : observer->held) {

@@ -27,7 +27,8 @@ class ObjectTable {
   ObjectTable(const ObjectTable&) = delete;
   ObjectTable& operator=(const ObjectTable&) = delete;
 
-  // Adds `object` and returns it.  REQUIRES: object->id is an id that IdFor() returns now.
+  // Adds `object` and returns it.  REQUIRES: IdFor() has returned object->id, and no other object
+  // was added with this id since.
   Object* Adopt(std::unique_ptr<Object> object);
   // Returns the id for a new object of `robot`.  `key` is the path of the object, or its name if it
   // has no path.  If an object with this key existed before the robot was switched off, returns the
@@ -84,12 +85,12 @@ class ObjectTable {
   void OnReplace(Listener listener) { replace_listeners_.push_back(std::move(listener)); }
 
   // Puts the objects of `fresh` in place of the objects with the same ids.  Messages to the old
-  // objects are lost.  Returns the observers that were ready for the old objects.  A step of a
-  // replacement, which ObjectManager::Begin() calls.
+  // objects are lost.  Returns the observers that were ready for the old objects.  Called by
+  // ObjectManager::Begin() as one step of a replacement.
   Readies Replace(std::vector<std::unique_ptr<Object>> fresh);
   // Posts `readies`, which observers had sent to the old object, to the new object `id` in the name
   // of these observers.  The observers do not know of the replacement, so they would not assert
-  // ready again themselves.  A step of a replacement, which ObjectManager::Begin() calls.
+  // ready again themselves.  Called by ObjectManager::Begin() as one step of a replacement.
   void AssertAgain(ObjectId id, const std::vector<StandingReady>& readies);
 
  private:

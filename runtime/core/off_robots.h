@@ -19,7 +19,8 @@ class OffRobots {
 
   // Adds robot number `robot`, which has just been switched off and boots at `boot_us`.
   void Add(int robot, int64_t boot_us);
-  // Removes robot number `robot`, so that it stays off.  Returns false if it was not added.
+  // Removes robot number `robot` from the robots that wait for their boot.  Returns false if the
+  // robot was not one of them.
   bool Remove(int robot);
 
   bool empty() const { return robots_.empty(); }
@@ -29,16 +30,16 @@ class OffRobots {
 
   // Returns the end of the next frame of the robots that are off; INT64_MAX if no robot is off.
   int64_t NextUs() const;
-  // Moves the bodies of the robots that are off if a frame ends now, and posts the boot of each
-  // robot that is due to boot.  A posted boot may have to wait for the object manager, so a robot
-  // is removed only when it really boots (System::LoadAgain()).
+  // At the end of a frame: moves the bodies of the robots that are off, and posts the boot of each
+  // robot that is due to boot.  The object manager may execute a posted boot later.  So a robot
+  // stays in robots_ until it really boots: System::LoadAgain() calls Remove().
   void DoDue();
 
   void HashState(Hasher* hasher) const;
 
  private:
   struct Times {
-    // End of the frame that runs now; INT64_MAX when the boot of the robot was posted.
+    // End of the frame that runs now; INT64_MAX once the boot of the robot is posted.
     int64_t frame_us;
     int64_t boot_us;  // the robot boots at the end of the first frame that ends at boot_us or later
   };

@@ -22,8 +22,8 @@ struct ServiceEnd {
 };
 enum class ServiceSide { kSubject, kObserver };
 
-// Returns whether `name` is the full name `service` or consists of the first parts of this name:
-// "Blinker.Blink" for "Blinker.Blink.int.S".
+// Returns whether `name` names a service with the full name `service`.  `name` may be this full
+// name or its beginning up to a dot, such as "Blinker.Blink" for "Blinker.Blink.int.S".
 bool NamesService(std::string_view name, std::string_view service);
 
 // Returns the service of `robot` with the name `name`.  `side` says whether to search for a subject

@@ -41,7 +41,7 @@ class RegionTable {
   void KeepCopy(uint32_t id) { Pin(id); }
   void DropCopy(uint32_t id) { Unpin(id); }
   // Removes block `id`, which AdoptOwn() made.  Called when the master process has deleted the
-  // block.  The memory stays while the block is pinned.
+  // block.  The memory stays while the block is pinned (Pin()).
   void Lose(uint32_t id);
 
   // Finds the block in which `address` lies, and sets `*id` to the block's id and `*offset` to the
@@ -69,7 +69,7 @@ class RegionTable {
   std::pair<const void*, int> MostCommonPlace() const;
 
   // Deletes block `id`.  Returns false if `id` names no live block.  The memory stays while the
-  // block is pinned.
+  // block is pinned (Pin()).
   bool Delete(uint32_t id);
 
   // Deletes all blocks of the object `owner`, which has ended or is being replaced.
@@ -116,8 +116,8 @@ class RegionTable {
   // Returns the number of live blocks that `owner` owns.
   int CountOf(ObjectId owner) const;
   int live_count() const { return live_count_; }
-  // Returns the number of slots with memory: slots of live blocks, of pinned blocks and of idle
-  // copies.
+  // Returns the number of slots with memory: slots of live blocks, of pinned blocks, and of copies
+  // that nobody reads at present (Slot::is_idle).
   int used_count() const;
 
   // Calls `visit` for every live block of `owner`.
@@ -141,18 +141,19 @@ class RegionTable {
     size_t capacity = 0;       // the size with which the block was made
     bool is_reusable = false;  // whether New() may choose this slot again
     bool is_copy = false;      // whether AdoptCopy() has made the block
-    bool is_idle = false;      // whether this is an unpinned copy, kept for the next copy
+    bool is_idle = false;      // true for a copy that nobody reads; its memory is kept for reuse
   };
 
-  // Returns the slot of block `id`, also if the block is an idle copy; null if there is no such
-  // block.
+  // Returns the slot of block `id`, even if the block is a copy that nobody reads at present
+  // (is_idle).  Returns null if there is no such block.
   Slot* FindMemory(uint32_t id) {
     const uint32_t index = (id & 0xffff) - 1;
     if (index >= slots_.size()) return nullptr;
     Slot& slot = slots_[index];
     return slot.generation == id >> 16 && slot.base != nullptr ? &slot : nullptr;
   }
-  // Returns the slot of block `id`; null if there is no such block or the block is an idle copy.
+  // Returns the slot of block `id`.  Returns null if there is no such block, or if the block is a
+  // copy that nobody reads at present (is_idle).
   Slot* Find(uint32_t id) {
     Slot* const slot = FindMemory(id);
     return slot == nullptr || slot->is_idle ? nullptr : slot;

@@ -43,9 +43,9 @@ class Requests {
   // they have received a reply.
   uint64_t OpenBox();
 
-  // Waits for the reply to `box` and returns the reply.  If no reply comes within `timeout_us`,
-  // returns an empty message and sets `*timed_out`.  `why` describes for users what the handler
-  // waits for: "the answer of IPStack (Send)".
+  // Waits for the reply in the caller's reply box `box`, and returns the reply.  If no reply comes
+  // within `timeout_us`, returns an empty message and sets `*timed_out`.  `why` describes for users
+  // what the handler waits for: "the answer of IPStack (Send)".
   OwnedMessage Await(uint64_t box, int64_t timeout_us, std::string_view why, bool* timed_out);
 
   // Takes the right to reply to the request that the caller handles.  Returns an empty ticket if

@@ -29,7 +29,8 @@ class StackMemory {
   static constexpr size_t kGuardBytes = 4096;
   // Offset of the top of the stack for the image's own code, from the first address of the memory
   // that the address plan gives to an image for its stacks.  The assembly code of imported_calls.cc
-  // contains the next two offsets as numbers; static_asserts in that file compare them.
+  // contains kBottomOffset and kImportsTopOffset as numbers; static_asserts in that file compare
+  // them.
   static constexpr size_t kTopOffset = AddressPlace::kStackBytes - 4096;
   // Offset of the bottom of the stack for the image's own code, from the same address as
   // kTopOffset.

@@ -59,8 +59,9 @@ constexpr int64_t kFrameUs = 8000;
 constexpr size_t kRobotMemoryBytes = size_t{32} << 20;
 
 struct SystemOptions {
-  // The seed of everything that is random.  With 1, messages have the canonical order (schedule.h);
-  // with any other seed, the order is drawn from the orders that the robot allows.
+  // The seed of everything that is random.  With 1, messages have the order of a run without a
+  // schedule (schedule.h); with any other seed, the order is drawn from the orders that the robot
+  // allows.
   uint64_t seed = 1;
   // If true, mistakes of programs that stop a real robot stop the robot here too.  If false, they
   // only become findings, which are lines in the report of the run.  If true, objects also receive
@@ -94,7 +95,8 @@ struct SystemOptions {
   // Returns the content of `message`, which an object handles now, in words.  Findings get this
   // text (Finding::said).  If this function is null, findings have no such text.
   std::string (*say)(const System& system, const Message& message) = nullptr;
-  // Makes the SystemCalls of this System, the functions that handlers call.  Null for LocalCalls.
+  // Makes the SystemCalls of this System, the functions that handlers call.  If this function is
+  // null, the System makes LocalCalls.
   std::function<std::unique_ptr<SystemCalls>(System*)> make_calls = {};
 };
 
@@ -175,8 +177,8 @@ class System {
   // Posts the shutdown of one robot: DoStop of its objects, then DoDestroy, then the robot is off.
   void Shutdown(int robot, const RunEnd& why = {});
   void Shutdown(const RunEnd& why = {});             // shuts down all robots
-  bool booted() const { return booted_; }            // the last DoStart has returned
-  bool powered_off() const { return powered_off_; }  // all robots are off for good; nothing runs
+  bool booted() const { return booted_; }            // whether the last DoStart has returned
+  bool powered_off() const { return powered_off_; }  // whether all robots are off for good
   // Switches one robot off at once, as OPENR::Fatal() does.  Messages to its objects are dropped
   // from now on.
   void PowerOff(int robot, const RunEnd& why = {});
@@ -247,8 +249,8 @@ class System {
     return calls_->Post(std::move(message), delay_us);
   }
 
-  // Queues a message in the queue of this process; LocalCalls::Post() calls it.  Returns an sError
-  // as Post() does.  REQUIRES: delay_us >= 0.
+  // Queues a message in the queue of this process.  Called by LocalCalls::Post().  Returns an
+  // sError as Post() does.  REQUIRES: delay_us >= 0.
   int32_t Enqueue(OwnedMessage&& message, int64_t delay_us);
 
   // Ends the running handler without returning to it, as exit() and Exit() do.  REQUIRES: called in
@@ -312,7 +314,7 @@ class System {
   void AddFindingAbout(const Object* object, Severity severity, std::string text);
   // Adds a finding about the stick or the configuration of a robot.
   void AddFindingAboutRobot(int robot, Severity severity, std::string text);
-  // Adds a finding to findings() of this process; LocalCalls::AddFinding() calls it.
+  // Adds a finding to findings() of this process.  Called by LocalCalls::AddFinding().
   void RecordFinding(const Object* object, Severity severity, std::string text);
 
   // Returns a line for each object that waits: "JointMover waits for the answer of IPStack since
@@ -337,7 +339,7 @@ class System {
   Object* NewCodeHost(int robot, const std::string& name);
 
   // Returns the time of the next event that is no message: the end of a handler's processor time, a
-  // time event, an input or a step of a robot that is off.
+  // time event, an input, or the end of a frame of a robot that is off.
   int64_t NextInstant() const;
   // Handles the events of NextInstant() that are due now.
   void DoWhatIsDue();

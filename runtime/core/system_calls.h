@@ -43,9 +43,9 @@ class SystemCalls {
   // already arrived is released.
   virtual void CloseBox(uint64_t box) = 0;
 
-  // Returns whether object `asker` accepts a reply to `box`.  In a worker process returns true for
-  // every box, because only the master knows the boxes of all objects; the master checks the box
-  // when the reply is posted.
+  // Returns whether object `asker` accepts a reply in its reply box `box`.  In a worker process
+  // returns true for every box, because only the master knows the boxes of all objects; the master
+  // checks the box when the reply is posted.
   virtual bool AcceptsReply(ObjectId asker, uint64_t box) const = 0;
 
   // Prepares a wait of the caller for the reply to `box`, of at most `timeout_us`, or without limit
@@ -65,8 +65,8 @@ class SystemCalls {
 
   virtual uint32_t AddTimedEvent(const TimeEvents::Letter& letter, int64_t first_us,
                                  int64_t period_us) = 0;
-  // Adds an event that posts `letter` when the reply to `box` arrives, or at once if it has arrived
-  // already.  REQUIRES: `box` is open.
+  // Adds an event that posts `letter` when a reply arrives in the caller's reply box `box`, or at
+  // once if the reply has arrived already.  REQUIRES: `box` is open.
   virtual uint32_t AddReplyEvent(const TimeEvents::Letter& letter, uint64_t box) = 0;
   virtual bool CancelEvent(uint32_t event) = 0;
   virtual int CountEvents() = 0;
@@ -94,7 +94,8 @@ class SystemCalls {
   // Keeps the memory of a region until UnpinRegion(), even if the region is deleted.  Observers pin
   // regions that they have received.  Returns false if there is no such region.
   virtual bool PinRegion(uint32_t region) = 0;
-  // Ends a PinRegion().  Returns false if there is no such region or the region is not pinned.
+  // Ends the effect of one PinRegion().  Returns false if there is no such region or the region is
+  // not pinned.
   virtual bool UnpinRegion(uint32_t region) = 0;
 
   // The next four functions change or check the access rights `info` of the caller, or of object

@@ -15,8 +15,9 @@
 namespace openr_host {
 namespace {
 
-// The largest datum that `send` posts.  The limit is our choice: it is far above what objects send
-// each other, and it bounds what a command from outside can allocate.
+// The largest size in bytes of a datum that the input `send` posts.  The limit is our choice: it is
+// far above the size of data that objects send each other, and it limits the memory that a command
+// from outside can allocate.
 constexpr size_t kDatumMax = size_t{64} << 10;
 
 template <typename T>
@@ -129,7 +130,7 @@ std::string ReadSend(System* system, int robot, std::string_view rest, Inputs::A
   SentDatum datum;
   datum.robot = robot;
   std::string problem = ReadSentDatum(rest, &datum);
-  // Checks the names only after the boot, because the services have no entries before it.
+  // Checks the names only after the boot, because objects register their services during the boot.
   ServiceEnd subject, observer;
   if (problem.empty() && system->booted()) problem = FindEnds(*system, datum, &subject, &observer);
   *action = [system, datum] { Send(system, datum); };

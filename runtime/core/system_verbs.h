@@ -8,7 +8,7 @@ namespace openr_host {
 
 class System;
 
-// Adds the verbs `type`, `send` and `shutdown` to System::inputs().
+// Adds the kinds of inputs that begin with `type`, `send` and `shutdown` to System::inputs().
 void AddSystemVerbs(System* system);
 
 // Adds the input `type TEXT`, which types `text` on the terminal of `robot`.

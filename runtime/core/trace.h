@@ -83,7 +83,7 @@ std::string PayloadBytes(const Message& message);
 
 // Returns the same bytes as PayloadBytes().  If they are in one piece in memory, the result points
 // to them.  Otherwise they are copied to `*copy`, and the result points to the copy.  The result is
-// valid until the message ends or `*copy` changes.
+// valid until the message is released or `*copy` changes.
 std::string_view PayloadView(const Message& message, std::string* copy);
 
 }  // namespace openr_host

@@ -92,9 +92,9 @@ SubjectID OObserver::FindSender(RCRegion* region) const {
 namespace {
 
 // Asks the subject at `entry` to add or remove this observer, as `control` says, and waits for the
-// reply.  If the subject is in the same object, calls its entry directly.  A message would never be
-// answered: the object handles it only after this handler has ended, but this handler waits for the
-// reply.
+// reply.  If the subject is in the same object, calls the subject's entry directly, because a
+// message would never be answered: the object would handle the message only after this handler has
+// ended, but this handler waits for the reply.
 OControlReplyMessage AskSubject(ObserverState* state, const OServiceEntry& entry,
                                 OControlMessage* control) {
   System* const system = state->system;
