@@ -64,7 +64,7 @@ Triangle HugeTriangleOver(const Vector3d& centre) {
 // the hull's point that is furthest below the plane of the triangle replaces one corner.  The
 // corner is chosen so that `centre` still lies over the triangle.  `t` and `centre` are in a frame
 // whose z axis points up; R converts vectors of the body's frame B, in which `hull` is, to this
-// frame. REQUIRES: `centre` lies over `t`.
+// frame.  REQUIRES: `centre` lies over `t`.
 void SinkToSupport(const Hull& hull, const Matrix3d& R, const Vector3d& centre, Triangle* t) {
   // Largest number of swaps; far more than the hulls of these robots need.
   constexpr int kSwapsMax = 64;

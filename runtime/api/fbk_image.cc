@@ -54,8 +54,8 @@ OFbkImage::OFbkImage(OFbkImageInfo* info, byte* data, OFbkImageBand band)
   height_ = static_cast<int>(info->height);
   skip_ = width_ * (place.bands - 1);
   pointer_ = data + place.index * width_;
-  // The tag is in the first band of the image (Y, or the only band).  So every OFbkImage of one
-  // image finds the same tag, whichever `band` it shows.
+  // The tag is in the first band of the image (Y, or the only band), which begins at `data`.  So
+  // every OFbkImage of one image finds the same tag, whichever `band` it shows.
   if (width_ >= kTagSize && height_ > 0) tag_ = data + (width_ + skip_) * (height_ - 1);
 }
 

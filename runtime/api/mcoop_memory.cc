@@ -18,9 +18,9 @@ namespace {
 // Page size of a robot with memory protection, which GetPageSize() returns.
 constexpr size_t kPageBytes = 4096;
 
-// Changes the size of a region that the current object owns to `size`.  GrowMemoryRegion() sets
-// `grows`; then the new size must not be smaller than the old size.  ShrinkMemoryRegion() does not
-// set `grows`; then the new size must be smaller.
+// Changes the size of a region that the current object owns to `size`.  If `grows` is true
+// (GrowMemoryRegion()), the new size must not be smaller than the old size.  Otherwise
+// (ShrinkMemoryRegion()), the new size must be smaller.
 sError Resize(MemoryRegionID id, size_t size, bool grows) {
   if (t_current.object == nullptr) return sFAIL;
   RegionTable& regions = t_current.system->regions();

@@ -23,9 +23,9 @@ constexpr longword kCpuClockHz = 192'000'000;  // clock of the ERS-210's CPU (R4
 Robot& CurrentRobot() { return t_current.system->robot(t_current.object->robot); }
 RobotServices& Services() { return *CurrentRobot().services; }
 
-// Returns the text for the report if this call of OPENR::Shutdown() ends the run.  With a boot
-// timer (robot.md 15.3) it ends the run only if no robot of the run can boot again, so the text
-// then tells the user to start the run again.
+// Returns the text for the report of a run that ends with this call of OPENR::Shutdown().  A
+// shutdown with a boot timer (robot.md 15.3) ends the run only if no robot of the run can boot
+// again, so in this case the text tells the user to start the run again.
 std::string HowItEnds(const OBootCondition& condition) {
   return (condition.bitmap & obcbBOOT_TIMER) == 0 ? " shut the robot down (OPENR::Shutdown)"
                                                   : " shut the robot down (OPENR::Shutdown) to "

@@ -30,7 +30,10 @@ void openr_second_stack_run(struct OpenrSecondStack* stack, void (*body)(void*),
  */
 void openr_second_stack_leave(struct OpenrSecondStack* stack);
 
-/* Continues body where it has left.  Returns when body has ended or has left again. */
+/*
+ * Continues body after its call of openr_second_stack_leave().  Returns when body has ended or has
+ * called that function again.
+ */
 void openr_second_stack_continue(struct OpenrSecondStack* stack);
 
 /* Adds the warning `text` about the running object to the findings. */

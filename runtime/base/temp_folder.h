@@ -8,10 +8,10 @@ namespace openr_host {
 
 enum class TempUse {
   kAnyFiles,
-  // Files that are few and small.  If the user has not named a place with TMPDIR, they are kept in
-  // memory (/dev/shm), if there is room and code in such files may be run.  A run makes and removes
-  // dozens of small files.  On a disk this takes longer than everything else at the start of the
-  // run.
+  // Files that are few and small.  They are kept in memory (/dev/shm) if three conditions hold: the
+  // user has not named a place with TMPDIR, there is room, and code in such files may be run.  A
+  // run makes and removes dozens of small files.  On a disk this takes longer than everything else
+  // at the start of the run.
   kSmallFiles,
 };
 

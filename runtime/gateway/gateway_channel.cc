@@ -18,7 +18,7 @@ void GatewayChannel::HashState(Hasher* hasher) const {
 void OutgoingChannel::Up() { observer_->AssertReady(); }
 
 void OutgoingChannel::Notify(const ONotifyEvent& event) {
-  // Drops data that arrive from the subject without a connection.  The subject may have sent them
+  // Drops data that the subject sends while there is no connection.  The subject may have sent them
   // before it received the "not ready" that Down() sends.
   if (!connection_.is_up()) {
     gateway_->host().dropped_count += 1;
@@ -104,9 +104,9 @@ void IncomingChannel::Received(std::string_view bytes) {
   GatewaySet set;
   GatewayStream::Result result;
   while ((result = stream_.NextSet(&set)) == GatewayStream::Result::kTaken) {
-    // Warns if the peer sends data without a ready, because a peer must wait for a ready before it
-    // sends data.  This is not reported as an error, because nothing is lost: the local subject
-    // keeps the data until its observer is ready.
+    // Warns if the peer sends data before it has got a ready for them, because a peer must wait for
+    // a ready.  This is not reported as an error, because nothing is lost: the local subject keeps
+    // the data until its observer is ready.
     if (!std::exchange(asked_, false)) {
       gateway_->Warn(
           "the peer sends data before it was told that the observer is ready; they wait, and newer "

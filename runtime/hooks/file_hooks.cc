@@ -34,9 +34,9 @@ using openr_host::t_current;
 namespace {
 
 // Makes the host write a file or folder to the disk now, so that a power cut does not lose it.
-// Used for rename(), because a program that replaces a file by a new file may report success after
-// the rename, and must then not lose the new file.  Keeps errno, and ignores errors, because
-// rename() of the robot has no such errors.
+// Used by rename(), because a program may replace a file by a new file and then report success, so
+// the new file must not be lost.  Keeps errno, and ignores errors, because rename() of the robot
+// has no such errors.
 void WriteThrough(const std::string& host_path) {
   const ApiScope scope;  // the functions below get paths of the host
   const int error = errno;

@@ -22,7 +22,7 @@ using openr_host::t_current;
 
 namespace {
 
-constexpr size_t kEntriesMax = 682;  // readdir() of the robot returns at most this number
+constexpr size_t kEntriesMax = 682;  // the robot's readdir() returns at most this many names
 
 // A folder that an object has opened.  The DIR* that the object gets points to this struct.  The
 // struct is on the object's heap, because it is part of the object's state.

@@ -19,12 +19,12 @@ struct InitInfo;
 
 extern "C" {
 
-// Returns the time since boot.  Within one handler each call returns 1 us more than the call
-// before, so that a loop that waits for time to pass ends.
+// Returns the time since boot.  Within one handler each call returns 1 us more than the previous
+// call, so that a loop that waits for a certain time comes to an end.
 sError GetSystemTime(SystemTime* time);
 
-// Functions that find objects and entries by name, or change the names of objects.  The name of an
-// object is the OBJECT_NAME of its .ocf file.
+// Functions that find an object or an entry, or register and remove the name of an object.  At
+// first the name of an object is the OBJECT_NAME of its .ocf file.
 sError WhoAmI(OID* oid);
 sError Find(const char* name, OID* oid);
 sError Register(OID oid, const char* name);
@@ -34,7 +34,8 @@ sError FindSelector(const char* name, Selector* selector);
 // Send a message without waiting.  `size` bytes are copied; at most 256.
 sError Send(OID oid, Selector selector, void* msg, size_t size);
 sError SendWithRBox(OID oid, Selector selector, void* msg, size_t size, RID* rbox);
-// Waits for the answer to a SendWithRBox().  Only this object waits, all others run on.
+// Waits for the answer to a SendWithRBox().  Only the calling object waits; all other objects run
+// on.
 sError Receive(RID rbox, void* msg = 0, size_t size = 0, size_t* got = 0,
                RelativeTime* timeout = 0);
 // Sends a message and waits for its answer.

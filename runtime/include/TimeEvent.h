@@ -30,7 +30,8 @@ struct TimeEventInfoWithRelativeTime : public TimeEventInfo {
     periodicTime = period;
   }
 
-  // Requests one message after `time`, or for type Periodic a message after each `time`.
+  // Requests one message after `time`; if `type` is Periodic, requests a message each time that
+  // `time` has passed.
   void Set(EventType type, RelativeTime time) {
     Set(time, type == Periodic ? time : RelativeTime());
     eventType = type;

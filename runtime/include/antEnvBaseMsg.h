@@ -75,8 +75,8 @@ class antEnvMsg {
   antError Reply();
 };
 
-// A message with an error field, whose numbers depend on the protocol; 1 means "failed" in all of
-// them.  The fields of the operation follow in derived classes.
+// A message with an error field.  The numbers of errors depend on the protocol, but 1 means
+// "failed" in every protocol.  The fields of the operation follow in derived classes.
 template <class Error>
 class antOperationMsg : public antEnvMsg {
  public:

@@ -15,11 +15,11 @@ class TcpEndpoint : public Endpoint {
  public:
   TcpEndpoint(IpStack* stack, ObjectId owner, int32_t pool_bytes);
 
-  // The virtual time for which Close waits, after all bytes were sent, until the peer ends its
-  // side.  Our choice: a peer that keeps its side open holds the program up for 1 s only.
+  // The largest virtual time for which Close waits for the peer to end its side, after all bytes
+  // were sent.  Our choice: a peer that keeps its side open holds the program up for 1 s only.
   static constexpr int64_t kPeerEndUs = 1'000'000;
-  // The virtual time for which Close waits for a peer that does not read the bytes that are still
-  // to be sent.  The time starts again with each byte that the peer accepts.  Our choice.
+  // The largest virtual time for which Close waits for a peer that does not read the bytes that are
+  // still to be sent.  The time starts again with each byte that the peer accepts.  Our choice.
   static constexpr int64_t kUnsentUs = 60'000'000;
 
   // The number of bytes that the endpoint reads from the network at a time, even if a Receive asks

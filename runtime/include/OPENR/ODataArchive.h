@@ -8,7 +8,7 @@
 
 #include <Types.h>
 
-// The id of an open archive, and the limit of open archives.
+// The id of an open archive, and the largest number of archives that are open at a time.
 typedef longword ODataArchiveID;
 const ODataArchiveID odaID_UNDEF = 0xffffffff;
 const size_t odaMAX_SIZE = 32;

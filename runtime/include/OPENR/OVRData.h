@@ -5,7 +5,7 @@
 #include <OPENR/ODataFormats.h>
 #include <OPENR/OStatus.h>
 
-// The limit of vectors in one message.
+// The largest number of vectors in one message.
 const size_t ovrdataMAX_SIZE = 8;
 
 struct OVRData {

@@ -7,10 +7,10 @@
 #include <OPENR/OPENR.h>
 #include <OPENR/StandardNames.h>
 
-// The limit of data in one notification.
+// The largest number of data items in one notification.
 #define MAX_NUM_DATA 13
 
-// The limit of regions that a ready message of version 1 can give back.
+// The largest number of regions that a ready message of version 1 can give back.
 const int objcommMAX_NUM_UNLOCK = 29;
 
 // The id of a subject is its object and Ready selector, that of an observer its object and Notify

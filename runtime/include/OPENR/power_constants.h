@@ -66,9 +66,10 @@ const longword obsecUNKNOWN = 7;
 // ---- fields of the filter of OPENR::ObservePowerStatus()
 //
 // Each bit that is set in robotStatus and batteryStatus of the filter requests a message whenever
-// that bit changes.  Each of the four numbers (remainingCapacity, temperature, timeDif, volume) is
-// one of the values below, or the value at which a message is sent, as soon as the number has
-// become equal to it.  Voltage, current and full capacity cannot be observed.
+// that bit changes.  For each of the four numbers (remainingCapacity, temperature, timeDif,
+// volume), the filter has one of the values below, or a number of its own.  Such a number requests
+// a message as soon as the observed number has become equal to it.  Voltage, current and full
+// capacity cannot be observed.
 
 const word opsoREMAINING_CAPACITY_NOTIFY_EVERY_CHANGE = 0xffff;
 const word opsoREMAINING_CAPACITY_NOT_NOTIFY = 0xfffe;
