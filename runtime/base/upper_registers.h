@@ -4,8 +4,9 @@
 // Code compiled for AVX, such as the C library's string functions and xxHash, may leave bits in the
 // upper halves of the 16 vector registers.  Code compiled for SSE, such as libode, the images and
 // most of this program, keeps those bits with every instruction that writes a register.  On several
-// processors each such instruction then waits for the instruction that wrote the register before
-// it.  So the code computes the same values but takes longer (docs/performance.md, "Upper halves").
+// processors each such instruction then waits for the previous instruction that wrote the same
+// register.  So the code computes the same values but takes longer (docs/performance.md, "Upper
+// halves").
 #pragma once
 
 namespace openr_host {

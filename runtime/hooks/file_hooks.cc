@@ -1,9 +1,9 @@
 // File functions for objects: open(), fopen(), stat() and the like.  Paths of an object lead to its
 // Memory Stick.  Operations that the robot's file system does not have fail.
 //
-// A call from anywhere in the process, even in std::ifstream, reaches these definitions before
-// those of the C library.  These definitions differ from those of the C library only while code of
-// an object runs.
+// A call from anywhere in the process, even in std::ifstream, goes to these functions instead of
+// the functions of the C library.  While no code of an object runs, these functions do the same as
+// those of the C library.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <stdarg.h>

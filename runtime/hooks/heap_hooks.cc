@@ -1,9 +1,10 @@
 // malloc(), free() and similar functions: code of an image allocates from the heap of its object,
-// all other code from the heap of the C library. free() finds out from a block's address to which
+// all other code from the heap of the C library.  free() finds out from a block's address to which
 // heap the block belongs.
 //
-// Every caller in the process reaches these definitions before those of the C library.  Sanitizers
-// have definitions of their own; with a sanitizer, objects share the host's heap.
+// A call from anywhere in the process goes to these functions instead of the functions of the C
+// library.  Sanitizers have definitions of their own; with a sanitizer, objects share the host's
+// heap.
 #if !defined(__SANITIZE_ADDRESS__) && !defined(OPENR_NO_HEAP_HOOKS)
 
 #include <fmt/format.h>

@@ -1,9 +1,9 @@
 // Functions that all hooks use.  A hook is a function of the C library that this folder defines
 // once more.
 //
-// A call from anywhere in the process reaches a hook before the function of the C library.  A hook
-// acts only while code of an image runs; otherwise it calls the C library's function. docs/hooks.md
-// lists the hooks.
+// A call from anywhere in the process goes to the hook instead of the function of the C library.  A
+// hook acts only while code of an image runs; otherwise it calls the C library's function.
+// docs/hooks.md lists the hooks.
 #pragma once
 
 #include <dlfcn.h>

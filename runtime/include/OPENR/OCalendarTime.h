@@ -40,7 +40,7 @@ class OCalendarTime {
   OStatus SetTime(time_t clock, sbyte timeDif);
   OStatus SetTime(const OTime& time);
 
-  // Return the moment that the fields describe, without dow_.  Fields beyond their range carry
+  // Return the moment that the fields describe; dow_ is ignored.  Fields beyond their range carry
   // over: the 31st of April is the 1st of May.  If ProperDate() is false, the status is
   // oINVALID_ARG, but the moment is returned nevertheless.
   OStatus GetTime(time_t* clock, sbyte* timeDif) const;

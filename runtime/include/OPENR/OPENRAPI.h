@@ -46,12 +46,12 @@ OStatus NewCommandVectorData(size_t numCommands, MemoryRegionID* memID,
 OStatus NewSoundVectorData(size_t numSounds, size_t dataSize, MemoryRegionID* memID,
                            OSoundVectorData** baseAddr);
 OStatus NewCdtVectorData(MemoryRegionID* memID, OCdtVectorData** baseAddr);
-// Errors of the three functions New...VectorData(): oNO_MEMORY
+// Errors of NewCommandVectorData(), NewSoundVectorData() and NewCdtVectorData(): oNO_MEMORY
 
 OStatus DeleteCommandVectorData(MemoryRegionID memID);
 OStatus DeleteSoundVectorData(MemoryRegionID memID);
 OStatus DeleteCdtVectorData(MemoryRegionID memID);
-// Errors of the three functions Delete...VectorData(): oINVALID_ARG (sound only), oFAIL
+// Errors of the three Delete...VectorData() functions: oINVALID_ARG (sound only), oFAIL
 
 // Loads the colour detection tables into the camera.
 OStatus SetCdtVectorData(MemoryRegionID memID);
@@ -153,11 +153,11 @@ OStatus SetTime(const OTime& time);
 OStatus GetTime(OTime* time);
 OStatus SetTimeDifference(sbyte timeDif);  // hours, -12..12
 OStatus GetTimeDifference(sbyte* timeDif);
-// Errors of the four functions for time: oFAIL, oNOT_FOUND
+// Errors of the functions SetTime() to GetTimeDifference(): oFAIL, oNOT_FOUND
 
 OStatus SetVolumeSwitch(OVolumeSwitch volume);
 OStatus GetVolumeSwitch(OVolumeSwitch* volume);
-// Errors of the two functions for the volume switch: oFAIL
+// Errors of SetVolumeSwitch() and GetVolumeSwitch(): oFAIL
 
 // ---- "level 1" information, undocumented
 

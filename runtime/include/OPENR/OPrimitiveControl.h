@@ -1,7 +1,7 @@
 // Requests of OPENR::ControlPrimitive() with their parameters and results.
 //
-// No source gives the names of the camera's settings and of the struct for MIDI tuning; they are
-// our choice.
+// The names of the camera's settings and of the struct for MIDI tuning are our choice, because no
+// source gives their names.
 #ifndef OPENR_OPRIMITIVECONTROL_H_INCLUDED
 #define OPENR_OPRIMITIVECONTROL_H_INCLUDED
 
