@@ -14,7 +14,7 @@ namespace openr_host {
 namespace {
 
 // The largest number of services that a line may declare.  The number is far above the limit of 64
-// selectors, but so low that sums fit an int.
+// selectors, but so low that sums of such numbers fit an int.
 constexpr int kCountMax = 10'000;
 
 struct KeywordName {

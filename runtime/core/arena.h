@@ -56,9 +56,9 @@ class Arena {
   // Returns whether a block that was freed began at `block`.  REQUIRES: OwnerOf(block) is not null,
   // and no block in use begins at `block`.
   static bool WasFreed(const void* block);
-  // Frees a block of an arena or of the host's heap.  If a caller got the block from Allocate()
-  // itself, it must use this function and not free(): under Valgrind, free() is a function of
-  // Valgrind, which does not know arenas.
+  // Frees a block of an arena or of the host's heap.  A caller that got the block from Allocate()
+  // must use this function and not free(): under Valgrind, free() is a function of Valgrind, which
+  // does not know arenas.
   static void FreeAny(void* block);
   // Returns the number of bytes that may be used in `block`.  REQUIRES: OwnerOf(block) is not null.
   static size_t UsableSize(const void* block);

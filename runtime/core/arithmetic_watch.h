@@ -11,15 +11,15 @@ namespace openr_host {
 class ArithmeticWatch {
  public:
   // Sets whether this process has a signal handler for SIGFPE; the class CrashLog installs one.
-  // Without a handler a SIGFPE would end the process, so operations must not raise it.  Initially
-  // there is no handler.
+  // Without this signal handler a SIGFPE would end the process, so operations must not raise it.
+  // Initially there is no signal handler.
   static void SetCatches(bool on);
   // Returns whether operations may raise SIGFPE, that is, whether a signal handler exists.  Always
   // false with AddressSanitizer, and under Valgrind, because the processor that Valgrind emulates
   // raises no SIGFPE.
   static bool Catches();
 
-  // Begins the watch at the beginning of a handler: from now on, operations that raise one of the
+  // Begins the watch at the beginning of a handler: from now on, operations that set one of the
   // flags `kinds` (FpFlag) raise SIGFPE.
   void Begin(unsigned kinds);
   bool has_begun() const { return has_begun_; }
@@ -30,8 +30,8 @@ class ArithmeticWatch {
   // does not raise SIGFPE again.
   void GiveUpCatching(unsigned kind) { kinds_ &= ~kind; }
 
-  // Pauses the watch.  Called before the image's code calls a function of the SDK or of the C
-  // library.  Such calls may be nested.
+  // Pauses the watch.  Called at the beginning of a function of the SDK or of the C library that
+  // the image's code has called.  Calls of Enter() and Leave() may be nested.
   void Enter();
   // Resumes the watch.  Called when a function for which Enter() was called has returned.
   void Leave();

@@ -161,9 +161,9 @@ double ValueOf(const TypeText& type, uintptr_t value) {
 }
 
 // Returns whether the robot's processor stops at the conversion of `number` to an integer.  The
-// processor converts to 32 bits first, even to a smaller type, and even a negative number to an
-// unsigned type.  A conversion to long long is different: a library function does it, which stops
-// only for NaN.
+// processor first converts to 32 bits, even if the type is smaller, and even if the number is
+// negative and the type unsigned.  A conversion to long long is different: a library function does
+// it, which stops only for NaN.
 bool TrapsOnTheRobot(const CastData& data, double number) {
   const TypeText& to = *data.to;
   const bool is_long_long =

@@ -123,10 +123,11 @@ class CodeObject : public OObject {
   };
 
   Selector AddEntry(const std::string& name, std::unique_ptr<Entry> entry);
-  // Adds the entries of a subject.  `entry` becomes the last of these entries.
+  // Adds the two entries of a subject: an entry for control events, and `entry` for readies.
   void AddSubjectEntries(const std::string& service, OSubject* subject,
                          std::unique_ptr<Entry> entry);
-  // Adds the entries of an observer.  `entry` becomes the last of these entries.
+  // Adds the two entries of an observer: an entry for connect events, and `entry` for
+  // notifications.
   void AddObserverEntries(const std::string& service, OObserver* observer,
                           std::unique_ptr<Entry> entry);
 

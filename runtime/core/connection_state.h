@@ -80,7 +80,7 @@ struct ObserverLink {
   // row count as one, as on the robot.
   int ready = 0;
   bool is_lost = false;          // whether the runtime sent the last deassert (kDeassertOfLost)
-  bool told_deasserted = false;  // whether a notify after a deassert was reported
+  bool told_deasserted = false;  // whether ReportDeasserted() has added its finding
 
   // The regions set since the last call of Notify(), at most MAX_NUM_DATA.
   std::vector<RCRegion*> fresh;

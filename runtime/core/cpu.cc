@@ -76,7 +76,8 @@ void Cpu::End(int64_t now_us) {
     system_->Post(std::move(outgoing.message), outgoing.delay_us);
   }
   // Puts held and waiting messages at the front of the queue, because they are older than all
-  // messages due now.  The newest message goes there first, so that the oldest is delivered first.
+  // messages due now.  Begins with the newest message, so that afterwards the oldest is at the
+  // front.
   object->ReturnHeld();
   while (!waiting_.empty()) {
     system_->Readmit(std::move(waiting_.back()));

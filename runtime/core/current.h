@@ -48,10 +48,10 @@ class ApiScope {
   const bool image_code_;
 };
 
-// While a LibraryScope exists, floating-point operations raise no SIGFPE, because they are not the
-// object's own.  Unlike with an ApiScope, malloc() and fopen() still use the heap and files of the
-// object.  The first statement of every function of the C library that the runtime defines makes a
-// LibraryScope.
+// While a LibraryScope exists, floating-point operations raise no SIGFPE, because they are
+// operations of the library and not of the object.  Unlike with an ApiScope, malloc() and fopen()
+// still use the heap and files of the object.  The first statement of every function of the C
+// library that the runtime defines makes a LibraryScope.
 class LibraryScope {
  public:
   [[gnu::always_inline]] LibraryScope() : watch_(t_current.image_code ? t_current.watch : nullptr) {

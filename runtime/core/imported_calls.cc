@@ -17,10 +17,10 @@
 #include "runtime/core/stack_memory.h"
 
 // Every thunk jumps to one of these two functions, with the address of the imported function in
-// r11.  The value of the stack pointer tells where the call comes from: only stacks of images are
-// below 17 TiB (address_plan.h).  A call from the stack of an image runs on the stack for imported
-// functions, always from its top; other calls stay on their stack.  The word below that top holds
-// the address of the image's frame, for ReturnAddressInImage().
+// r11.  The stack pointer tells where the call comes from, because only stacks of images are below
+// 17 TiB (address_plan.h).  A call from the stack of an image continues at the top of the stack for
+// imported functions; other calls stay on their stack.  The word below this top holds the address
+// of the image's frame, where ReturnAddressInImage() finds the return address.
 //
 // The imported function looks for some of its arguments on the stack, so these are copied to the
 // other stack.  Because their size is not known, always 256 bytes are copied, or 2 KiB for a
@@ -279,7 +279,7 @@ void Redirection::FindImports(int64_t table, int64_t size) {
 
 // Writes a thunk and returns its address.  A thunk has two instructions: mov r11, FUNCTION; jmp
 // *WORD.  In front of all thunks lie two words with the addresses of openr_call_import and
-// openr_call_variadic_import; WORD is the word that fits the function.
+// openr_call_variadic_import; WORD is the word for this kind of function.
 uint64_t Redirection::MakeThunk(const Import& import, size_t index) {
   char* const thunk = thunks_ + (index + 1) * kThunkBytes;
   const char* const word = thunks_ + (IsVariadic(NameOf(import.symbol)) ? 8 : 0);
@@ -316,8 +316,8 @@ std::string Redirection::Run(size_t bytes_max) {
     const auto index = static_cast<size_t>(same - imports_.begin());
     thunks[i] = index < i ? thunks[index] : MakeThunk(imports_[i], i);
   }
-  // Changes the addresses in the image last.  If a step before this fails, the image is unloaded;
-  // the functions of the image that run then need the unchanged addresses.
+  // Changes the addresses in the image last.  If a step before this fails, the image is unloaded.
+  // Unloading runs functions of the image, which need the unchanged addresses.
   if (mprotect(thunks_, bytes, PROT_READ | PROT_EXEC) != 0) return kNoMemory;
   for (size_t i = 0; i < imports_.size(); ++i) *imports_[i].slot = thunks[i];
   return set_access(PROT_READ) ? "" : kNoMemory;

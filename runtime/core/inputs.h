@@ -34,9 +34,9 @@ class Inputs {
         : work(std::forward<Work>(work_in)) {}
 
     std::function<void()> work;
-    // Whether `work` is called before the robots boot if the input is due then (DoBeforeBoot()).
-    // Other inputs of that time take effect after the messages of the boot.  REQUIRES for true:
-    // `work` adds no input, and it can be called in a handler of the object manager.
+    // If true, and if the input is due when the robots boot, `work` is called before the boot
+    // (DoBeforeBoot()).  If false, `work` is then called after the messages of the boot.  REQUIRES
+    // for true: `work` adds no input, and it can be called in a handler of the object manager.
     bool is_before_boot = false;
   };
 

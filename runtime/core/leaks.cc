@@ -65,8 +65,8 @@ class LeakSearch {
  public:
   explicit LeakSearch(System* system) : system_(system) {}
 
-  // Marks all reachable nodes.  `stack` is the lowest address of this thread's stack that is
-  // searched.
+  // Marks all reachable nodes (blocks and regions).  `stack` is the lowest address of this thread's
+  // stack that is searched.
   void Run(const char* stack);
   void Report() const;
 
@@ -77,8 +77,8 @@ class LeakSearch {
   void ReadStacks();
   void ReadHost(const char* stack);
   void ReadAround(const char* begin, const char* end);
-  // Searches the memory from `begin` to `end`, and marks the nodes whose addresses are in its words
-  // as reachable.  With `has_ids`, also marks the regions whose ids are in its words.
+  // Searches the words of the memory from `begin` to `end`.  Marks a node as reachable if a word is
+  // an address in the node.  With `has_ids`, also marks each region whose id is in a word.
   void Read(const char* begin, const char* end, bool has_ids);
   void ReadReached();
   void MarkAddress(uintptr_t address);

@@ -1,8 +1,8 @@
 // Finds out under which memory checker this program runs: Valgrind or AddressSanitizer.
 //
-// AddressSanitizer is in this program (./dev sanitize), or only in the images that it runs (openr
-// build --sanitize).  In the second case its library was preloaded, and its functions are found by
-// the weak declarations below.
+// AddressSanitizer is in this program (./dev sanitize), or only in the images that this program
+// runs (openr build --sanitize).  In the second case the library of AddressSanitizer was preloaded,
+// and the weak declarations below find its functions.
 #pragma once
 
 #include <cstddef>

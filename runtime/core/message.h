@@ -96,9 +96,9 @@ class MessageQueue {
   // To put back several messages in their order, begin with the last of them.
   void PushFront(OwnedMessage message, int priority);
 
-  // Takes the first message that is due now, or returns null if no message is due.  If there are
-  // several due messages of this class and priority, a `schedule` (schedule.h) chooses which
-  // receiver gets its first message.
+  // Takes the first message that is due now, or returns null if no message is due.  If other due
+  // messages have the same class and priority, `schedule` (schedule.h) chooses the receiver that
+  // gets its first message.
   OwnedMessage Pop(Schedule* schedule = nullptr) { return OwnedMessage(TakeDue(schedule)); }
   bool HasDue() const { return due_count_ > 0; }
   // Returns the message that Pop() without a schedule would take; null if no message is due.

@@ -215,9 +215,9 @@ class Object {
   // selector.
   std::map<uint32_t, std::string> services;
 
-  // ---- The members that every message reads.  They lie on two cache lines, because with thousands
-  // of objects most of the time of a message is spent waiting for memory.  They come last, so that
-  // the members of the derived classes lie next to them.
+  // ---- The members that the delivery of every message reads.  They lie on two cache lines,
+  // because with thousands of objects a delivery spends most of its time waiting for memory.  They
+  // come last, so that the members of the derived classes lie next to them.
 
   // The object has the entries 0 to entry_count - 1.  For all other entries, HasEntry() is called.
   alignas(64) uint32_t entry_count = 0;

@@ -161,8 +161,8 @@ void ObjectManager::RunBootAgain(int robot) {
   const size_t findings_before = system().findings().all().size();
   shutting_down_.erase(robot);
   // Clears unreported_, because it has addresses of connections, which would be wrong after the
-  // boot.  It has only services of lost processes, and a robot with objects in other processes does
-  // not boot again, so no service is forgotten.
+  // boot.  No service is forgotten: unreported_ has only services of lost processes, and a robot
+  // with objects in other processes does not boot again.
   unreported_.clear();
   if (!system().LoadAgain(robot)) return;
   KeepBack(robot);

@@ -242,9 +242,9 @@ void ObjectTable::Place(std::unique_ptr<Object> fresh) {
 ObjectTable::Readies ObjectTable::Replace(std::vector<std::unique_ptr<Object>> fresh) {
   Readies readies;
   // Marks all old objects before the first message to one of them is taken out of the queue.  A
-  // notification from one old object to another is not delivered any more.  Because of the mark,
-  // SendDeassert() gives the regions of such a notification back by a direct call: a message to the
-  // sender would be lost.
+  // notification from one old object to another is not delivered any more.  Because its sender is
+  // marked, SendDeassert() gives the regions of such a notification back by a direct call: a
+  // message to the sender would be lost.
   for (const auto& object : fresh) Get(object->id)->is_leaving = true;
   for (const auto& object : fresh) readies[object->id] = EndMessagesTo(Get(object->id));
   for (auto& object : fresh) Place(std::move(object));

@@ -76,8 +76,8 @@ class ObjectTable {
   void Reload(ObjectId id);
 
   // Posts the replacement of objects whose worker process was lost, that is, has ended or cannot be
-  // reached.  EndAllOf() was called for them.  The new objects in `fresh` have the same ids.  All
-  // of them are in place before the first DoInit.  REQUIRES: System::booted().
+  // reached.  EndAllOf() must have been called for these objects.  The new objects in `fresh` have
+  // the same ids.  All of them are in place before the first DoInit.  REQUIRES: System::booted().
   void Return(std::vector<std::unique_ptr<Object>> fresh);
 
   // Registers a `listener` that is called for every object that is replaced, before its successor

@@ -34,9 +34,9 @@ class RegionTable {
   // memory.
   char* AdoptOwn(uint32_t id, size_t size, ObjectId owner);
   // Returns memory for a copy of block `id` of another process; the caller puts the bytes into it.
-  // Used only in the table of a worker process.  The copy must be pinned at once with KeepCopy(),
-  // and is free after the last DropCopy().  At first the memory holds zeros, or the bytes of an
-  // earlier copy of the same block.  Returns null if there is no memory.
+  // Used only in the table of a worker process.  The caller must at once keep the memory with
+  // KeepCopy().  After the last DropCopy() the memory is free.  At first the memory holds zeros, or
+  // the bytes of an earlier copy of the same block.  Returns null if there is no memory.
   char* AdoptCopy(uint32_t id, size_t size);
   void KeepCopy(uint32_t id) { Pin(id); }
   void DropCopy(uint32_t id) { Unpin(id); }

@@ -1,6 +1,6 @@
 // Reports messages that hold an address of this process.  Such an address differs from run to run.
-// The hash of a run includes the data of messages, so with such a message equal runs get different
-// hashes.
+// The hash of a run includes the data of messages, so an address in a message gives equal runs
+// different hashes.
 #include <OPENR/ObjcommMessages.h>
 #include <OPENR/RCRegion.h>
 #include <fmt/format.h>
@@ -12,8 +12,8 @@ namespace openr_host {
 namespace {
 
 // Describes for a report what sent `message`: "the subject 'A.B.C.S'" for a notification, "an
-// answer" for a reply.  Another message has no subject, so its text names the entry to which it
-// goes: "a message to JointMover, Move (Notify)".
+// answer" for a reply.  A message of any other kind has no subject, so the text names the entry to
+// which the message goes: "a message to JointMover, Move (Notify)".
 std::string SenderOf(const Message& message, const Object& sender) {
   if (message.is_reply) return "an answer";
   if (message.kind == PayloadKind::kNotify) {

@@ -37,8 +37,8 @@ OwnedMessage Requests::Await(uint64_t box, int64_t timeout_us, std::string_view 
   const Message* const wake = system_->calls().BeginWait(box, timeout_us, why);
   OwnedMessage message = system_->dispatcher().WaitFor(box);
   self->handler.blocked_why.clear();
-  // Recognises the end of a wait at its limit: LocalCalls::BeginWait() has posted an empty reply
-  // from the object itself for this purpose.
+  // If the wait has timed out, `message` is the empty reply that LocalCalls::BeginWait() has posted
+  // from the object to itself.
   *timed_out = message->kind == PayloadKind::kHashed && message->sender == self->id;
   if (*timed_out) return message;  // leaves the box open, because the reply may still come
   // Removes the message that would end the wait, because the reply came before the time-out.

@@ -21,7 +21,7 @@ enum class EndKind : uint8_t {
   kLostProcess,   // a process with objects of the run was lost
   kNoBoot,        // the robot did not boot, or was refused before any object started
   kSignal,        // Ctrl-C or SIGTERM came a second time
-  kBranch,        // a user went back, and a copy of the run goes on from there (openr/rewind)
+  kBranch,        // a user went back in time; a copy of the run goes on from there (openr/rewind)
 };
 constexpr int kEndKinds = 13;
 

@@ -146,7 +146,7 @@ void System::Shutdown(const RunEnd& why) {
 void System::PowerOff(int robot, const RunEnd& why) { calls_->PowerOff(robot, why); }
 
 void System::CutPower(int index, const RunEnd& why) {
-  const bool is_shutdown = why.kind == EndKind::kPowerOff;  // a shutdown has noted its reason
+  const bool is_shutdown = why.kind == EndKind::kPowerOff;  // a shutdown has set Robot::end already
   if (index < robot_count() && !is_shutdown && !robot(index).powered_off) robot(index).end = why;
   NoteEnd(index, why);
   for (const auto& object : objects()) {

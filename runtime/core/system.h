@@ -92,7 +92,7 @@ struct SystemOptions {
   // If true, the heaps of images record where each block was allocated, for ReportLeaks()
   // (leaks.h).
   bool find_leaks = false;
-  // Returns the content of `message`, which an object handles now, in words.  Findings get this
+  // Describes in words the content of `message`, which an object handles now.  Findings get this
   // text (Finding::said).  If this function is null, findings have no such text.
   std::string (*say)(const System& system, const Message& message) = nullptr;
   // Makes the SystemCalls of this System, the functions that handlers call.  If this function is

@@ -48,11 +48,11 @@ class SystemCalls {
   // checks the box when the reply is posted.
   virtual bool AcceptsReply(ObjectId asker, uint64_t box) const = 0;
 
-  // Prepares a wait of the caller for the reply to `box`, of at most `timeout_us`, or without limit
-  // if `timeout_us` is less than 0.  `why` describes for users what the caller waits for.  Returns
-  // the queued message that will end the wait at its limit, so that the caller can remove this
-  // message if the reply comes first.  Returns null if there is no such message: without a limit,
-  // and in a worker process, where the master ends the wait.
+  // Prepares a wait of the caller for the reply in its reply box `box`.  The wait lasts at most
+  // `timeout_us`, or has no limit if `timeout_us` is less than 0.  `why` describes for users what
+  // the caller waits for.  Returns the queued message that will end the wait after `timeout_us`, so
+  // that the caller can remove this message if the reply comes first.  Returns null if there is no
+  // such message: without a limit, and in a worker process, where the master ends the wait.
   virtual const Message* BeginWait(uint64_t box, int64_t timeout_us, std::string_view why) = 0;
 
   // Waits for a line of the console and copies it to `buffer`; see ConsoleInput::Read().
