@@ -20,7 +20,7 @@ inline constexpr char kAddressFile[] = "HOSTADDR.CFG";
 // A pair of IPv4 addresses in the host's byte order: 10.0.1.2 is 0x0a000102.
 struct AddressPair {
   uint32_t robot = 0;  // the address that programs use
-  uint32_t host = 0;   // the address that the host uses instead
+  uint32_t host = 0;   // the address that the host uses in place of `robot`
   bool operator==(const AddressPair&) const = default;
 };
 

@@ -15,7 +15,7 @@ namespace {
 // Number of fields after the word "object" in the short form.
 constexpr size_t kShortFieldCount = 7;
 constexpr size_t kLongFieldCount = 14;
-// Limit of sizes on the 32-bit robot.
+// The largest size of a stack or heap in bytes, because the robot has 32 bits.
 constexpr int64_t kSizeBytesMax = std::numeric_limits<int32_t>::max();
 constexpr int kPriorityMax = 255;
 // A heap size in Sony's samples, where it is a typing error for 16384.  Programs that were made

@@ -41,7 +41,8 @@ class CodeObject : public OObject {
   System& system() const { return *host_->system; }
 
  protected:
-  // A function that ignores a message, for entries whose messages the object need not handle.
+  // A function object that ignores the message.  Used for entries whose messages the object need
+  // not handle.
   struct Nothing {
     template <typename T>
     void operator()(const T&) const {}

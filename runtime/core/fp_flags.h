@@ -36,7 +36,8 @@ constexpr int kFpMaskShift = 7;
 inline unsigned FpState() { return _mm_getcsr(); }
 // Restores the register MXCSR to a result of FpState().
 inline void SetFpState(unsigned state) { _mm_setcsr(state); }
-// Lets exactly the flags `kinds` raise SIGFPE, and clears these flags.
+// Makes exactly the operations that set one of the flags `kinds` raise SIGFPE, and clears these
+// flags.
 inline void CatchFp(unsigned kinds) {
   _mm_setcsr((_mm_getcsr() | kFpAll << kFpMaskShift) & ~(kinds << kFpMaskShift | kinds));
 }

@@ -84,7 +84,7 @@ struct ProcessorState {
     OwnedMessage message;
     int64_t delay_us;
   };
-  std::vector<Outgoing> outbox;  // messages of the handler; posted when its time is over
+  std::vector<Outgoing> outbox;  // messages of the handler; posted when its processor time is over
 };
 
 // The files of the stick that the code of one image has open.

@@ -28,7 +28,8 @@ class OffRobots {
   // Returns the virtual time at which robot number `robot` boots.  REQUIRES: Contains(robot).
   int64_t BootUs(int robot) const { return robots_.at(robot).boot_us; }
 
-  // Returns the end of the next frame of the robots that are off; INT64_MAX if no robot is off.
+  // Returns the earliest time at which a frame of a robot that is off ends; INT64_MAX if no robot
+  // is off.
   int64_t NextUs() const;
   // At the end of a frame: moves the bodies of the robots that are off, and posts the boot of each
   // robot that is due to boot.  The object manager may execute a posted boot later.  So a robot

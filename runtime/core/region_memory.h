@@ -51,7 +51,7 @@ class RegionMemory {
   void NoLongerKept(const Cell& cell);
 
   struct Cells {
-    std::vector<bool> in_use;  // one element for each slot
+    std::vector<bool> in_use;  // by slot: whether the slot's cell of this class is in use
     // Tells for each piece of memory whether it is mapped.  A piece is mapped as a whole.  It has
     // kMapBytes and holds several cells, or one cell if the cells of the class are larger.
     std::vector<bool> is_mapped;

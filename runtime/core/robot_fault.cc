@@ -3,7 +3,7 @@
 namespace openr_host {
 namespace {
 
-char g_fault[256] = "";  // an array and no string, because a signal handler reads it
+char g_fault[256] = "";  // an array and not a std::string, because a signal handler reads it
 
 }  // namespace
 

@@ -177,7 +177,7 @@ void System::NoteWhetherAllAreOff(const RunEnd& why) {
 }
 
 bool System::LoadAgain(int index) {
-  // Returns false if the robot was switched off for good while its boot was posted.
+  // Returns false if the robot was switched off for good after its boot was posted.
   if (!off_robots_.Remove(index)) return false;
   Robot& dog = robot(index);
   table_.RemoveAllOf(index);

@@ -36,11 +36,11 @@ class SystemCalls {
   // the way to the queue, which makes notifications slower.
   virtual int32_t Post(OwnedMessage&& message, int64_t delay_us) = 0;
 
-  // Lets the caller receive a reply to `box`.  Each request has a number, its box, under which the
-  // reply arrives.
+  // Opens `box`, a reply box of the caller, so that the caller can receive a reply.  A box is a
+  // number: a request carries it, and the reply arrives under this number.
   virtual void OpenBox(uint64_t box) = 0;
-  // Ends the use of `box`: from now on the caller receives no reply to it, and a reply that has
-  // already arrived is released.
+  // Closes `box`, a reply box of the caller: from now on the caller receives no reply in it, and a
+  // reply that has already arrived is released.
   virtual void CloseBox(uint64_t box) = 0;
 
   // Returns whether object `asker` accepts a reply in its reply box `box`.  In a worker process
