@@ -11,7 +11,7 @@ namespace {
 // detection, CDT.  An image stores its bands row by row: row 0 of each band, then row 1 of each
 // band, and so on.
 struct BandPlace {
-  int index;  // place of the band in this order, from 0; -1 if this type of image lacks the band
+  int index;  // place of the band in a row of the image, from 0; -1 if such images lack the band
   int bands;  // number of bands of the image
 };
 

@@ -48,7 +48,7 @@ class IpStack : public CodeObject {
 
   // Limits that keep a faulty program from using up the host's memory.  The values are our choice,
   // because the robot's limits are not known.
-  static constexpr size_t kEndpointsMax = 256;  // endpoints that exist at the same time
+  static constexpr size_t kEndpointsMax = 256;  // largest number of endpoints at a time
   static constexpr int32_t kPoolBytesMax = 4 << 20;
   // The pool of an endpoint that was created with poolSize 0.  A pool limits the bytes that an
   // endpoint has sent and the network has not accepted yet.  The size is our choice, because the

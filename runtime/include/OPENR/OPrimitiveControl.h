@@ -24,11 +24,11 @@ const OPrimitiveRequest oprmreqJOINT4_BASE = 1152;
 
 const OPrimitiveRequest oprmreqSPEAKER_MUTE_ON = 128;
 const OPrimitiveRequest oprmreqSPEAKER_MUTE_OFF = 129;
-const OPrimitiveRequest oprmreqSPEAKER_SET_VOLUME = 130;      // SpeakerVolume
-const OPrimitiveRequest oprmreqSPEAKER_SET_SOUND_TYPE = 131;  // SpeakerSoundType
+const OPrimitiveRequest oprmreqSPEAKER_SET_VOLUME = 130;      // parameter: SpeakerVolume
+const OPrimitiveRequest oprmreqSPEAKER_SET_SOUND_TYPE = 131;  // parameter: SpeakerSoundType
 const OPrimitiveRequest oprmreqSPEAKER_GET_SOUND_TYPE = 132;  // result: SpeakerSoundType
 const OPrimitiveRequest oprmreqSPEAKER_SET_VOLUME_MIDI = 133;
-const OPrimitiveRequest oprmreqSPEAKER_MASTER_TUNING_MIDI = 134;  // MasterTuningMIDI
+const OPrimitiveRequest oprmreqSPEAKER_MASTER_TUNING_MIDI = 134;  // parameter: MasterTuningMIDI
 
 // A volume, in two's complement of 16 bits with 0x100 for each dB.
 typedef longword OSpeakerVolume;
@@ -69,9 +69,9 @@ const OPrimitiveRequest oprmreqMIC_ALC_OFF = 259;
 
 // ---- camera
 
-const OPrimitiveRequest oprmreqCAM_SET_WHITE_BALANCE = 384;  // CameraParam
-const OPrimitiveRequest oprmreqCAM_SET_GAIN = 385;           // CameraParam
-const OPrimitiveRequest oprmreqCAM_SET_SHUTTER_SPEED = 386;  // CameraParam
+const OPrimitiveRequest oprmreqCAM_SET_WHITE_BALANCE = 384;  // parameter: CameraParam
+const OPrimitiveRequest oprmreqCAM_SET_GAIN = 385;           // parameter: CameraParam
+const OPrimitiveRequest oprmreqCAM_SET_SHUTTER_SPEED = 386;  // parameter: CameraParam
 const OPrimitiveRequest oprmreqCAM_GET_CDT_TABLE = 387;      // parameter and result: Cdt
 const OPrimitiveRequest oprmreqCAM_AE_ON = 388;              // automatic exposure
 const OPrimitiveRequest oprmreqCAM_AE_OFF = 389;
@@ -112,7 +112,7 @@ struct OPrimitiveControl_Cdt {
 
 const OPrimitiveRequest oprmreqBT_ATTACH = 512;
 const OPrimitiveRequest oprmreqBT_DETACH = 513;
-const OPrimitiveRequest oprmreqSENSOR_WATCH_BT_SWITCH = 896;  // BtSwitchWatcherInfo
+const OPrimitiveRequest oprmreqSENSOR_WATCH_BT_SWITCH = 896;  // parameter: BtSwitchWatcherInfo
 
 typedef longword OBtSwitchEvent;
 const OBtSwitchEvent obtswitcheventUNDEF = 0;
@@ -131,11 +131,11 @@ struct OPrimitiveControl_BtSwitchEvent {
 
 // ---- commands and readings without a vector
 
-const OPrimitiveRequest oprmreqJOINT2_SET_COMMAND = 640;   // JointCommandValue2
+const OPrimitiveRequest oprmreqJOINT2_SET_COMMAND = 640;   // parameter: JointCommandValue2
 const OPrimitiveRequest oprmreqJOINT2_GET_VALUE = 641;     // result: JointValue
-const OPrimitiveRequest oprmreqLED2_SET_COMMAND = 768;     // LEDCommandValue2
-const OPrimitiveRequest oprmreqLED3_SET_COMMAND = 1024;    // LEDCommandValue3
-const OPrimitiveRequest oprmreqJOINT4_SET_COMMAND = 1152;  // JointCommandValue4
+const OPrimitiveRequest oprmreqLED2_SET_COMMAND = 768;     // parameter: LEDCommandValue2
+const OPrimitiveRequest oprmreqLED3_SET_COMMAND = 1024;    // parameter: LEDCommandValue3
+const OPrimitiveRequest oprmreqJOINT4_SET_COMMAND = 1152;  // parameter: JointCommandValue4
 
 // Each struct below contains the data of one frame of a command vector or of a sensor vector.
 struct OPrimitiveControl_JointCommandValue2 {

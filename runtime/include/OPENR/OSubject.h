@@ -84,7 +84,7 @@ class OSubject {
   int NumberOfObservers() const;
   ObserverConstIterator begin() const;
   ObserverConstIterator end() const;
-  ObserverConstIterator FindObserver(const ObserverID& id) const;  // end() if absent
+  ObserverConstIterator FindObserver(const ObserverID& id) const;  // end() if the id is unknown
 
   // Return the number of ready observers.  IsAllReady() returns 0 while ReadyStatus() of any
   // observer is 0.
