@@ -91,7 +91,7 @@ struct ObserverLink {
   size_t skip = 0;
   size_t min = 1;
   size_t max = 1;
-  size_t skipped = 0;  // number of notifications that were skipped since the last kept notification
+  size_t skipped = 0;  // notifications skipped since the last kept one (OObserver::SetSkip())
   // Virtual time since which a notification waits; -1 if no notification waits.
   int64_t waiting_since_us = -1;
   uint64_t sent = 0;               // number of messages that were sent to the observer

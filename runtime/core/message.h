@@ -167,8 +167,9 @@ class MessageQueue {
     occupied_[level / 64] &= ~(uint64_t{1} << (level % 64));
     if (level == first_level_) first_level_ = FirstLevelFrom(level / 64);
   }
-  // Searches the levels whose bits are in occupied_[word] or later words.  Returns the first level
-  // that has a message, or kLevels if these levels have no message.
+  // Searches the levels (class and priority, see LevelOf()) whose bits are in occupied_[word] or
+  // later words.  Returns the first level that has a message, or kLevels if these levels have no
+  // message.
   uint32_t FirstLevelFrom(uint32_t word) const {
     for (; word < kLevels / 64; ++word) {
       if (occupied_[word] != 0)

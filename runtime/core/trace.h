@@ -34,7 +34,7 @@ class Trace {
   using Sink = std::function<void(const TraceRecord&, const Message&)>;
 
   // Adds to the hash the record of `message`, which is delivered at `now_us`, and passes the record
-  // to the sinks.
+  // to the sinks (listeners).
   void Deliver(const Message& message, int64_t now_us) {
     ++count_;
     if (is_recording_) Record(message, now_us);
@@ -60,7 +60,8 @@ class Trace {
   int last_sink_ = 0;
   uint64_t count_ = 0;
   bool hashing_ = true;
-  // True if the hash is computed or there are sinks, so records are needed.
+  // True if records of messages are needed, because the hash is computed or there are sinks
+  // (listeners).
   bool is_recording_ = true;
   mutable Hasher hasher_;
   mutable int buffered_ = 0;
