@@ -17,7 +17,7 @@ struct EditorPlaces {
   std::string headers;   // absolute path of the folder of the headers for controllers
 };
 
-// What the files for the editor have to know of the folder that they are for.
+// The facts about a folder of a program that decide what its files for the editor contain.
 struct EditorFolder {
   bool is_controller = false;  // true: `openr controller build` builds it; false: `openr build`
   std::string stick = "MS";    // path of the stick, below the folder; ".": the folder itself
