@@ -43,6 +43,9 @@ Environment MakeEnvironment(const MakeOptions& options) {
                            "MAKELEVEL", "LD", "AS", "RANLIB", "STRIP"}) {
     environment.emplace_back(name, "");
   }
+  // Rules of the kit name their targets by absolute paths.  With a base folder, ccache would write
+  // relative ones into the lists of headers, so make would not notice a changed header.
+  environment.emplace_back("CCACHE_BASEDIR", "");
   return environment;
 }
 

@@ -33,6 +33,8 @@ BUSY_SHARDS = {"kit_tests": 3, "testing_tests": 2, "graph_tests": 2, "virtualrob
 
 def environment(shard):
     env = {**os.environ, **shard}
+    # ./dev sets it for its own build; objects of tests have debug information with their own folders.
+    env.pop("CCACHE_NOHASHDIR", None)
     env.setdefault("ASAN_OPTIONS", "detect_leaks=0:detect_stack_use_after_return=0")
     env.setdefault("LSAN_OPTIONS", "print_suppressions=0")
     env.setdefault("UBSAN_OPTIONS", "print_stacktrace=1")

@@ -120,6 +120,18 @@ TEST(BuildTest, AServiceThatIsNewInStubCfgIsCompiledIntoSourcesOfAMakefile) {
   EXPECT_EQ(folder.Say(), "heard: greeting 1\nheard: greeting 2\nheard: greeting 3\n");
 }
 
+TEST(BuildTest, AChangedHeaderIsNoticedWithACompilerCacheThatWritesRelativePaths) {
+  if (!std::filesystem::exists("/usr/bin/ccache")) GTEST_SKIP() << "ccache is not installed";
+  const KitFolder folder("convention");
+  const NamedCompiler cached("ccache g++");
+  const NamedVariable base("CCACHE_BASEDIR", std::filesystem::path(folder.File("")).parent_path());
+  ASSERT_EQ(folder.Build().status, 0);
+  folder.Write("Printer/text/Frame.h",
+               "#include <string>\n#define Framed Unframed\n"
+               "std::string Framed(const char* text);\n");
+  EXPECT_THAT(folder.Build({"--verbose"}).err, HasSubstr("Frame.cpp"));
+}
+
 TEST(BuildTest, ANewHeaderLeavesLibrariesOfTheUserAlone) {
   const KitFolder folder("makefile");
   const std::string precious = folder.scratch().File("precious");

@@ -16,25 +16,31 @@
 
 namespace openr_host {
 
-// Names the host's compiler for the programs that a test starts, as a user may do.
-class NamedCompiler {
+// Sets a variable for the programs that a test starts, as a user may do.
+class NamedVariable {
  public:
-  explicit NamedCompiler(const char* name) {
-    if (const char* const before = getenv("OPENR_HOST_CXX")) before_ = before;
-    setenv("OPENR_HOST_CXX", name, 1);
+  NamedVariable(const char* name, const std::string& value) : name_(name) {
+    if (const char* const before = getenv(name)) before_ = before;
+    setenv(name, value.c_str(), 1);
   }
-  ~NamedCompiler() {
+  ~NamedVariable() {
     if (before_.empty()) {
-      unsetenv("OPENR_HOST_CXX");
+      unsetenv(name_);
     } else {
-      setenv("OPENR_HOST_CXX", before_.c_str(), 1);
+      setenv(name_, before_.c_str(), 1);
     }
   }
-  NamedCompiler(const NamedCompiler&) = delete;
-  NamedCompiler& operator=(const NamedCompiler&) = delete;
+  NamedVariable(const NamedVariable&) = delete;
+  NamedVariable& operator=(const NamedVariable&) = delete;
 
  private:
+  const char* const name_;
   std::string before_;
+};
+
+// Names the host's compiler.
+struct NamedCompiler : NamedVariable {
+  explicit NamedCompiler(const char* name) : NamedVariable("OPENR_HOST_CXX", name) {}
 };
 
 class KitFolder {
