@@ -10,6 +10,15 @@
 
 static const char NO_UPLOAD[] = "no upload goes on; it ended with an error, or was not begun";
 
+// Returns the reason why a file of the stick could not be written, as `errno` gives it.
+static const char*
+WhyNotWritten()
+{
+    if (errno == ENOSPC) return "the stick is full; delete files from it";
+    if (errno == EROFS) return "the stick is write-protected";
+    return "is the stick full or write-protected?";
+}
+
 std::string
 FileUpload::TemporaryName(const char* extension) const
 {
@@ -63,8 +72,7 @@ FileUpload::Begin(const StickStore& store, const RcUploadBegin& request, std::st
     path_ = store.Path(request.kind, TemporaryName("TMP"));
     file_ = fopen(path_.c_str(), "wb");
     if (file_ == 0) {
-        return Fail(rcerrorNOT_WRITTEN,
-                    path_ + ": cannot be made; is the stick full or write-protected?", why);
+        return Fail(rcerrorNOT_WRITTEN, path_ + ": cannot be made; " + WhyNotWritten(), why);
     }
     size_ = request.size;
     crc_ = request.crc;
@@ -93,8 +101,8 @@ FileUpload::Append(Uint32 offset, const Uint8* bytes, int count, std::string* wh
     // this way the answer to a part says whether the stick had room for the part.
     if (fwrite(bytes, 1, (size_t)count, file_) != (size_t)count || fflush(file_) != 0) {
         return Fail(rcerrorNOT_WRITTEN,
-                    TextFormat("%s: byte %u cannot be written; is the stick full?", target_.name,
-                               (unsigned)received_),
+                    TextFormat("%s: byte %u cannot be written; %s", target_.name,
+                               (unsigned)received_, WhyNotWritten()),
                     why);
     }
     received_ += (Uint32)count;
@@ -115,7 +123,7 @@ FileUpload::End(StickStore* store, const RobotConstants* robot, MtnFile* motion,
     const bool isWritten = fclose(file_) == 0;
     file_ = 0;
     status = isWritten ? CheckContent(robot, motion, why) : rcerrorNOT_WRITTEN;
-    if (!isWritten) *why = std::string(target_.name) + ": cannot be written; is the stick full?";
+    if (!isWritten) *why = std::string(target_.name) + ": cannot be written; " + WhyNotWritten();
     if (status == rcOK) status = PutInPlace(store, why);
     if (status != rcOK) remove(path_.c_str());
     return status;
@@ -182,13 +190,13 @@ FileUpload::PutInPlace(StickStore* store, std::string* why)
         const std::string copy = store->Path(rcfileIMAGE, TemporaryName("OLD"));
         if (!store->Copy(target, copy) ||
             !StickStore::Replace(copy, store->Path(rcfileIMAGE, "CONTROLL.OLD"))) {
-            remove(copy.c_str());
             *why = std::string(target_.name) +
-                   ": the old image cannot be kept as CONTROLL.OLD; is the stick full?";
+                   ": the old image cannot be kept as CONTROLL.OLD; " + WhyNotWritten();
+            remove(copy.c_str());
             return rcerrorNOT_WRITTEN;
         }
     }
     if (StickStore::Replace(path_, target)) return rcOK;
-    *why = target + ": cannot be replaced";
+    *why = target + ": cannot be replaced; " + WhyNotWritten();
     return rcerrorNOT_WRITTEN;
 }

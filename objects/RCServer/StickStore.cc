@@ -1,6 +1,7 @@
 #include "StickStore.h"
 
 #include <dirent.h>
+#include <errno.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -118,12 +119,27 @@ bool
 StickStore::Replace(const std::string& from, const std::string& to)
 {
     if (rename(from.c_str(), to.c_str()) == 0) return true;
-    // Removes the file `to` and tries again, because the file system may refuse to rename a file to
-    // a name that exists.  No source says whether the robot's file system refuses this.  Removes
-    // `to` only if it is a file, not a folder, and only if there is a file `from` to take its
-    // place.
-    if (SizeOf(from) < 0 || SizeOf(to) < 0 || remove(to.c_str()) != 0) return false;
-    return rename(from.c_str(), to.c_str()) == 0;
+    // Gives the file `to` another name and tries again, because the file system may refuse to
+    // rename a file to a name that exists.  No source says whether the robot's file system refuses
+    // this.  Does not remove `to` before `from` is in its place, because on a full or damaged stick
+    // the second rename() may fail as well.
+    const int error = errno;
+    const std::string spare = from.substr(0, from.rfind('.')) + ".BAK";
+    bool isReplaced = false;
+    // Requires that both are files, because a folder may not be replaced.
+    if (SizeOf(from) >= 0 && SizeOf(to) >= 0) {
+        remove(spare.c_str());  // of an earlier run; usually there is no such file
+        if (rename(to.c_str(), spare.c_str()) == 0) {
+            isReplaced = rename(from.c_str(), to.c_str()) == 0;
+            if (isReplaced) {
+                remove(spare.c_str());
+            } else {
+                rename(spare.c_str(), to.c_str());
+            }
+        }
+    }
+    errno = error;
+    return isReplaced;
 }
 
 bool
@@ -138,8 +154,13 @@ StickStore::Copy(const std::string& from, const std::string& to)
         count = fread(copied_, 1, sizeof(copied_), source);
         isGood = ferror(source) == 0 && fwrite(copied_, 1, count, copy) == count;
     }
+    int error = isGood ? 0 : errno;
     fclose(source);
-    if (copy != 0 && fclose(copy) != 0) isGood = false;
+    if (copy != 0 && fclose(copy) != 0 && isGood) {
+        error = errno;
+        isGood = false;
+    }
     if (!isGood && copy != 0) remove(to.c_str());
+    if (!isGood) errno = error;
     return isGood;
 }

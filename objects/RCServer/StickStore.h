@@ -52,10 +52,12 @@ public:
     static int ReadPart(const std::string& path, Uint32 offset, Uint8* bytes, int count,
                         Uint32* size);
 
-    // Gives the file `from` the name `to`, and replaces a file of this name.
+    // Gives the file `from` the name `to`, and replaces a file of this name.  When this fails, both
+    // files are there as before, and `errno` has the reason.
     static bool Replace(const std::string& from, const std::string& to);
 
-    // Copies the file `from` to `to`.  When this fails, there is no file `to`.
+    // Copies the file `from` to `to`.  When this fails, there is no file `to`, and `errno` has the
+    // reason.
     bool Copy(const std::string& from, const std::string& to);
 
 private:

@@ -298,7 +298,8 @@ TEST_F(FilesTest, AStickThatIsFullIsNamedByThePartThatFindsNoRoom) {
     ASSERT_EQ(Begin(rcfileIMAGE, "CONTROLL.BIN", image), rcOK);
     EXPECT_EQ(DataOf(image, 0, 2000, 500), rcOK) << error_;
     EXPECT_EQ(DataOf(image, 2000, 3000, 500), rcerrorNOT_WRITTEN);
-    EXPECT_EQ(error_, "CONTROLL.BIN: byte 2000 cannot be written; is the stick full?");
+    EXPECT_EQ(error_,
+              "CONTROLL.BIN: byte 2000 cannot be written; is the stick full or write-protected?");
     EXPECT_EQ(Files(), std::vector<std::string>{"CONTROLL.BIN"});
   }
   EXPECT_EQ(Upload(rcfileIMAGE, "CONTROLL.BIN", image), rcOK) << error_;

@@ -1,4 +1,7 @@
 // The files of the stick, and an upload without a client.
+#include <cerrno>
+#include <cstdio>
+
 #include "FileUpload.h"
 #include "StickStore.h"
 #include "files_fixture.h"
@@ -35,6 +38,23 @@ TEST_F(StickStoreTest, AFileIsReplacedOnlyByAnotherFile) {
   EXPECT_TRUE(StickStore::Replace(Motion("NEW"), Motion("OLD")));
   EXPECT_EQ(Read(Motion("OLD")), Bytes{2});
   EXPECT_EQ(Files(), std::vector<std::string>{"OLD"});
+}
+
+// rename() between two file systems of the host fails, as does every rename() on a damaged stick.
+TEST_F(StickStoreTest, AFileThatCannotBeReplacedStays) {
+  std::string other = "/dev/shm/openr-test-XXXXXX";
+  if (mkdtemp(other.data()) == nullptr) GTEST_SKIP() << "no second file system";
+  Write(other + "/OLD", {1});
+  Write(Motion("NEW"), {2});
+  if (std::rename(Motion("NEW").c_str(), (other + "/TRY").c_str()) == 0) {
+    std::filesystem::remove_all(other);
+    GTEST_SKIP() << "no second file system";
+  }
+  EXPECT_FALSE(StickStore::Replace(Motion("NEW"), other + "/OLD"));
+  EXPECT_EQ(errno, EXDEV);
+  EXPECT_EQ(Read(other + "/OLD"), Bytes{1});
+  EXPECT_EQ(Read(Motion("NEW")), Bytes{2});
+  std::filesystem::remove_all(other);
 }
 
 TEST_F(StickStoreTest, AnUploadThatBeginsAnewRemovesItsFirstFile) {
