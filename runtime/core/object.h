@@ -93,6 +93,8 @@ class OpenFiles {
   struct File {
     std::string path;  // path of the open file on the host
     bool writes = false;
+    std::string name = {};  // path of the file on the stick, as the object has given it
+    bool has_lost = false;  // whether a finding says that a write to the file has failed
   };
 
   void CloseAll();

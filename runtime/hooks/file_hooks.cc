@@ -17,6 +17,7 @@
 #include <cstring>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "runtime/core/system.h"
 #include "runtime/hooks/hook.h"
@@ -27,6 +28,7 @@ using openr_host::ApiScope;
 using openr_host::HostPath;
 using openr_host::InObject;
 using openr_host::MemoryStick;
+using openr_host::OpenFiles;
 using openr_host::Severity;
 using openr_host::StickUse;
 using openr_host::t_current;
@@ -35,16 +37,19 @@ namespace {
 
 // Makes the host write a file or folder to the disk now, so that a power cut does not lose it.
 // Used by rename(), because a program may replace a file by a new file and then report success, so
-// the new file must not be lost.  Keeps errno, and ignores errors, because rename() of the robot
-// has no such errors.
-void WriteThrough(const std::string& host_path) {
+// the new file must not be lost.  Returns 0, or the errno of a disk that has not taken the bytes.
+// Other errors are ignored, because some file systems cannot do this.  Keeps errno.
+int WriteThrough(const std::string& host_path) {
   const ApiScope scope;  // the functions below get paths of the host
   const int error = errno;
+  int lost = 0;
   if (const int descriptor = open(host_path.c_str(), O_RDONLY | O_CLOEXEC); descriptor >= 0) {
-    fsync(descriptor);
+    if (fsync(descriptor) != 0 && (errno == EIO || errno == ENOSPC || errno == EDQUOT))
+      lost = errno;
     close(descriptor);
   }
   errno = error;
+  return lost;
 }
 
 // Returns whether every part of `path` is a name that the robot's file system can hold.
@@ -125,12 +130,12 @@ int OpenAt(const char* path, int flags, mode_t mode) {
   if (host.empty() || !MayOpen(host, writes, path)) return -1;
   const ApiScope scope;
   const int descriptor = next(host.c_str(), flags | O_CLOEXEC, 0666);
-  if (descriptor >= 0) t_current.object->files.descriptors[descriptor] = {host, writes};
+  if (descriptor >= 0) t_current.object->files.descriptors[descriptor] = {host, writes, path};
   return descriptor;
 }
 
-FILE* Remember(FILE* file, const std::string& host, bool writes) {
-  if (file != nullptr) t_current.object->files.streams[file] = {host, writes};
+FILE* Remember(FILE* file, const std::string& host, bool writes, const char* path) {
+  if (file != nullptr) t_current.object->files.streams[file] = {host, writes, path};
   return file;
 }
 
@@ -141,7 +146,19 @@ FILE* OpenFile(const char* path, const char* mode) {
   const bool writes = OpensForWriting(mode);
   if (host.empty() || !MayOpen(host, writes, path)) return nullptr;
   const ApiScope scope;
-  return Remember(next(host.c_str(), mode), host, writes);
+  return Remember(next(host.c_str(), mode), host, writes, path);
+}
+
+// Removes `file` from the open files of the current object, because `file` is about to be closed,
+// and returns what is known of it.  Reports that an earlier write has failed.
+OpenFiles::File ForgetStream(FILE* file) {
+  const ApiScope scope;
+  const auto found = t_current.object->files.streams.find(file);
+  if (found == t_current.object->files.streams.end()) return {};
+  OpenFiles::File forgotten = std::move(found->second);
+  t_current.object->files.streams.erase(found);
+  if (forgotten.writes && ferror(file) != 0) openr_host::ReportLostBytes(&forgotten, 0);
+  return forgotten;
 }
 
 // Returns the optional argument `mode` of open(), or 0 if the caller has not passed it.  Callers
@@ -210,6 +227,8 @@ std::string HostPath(const char* path, StickUse use) {
   }
   if (use == StickUse::kRead) return location.path;
   if (!stick->writable()) {
+    system->AddFinding(Severity::kNote,
+                       fmt::format("{} cannot be written: the stick is write-protected", path));
     errno = EROFS;
     return "";
   }
@@ -259,10 +278,10 @@ FILE* freopen(const char* path, const char* mode, FILE* file) {
   }
   const std::string host = HostPath(path, UseOf(mode));
   const bool writes = OpensForWriting(mode);
-  t_current.object->files.streams.erase(file);
+  ForgetStream(file);
   const bool may_open = !host.empty() && MayOpen(host, writes, path);
   const ApiScope scope;
-  if (may_open) return Remember(next(host.c_str(), mode, file), host, writes);
+  if (may_open) return Remember(next(host.c_str(), mode, file), host, writes, path);
   const int error = errno;
   fclose(file);  // as freopen() of the C library does if it cannot open the new file
   errno = error;
@@ -271,11 +290,12 @@ FILE* freopen(const char* path, const char* mode, FILE* file) {
 
 int fclose(FILE* file) {
   static const auto next = OPENR_NEXT(fclose);
-  if (InObject()) {
-    const ApiScope scope;
-    t_current.object->files.streams.erase(file);
-  }
-  return next(file);
+  if (!InObject()) return next(file);
+  OpenFiles::File written = ForgetStream(file);
+  const int result = next(file);
+  // The last bytes of the file are written here.
+  if (result != 0 && written.writes) openr_host::ReportLostBytes(&written, errno);
+  return result;
 }
 
 int close(int descriptor) {
@@ -340,7 +360,10 @@ int rename(const char* from, const char* to) noexcept {
   if (host_from.empty()) return -1;
   const std::string host_to = HostPath(to, StickUse::kCreate);
   if (host_to.empty()) return -1;
-  WriteThrough(host_from);
+  if (const int error = WriteThrough(host_from); error != 0) {
+    errno = error;
+    return -1;
+  }
   const int result = next(host_from.c_str(), host_to.c_str());
   if (result == 0) WriteThrough(host_to.substr(0, host_to.rfind('/')));
   return result;

@@ -1,5 +1,7 @@
 // core.md section 8.1 and field-notes.md section 13: files and the C library, as an object built
 // from a stub.cfg meets them.
+#include <signal.h>
+#include <sys/resource.h>
 #include <zlib.h>
 
 #include "tests/conformance/conform_fixture.h"
@@ -8,6 +10,26 @@ namespace openr_host {
 namespace {
 
 class FilesConformance : public ConformTest {};
+
+// While it exists, files of this process have at most `bytes` bytes.
+class SmallFiles {
+ public:
+  explicit SmallFiles(rlim_t bytes) : handler_(signal(SIGXFSZ, SIG_IGN)) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit small{bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &small);
+  }
+  ~SmallFiles() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    signal(SIGXFSZ, handler_);
+  }
+  SmallFiles(const SmallFiles&) = delete;
+  SmallFiles& operator=(const SmallFiles&) = delete;
+
+ private:
+  rlimit before_{};
+  const sighandler_t handler_;
+};
 
 TEST_F(FilesConformance, AFileCanBeOpenTwiceOnlyIfAllReadIt) {
   Start();
@@ -65,6 +87,65 @@ TEST_F(FilesConformance, AWriteProtectedStickRefusesWritersAndSaysSo) {
   stick->set_writable(false);
   EXPECT_EQ(Answer("status"), "T stick 1 design ERS-210\n");
   EXPECT_EQ(Answer("flags"), "T created 0 wrote -1 exclusive -1 text \n");
+}
+
+// binary.md 4.2: errno is 30.
+TEST_F(FilesConformance, AWriteProtectedStickIsNamedForEachFileThatIsNotWritten) {
+  Data("STAY.TXT", "stay");
+  Start();
+  stick->set_writable(false);
+  EXPECT_EQ(Answer("writes"),
+            "W stick 1\n"
+            "W stdio fopen 0/30\n"
+            "W descriptor open 0/30\n"
+            "W ofstream open 0 good 0\n"
+            "W folders mkdir -1/30 remove -1/2 rename -1/30\n");
+  for (const char* const name : {"STDIO", "CLOSE", "OPEN", "STREAM", "STAY"}) {
+    EXPECT_TRUE(
+        Found(fmt::format("/MS/OPEN-R/MW/DATA/P/{}.TXT cannot be written: the stick is "
+                          "write-protected",
+                          name)))
+        << name << ": " << Findings();
+  }
+}
+
+// A limit for the size of files of this process stands for a full disk, which has another errno.
+TEST_F(FilesConformance, BytesThatTheStickDoesNotTakeAreReportedOnceForEachFile) {
+  Data("STAY.TXT", "stay");
+  Start();
+  EXPECT_EQ(Answer("writes"),
+            "W stick 2\n"
+            "W stdio fopen 1 fwrite all fflush 0 fclose 0\n"
+            "W close fputs 1 fclose 0\n"
+            "W descriptor open 1 write 6000 close 0\n"
+            "W ofstream open 1 good 1\n"
+            "W folders mkdir 0 remove 0 rename 0\n");
+  EXPECT_EQ(Findings(), "");
+  Data("STAY.TXT", "stay");
+  std::string said;
+  {
+    const SmallFiles small(0);
+    said = Answer("writes");
+  }
+  EXPECT_EQ(said,
+            "W stick 2\n"
+            "W stdio fopen 1 fwrite -1/27 fflush 0 fclose 0\n"
+            "W close fputs 1 fclose -1/27\n"
+            "W descriptor open 1 write -1/27 close 0\n"
+            "W ofstream open 1 good 0\n"
+            "W folders mkdir 0 remove 0 rename 0\n");
+  // The reason why fwrite() has failed is not known when the stream is closed.
+  std::string expected;
+  for (const auto& [name, why] : {std::pair("STDIO", "a write failed"),
+                                  {"CLOSE", "File too large"},
+                                  {"OPEN", "File too large"},
+                                  {"STREAM", "File too large"}}) {
+    expected += fmt::format(
+        "/MS/OPEN-R/MW/DATA/P/{}.TXT: not all bytes that were written are in "
+        "the file: {}\n",
+        name, why);
+  }
+  EXPECT_EQ(Findings(), expected);
 }
 
 TEST_F(FilesConformance, CallsThatTheRobotLacksFailAndAreReported) {

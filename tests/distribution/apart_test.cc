@@ -50,6 +50,9 @@ class TwoProcesses : public Elsewhere {
       // These sticks lack the placed objects, or are changed without the run's knowledge.
       "AnObjectThatIsNotInObjectCfgIsNotFound",
       "AWriteProtectedStickRefusesWritersAndSaysSo",
+      "AWriteProtectedStickIsNamedForEachFileThatIsNotWritten",
+      // The limit for the size of files is one of this process.
+      "BytesThatTheStickDoesNotTakeAreReportedOnceForEachFile",
       // In workers, an observer that never asserts ready is not named, and of two objects of one
       // name both are replaced by stand-ins.
       "AnObserverThatNeverAssertsIsNamed",

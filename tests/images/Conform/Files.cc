@@ -15,6 +15,7 @@
 #include <fstream>
 #include <iostream>
 
+#include "../Writes.h"
 #include "Teller.h"
 
 #pragma GCC diagnostic ignored "-Wdeprecated-declarations"  // gets()
@@ -226,6 +227,8 @@ FileCommand(const std::string& command)
         ManageFiles();
     } else if (command == "flags") {
         Flags();
+    } else if (command == "writes") {
+        WriteInAllWays();
     } else if (command == "list") {
         List(FOLDER "MANY");
     } else if (command == "refused") {

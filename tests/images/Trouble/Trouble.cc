@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../Writes.h"
 #include "Faults.h"
 
 static volatile int sink;
@@ -118,6 +119,8 @@ Trouble::DoStart(const OSystemEvent&)
         FILE* left = fopen("/MS/OPEN-R/MW/DATA/P/LEFT.TXT", "w");
         OSYSPRINT(("left behind: %d\n", left != 0 && fputs("left", left) >= 0));
         if (left != 0) fclose(left);
+    } else if (strcmp(word, "writes") == 0) {
+        WriteInAllWays();
     } else if (strcmp(word, "shutdown") == 0) {
         OPENR::Shutdown(OBootCondition(obcbPAUSE_SW));
     } else if (strcmp(word, "fatal") == 0) {

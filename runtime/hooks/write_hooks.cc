@@ -1,0 +1,109 @@
+// Functions that write to an open file: write(), writev(), which std::ofstream calls, and fflush().
+//
+// An object gets from them what the C library returns.  If the host's disk has not taken all bytes,
+// for instance because it is full, the run has a finding, because programs often ignore such an
+// error.  There is no hook for fwrite() and the like: an error of theirs is found by fflush(), or
+// at the end of the stream (fclose() in file_hooks.cc).
+#include <fmt/format.h>
+#include <stdio.h>
+#include <sys/statvfs.h>
+#include <sys/uio.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <string>
+#include <utility>
+
+#include "runtime/core/system.h"
+#include "runtime/hooks/hook.h"
+#include "runtime/hooks/stick_call.h"
+
+using openr_host::ApiScope;
+using openr_host::InObject;
+using openr_host::OpenFiles;
+using openr_host::t_current;
+
+namespace {
+
+// Returns the file of the stick that `descriptor` refers to; null if no object of the run has it
+// open.
+OpenFiles::File* FindFile(int descriptor) {
+  for (const auto& object : t_current.system->objects()) {
+    if (object == nullptr) continue;
+    OpenFiles& files = object->files;
+    const auto found = files.descriptors.find(descriptor);
+    if (found != files.descriptors.end()) return &found->second;
+    for (auto& [stream, file] : files.streams) {
+      if (fileno(stream) == descriptor) return &file;
+    }
+  }
+  return nullptr;
+}
+
+// Reports a write of `size` bytes by the current object if only `result` of them were written; -1:
+// none, and errno has the reason.
+void CheckWritten(int descriptor, ssize_t result, size_t size) {
+  if (result >= 0 && static_cast<size_t>(result) == size) return;
+  const int error = result < 0 ? errno : 0;
+  const ApiScope scope;
+  OpenFiles::File* const file = FindFile(descriptor);
+  if (file != nullptr && file->writes) openr_host::ReportLostBytes(file, error);
+}
+
+}  // namespace
+
+namespace openr_host {
+
+void ReportLostBytes(OpenFiles::File* file, int error) {
+  if (std::exchange(file->has_lost, true)) return;
+  const ApiScope scope;
+  const int kept = errno;
+  struct statvfs disk {};
+  // An error that is not known is most likely that of a full disk, if the disk is full now.
+  if (error == 0 && statvfs(file->path.c_str(), &disk) == 0 && disk.f_bavail == 0) error = ENOSPC;
+  const std::string why = error == 0 ? "a write failed" : std::strerror(error);
+  const std::string advice =
+      error == ENOSPC ? fmt::format("; make room on the disk that holds {}", file->path) : "";
+  t_current.system->AddFinding(Severity::kWarning,
+                               fmt::format("{}: not all bytes that were written are in the file: "
+                                           "{}{}",
+                                           file->name, why, advice));
+  errno = kept;
+}
+
+}  // namespace openr_host
+
+extern "C" {
+
+ssize_t write(int descriptor, const void* data, size_t size) {
+  static const auto next = OPENR_NEXT(write);
+  const ssize_t result = next(descriptor, data, size);
+  if (InObject()) CheckWritten(descriptor, result, size);
+  return result;
+}
+
+ssize_t writev(int descriptor, const iovec* parts, int count) {
+  static const auto next = OPENR_NEXT(writev);
+  const ssize_t result = next(descriptor, parts, count);
+  if (!InObject()) return result;
+  size_t size = 0;
+  for (int i = 0; i < count; ++i) size += parts[i].iov_len;
+  CheckWritten(descriptor, result, size);
+  return result;
+}
+
+int fflush(FILE* file) {
+  static const auto next = OPENR_NEXT(fflush);
+  const int result = next(file);
+  if (result == 0 || file == nullptr || !InObject()) return result;
+  const int error = errno;
+  const ApiScope scope;
+  const auto found = t_current.object->files.streams.find(file);
+  if (found != t_current.object->files.streams.end() && found->second.writes)
+    openr_host::ReportLostBytes(&found->second, error);
+  errno = error;
+  return result;
+}
+
+}  // extern "C"
