@@ -27,6 +27,9 @@ void Recorder::Begin(Simulation* simulation, const SimulationOptions& options,
   header.program = OPENR_VERSION;
   header.stick = stick;
   header.stick_hash = system.robot(0).stick_hash;
+  // Explored runs have a schedule, and their sticks are always write-protected.
+  header.write_protected =
+      options.robots == 1 && schedule.empty() && !system.robot(0).stick->writable();
   header.robot = options.robot;
   header.body = options.body;
   header.world = options.world;

@@ -53,6 +53,7 @@ void StartWithSanitizerOfRecording(const ReplayOptions& options) {
 SimulationOptions Replayer::OptionsOf(const TraceHeader& header, const ReplayOptions& replay) {
   SimulationOptions options;
   options.stick = replay.stick.empty() ? header.stick : replay.stick;
+  options.writable_stick = !header.write_protected;
   options.robot = header.robot;
   options.body = header.body;
   options.world = header.world;

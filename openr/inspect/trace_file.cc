@@ -49,6 +49,7 @@ std::string HeaderText(const TraceHeader& h) {
                {"battery", h.battery},
                {"payloads", h.payloads}};
   if (!h.schedule.empty()) json["schedule"] = ParseJson<Json>(h.schedule);
+  if (h.write_protected) json["write_protected"] = true;
   if (h.is_free) json["free_running"] = true;
   if (!h.addresses.empty()) json["ip"] = h.addresses;
   if (h.together) json["together"] = true;
@@ -83,6 +84,7 @@ TraceHeader HeaderOf(std::string_view text) {
   // and their runs had a battery that drains.
   h.battery = json.value("battery", "drain");
   if (json.contains("schedule")) h.schedule = JsonText(json["schedule"]);
+  h.write_protected = json.value("write_protected", false);
   h.is_free = json.value("free_running", false);
   h.addresses = json.value("ip", h.addresses);
   h.together = json.value("together", false);

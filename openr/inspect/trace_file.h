@@ -48,7 +48,8 @@ struct TraceHeader {
   std::vector<uint64_t> more_stick_hashes;
   uint64_t seed = 1;
   bool strict = false;
-  bool is_free = false;  // true: the run was free-running and cannot be replayed
+  bool is_free = false;          // true: the run was free-running and cannot be replayed
+  bool write_protected = false;  // true: the stick of the run's only robot was write-protected
   // The order of messages of a failing run of openr explore, as JSON: seed, for_us, guard and
   // deviations.  "": the order that the seed chooses.
   std::string schedule;

@@ -1,6 +1,7 @@
 #include "openr/simulation/simulation.h"
 
 #include <fmt/format.h>
+#include <sys/statvfs.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -60,6 +61,12 @@ std::vector<std::string> SticksOf(const SimulationOptions& options) {
   std::vector<std::string> sticks = {StickFolder(options.stick)};
   for (const std::string& stick : options.more_sticks) sticks.push_back(StickFolder(stick));
   return sticks;
+}
+
+// Returns whether nothing can be written to `folder`, because its file system is mounted read-only.
+bool IsOnReadOnlyDisk(const std::string& folder) {
+  struct statvfs disk {};
+  return statvfs(folder.c_str(), &disk) == 0 && (disk.f_flag & ST_RDONLY) != 0;
 }
 
 // Returns the world that robots share (--together); null if each robot has a world of its own.
@@ -126,7 +133,9 @@ std::unique_ptr<Body> Simulation::BodyOf(const std::string& kind, int robot) con
 
 void Simulation::AddRobot(const SimulationOptions& options, int index) {
   auto stick = std::make_shared<FolderStick>(StickOf(index));
-  stick->set_writable(options.writable_stick && options.robots == 1);
+  const bool wants_to_write = options.writable_stick && options.robots == 1;
+  const bool is_protected = wants_to_write && IsOnReadOnlyDisk(StickOf(index));
+  stick->set_writable(wants_to_write && !is_protected);
   RobotEquipment parts;
   parts.ip_stack.addresses = AddressesOf(options, stick.get(), index);
   parts.stick = std::move(stick);
@@ -146,6 +155,14 @@ void Simulation::AddRobot(const SimulationOptions& options, int index) {
   robots_.push_back(parts_.back().virtual_robot);
   const StandIns stand_ins =
       options.stand_ins ? options.stand_ins(system_.get(), robot) : StandIns();
+  if (is_protected) {
+    system_->AddFindingAboutRobot(
+        robot, Severity::kNote,
+        fmt::format("{}: the disk is mounted read-only, so the stick is write-protected: no object "
+                    "can write to it, and a crash leaves no EMON.LOG there; give a copy with "
+                    "--stick if objects are to write",
+                    StickOf(index)));
+  }
   if (!Load(robot, stand_ins)) loaded_ = false;
   // Sets no function for a second boot if objects run in other processes.  These objects cannot be
   // loaded again, because their processes keep the state from the first boot.
