@@ -6,6 +6,7 @@
 #include <ucontext.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <bit>
 #include <cerrno>
 #include <charconv>
@@ -151,10 +152,13 @@ class RecordFile {
         static_cast<int>(syscall(SYS_openat, AT_FDCWD, name->c_str(),
                                  O_WRONLY | O_CREAT | (g_adds ? O_APPEND : O_TRUNC), 0666));
     if (descriptor_ < 0) error_ = errno;
+    if (g_adds && descriptor_ >= 0) begin_ = std::max<off_t>(lseek(descriptor_, 0, SEEK_END), 0);
   }
 
   void Write(const SignalText& text) {
-    if (descriptor_ >= 0 && error_ == 0) error_ = WriteAll(descriptor_, text.text());
+    if (descriptor_ < 0 || error_ != 0) return;
+    error_ = WriteAll(descriptor_, text.text());
+    if (error_ != 0) RemovePart();
   }
 
   // Prints on standard error that the record file was written, or why it was not written.  Returns
@@ -176,9 +180,20 @@ class RecordFile {
   }
 
  private:
+  // Removes what was written of this record, because readers would take a part for the whole.
+  // Records of other processes stay.
+  void RemovePart() const {
+    if (begin_ > 0) {
+      static_cast<void>(ftruncate(descriptor_, begin_) == 0);
+    } else {
+      syscall(SYS_unlinkat, AT_FDCWD, name_->c_str(), 0);
+    }
+  }
+
   const std::string* const name_;
   int descriptor_ = -1;
-  int error_ = 0;  // errno of the first call that failed; 0: none failed
+  off_t begin_ = 0;  // size of the file before this record
+  int error_ = 0;    // errno of the first call that failed; 0: none failed
 };
 
 // Returns the code of the exception that the robot's processor raises for a SIGSEGV: 1 for a store
