@@ -179,8 +179,13 @@ std::string WhyNoFolder(const std::string& folder) {
                : fmt::format("{}: {} is a file, so nothing can be in it; name another folder",
                              folder, there.string());
   }
-  if (access(there.c_str(), W_OK | X_OK) != 0)
-    return fmt::format("{}: you may not write in {}; name another folder", folder, there.string());
+  if (access(there.c_str(), W_OK | X_OK) != 0) {
+    return errno == EROFS
+               ? fmt::format("{}: the disk of {} is mounted read-only; name another folder", folder,
+                             there.string())
+               : fmt::format("{}: you may not write in {}; name another folder", folder,
+                             there.string());
+  }
   // Creates a folder for a moment, because only this shows whether a folder can be created.  For
   // example, /proc lets root write, but creates no folder.
   const std::string probe = TemporaryName(there / "", 0);

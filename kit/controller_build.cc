@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "cli/copy_file.h"
 #include "cli/exit_code.h"
 #include "cli/install_paths.h"
 #include "cli/output_file.h"
@@ -94,8 +95,8 @@ class ControllerBuild {
   void Deliver() {
     if (FindBelow(stick_, "OPEN-R/MW").empty()) {
       fs::create_directories(stick_);
-      fs::copy(fs::path(template_) / "OPEN-R", stick_ / "OPEN-R",
-               fs::copy_options::recursive | fs::copy_options::skip_existing);
+      CopyFolder(fs::path(template_) / "OPEN-R", stick_ / "OPEN-R",
+                 fs::copy_options::skip_existing);
     }
     StickFolder stick;
     stick.root = stick_;

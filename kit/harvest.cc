@@ -10,6 +10,7 @@
 #include <set>
 #include <utility>
 
+#include "cli/copy_file.h"
 #include "cli/output_file.h"
 #include "kit/image_match.h"
 #include "kit/text_files.h"
@@ -372,11 +373,11 @@ std::vector<std::string> DeliverStick(const StickFolder& stick, const fs::path& 
     if (LowerCase(name.extension()) == ".bin" && fs::exists(place, error) &&
         ReadImageFile(place).is_for_robot) {
       fs::create_directories((robot_folder / name).parent_path(), error);
-      fs::copy_file(place, robot_folder / name, fs::copy_options::skip_existing, error);
+      TryCopyFile(place, robot_folder / name, fs::copy_options::skip_existing);
     }
     fs::create_directories(place.parent_path(), error);
     const fs::path temporary = place.string() + ".tmp";
-    fs::copy_file(file, temporary, fs::copy_options::overwrite_existing, error);
+    error = TryCopyFile(file, temporary, fs::copy_options::overwrite_existing);
     if (!error) fs::rename(temporary, place, error);
     if (error) problems.push_back(fmt::format("{}: {}", place.string(), error.message()));
   }

@@ -113,10 +113,13 @@ std::string WriteNewObject(const std::vector<NewFile>& files, const std::string&
     const fs::path path = fs::path(folder) / file.path;
     if (fs::exists(path, error)) return path.string() + " is there already; nothing was written";
   }
-  for (const NewFile& file : files) {
-    const fs::path path = fs::path(folder) / file.path;
-    const std::string problem = WriteText(path, file.text);
-    if (!problem.empty()) return problem;
+  for (size_t i = 0; i < files.size(); ++i) {
+    const std::string problem = WriteText(fs::path(folder) / files[i].path, files[i].text);
+    if (problem.empty()) continue;
+    // Removes the files of this call, so that the next call, after the user has made room on a full
+    // disk, finds none.
+    for (size_t j = 0; j < i; ++j) fs::remove(fs::path(folder) / files[j].path, error);
+    return problem;
   }
   return "";
 }

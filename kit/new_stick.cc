@@ -8,6 +8,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "cli/copy_file.h"
 #include "kit/check_boot.h"
 #include "kit/stick_draft.h"
 #include "kit/stick_merge.h"
@@ -53,7 +54,7 @@ std::string PutImages(const std::vector<std::string>& images, const fs::path& ob
     const std::string name = ImageName(image);
     if (!names.insert(name).second)
       throw std::runtime_error(fmt::format("{}: another image has the name {}", image, name));
-    fs::copy_file(image, SpeltBelow(objects, name), fs::copy_options::overwrite_existing);
+    CopyFile(image, SpeltBelow(objects, name), fs::copy_options::overwrite_existing);
     list += fmt::format("/MS/OPEN-R/MW/OBJS/{}\n", name);
   }
   return list;

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "cli/copy_file.h"
 #include "cli/counted.h"
 #include "cli/install_paths.h"
 #include "kit/controller_main.h"
@@ -123,7 +124,7 @@ class RobotStick {
         std::string name = entry.path().filename();
         std::transform(name.begin(), name.end(), name.begin(),
                        [](unsigned char c) { return std::toupper(c); });
-        fs::copy_file(entry.path(), On("MW/DATA/P", name), fs::copy_options::overwrite_existing);
+        CopyFile(entry.path(), On("MW/DATA/P", name), fs::copy_options::overwrite_existing);
       }
     }
   }
@@ -164,7 +165,7 @@ class RobotStick {
     std::error_code error;
     if (!fs::exists(elf, error)) return;
     fs::create_directories(draft_.stick() / kElfFolder);
-    fs::copy_file(elf, draft_.stick() / kElfFolder / elf.filename());
+    CopyFile(elf, draft_.stick() / kElfFolder / elf.filename());
   }
 
   // Compiles the controller.  Its main() gets the name controller_main(), because the generated

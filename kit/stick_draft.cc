@@ -7,6 +7,8 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "cli/copy_file.h"
+
 namespace openr_host {
 namespace {
 
@@ -40,7 +42,7 @@ StickDraft::~StickDraft() {
 void StickDraft::Finish() { fs::rename(stick(), output_); }
 
 void CopyTree(const fs::path& from, const fs::path& to) {
-  fs::copy(from, to, fs::copy_options::recursive);
+  CopyFolder(from, to);
   for (const auto& entry : fs::recursive_directory_iterator(to))
     fs::permissions(entry, fs::perms::owner_write, fs::perm_options::add);
 }

@@ -1,6 +1,10 @@
 #include "openr/simulation/run_stick.h"
 
+#include <stdexcept>
+
 #include "cli/cache_folder.h"
+#include "cli/copy_file.h"
+#include "cli/output_file.h"
 #include "openr/simulation/simulation.h"
 #include "runtime/base/spelling.h"
 
@@ -36,7 +40,7 @@ void CopyStick(const fs::path& from, const fs::path& to) {
     } else if (EqualsIgnoringCase(entry.path().extension().string(), ".DBG")) {
       fs::create_symlink(fs::canonical(entry.path()), copy);
     } else {
-      fs::copy_file(entry.path(), copy);
+      CopyFile(entry.path(), copy);
       fs::permissions(copy, fs::perms::owner_write, fs::perm_options::add);
     }
   }
@@ -47,7 +51,13 @@ RunStick::RunStick(const std::string& wanted, bool is_written)
   crash_log_ = is_default_ ? CrashLogInCache() : CrashLogOn(name_);
   if (!is_default_ || !is_written) return;
   copy_ = std::make_unique<TempFolder>();
-  CopyStick(name_, copy_->path());
+  try {
+    CopyStick(name_, copy_->path());
+  } catch (const fs::filesystem_error& error) {
+    throw std::runtime_error(Explain(error) +
+                             "; a run without --stick works on a copy of the default stick, and "
+                             "the environment variable TMPDIR names another place for it");
+  }
   folder_ = copy_->path();
 }
 

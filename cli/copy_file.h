@@ -1,0 +1,27 @@
+// Copies files and folders, and names a full disk if there is no room for them.
+//
+// std::filesystem reports an input/output error if the disk becomes full in the middle of a copy.
+// A user then looks for a defect of the disk, so these functions report ENOSPC instead.
+#pragma once
+
+#include <filesystem>
+#include <system_error>
+
+namespace openr_host {
+
+// Copies the file `from` to `to` as std::filesystem::copy_file() does.  Returns the error, or no
+// error.  After an error, a new file `to` is not left behind in part.
+std::error_code TryCopyFile(
+    const std::filesystem::path& from, const std::filesystem::path& to,
+    std::filesystem::copy_options options = std::filesystem::copy_options::none);
+
+// The same, but throws std::filesystem::filesystem_error after an error.
+void CopyFile(const std::filesystem::path& from, const std::filesystem::path& to,
+              std::filesystem::copy_options options = std::filesystem::copy_options::none);
+
+// Copies the folder `from`, with all that is in it, to the folder `to`, which is made if it does
+// not exist.  Files are copied as CopyFile() does.  Follows symbolic links.
+void CopyFolder(const std::filesystem::path& from, const std::filesystem::path& to,
+                std::filesystem::copy_options options = std::filesystem::copy_options::none);
+
+}  // namespace openr_host
