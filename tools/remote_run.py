@@ -142,18 +142,20 @@ class Client:
 class Run:
     """A process of `openr run` with its own stick, a recording, and a battery that stays full.
 
-    `prefix` are the words of a program that runs it, such as strace.  With `waits` False the port is
-    not known yet; wait_for_port() returns it.
+    `stick` is the folder of a stick that is there already; without it, the run gets a new copy of the
+    default stick.  `prefix` are the words of a program that runs it, such as strace.  With `waits` False
+    the port is not known yet; wait_for_port() returns it.
     """
 
-    def __init__(self, openr, folder, *flags, body="ideal", prefix=(), waits=True):
+    def __init__(self, openr, folder, *flags, body="ideal", prefix=(), waits=True, stick=None):
         self.openr, self.folder = str(openr), pathlib.Path(folder)
-        self.stick = self.folder / "stick"
+        self.stick = stick or self.folder / "stick"
         self.said = self.folder / "run.txt"
         # The run makes its control socket below this folder; clock() finds it there.
         self.environment = {**os.environ, "XDG_RUNTIME_DIR": str(self.folder)}
-        subprocess.run([self.openr, "stick", "host", "-o", str(self.stick)], check=True,
-                       stdout=subprocess.DEVNULL)
+        if stick is None:
+            subprocess.run([self.openr, "stick", "host", "-o", str(self.stick)], check=True,
+                           stdout=subprocess.DEVNULL)
         command = [self.openr, "run", "--stick", str(self.stick), "--body", body, "--battery", "100%",
                    "--rc-port", "0", "--no-panel", "--run-name", "check", *flags, "--record",
                    str(self.folder / "run.rec"), "--report", str(self.folder / "report.json"),

@@ -45,7 +45,7 @@ int WriteThrough(const std::string& host_path) {
   int lost = 0;
   if (const int descriptor = open(host_path.c_str(), O_RDONLY | O_CLOEXEC); descriptor >= 0) {
     if (fsync(descriptor) != 0 && (errno == EIO || errno == ENOSPC || errno == EDQUOT))
-      lost = errno;
+      lost = errno == EIO ? EIO : ENOSPC;
     close(descriptor);
   }
   errno = error;
