@@ -473,9 +473,10 @@ def main():
         cases = Cases(flags.build.resolve(), pathlib.Path(folder), flags.short)
         for kind in ("full", "read-only"):
             calls = [("runs", cases.runs), ("objects", cases.objects), ("crashes", cases.crashes),
-                     ("uploads", cases.uploads), ("outputs", cases.outputs), ("temporary", cases.temporary)]
+                     ("uploads", cases.uploads), ("outputs", cases.outputs), ("temporary", cases.temporary),
+                     ("recorded", cases.recorded)]
             if not flags.short:
-                calls += [("recorded", cases.recorded), ("new_folders", cases.new_folders),
+                calls += [("new_folders", cases.new_folders),
                           ("apart", lambda kind: cases.objects(kind, "--place", "Trouble=away"))]
             if not flags.short and kind == "full":
                 calls += [("crashes", lambda kind: cases.crashes(kind, 1)), ("damaged", lambda _: damage(cases))]
