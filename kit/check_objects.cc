@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <regex>
 
+#include "kit/check_calls.h"
 #include "kit/source_place.h"
 #include "kit/source_text.h"
 #include "kit/text_files.h"
@@ -37,24 +38,6 @@ bool HasAnyWord(const std::string& code, std::initializer_list<const char*> word
                      [&](const char* word) { return HasWord(code, word); });
 }
 
-// Returns `code` with blanks in place of everything between #if and #endif.  Programs that also run
-// on a PC have calls between these lines that are not compiled for the robot.
-std::string WithoutConditionalCode(std::string code) {
-  static const std::regex kDirective("^[ \t]*#[ \t]*(if|endif)");
-  int depth = 0;
-  for (size_t at = 0; at < code.size();) {
-    const size_t end = std::min(code.find('\n', at), code.size());
-    const auto begin = code.begin() + static_cast<std::ptrdiff_t>(at);
-    const auto line_end = code.begin() + static_cast<std::ptrdiff_t>(end);
-    std::smatch match;
-    const std::string line(begin, line_end);
-    if (std::regex_search(line, match, kDirective)) depth += match[1] == "if" ? 1 : -1;
-    if (depth > 0) std::fill(begin, line_end, ' ');
-    at = end + 1;
-  }
-  return code;
-}
-
 class ObjectCheck {
  public:
   ObjectCheck(const ObjectFolder& object, const ObjectParts& parts, Remarks* remarks)
@@ -66,6 +49,7 @@ class ObjectCheck {
 
   void Run() {
     if (!object_.stub.empty()) CheckStub();
+    if (!parts_.IsForRemoteProcessing(object_)) CheckCalls(CompiledSources(), code_, remarks_);
     for (const fs::path& file : object_.sources) {
       const std::string text = ReadText(file).value_or("");
       CheckStickPaths(file, text, remarks_);
@@ -92,6 +76,40 @@ class ObjectCheck {
     }
     CheckFunctions(stub.config);
     CheckRegistration(stub.config);
+    CheckServiceIndices(stub.config, CompiledSources(), code_ + OtherDefinitions(), remarks_);
+  }
+
+  // Returns the sources in the object's folder that are compiled.  If Makefiles name some of them,
+  // the others are left out, because they may be old copies that nobody compiles.
+  std::vector<SourceOfObject> CompiledSources() const {
+    const auto is_named = [&](const fs::path& file) {
+      return parts_.MakefilesName(file.filename()) ||
+             parts_.MakefilesName(file.stem().string() + ".o");
+    };
+    const bool has_list = std::any_of(object_.sources.begin(), object_.sources.end(), is_named);
+    std::vector<SourceOfObject> sources;
+    for (const fs::path& file : object_.sources)
+      if (!has_list || is_named(file)) sources.push_back({file, parts_.TextOf(file)});
+    return sources;
+  }
+
+  // Returns the text of files that may define sbjX or obsX beside stub.cfg: each def.h that
+  // somebody wrote by hand, and the services of other files in the form of stub.cfg, of which a
+  // Makefile may make the stub instead.
+  std::string OtherDefinitions() const {
+    static const std::regex kService(
+        "Service[ \t]*:[ \t]*\"[ \t]*\\w+\\.(\\w+)\\.[^\"]*\\.([SO])\"");
+    std::string text;
+    for (const fs::path& file : FilesBelow(object_.folder)) {
+      if (file.filename() == "def.h" && !IsGeneratedDefinitions(parts_.TextOf(file)))
+        text += WithoutComments(parts_.TextOf(file)) + "\n";
+      if (LowerCase(file.extension()) != ".cfg" || file == object_.stub) continue;
+      const std::string& config = parts_.TextOf(file);
+      for (std::sregex_iterator it(config.begin(), config.end(), kService), end; it != end; ++it)
+        text +=
+            fmt::format("const int {}{} = 0;\n", (*it)[2] == "S" ? "sbj" : "obs", (*it)[1].str());
+    }
+    return text;
   }
 
   void CheckFunction(const std::string& function, const FilePosition& place, const char* event) {

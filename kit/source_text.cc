@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstddef>
+#include <regex>
 
 namespace openr_host {
 namespace {
@@ -44,6 +46,22 @@ std::string WithoutComments(std::string_view text) {
     at = std::max(end, at + 1);
   }
   return result;
+}
+
+std::string WithoutConditionalCode(std::string code) {
+  static const std::regex kDirective("^[ \t]*#[ \t]*(if|endif)");
+  int depth = 0;
+  for (size_t at = 0; at < code.size();) {
+    const size_t end = std::min(code.find('\n', at), code.size());
+    const auto begin = code.begin() + static_cast<std::ptrdiff_t>(at);
+    const auto line_end = code.begin() + static_cast<std::ptrdiff_t>(end);
+    std::smatch match;
+    const std::string line(begin, line_end);
+    if (std::regex_search(line, match, kDirective)) depth += match[1] == "if" ? 1 : -1;
+    if (depth > 0) std::fill(begin, line_end, ' ');
+    at = end + 1;
+  }
+  return code;
 }
 
 std::vector<StringLiteral> StringLiteralsIn(std::string_view text) {

@@ -11,6 +11,11 @@ namespace openr_host {
 // so that positions and line numbers are those of `text`.
 std::string WithoutComments(std::string_view text);
 
+// Returns `code`, a text without comments, with blanks in place of everything between #if and
+// #endif.  Programs that also run on a PC have calls between these lines that are not compiled for
+// the robot.
+std::string WithoutConditionalCode(std::string code);
+
 // A string literal.
 struct StringLiteral {
   size_t at = 0;     // position of the opening quote

@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "runtime/core/image_file.h"
@@ -234,6 +236,111 @@ TEST(CheckTest, ThreadsOfAnObjectAreFound) {
                "}\n#  endif\nvoid Most() { std::thread worker(Work); }\n#endif\n"
                "// pthread_create(&thread, 0, Work, 0);\n");
   EXPECT_THAT(Checked(folder, 0), HasSubstr("0 warnings"));
+}
+
+// The text of the fixture's Sender.cc with `now` in place of `before`.
+std::string SenderWith(const std::string& before, const std::string& now) {
+  std::ifstream file(std::string(OPENR_KIT_FIXTURES) + "/makefile/Sender/Sender.cc");
+  std::string source((std::istreambuf_iterator<char>(file)), {});
+  const size_t at = source.find(before);
+  EXPECT_NE(at, std::string::npos) << before;
+  return at == std::string::npos ? source : source.replace(at, before.size(), now);
+}
+
+// field-notes.md, 2.12.
+TEST(CheckTest, AnIndexThatStubCfgDoesNotMakeIsNamed) {
+  const KitFolder folder("makefile");
+  const std::string source = SenderWith("sbjText]->N", "sbjTxt]->N");
+  folder.Write("Sender/Sender.cc", source);
+  EXPECT_THAT(Checked(folder, 0),
+              Says("Sender/Sender.cc:49:",
+                   "warning: sbjTxt comes from no line of stub.cfg: stubgen2 makes it of the "
+                   "service Txt in Service : \"Sender.Txt.TYPE.S\"; did you mean 'sbjText'?"));
+  // Programs that have the name from elsewhere.
+  for (const char* own : {"const int sbjTxt = 0;\n", "#define sbjTxt 0\n", "enum { sbjTxt };\n",
+                          "enum Index { sbjOther = 3, sbjTxt };\n"}) {
+    folder.Write("Sender/Sender.cc", own + source);
+    EXPECT_THAT(Checked(folder, 0), HasSubstr("0 warnings")) << own;
+  }
+  folder.Write("Sender/Sender.cc", source);
+  folder.Write("Sender/stub7.cfg", "Service : \"Sender.Txt.char.S\", null, Ready()\n");
+  EXPECT_THAT(Checked(folder, 0), HasSubstr("0 warnings"));
+}
+
+TEST(CheckTest, AnIndexInASourceThatNobodyCompilesIsNoMistake) {
+  const KitFolder folder("makefile");
+  folder.Write("Sender/OldSender.cc", "void Old() { subject[sbjOld]->NotifyObservers(); }\n");
+  EXPECT_THAT(Checked(folder, 0), HasSubstr("0 warnings"));
+  folder.Write("Sender/Sender.cc",
+               SenderWith("Sender::Sender()",
+                          "#ifdef PLATFORM_LOCAL\nvoid Old() { subject[sbjOld]->NotifyObservers(); "
+                          "}\n#endif\n// subject[sbjOld]\nSender::Sender()"));
+  EXPECT_THAT(Checked(folder, 0), HasSubstr("0 warnings"));
+}
+
+// field-notes.md, 6.4.
+TEST(CheckTest, ConsoleMacrosWithOnePairOfBracketsAreNamed) {
+  const KitFolder folder("makefile");
+  const auto check = [&](const std::string& head, const std::string& line) {
+    folder.Write("Sender/Sender.cc",
+                 head + SenderWith("    char line[32];", line + "\n    char line[32];"));
+    return Checked(folder, 0);
+  };
+  EXPECT_THAT(check("", "    OSYSPRINT(\"sent %d\\n\", sent);"),
+              Says("Sender/Sender.cc:46:",
+                   "warning: OSYSPRINT is a macro that needs two pairs of brackets: "
+                   "OSYSPRINT((\"text %d\\n\", number));"));
+  EXPECT_THAT(check("", "    OSYSLOG1(osyslogERROR, \"no\");"),
+              Says("Sender/Sender.cc:46:", "OSYSLOG1((osyslogERROR, \"text %d\\n\", number));"));
+  EXPECT_THAT(check("", "    OSYSDEBUG(\"%d\", f(1, 2));"), HasSubstr("OSYSDEBUG is a macro"));
+  // Programs that worked on the robot.
+  for (const char* good : {"    OSYSPRINT(( \"sent %d\\n\", sent ));", "    OSYSPRINT((\"a\"));",
+                           "    OSYSDEBUG(\"no comma, and switched off\");",
+                           "    // OSYSPRINT(\"sent\");", "    OSYSPRINT(arguments);"}) {
+    EXPECT_THAT(check("", good), HasSubstr("0 warnings")) << good;
+  }
+  EXPECT_THAT(
+      check("#undef OSYSPRINT\n#define OSYSPRINT(x) (osysprint(x))\n", "    OSYSPRINT(\"sent\");"),
+      HasSubstr("0 warnings"));
+}
+
+// field-notes.md, 12.1.
+TEST(CheckTest, ClocksThatTheRobotLacksAreNamed) {
+  const KitFolder folder("makefile");
+  const auto check = [&](const std::string& head, const std::string& line) {
+    folder.Write("Sender/Sender.cc",
+                 head + SenderWith("    char line[32];", line + "\n    char line[32];"));
+    return Checked(folder, 0);
+  };
+  EXPECT_THAT(check("", "    gettimeofday(&tv, 0); long us = tv.tv_usec;"),
+              Says("Sender/Sender.cc:46:",
+                   "warning: gettimeofday(): on the robot the part below the second is always the "
+                   "same (field-notes.md 12.1); here it is virtual time; take GetSystemTime()"));
+  EXPECT_THAT(check("", "    long begin = clock();"),
+              Says("Sender/Sender.cc:46:", "warning: clock(): the robot has no such clock"));
+  EXPECT_THAT(check("", "    last = std::time(NULL);"), HasSubstr("time(): the robot has no such"));
+  // Programs that worked on the robot: the seconds of gettimeofday(), a seed of random numbers, and
+  // functions of their own under these names.
+  for (const char* good :
+       {"    gettimeofday(&tv, 0); long s = tv.tv_sec;", "    srand(time(NULL));",
+        "    unsigned seed = time(0); srand(seed);", "    timer.clock(); timer->time(0);",
+        "    MyTimer::clock();", "    long (*clock)() = Ticks; clock();"}) {
+    EXPECT_THAT(check("", good), HasSubstr("0 warnings")) << good;
+  }
+  EXPECT_THAT(check("static long time(long* t) { return 0; }\n", "    time(0);"),
+              HasSubstr("0 warnings"));
+}
+
+// field-notes.md, 3.6.
+TEST(CheckTest, TheSizeOfFreeMemoryThatMisleadsIsNamed) {
+  const KitFolder folder("makefile");
+  folder.Write("Sender/Sender.cc", SenderWith("    char line[32];",
+                                              "    AnalyzerGetSizeOfFreeMemory(&bytes);\n"
+                                              "    char line[32];"));
+  EXPECT_THAT(Checked(folder, 0),
+              Says("Sender/Sender.cc:46:",
+                   "warning: AnalyzerGetSizeOfFreeMemory() is not known here, and on the robot it "
+                   "misleads: the heap of an object keeps the memory that free() gives back"));
 }
 
 TEST(CheckTest, DesignDataThatIsNotThereIsFound) {

@@ -1,0 +1,228 @@
+#include "kit/check_calls.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <regex>
+#include <string_view>
+
+#include "kit/source_place.h"
+#include "kit/source_text.h"
+#include "runtime/base/spelling.h"
+
+namespace openr_host {
+namespace {
+
+// Returns the word that ends just before `at`, apart from blanks; "" if no word ends there.
+std::string_view WordBefore(std::string_view code, size_t at) {
+  const size_t last = PreviousOf(code, at);
+  if (last == kNone || !IsWordCharacter(code[last])) return "";
+  size_t begin = last;
+  while (begin > 0 && IsWordCharacter(code[begin - 1])) --begin;
+  return code.substr(begin, last + 1 - begin);
+}
+
+// Returns whether a word can stand before an expression, so that the word after it is used and not
+// declared.
+bool IsBeforeExpression(std::string_view word) {
+  constexpr std::string_view kWords[] = {"return", "case", "else", "do", "throw"};
+  return std::find(std::begin(kWords), std::end(kWords), word) != std::end(kWords);
+}
+
+std::string_view LineOf(std::string_view text, size_t at) {
+  const size_t newline = text.rfind('\n', at);
+  const size_t begin = newline == kNone ? 0 : newline + 1;
+  return text.substr(begin, std::min(text.find('\n', at), text.size()) - begin);
+}
+
+// Returns whether `code` may define the constant or variable `word`: a type, a comma or a bracket
+// of a list stands before the word, or it gets a value, or it is in a line with #define.
+bool MayDefine(const std::string& code, const std::string& word) {
+  for (size_t at = code.find(word); at != kNone; at = code.find(word, at + 1)) {
+    if (!HasWordAt(code, at, word)) continue;
+    if (LineOf(code, at).find("#") != kNone) return true;
+    const std::string_view before = WordBefore(code, at);
+    if (!before.empty() && !IsBeforeExpression(before)) return true;
+    const size_t last = PreviousOf(code, at);
+    if (last != kNone && std::string_view(",{*&").find(code[last]) != kNone) return true;
+    const size_t next = NextOf(code, at + word.size());
+    if (next != kNone && code[next] == '=' && code.substr(next, 2) != "==") return true;
+  }
+  return false;
+}
+
+// Returns the names of the indices that stubgen2 makes for `services`, such as "sbjMove".
+std::vector<std::string> IndicesOf(const char* prefix, const std::vector<StubService>& services) {
+  std::vector<std::string> names;
+  for (const StubService& service : services) names.push_back(prefix + service.name.service);
+  return names;
+}
+
+// Returns whether `code` declares a function, a variable or a macro `name` of its own: a type
+// stands before the name, or the "*" or "&" of a type, or "Class::".
+bool HasOwn(const std::string& code, const std::string& name) {
+  const std::regex macro("#[ \t]*define[ \t]+" + name + "\\b");
+  if (std::regex_search(code, macro)) return true;
+  for (size_t at = code.find(name); at != kNone; at = code.find(name, at + 1)) {
+    if (!HasWordAt(code, at, name)) continue;
+    const std::string_view before = WordBefore(code, at);
+    if (!before.empty() && !IsBeforeExpression(before)) return true;
+    const size_t last = PreviousOf(code, at);
+    if (last == kNone || last == 0) continue;
+    if (code[last] == '*' || code[last] == '&') return true;
+    if (code.compare(last - 1, 2, "::") != 0) continue;
+    const std::string_view space = WordBefore(code, last - 1);
+    if (!space.empty() && space != "std") return true;
+  }
+  return false;
+}
+
+// Returns whether the call at `at` is one of a member, such as clock.time(0).
+bool IsMemberCall(std::string_view code, size_t at) {
+  const size_t last = PreviousOf(code, at);
+  return last != kNone && (code[last] == '.' || code.substr(last - (last > 0), 2) == "->");
+}
+
+// Returns whether the brackets that open at `open` hold a comma of their own, outside of inner
+// brackets.
+bool HasComma(std::string_view code, size_t open) {
+  const size_t close = ClosingOf(code, open);
+  for (size_t at = open + 1; close != kNone && at < close; ++at) {
+    if (code[at] == ',') return true;
+    if (code[at] == '(' || code[at] == '[' || code[at] == '{') at = ClosingOf(code, at);
+  }
+  return false;
+}
+
+// A clock of the C library that does not work on the robot.
+struct Clock {
+  const char* name;
+  const char* arguments;  // regular expression for the arguments of a call
+  // A word that a source must have so that the call does harm; "" if each call does.
+  const char* word;
+  const char* why;
+};
+
+constexpr Clock kClocks[] = {
+    {"gettimeofday", "[^;{}]{1,80}", "tv_usec",
+     "on the robot the part below the second is always the same (field-notes.md 12.1); here it is "
+     "virtual time"},
+    {"time", "[ \t]*(?:NULL|0|&[ \t]*\\w+)[ \t]*\\)", "",
+     "the robot has no such clock (core.md 8.1); here it is virtual time"},
+    {"clock", "[ \t]*(?:void)?[ \t]*\\)", "",
+     "the robot has no such clock (core.md 8.1); here it is virtual time"},
+};
+
+class CallCheck {
+ public:
+  CallCheck(const SourceOfObject& source, const std::string& all_code, Remarks* remarks)
+      : source_(source),
+        code_(WithoutConditionalCode(WithoutComments(source.text))),
+        all_code_(all_code),
+        remarks_(remarks) {}
+
+  void Run() {
+    CheckBrackets();
+    for (const Clock& clock : kClocks) CheckClock(clock);
+    CheckFreeMemory();
+  }
+
+ private:
+  void Warn(size_t at, const std::string& cause, std::string text) {
+    remarks_->AddConsequence(Remark::Kind::kWarning, PlaceAt(source_.file, source_.text, at), cause,
+                             std::move(text));
+  }
+
+  // Finds OSYSPRINT("text") for OSYSPRINT(("text")).  The compiler says of it what the macro
+  // became, which does not lead a beginner to the second pair of brackets.  OSYSDEBUG and OSYSLOG
+  // may be switched off: then one text in brackets does no harm, so only those with a comma are
+  // mistakes.
+  void CheckBrackets() {
+    static const std::regex kMacro("\\b(OSYSPRINT|OSYSDEBUG|OSYSLOG[1-4])[ \t]*\\(");
+    for (std::sregex_iterator it(code_.begin(), code_.end(), kMacro), end; it != end; ++it) {
+      const std::string name = (*it)[1];
+      const size_t at = static_cast<size_t>(it->position(0));
+      const size_t open = at + static_cast<size_t>(it->length(0)) - 1;
+      const size_t first = NextOf(source_.text, open + 1);
+      if (first == kNone || LineOf(code_, at).find('#') != kNone) continue;
+      const bool has_text =
+          source_.text[first] == '"' || source_.text.compare(first, 7, "osyslog") == 0;
+      if (!has_text || (name != "OSYSPRINT" && !HasComma(code_, open))) continue;
+      if (HasOwn(all_code_, name)) continue;
+      const char* const begin = name.starts_with("OSYSLOG") ? "osyslogERROR, " : "";
+      Warn(at, "brackets of " + name,
+           fmt::format("{0} is a macro that needs two pairs of brackets: {0}(({1}\"text %d\\n\", "
+                       "number));",
+                       name, begin));
+    }
+  }
+
+  void CheckClock(const Clock& clock) {
+    if (*clock.word != '\0' && !HasWord(code_, clock.word)) return;
+    // A clock that stands still is good enough as the seed of random numbers.
+    if (HasWord(code_, "srand") || HasWord(code_, "srandom")) return;
+    const std::regex call(std::string("\\b") + clock.name + "[ \t]*\\(" + clock.arguments);
+    for (std::sregex_iterator it(code_.begin(), code_.end(), call), end; it != end; ++it) {
+      const size_t at = static_cast<size_t>(it->position(0));
+      if (IsMemberCall(code_, at) || HasOwn(all_code_, clock.name)) continue;
+      Warn(at, clock.name,
+           fmt::format("{}(): {}; take GetSystemTime(), which has microseconds since the boot, or "
+                       "OPENR::GetTime(), which has the date in seconds",
+                       clock.name, clock.why));
+    }
+  }
+
+  // Warns of this function although no header here has it, because no document of ours gives its
+  // arguments: the compiler would only say that it is not declared.
+  void CheckFreeMemory() {
+    constexpr std::string_view kName = "AnalyzerGetSizeOfFreeMemory";
+    for (size_t at = code_.find(kName); at != kNone; at = code_.find(kName, at + 1)) {
+      if (!HasWordAt(code_, at, kName)) continue;
+      Warn(
+          at, std::string(kName),
+          fmt::format("{}() is not known here, and on the robot it misleads: the heap of an object "
+                      "keeps the memory that free() gives back (field-notes.md 3.6); the report of "
+                      "openr run --json has heap_bytes_max of each object",
+                      kName));
+    }
+  }
+
+  const SourceOfObject& source_;
+  const std::string code_;
+  const std::string& all_code_;
+  Remarks* const remarks_;
+};
+
+}  // namespace
+
+void CheckServiceIndices(const StubConfig& config, const std::vector<SourceOfObject>& sources,
+                         const std::string& code, Remarks* remarks) {
+  static const std::regex kIndex("\\b(?:subject|observer)[ \t]*\\[[ \t]*((sbj|obs)\\w+)[ \t]*\\]");
+  for (const SourceOfObject& source : sources) {
+    const std::string own = WithoutConditionalCode(WithoutComments(source.text));
+    for (std::sregex_iterator it(own.begin(), own.end(), kIndex), end; it != end; ++it) {
+      const std::string index = (*it)[1];
+      const bool is_subject = (*it)[2] == "sbj";
+      const std::vector<std::string> known =
+          is_subject ? IndicesOf("sbj", config.subjects) : IndicesOf("obs", config.observers);
+      if (std::find(known.begin(), known.end(), index) != known.end()) continue;
+      if (MayDefine(code, index)) continue;
+      remarks->AddConsequence(
+          Remark::Kind::kWarning,
+          PlaceAt(source.file, source.text, static_cast<size_t>(it->position(1))), "index " + index,
+          fmt::format("{0} comes from no line of stub.cfg: stubgen2 makes it of the service {1} in "
+                      "Service : \"{2}.{1}.TYPE.{3}\"{4}",
+                      index, index.substr(3), config.object_name, is_subject ? "S" : "O",
+                      DidYouMean(index, known)));
+    }
+  }
+}
+
+void CheckCalls(const std::vector<SourceOfObject>& sources, const std::string& code,
+                Remarks* remarks) {
+  for (const SourceOfObject& source : sources) CallCheck(source, code, remarks).Run();
+}
+
+}  // namespace openr_host
