@@ -11,7 +11,9 @@
 #include "runtime/base/spelling.h"
 #include "runtime/config/line_file.h"
 #include "runtime/config/object_config.h"
+#include "runtime/config/wlan_config.h"
 #include "runtime/core/image_file.h"
+#include "runtime/stick/gzip.h"
 
 namespace openr_host {
 namespace {
@@ -32,6 +34,9 @@ constexpr const char* kSystemObjects[] = {"POWERMGR", "SRVCMGR", "VR",       "DR
                                           "SYSLOG",   "VRCOMM",  "VRAUCOMM", "EMGCYMON"};
 constexpr const char* kNetworkObjects[] = {"IPSTACK", "WLANDRV", "WLANENBL", "NETCONFS"};
 constexpr const char* kConsoleObjects[] = {"ANTTCPIO", "HOOK", "HOOKACT"};
+
+// Objects that take files over the network: Sony's TinyFTPD, and our RCServer.
+constexpr const char* kUploadObjects[] = {"TINYFTPD.BIN", "RCSERVER.BIN"};
 
 // A robot has 32 MiB of memory; an image that is larger cannot be loaded.
 constexpr uint64_t kRobotMemory = 32u << 20;
@@ -55,6 +60,24 @@ std::vector<std::string> MissingBaseFiles(const fs::path& root) {
   return missing;
 }
 
+// Returns whether the text of DESIGN.CFG names `design`.  An ERS-7M2 calls itself ERS-7
+// (field-notes.md 5.3), so the name ERS-7M2 is not the name of any design, though it contains one.
+bool NamesDesign(const std::string& text, const std::string& design) {
+  for (size_t at = text.find(design); at != std::string::npos; at = text.find(design, at + 1)) {
+    if (text.compare(at + design.size(), 2, "M2") != 0) return true;
+  }
+  return false;
+}
+
+// Returns the flag of gzip, such as "-9", with which the image file was compressed; "" if the file
+// does not tell the flag.  Byte 8 of a gzip file is 2 for the best compression and 4 for the
+// fastest (RFC 1952, 2.3.1).  All flags between them, such as -6, leave 0 there.
+std::string GzipFlagOf(const fs::path& file) {
+  const std::string bytes = ReadText(file).value_or("");
+  if (!IsGzip(bytes) || bytes.size() < 10) return "";
+  return bytes[8] == 2 ? "-9" : bytes[8] == 4 ? "-1" : "";
+}
+
 class BootCheck {
  public:
   BootCheck(const std::string& root, std::string design, Remarks* remarks)
@@ -66,6 +89,8 @@ class BootCheck {
     CheckDesign();
     CheckImages();
     CheckNetwork();
+    CheckUploads();
+    CheckWriteProtection();
     return summary_;
   }
 
@@ -82,6 +107,8 @@ class BootCheck {
   void CheckImages();
   void CheckImage(const ObjectRecord& record, const fs::path& file);
   void CheckNetwork();
+  void CheckUploads();
+  void CheckWriteProtection();
 
   const fs::path root_;
   const std::string design_;
@@ -132,7 +159,7 @@ void BootCheck::CheckBase() {
 void BootCheck::CheckDesign() {
   const fs::path file = On("OPEN-R/MW/CONF/DESIGN.CFG");
   if (file.empty() || design_.empty()) return;
-  if (ReadText(file).value_or("").find(design_) == std::string::npos) {
+  if (!NamesDesign(ReadText(file).value_or(""), design_)) {
     remarks_->Error(file.string(),
                     fmt::format("does not name {}: its boot would end with 'can run odrexecMODE3 "
                                 "only'; take the DESIGN.CFG of the base image for this robot",
@@ -167,6 +194,13 @@ void BootCheck::CheckImage(const ObjectRecord& record, const fs::path& file) {
     remarks_->Add(Remark::Kind::kNote, record.place,
                   fmt::format("{} is not compressed; all images of the SDK's samples are (gzip -6)",
                               record.path));
+  } else if (const std::string flag = GzipFlagOf(file); !flag.empty()) {
+    remarks_->Add(
+        Remark::Kind::kNote, record.place,
+        fmt::format("{} is compressed as by gzip {}; a robot could not read images of "
+                    "some flags, which ones is not known, and gzip -6 is known to be good "
+                    "(field-notes.md 5.8)",
+                    record.path, flag));
   }
   if (image.bytes.size() > kRobotMemory) {
     remarks_->Add(Remark::Kind::kError, record.place,
@@ -189,6 +223,58 @@ void BootCheck::CheckNetwork() {
     remarks_->Warning(Shown("OPEN-R/SYSTEM/CONF/WLANCONF.TXT"),
                       "is missing: the robot takes WLANDFLT.TXT of the base image (10.0.1.100 in "
                       "the network AIBONET); 'openr stick wlan' writes one");
+    return;
+  }
+  const fs::path file = On("OPEN-R/SYSTEM/CONF/WLANCONF.TXT");
+  const WlanConfig config = ParseWlanConfig(file, ReadText(file).value_or("")).config;
+  const char* const newer = config.use_dhcp                    ? "USE_DHCP=1"
+                            : config.wep_key.starts_with("0x") ? "a WEPKEY in hexadecimal digits"
+                                                               : nullptr;
+  if (newer != nullptr) {
+    remarks_->Note(file.string(),
+                   fmt::format("has {}, which needs a base image of the SDK 1.1.4 or later; older "
+                               "ones do not know it (field-notes.md 5.7)",
+                               newer));
+  }
+}
+
+// Notes a stick for a robot with a network that no object on it writes to: then each change of a
+// file means to take out the stick.
+void BootCheck::CheckUploads() {
+  if (summary_.base.empty() || summary_.base == "BASIC") return;
+  const fs::path file = On("OPEN-R/MW/CONF/OBJECT.CFG");
+  if (file.empty()) return;
+  const ObjectConfig config = ParseObjectConfig(file, ReadText(file).value_or(""), kEveryDesign);
+  for (const ObjectRecord& record : config.objects) {
+    for (const char* name : kUploadObjects) {
+      if (EqualsIgnoringCase(fs::path(record.path).filename().string(), name)) return;
+    }
+  }
+  remarks_->Note(file.string(),
+                 "names neither TINYFTPD.BIN nor RCSERVER.BIN: no object that is known takes files "
+                 "over the network, so the stick has to be taken out for each change");
+}
+
+// Notes configuration files that nobody may write.  A program of the robot cannot replace them, and
+// TinyFTPD answers 553 to such an upload (field-notes.md 5.10).
+void BootCheck::CheckWriteProtection() {
+  constexpr auto kAnyWrite =
+      fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
+  for (const char* folder : {"OPEN-R/MW/CONF", "OPEN-R/SYSTEM/CONF"}) {
+    std::vector<std::string> names;
+    for (const fs::path& file : FilesBelow(On(folder))) {
+      std::error_code error;
+      const fs::file_status status = fs::status(file, error);
+      if (fs::is_regular_file(status) && (status.permissions() & kAnyWrite) == fs::perms::none)
+        names.push_back(file.filename());
+    }
+    if (names.empty()) continue;
+    remarks_->Note(
+        Shown(folder),
+        fmt::format("has write-protected files: {}; nobody can replace them over the "
+                    "network, TinyFTPD answers 553 (field-notes.md 5.10); chmod u+w lifts "
+                    "the protection",
+                    fmt::join(names, ", ")));
   }
 }
 

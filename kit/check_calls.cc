@@ -31,7 +31,7 @@ bool IsBeforeExpression(std::string_view word) {
   return std::find(std::begin(kWords), std::end(kWords), word) != std::end(kWords);
 }
 
-std::string_view LineOf(std::string_view text, size_t at) {
+std::string_view LineAround(std::string_view text, size_t at) {
   const size_t newline = text.rfind('\n', at);
   const size_t begin = newline == kNone ? 0 : newline + 1;
   return text.substr(begin, std::min(text.find('\n', at), text.size()) - begin);
@@ -42,7 +42,7 @@ std::string_view LineOf(std::string_view text, size_t at) {
 bool MayDefine(const std::string& code, const std::string& word) {
   for (size_t at = code.find(word); at != kNone; at = code.find(word, at + 1)) {
     if (!HasWordAt(code, at, word)) continue;
-    if (LineOf(code, at).find("#") != kNone) return true;
+    if (LineAround(code, at).find("#") != kNone) return true;
     const std::string_view before = WordBefore(code, at);
     if (!before.empty() && !IsBeforeExpression(before)) return true;
     const size_t last = PreviousOf(code, at);
@@ -146,7 +146,7 @@ class CallCheck {
       const size_t at = static_cast<size_t>(it->position(0));
       const size_t open = at + static_cast<size_t>(it->length(0)) - 1;
       const size_t first = NextOf(source_.text, open + 1);
-      if (first == kNone || LineOf(code_, at).find('#') != kNone) continue;
+      if (first == kNone || LineAround(code_, at).find('#') != kNone) continue;
       const bool has_text =
           source_.text[first] == '"' || source_.text.compare(first, 7, "osyslog") == 0;
       if (!has_text || (name != "OSYSPRINT" && !HasComma(code_, open))) continue;

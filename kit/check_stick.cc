@@ -28,6 +28,9 @@ namespace fs = std::filesystem;
 // the address 127.0.0.1, so a line of a configuration file with the old address gets a note.
 constexpr char kRobotOfThatTime[] = "10.0.1.100";
 
+// The name on the box of a robot whose programs and files have to call it ERS-7.
+constexpr char kNoDesign[] = "ERS-7M2";
+
 constexpr char kWlanFile[] = "WLANCONF.TXT";
 // A file name counts as a misspelling of WLANCONF.TXT up to this edit distance.  The limit is below
 // 4, the distance of WLANDFLT.TXT, which is the name of another valid file.
@@ -46,6 +49,7 @@ class StickCheck {
     CheckConnections();
     CheckGateway();
     CheckDesigns();
+    CheckSections();
     CheckWlan();
     CheckFileNames();
   }
@@ -66,6 +70,8 @@ class StickCheck {
   void NoteOldAddresses(const GatewayConfig& host);
   GatewayConfig ReadGateway(const fs::path& file, GatewaySide side);
   void CheckDesigns();
+  void CheckSection(const std::string& section, const FilePosition& place);
+  void CheckSections();
   void CheckWlan();
   void CheckFileNames();
 
@@ -238,6 +244,21 @@ void StickCheck::CheckDesigns() {
                   fmt::format("{} does not exist on the stick; FindDesignData(\"{}\") will fail",
                               record.path, record.keyword));
   }
+}
+
+void StickCheck::CheckSection(const std::string& section, const FilePosition& place) {
+  if (!EqualsIgnoringCase(section, kNoDesign)) return;
+  remarks_->AddConsequence(Remark::Kind::kWarning, place, kNoDesign,
+                           fmt::format("no robot reads the section [{0}]: an {0} calls itself "
+                                       "ERS-7 (field-notes.md 5.3); write [ERS-7]",
+                                       kNoDesign));
+}
+
+// Finds records for a robot that has another name than its owners give it.
+void StickCheck::CheckSections() {
+  for (const ObjectRecord& record : stick_.objects) CheckSection(record.section, record.place);
+  for (const ConnectRecord& record : wires_.connections)
+    CheckSection(record.section, record.subject_place);
 }
 
 // Checks the network settings in WLANCONF.TXT, and finds files that were probably meant to be

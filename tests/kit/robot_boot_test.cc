@@ -43,6 +43,15 @@ class RobotStickCheckTest : public ::testing::Test {
     folder_.Write("stick/OPEN-R/MW/OBJS/POWERMON.BIN", RobotImage());
   }
 
+  // Compresses the image of the stick; `mode` is that of gzopen(), which has the flag of gzip.
+  void PackImage(const char* mode) const {
+    const std::string image = RobotImage();
+    const gzFile file = gzopen(folder_.File("stick/OPEN-R/MW/OBJS/POWERMON.BIN").c_str(), mode);
+    EXPECT_EQ(gzwrite(file, image.data(), static_cast<unsigned>(image.size())),
+              static_cast<int>(image.size()));
+    gzclose(file);
+  }
+
   ProgramResult Check(std::vector<std::string> more = {}) const {
     std::vector<std::string> words = {"stick", "check", folder_.File("stick")};
     words.insert(words.end(), more.begin(), more.end());
@@ -120,14 +129,93 @@ TEST_F(RobotStickCheckTest, AnImageThatIsNotCompressedIsNoted) {
   const ProgramResult result = Check();
   EXPECT_EQ(result.status, 0) << result.out;
   EXPECT_THAT(result.out, HasSubstr(kNote));
-  const std::string image = RobotImage();
-  const gzFile file = gzopen(folder_.File("stick/OPEN-R/MW/OBJS/POWERMON.BIN").c_str(), "wb6");
-  EXPECT_EQ(gzwrite(file, image.data(), static_cast<unsigned>(image.size())),
-            static_cast<int>(image.size()));
-  gzclose(file);
+  PackImage("wb6");
   const ProgramResult compressed = Check();
   EXPECT_EQ(compressed.status, 0) << compressed.out;
   EXPECT_THAT(compressed.out, Not(HasSubstr(kNote)));
+}
+
+// field-notes.md 5.8: gzip -6 is known to be good, and the flags that the loader could not read are
+// not known.
+TEST_F(RobotStickCheckTest, AnImageOfAnotherGzipFlagThanThatOfTheSamplesIsNoted) {
+  MakeBase();
+  PackImage("wb9");
+  const ProgramResult best = Check();
+  EXPECT_EQ(best.status, 0) << best.out;
+  EXPECT_THAT(best.out, HasSubstr("note: /MS/OPEN-R/MW/OBJS/POWERMON.BIN is compressed as by gzip "
+                                  "-9; a robot could not read images of some flags"));
+  PackImage("wb1");
+  EXPECT_THAT(Check().out, HasSubstr("is compressed as by gzip -1"));
+  PackImage("wb6");
+  EXPECT_THAT(Check().out, Not(HasSubstr("is compressed as by gzip")));
+}
+
+// field-notes.md 5.9
+TEST_F(RobotStickCheckTest, AStickThatNobodyCanChangeOverTheNetworkIsNoted) {
+  constexpr char kNote[] = "names neither TINYFTPD.BIN nor RCSERVER.BIN";
+  MakeBase();
+  const ProgramResult result = Check();
+  EXPECT_EQ(result.status, 0) << result.out;
+  EXPECT_THAT(result.out, HasSubstr(kNote));
+  for (const char* name : {"TINYFTPD.BIN", "TinyFTPD.bin", "RCSERVER.BIN"}) {
+    folder_.Write(
+        "stick/OPEN-R/MW/CONF/OBJECT.CFG",
+        std::string("/MS/OPEN-R/MW/OBJS/POWERMON.BIN\n/MS/OPEN-R/MW/OBJS/") + name + "\n");
+    EXPECT_THAT(Check().out, Not(HasSubstr(kNote))) << name;
+  }
+}
+
+TEST_F(RobotStickCheckTest, AStickWithoutANetworkNeedsNoUploads) {
+  MakeBase(false);
+  EXPECT_THAT(Check().out, Not(HasSubstr("names neither TINYFTPD.BIN")));
+}
+
+// field-notes.md 5.10
+TEST_F(RobotStickCheckTest, WriteProtectedConfigurationFilesAreNoted) {
+  namespace fs = std::filesystem;
+  MakeBase();
+  EXPECT_THAT(Check().out, Not(HasSubstr("write-protected")));
+  for (const char* name : {"CONNECT.CFG", "OBJECT.CFG"})
+    fs::permissions(folder_.File(std::string("stick/OPEN-R/MW/CONF/") + name),
+                    fs::perms::owner_read | fs::perms::group_read);
+  const ProgramResult result = Check();
+  EXPECT_EQ(result.status, 0) << result.out;
+  EXPECT_THAT(result.out, HasSubstr("MW/CONF: note: has write-protected files: CONNECT.CFG, "
+                                    "OBJECT.CFG; nobody can replace them over the network"));
+  EXPECT_THAT(result.out, Not(HasSubstr("SYSTEM/CONF: note: has write-protected")));
+}
+
+// field-notes.md 5.7
+TEST_F(RobotStickCheckTest, SettingsThatAnOldBaseImageDoesNotKnowAreNoted) {
+  constexpr char kNote[] = "which needs a base image of the SDK 1.1.4 or later";
+  MakeBase();
+  const auto check = [&](const std::string& settings) {
+    folder_.Write("stick/OPEN-R/SYSTEM/CONF/WLANCONF.TXT", settings);
+    return Check().out;
+  };
+  EXPECT_THAT(check("USE_DHCP=1\n"), HasSubstr(std::string("has USE_DHCP=1, ") + kNote));
+  EXPECT_THAT(check("WEPKEY=0x0123456789\n"),
+              HasSubstr("has a WEPKEY in hexadecimal digits, which"));
+  EXPECT_THAT(check("USE_DHCP=0\nWEPKEY=abcde\n"), Not(HasSubstr(kNote)));
+}
+
+// field-notes.md 5.3
+TEST_F(RobotStickCheckTest, AnErs7m2CallsItselfErs7) {
+  MakeBase();
+  const auto check = [&](const std::string& section) {
+    folder_.Write("stick/OPEN-R/MW/CONF/OBJECT.CFG",
+                  section + "\n/MS/OPEN-R/MW/OBJS/POWERMON.BIN\n");
+    return Check().out;
+  };
+  EXPECT_THAT(check("[ERS-7M2]"),
+              HasSubstr("OBJECT.CFG:2: warning: no robot reads the section [ERS-7M2]: an ERS-7M2 "
+                        "calls itself ERS-7"));
+  EXPECT_THAT(check("[ERS-7]"), Not(HasSubstr("no robot reads")));
+  // ERS-7 is a part of this name, and still DESIGN.CFG does not name the robot.
+  folder_.Write("stick/OPEN-R/MW/CONF/DESIGN.CFG", "[ERS-7M2]\n0001.0001.*-6\n");
+  EXPECT_THAT(Check({"--robot", "ers7"}).out, HasSubstr("DESIGN.CFG: does not name ERS-7"));
+  folder_.Write("stick/OPEN-R/MW/CONF/DESIGN.CFG", "[ERS-7M2]\n[ERS-7]\n0001.0001.*-6\n");
+  EXPECT_THAT(Check({"--robot", "ers7"}).out, Not(HasSubstr("does not name ERS-7")));
 }
 
 TEST_F(RobotStickCheckTest, JsonHasTheRemarksAndTheSizes) {
