@@ -16,6 +16,10 @@ namespace {
 // speed.  The number is our choice.
 const double kJamSpeed_rad_s = Radians(5);
 
+// A patient robot lets a joint be jammed for this many times as long.  The number is our choice: it
+// is only known that VRCOMM.CFG makes a robot more patient (field-notes.md 7.20).
+constexpr int kPatience = 5;
+
 }  // namespace
 
 Protection::Protection(const RobotModel& model) : model_(model) { SwitchOff(); }
@@ -26,18 +30,22 @@ void Protection::SwitchOff() {
   jammed_frames_.assign(model_.protection.jam_frames > 0 ? model_.joints.size() : 0, 0);
 }
 
+int Protection::jam_frames() const {
+  return model_.protection.jam_frames * (is_patient_ ? kPatience : 1);
+}
+
 void Protection::FindJam(const BodyState& body, std::vector<Reason>* reasons) {
   for (size_t j = 0; j < jammed_frames_.size(); ++j) {
     const JointState& joint = body.joints[j];
     const bool is_jammed =
         std::fabs(joint.drive) >= kDriveFull && std::fabs(joint.speed_rad_s) < kJamSpeed_rad_s;
     jammed_frames_[j] = is_jammed ? jammed_frames_[j] + 1 : 0;
-    if (jammed_frames_[j] != model_.protection.jam_frames) continue;
+    if (jammed_frames_[j] != jam_frames()) continue;
     const JointModel& model = model_.joints[j];
     reasons->push_back(
         {fmt::format("OVirtualRobotComm: JAM. SHUTDOWN.: {} ({}) is asked for all of its drive and "
                      "does not move for {} ms, the robot shuts down",
-                     model.name, model.locator, model_.protection.jam_frames * 8),
+                     model.name, model.locator, jam_frames() * 8),
          fmt::format("joint {} was jammed", model.name)});
   }
 }

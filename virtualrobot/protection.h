@@ -30,6 +30,12 @@ class Protection {
   // for a shutdown that are new in this frame.
   std::vector<Reason> NoteFrame(const BodyState& body, const Energy& energy, bool charging);
 
+  // Makes the robot wait longer before it takes a joint for jammed, if `is_patient`.
+  void set_patient(bool is_patient) { is_patient_ = is_patient; }
+  // Returns the number of frames of 8 ms for which a joint may be jammed; 0: the robot does not
+  // look for jams.
+  int jam_frames() const;
+
   // Returns whether the battery now gives more current than its limit.
   bool over_current() const { return over_current_; }
   // Returns whether the battery is now hotter than its limit.
@@ -49,6 +55,7 @@ class Protection {
   // while the battery charges (kCharging), the other at all other times (kDischarging).
   enum class Heat { kNone, kDischarging, kCharging };
 
+  bool is_patient_ = false;
   bool over_current_ = false;
   Heat heat_ = Heat::kNone;
   // For each joint, the number of successive frames in which the joint was jammed.  Empty for a

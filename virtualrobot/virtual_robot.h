@@ -128,6 +128,7 @@ class VirtualRobot : public RobotServices {
   const Primitive* Readable(OPrimitiveID id, const char* function);
 
   RobotParts parts_;
+  int timed_restarts_ = 0;  // shutdowns of this run with a boot timer that is not 0
 };
 
 // Adds the two system objects of `robot`, OVirtualRobotComm and OVirtualRobotAudioComm, to its

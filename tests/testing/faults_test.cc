@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
+#include "runtime/base/temp_folder.h"
 #include "virtualrobot/body.h"
 #include "virtualrobot/virtual_robot.h"
 
@@ -18,6 +21,13 @@ using ::testing::HasSubstr;
 // The default stick on a body: it stands up by itself within 15 s.
 BenchOptions FaultyDog(const std::string& body, const std::string& robot = "ers210") {
   return {.stick = DefaultStick(), .body = body, .robot = robot};
+}
+
+int CountFindingsWith(Bench& bench, const std::string& text) {
+  const auto& findings = bench.system().findings().all();
+  return static_cast<int>(std::count_if(findings.begin(), findings.end(), [&](const auto& finding) {
+    return finding.text.find(text) != std::string::npos;
+  }));
 }
 
 std::vector<std::string> FaultsOf(const Bench& bench) {
@@ -357,6 +367,47 @@ TEST(JamTest, AnErs7ShutsDownWhenAJointIsJammed) {
   EXPECT_TRUE(bench.Do("break LF_j1 jammed"));  // while the dog is to stand up
   bench.ExpectFinding(HasSubstr("JAM. SHUTDOWN.: LF_j1"));
   bench.RunFor(15s);
+}
+
+// field-notes.md 7.20.  Without the file the robot shuts down after a second, as the test above
+// shows.
+TEST(JamTest, VrcommCfgMakesAnErs7MorePatient) {
+  for (const char* conf : {"MW", "SYSTEM"}) {
+    const openr_host::TempFolder folder;
+    std::filesystem::copy(DefaultStick(), folder.path() + "/stick",
+                          std::filesystem::copy_options::recursive);
+    const std::string place = folder.path() + "/stick/OPEN-R/" + conf + "/CONF";
+    std::filesystem::create_directories(place);
+    std::ofstream(place + "/VRCOMM.CFG") << "JamDetectionHighThreshold\r\n";
+    BenchOptions options = FaultyDog("ode", "ers7");
+    options.stick = folder.path() + "/stick";
+    Bench bench(options);
+    bench.Boot();
+    bench.AllowFindings();
+    EXPECT_TRUE(bench.Do("break LF_j1 jammed"));  // while the dog is to stand up
+    bench.RunFor(4s);
+    EXPECT_EQ(CountFindingsWith(bench, "JamDetectionHighThreshold: a joint may be jammed for 5000"),
+              1);
+    EXPECT_EQ(CountFindingsWith(bench, "JAM. SHUTDOWN."), 0);
+    bench.RunFor(11s);
+    EXPECT_GE(CountFindingsWith(bench, "JAM. SHUTDOWN.: LF_j1"), 1);
+  }
+}
+
+// A file that does not ask for it, and a robot that does not look for jams.
+TEST(JamTest, OtherVrcommCfgChangesNothing) {
+  const openr_host::TempFolder folder;
+  std::filesystem::copy(DefaultStick(), folder.path() + "/stick",
+                        std::filesystem::copy_options::recursive);
+  const std::string file = folder.path() + "/stick/OPEN-R/MW/CONF/VRCOMM.CFG";
+  std::ofstream(file) << "# JamDetectionHighThreshold\n[ERS-210]\nJamDetectionHighThreshold\n";
+  for (const char* robot : {"ers7", "ers210"}) {
+    BenchOptions options = FaultyDog("ode", robot);
+    options.stick = folder.path() + "/stick";
+    Bench bench(options);
+    bench.Boot();
+    EXPECT_EQ(CountFindingsWith(bench, "JamDetectionHighThreshold"), 0) << robot;
+  }
 }
 
 }  // namespace

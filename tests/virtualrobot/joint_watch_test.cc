@@ -315,6 +315,22 @@ TEST_F(JointWatchTest, ReadingAPrimitiveThatNobodyOpenedIsReported) {
   EXPECT_EQ(CountFindings("GetSensorValue(PRM:/r1/c1-Joint2:j1): nobody opened it"), 1);
 }
 
+// field-notes.md 8.7: a joint that nobody opened, and a wrong index, were the likely causes of
+// wrong numbers.
+TEST_F(JointWatchTest, GetJointValueOfWhatNobodyOpenedIsReportedAndOfNoJointRefused) {
+  As([&] {
+    OJointValue value;
+    EXPECT_EQ(OPENR::GetJointValue(pan - 1, &value), oSUCCESS);
+    EXPECT_EQ(OPENR::GetJointValue(pan, &value), oSUCCESS);
+    EXPECT_EQ(OPENR::GetJointValue(12345, &value), oINVALID_PRIMITIVE_ID);
+    const OPrimitiveID chin = mover->Open("PRM:/r1/c1/c2/c3/c4/s5-Sensor:s5");
+    EXPECT_EQ(OPENR::GetJointValue(chin, &value), oINVALID_PRIMITIVE_ID);
+  });
+  EXPECT_EQ(Findings(),
+            "mover: GetJointValue(PRM:/r1/c1-Joint2:j1): nobody opened it; on the robot its value "
+            "means nothing\n");
+}
+
 TEST_F(JointWatchTest, APrimitiveIsOpenUntilEverybodyHasClosedIt) {
   As([&] {
     EXPECT_EQ(mover->Open(kPan), pan);

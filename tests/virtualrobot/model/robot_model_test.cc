@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "tests/virtualrobot/body_harness.h"
+#include "virtualrobot/det_math.h"
 
 namespace openr_host {
 namespace {
@@ -60,6 +61,26 @@ TEST(RobotModelTest, SensorRangesOfJointsAreTheirStops) {
     const JointModel& joint = Ers210().joints[sensor.joint];
     EXPECT_NEAR(joint.hard_rad.min * 1e6, sensor.min, 0.6) << joint.name;
     EXPECT_NEAR(joint.hard_rad.max * 1e6, sensor.max, 0.6) << joint.name;
+  }
+}
+
+// field-notes.md 7.18: Sony's support corrected the tables of two robots.  The table of the ERS-7
+// has left and right legs where it means fore and hind legs.
+TEST(RobotModelTest, TheCorrectionsOfSonysTablesHold) {
+  const RobotModel ers7 = ModelNamed("ers7.json");
+  for (const char* side : {"L", "R"}) {
+    const auto limits = [&](const char* leg) {
+      const int joint = ers7.FindJoint(std::string(side) + leg);
+      return ers7.joints.at(static_cast<size_t>(joint)).soft_rad;
+    };
+    EXPECT_NEAR(limits("F_j1").min, Radians(-115), 1e-9) << side;
+    EXPECT_NEAR(limits("F_j1").max, Radians(130), 1e-9) << side;
+    EXPECT_NEAR(limits("H_j1").min, Radians(-130), 1e-9) << side;
+    EXPECT_NEAR(limits("H_j1").max, Radians(115), 1e-9) << side;
+  }
+  for (const Sensor& sensor : Ers210().sensors) {
+    if (sensor.kind != SensorKind::kForce) continue;
+    EXPECT_EQ(sensor.max, 980665) << sensor.name;
   }
 }
 
