@@ -8,6 +8,7 @@
 #include <string>
 
 #include "runtime/core/api.h"
+#include "runtime/core/printed_numbers.h"
 #include "runtime/core/system.h"
 
 using namespace openr_host;
@@ -37,8 +38,10 @@ std::string HostFormat(const char* format) {
 }
 
 std::string Format(const char* format, va_list arguments) {
+  const std::string host_format = HostFormat(format);
+  ReportPrintedNaN(host_format.c_str(), arguments);
   char text[osyslogMAX_SIZE];
-  vsnprintf(text, sizeof text, HostFormat(format).c_str(), arguments);
+  vsnprintf(text, sizeof text, host_format.c_str(), arguments);
   return text;
 }
 

@@ -1,5 +1,6 @@
 // Wraps printf(), sscanf() and the like, so that the stack that the C library uses in them is not
-// counted as stack of the object that calls them.
+// counted as stack of the object that calls them, and so that a NaN that an object prints is
+// reported.
 //
 // Of all functions that objects call often, these functions need the most stack: up to 2 KiB on
 // this host.  But the .ocf file of an object may allow a stack of only 3 KiB.
@@ -9,6 +10,7 @@
 #include <stdio.h>
 
 #include "runtime/core/current.h"
+#include "runtime/core/printed_numbers.h"
 #include "runtime/hooks/hook.h"
 
 using openr_host::LibraryScope;
@@ -42,18 +44,21 @@ int OpenrVPrintf(const char* format, va_list arguments) {
 int OpenrVFprintf(FILE* file, const char* format, va_list arguments) {
   static const auto next = NextSymbol<int(FILE*, const char*, va_list)>("vfprintf");
   const LibraryScope scope;
+  if (openr_host::InObject()) openr_host::ReportPrintedNaN(format, arguments);
   return next(file, format, arguments);
 }
 
 int OpenrVSprintf(char* text, const char* format, va_list arguments) {
   static const auto next = NextSymbol<int(char*, const char*, va_list)>("vsprintf");
   const LibraryScope scope;
+  if (openr_host::InObject()) openr_host::ReportPrintedNaN(format, arguments);
   return next(text, format, arguments);
 }
 
 int OpenrVSnprintf(char* text, size_t size, const char* format, va_list arguments) {
   static const auto next = NextSymbol<int(char*, size_t, const char*, va_list)>("vsnprintf");
   const LibraryScope scope;
+  if (openr_host::InObject()) openr_host::ReportPrintedNaN(format, arguments);
   return next(text, size, format, arguments);
 }
 

@@ -42,6 +42,26 @@ TEST_F(NumbersConformance, ADenormalFromElsewhereIsReportedOneThatWasComputedIsN
   EXPECT_NE(FindingsOf("fp denormal").find("a denormal number was used"), std::string::npos);
 }
 
+// A NaN that the object got as bytes.  This processor raises nothing when it is added.
+TEST_F(NumbersConformance, ANaNFromElsewhereIsReportedWhereItIsComparedOrPrinted) {
+  EXPECT_EQ(FindingsOf("fp foreign"), "");
+  EXPECT_NE(FindingsOf("fp compare").find("a floating-point operation made NaN"),
+            std::string::npos);
+#if !defined(__SANITIZE_ADDRESS__)  // sprintf() is the sanitizer's then
+  Start();
+  EXPECT_EQ(FindingsOf("fp print"),
+            "Command: a NaN was printed: the robot stops when a NaN is used, in printf() too: "
+            "exception 15, the robot powers off\n");
+#endif
+  Start();
+  EXPECT_EQ(Answer("fp console"), "7 text nan\nT computed\n");
+  EXPECT_NE(Findings().find("Command: a NaN was printed: the robot stops"), std::string::npos);
+}
+
+TEST_F(NumbersConformance, NumbersAndTheWordNanMayBePrinted) {
+  EXPECT_EQ(FindingsOf("fp text"), "");
+}
+
 TEST_F(NumbersConformance, EachKindIsSaidOnceOfAnObject) {
   FindingsOf("fp nan");
   FindingsOf("fp inf");

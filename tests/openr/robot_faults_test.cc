@@ -81,6 +81,11 @@ TEST(RobotFaultsTest, SoIsOneThatTheLibraryMadeAtTheLineOfItsCaller) {
   ExpectStop(RunFault("nanlib", true), "SIGFPE (a NaN was made");
 }
 
+TEST(RobotFaultsTest, ANaNThatIsPrintedIsAWarningWithItsLineAndStrictlyTheEnd) {
+  ExpectWarning(RunFault("nanprint"), "DoStart: a NaN was printed, at Faults.cc:[0-9]+: the robot");
+  ExpectStop(RunFault("nanprint", true), "a NaN was printed");
+}
+
 // Whether the robot stops when it is used is not proven.
 TEST(RobotFaultsTest, AnInfinityIsAWarningStrictlyToo) {
   for (const bool is_strict : {false, true}) {

@@ -2,6 +2,7 @@
 #include <OPENR/OSyslog.h>
 #include <float.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "Teller.h"
@@ -32,6 +33,22 @@ NumberCommand(const std::string& command)
     } else if (command == "fp denormal") {
         volatile float value = FloatOfBits(1234);
         result = value * one;
+    } else if (command == "fp foreign") {
+        volatile float value = FloatOfBits(0x7fc00000);
+        result = value + 1.0f;
+    } else if (command == "fp compare") {
+        volatile float value = FloatOfBits(0x7fc00000);
+        result = value < 1.0f ? 1 : 0;
+    } else if (command == "fp print") {
+        char text[80];
+        volatile float value = FloatOfBits(0x7fc00000);
+        sprintf(text, "%% %s %-*d %ld %c %5.1f", "text", 4, 5, 6L, 'c', value);
+    } else if (command == "fp console") {
+        volatile float value = FloatOfBits(0x7fc00000);
+        OSYSPRINT(("%ld %s %.2f\n", (longword)7, "text", value));
+    } else if (command == "fp text") {
+        char text[80];
+        sprintf(text, "nan %% %s %-*d %lld %p %5.1f %e", "nan", 4, 5, 6LL, (void*)text, 1.5, 1e300);
     } else if (command == "fp decay") {
         result = tiny * 1.7;
         for (int i = 0; i < 1000; i++) result = result * 0.9;

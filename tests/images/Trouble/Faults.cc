@@ -2,6 +2,7 @@
 
 #include <OPENR/RCRegion.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -79,6 +80,18 @@ DivideByConstantZero()
     (void)result;
 }
 
+// The bytes are those of a NaN, as a message or a file may have them.
+static void
+PrintNaN()
+{
+    const int bits = 0x7fc00000;
+    float value;
+    memcpy(&value, &bits, sizeof value);
+    char text[40];
+    sprintf(text, "%f", value);
+    whole = text[0];
+}
+
 static void
 LeakRegions()
 {
@@ -101,6 +114,8 @@ MakeFault(const char* word)
         number = zero / zero;
     } else if (strcmp(word, "nanlib") == 0) {
         number = log(zero - 1);
+    } else if (strcmp(word, "nanprint") == 0) {
+        PrintNaN();
     } else if (strcmp(word, "infinity") == 0) {
         number = 1 / zero;
     } else if (strcmp(word, "convert") == 0) {

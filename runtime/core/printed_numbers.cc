@@ -1,0 +1,112 @@
+#include "runtime/core/printed_numbers.h"
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <string_view>
+
+#include "runtime/core/code_place.h"
+#include "runtime/core/robot_fault.h"
+#include "runtime/core/system.h"
+
+namespace openr_host {
+namespace {
+
+// Compares bits, because an operation on a signaling NaN would set a flag of the processor, which
+// counts as an operation of the object.
+bool IsNaNOfBits(double number) {
+  uint64_t bits = 0;
+  std::memcpy(&bits, &number, sizeof bits);
+  return (bits & 0x7fffffffffffffff) > 0x7ff0000000000000;
+}
+
+bool IsOneOf(char c, const char* set) { return c != '\0' && std::strchr(set, c) != nullptr; }
+
+// One conversion of a format: "%-5.*ld" has the length "l" and the type 'd'.
+struct Conversion {
+  int stars = 0;  // widths and precisions that are arguments themselves
+  std::string_view length;
+  char type = '\0';
+};
+
+// Reads the conversion behind a '%' at `*at`, and moves `*at` behind it.  The type is '\0' if the
+// format ends in the conversion.
+Conversion ReadConversion(const char** at) {
+  Conversion conversion;
+  const char* p = *at;
+  for (; IsOneOf(*p, "-+ #'0123456789.*"); ++p) conversion.stars += *p == '*';
+  const char* const length = p;
+  while (IsOneOf(*p, "hlqLjzt")) ++p;
+  conversion.length = {length, static_cast<size_t>(p - length)};
+  conversion.type = *p;
+  *at = *p == '\0' ? p : p + 1;
+  return conversion;
+}
+
+// The list of arguments in a struct, because a va_list may be an array, which no function takes by
+// reference.
+struct Arguments {
+  va_list list;
+};
+
+// Takes the argument of `conversion` from `arguments`.  Sets `*is_nan` if the argument is a NaN.
+// Returns false if the type of the argument is not known.
+bool TakeArgument(const Conversion& conversion, Arguments* arguments, bool* is_nan) {
+  const std::string_view length = conversion.length;
+  if (IsOneOf(conversion.type, "diouxXc")) {
+    if (length == "ll" || length == "q" || length == "j" || length == "L") {
+      va_arg(arguments->list, long long);
+    } else if (length == "l" || length == "z" || length == "t") {
+      va_arg(arguments->list, long);
+    } else {
+      va_arg(arguments->list, int);
+    }
+  } else if (IsOneOf(conversion.type, "eEfFgGaA")) {
+    *is_nan = IsNaNOfBits(length == "L" ? static_cast<double>(va_arg(arguments->list, long double))
+                                        : va_arg(arguments->list, double));
+  } else if (IsOneOf(conversion.type, "spn")) {
+    va_arg(arguments->list, void*);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+bool PrintsNaN(const char* format, va_list arguments) {
+  Arguments copy;
+  va_copy(copy.list, arguments);
+  bool is_nan = false;
+  for (const char* at = std::strchr(format, '%'); at != nullptr && !is_nan;
+       at = std::strchr(at, '%')) {
+    ++at;
+    const Conversion conversion = ReadConversion(&at);
+    for (int i = 0; i < conversion.stars; ++i) va_arg(copy.list, int);
+    if (conversion.type == '%' || conversion.type == 'm') continue;
+    if (!TakeArgument(conversion, &copy, &is_nan)) break;
+  }
+  va_end(copy.list);
+  return is_nan;
+}
+
+void ReportPrintedNaN(const char* format, va_list arguments) {
+  if (t_current.system == nullptr || t_current.object == nullptr) return;
+  if (!PrintsNaN(format, arguments)) return;
+  if (t_current.system->options().strict) {
+    const std::string what = fmt::format("a NaN was printed{} (exception 15)", AtCaller());
+    t_current.image_code = true;  // the crash is one of the object's code, not of the SDK
+    StopAsTheRobotDoes(what);
+  }
+  const ApiScope scope;
+  t_current.system->AddFinding(
+      Severity::kWarning,
+      fmt::format("{}a NaN was printed{}: the robot stops when a NaN is used, in printf() too: "
+                  "exception 15, the robot powers off",
+                  InHandler(), AtCaller()));
+}
+
+}  // namespace openr_host
