@@ -47,6 +47,8 @@ TEST_F(NumbersConformance, ANaNFromElsewhereIsReportedWhereItIsComparedOrPrinted
   EXPECT_EQ(FindingsOf("fp foreign"), "");
   EXPECT_NE(FindingsOf("fp compare").find("a floating-point operation made NaN"),
             std::string::npos);
+  Start();
+  EXPECT_NE(FindingsOf("fp whole").find("its integer type does not hold"), std::string::npos);
 #if !defined(__SANITIZE_ADDRESS__)  // sprintf() is the sanitizer's then
   Start();
   EXPECT_EQ(FindingsOf("fp print"),

@@ -213,6 +213,22 @@ TEST(BuildTest, AProjectFindsCompilerAndStickWhereverItsVariablesLead) {
   EXPECT_EQ(folder.Read("stick/OPEN-R/MW/DATA/P/WALKER.TXT"), "made for walker\n");
 }
 
+// field-notes.md 15.4: a variable CXX for the cross compiler broke Sony's build for the PC.
+TEST(BuildTest, ACrossCompilerInTheEnvironmentIsNotTaken) {
+  const KitFolder folder("makefile");
+  for (const std::string name : {"Sender/Makefile", "Receiver/Makefile"}) {
+    std::string makefile = folder.Read(name);
+    const size_t at = makefile.find("CXX=");
+    ASSERT_NE(at, std::string::npos) << name;
+    folder.Write(name, makefile.replace(at, 4, "CXX?="));
+  }
+  setenv("CXX", "/usr/local/OPEN_R_SDK/bin/mipsel-linux-g++", 1);
+  const ProgramResult built = folder.Build();
+  unsetenv("CXX");
+  ASSERT_EQ(built.status, 0) << built.err;
+  EXPECT_EQ(folder.Say(), "heard: greeting 1\nheard: greeting 2\nheard: greeting 3\n");
+}
+
 TEST(BuildTest, RulesNeverReachFoldersOutsideOfTheCopy) {
   const KitFolder folder("handmade");
   const std::string outside = folder.scratch().File("elsewhere");

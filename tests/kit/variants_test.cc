@@ -79,6 +79,30 @@ TEST(VariantsTest, AnOverflowOnTheStackEndsTheRun) {
   EXPECT_THAT(result.err, HasSubstr("crash: AddressSanitizer: stack-buffer-overflow"));
 }
 
+// field-notes.md 9.2.  The same program runs on the robot for whose images its buffer is made.
+TEST(VariantsTest, ABufferForImagesOfAnErs210IsTooSmallForThoseOfAnErs7) {
+  const KitFolder folder("");
+  std::filesystem::copy(std::string(OPENR_DOCS) + "/../examples/Camera", folder.File(""),
+                        std::filesystem::copy_options::recursive);
+  std::string source = folder.Read("Camera/Camera.cc");
+  const std::string right = "new byte[3 * width_ * height_]";
+  const size_t at = source.find(right);
+  ASSERT_NE(at, std::string::npos);
+  folder.Write("Camera/Camera.cc", source.replace(at, right.size(), "new byte[3 * 176 * 144]"));
+  ASSERT_EQ(folder.Build({"--sanitize"}).status, 0);
+  const auto run = [&](const std::string& robot) {
+    return RunProgram({"run", "--stick", folder.File("MS"), "--robot", robot, "--for", "600ms",
+                       "--rate", "max", "--no-panel", "--rc-port", "0"});
+  };
+  const ProgramResult good = run("ers210");
+  EXPECT_EQ(good.status, 0) << good.err;
+  EXPECT_THAT(good.err, HasSubstr("Camera: a picture of 176 x 144"));
+  const ProgramResult bad = run("ers7");
+  EXPECT_EQ(bad.status, 1);
+  EXPECT_THAT(bad.err, HasSubstr("crash: AddressSanitizer: heap-buffer-overflow"));
+  EXPECT_THAT(bad.err, ContainsRegex("in Camera::Convert.*Camera.cc:[0-9]+"));
+}
+
 TEST(VariantsTest, UndefinedBehaviourIsAFindingAndTheRunGoesOn) {
   const Variant program("--sanitize",
                         "    volatile int bits = 40; volatile int big = 2147483647;\n"

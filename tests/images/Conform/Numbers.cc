@@ -39,6 +39,9 @@ NumberCommand(const std::string& command)
     } else if (command == "fp compare") {
         volatile float value = FloatOfBits(0x7fc00000);
         result = value < 1.0f ? 1 : 0;
+    } else if (command == "fp whole") {
+        volatile float value = FloatOfBits(0x7fc00000);
+        result = (int)value;
     } else if (command == "fp print") {
         char text[80];
         volatile float value = FloatOfBits(0x7fc00000);
