@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -72,6 +73,30 @@ TEST(MotionTest, OurWalkIsAtLeastFortyMillimetresASecond) {
     Play(graph, "WALKEND.MTN");
     graph.system().RunFor(1'000'000);
     EXPECT_TRUE(graph.Standing());
+  });
+}
+
+// The largest minus the smallest value of an accelerometer during a second, in m/s^2.
+double SpreadOf(Graph& graph, const char* sensor) {
+  int64_t low = graph.SensorValue(sensor), high = low;
+  for (int frame = 0; frame < 125; ++frame) {
+    graph.system().RunFor(8'000);
+    low = std::min(low, graph.SensorValue(sensor));
+    high = std::max(high, graph.SensorValue(sensor));
+  }
+  return static_cast<double>(high - low) * 1e-6;
+}
+
+// field-notes.md 8.6.
+TEST(MotionTest, AWalkShakesTheAccelerometersTooMuchForDirectUse) {
+  WhenStanding({}, [](Graph& graph) {
+    constexpr const char* kSensors[] = {"acceleration_x", "acceleration_y", "acceleration_z"};
+    for (const char* sensor : kSensors) EXPECT_LT(SpreadOf(graph, sensor), 0.2) << sensor;
+    graph.pilot().Play("WALK.MTN", 8);
+    graph.system().RunFor(2'500'000);  // the dog goes to the first key frame before
+    // A slope of 10 degrees, which a program may want to measure, changes a value by 1.7 m/s^2.
+    for (const char* sensor : kSensors) EXPECT_GT(SpreadOf(graph, sensor), 3) << sensor;
+    EXPECT_FALSE(graph.pilot().MotionIsOver());
   });
 }
 

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "runtime/base/temp_folder.h"
@@ -340,6 +341,31 @@ TEST(HeatTest, TooMuchCurrentIsAnError) {
   EXPECT_EQ(BitsOf(bench).robot, orsbBATTERY_OVER_CURRENT);
   bench.RunFor(2s);
   EXPECT_EQ(BitsOf(bench).robot, 0u);
+}
+
+// field-notes.md 7.21: fast reversals.  A motor that turns back at each frame never gets the speed
+// that would lower its current.
+TEST(HeatTest, LegsThatReverseAtEachFrameDrawTooMuchCurrent) {
+  const auto targets = [](int j1_deg, int j2_deg, int j3_deg) {
+    std::string line = "target";
+    for (const char* leg : {"LF", "LH", "RF", "RH"}) {
+      for (const auto& [joint, deg] : {std::pair("j1", j1_deg), {"j2", j2_deg}, {"j3", j3_deg}})
+        line += std::string(" ") + leg + "_" + joint + " " + std::to_string(deg);
+    }
+    return line;
+  };
+  for (const auto frames : {1, 20}) {
+    Bench bench(FaultyDog("ode"));
+    bench.Boot();
+    bench.RunFor(15s);
+    bench.AllowFindings();
+    for (int i = 0; i < 800 / frames / 8; ++i) {
+      EXPECT_TRUE(bench.Do(i % 2 == 0 ? targets(60, 60, 100) : targets(-60, 0, 0)));
+      bench.RunFor(frames * 8ms);
+    }
+    const int found = CountFindingsWith(bench, "BATTERY_OVER_CURRENT: the battery gives");
+    EXPECT_EQ(found > 0, frames == 1) << frames;
+  }
 }
 
 TEST(HeatTest, AShortPeakOfCurrentIsNone) {

@@ -96,6 +96,25 @@ TEST(SensorsTest, AWallInFrontMovesTheDistanceSensorAlone) {
   }
 }
 
+// field-notes.md 8.5.  The sensor looks 30 degrees downwards, so a flat floor is nearly twice as
+// far away as it is below the sensor; where no floor is near, the sensor reads the end of its
+// range.
+TEST(SensorsTest, TheChestSensorOfAnErs7FindsCliffsAndNotTheDistanceToTheFloor) {
+  Bench bench({.stick = DefaultStick(), .body = "ideal", .robot = "ers7"});
+  bench.Boot();
+  bench.RunFor(15s);
+  const int chest = bench.model().SensorsNamed("distance_chest").front();
+  const openr_host::Sensor& sensor = bench.model().sensors[static_cast<size_t>(chest)];
+  const double height_m = (bench.dog().body().state().X_WB * sensor.place_m).z();
+  EXPECT_NEAR(height_m, 0.14, 0.02);
+  const double read_m = static_cast<double>(bench.SensorValue("distance_chest")) * 1e-6;
+  EXPECT_GT(read_m, 1.5 * height_m);
+  EXPECT_LT(read_m, 2.5 * height_m);
+  EXPECT_TRUE(bench.Do("lift 0.5"));
+  bench.RunFor(4s);
+  EXPECT_EQ(bench.SensorValue("distance_chest"), 900'000);
+}
+
 // ---- with physics
 
 struct Shaken {
