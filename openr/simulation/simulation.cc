@@ -89,25 +89,45 @@ VirtualRobotOptions DevicesOf(const SimulationOptions& options, bool is_first) {
   return devices;
 }
 
+// Returns whether the folder has the folder OPEN-R of a stick.  Uses Locate() because, like a
+// Memory Stick, it does not distinguish upper and lower case, and so finds a folder "open-r", too.
+bool HoldsOpenR(const std::filesystem::path& folder) {
+  std::error_code error;
+  const MemoryStick::Location root = FolderStick(folder).Locate("/MS/OPEN-R");
+  return root.exists && std::filesystem::is_directory(root.path, error);
+}
+
+// Returns "; did you mean FOLDER?" for the end of a message about `wanted`, a folder that is no
+// stick.  FOLDER is the only stick directly in `wanted`, or the stick that has `wanted` as its
+// OPEN-R.  Returns "" if there is none.
+std::string StickNear(const std::filesystem::path& wanted) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  std::vector<fs::path> near;
+  for (const auto& entry : fs::directory_iterator(wanted, error)) {
+    if (entry.is_directory(error) && HoldsOpenR(entry.path())) near.push_back(entry.path());
+  }
+  const fs::path around = fs::weakly_canonical(wanted, error).parent_path();
+  if (near.empty() && !around.empty() && HoldsOpenR(around)) near.push_back(around);
+  return near.size() == 1 ? fmt::format("; did you mean {}?", near[0].string()) : "";
+}
+
 }  // namespace
 
 std::string StickFolder(const std::string& wanted) {
   if (wanted.empty()) return DefaultStick();
   if (const std::string why = WhyNoReadableFolder(wanted, kStickKind); !why.empty())
     throw std::runtime_error(fmt::format("{}: {}", wanted, why));
-  std::error_code error;
-  // Uses Locate() because, like a Memory Stick, it does not distinguish upper and lower case, and
-  // so finds a folder "open-r", too.
+  if (HoldsOpenR(wanted)) return wanted;
   const MemoryStick::Location root = FolderStick(wanted).Locate("/MS/OPEN-R");
-  if (root.exists && std::filesystem::is_directory(root.path, error)) return wanted;
   if (root.error != 0 && root.error != ENOENT) {
     throw std::runtime_error(
         fmt::format("{}: cannot be read: {}", wanted, std::strerror(root.error)));
   }
   throw std::runtime_error(
       fmt::format("{}: holds no folder OPEN-R; a stick is a folder like the root of a Memory "
-                  "Stick",
-                  wanted));
+                  "Stick{}",
+                  wanted, StickNear(wanted)));
 }
 
 Simulation::Simulation(const SimulationOptions& options)

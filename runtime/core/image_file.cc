@@ -7,6 +7,7 @@
 #include <cstring>
 #include <iterator>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "runtime/base/read_file.h"
@@ -21,6 +22,22 @@ constexpr char kForRobot[] =
 // The section of an image that holds its .ocf text.  The build makes this section.
 constexpr char kOcfSection[] = "openr_ocf";
 constexpr char kCutOff[] = "ends too early: the file was cut off; copy it again";
+
+constexpr char kSentAsText[] =
+    "was changed on its way: each line end in it is CR LF, as after a transfer of text (FTP: type "
+    "A); copy it again as binary (type I)";
+
+// Returns whether a transfer has put a CR before each LF of the file, as FTP does with texts.  In
+// compressed bytes a CR stands before one LF of 256 by chance, so a few LFs are proof enough.
+bool HasLineEndsOfText(std::string_view bytes) {
+  constexpr int kLineEndsMin = 4;
+  int line_ends = 0;
+  for (size_t at = bytes.find('\n'); at != std::string_view::npos; at = bytes.find('\n', at + 1)) {
+    if (at == 0 || bytes[at - 1] != '\r') return false;
+    ++line_ends;
+  }
+  return line_ends >= kLineEndsMin;
+}
 
 // Returns whether the file has all bytes that the dynamic linker maps.  A file that was cut off
 // must not be loaded, because the dynamic linker would crash.
@@ -152,6 +169,7 @@ ImageFile CheckImage(std::string bytes) {
             "is a damaged gzip file; copy it again, or build the object again (openr build)";
         break;
     }
+    if (!image.problem.empty() && HasLineEndsOfText(image.bytes)) image.problem = kSentAsText;
     image.bytes = std::move(unpacked);
   }
   if (image.problem.empty()) image.problem = CheckFormat(image.bytes, &image.is_for_robot);

@@ -77,5 +77,20 @@ TEST(ImageFileTest, WhatWasCutOffOrDamagedIsSaidSo) {
   EXPECT_EQ(ReadImageFile(folder.File("NONE.BIN")).problem, "cannot be read");
 }
 
+// field-notes.md 5.11.
+TEST(ImageFileTest, AnImageThatWasSentAsTextIsSaidSo) {
+  const ScratchFolder folder;
+  const std::string packed = Compressed(ReadImageFile(kPowerMonitor).bytes);
+  std::string sent;
+  for (const char c : packed) sent += c == '\n' ? "\r\n" : std::string(1, c);
+  ASSERT_GT(sent.size(), packed.size() + 10);
+  EXPECT_THAT(Read(folder, sent).problem,
+              HasSubstr("was changed on its way: each line end in it is CR LF, as after a transfer "
+                        "of text (FTP: type A)"));
+  // The same image, cut off but not changed.
+  EXPECT_THAT(Read(folder, packed.substr(0, packed.size() / 2)).problem,
+              HasSubstr("ends too early"));
+}
+
 }  // namespace
 }  // namespace openr_host

@@ -212,7 +212,22 @@ TEST(CommandLineTest, APictureOfARobotThatIsNotThereIsRefused) {
 
 TEST(CommandLineTest, AFolderThatIsNoStickIsRefused) {
   const ScratchFolder folder;
-  ExpectRefusal({"run", "--stick", folder.path()}, 1, "holds no folder OPEN-R");
+  ExpectRefusal({"run", "--stick", folder.path()}, 1,
+                "holds no folder OPEN-R; a stick is a folder like the root of a Memory Stick\n");
+}
+
+// field-notes.md 15.1: the folder around the stick, or a folder of the stick itself.
+TEST(CommandLineTest, AFolderBesideAStickIsRefusedWithTheNameOfTheStick) {
+  const ScratchFolder folder;
+  folder.Write("MS/OPEN-R/MW/CONF/OBJECT.CFG", "");
+  folder.Write("other/file", "");
+  for (const char* wrong : {"", "MS/OPEN-R"}) {
+    ExpectRefusal({"run", "--stick", folder.File(wrong)}, 1,
+                  "did you mean " + folder.File("MS") + "?\n");
+  }
+  ExpectRefusal({"run", "--stick", folder.File("other")}, 1, "root of a Memory Stick\n");
+  folder.Write("MS2/open-r/MW/CONF/OBJECT.CFG", "");  // of two sticks none is proposed
+  ExpectRefusal({"run", "--stick", folder.File("")}, 1, "root of a Memory Stick\n");
 }
 
 TEST(CommandLineTest, AStickThatIsNotThereOrNoFolderIsRefused) {

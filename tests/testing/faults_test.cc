@@ -313,6 +313,20 @@ TEST(HeatTest, TheLimitIsLowerOnTheStation) {
   EXPECT_EQ(BitsOf(bench).robot, orsbBATTERY_OVER_TEMP_CHARGING);
 }
 
+// field-notes.md 7.22: walking on the mains adapter.  The load of a hard walk is `draw` here; our
+// own walk needs too little current for that.
+TEST(HeatTest, UnderLoadTheBatteryIsTooHotSoonerOnTheStation) {
+  for (const bool on_station : {true, false}) {
+    Bench bench(FaultyDog("ideal"));
+    bench.Boot();
+    bench.AllowFindings();
+    bench.SetCharger(on_station);
+    EXPECT_TRUE(bench.Do("draw 4000"));
+    bench.RunFor(12min);
+    EXPECT_EQ(CountFindingsWith(bench, "BATTERY_OVER_TEMP_"), on_station ? 1 : 0);
+  }
+}
+
 TEST(HeatTest, AStrictRobotWithAHotBatteryShutsDownAndStopsItsObjects) {
   BenchOptions options = FaultyDog("ideal", "ers7");
   options.strict = true;

@@ -94,6 +94,17 @@ TEST(ImageLayersTest, TheProgramsFormulaGivesTheColourBack) {
   }
 }
 
+// field-notes.md 9.4: with Cr and Cb swapped, as in Sony's first samples, red becomes blue.
+TEST(ImageLayersTest, SwappedColourDifferencesSwapRedAndBlue) {
+  const int r = 200, g = 120, b = 90;
+  Layers layers(Plain(r, g, b));
+  const double y = layers.Band(ofbkimageLAYER_H, ofbkimageBAND_Y).Pixel(2, 2);
+  const double cr = layers.Band(ofbkimageLAYER_H, ofbkimageBAND_Cb).Pixel(2, 2) - 128.0;
+  const double cb = layers.Band(ofbkimageLAYER_H, ofbkimageBAND_Cr).Pixel(2, 2) - 128.0;
+  EXPECT_NEAR(y + cr, b, 2);
+  EXPECT_NEAR(y + cb, r, 2);
+}
+
 // The four Y bands of a layer give a luminance image of twice its resolution.
 TEST(ImageLayersTest, TheHighBandsDoubleTheResolution) {
   Picture picture = Plain(0, 0, 0);
