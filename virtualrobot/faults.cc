@@ -29,6 +29,14 @@ std::string ReadWhole(std::string_view text, int min, int max, int* number) {
   return "";
 }
 
+// Returns the limb of a primitive, the beginning of its locator: "PRM:/r2" for each joint of the
+// left fore leg.
+std::string LimbOf(const std::string& locator) {
+  const size_t root = locator.find('/');
+  return root == std::string::npos ? locator
+                                   : locator.substr(0, locator.find_first_of("/-", root + 1));
+}
+
 }  // namespace
 
 std::vector<std::string> Faults::Names() {
@@ -137,11 +145,32 @@ std::string Faults::ReadMissing(const std::vector<std::string>& words, const Fau
   *action = [this, ids, frames = fault.frames] {
     for (const OPrimitiveID id : ids)
       Begin({Part::kPrimitive, static_cast<int>(id)}, {Kind::kMissing, 0, frames});
+    if (!robot_.system.booted()) ReportMissingLimbs(ids);
   };
   // Objects open most primitives in DoInit, so a part that is missing at time 0 has to be missing
   // before the boot.
   action->is_before_boot = true;
   return "";
+}
+
+void Faults::ReportMissingLimbs(const std::vector<OPrimitiveID>& ids) {
+  for (const OPrimitiveID id : ids) {
+    const std::string limb = LimbOf(robot_.primitives.Find(id)->locator);
+    std::vector<std::string> names;
+    bool is_any_left = false;
+    for (const JointModel& joint : robot_.model.joints) {
+      if (LimbOf(joint.locator) != limb) continue;
+      names.push_back(joint.name);
+      is_any_left |= !robot_.primitives.Find(robot_.primitives.IdOf(joint.locator))->is_missing;
+    }
+    if (names.empty() || is_any_left) continue;
+    robot_.system.AddFindingAboutRobot(
+        robot_.robot_index, Severity::kError,
+        fmt::format("all joints of {} are missing ({}): the robot's boot ends with 'DR OPEN-R SDK "
+                    "version can run odrexecMODE3 only' and OPENR::Fatal(-1), as with a limb of "
+                    "another model or a bad contact (field-notes.md 5.3); here it goes on",
+                    limb, fmt::join(names, ", ")));
+  }
 }
 
 std::string Faults::ReadHeat(std::string_view rest, Inputs::Action* action) {

@@ -71,6 +71,9 @@ class Faults {
   // duration.
   std::string ReadMissing(const std::vector<std::string>& words, const Fault& fault,
                           Inputs::Action* action);
+  // Reports each limb of which no joint is left, if one of the primitives `ids` belongs to it.  A
+  // robot does not boot without a limb.  REQUIRES: the robot has not booted yet.
+  void ReportMissingLimbs(const std::vector<OPrimitiveID>& ids);
   std::string ReadHeat(std::string_view rest, Inputs::Action* action);
   std::string ReadDraw(std::string_view rest, Inputs::Action* action);
   std::string ReadRepair(std::string_view rest, Inputs::Action* action);

@@ -56,6 +56,27 @@ TEST_F(VirtualRobotCommTest, APartThatIsMissingBeforeTheBootCannotBeOpened) {
   });
 }
 
+// field-notes.md 5.3: such a robot does not boot.
+TEST_F(VirtualRobotCommTest, ALimbThatIsMissingBeforeTheBootIsReported) {
+  for (const char* joint : {"LF_j1", "LF_j2", "LF_j3", "neck_pan"})
+    EXPECT_EQ(system.inputs().Add(dog, std::string("break ") + joint + " missing"), "");
+  Boot();
+  EXPECT_EQ(CountFindings("all joints of PRM:/r2 are missing (LF_j1, LF_j2, LF_j3): the robot's "
+                          "boot ends with 'DR OPEN-R SDK version can run odrexecMODE3 only' and "
+                          "OPENR::Fatal(-1)"),
+            1);
+  EXPECT_EQ(CountFindings("all joints of"), 1);  // the head has other joints
+}
+
+TEST_F(VirtualRobotCommTest, ALimbThatIsMissingAfterTheBootEndsNoBoot) {
+  for (const char* joint : {"LF_j1", "LF_j2"})
+    EXPECT_EQ(system.inputs().Add(dog, std::string("break ") + joint + " missing"), "");
+  Boot();
+  EXPECT_EQ(system.inputs().Add(dog, "break LF_j3 missing"), "");
+  RunToFrame(1);
+  EXPECT_EQ(CountFindings("all joints of"), 0);
+}
+
 // Time 0 comes before DoInit for this fault only, so that no other run changes.
 TEST_F(VirtualRobotCommTest, OtherInputsAtTimeZeroComeAfterTheBoot) {
   EXPECT_EQ(system.inputs().Add(dog, "break neck_pan dead"), "");
