@@ -220,6 +220,28 @@ void CheckServiceIndices(const StubConfig& config, const std::vector<SourceOfObj
   }
 }
 
+void CheckExtraEntries(const StubConfig& config, const std::vector<SourceOfObject>& sources,
+                       const std::string& code, Remarks* remarks) {
+  // Send() and OServiceEntry() take the object's own id and the selector, in this order.
+  static const std::regex kSelector("\\bmyOID_[ \t\r\n]*,[ \t\r\n]*(entry(\\w+))[ \t\r\n]*[,)]");
+  for (const SourceOfObject& source : sources) {
+    const std::string own = WithoutConditionalCode(WithoutComments(source.text));
+    for (std::sregex_iterator it(own.begin(), own.end(), kSelector), end; it != end; ++it) {
+      const std::string index = (*it)[1], function = (*it)[2];
+      const bool is_extra =
+          std::any_of(config.extras.begin(), config.extras.end(),
+                      [&](const StubExtra& extra) { return extra.function == function; });
+      if (!is_extra || MayDefine(code, index)) continue;
+      remarks->AddConsequence(
+          Remark::Kind::kWarning,
+          PlaceAt(source.file, source.text, static_cast<size_t>(it->position(1))), "entry " + index,
+          fmt::format("{0} is the place of {1}() in Extra_Entry[] and no selector (selector 0 is "
+                      "DoInit, 1 is DoStart): write Extra_Entry[{0}]",
+                      index, function));
+    }
+  }
+}
+
 void CheckCalls(const std::vector<SourceOfObject>& sources, const std::string& code,
                 Remarks* remarks) {
   for (const SourceOfObject& source : sources) CallCheck(source, code, remarks).Run();

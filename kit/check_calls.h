@@ -24,6 +24,11 @@ struct SourceOfObject {
 void CheckServiceIndices(const StubConfig& config, const std::vector<SourceOfObject>& sources,
                          const std::string& code, Remarks* remarks);
 
+// Warns of an index entryX that `sources` give as a selector.  The selector of an Extra line of
+// stub.cfg is Extra_Entry[entryX].
+void CheckExtraEntries(const StubConfig& config, const std::vector<SourceOfObject>& sources,
+                       const std::string& code, Remarks* remarks);
+
 // Warns of calls in `sources` that the compiler refuses without telling the reason, or that compile
 // and do not work on the robot.  A macro or a function that `code` defines itself gets no warning.
 void CheckCalls(const std::vector<SourceOfObject>& sources, const std::string& code,

@@ -76,7 +76,9 @@ class ObjectCheck {
     }
     CheckFunctions(stub.config);
     CheckRegistration(stub.config);
-    CheckServiceIndices(stub.config, CompiledSources(), code_ + OtherDefinitions(), remarks_);
+    const std::vector<SourceOfObject> sources = CompiledSources();
+    CheckServiceIndices(stub.config, sources, code_ + OtherDefinitions(), remarks_);
+    CheckExtraEntries(stub.config, sources, code_, remarks_);
   }
 
   // Returns the sources in the object's folder that are compiled.  If Makefiles name some of them,

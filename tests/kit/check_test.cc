@@ -278,6 +278,35 @@ TEST(CheckTest, AnIndexInASourceThatNobodyCompilesIsNoMistake) {
   EXPECT_THAT(Checked(folder, 0), HasSubstr("0 warnings"));
 }
 
+// field-notes.md, 11.1: the example that Sony's guide prints.
+TEST(CheckTest, AnEntryThatIsGivenInPlaceOfItsSelectorIsNamed) {
+  const KitFolder folder("makefile");
+  folder.Write("Sender/stub.cfg", folder.Read("Sender/stub.cfg") + "\nExtra : ListenCont()\n");
+  const auto check = [&](const std::string& head, const std::string& line) {
+    folder.Write("Sender/Sender.cc",
+                 head + SenderWith("    char line[32];", line + "\n    char line[32];") +
+                     "void Sender::ListenCont(void* msg) {}\n");
+    return Checked(folder, 0);
+  };
+  EXPECT_THAT(check("", "    listen.Send(ipstack, myOID_, entryListenCont, sizeof(listen));"),
+              Says("Sender/Sender.cc:46:",
+                   "warning: entryListenCont is the place of ListenCont() in Extra_Entry[] and no "
+                   "selector (selector 0 is DoInit, 1 is DoStart): write "
+                   "Extra_Entry[entryListenCont]"));
+  EXPECT_THAT(check("", "    OServiceEntry entry(myOID_,\n        entryListenCont);"),
+              HasSubstr("and no selector"));
+  // Programs that worked on the robot.
+  for (const char* good :
+       {"    listen.Send(ipstack, myOID_, Extra_Entry[entryListenCont], sizeof(listen));",
+        "    Note(entryListenCont, 1); if (entryListenCont == 0) return;",
+        "    listen.Send(ipstack, myOID_, entryOther, sizeof(listen));"}) {
+    EXPECT_THAT(check("", good), HasSubstr("0 warnings")) << good;
+  }
+  EXPECT_THAT(check("static const Selector entryListenCont = 8;\n",
+                    "    listen.Send(ipstack, myOID_, entryListenCont, sizeof(listen));"),
+              HasSubstr("0 warnings"));
+}
+
 // field-notes.md, 6.4.
 TEST(CheckTest, ConsoleMacrosWithOnePairOfBracketsAreNamed) {
   const KitFolder folder("makefile");
