@@ -116,6 +116,10 @@ void IpStack::Warn(const Operation& operation, const std::string& text) {
   system().AddFindingAbout(system().object(operation.sender), Severity::kWarning, text);
 }
 
+void IpStack::Note(const Operation& operation, const std::string& text) {
+  system().AddFindingAbout(system().object(operation.sender), Severity::kNote, text);
+}
+
 void IpStack::WarnIfChanged(const Operation& operation, const void* data, size_t size) {
   if (AntMessageHash(operation.message(), data, size) == operation.request_hash) return;
   Warn(operation,
@@ -142,6 +146,7 @@ void IpStack::TakeMessage(void* payload) {
   operation.size = request.size;
   operation.sender = request.sender;
   operation.request_hash = request.payload_hash;
+  operation.cause = request.cause;
   std::memcpy(operation.bytes, payload, request.size);
   operation.ticket = system().requests().TakeTicket();
   if (operation.message().dstModule.IsNull()) {

@@ -121,6 +121,8 @@ class IpStack : public CodeObject {
 
   // Adds a finding about the object that has sent `operation`.
   void Warn(const Operation& operation, const std::string& text);
+  // Adds a note about `operation` to the findings of its sender.
+  void Note(const Operation& operation, const std::string& text);
 
   // Adds a finding if the program has changed the buffer of a Send before the bytes were sent: if
   // the bytes at `data`, which are sent now, differ from the bytes at the time of the request.

@@ -149,7 +149,22 @@ void UdpEndpoint::Send(const Operation& operation) {
                                         "IPStack crashed at such sizes",
                                         kRobotDatagramMax));
   }
+  NoteSecondSend(operation);
   send_ = accepted;
+}
+
+// Adds a note if the program has sent this Send in the same handler as the last one, so before the
+// answer to that one.  Here the stack is done with a Send at once; on the robot one Send may be
+// under way at a time.
+void UdpEndpoint::NoteSecondSend(const Operation& operation) {
+  const uint64_t cause = operation.ticket.box == 0 ? operation.cause : 0;
+  if (cause != 0 && cause == last_send_cause_) {
+    stack_->Note(operation,
+                 "UDP Send before the answer to the last one: on the robot it may fail with "
+                 "UDP_CONNECTION_BUSY, and one developer's first Send was never answered; send "
+                 "again when the answer has come");
+  }
+  last_send_cause_ = cause;
 }
 
 void UdpEndpoint::Receive(const Operation& operation) {

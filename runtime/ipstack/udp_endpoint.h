@@ -42,6 +42,7 @@ class UdpEndpoint : public Endpoint {
   // such a Send is refused.
   NetAddress DestinationOf(const UDPEndpointSendMsg& message) const;
   bool RefuseTransfer(const Operation& operation, bool busy, const byte* buffer, int size);
+  void NoteSecondSend(const Operation& operation);
   void Refuse(Operation operation, UDPEndpointError error);
   void FinishSend();
   bool DropStrangers();
@@ -61,6 +62,8 @@ class UdpEndpoint : public Endpoint {
   int64_t sent_in_frame_ = 0;         // bytes sent in this frame; the pool limits their number
 
   std::optional<Operation> send_;
+  // Number of the message whose handler has sent the last Send, if it was no Call(); else 0.
+  uint64_t last_send_cause_ = 0;
   std::optional<Operation> receive_;
 };
 

@@ -105,6 +105,43 @@ TEST_F(NetworkConformance, ASendTooLargeForTheRobotIsReported) {
   EXPECT_TRUE(Found("TCP Send of more than 32768 bytes"));
 }
 
+// field-notes.md, 11.7
+TEST_F(NetworkConformance, ASecondUdpSendInOneHandlerIsNoted) {
+  antModuleRef udp, other;
+  byte* data = nullptr;
+  Do([&] {
+    for (antModuleRef* ref : {&udp, &other}) {
+      *ref = probe->NewEndpoint(EndpointType_UDP);
+      probe->Send(UDPEndpointBindMsg(*ref, IP_ADDR_ANY, IP_PORT_ANY));
+    }
+    data = probe->NewBuffer(100);
+  });
+  const auto send = [&](antModuleRef& ref) {
+    probe->Send(UDPEndpointSendMsg(ref, kClientIp, 9999, data, 10));
+  };
+  // Each after the answer to the one before, two endpoints, and a Call(), which waits.
+  Do([&] { send(udp); });
+  Do([&] {
+    send(udp);
+    send(other);
+  });
+  Do([&] {
+    for (int i = 0; i < 2; ++i) {
+      UDPEndpointSendMsg call(udp, kClientIp, 9999, data, 10);
+      call.Call(probe->Stack(), sizeof call);
+    }
+  });
+  EXPECT_FALSE(Found("before the answer to the last one"));
+  Do([&] {
+    send(udp);
+    send(udp);
+  });
+  EXPECT_TRUE(
+      Found("UDP Send before the answer to the last one: on the robot it may fail with "
+            "UDP_CONNECTION_BUSY"));
+  EXPECT_FALSE(system.findings().HasError());
+}
+
 // network.md, 5; field-notes.md, 11.7
 TEST_F(NetworkConformance, ADatagramThatCrashedTheRobotsStackIsReported) {
   Do([&] {
