@@ -12,6 +12,7 @@ namespace {
 
 using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 #if !defined(__SANITIZE_ADDRESS__)  // it reports such things itself
 
@@ -77,6 +78,47 @@ TEST(BuiltFaultsTest, SubjectsAndObserversThatNobodyMadeAreACrashThatNamesTheLin
   EXPECT_THAT(result.err, HasSubstr("EXCEPTION SIGSEGV (an address that is not the object's)"));
   // SET_ALL_READY_AND_NOTIFY_ENTRY
   EXPECT_THAT(result.err, HasSubstr("Counter::DoInit(OSystemEvent const&) (Counter.cc:10)"));
+}
+
+// Replaces `before` in the file `name` of `folder`, which must have it.
+void Replace(const KitFolder& folder, const std::string& name, const std::string& before,
+             const std::string& now) {
+  std::string text = folder.Read(name);
+  const size_t at = text.find(before);
+  ASSERT_NE(at, std::string::npos) << before;
+  folder.Write(name, text.replace(at, before.size(), now));
+}
+
+// field-notes.md 3.5.  In one process such a write only damages the other object, as it may on the
+// robot.
+TEST(BuiltFaultsTest, AWriteIntoMemoryOfAnotherObjectIsACrashOfTheWriterWhenItRunsAlone) {
+  const KitFolder folder("makefile");
+  const std::string stdio = "#include <stdio.h>\n";
+  folder.Write("Sender/Sender.cc", stdio + folder.Read("Sender/Sender.cc"));
+  folder.Write("Receiver/Receiver.cc", stdio + folder.Read("Receiver/Receiver.cc"));
+  Replace(folder, "Sender/Sender.cc", "    Greet(line, ++sent);",
+          "    static int victim = 1;\n    sprintf(line, \"%p\", (void*)&victim);\n"
+          "    if (sent++ > 0) OSYSPRINT((\"victim is %d\\n\", victim));");
+  Replace(folder, "Receiver/Receiver.cc",
+          "    OSYSPRINT((\"heard: %s\\n\", (const char*)event.Data(0)));",
+          "    void* place = 0;\n    sscanf((const char*)event.Data(0), \"%p\", &place);\n"
+          "    *(int*)place = 99;");
+  ASSERT_EQ(folder.Build().status, 0);
+  const auto run = [&](const std::vector<std::string>& flags) {
+    std::vector<std::string> words = {"run",    "--stick", folder.File("MS"), "--for",     "100ms",
+                                      "--rate", "max",     "--no-panel",      "--rc-port", "0"};
+    words.insert(words.end(), flags.begin(), flags.end());
+    return RunProgram(words);
+  };
+  const ProgramResult together = run({});
+  EXPECT_EQ(together.status, 0) << together.err;
+  EXPECT_THAT(together.err, HasSubstr("victim is 99"));
+  const ProgramResult apart = run({"--isolate", "receiver"});
+  EXPECT_EQ(apart.status, 1);
+  EXPECT_THAT(apart.err, ContainsRegex("error: receiver .*crash: SIGSEGV \\(an address that is not "
+                                       "the object's\\).*Receiver::Notify.*Receiver.cc:[0-9]+"));
+  EXPECT_THAT(apart.err, HasSubstr("victim is 1"));
+  EXPECT_THAT(apart.err, Not(HasSubstr("victim is 99")));
 }
 
 TEST(BuiltFaultsTest, ANaNNamesTheLine) {
