@@ -97,8 +97,13 @@ void ReportPrintedNaN(const char* format, va_list arguments) {
   if (t_current.system == nullptr || t_current.object == nullptr) return;
   if (!PrintsNaN(format, arguments)) return;
   if (t_current.system->options().strict) {
-    const std::string what = fmt::format("a NaN was printed{} (exception 15)", AtCaller());
-    t_current.image_code = true;  // the crash is one of the object's code, not of the SDK
+    std::string what;
+    {
+      const ApiScope scope;
+      what = fmt::format("a NaN was printed{} (exception 15)", AtCaller());
+    }
+    // osysprint() has an ApiScope of its own.  The crash must count as one of the object's code.
+    t_current.image_code = true;
     StopAsTheRobotDoes(what);
   }
   const ApiScope scope;
