@@ -97,6 +97,15 @@ TEST_F(StandingTest, ATargetComputedFromTheMeasuredPositionDrifts) {
   EXPECT_LT(harness_.AngleDegrees("neck_tilt"), before_deg - 10);
 }
 
+// field-notes.md 7.11.  Without enough of an integral gain a load leaves an error that does not go
+// away.  The offset that each real robot has beside that is not modelled.
+TEST_F(StandingTest, AJointUnderLoadStaysBesideItsSetPoint) {
+  harness_.Hold(3);
+  const double wanted_deg = Degrees(harness_.Command("neck_tilt").target_rad);
+  EXPECT_LT(harness_.AngleDegrees("neck_tilt"), wanted_deg - 0.1);
+  EXPECT_GT(harness_.AngleDegrees("neck_tilt"), wanted_deg - 2);
+}
+
 TEST_F(StandingTest, HeadPanRampedTo30DegreesSettlesWithinTwo) {
   harness_.commands[1].target_rad = 0;
   std::vector<double> to_rad = harness_.Posture("stand");
