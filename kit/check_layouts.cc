@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <regex>
 #include <string>
 
@@ -112,6 +113,25 @@ std::string DifferenceOf(const End& sender, const End& receiver) {
   return "";
 }
 
+// The size from which an array as a member is worth a note.  Sony's first compiler crashed at one
+// of 2 MB (field-notes.md, 3.9).
+constexpr uint64_t kLargeMemberBytes = 2'000'000;
+
+// Notes each member of the object's class that is an array too large for Sony's first compiler.
+void NoteLargeMembers(const BuiltObject& object, Remarks* remarks) {
+  const std::string& name = object.folder->class_name;
+  const auto layout = name.empty() ? std::nullopt : LayoutIn(object.image, name);
+  if (!layout) return;
+  for (const StructLayout::Member& member : layout->members) {
+    if (!member.is_array || member.bytes < kLargeMemberBytes) continue;
+    remarks->Note(object.folder->folder,
+                  fmt::format("'{}' in class {} has {} bytes: the compiler of the first SDKs "
+                              "crashed at such a member (field-notes.md 3.9); make the array with "
+                              "new",
+                              member.name, name, member.bytes));
+  }
+}
+
 class LayoutCheck {
  public:
   LayoutCheck(const StickImages& images, const ObjectParts& parts, Remarks* remarks)
@@ -194,6 +214,7 @@ void CheckLayouts(const ConnectConfig& wires, const StickImages& images, const O
                   Remarks* remarks) {
   LayoutCheck check(images, parts, remarks);
   for (const ConnectRecord& record : wires.connections) check.Check(record);
+  for (const BuiltObject& object : images.built) NoteLargeMembers(object, remarks);
 }
 
 }  // namespace openr_host

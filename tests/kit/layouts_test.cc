@@ -154,5 +154,16 @@ TEST_F(LayoutsTest, AnImageWithoutDebugInformationIsNoWarning) {
   EXPECT_THAT(Checked(), Not(HasSubstr("same struct")));
 }
 
+// field-notes.md 3.9.  The robot has room for the array; the compiler of the time had not.
+TEST_F(LayoutsTest, AMemberArrayOfTwoMegabytesIsANote) {
+  Declare("Talker", kBoth);
+  Declare("Listener", kBoth);
+  Replace("Talker/Talker.h", "private:", "private:\n    char pictures_[2000000];\n");
+  EXPECT_THAT(Built(), HasSubstr("Talker: note: 'pictures_' in class Talker has 2000000 bytes: the "
+                                 "compiler of the first SDKs crashed at such a member"));
+  Replace("Talker/Talker.h", "[2000000]", "[1999999]");
+  EXPECT_THAT(Built(), Not(HasSubstr("crashed at such a member")));
+}
+
 }  // namespace
 }  // namespace openr_host
