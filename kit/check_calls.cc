@@ -224,6 +224,9 @@ void CheckExtraEntries(const StubConfig& config, const std::vector<SourceOfObjec
                        const std::string& code, Remarks* remarks) {
   // Send() and OServiceEntry() take the object's own id and the selector, in this order.
   static const std::regex kSelector("\\bmyOID_[ \t\r\n]*,[ \t\r\n]*(entry(\\w+))[ \t\r\n]*[,)]");
+  // Looks for definitions in the rest of the code, because the comma before a selector looks like
+  // one in a list that defines constants.
+  const std::string rest = std::regex_replace(code, kSelector, "");
   for (const SourceOfObject& source : sources) {
     const std::string own = WithoutConditionalCode(WithoutComments(source.text));
     for (std::sregex_iterator it(own.begin(), own.end(), kSelector), end; it != end; ++it) {
@@ -231,7 +234,7 @@ void CheckExtraEntries(const StubConfig& config, const std::vector<SourceOfObjec
       const bool is_extra =
           std::any_of(config.extras.begin(), config.extras.end(),
                       [&](const StubExtra& extra) { return extra.function == function; });
-      if (!is_extra || MayDefine(code, index)) continue;
+      if (!is_extra || MayDefine(rest, index)) continue;
       remarks->AddConsequence(
           Remark::Kind::kWarning,
           PlaceAt(source.file, source.text, static_cast<size_t>(it->position(1))), "entry " + index,

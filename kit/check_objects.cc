@@ -77,8 +77,9 @@ class ObjectCheck {
     CheckFunctions(stub.config);
     CheckRegistration(stub.config);
     const std::vector<SourceOfObject> sources = CompiledSources();
-    CheckServiceIndices(stub.config, sources, code_ + OtherDefinitions(), remarks_);
-    CheckExtraEntries(stub.config, sources, code_, remarks_);
+    const std::string code = code_ + OtherDefinitions();
+    CheckServiceIndices(stub.config, sources, code, remarks_);
+    CheckExtraEntries(stub.config, sources, code, remarks_);
   }
 
   // Returns the sources in the object's folder that are compiled.  If Makefiles name some of them,
@@ -95,15 +96,18 @@ class ObjectCheck {
     return sources;
   }
 
-  // Returns the text of files that may define sbjX or obsX beside stub.cfg: each def.h that
-  // somebody wrote by hand, and the services of other files in the form of stub.cfg, of which a
-  // Makefile may make the stub instead.
+  // Returns the text of files that may define sbjX, obsX or entryX beside stub.cfg: each def.h and
+  // entry.h that somebody wrote by hand, and the services of other files in the form of stub.cfg,
+  // of which a Makefile may make the stub instead.
   std::string OtherDefinitions() const {
     static const std::regex kService(
         "Service[ \t]*:[ \t]*\"[ \t]*\\w+\\.(\\w+)\\.[^\"]*\\.([SO])\"");
     std::string text;
     for (const fs::path& file : FilesBelow(object_.folder)) {
-      if (file.filename() == "def.h" && !IsGeneratedDefinitions(parts_.TextOf(file)))
+      const std::string name = file.filename();
+      if (name == "def.h" && !IsGeneratedDefinitions(parts_.TextOf(file)))
+        text += WithoutComments(parts_.TextOf(file)) + "\n";
+      if (name == "entry.h" && !HasWord(parts_.TextOf(file), "Extra_Entry"))
         text += WithoutComments(parts_.TextOf(file)) + "\n";
       if (LowerCase(file.extension()) != ".cfg" || file == object_.stub) continue;
       const std::string& config = parts_.TextOf(file);

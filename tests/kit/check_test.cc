@@ -302,6 +302,9 @@ TEST(CheckTest, AnEntryThatIsGivenInPlaceOfItsSelectorIsNamed) {
         "    listen.Send(ipstack, myOID_, entryOther, sizeof(listen));"}) {
     EXPECT_THAT(check("", good), HasSubstr("0 warnings")) << good;
   }
+  EXPECT_THAT(check("enum { entryOther, entryListenCont };\n",
+                    "    listen.Send(ipstack, myOID_, entryListenCont, sizeof(listen));"),
+              HasSubstr("0 warnings"));
   EXPECT_THAT(check("static const Selector entryListenCont = 8;\n",
                     "    listen.Send(ipstack, myOID_, entryListenCont, sizeof(listen));"),
               HasSubstr("0 warnings"));
