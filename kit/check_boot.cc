@@ -261,6 +261,7 @@ void BootCheck::CheckWriteProtection() {
   constexpr auto kAnyWrite =
       fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
   for (const char* folder : {"OPEN-R/MW/CONF", "OPEN-R/SYSTEM/CONF"}) {
+    if (On(folder).empty()) continue;
     std::vector<std::string> names;
     for (const fs::path& file : FilesBelow(On(folder))) {
       std::error_code error;

@@ -208,6 +208,17 @@ TEST(CheckTest, OddValuesAndEqualNamesInOcfFilesAreFound) {
   EXPECT_THAT(text, Says("sender.ocf:1:", "an object is named 'chat'"));
 }
 
+// field-notes.md, 3.7: both numbers were made larger at every crash.
+TEST(CheckTest, AHeapStepThatTheRobotHasNoRoomForIsFound) {
+  const KitFolder folder("makefile");
+  folder.Write("Sender/sender.ocf", "object sender 3072 33554432 128 cache tlb user\n");
+  EXPECT_THAT(Checked(folder, 0), Says("sender.ocf:1:",
+                                       "warning: the heap grows by 33554432 bytes at a time, the "
+                                       "robot has 32 MB in all"));
+  folder.Write("Sender/sender.ocf", "object sender 65536 1048576 128 cache tlb user\n");
+  EXPECT_THAT(Checked(folder, 0), HasSubstr("0 warnings"));
+}
+
 TEST(CheckTest, NamesThatNoStickHoldsAreFoundOnItAndInSources) {
   const KitFolder folder("makefile");
   folder.Write("MS/OPEN-R/MW/DATA/P/motions-of-today.mtn", "");
