@@ -238,8 +238,8 @@ void BootCheck::CheckNetwork() {
   }
 }
 
-// Notes a stick for a robot with a network that no object on it writes to: then each change of a
-// file means to take out the stick.
+// Notes a stick with a network on which no known object takes files over the network, because each
+// change of a file then means to take the stick out of the robot.
 void BootCheck::CheckUploads() {
   if (summary_.base.empty() || summary_.base == "BASIC") return;
   const fs::path file = On("OPEN-R/MW/CONF/OBJECT.CFG");

@@ -79,7 +79,7 @@ bool HasOwn(const std::string& code, const std::string& name) {
   return false;
 }
 
-// Returns whether the call at `at` is one of a member, such as clock.time(0).
+// Returns whether the call at `at` is a call of a member function, such as clock.time(0).
 bool IsMemberCall(std::string_view code, size_t at) {
   const size_t last = PreviousOf(code, at);
   return last != kNone && (code[last] == '.' || code.substr(last - (last > 0), 2) == "->");
@@ -135,10 +135,10 @@ class CallCheck {
                              std::move(text));
   }
 
-  // Finds OSYSPRINT("text") for OSYSPRINT(("text")).  The compiler says of it what the macro
-  // became, which does not lead a beginner to the second pair of brackets.  OSYSDEBUG and OSYSLOG
-  // may be switched off: then one text in brackets does no harm, so only those with a comma are
-  // mistakes.
+  // Finds OSYSPRINT("text") for OSYSPRINT(("text")).  The compiler complains about the code that
+  // the macro became, and this does not lead a beginner to the second pair of brackets.  OSYSDEBUG
+  // and OSYSLOG may be switched off: then one text in brackets does no harm, so only those with a
+  // comma are mistakes.
   void CheckBrackets() {
     static const std::regex kMacro("\\b(OSYSPRINT|OSYSDEBUG|OSYSLOG[1-4])[ \t]*\\(");
     for (std::sregex_iterator it(code_.begin(), code_.end(), kMacro), end; it != end; ++it) {

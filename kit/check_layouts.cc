@@ -113,11 +113,11 @@ std::string DifferenceOf(const End& sender, const End& receiver) {
   return "";
 }
 
-// The size from which an array as a member is worth a note.  Sony's first compiler crashed at one
-// of 2 MB (field-notes.md, 3.9).
+// The size from which a member that is an array gets a note.  The compiler of the first SDKs
+// crashed at a member of 2 MB (field-notes.md, 3.9).
 constexpr uint64_t kLargeMemberBytes = 2'000'000;
 
-// Notes each member of the object's class that is an array too large for Sony's first compiler.
+// Notes each member of the object's class that is an array of kLargeMemberBytes or more.
 void NoteLargeMembers(const BuiltObject& object, Remarks* remarks) {
   const std::string& name = object.folder->class_name;
   const auto layout = name.empty() ? std::nullopt : LayoutIn(object.image, name);

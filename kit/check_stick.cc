@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 // the address 127.0.0.1, so a line of a configuration file with the old address gets a note.
 constexpr char kRobotOfThatTime[] = "10.0.1.100";
 
-// The name on the box of a robot whose programs and files have to call it ERS-7.
+// The name under which a robot was sold that calls itself ERS-7.  No section may have this name.
 constexpr char kNoDesign[] = "ERS-7M2";
 
 constexpr char kWlanFile[] = "WLANCONF.TXT";
@@ -254,7 +254,7 @@ void StickCheck::CheckSection(const std::string& section, const FilePosition& pl
                                        kNoDesign));
 }
 
-// Finds records for a robot that has another name than its owners give it.
+// Finds records in a section for the ERS-7M2.  No robot reads such a section.
 void StickCheck::CheckSections() {
   for (const ObjectRecord& record : stick_.objects) CheckSection(record.section, record.place);
   for (const ConnectRecord& record : wires_.connections)
