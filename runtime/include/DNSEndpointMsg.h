@@ -42,8 +42,8 @@ struct DNSEndpointSetServerAddressesMsg : public DNSEndpointBaseMsg {
 };
 
 struct DNSEndpointGetServerAddressesMsg : public DNSEndpointBaseMsg {
-  int32 nscount;              // output
-  IPAddress addrList[MAXNS];  // output
+  int32 nscount;              // set in the answer
+  IPAddress addrList[MAXNS];  // set in the answer
 
   DNSEndpointGetServerAddressesMsg();
   explicit DNSEndpointGetServerAddressesMsg(antModuleRef& module);
@@ -57,7 +57,7 @@ struct DNSEndpointSetDefaultDomainNameMsg : public DNSEndpointBaseMsg {
 };
 
 struct DNSEndpointGetDefaultDomainNameMsg : public DNSEndpointBaseMsg {
-  char name[MAXDNAME];  // output
+  char name[MAXDNAME];  // set in the answer
 
   DNSEndpointGetDefaultDomainNameMsg();
   explicit DNSEndpointGetDefaultDomainNameMsg(antModuleRef& module);
@@ -66,22 +66,22 @@ struct DNSEndpointGetDefaultDomainNameMsg : public DNSEndpointBaseMsg {
 // Asks for the addresses of a host.  On failure n_address is 0 and name keeps its value; the same
 // holds for DNSEndpointGetHostByAddrMsg.
 struct DNSEndpointGetHostByNameMsg : public DNSEndpointBaseMsg {
-  char name[MAXDNAME];       // output: the official name
-  IPAddress server_address;  // output: the server that answered
-  IPAddress host_address;    // output: the first address
-  int32 n_address;           // output: number of addresses
-  int32 n_alias;             // output: number of aliases
+  char name[MAXDNAME];       // in the answer: the official name
+  IPAddress server_address;  // in the answer: the server that answered
+  IPAddress host_address;    // in the answer: the first address
+  int32 n_address;           // in the answer: number of addresses
+  int32 n_alias;             // in the answer: number of aliases
 
   DNSEndpointGetHostByNameMsg();
   DNSEndpointGetHostByNameMsg(antModuleRef& module, const char* host);
 };
 
 struct DNSEndpointGetHostByAddrMsg : public DNSEndpointBaseMsg {
-  char name[MAXDNAME];       // output
-  IPAddress server_address;  // output
+  char name[MAXDNAME];       // set in the answer
+  IPAddress server_address;  // set in the answer
   IPAddress host_address;
-  int32 n_address;  // output
-  int32 n_alias;    // output
+  int32 n_address;  // set in the answer
+  int32 n_alias;    // set in the answer
 
   DNSEndpointGetHostByAddrMsg();
   DNSEndpointGetHostByAddrMsg(antModuleRef& module, IPAddress address);
@@ -91,7 +91,7 @@ struct DNSEndpointGetHostByAddrMsg : public DNSEndpointBaseMsg {
 // DNS_INDEX_INVALID if no address has this index.
 struct DNSEndpointGetAddressMsg : public DNSEndpointBaseMsg {
   int32 index;
-  IPAddress address;  // output
+  IPAddress address;  // set in the answer
 
   DNSEndpointGetAddressMsg();
   DNSEndpointGetAddressMsg(antModuleRef& module, int number);
@@ -101,7 +101,7 @@ struct DNSEndpointGetAddressMsg : public DNSEndpointBaseMsg {
 // official name.
 struct DNSEndpointGetAliasMsg : public DNSEndpointBaseMsg {
   int32 index;
-  char name[MAXDNAME];  // output
+  char name[MAXDNAME];  // set in the answer
 
   DNSEndpointGetAliasMsg();
   DNSEndpointGetAliasMsg(antModuleRef& module, int number);

@@ -21,10 +21,11 @@ struct EtherDriverGetStatisticsMsg {
 
 // ---- messages to the driver
 //
-// On the robot only the network stack sends them; applications cannot, and the host has no driver.
-// They are declared because sources name them.
+// On the robot only the network stack sends these messages; applications cannot, and the host has
+// no driver.  The messages are declared because sources name them.
 
-typedef longword EtherClientHandle;  // given by RegisterClient
+// The number of a client, which the driver gives when the client registers.
+typedef longword EtherClientHandle;
 
 struct EtherDeviceInfo {
   longword nrPorts;
@@ -32,13 +33,13 @@ struct EtherDeviceInfo {
 };
 
 struct EtherDriverGetDeviceInfoMsg {
-  EtherDeviceInfo deviceInfo;  // output
+  EtherDeviceInfo deviceInfo;  // set by the driver
   EtherStatus status;
 };
 
 struct EtherDriverGetDeviceModeMsg {
   longword port;
-  EtherDeviceMode mode;  // output
+  EtherDeviceMode mode;  // set by the driver
   EtherStatus status;
 };
 
@@ -57,11 +58,11 @@ struct EtherDriverSetMACAddressMsg {
 struct EtherDriverRegisterClientMsg {
   longword port;
   OID client;
-  longword txmitNotification;  // selectors of the client
+  longword txmitNotification;  // selector of the client's entry for reports about sent frames
   longword rcvNotification;
-  void* cookie;               // a value of the client, which every notification contains
-  unsigned int txmitBufSize;  // bytes
-  unsigned int rcvBufSize;    // bytes
+  void* cookie;               // a value of the client, which the driver repeats in every report
+  unsigned int txmitBufSize;  // in bytes
+  unsigned int rcvBufSize;    // in bytes
   EtherClientHandle clientHandle;
   EtherFrameBufferID bufferID;
   EtherStatus status;

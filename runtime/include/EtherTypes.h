@@ -36,7 +36,7 @@ std::ostream& operator<<(std::ostream& out, EtherStatus status);
 
 // An Ethernet address, 6 bytes in the order in which they are sent.
 struct EtherMACAddress {
-  // The same address as three words.
+  // The same six octets as three words.
   struct Opt {
     word w1;
     word w2;
@@ -90,7 +90,7 @@ struct EtherMACAddress {
 // Writes the address in the form "02:00:00:00:00:01".
 std::ostream& operator<<(std::ostream& out, const EtherMACAddress& address);
 
-// A value of ether_type; the high byte is sent first.
+// The protocol in a frame: a value of the field ether_type, whose high byte is sent first.
 typedef word EtherProtocolType;
 
 enum EtherFrameType {  // the name of the type is our choice
@@ -117,13 +117,13 @@ struct ether_802_3_header {
   word ether_type;
 };
 
-// The memory that a client shares with the driver; not used on the host.
+// The shared memory through which the driver and a client pass frames; not used on the host.
 struct EtherFrameBufferID {
   MemoryRegionID rcvID;
-  unsigned int rcvsize;  // bytes
+  unsigned int rcvsize;  // in bytes
   void* rcvbase;
   MemoryRegionID txID;
-  unsigned int txsize;  // bytes
+  unsigned int txsize;  // in bytes
   void* txbase;
 };
 
@@ -200,7 +200,7 @@ enum EtherWLANSensitivity {
 };
 
 struct EtherWLANStatistics {
-  uint8 link;  // %
+  uint8 link;  // in %
   uint8 signal;
   uint8 noise;
   uint32 invalidIDCount;

@@ -58,7 +58,7 @@ struct IPEndpointBindMsg : public IPEndpointBaseMsg {
 struct IPEndpointSendMsg : public IPEndpointBaseMsg {
   IPPacketType type;
   byte* buffer;  // must point into a shared buffer
-  int size;      // bytes
+  int size;      // in bytes
 
   IPEndpointSendMsg()
       : IPEndpointBaseMsg(IPEndpoint_Operation_Send), type(IP_DATA), buffer(0), size(0) {}
@@ -70,9 +70,9 @@ struct IPEndpointSendMsg : public IPEndpointBaseMsg {
 };
 
 struct IPEndpointReceiveMsg : public IPEndpointBaseMsg {
-  IPPacketType type;  // output
+  IPPacketType type;  // set in the answer
   byte* buffer;       // must point into a shared buffer
-  int size;           // bytes
+  int size;           // in bytes
 
   IPEndpointReceiveMsg()
       : IPEndpointBaseMsg(IPEndpoint_Operation_Receive), type(IP_DATA), buffer(0), size(0) {}

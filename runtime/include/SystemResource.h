@@ -10,10 +10,10 @@ const sResource rUNDEF = 0;
 const sResource SystemCommonResourceBase = 0;
 const sResource SystemResourceBase = 10;
 
-const sResource rMAXMESSAGESIZE = 10;  // bytes of one message
-const sResource rMAXQUEUESIZE = 11;    // waiting messages; 32 unless changed
-const sResource rMAXEVENT = 12;        // events that are not cancelled
-const sResource rMAXENTRIES = 13;      // selectors; always 64
+const sResource rMAXMESSAGESIZE = 10;  // the limit for the size of a message, in bytes
+const sResource rMAXQUEUESIZE = 11;    // the limit for waiting messages; 32 unless changed
+const sResource rMAXEVENT = 12;        // the limit for ordered events that are still pending
+const sResource rMAXENTRIES = 13;      // the limit for entries; always 64
 const sResource rMAXSWITCHNUMOFS = 14;
 
 // The number of values reserved for limits.

@@ -109,7 +109,7 @@ struct TCPEndpointConnectMsg : public TCPEndpointBaseMsg {
 // has received them.
 struct TCPEndpointSendMsg : public TCPEndpointBaseMsg {
   byte* buffer;  // must point into a shared buffer and must not be changed before the answer
-  int size;      // bytes
+  int size;      // in bytes
   int16 queueNr;
 
   TCPEndpointSendMsg()
@@ -192,7 +192,7 @@ struct TCPEndpointSetBlockingModeMsg : public TCPEndpointBaseMsg {
 };
 
 struct TCPEndpointReadyForReadMsg : public TCPEndpointBaseMsg {
-  boolean ready;  // output
+  boolean ready;  // set in the answer
   int16 queueNr;
 
   TCPEndpointReadyForReadMsg()
@@ -204,7 +204,7 @@ struct TCPEndpointReadyForReadMsg : public TCPEndpointBaseMsg {
 };
 
 struct TCPEndpointReadyForWriteMsg : public TCPEndpointBaseMsg {
-  boolean ready;  // output
+  boolean ready;  // set in the answer
   int16 queueNr;
 
   TCPEndpointReadyForWriteMsg()

@@ -79,7 +79,7 @@ struct UDPEndpointSendMsg : public UDPEndpointBaseMsg {
   IPAddress address;
   Port port;
   byte* buffer;  // must point into a shared buffer
-  int size;      // bytes
+  int size;      // in bytes
 
   UDPEndpointSendMsg()
       : UDPEndpointBaseMsg(UDPEndpoint_Operation_Send), address(0), port(0), buffer(0), size(0) {}
@@ -103,7 +103,7 @@ struct UDPEndpointReceiveMsg : public UDPEndpointBaseMsg {
   IPAddress address;
   Port port;
   byte* buffer;  // must point into a shared buffer
-  int size;      // bytes
+  int size;      // in bytes
 
   UDPEndpointReceiveMsg()
       : UDPEndpointBaseMsg(UDPEndpoint_Operation_Receive),
@@ -141,7 +141,7 @@ struct UDPEndpointSetBlockingModeMsg : public UDPEndpointBaseMsg {
 };
 
 struct UDPEndpointReadyForReadMsg : public UDPEndpointBaseMsg {
-  boolean ready;  // output
+  boolean ready;  // set in the answer
 
   UDPEndpointReadyForReadMsg()
       : UDPEndpointBaseMsg(UDPEndpoint_Operation_ReadyForRead), ready(FALSE) {}
@@ -150,7 +150,7 @@ struct UDPEndpointReadyForReadMsg : public UDPEndpointBaseMsg {
 };
 
 struct UDPEndpointReadyForWriteMsg : public UDPEndpointBaseMsg {
-  boolean ready;  // output
+  boolean ready;  // set in the answer
 
   UDPEndpointReadyForWriteMsg()
       : UDPEndpointBaseMsg(UDPEndpoint_Operation_ReadyForWrite), ready(FALSE) {}

@@ -12,7 +12,7 @@
 // The argument type of an entry that receives answers: void ReceiveCont(ANTENVMSG msg).
 #define ANTENVMSG void*
 
-// Entries of the stack object.
+// The selectors of the entries of the network stack.
 const Selector Entry_antEnv_Initialize = 0;
 const Selector Entry_antEnv_HartBeat = 1;
 const Selector Entry_antEnv_External = 2;
@@ -35,11 +35,11 @@ struct antEnvMsgContInfo {
 // functions.
 class antEnvMsg {
  public:
-  Selector dstSelector;    // Entry_antEnv_...
-  antModuleRef dstModule;  // the endpoint; null: the stack itself
+  Selector dstSelector;    // a constant Entry_antEnv_...
+  antModuleRef dstModule;  // the endpoint; a null reference means the stack itself
   int32 dstOperation;
   OID sender;
-  int32 msgSize;  // the size given to Send or Call, which may be wrong
+  int32 msgSize;  // the size that the sender gave to Send() or Call(), which may be wrong
   antEnvInvocationType invocationType;
   antEnvMsgContInfo contInfo;
   void* continuation;  // a value of the sender, unchanged in the answer
@@ -80,7 +80,7 @@ class antEnvMsg {
 template <class Error>
 class antOperationMsg : public antEnvMsg {
  public:
-  Error error;  // output; valid in the answer only
+  Error error;  // set in the answer
 
   explicit antOperationMsg(int32 operation) : antEnvMsg(operation), error(static_cast<Error>(1)) {}
   antOperationMsg(const antModuleRef& module, int32 operation)

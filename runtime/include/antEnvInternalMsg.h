@@ -5,12 +5,12 @@
 #include <antEnvBaseMsg.h>
 #include <antSharedBuffer.h>
 
-// Operations of Entry_antEnv_External.
+// Values of dstOperation in messages to the entry Entry_antEnv_External.
 const int32 antEnv_Operation_CreateEndpoint = -1;
 const int32 antEnv_Operation_CreateSharedBuffer = -2;
 const int32 antEnv_Operation_DestroySharedBuffer = -3;
 
-// Operations of Entry_antEnv_Initialize.
+// Values of dstOperation in messages to the entry Entry_antEnv_Initialize.
 const int32 antEnv_Operation_InitSetParam = -1;
 const int32 antEnv_Operation_InitStart = -2;
 const int32 antEnv_Operation_InitGetParam = -3;
@@ -24,9 +24,9 @@ const int32 antEnv_InitParam_String = -2;
 
 // Makes an endpoint, which serves one connection.
 struct antEnvCreateEndpointMsg : public antOperationMsg<antError> {
-  int32 protocol;          // EndpointType_...
-  int32 poolSize;          // bytes for packets in the stack; must be more than the largest send
-  antModuleRef moduleRef;  // output: the endpoint
+  int32 protocol;  // a constant EndpointType_...
+  int32 poolSize;  // size in bytes of the memory for packets; must be more than the largest send
+  antModuleRef moduleRef;  // in the answer: the endpoint
 
   antEnvCreateEndpointMsg(int32 type = 0, int32 pool = 0)
       : antOperationMsg<antError>(antEnv_Operation_CreateEndpoint),
@@ -35,8 +35,8 @@ struct antEnvCreateEndpointMsg : public antOperationMsg<antError> {
 };
 
 struct antEnvCreateSharedBufferMsg : public antOperationMsg<antError> {
-  uint32 size;             // bytes
-  antSharedBuffer buffer;  // output
+  uint32 size;             // in bytes
+  antSharedBuffer buffer;  // set in the answer
 
   antEnvCreateSharedBufferMsg(uint32 bytes = 0)
       : antOperationMsg<antError>(antEnv_Operation_CreateSharedBuffer), size(bytes) {}
@@ -59,10 +59,10 @@ union antEnvParamValue {
 
 // Asks for a parameter by name; "ETHER_IP" gives the robot's address as text.
 struct antEnvInitGetParamMsg : public antEnvMsg {
-  int32 paramType;  // output: antEnv_InitParam_...
+  int32 paramType;  // in the answer: a constant antEnv_InitParam_...
   char key[ANTENV_KEY_LENGTH_MAX];
-  antEnvParamValue value;  // output
-  antError error;          // output
+  antEnvParamValue value;  // set in the answer
+  antError error;          // set in the answer
 
   antEnvInitGetParamMsg();
   antEnvInitGetParamMsg(const char* name);
@@ -74,10 +74,10 @@ struct antEnvInitGetParamMsg : public antEnvMsg {
 
 // Sets a parameter; allowed to system objects only.
 struct antEnvInitSetParamMsg : public antEnvMsg {
-  int32 paramType;  // antEnv_InitParam_...
+  int32 paramType;  // a constant antEnv_InitParam_...
   char key[ANTENV_KEY_LENGTH_MAX];
   antEnvParamValue value;
-  antError error;  // output
+  antError error;  // set in the answer
 
   antEnvInitSetParamMsg();
   antEnvInitSetParamMsg(const char* name, int32 number);
@@ -90,7 +90,7 @@ struct antEnvInitSetParamMsg : public antEnvMsg {
 
 // Starts the stack; allowed to system objects only.
 struct antEnvInitStartMsg : public antEnvMsg {
-  antError error;  // output
+  antError error;  // set in the answer
 
   antEnvInitStartMsg();
   antError Reply(antError e) {

@@ -21,7 +21,7 @@ class antModuleRef {
   }
   bool operator!=(const antModuleRef& other) const { return !(*this == other); }
 
-  // Prints a line such as "module 3" on the console, without the pointer.
+  // Prints a line such as "module 3" on the console.  Only `index` is printed, not the pointer.
   void Print() const;
 };
 

@@ -32,7 +32,7 @@ class antSharedBuffer {
  private:
   MemoryRegionID region_;
   void* base_;     // set by Map()
-  uint32 size_;    // bytes
+  uint32 size_;    // in bytes
   uint32 cookie_;  // the stack's number of the buffer
 };
 

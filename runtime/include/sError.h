@@ -24,7 +24,7 @@ const sError sFULLMSGQENTRY = 13;  // the receiver already has 32 messages waiti
 const sError sFULLMSGQENT = sFULLMSGQENTRY;
 const sError sFULLMSGPOOL = 14;
 const sError sEXCEEDEDSIZEOFMSG = 15;
-const sError sEXCEEDEDSIZEOFENTRYTABLE = 16;  // no such selector at the receiver
+const sError sEXCEEDEDSIZEOFENTRYTABLE = 16;  // the receiver has no entry for the selector
 const sError sTIDCANNOTBECREATED = 17;
 const sError sRBOXCANNOTBECREATED = sTIDCANNOTBECREATED;
 const sError sINVALIDRID = 18;
@@ -59,7 +59,7 @@ const sError sSHMPERMISSIONDENIED = sPERMISSIONDENIEDSHAREDMEM;
 
 const sError sNOTIMERAVAILABLE = 80;
 
-const sError sNOMODULE = 90;  // an object file of OBJECT.CFG is missing
+const sError sNOMODULE = 90;  // an image that OBJECT.CFG names is missing
 const sError sBADFORMATMODULE = 91;
 const sError sBADCONFIGMODULE = 92;
 const sError sOBLETNOTFOUND = 93;

@@ -13,19 +13,19 @@ class ArrayStack {
   explicit ArrayStack(int maxSize) : element_(new T[maxSize]), max_size_(maxSize), size_(0) {}
   ~ArrayStack() { delete[] element_; }
 
-  // Returns otlOVERFLOW if the stack is full.
+  // Puts `value` on the top.  Returns otlOVERFLOW if the stack is full.
   OTLStatus Push(const T& value) {
     if (size_ == max_size_) return otlOVERFLOW;
     element_[size_++] = value;
     return otlSUCCESS;
   }
-  // Returns otlUNDERFLOW if the stack is empty.
+  // Removes the element on the top.  Returns otlUNDERFLOW if the stack is empty.
   OTLStatus Pop() {
     if (size_ == 0) return otlUNDERFLOW;
     size_--;
     return otlSUCCESS;
   }
-  // Returns the element pushed last.  REQUIRES: GetSize() > 0.
+  // Returns the element on the top, which was pushed last.  REQUIRES: GetSize() > 0.
   T& Top() { return element_[size_ - 1]; }
 
   void Clear() { size_ = 0; }

@@ -10,7 +10,7 @@ class ODeque {
  public:
   ODeque() : element_(), start_(0), size_(0), none_() {}
 
-  // Return otlOVERFLOW if the queue is full.
+  // Add an element at the end or at the beginning; return otlOVERFLOW if the queue is full.
   OTLStatus PushBack(const T& value) {
     if (size_ == MaxSize) return otlOVERFLOW;
     element_[Place(size_)] = value;
@@ -25,7 +25,7 @@ class ODeque {
     return otlSUCCESS;
   }
 
-  // Return otlUNDERFLOW if the queue is empty.
+  // Remove the first or the last element; return otlUNDERFLOW if the queue is empty.
   OTLStatus PopFront() {
     if (size_ == 0) return otlUNDERFLOW;
     start_ = Place(1);
@@ -48,7 +48,7 @@ class ODeque {
   int GetMaxSize() const { return MaxSize; }
 
  private:
-  // Returns the index of the element that is `distance` behind the first.
+  // Returns the index in the array of the element that is `distance` places behind the first one.
   int Place(int distance) const { return (start_ + distance) % MaxSize; }
   T& None() { return none_ = T(); }
 

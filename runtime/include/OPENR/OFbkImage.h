@@ -34,7 +34,7 @@ class OFbkImage {
   bool IsValid() const { return pointer_ != 0; }
 
   byte* Pointer() const { return pointer_; }  // first pixel of the top row
-  int Width() const { return width_; }        // pixels
+  int Width() const { return width_; }        // in pixels
   int Height() const { return height_; }
   int Skip() const { return skip_; }  // bytes from the end of a row to the next row
 

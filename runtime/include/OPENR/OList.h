@@ -54,11 +54,11 @@ class OList {
 
   OList() : none_() { Clear(); }
 
-  // Return otlOVERFLOW if the list is full.
+  // Add an element at the beginning or at the end; return otlOVERFLOW if the list is full.
   OTLStatus PushFront(const T& value) { return InsertBefore(node_[END].next, value); }
   OTLStatus PushBack(const T& value) { return InsertBefore(END, value); }
 
-  // Return otlUNDERFLOW if the list is empty.
+  // Remove the first or the last element; return otlUNDERFLOW if the list is empty.
   OTLStatus PopFront() { return size_ == 0 ? otlUNDERFLOW : Remove(node_[END].next); }
   OTLStatus PopBack() { return size_ == 0 ? otlUNDERFLOW : Remove(node_[END].prev); }
 

@@ -9,7 +9,7 @@
 
 struct OMemoryLocator {
   MemoryRegionID mid;  // 0xffffffff: invalid (our choice, no source gives the value)
-  u_int offset;        // bytes
+  u_int offset;        // in bytes
 
   OMemoryLocator() : mid(0xffffffff), offset(0) {}
   OMemoryLocator(MemoryRegionID id, u_int off) : mid(id), offset(off) {}

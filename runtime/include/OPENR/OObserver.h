@@ -46,7 +46,7 @@ class OObserver {
   int NumberOfSubjects() const;
   SubjectID FindSender(RCRegion* region) const;  // invalid unless this observer holds `region`
 
-  // Called by the stub.
+  // Called by the stub, the generated code of the object, when messages arrive.
   OStatus ConnectHandler(const OConnectMessage& msg, OStatus status = oSUCCESS);
   OStatus ConnectHandler(const OConnectMessage* msg, OStatus status = oSUCCESS) {
     return ConnectHandler(*msg, status);

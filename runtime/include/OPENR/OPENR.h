@@ -100,11 +100,11 @@ const OFatal ofatalORB = 2;
 
 // ---- limits of texts, in characters without the closing NUL
 
-const size_t oserviceNAME_MAX = 127;  // "Object.Name.DataType.S"
+const size_t oserviceNAME_MAX = 127;  // name of a service: "Object.Name.DataType.S"
 const size_t oobjectNAME_MAX = 63;    // object name in the .ocf file
 const size_t ovrNAME_MAX = 31;
 const size_t ovrPATH_MAX = 127;
-const size_t orobotdesignNAME_MAX = 31;     // "ERS-210"
+const size_t orobotdesignNAME_MAX = 31;     // name of a robot design: "ERS-210"
 const size_t odesignkeywordNAME_MAX = 127;  // keyword of DESIGNDB.CFG
 
 // ---- frames of 8 ms, one counter for commands, sensors, images and sound
@@ -135,19 +135,19 @@ const size_t oasyncReqID_MAX_SIZE = 32;
 // A key that lets several vectors start together; see OPENR::NewSyncKey().
 typedef longword OVRSyncKey;
 const OVRSyncKey ovrsynckeyUNDEF = 0xffffffff;
-const size_t ovrsynckeyMAX_NUM_KEY = 8;  // keys that exist at one time
+const size_t ovrsynckeyMAX_NUM_KEY = 8;  // largest number of keys that exist at one time
 const size_t ovrsynckeyMAX_SIZE = 8;
-const size_t ovrsynckeyMAX_NUM_DIVISION = 16;  // parts of one key
+const size_t ovrsynckeyMAX_NUM_DIVISION = 16;  // largest number of parts of one key
 
 typedef longword OVRRequest;
 const OVRRequest ovrreqUNDEF = 0xffffffff;
-const size_t ovrctrlPARAM_MAX_SIZE = 192;  // bytes
+const size_t ovrctrlPARAM_MAX_SIZE = 192;  // in bytes
 const size_t ovrctrlDEVICE_MAX = 32;
 
 // A request of OPENR::ControlPrimitive(); the values are in OPrimitiveControl.h.
 typedef longword OPrimitiveRequest;
 const OPrimitiveRequest oprmreqUNDEF = 0xffffffff;
-const size_t oprmctrlPARAM_MAX_SIZE = 176;  // bytes
+const size_t oprmctrlPARAM_MAX_SIZE = 176;  // in bytes
 
 // A position of the volume switch, from silent (0) to loud (3).
 typedef byte OVolumeSwitch;

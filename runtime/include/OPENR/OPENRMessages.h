@@ -196,7 +196,7 @@ struct ODesignKeywordMessage {
 struct ODesignDataMessage {
   OMessageType msgType;  // omsgDESIGN_DATA
   ODesignDataID dataID;
-  unsigned int size;  // bytes
+  unsigned int size;  // in bytes
   OStatus status;
 };
 
@@ -276,8 +276,8 @@ struct OBmnDataStreamMessage {
   OMessageType msgType;  // omsgBMN_DATA_STREAM
   byte dataType;
   MemoryRegionID memID;
-  longword offset;  // bytes
-  longword length;  // bytes
+  longword offset;  // in bytes
+  longword length;  // in bytes
   OServiceEntry entry;
 };
 

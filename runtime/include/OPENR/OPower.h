@@ -16,17 +16,17 @@ const OPower opowerON = true;
 // OPENR::ObservePowerStatus() it is a filter instead, as power_constants.h describes.
 class OPowerStatus {
  public:
-  longword robotStatus;       // orsb... bits
-  word batteryStatus;         // obsb... bits; the low four are an obsec... code
+  longword robotStatus;       // bits orsb... (power_constants.h)
+  word batteryStatus;         // bits obsb...; the low four bits are an error code obsec...
   word remainingCapacity;     // %, 0..100
   word temperature;           // temperature of the battery, 0.1 K
-  word fullyChargedCapacity;  // mAh
-  word voltage;               // mV
+  word fullyChargedCapacity;  // in mAh
+  word voltage;               // in mV
   sword current;              // mA; negative while discharging (inferred)
   sbyte timeDif;              // hours from UTC
   byte volume;                // 0..3
 
-  OPowerStatus();  // all zero
+  OPowerStatus();  // sets all fields to 0
   OPowerStatus(longword robotStat, word batteryStat, word remaining, word temp, word fullyCharged,
                word volt, sword cur, sbyte timeDifference, byte vol);
 
@@ -46,12 +46,12 @@ class OPowerStatus {
 // does no harm, because an OBootCondition is passed by reference only.
 class OBootCondition {
  public:
-  word bitmap;            // obcb... bits
+  word bitmap;            // bits obcb... (power_constants.h)
   time_t bootTime;        // in s, used with obcbBOOT_TIMER
   longword bootTimeType;  // obcbttRELATIVE or obcbttABSOLUTE
   byte vibrationLevel;    // used with obcbVIBRATION_DETECTED
 
-  OBootCondition();  // nothing boots the robot
+  OBootCondition();  // sets no condition, so nothing boots the robot
   OBootCondition(word bits);
   OBootCondition(word bits, time_t time, longword timeType);
   OBootCondition(word bits, time_t time, longword timeType, byte vibration);

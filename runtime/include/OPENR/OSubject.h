@@ -73,7 +73,7 @@ class OSubject {
   OStatus ClearBuffer(const OObserverInfo& info);
   OStatus ClearBuffer(const ObserverID& id);
 
-  // Called by the stub.
+  // Called by the stub, the generated code of the object, when messages arrive.
   OStatus ControlHandler(const OControlMessage& msg, OStatus status = oSUCCESS);
   OStatus ControlHandler(const OControlMessage* msg, OStatus status = oSUCCESS) {
     return ControlHandler(*msg, status);

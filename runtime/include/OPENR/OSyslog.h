@@ -21,7 +21,7 @@ const size_t osyslogMAX_SIZE = 243;
 
 // Prints a line such as "[oid:80000043,prio:1] text\n".
 OStatus osyslog(OSyslogPriority priority, const char* format, ...);
-// Prints only the text that `format` gives, without oid and priority.
+// Prints only the text that `format` gives, without the OID of the object and the priority.
 OStatus osysprint(const char* format, ...);
 
 #define OSYSPRINT(x) (osysprint x)

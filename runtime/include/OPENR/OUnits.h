@@ -4,15 +4,15 @@
 
 #include <Types.h>
 
-typedef slongword Length;           // 10^-6 m
-typedef slongword Mass;             // 10^-6 kg
-typedef slongword Angle;            // 10^-6 rad
-typedef slongword Temperature;      // 10^-6 degree Celsius
-typedef slongword Velocity;         // 10^-6 m/s
-typedef slongword Acceleration;     // 10^-6 m/s^2
-typedef slongword AngularVelocity;  // 10^-6 rad/s
-typedef slongword Force;            // 10^-6 N
-typedef slongword Percentage;       // 10^-6 %
+typedef slongword Length;           // in 10^-6 m
+typedef slongword Mass;             // in 10^-6 kg
+typedef slongword Angle;            // in 10^-6 rad
+typedef slongword Temperature;      // in 10^-6 degree Celsius
+typedef slongword Velocity;         // in 10^-6 m/s
+typedef slongword Acceleration;     // in 10^-6 m/s^2
+typedef slongword AngularVelocity;  // in 10^-6 rad/s
+typedef slongword Force;            // in 10^-6 N
+typedef slongword Percentage;       // in 10^-6 %
 
 // The angles pi, pi/2 and pi/4 in 10^-6 rad, truncated.
 const Angle oradiansPI = 3141592;

@@ -82,8 +82,8 @@ struct OReadyMessage {
 struct TransferedData {
   RCRegion* srcRCR;  // the subject's own RCRegion for the memory
   MemoryRegionID memID;
-  unsigned int offset;  // bytes
-  size_t size;          // bytes
+  unsigned int offset;  // in bytes
+  size_t size;          // in bytes
 };
 
 // Sent by a subject to an observer: a notification.
@@ -138,7 +138,7 @@ struct ONotifyMessageV10 {
 // shared memory.
 struct OChunkMSG {
   ObjcommDataType type;  // objcommDATA_TYPE_MSG
-  unsigned int size;     // bytes
+  unsigned int size;     // in bytes
   char data;             // the first byte
 };
 

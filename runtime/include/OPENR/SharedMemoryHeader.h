@@ -5,12 +5,12 @@
 
 #include <Types.h>
 
-// The block has 16 bytes on the robot, where ODataVectorInfo begins with the same four fields.
+// The header has 16 bytes on the robot, where ODataVectorInfo begins with the same four fields.
 struct SharedMemoryHeader {
   MemoryRegionID memID;
   void* physAddr;
   unsigned int offset;     // bytes from the start of the region
-  unsigned int totalSize;  // bytes
+  unsigned int totalSize;  // in bytes
 };
 typedef SharedMemoryHeader ShmHdr;
 

@@ -73,46 +73,46 @@ const OLED3Mode oled3_MODE_UNDEF = 0xffff;
 
 // ---- command structs, 8 bytes each; the system uses `reserved` while it plays the vector
 
-// odataJOINT_COMMAND2: the set point for one frame.
+// A command of the type odataJOINT_COMMAND2: the set point of a joint for one frame.
 struct OJointCommandValue2 {
-  slongword value;  // 10^-6 rad
+  slongword value;  // in 10^-6 rad
   slongword padding;
 };
 
-// odataJOINT_COMMAND3: ears of the ERS-210.
+// A command of the type odataJOINT_COMMAND3, for the ears of the ERS-210.
 struct OJointCommandValue3 {
   OJointValue3 value;
   word reserved;
   word padding;
 };
 
-// odataJOINT_COMMAND4: ears of the ERS-7.
+// A command of the type odataJOINT_COMMAND4, for the ears of the ERS-7.
 struct OJointCommandValue4 {
   OJointValue4 value;
-  word period;  // frames of 8 ms
+  word period;  // in frames of 8 ms
   word reserved;
 };
 
-// odataLED_COMMAND2: an LED that is on or off.
+// A command of the type odataLED_COMMAND2: switches an LED on or off.
 struct OLEDCommandValue2 {
   OLEDValue led;
-  word period;  // frames of 8 ms
+  word period;  // in frames of 8 ms
   word reserved;
 };
 
-// odataLED_COMMAND3: LEDs of the ERS-7 in face and back.
+// A command of the type odataLED_COMMAND3, for the LEDs in the face and back of the ERS-7.
 struct OLEDCommandValue3 {
   sword intensity;  // 0..255
   OLED3Mode mode;
-  word period;  // frames of 8 ms
+  word period;  // in frames of 8 ms
   word reserved;
 };
 
-// ---- older robots
+// ---- commands of older robots
 
-// odataJOINT_COMMAND: a set point with gains.
+// A command of the type odataJOINT_COMMAND: the set point and the gains of a joint.
 struct OJointCommandValue {
-  slongword value;  // 10^-6 rad
+  slongword value;  // in 10^-6 rad
   byte p;
   byte i;
   byte d;
@@ -126,14 +126,14 @@ struct OJointCommandValue {
   }
 };
 
-// The struct for the type odataLED_COMMAND.
+// A command of the type odataLED_COMMAND.
 struct OLEDCommandValue {
   OLEDValue led;
   word period;  // duration in units of 16 frames (128 ms)
   word padding;
 };
 
-// The requests and the struct for the type odataCAMERA_COMMAND.
+// Commands of the type odataCAMERA_COMMAND, and their requests.
 typedef word OCameraRequest;
 const OCameraRequest ocamreqAE_OFF = 0;
 const OCameraRequest ocamreqAE_ON = 1;
@@ -152,7 +152,7 @@ const byte ocamparamAWB_FL_MODE = 4;
 const byte ocamparamBOX1 = 1;
 const byte ocamparamBOX2 = 2;
 
-// The struct for the type odataRAW_JOINT_COMMAND.
+// A command of the type odataRAW_JOINT_COMMAND.
 struct ORawJointCommandValue {
   word signal;
   byte p;
@@ -168,13 +168,13 @@ struct ORawJointCommandValue {
   }
 };
 
-// The struct for the type odataRAW_JOINT_COMMAND2.
+// A command of the type odataRAW_JOINT_COMMAND2.
 struct ORawJointCommandValue2 {
   word signal;
   word padding[3];
 };
 
-// The struct for the type odataRAW_CAMERA_COMMAND.
+// A command of the type odataRAW_CAMERA_COMMAND.
 struct ORawCameraCommandValue {
   word signal;
   word padding[3];
@@ -182,7 +182,7 @@ struct ORawCameraCommandValue {
   void Set(word sig) { signal = sig; }
 };
 
-// The struct for the type odataRAW_LED_COMMAND.
+// A command of the type odataRAW_LED_COMMAND.
 struct ORawLEDCommandValue {
   word signal;
   word padding[3];

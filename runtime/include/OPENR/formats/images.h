@@ -1,4 +1,4 @@
-// Camera images in four layers, and the colour tables for the fourth.
+// Camera images in four layers, and the colour tables for the fourth layer.
 #ifndef OPENR_FORMATS_IMAGES_H_INCLUDED
 #define OPENR_FORMATS_IMAGES_H_INCLUDED
 
@@ -18,8 +18,8 @@ struct OFbkImageInfo {
   OPrimitiveID primitiveID;
   longword frameNumber;
   longword dataOffset;  // bytes from the start of the vector
-  longword dataSize;    // bytes
-  longword width;       // pixels
+  longword dataSize;    // in bytes
+  longword width;       // in pixels
   longword height;
   longword padding[1];
 };

@@ -59,37 +59,37 @@ struct OSensorFrameVectorData {
 // ---- samples, 16 bytes each
 
 struct OAcceleration {
-  slongword value;  // 10^-6 m/s^2
+  slongword value;  // in 10^-6 m/s^2
   word signal;
   word padding[5];
 };
 
 struct OAngularVelocity {
-  slongword value;  // 10^-6 rad/s
+  slongword value;  // in 10^-6 rad/s
   word signal;
   word padding[5];
 };
 
 struct OTemperature {
-  slongword value;  // 10^-6 degree Celsius
+  slongword value;  // in 10^-6 degree Celsius
   word signal;
   word padding[5];
 };
 
 struct OForce {
-  slongword value;  // 10^-6 N
+  slongword value;  // in 10^-6 N
   word signal;
   word padding[5];
 };
 
 struct OPressure {
-  slongword value;  // 10^-6 Pa
+  slongword value;  // in 10^-6 Pa
   word signal;
   word padding[5];
 };
 
 struct OLength {
-  slongword value;  // 10^-6 m
+  slongword value;  // in 10^-6 m
   word signal;
   word padding[5];
 };

@@ -7,14 +7,14 @@
 
 #include <OPENR/formats/vector_info.h>
 
-// Only PCM is supported.  The names of the values 0, 2 and 3 are inferred.
+// The format of a sound.  Only PCM is supported.  The names of the values 0, 2 and 3 are inferred.
 typedef word OSoundFormat;
 const OSoundFormat osoundformatUNDEF = 0;
 const OSoundFormat osoundformatPCM = 1;
 const OSoundFormat osoundformatUSB_MIDI = 2;
 const OSoundFormat osoundformatSMF = 3;
 
-// The names of the values 0 and 2 are inferred.
+// The kind of channels of a sound.  The names of the values 0 and 2 are inferred.
 typedef word OSoundChannel;
 const OSoundChannel osoundchannelUNDEF = 0;
 const OSoundChannel osoundchannelMONO = 1;
@@ -31,7 +31,7 @@ struct OSoundInfo {
   longword dataSize;         // bytes in use
   OSoundFormat format;
   OSoundChannel channel;
-  word samplingRate;  // Hz
+  word samplingRate;  // in Hz
   word bitsPerSample;
   longword actualDataSize;  // bytes that the device has played or recorded
   longword padding[6];
