@@ -43,12 +43,16 @@ void OObserver::SetSkip(size_t skip) { state_->skip = skip; }
 void OObserver::SetBufCtrlParam(size_t skip, size_t min, size_t max) {
   state_->skip = skip;
   state_->min = std::max<size_t>(min, 1);
+  // Raises `max` to `min` at least.  With a smaller maximum the subject would drop notifications
+  // before `min` of them are collected, and so never send any.
   state_->max = std::max(max, state_->min);
 }
 
 OStatus OObserver::AssertReady() {
   const ApiScope scope;
   OStatus status = oSUCCESS;
+  // Goes on after a failure, so that the other subjects get their ready.  Returns the status of the
+  // last failure.
   for (const OSubjectInfo& subject : state_->subjects) {
     const OStatus one = state_->SendReady(subject.GetSubjectID(), objcommCMD_ASSERT_READY);
     if (one != oSUCCESS) status = one;
@@ -64,6 +68,7 @@ OStatus OObserver::AssertReady(const SubjectID& id) {
 OStatus OObserver::DeassertReady() {
   const ApiScope scope;
   OStatus status = oSUCCESS;
+  // Goes on after a failure, as AssertReady() does.
   for (const OSubjectInfo& subject : state_->subjects) {
     const OStatus one = state_->SendReady(subject.GetSubjectID(), objcommCMD_DEASSERT_READY);
     if (one != oSUCCESS) status = one;
@@ -100,6 +105,7 @@ OControlReplyMessage AskSubject(ObserverState* state, const OServiceEntry& entry
   System* const system = state->system;
   OControlReplyMessage reply;
   std::memset(static_cast<void*>(&reply), 0, sizeof reply);
+  // Sets the status that remains if the call below fails, so that the connection counts as refused.
   reply.status = oFAIL;
   const ObjectId target = ObjectIdOf(entry.GetOID());
   if (target != state->object->id) {
@@ -133,6 +139,7 @@ OStatus OObserver::ConnectHandler(const OConnectMessage& msg, OStatus status) {
   OStatusMessage answer(status);
   if (status == oSUCCESS) {
     OControlMessage control;
+    // Clears the padding too, because the trace hashes all bytes of this message.
     std::memset(static_cast<void*>(&control), 0, sizeof control);
     control.msgType = omsgCONTROL_V21;
     control.command = connect ? objcommCMD_ADDOBSERVER_V22 : objcommCMD_REMOVEOBSERVER_V22;
@@ -179,6 +186,8 @@ void CheckUnchanged(ObserverState* state, const ONotifyMessage& notify) {
 
 OStatus OObserver::NotifyHandler(const ONotifyMessage& msg, ONotifyEvent* event) {
   const ApiScope scope;
+  // Refuses bytes that are no notification, because the code below would take some of them for
+  // addresses.
   if (!IsRunningMessage(*state_->object, PayloadKind::kNotify)) return oUNKNOWN_COMMAND;
   if (state_->system->options().guard_regions) CheckUnchanged(state_, msg);
   // Starts the count of readies anew.  The count shows how often the observer asserts ready without

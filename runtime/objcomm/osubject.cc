@@ -24,6 +24,7 @@ OStatus WithRegion(MemoryRegionID memory, size_t offset, size_t size, Set set) {
   if (t_current.system == nullptr) return oFAIL;
   const RegionTable& table = t_current.system->regions();
   const size_t whole = table.SizeOf(memory);
+  // Compares `size` with a difference, because the sum offset + size could overflow.
   if (table.BaseOf(memory) == nullptr || size == 0 || offset > whole || size > whole - offset) {
     return oINVALID_ARG;
   }
@@ -101,6 +102,8 @@ OStatus OSubject::SetData(RCRegion* region) {
   const ApiScope scope;
   if (region == nullptr) return oINVALID_ARG;
   OStatus status = oSUCCESS;
+  // Goes on after a failure, so that the other observers get the data.  Returns the status of the
+  // last failure.
   for (const auto& link : state_->links) {
     const OStatus one = state_->SetData(link.get(), region);
     if (one != oSUCCESS) status = one;
@@ -226,11 +229,15 @@ OStatus OSubject::ClearBuffer(const ObserverID& id) {
 OStatus OSubject::ControlHandler(const OControlMessage& msg, OStatus status) {
   const ApiScope scope;
   System* const system = state_->system;
+  // Stores the name of the service, by which findings name this subject, because the name cannot
+  // be found any more when this Control entry has returned.
   state_->service = state_->object->NameService(state_->id.GetSelector(), "Ready");
   switch (msg.command) {
     case objcommCMD_ADDOBSERVER:
     case objcommCMD_ADDOBSERVER_SELF:
     case objcommCMD_ADDOBSERVER_V22: {
+      // Adds nothing if the program refuses the observer or the observer is known already.  The
+      // reply then has the program's status.
       if (status != oSUCCESS || state_->Find(msg.observerID) != nullptr) break;
       auto link = std::make_unique<ObserverLink>();
       link->observer = msg.observerID;
@@ -248,6 +255,7 @@ OStatus OSubject::ControlHandler(const OControlMessage& msg, OStatus status) {
     case objcommCMD_REMOVEOBSERVER_V22: {
       ObserverLink* const link = state_->Find(msg.observerID);
       if (link == nullptr) break;
+      // Drops the data that wait for this observer, because it will not receive them any more.
       state_->Clear(link);
       std::erase_if(state_->links, [link](const auto& each) { return each.get() == link; });
       state_->infos.remove_if(
@@ -258,6 +266,7 @@ OStatus OSubject::ControlHandler(const OControlMessage& msg, OStatus status) {
       status = oUNKNOWN_COMMAND;
   }
   OControlReplyMessage reply;
+  // Clears the padding too, because the trace hashes all bytes of this reply.
   std::memset(static_cast<void*>(&reply), 0, sizeof reply);
   reply.msgType = omsgCONTROL_REPLY_V21;
   reply.status = status;
@@ -268,12 +277,15 @@ OStatus OSubject::ControlHandler(const OControlMessage& msg, OStatus status) {
 
 OStatus OSubject::ReadyHandler(const OReadyMessage& msg) {
   const ApiScope scope;
+  // Refuses bytes that are no ready, because the code below would take some of them for addresses.
   if (!IsRunningMessage(*state_->object, PayloadKind::kReady)) return oUNKNOWN_COMMAND;
   // A ready also lists the regions of earlier notifications that the observer no longer uses.
   // Removes the subject's reference to each of these regions, so that the subject can write into
   // them again.
   for (int i = 0; i < msg.numOfData; ++i) msg.rcRegion[i]->RemoveReference();
   ObserverLink* const link = state_->Find(msg.observerID);
+  // The observer may have been removed after it had sent this ready.  The loop above has given its
+  // regions back nevertheless.
   if (link == nullptr) return oNOT_FOUND;
   if (msg.command == objcommCMD_DEASSERT_READY) {
     link->ready = -1;
@@ -282,6 +294,7 @@ OStatus OSubject::ReadyHandler(const OReadyMessage& msg) {
   }
   if (msg.command != objcommCMD_ASSERT_READY) return oUNKNOWN_COMMAND;
   link->ready = 1;
+  // Sends pending notifications now, before the program's Ready function runs (measured.md 1.9).
   state_->Flush(link);
   return oSUCCESS;
 }
@@ -296,6 +309,7 @@ ObserverConstIterator OSubject::FindObserver(const ObserverID& id) const {
 }
 
 int OSubject::IsAnyReady() const {
+  // Returns the number of ready observers and not only 1, as measured (measured.md 1.16).
   int count = 0;
   for (const auto& link : state_->links) count += link->ready > 0;
   return count;
