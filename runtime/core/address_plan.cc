@@ -20,8 +20,8 @@ namespace {
 constexpr uintptr_t kTiB = uintptr_t{1} << 40;
 constexpr uintptr_t kAreaBytes = 12 * kTiB;
 constexpr uintptr_t kFirstArea = 2 * kTiB;
-// First address of the plan after UseOtherAddresses().  This area may overlap the area at
-// kFirstArea, because a process uses only one of the two areas.
+// The first address of the plan if UseOtherAddresses() was called.  This area may overlap the area
+// at kFirstArea, because a process uses only one of the two areas.
 constexpr uintptr_t kOtherArea = 5 * kTiB;
 
 // Offsets of the ranges (heaps, images ...) from the first address of the plan, which is kFirstArea
@@ -116,6 +116,8 @@ AddressPlace::AddressPlace(ObjectId id) {
     if (index_ < 0 && index >= 0 && index < kPlaces && !plan.taken[static_cast<size_t>(index)])
       index_ = static_cast<int>(index);
   }
+  // Takes the free place with the highest number, because low numbers are the own places of other
+  // objects.
   for (int last = kPlaces - 1; index_ < 0 && last >= 0; --last) {
     if (!plan.taken[static_cast<size_t>(last)]) index_ = last;
   }
@@ -137,6 +139,8 @@ char* AddressPlace::stack(int number) const {
 }
 
 int AddressPlace::OfHeap(const void* address) {
+  // An address below g_area becomes a very large offset, so one comparison finds addresses on both
+  // sides of the heaps.
   const uintptr_t offset = reinterpret_cast<uintptr_t>(address) - g_area;
   if (g_area == 0 || offset >= kPlaces * kHeapBytes) return -1;
   return static_cast<int>(offset / kHeapBytes);

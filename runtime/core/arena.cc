@@ -61,7 +61,7 @@ bool Arena::MapUpTo(size_t span_end) {
   const size_t end = (span_end + kStep - 1) / kStep * kStep;
   if (!MapAt(base_ + mapped_spans_ * kSpanBytes, (end - mapped_spans_) * kSpanBytes)) return false;
   mapped_spans_ = end;
-  const ApiScope scope;  // begins_ takes its memory from the host, not from the object
+  const ApiScope scope;  // so that begins_ grows on the host's heap and not in this arena
   begins_.resize(end * kSpanBytes / 16);
   return true;
 }

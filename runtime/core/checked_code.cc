@@ -27,8 +27,8 @@ namespace {
 struct SourcePlace {
   const char* file;
   uint32_t line;
-  // The column of the place.  It becomes kSaid when a fault at this place was reported, so that
-  // each place is reported once.
+  // The column of the place.  When a fault at this place was reported, kSaid replaces the column,
+  // so that each place is reported once.
   uint32_t column;
 };
 constexpr uint32_t kSaid = UINT32_MAX;
@@ -36,7 +36,7 @@ constexpr uint32_t kSaid = UINT32_MAX;
 struct TypeText {
   uint16_t kind;  // kind of the type: 0 is an integer, 1 is a floating-point number
   uint16_t info;  // width and sign of an integer, width of a floating-point number
-  char name[1];   // the first byte of the name, which goes on behind the struct: "'int'"
+  char name[1];   // the name in quotes ("'int'"); it goes on behind this struct
 
   bool is_integer() const { return kind == 0; }
   bool is_signed() const { return (info & 1) != 0; }
@@ -93,7 +93,7 @@ void Report(SourcePlace* place, const std::string& what, const char* exception) 
 }
 
 // Adds a finding about `what`, an operation that is undefined in C++, once for each place in the
-// source.  Only images of openr build --sanitize have the checks for such behaviour.
+// source.  Only images of openr build --sanitize have the checks that call this function.
 void ReportUndefined(SourcePlace* place, const std::string& what) {
   if (t_current.system == nullptr || t_current.object == nullptr) return;
   if (std::exchange(place->column, kSaid) == kSaid) return;
@@ -104,7 +104,8 @@ void ReportUndefined(SourcePlace* place, const std::string& what) {
 
 const char* NameOf(const TypeText* type) { return static_cast<const char*>(type->name); }
 
-// Returns the text of the integer in the argument `value` of a check.
+// Returns the text of the integer in the argument `value` of a check.  For an integer of more than
+// 64 bits `value` is only an address, so the text is "a number".
 std::string TextOf(const TypeText& type, uintptr_t value) {
   if (!type.is_integer() || type.bits() > 64) return "a number";
   const unsigned unused = 64 - type.bits();
@@ -193,6 +194,8 @@ void __ubsan_handle_type_mismatch_v1(AccessData* data, uintptr_t address) {
 // Reports an integer division by zero.  Stops the object even without --strict, because the host's
 // processor would also stop at this division.
 void __ubsan_handle_divrem_overflow(ArithmeticData* data, uintptr_t, uintptr_t divisor) {
+  // The argument of a type of more than 64 bits is an address and not the divisor, so such a
+  // division is not taken for a division by zero.
   const bool is_zero = data->type->bits() <= 64 ? divisor == 0 : false;
   if (!is_zero || t_current.object == nullptr) return;
   StopAsTheRobotDoes(fmt::format("a division by zero at {} (exception 9)", Render(data->place)));

@@ -124,11 +124,12 @@ class CodeObject : public OObject {
   };
 
   Selector AddEntry(const std::string& name, std::unique_ptr<Entry> entry);
-  // Adds the two entries of a subject: an entry for control events, and `entry` for readies.
+  // Adds the two entries of a subject: an entry for control events, by which observers are added
+  // and removed, and `entry` for readies.
   void AddSubjectEntries(const std::string& service, OSubject* subject,
                          std::unique_ptr<Entry> entry);
-  // Adds the two entries of an observer: an entry for connect events, and `entry` for
-  // notifications.
+  // Adds the two entries of an observer: an entry for connect events, by which the observer is
+  // connected to a subject, and `entry` for notifications.
   void AddObserverEntries(const std::string& service, OObserver* observer,
                           std::unique_ptr<Entry> entry);
 

@@ -82,7 +82,7 @@ struct ObserverLink {
   bool is_lost = false;          // whether the runtime sent the last deassert (kDeassertOfLost)
   bool told_deasserted = false;  // whether ReportDeasserted() has added its finding
 
-  // The regions set since the last call of Notify(), at most MAX_NUM_DATA.
+  // The regions that SetData() has added since the last call of Notify(), at most MAX_NUM_DATA.
   std::vector<RCRegion*> fresh;
   struct Unit {
     int data;  // number of regions in `pending` that belong to this notification
@@ -91,7 +91,7 @@ struct ObserverLink {
   size_t skip = 0;
   size_t min = 1;
   size_t max = 1;
-  size_t skipped = 0;  // notifications skipped since the last kept one (OObserver::SetSkip())
+  size_t skipped = 0;  // notifications skipped since one was kept (OObserver::SetSkip())
   // Virtual time since which a notification waits; -1 if no notification waits.
   int64_t waiting_since_us = -1;
   uint64_t sent = 0;               // number of messages that were sent to the observer
@@ -149,10 +149,10 @@ struct SubjectState {
   Object* const object;
   SubjectID id;
   std::vector<std::unique_ptr<ObserverLink>> links;
-  std::string service;  // full name, for messages to the user
+  std::string service;  // full name of the subject's service, for messages to the user
   size_t buffer_size = MAX_NUM_DATA + 1;
   size_t unit_size = 1;
-  std::list<OObserverInfo> infos;  // the observers of `links`, as the SDK shows them
+  std::list<OObserverInfo> infos;  // the observers of `links`, as OSubject::begin() shows them
 };
 
 struct ObserverState {

@@ -44,6 +44,7 @@ void Cpu::Grant(Object* object, int64_t now_us) {
 void Cpu::Begin(Object* object, uint32_t selector, int64_t cost_us, int64_t now_us) {
   ASSERT(cost_us > 0 && IsFreeFor(*object) && !object->processor.is_busy,
          "{} begins a handler of {} us", object->name, cost_us);
+  // Leaves out DoInit, DoStart, DoStop and DoDestroy, which run only when the robot starts or ends.
   if (cost_us > kLongHandlerUs && selector > oentryDESTROY) {
     system_->AddFindingAbout(
         object, Severity::kWarning,
@@ -52,8 +53,8 @@ void Cpu::Begin(Object* object, uint32_t selector, int64_t cost_us, int64_t now_
                     "parts",
                     object->EntryName(selector), kLongHandlerUs / 1000));
   }
-  // Subtracts the time that the running handler has used since it last got the processor, because
-  // the new handler interrupts it.
+  // Subtracts from the remaining time of the running handler the time since it last got the
+  // processor, because the new handler interrupts it.
   if (!jobs_.empty()) jobs_.back().left_us -= now_us - jobs_.back().since_us;
   jobs_.push_back({object, cost_us, now_us});
   object->processor.is_busy = true;

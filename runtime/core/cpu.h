@@ -49,8 +49,8 @@ class Cpu {
   // takes more than the time between two sensor vectors (field-notes.md, 1.12).
   static constexpr int64_t kLongHandlerUs = 32'000;
 
-  // Keeps `message`, because its receiver `object` must wait for the processor, until a handler has
-  // ended.  Records `now_us` as the time at which the wait of the object began.
+  // Keeps `message` until a handler has ended, because its receiver `object` must wait for the
+  // processor.  Records `now_us` as the time at which the wait of the object began.
   void Wait(Object* object, OwnedMessage message, int64_t now_us);
 
   // Removes the messages to object `id` that wait for the processor, and returns them, oldest

@@ -123,8 +123,8 @@ void Dispatcher::Recycle() {
   ClearUpperRegisters();
   ArithmeticWatch watch;
   const bool is_watched = object->is_image && ArithmeticWatch::Catches();
-  // The clock is read first, because with an image as the current object clock() would return the
-  // time of the robot.
+  // Reads the clock of the host before an image becomes the current object, because clock() would
+  // then return the time of the robot.
   const auto clock = system_->options_.wall_clock_ns;
   const int64_t begin_ns = clock == nullptr ? 0 : clock();
   t_current = {system_, object, object->is_image, is_watched ? &watch : nullptr};
@@ -160,6 +160,7 @@ void Dispatcher::Recycle() {
 [[gnu::always_inline]] inline void Dispatcher::Deliver(OwnedMessage message) {
   PrefetchAfter(*message);
   Object* const object = system_->object(message->target);
+  // Drops a message to an object that does not exist, or whose robot is off.
   if (object == nullptr) return;
   if (object->is_off) {
     if (!message->is_reply) --object->waiting;
@@ -183,6 +184,8 @@ void Dispatcher::Recycle() {
     DeliverReply(object, std::move(message));
     return;
   }
+  // Gives the receiver the processor, or lets the message wait for the processor.  In a run whose
+  // handlers take no time there are no processors.
   if (!system_->cpus_.empty() && !MayRun(object, *message)) {
     Cpu* const cpu = system_->cpus_[static_cast<size_t>(object->robot)].get();
     cpu->Wait(object, std::move(message), system_->now_us_);
@@ -312,6 +315,7 @@ void Dispatcher::Abandon() {
   ASSERT(running_ != nullptr && t_current.object != nullptr, "only a handler can be abandoned");
   FinishHandler(t_current.object);
   Fiber* const next = TakeFiber();
+  // Recycle() prepares this fiber for its next use, because this code still runs on it.
   abandoned_ = running_;
   running_ = next;
   next->SwitchFrom(nullptr);

@@ -46,8 +46,8 @@ char* GuardPages::MapPages(char* area, size_t bytes) {
   return nullptr;
 }
 
-// Returns writable pages for a new copy.  Uses pages of the same size that were given back, if
-// there are any (only with kReused); otherwise maps new pages.
+// Returns writable pages for a new copy.  With GivenBack::kReused, pages of copies that were given
+// back are used again if they have the same size.  Otherwise maps new pages.
 char* GuardPages::TakePages(char* area, size_t bytes) {
   std::vector<char*>& unused = unused_[{area, bytes}];
   if (unused.empty()) return MapPages(area, bytes);

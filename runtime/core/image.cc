@@ -197,6 +197,8 @@ std::string ImageObject::ReadTables() {
     if (entry->selector >= entries_.size()) entries_.resize(entry->selector + 1, nullptr);
     entries_[entry->selector] = entry->entry;
   }
+  // Counts the entries before the first gap in the table, because Object::entry_count must not
+  // count entries that do not exist.
   while (ImageObject::HasEntry(entry_count)) ++entry_count;
   const OcfResult ocf = ParseOcf(path + " (.ocf)", info_->ocf);
   if (!ocf.ocf) return "has a bad .ocf text: " + Render(ocf.diagnostics);

@@ -270,6 +270,7 @@ void Redirection::FindImports(int64_t table, int64_t size) {
     const Import import{reinterpret_cast<uint64_t*>(relocation.r_offset),
                         ELF64_R_SYM(relocation.r_info)};
     const uint64_t function = *import.slot;
+    // Leaves out functions of the image itself, which run on the image's own stack.
     if (function >= image_.begin && function < image_.end) continue;
     if (!code_.Contain(function)) continue;  // leaves out variables, which need no thunk
     if (std::ranges::count(kBoundToCaller, NameOf(import.symbol)) > 0) continue;
@@ -337,6 +338,8 @@ bool IsStackChange(uintptr_t address) {
 const void* ReturnAddressInImage(const void* own) {
   const auto here = reinterpret_cast<uintptr_t>(__builtin_frame_address(0));
   const uintptr_t offset = here % AddressPlace::kStackBytes;
+  // Returns `own` if this code runs on no stack for imported functions, because then no thunk was
+  // used.
   if (here >> 40 >= 17 || offset >= StackMemory::kImportsTopOffset) return own;
   const uintptr_t top = here - offset + StackMemory::kImportsTopOffset;
   const auto* const frame =

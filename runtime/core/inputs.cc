@@ -63,6 +63,8 @@ std::string Inputs::Add(int robot, std::string_view line) {
   Action action;
   std::string problem = Read(robot, line, &action);
   if (!problem.empty()) return problem;
+  // Tells the listeners the line even if the input is due later, because a recording stores the
+  // time at which the input was given.
   for (const Listener& listener : listeners_) listener(robot, line);
   const int64_t frame_us = system_->frame_us();
   const int64_t due_us = (system_->now_us() + frame_us - 1) / frame_us * frame_us;
@@ -92,6 +94,7 @@ std::string Inputs::AddAt(int64_t time_us, int robot, std::string_view line) {
 
 void Inputs::DoDue() {
   while (NextUs() <= system_->now_us()) {
+    // Removes the input before its work is done, because the work may add inputs.
     const Waiting input = std::move(waiting_.front());
     waiting_.pop_front();
     input.action.work();

@@ -172,6 +172,7 @@ void LeakSearch::Read(const char* begin, const char* end, bool has_ids) {
     MarkId(static_cast<uint32_t>(word));
     MarkId(static_cast<uint32_t>(word >> 32));
   }
+  // Reads the last 4 bytes, which may hold the id of a region.
   uint32_t rest;
   if (has_ids && end - at >= static_cast<ptrdiff_t>(sizeof rest)) {
     std::memcpy(&rest, at, sizeof rest);
@@ -225,19 +226,23 @@ bool IsOfImage(const System& system, const char* address) {
   });
 }
 
-// Reads all writable memory of this process: variables of images, and all memory of the runtime.
+// Searches all writable memory of this process for addresses: the variables of images, and all
+// memory of the runtime.
 void LeakSearch::ReadHost(const char* stack) {
   std::sort(holes_.begin(), holes_.end(),
             [](const Range& a, const Range& b) { return IsLess(a.begin, b.begin); });
   std::FILE* const maps = std::fopen("/proc/self/maps", "re");
   if (maps == nullptr) return;
   char line[4352];
+  // Collects all ranges before the first is searched, because the list of ranges itself needs
+  // memory and so changes the map.
   std::vector<Range> writable;
   while (std::fgets(line, sizeof line, maps) != nullptr) {
     uintptr_t begin = 0, end = 0;
     char rights[5] = "";
     if (std::sscanf(line, "%" SCNxPTR "-%" SCNxPTR " %4s", &begin, &end, rights) != 3) continue;
     if (std::strcmp(rights, "rw-p") != 0) continue;
+    // Leaves out the part of the stack below `stack`, which this search itself uses.
     if (std::strstr(line, "[stack]") != nullptr)
       begin = std::max(begin, reinterpret_cast<uintptr_t>(stack));
     writable.push_back({HiddenAddress(reinterpret_cast<const void*>(begin)), end - begin});
@@ -261,6 +266,7 @@ void LeakSearch::Run(const char* stack) {
             [](const Node& a, const Node& b) { return IsLess(a.begin, b.begin); });
   ReadStacks();
   ReadHost(stack);
+  // Marks the memory of NewRegion() as reachable, so that blocks to which it points are no leaks.
   for (const auto& object : system_->objects()) {
     if (object == nullptr || object->arena == nullptr) continue;
     for (void* const region : object->private_regions)

@@ -44,6 +44,7 @@ const Message* LocalCalls::BeginWait(uint64_t box, int64_t timeout_us, std::stri
   Message* const wake = message.get();
   wake->is_reply = true;
   wake->reply_box = box;
+  // The payload hash is a constant, because this reply has no bytes.
   wake->payload_hash = 1;
   wake->kind = PayloadKind::kHashed;
   system_->Post(std::move(message), timeout_us);
@@ -64,6 +65,7 @@ uint32_t LocalCalls::AddTimedEvent(const TimeEvents::Letter& letter, int64_t fir
 uint32_t LocalCalls::AddReplyEvent(const TimeEvents::Letter& letter, uint64_t box) {
   const uint32_t event = system_->time_events().AddReply(letter, box);
   const Object* const self = t_current.object;
+  // Posts the letter now if the reply has come already, because no later message will do it.
   if (self->boxes.arrived.contains(box)) system_->time_events().ReplyArrived(self->id, box);
   return event;
 }

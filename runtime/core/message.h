@@ -20,8 +20,8 @@ class Schedule;
 using ObjectId = int32_t;
 constexpr ObjectId kNoObject = -1;
 
-// The classes in order of delivery: if messages are due at the same time, messages of class kFrame
-// are delivered first.
+// The classes of messages, in order of delivery: if messages are due at the same time, messages of
+// class kFrame are delivered first.
 enum class MessageClass : uint8_t {
   kFrame = 0,   // begins a frame, a step of 8 ms of a robot's body
   kInput = 1,   // input from outside
@@ -30,7 +30,8 @@ enum class MessageClass : uint8_t {
 };
 constexpr int kMessageClasses = 4;
 
-// The kind of data in the payload.  It decides how PayloadHash() (trace.h) hashes the payload.
+// The kind of data in the payload of a message.  PayloadHash() (trace.h) hashes each kind in
+// its own way.
 enum class PayloadKind : uint8_t {
   kBytes,   // plain bytes, all initialised
   kNotify,  // ONotifyMessage, hashed as its counts and the bytes of its regions

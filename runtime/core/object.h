@@ -174,8 +174,8 @@ class Object {
   std::string name;  // OBJECT_NAME of the .ocf file, unique per robot
   std::string path;  // /MS/... of an image; empty for objects built in code
 
-  // Number of the objects that had this id before this object.  Traces use this number to see that
-  // the object with this id is another one, whose entries may have other names.
+  // Number of the objects that had this id before this object.  Traces use this number to notice
+  // that another object has this id now, whose entries may have other names.
   int predecessors = 0;
 
   // Text after "state: " in the last INFO line that the object has printed with OSYSLOG1.  This

@@ -161,8 +161,8 @@ void ObjectManager::RunBootAgain(int robot) {
   const size_t findings_before = system().findings().all().size();
   shutting_down_.erase(robot);
   // Clears unreported_, because it has addresses of connections, which would be wrong after the
-  // boot.  No service is forgotten: unreported_ has only services of lost processes, and a robot
-  // with objects in other processes does not boot again.
+  // boot.  No unknown service stays unreported because of this: unreported_ has only services of
+  // lost processes, and a robot with objects in other processes does not boot again.
   unreported_.clear();
   if (!system().LoadAgain(robot)) return;
   KeepBack(robot);
@@ -251,6 +251,8 @@ void ObjectManager::SendToAll(Selector entry, OReason reason, bool system_object
       continue;
     if (robot == kAllRobots || object->robot == robot) left.push_back(object->id);
   }
+  // Lets the schedule choose the order of the DoStarts only, because the robot guarantees no such
+  // order (core.md 1.5).
   Schedule* const schedule = entry == oentrySTART ? system().schedule_ : nullptr;
   while (!left.empty()) {
     const size_t next = schedule == nullptr || left.size() == 1
@@ -372,6 +374,8 @@ void ObjectManager::Connect(const Connection& connection) {
   const sError error =
       system().requests().Call(observer->second.first, observer->second.second, &message,
                                sizeof message, &reply, sizeof reply, kReplyTimeoutUs);
+  // Adds no finding if the process of an object was lost during the wait, because the loss is a
+  // finding already.
   if ((error != sSUCCESS || reply.status != oSUCCESS) && !has_lost_end()) {
     system().findings_.Add(
         {Severity::kError, connection.robot, "", 0, system().now_us(),

@@ -31,8 +31,8 @@ class OffRobots {
   // Returns the earliest time at which a frame of a robot that is off ends; INT64_MAX if no robot
   // is off.
   int64_t NextUs() const;
-  // At the end of a frame: moves the bodies of the robots that are off, and posts the boot of each
-  // robot that is due to boot.  The object manager may execute a posted boot later.  So a robot
+  // For each robot that is off and whose frame ends now: moves the robot's body, and posts the
+  // robot's boot if it is due.  The object manager may execute a posted boot later.  So a robot
   // stays in robots_ until it really boots: System::LoadAgain() calls Remove().
   void DoDue();
 

@@ -104,6 +104,8 @@ RCRegion::RCRegion(size_t size)
       size, t_current.object == nullptr ? kNoObject : t_current.object->id);
   if (is_by_image) {
     const void* const caller = openr_host::ReturnAddressInImage(__builtin_return_address(0));
+    // Subtracts 1 from the return address, so that the address lies in the call and names its
+    // source line.
     table->NotePlace(id_, static_cast<const char*>(caller) - 1);
   }
   base_ = table->BaseOf(id_);
@@ -125,6 +127,7 @@ RCRegion::RCRegion(MemoryRegionID id, offset_t offset, void* base, size_t size)
       offset_(offset),
       type_(REFERENCE_V20),
       source_(nullptr) {
+  // Looks up what the program has left out: the address, the size or both.
   if (base_ != nullptr && size_ != 0) return;
   RegionTable* const table = Table();
   if (table == nullptr) return;
@@ -183,6 +186,7 @@ RCRegion* RegionAccess::Receive(RCRegion* source, MemoryRegionID id, offset_t of
   t_current.system->calls().PinRegion(id);
   GuardPages* const guard = t_current.system->guard_pages();
   const ObjectId self = t_current.object->id;
+  // Gives a read-only copy only to an object that may not write to the region.
   if (guard != nullptr && !t_current.object->is_system &&
       !t_current.system->region_shares().MayWrite(self, id)) {
     const AddressPlace* const place = t_current.object->place.get();

@@ -41,7 +41,9 @@ char* RegionTable::Fill(Slot* slot, uint32_t index, size_t size) {
 
 uint32_t RegionTable::New(size_t size, ObjectId owner) {
   Slot fresh;
+  // Refuses to make more slots than the 16 bits for the slot in an id can count.
   if (free_.empty() && slots_.size() >= 0xffff) return kNoRegion;
+  // Takes the memory before a new slot is made, so that nothing changes if there is no memory.
   const auto next = static_cast<uint32_t>(slots_.size());
   if (Fill(&fresh, free_.empty() ? next : free_.back(), size) == nullptr) return kNoRegion;
   if (free_.empty()) {

@@ -60,7 +60,7 @@ class RobotServices {
   virtual OStatus SetVolumeSwitch(OVolumeSwitch volume);
   virtual OStatus GetVolumeSwitch(OVolumeSwitch* volume);
 
-  // ---- Functions that the system calls, and not objects
+  // ---- Functions that the runtime calls, and that objects cannot call
 
   // Returns the virtual time in us for which the robot stays off after the shutdown that Shutdown()
   // has begun; nullopt if only a person can boot the robot again.

@@ -95,6 +95,7 @@ size_t StackMemory::UsedBytes(size_t gap_bytes) const {
     if (!IsZero(step)) lowest = step;
     if (static_cast<size_t>(lowest - step) >= gap_bytes) break;
   }
+  // Goes up to the first byte that is not zero, because the loop above looks only at whole steps.
   uint64_t word = 0;
   while (lowest < top() && (std::memcpy(&word, lowest, sizeof word), word == 0))
     lowest += sizeof word;

@@ -90,12 +90,15 @@ void ReportDeasserted(const SubjectState& subject, ObserverLink* link) {
   for (size_t i = 0; i < data_count; ++i) notify.Write(data[i]);
   message->size = sizeof notify;
   message->kind = PayloadKind::kNotify;
+  // Stores the hash of the data.  OObserver::NotifyHandler() compares it with the hash of the data
+  // at that time, to find a subject that changes data after it has sent them.
   if (system->options().guard_regions) {
     uint32_t bytes = 0;
     message->payload_hash = PayloadHash(*message, &bytes);
   }
   if (system->Post(std::move(message)) != sSUCCESS) return false;
   link->waiting_since_us = -1;
+  // Clears the ready flag, because each ready is valid for one notification only (measured.md 1.7).
   link->ready = 0;
   link->sent_us = system->now_us();
   ++link->sent;
@@ -103,7 +106,10 @@ void ReportDeasserted(const SubjectState& subject, ObserverLink* link) {
 }
 
 OStatus SubjectState::Notify(ObserverLink* link) {
+  // Sends nothing and leaves the ready flag as it is if no data were set (measured.md 1.12).
   if (link->fresh.empty()) return oSUCCESS;
+  // Drops `skip` notifications before each one that is kept, as the observer has asked with
+  // SetSkip().
   if (link->skipped < link->skip) {
     ++link->skipped;
     for (RCRegion* region : link->fresh) region->RemoveReference();
@@ -148,6 +154,7 @@ void SubjectState::SendPending(ObserverLink* link) {
   if (!Send(link, link->pending.data(), sent_count, unit_count)) return;
   link->pending.erase(link->pending.begin(), link->pending.begin() + data_count);
   link->units.erase(link->units.begin(), link->units.begin() + static_cast<long>(unit_count));
+  // The notifications that are left begin a new wait for the next ready.
   if (!link->units.empty()) link->waiting_since_us = system->now_us();
 }
 

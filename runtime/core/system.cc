@@ -140,6 +140,8 @@ void System::Reseed(uint64_t seed) {
 }
 
 void System::Shutdown(const RunEnd& why) {
+  // Shuts down at least robot 0, because a System without robots, as in some tests, has its objects
+  // there.
   for (int i = 0; i < std::max(1, robot_count()); ++i) Shutdown(i, why);
 }
 
