@@ -32,7 +32,7 @@ std::ostream& operator<<(std::ostream& out, EtherStatus status);
 
 // ---- addresses and frames
 
-#define ETHER_ADDR_LEN 6  // octets
+#define ETHER_ADDR_LEN 6  // in octets
 
 // An Ethernet address, 6 bytes in the order in which they are sent.
 struct EtherMACAddress {
@@ -45,7 +45,7 @@ struct EtherMACAddress {
 
   byte octet[ETHER_ADDR_LEN];
 
-  EtherMACAddress() { Set(0, 0, 0, 0, 0, 0); }  // 00:00:00:00:00:00
+  EtherMACAddress() { Set(0, 0, 0, 0, 0, 0); }  // sets 00:00:00:00:00:00
   EtherMACAddress(byte* octets) {
     Set(octets[0], octets[1], octets[2], octets[3], octets[4], octets[5]);
   }
@@ -100,15 +100,15 @@ enum EtherFrameType {  // the name of the type is our choice
 
 // The first 14 bytes of a frame of Ethernet II.
 struct ether_header {
-  byte ether_dhost[ETHER_ADDR_LEN];  // receiver
-  byte ether_shost[ETHER_ADDR_LEN];  // sender
+  byte ether_dhost[ETHER_ADDR_LEN];  // address of the receiver
+  byte ether_shost[ETHER_ADDR_LEN];  // address of the sender
   word ether_type;
 };
 
 // The first 22 bytes of a frame of IEEE 802.3 with a SNAP header.
 struct ether_802_3_header {
-  byte ether_dhost[ETHER_ADDR_LEN];  // receiver
-  byte ether_shost[ETHER_ADDR_LEN];  // sender
+  byte ether_dhost[ETHER_ADDR_LEN];  // address of the receiver
+  byte ether_shost[ETHER_ADDR_LEN];  // address of the sender
   word ether_size;
   byte dsap;
   byte ssap;
@@ -200,7 +200,7 @@ enum EtherWLANSensitivity {
 };
 
 struct EtherWLANStatistics {
-  uint8 link;  // in %
+  uint8 link;  // quality of the link in %
   uint8 signal;
   uint8 noise;
   uint32 invalidIDCount;

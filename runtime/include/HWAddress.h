@@ -9,7 +9,7 @@ enum HWAddressType {
   HWADDRESS_MAC = 1  // 6 octets, as in EtherMACAddress
 };
 
-#define HWADDRESS_MAX_LEN 32  // bytes; inferred from the size of the structure
+#define HWADDRESS_MAX_LEN 32  // in bytes; inferred from the size of the structure
 
 // A hardware address, 40 bytes.
 struct HWAddress {

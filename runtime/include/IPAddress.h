@@ -14,7 +14,7 @@ class IPAddress {
   IPAddress() : address_(0) {}
   IPAddress(uint32 address) : address_(address) {}
   IPAddress(int address) : address_(static_cast<uint32>(address)) {}
-  IPAddress(byte a, byte b, byte c, byte d);  // a.b.c.d
+  IPAddress(byte a, byte b, byte c, byte d);  // makes the address a.b.c.d
 
   // Parses four decimal numbers of 0..255 with dots between them; any other text gives address 0.
   IPAddress(const char* text);
@@ -27,10 +27,10 @@ class IPAddress {
   IPAddress operator&(const IPAddress& other) const { return address_ & other.address_; }
   IPAddress operator^(const IPAddress& other) const { return address_ ^ other.address_; }
 
-  bool InMulticast() const;    // 224.0.0.0 to 239.255.255.255
-  bool InBroadcast() const;    // 255.255.255.255
-  bool InLoop() const;         // 127.0.0.0 to 127.255.255.255
-  bool AllHostsGroup() const;  // 224.0.0.1
+  bool InMulticast() const;    // whether the address is 224.0.0.0 to 239.255.255.255
+  bool InBroadcast() const;    // whether the address is 255.255.255.255
+  bool InLoop() const;         // whether the address is 127.0.0.0 to 127.255.255.255
+  bool AllHostsGroup() const;  // whether the address is 224.0.0.1
 
   // Writes the address in the form "10.0.1.2" into `text`, which needs room for 16 characters.
   // Returns `text`.

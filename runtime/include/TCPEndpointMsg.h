@@ -57,7 +57,7 @@ const int32 TCPEndpoint_Operation_Accept = 11;
 const int32 TCPEndpoint_Operation_BacklogQueues = 12;
 const int32 TCPEndpoint_Operation_Address = 13;
 
-// ---- documented messages
+// ---- messages that Sony documents
 
 // Waits for one connection.  The answer comes when a client has connected.  In the answer all four
 // fields, the addresses and ports of both sides, are filled in.
@@ -146,7 +146,7 @@ struct TCPEndpointReceiveMsg : public TCPEndpointBaseMsg {
 // Closes the connection; the answer comes when it is closed.  Sony's network guide shows a
 // constructor with the arguments (module, abort), but the argument after the module is `linger`.
 struct TCPEndpointCloseMsg : public TCPEndpointBaseMsg {
-  bool abort;  // true: drop the connection and all data at once
+  bool abort;  // true: drops the connection and all data at once
   bool linger;
   int lingerTime;
   int16 queueNr;  // -100 probably means all queues
@@ -166,7 +166,7 @@ struct TCPEndpointCloseMsg : public TCPEndpointBaseMsg {
         queueNr(queue) {}
 };
 
-// ---- undocumented messages
+// ---- messages that Sony does not document
 
 struct TCPEndpointBindMsg : public TCPEndpointBaseMsg {
   IPAddress lAddress;  // own address

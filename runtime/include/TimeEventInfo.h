@@ -11,8 +11,8 @@ struct TimeEventInfo {
   // The behaviour if the first time is in the past: start at once, or return an error.
   enum EventAttr { ExceedStartImmediate = 0, ExceedStartError = 0x10000 };
 
-  RelativeTime relativeTime;  // from now to the first message
-  RelativeTime periodicTime;  // between messages; zero: only the first message is sent
+  RelativeTime relativeTime;  // time from now to the first message
+  RelativeTime periodicTime;  // time between messages; zero: only the first message is sent
 };
 
 #endif  // OPENR_TIMEEVENTINFO_H_INCLUDED

@@ -14,8 +14,8 @@ struct EtherDriverGetWLANSettingsMsg {
   int32 channel;  // 1..11
   EtherWLANEncryption encryption;
   EtherWLANRate rate;
-  int32 rts;            // threshold, bytes
-  int32 fragmentation;  // threshold, bytes
+  int32 rts;            // threshold in bytes
+  int32 fragmentation;  // threshold in bytes
   EtherWLANSensitivity sensitivity;
   EtherStatus status;
 };

@@ -16,7 +16,7 @@ class antStackRef {
 
   bool IsValid() const { return oid_.IsValid(); }
   OID get_oid() const { return oid_; }
-  MAV_Dispatcher* get_disp() const { return dispatcher_; }  // 0 on the host
+  MAV_Dispatcher* get_disp() const { return dispatcher_; }  // returns 0 on the host
 
  private:
   OID oid_;

@@ -6,7 +6,7 @@
 #include <OPENR/RCRegion.h>
 
 struct DataInfo {
-  OServiceEntry subject;  // the sender
+  OServiceEntry subject;  // the subject that has sent the region
   RCRegion* myRCRegion;   // the observer's own RCRegion for the memory
   RCRegion* srcRCRegion;  // the subject's RCRegion, given back with the next ready
 };

@@ -22,7 +22,7 @@ inline bool LeapYear(int year) { return year % 4 == 0 && (year % 100 != 0 || yea
 // The fields are plain data: writing one field does not change the other fields.
 class OCalendarTime {
  public:
-  int year_;       // since 2000
+  int year_;       // years since 2000
   int month_;      // 1..12
   int day_;        // 1..31
   int hour_;       // 0..23
@@ -31,7 +31,7 @@ class OCalendarTime {
   int dow_;        // 0..6, Sunday is 0
   sbyte timeDif_;  // hours ahead of UTC, -12..12 or otimeTIME_DIF_UNDEF
 
-  OCalendarTime();  // Saturday 2000-01-01 00:00:00, time difference undefined
+  OCalendarTime();  // sets Saturday 2000-01-01 00:00:00, time difference undefined
   OCalendarTime(time_t clock, sbyte timeDif);
   OCalendarTime(const OTime& time);
 
@@ -64,14 +64,14 @@ class OCalendarTime {
 
   // Write the moment into `text`, which needs room for 32 characters.  If ProperDate() is false,
   // write "improper date" instead.
-  void Sprint(char* text) const;   // "2004/02/29 Sun 13:05:07 UTC+9"
-  void RFC2822(char* text) const;  // "Sun, 29 Feb 2004 13:05:07 +0900"
+  void Sprint(char* text) const;   // writes a text such as "2004/02/29 Sun 13:05:07 UTC+9"
+  void RFC2822(char* text) const;  // writes a text such as "Sun, 29 Feb 2004 13:05:07 +0900"
 
   // Prints the text of Sprint() as a line on the console.
   void Print() const;
 
  private:
-  time_t Clock() const;  // seconds since 2000-01-01 00:00:00 UTC
+  time_t Clock() const;  // returns the seconds since 2000-01-01 00:00:00 UTC
 };
 
 #endif  // OPENR_OCALENDARTIME_H_INCLUDED

@@ -29,20 +29,20 @@ namespace ODataArchive {
 
 // The header of an archive, 64 bytes.
 struct Header {
-  char magic[4];      // "ODAR"
-  word majorVersion;  // 0
-  word minorVersion;  // 3
+  char magic[4];      // the text "ODAR"
+  word majorVersion;  // the number 0
+  word minorVersion;  // the number 3
   longword numEntries;
-  longword entrySize;  // bytes of a directory entry, 144
-  byte padding[48];    // zero
+  longword entrySize;  // size of a directory entry in bytes, 144
+  byte padding[48];    // filled with zeros
 };
 
 // An entry of the directory, 144 bytes.
 struct Entry {
-  char type[4];     // "OMTN", "WAVE", "MIDI", "OSND", "LED", "SYN"; short types end in zero
-  char name[128];   // zero padded
+  char type[4];     // "OMTN", "WAVE", "MIDI", "OSND", "LED", "SYN"; padded with zeros
+  char name[128];   // padded with zeros
   longword offset;  // start of the member, in bytes from the start of the file
-  longword size;    // bytes of the member
+  longword size;    // size of the member in bytes
   longword padding;
 };
 

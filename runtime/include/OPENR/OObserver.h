@@ -44,7 +44,9 @@ class OObserver {
   SubjectConstIterator begin() const;
   SubjectConstIterator end() const;
   int NumberOfSubjects() const;
-  SubjectID FindSender(RCRegion* region) const;  // invalid unless this observer holds `region`
+  // Returns the subject that has sent `region`, or an invalid id if this observer does not hold the
+  // region.
+  SubjectID FindSender(RCRegion* region) const;
 
   // Called by the stub, the generated code of the object, when messages arrive.
   OStatus ConnectHandler(const OConnectMessage& msg, OStatus status = oSUCCESS);

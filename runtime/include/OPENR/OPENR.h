@@ -26,7 +26,7 @@ struct OServiceEntry {
   OID oid;
   Selector selector;
 
-  OServiceEntry() : selector(UNDEF) {}  // invalid
+  OServiceEntry() : selector(UNDEF) {}  // makes an invalid entry
   OServiceEntry(const OID& o, Selector s) : oid(o), selector(s) {}
 
   void Set(const OID& o, Selector s) {
@@ -68,7 +68,7 @@ typedef longword OReason;
 const OReason oreasonUNDEF = 0xffffffff;
 const OReason oreasonBOOT = 0;
 const OReason oreasonSHUTDOWN = 1;
-const size_t oreasonPARAM_MAX_SIZE = 128;  // bytes of the parameter block
+const size_t oreasonPARAM_MAX_SIZE = 128;  // size of the parameter block in bytes
 
 typedef longword OMemoryStickStatus;
 const OMemoryStickStatus omemorystickUNDEF = 0xffffffff;
@@ -101,13 +101,13 @@ const OFatal ofatalORB = 2;
 // ---- limits of texts, in characters without the closing NUL
 
 const size_t oserviceNAME_MAX = 127;  // name of a service: "Object.Name.DataType.S"
-const size_t oobjectNAME_MAX = 63;    // object name in the .ocf file
+const size_t oobjectNAME_MAX = 63;    // name of an object in its .ocf file
 const size_t ovrNAME_MAX = 31;
 const size_t ovrPATH_MAX = 127;
 const size_t orobotdesignNAME_MAX = 31;     // name of a robot design: "ERS-210"
-const size_t odesignkeywordNAME_MAX = 127;  // keyword of DESIGNDB.CFG
+const size_t odesignkeywordNAME_MAX = 127;  // keyword in DESIGNDB.CFG
 
-// ---- frames of 8 ms, one counter for commands, sensors, images and sound
+// ---- numbers of frames of 8 ms; commands, sensors, images and sound share one counter
 
 const longword oframeMAX_NUMBER = 0x0ffffff0;  // afterwards the counter starts again
 const longword oframeINVALID_NUMBER = 0xffffffff;
@@ -156,7 +156,7 @@ const OVolumeSwitch ovolumeSW1 = 1;
 const OVolumeSwitch ovolumeSW2 = 2;
 const OVolumeSwitch ovolumeSW3 = 3;
 
-// ---- files found by keyword, OPENR::FindDesignData()
+// ---- files that OPENR::FindDesignData() finds by keyword
 
 typedef longword ODesignDataID;
 const ODesignDataID odesigndataID_UNDEF = 0xffffffff;
@@ -165,8 +165,8 @@ const ODesignDataID odesigndataID_UNDEF = 0xffffffff;
 #define odesignkeywordCPUINFO "SYS_CPUINFO"
 
 struct OCPUInfo {
-  longword sclk;  // system clock, Hz
-  longword pclk;  // processor clock, Hz
+  longword sclk;  // clock of the system in Hz
+  longword pclk;  // clock of the processor in Hz
   longword processorID;
   byte reserved[244];
 };

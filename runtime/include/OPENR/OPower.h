@@ -18,13 +18,13 @@ class OPowerStatus {
  public:
   longword robotStatus;       // bits orsb... (power_constants.h)
   word batteryStatus;         // bits obsb...; the low four bits are an error code obsec...
-  word remainingCapacity;     // %, 0..100
-  word temperature;           // temperature of the battery, 0.1 K
+  word remainingCapacity;     // in %, 0..100
+  word temperature;           // temperature of the battery in 0.1 K
   word fullyChargedCapacity;  // in mAh
   word voltage;               // in mV
-  sword current;              // mA; negative while discharging (inferred)
-  sbyte timeDif;              // hours from UTC
-  byte volume;                // 0..3
+  sword current;              // in mA; negative while discharging (inferred)
+  sbyte timeDif;              // hours by which local time is ahead of UTC
+  byte volume;                // position of the volume switch, 0..3
 
   OPowerStatus();  // sets all fields to 0
   OPowerStatus(longword robotStat, word batteryStat, word remaining, word temp, word fullyCharged,

@@ -1,7 +1,8 @@
 // Requests of OPENR::ControlPrimitive() with their parameters and results.
 //
-// The names of the camera's settings and of the struct for MIDI tuning are our choice, because no
-// source gives their names.
+// A trailing comment such as "parameter: Cdt" means that the parameter of the request is a struct
+// OPrimitiveControl_Cdt.  The names of the camera's settings and of the struct for MIDI tuning are
+// our choice, because no source gives their names.
 #ifndef OPENR_OPRIMITIVECONTROL_H_INCLUDED
 #define OPENR_OPRIMITIVECONTROL_H_INCLUDED
 
@@ -32,7 +33,7 @@ const OPrimitiveRequest oprmreqSPEAKER_MASTER_TUNING_MIDI = 134;  // parameter: 
 
 // A volume, in two's complement of 16 bits with 0x100 for each dB.
 typedef longword OSpeakerVolume;
-const OSpeakerVolume ospkvolinfdB = 0x8000;  // silent
+const OSpeakerVolume ospkvolinfdB = 0x8000;  // makes the speaker silent
 const OSpeakerVolume ospkvol25dB = 0xe700;   // -25 dB
 const OSpeakerVolume ospkvol18dB = 0xee00;
 const OSpeakerVolume ospkvol10dB = 0xf600;  // the largest volume for which the circuit is made
@@ -79,9 +80,9 @@ const OPrimitiveRequest oprmreqCAM_AWB_ON = 390;  // automatic white balance
 const OPrimitiveRequest oprmreqCAM_AWB_OFF = 391;
 
 const longword ocamparamUNDEF = 0;
-const longword ocamparamWB_INDOOR_MODE = 1;   // 2800 K
-const longword ocamparamWB_OUTDOOR_MODE = 2;  // 7000 K
-const longword ocamparamWB_FL_MODE = 3;       // fluorescent, 4300 K: the default
+const longword ocamparamWB_INDOOR_MODE = 1;   // for light of 2800 K
+const longword ocamparamWB_OUTDOOR_MODE = 2;  // for light of 7000 K
+const longword ocamparamWB_FL_MODE = 3;       // for fluorescent light of 4300 K: the default
 const longword ocamparamGAIN_LOW = 1;         // 0 dB
 const longword ocamparamGAIN_MID = 2;         // 0 dB
 const longword ocamparamGAIN_HIGH = 3;        // 6 dB

@@ -8,8 +8,9 @@
 template <class T, int MaxSize>
 class OQueue {
  public:
-  OTLStatus PushBack(const T& value) { return deque_.PushBack(value); }  // otlOVERFLOW if full
-  OTLStatus PopFront() { return deque_.PopFront(); }                     // otlUNDERFLOW if empty
+  // Return otlOVERFLOW if the queue is full, and otlUNDERFLOW if the queue is empty.
+  OTLStatus PushBack(const T& value) { return deque_.PushBack(value); }
+  OTLStatus PopFront() { return deque_.PopFront(); }
 
   // Returns the oldest element; a default T if the queue is empty.
   T& Front() { return deque_.Front(); }

@@ -84,7 +84,8 @@ class OSubject {
   int NumberOfObservers() const;
   ObserverConstIterator begin() const;
   ObserverConstIterator end() const;
-  ObserverConstIterator FindObserver(const ObserverID& id) const;  // end() if the id is unknown
+  // Returns end() if the id is unknown.
+  ObserverConstIterator FindObserver(const ObserverID& id) const;
 
   // Return the number of ready observers.  IsAllReady() returns 0 while ReadyStatus() of any
   // observer is 0.

@@ -14,7 +14,7 @@ const int otimeSTART_YEAR = 2000;
 // 3600 * difference (inferred).
 class OTime {
  public:
-  OTime();  // clock 0, difference undefined
+  OTime();  // sets the clock to 0 and the time difference to undefined
   // A time difference outside its range becomes otimeTIME_DIF_UNDEF.
   OTime(time_t clock, sbyte timeDif);
 

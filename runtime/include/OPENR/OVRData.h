@@ -12,7 +12,7 @@ struct OVRData {
   OStatus status;
   ODataType type;
   MemoryRegionID dataVectorID;
-  longword offset;  // bytes from the start of the region
+  longword offset;  // offset in bytes from the start of the region
 
   OVRData() { Set(oSUCCESS, odataUNDEF, 0); }
   OVRData(ODataType dataType, MemoryRegionID id) { Set(dataType, id); }

@@ -137,13 +137,13 @@ struct ONotifyMessageV10 {
 // The two kinds of chunk: OChunkMSG contains the data; OChunkSHM contains the place of the data in
 // shared memory.
 struct OChunkMSG {
-  ObjcommDataType type;  // objcommDATA_TYPE_MSG
+  ObjcommDataType type;  // the type objcommDATA_TYPE_MSG
   unsigned int size;     // in bytes
-  char data;             // the first byte
+  char data;             // the first byte of the data
 };
 
 struct OChunkSHM {
-  ObjcommDataType type;  // objcommDATA_TYPE_SHM
+  ObjcommDataType type;  // the type objcommDATA_TYPE_SHM
   OMemoryLocator locator;
 };
 

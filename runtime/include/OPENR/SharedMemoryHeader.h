@@ -9,7 +9,7 @@
 struct SharedMemoryHeader {
   MemoryRegionID memID;
   void* physAddr;
-  unsigned int offset;     // bytes from the start of the region
+  unsigned int offset;     // offset in bytes from the start of the region
   unsigned int totalSize;  // in bytes
 };
 typedef SharedMemoryHeader ShmHdr;

@@ -4,7 +4,7 @@
 
 #include <Types.h>
 
-// ---- OPowerStatus::robotStatus
+// ---- bits of OPowerStatus::robotStatus
 
 const longword orsbPAUSE = 0x00000001;  // the pause switch is on
 const longword orsbMOTOR_POWER = 0x00000002;
@@ -28,7 +28,7 @@ const longword orsbREGISTER_UPDATED_BY_STATION = 0x00040000;
 const longword orsbRTC_ERROR = 0x00080000;
 const longword orsbRTC_OVERFLOW = 0x00100000;
 const longword orsbRTC_RESET = 0x00200000;
-const longword orsbRTC_SET = 0x00400000;  // cleared after it was reported once
+const longword orsbRTC_SET = 0x00400000;  // reported once and then cleared
 const longword orsbSPECIAL_MODE = 0x00800000;
 const longword orsbBMN_DEBUG_MODE = 0x01000000;
 const longword orsbCHARGER_STATUS = 0x02000000;
@@ -37,9 +37,9 @@ const longword orsbSUSPENDED = 0x08000000;
 const longword orsbSPECIAL_DATA_READ_REQ = 0x10000000;
 const longword orsbALL = 0x1fffffff;
 
-// ---- OPowerStatus::batteryStatus
+// ---- bits and error codes of OPowerStatus::batteryStatus
 
-const word obsbERROR_CODE_MASK = 0x000f;  // an obsec... value
+const word obsbERROR_CODE_MASK = 0x000f;  // the bits of an error code obsec...
 const word obsbFULLY_DISCHARGED = 0x0010;
 const word obsbFULLY_CHARGED = 0x0020;
 const word obsbDISCHARGING = 0x0040;
@@ -80,7 +80,7 @@ const sbyte opsoTIME_DIF_NOT_NOTIFY = 0x7e;
 const byte opsoVOLUME_NOTIFY_EVERY_CHANGE = 0xff;
 const byte opsoVOLUME_NOT_NOTIFY = 0xfe;
 
-// ---- OBootCondition::bitmap
+// ---- bits of OBootCondition::bitmap
 
 const word obcbBOOT_TIMER = 0x0001;
 const word obcbVIBRATION_DETECTED = 0x0002;
@@ -91,7 +91,7 @@ const word obcbBATTERY_CAPACITY_FULL = 0x0020;
 const word obcbREQ_FROM_STATION = 0x0040;
 const word obcbALL = 0x007f;
 
-// ---- OBootCondition::bootTimeType
+// ---- values of OBootCondition::bootTimeType
 
 const longword obcbttRELATIVE = 0;
 const longword obcbttABSOLUTE = 0x80000000;

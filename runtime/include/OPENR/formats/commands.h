@@ -14,10 +14,10 @@ struct OCommandInfo {
   ODataType type;            // selects the ...CommandValue struct of the frames
   OPrimitiveID primitiveID;  // from OPENR::OpenPrimitive()
   longword frameNumber;      // the frame in which output began; set by the system
-  longword numFrames;        // frames in use, at most ocommandMAX_FRAMES
-  longword frameSize;        // bytes of a frame, 8
-  longword dataOffset;       // bytes from the start of the vector to the OCommandData
-  longword dataSize;         // bytes, 128
+  longword numFrames;        // number of frames in use, at most ocommandMAX_FRAMES
+  longword frameSize;        // size of a frame in bytes, 8
+  longword dataOffset;       // offset in bytes from the start of the vector to the OCommandData
+  longword dataSize;         // size in bytes, 128
   longword padding[1];
 
   void Set(ODataType dataType, OPrimitiveID id, size_t nframes) {
@@ -40,7 +40,7 @@ struct OCommandData {
 
 struct OCommandVectorData {
   ODataVectorInfo vectorInfo;
-  OCommandInfo info[1];  // in fact vectorInfo.maxNumData elements
+  OCommandInfo info[1];  // really has vectorInfo.maxNumData elements
 
   void SetNumData(size_t n) { vectorInfo.numData = static_cast<longword>(n); }
   OCommandInfo* GetInfo(int index) { return info + index; }
@@ -50,7 +50,7 @@ struct OCommandVectorData {
   }
 };
 
-// ---- values of odataJOINT_COMMAND3 and 4 (ears), and of LEDs
+// ---- values in commands for ears (odataJOINT_COMMAND3 and 4) and for LEDs
 
 typedef longword OJointValue3;
 const OJointValue3 ojoint3_STATE0 = 0;

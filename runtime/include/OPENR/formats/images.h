@@ -6,18 +6,18 @@
 
 // The index of an image in a vector.  Sizes are those of the ERS-210 (Model Information, 4.1.2).
 typedef longword OFbkImageLayer;
-const OFbkImageLayer ofbkimageLAYER_H = 0;  // 176 x 144, YCrCb
-const OFbkImageLayer ofbkimageLAYER_M = 1;  // 88 x 72, YCrCb
-const OFbkImageLayer ofbkimageLAYER_L = 2;  // 44 x 36, YCrCb
-const OFbkImageLayer ofbkimageLAYER_C = 3;  // 88 x 72, colour detection
-const size_t ofbkimageNUM_LAYERS = 4;       // the name is our choice
+const OFbkImageLayer ofbkimageLAYER_H = 0;  // 176 x 144 pixels, YCrCb
+const OFbkImageLayer ofbkimageLAYER_M = 1;  // 88 x 72 pixels, YCrCb
+const OFbkImageLayer ofbkimageLAYER_L = 2;  // 44 x 36 pixels, YCrCb
+const OFbkImageLayer ofbkimageLAYER_C = 3;  // 88 x 72 pixels, colour detection
+const size_t ofbkimageNUM_LAYERS = 4;       // number of layers; the name is our choice
 
 // Describes one image of a vector; 32 bytes.
 struct OFbkImageInfo {
-  ODataType type;  // odataFBK_YCrCb, odataFBK_YCrCb_HPF or odataFBK_CDT
+  ODataType type;  // the type odataFBK_YCrCb, odataFBK_YCrCb_HPF or odataFBK_CDT
   OPrimitiveID primitiveID;
   longword frameNumber;
-  longword dataOffset;  // bytes from the start of the vector
+  longword dataOffset;  // offset in bytes from the start of the vector
   longword dataSize;    // in bytes
   longword width;       // in pixels
   longword height;
@@ -26,7 +26,7 @@ struct OFbkImageInfo {
 
 struct OFbkImageVectorData {
   ODataVectorInfo vectorInfo;
-  OFbkImageInfo info[1];  // in fact vectorInfo.maxNumData elements, by layer
+  OFbkImageInfo info[1];  // really has vectorInfo.maxNumData elements, by layer
 
   void SetPrimitiveID(OPrimitiveID id) {
     for (size_t i = 0; i < ofbkimageNUM_LAYERS; i++) GetInfo(static_cast<int>(i))->primitiveID = id;
@@ -59,7 +59,7 @@ const longword ocdtCr_MIN_MASK = 0x000000ff;
 
 // The table of one channel, 144 bytes: for each luminance segment the range of Cr and Cb to detect.
 struct OCdtInfo {
-  ODataType type;  // odataCDT
+  ODataType type;  // the type odataCDT
   OPrimitiveID primitiveID;
   OCdtChannel channel;
   longword table[ocdtMAX_Y_SEGMENT];  // from the highest byte: Cb max, Cb min, Cr max, Cr min

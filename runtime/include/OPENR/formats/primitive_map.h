@@ -6,7 +6,7 @@
 
 // Describes one primitive; 160 bytes.
 struct OPrimitiveInfo {
-  ODataType type;  // odataPRIMITIVE_INFO
+  ODataType type;  // the type odataPRIMITIVE_INFO
   OPrimitiveID primitiveID;
   OPrimitiveType primitiveType;
   OSensorType sensorType;
@@ -17,7 +17,7 @@ struct OPrimitiveInfo {
 
 struct OPrimitiveMapData {
   ODataVectorInfo vectorInfo;
-  OPrimitiveInfo info[1];  // in fact vectorInfo.maxNumData elements
+  OPrimitiveInfo info[1];  // really has vectorInfo.maxNumData elements
 
   void SetNumData(size_t n) { vectorInfo.numData = static_cast<longword>(n); }
   OPrimitiveInfo* GetInfo(int index) { return info + index; }
@@ -25,7 +25,7 @@ struct OPrimitiveMapData {
 
 // Describes one component of the body that is plugged in; 12 bytes.
 struct OCPCInfo {
-  ODataType type;  // odataCPC_INFO
+  ODataType type;  // the type odataCPC_INFO
   word cpcClass;
   word cpcSubClass;
   word cpcType;
@@ -34,7 +34,7 @@ struct OCPCInfo {
 
 struct OCPCTreeData {
   ODataVectorInfo vectorInfo;
-  OCPCInfo info[1];  // in fact vectorInfo.maxNumData elements
+  OCPCInfo info[1];  // really has vectorInfo.maxNumData elements
 
   void SetNumData(size_t n) { vectorInfo.numData = static_cast<longword>(n); }
   OCPCInfo* GetInfo(int index) { return info + index; }

@@ -18,10 +18,10 @@ struct OSensorFrameInfo {
   ODataType type;            // selects the struct of the samples
   OPrimitiveID primitiveID;  // set even if the primitive was not opened
   longword frameNumber;      // number of the first frame
-  longword numFrames;        // frames in use, 4 on the robot
-  longword frameSize;        // bytes of a frame, 16
-  longword dataOffset;       // bytes from the start of the vector to the OSensorFrameData
-  longword dataSize;         // bytes, 256
+  longword numFrames;        // number of frames in use, 4 on the robot
+  longword frameSize;        // size of a frame in bytes, 16
+  longword dataOffset;       // offset in bytes from the start of the vector to the OSensorFrameData
+  longword dataSize;         // size in bytes, 256
   longword padding[1];
 
   void Set(ODataType dataType, OPrimitiveID id, size_t nframes) {
@@ -34,7 +34,7 @@ struct OSensorFrameInfo {
 // The general form of a sample, 16 bytes.
 struct OSensorValue {
   slongword value;
-  word signal;  // raw reading
+  word signal;  // raw reading of the sensor
   word padding[5];
 };
 
@@ -46,7 +46,7 @@ struct OSensorFrameData {
 
 struct OSensorFrameVectorData {
   ODataVectorInfo vectorInfo;
-  OSensorFrameInfo info[1];  // in fact vectorInfo.maxNumData elements
+  OSensorFrameInfo info[1];  // really has vectorInfo.maxNumData elements
 
   void SetNumData(size_t n) { vectorInfo.numData = static_cast<longword>(n); }
   OSensorFrameInfo* GetInfo(int index) { return info + index; }

@@ -22,18 +22,18 @@ const OSoundChannel osoundchannelSTEREO = 2;
 
 // Describes one sound of a vector; 64 bytes.
 struct OSoundInfo {
-  ODataType type;            // odataSOUND; some programs write odataSOUND_VECTOR
-  OPrimitiveID primitiveID;  // speaker or microphone
+  ODataType type;            // the type odataSOUND; some programs write odataSOUND_VECTOR
+  OPrimitiveID primitiveID;  // the speaker or the microphone
   longword frameNumber;      // the frame of the first output, or of the recording
-  longword frameSize;        // bytes of a sound frame
-  longword dataOffset;       // bytes from the start of the vector
-  longword maxDataSize;      // limit of dataSize
-  longword dataSize;         // bytes in use
+  longword frameSize;        // size of a sound frame in bytes
+  longword dataOffset;       // offset in bytes from the start of the vector
+  longword maxDataSize;      // largest value of dataSize
+  longword dataSize;         // number of bytes in use
   OSoundFormat format;
   OSoundChannel channel;
   word samplingRate;  // in Hz
   word bitsPerSample;
-  longword actualDataSize;  // bytes that the device has played or recorded
+  longword actualDataSize;  // number of bytes that the device has played or recorded
   longword padding[6];
 
   void Set(ODataType dataType, OPrimitiveID id, size_t size) {
@@ -45,7 +45,7 @@ struct OSoundInfo {
 
 struct OSoundVectorData {
   ODataVectorInfo vectorInfo;
-  OSoundInfo info[1];  // in fact vectorInfo.maxNumData elements
+  OSoundInfo info[1];  // really has vectorInfo.maxNumData elements
 
   void SetNumData(size_t n) { vectorInfo.numData = static_cast<longword>(n); }
   OSoundInfo* GetInfo(int index) { return info + index; }

@@ -76,17 +76,17 @@ const size_t odataOPTIONAL_MAX = 128;
 struct ODataVectorInfo {
   MemoryRegionID memRegionID;  // region that holds the vector
   OPhysAddr physAddr;          // set for images and sound only
-  longword offset;             // bytes from the start of the region to the vector
-  longword totalSize;          // bytes of the whole vector
-  ODataType type;              // odata..._VECTOR
-  longword infoOffset;         // bytes from the start of the vector to the first info block, 192
-  longword infoSize;           // bytes of one info block
-  longword maxNumData;         // number of info blocks
-  longword numData;            // number of info blocks in use
-  OVRSyncKey syncKey;          // ovrsynckeyUNDEF: waits for no other vector
-  longword wait;               // frames of 8 ms by which output is delayed
-  longword optOffset;          // first valid byte of `optional`
-  longword optSize;            // number of valid bytes of `optional`
+  longword offset;             // offset in bytes from the start of the region to the vector
+  longword totalSize;          // size of the whole vector in bytes
+  ODataType type;              // a type odata..._VECTOR
+  longword infoOffset;  // offset in bytes from the start of the vector to the first info block, 192
+  longword infoSize;    // size of an info block in bytes
+  longword maxNumData;  // number of info blocks
+  longword numData;     // number of info blocks in use
+  OVRSyncKey syncKey;   // ovrsynckeyUNDEF: the vector waits for no other vector
+  longword wait;        // number of frames of 8 ms by which output is delayed
+  longword optOffset;   // index of the first valid byte of `optional`
+  longword optSize;     // number of valid bytes of `optional`
   longword padding[3];
   byte optional[odataOPTIONAL_MAX];  // copied from command vectors to sensor vectors
 };
