@@ -36,9 +36,9 @@ class AddressPlace {
  public:
   static constexpr int kPlaces = 1 << 15;
   static constexpr size_t kHeapBytes = size_t{128} << 20;
-  static constexpr size_t kThunkBytes = size_t{256} << 10;  // for the thunks of imported_calls.h
+  static constexpr size_t kThunkBytes = size_t{256} << 10;  // area for thunks (imported_calls.h)
   static constexpr size_t kImageBytes = (size_t{16} << 20) - kThunkBytes;
-  static constexpr size_t kStackBytes = size_t{1} << 20;  // for the stacks of stack_memory.h
+  static constexpr size_t kStackBytes = size_t{1} << 20;  // area for a stack (stack_memory.h)
   static constexpr size_t kCopyBytes = size_t{128} << 20;
 
   // Takes a place of the plan for object `id`.  Two places belong to each object.  The object takes

@@ -32,7 +32,7 @@ size_t SizeOfClass(int size_class) {
 
 int ClassOfSize(size_t size) {
   if (size <= 256) return size == 0 ? 0 : static_cast<int>((size - 1) / 16);
-  const int doubling = std::bit_width(size - 1) - 9;  // 0 for 257 to 512 bytes, 1 up to 1024
+  const int doubling = std::bit_width(size - 1) - 9;  // 257 to 512 bytes: 0; 513 to 1024: 1
   const size_t base = size_t{256} << doubling;
   return 16 + doubling * 4 + static_cast<int>((size - 1 - base) / (base / 4));
 }

@@ -76,9 +76,9 @@ void Cpu::End(int64_t now_us) {
   for (ProcessorState::Outgoing& outgoing : std::exchange(object->processor.outbox, {})) {
     system_->Post(std::move(outgoing.message), outgoing.delay_us);
   }
-  // Puts held and waiting messages at the front of the queue, because they are older than all
-  // messages due now.  Begins with the newest message, so that afterwards the oldest is at the
-  // front.
+  // Puts the messages that were held for the object, and those that waited for the processor, at
+  // the front of the queue, because they are older than all messages due now.  Begins with the
+  // newest message, so that afterwards the oldest is at the front.
   object->ReturnHeld();
   while (!waiting_.empty()) {
     system_->Readmit(std::move(waiting_.back()));

@@ -9,7 +9,7 @@
 
 namespace openr_host {
 
-const char* SeverityName(Severity severity);  // "note", "warning", "error"
+const char* SeverityName(Severity severity);  // returns "note", "warning" or "error"
 
 struct Finding {
   Severity severity = Severity::kWarning;

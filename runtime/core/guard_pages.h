@@ -38,9 +38,9 @@ class GuardPages {
   // the data.  `place` is null for an object without a place; such objects share one area.
   char* NewCopy(const AddressPlace* place, const char* data, size_t size);
 
-  // Ends the use of `copy`, which the observer has given back.  With kReused, the next copy may lie
-  // at the same addresses.  With kGone, addresses are used again only after 128 MiB of copies, when
-  // the area is used up.  Does nothing if NewCopy() did not make `copy`.
+  // Ends the use of `copy`, which the observer has given back.  With GivenBack::kReused, the next
+  // copy may lie at the same addresses.  With GivenBack::kGone, addresses are used again only after
+  // 128 MiB of copies, when the area is used up.  Does nothing if NewCopy() did not make `copy`.
   void Retire(const char* copy);
 
   // Returns a text about the mistake that made the access to `address` a fault, or "" if `address`

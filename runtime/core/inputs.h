@@ -41,9 +41,9 @@ class Inputs {
   };
 
   struct Verb {
-    std::string name;   // "press"
-    std::string usage;  // "press NAME [N%] [for DURATION]"
-    std::string help;   // "Presses a sensor that people touch."
+    std::string name;   // the first word of the input: "press"
+    std::string usage;  // the form of the input: "press NAME [N%] [for DURATION]"
+    std::string help;   // what the input does: "Presses a sensor that people touch."
     // Parses `rest`, the text behind the verb and one blank, of an input for `robot`.  Sets
     // `*action` and returns "", or returns the error in `rest`.
     std::function<std::string(int robot, std::string_view rest, Action* action)> read;

@@ -42,11 +42,11 @@ class ObjectTable {
     return index < objects_.size() ? objects_[index].get() : nullptr;
   }
   // Returns the object of `robot` with this name; null if there is no such object.  Leaves out
-  // absent objects.
+  // objects that are absent because the robot was switched off (Object::is_absent).
   Object* Find(int robot, std::string_view name) const;
   const std::vector<std::unique_ptr<Object>>& all() const { return objects_; }
 
-  // ---- Ends of objects
+  // ---- Functions that end objects
 
   // Ends time events, network connections and registered names of object `id`, and deletes its
   // regions.  Must be called in a task (System::PostTask()), which runs only when no message is
@@ -65,7 +65,7 @@ class ObjectTable {
   // object of another process has been replaced.
   void Forget(ObjectId id);
 
-  // ---- Replacement of objects
+  // ---- Functions that replace objects
 
   // Posts the replacement of an image by a new load of its file: DoStop and DoDestroy of the old
   // object, then DoInit, connections and DoStart of the new one.  The new object has the same OID,

@@ -30,7 +30,8 @@ const char* EndName(EndKind kind);
 
 struct RunEnd {
   EndKind kind = EndKind::kPowerOff;
-  std::string why = "the robot was shut down";  // or "PowerMonitor shut the robot down ..."
+  // A text for people.  If an object has shut the robot down, it begins with the object's name.
+  std::string why = "the robot was shut down";
 };
 
 // Returns a sentence about the end for people: "ended by time: --for 20s is over".

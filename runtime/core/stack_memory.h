@@ -32,10 +32,11 @@ class StackMemory {
   // contains kBottomOffset and kImportsTopOffset as numbers; static_asserts in that file compare
   // them.
   static constexpr size_t kTopOffset = AddressPlace::kStackBytes - 4096;
-  // Offset of the bottom of the stack for the image's own code, from the same address as
-  // kTopOffset.
+  // Offset of the bottom of the stack for the image's own code, also from the first address of the
+  // memory for stacks.
   static constexpr size_t kBottomOffset = kTopOffset - kBytes;
-  // Offset of the top of the stack for imported functions, from the same address as kTopOffset.
+  // Offset of the top of the stack for imported functions, also from the first address of the
+  // memory for stacks.
   static constexpr size_t kImportsTopOffset = kBottomOffset - kGuardBytes;
 
   // Maps the memory at `address`.  If `address` is null or in use, the kernel chooses the address.

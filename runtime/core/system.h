@@ -111,7 +111,7 @@ struct Connection {
 // A robot: its model, its Memory Stick, its devices, and what its objects have registered.
 struct Robot {
   int index = 0;
-  std::string design;                       // "ERS-210"
+  std::string design;                       // model of the robot: "ERS-210"
   std::shared_ptr<MemoryStick> stick;       // null if the robot has no stick
   std::unique_ptr<RobotServices> services;  // the robot's simulated devices (robot_services.h)
   // The object and selector of each registered service.  The key is the service's name.
@@ -139,7 +139,7 @@ class System {
   System(const System&) = delete;
   System& operator=(const System&) = delete;
 
-  // ---- Building, before Boot() ----
+  // ---- Building a System, before Boot() ----
 
   // Adds a robot of the model `design` and returns its index.  `stick` is null if the robot has no
   // stick.
@@ -200,7 +200,7 @@ class System {
   // the reason of the robot that went off last.  Has no value while the run goes on.
   const std::optional<RunEnd>& end() const { return end_; }
 
-  // ---- Running ----
+  // ---- Running a System ----
 
   int64_t now_us() const { return now_us_; }
 

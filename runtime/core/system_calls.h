@@ -71,7 +71,7 @@ class SystemCalls {
   virtual bool CancelEvent(uint32_t event) = 0;
   virtual int CountEvents() = 0;
 
-  // ---- Names
+  // ---- Names of objects, services and entries
 
   // The next three functions do the work of Register(), Find() and Unregister() of MCOOP.h, with
   // which objects of the caller's robot find each other by names.  All return an sError.

@@ -105,7 +105,7 @@ void Trace::Record(const Message& message, int64_t now_us) {
 }
 
 uint64_t Trace::hash() const {
-  // Adds the records that are still in the buffer.
+  // Adds the records that are still in the buffer to the hash.
   hasher_.AddBytes(buffer_, sizeof buffer_[0] * static_cast<size_t>(buffered_));
   buffered_ = 0;
   return hasher_.Digest();
