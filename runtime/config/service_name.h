@@ -27,7 +27,7 @@ struct ServiceName {
 // The reason why a text is not a service name.
 struct ServiceNameFault {
   std::string message;
-  int offset = 0;  // bytes from the start of the text, for a caret
+  int offset = 0;  // offset of the fault in the text, where messages show a caret
 };
 
 // Parses the service name `text`; upper and lower case differ.  On failure returns nullopt and

@@ -22,8 +22,8 @@ struct WlanConfig {
   std::string wep_key = "AIBO2";
   int ap_mode = 2;                 // kind of network: 0 ad hoc demo, 1 infrastructure, 2 automatic
   int channel = 3;                 // radio channel 1..11, used in ad hoc mode only
-  std::string dns_server_1;        // "" when not given
-  std::string dns_default_domain;  // "" when not given
+  std::string dns_server_1;        // "" if the file does not set it
+  std::string dns_default_domain;  // "" if the file does not set it
   bool use_dhcp = false;
 };
 

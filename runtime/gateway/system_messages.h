@@ -45,8 +45,8 @@ enum class ControlRequest : uint32_t {
 };
 
 inline constexpr size_t kLocatorBytes = 128;
-inline constexpr size_t kOpenReplyBytes = 12;    // type, status, primitive ID, 4 bytes each
-inline constexpr size_t kStatusReplyBytes = 8;   // type, status, 4 bytes each
+inline constexpr size_t kOpenReplyBytes = 12;    // size of a reply with type, status, primitive ID
+inline constexpr size_t kStatusReplyBytes = 8;   // size of a reply with type and status
 inline constexpr size_t kControlBytes = 224;     // size of a control request and of its reply
 inline constexpr size_t kControlParamAt = 32;    // offset of the parameter, or of the result
 inline constexpr size_t kPowerStatusBytes = 24;  // size of a message with type and OPowerStatus

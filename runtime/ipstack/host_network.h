@@ -81,7 +81,7 @@ class HostNetwork : public Network {
     Fd fd;
     std::string out;     // bytes not yet accepted by the host; limited by the endpoint's pool
     uint64_t taken = 0;  // number of bytes that the host has accepted since the last poll
-    size_t want = 0;     // size of the pending Receive()
+    size_t want = 0;     // largest number of bytes that the pending Receive() takes
     bool connecting = false;
     bool closing = false;
     bool ended = false;   // whether this side has ended the stream

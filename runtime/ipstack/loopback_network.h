@@ -82,7 +82,7 @@ class LoopbackNetwork : public Network {
     std::shared_ptr<Link> link;
     int side = 0;     // this end reads link->to[side]
     std::string out;  // bytes to send that are not in the pipe yet
-    size_t want = 0;  // size of the pending Receive()
+    size_t want = 0;  // largest number of bytes that the pending Receive() takes
     bool closing = false;
     Pipe& in() const { return link->to[side]; }
     Pipe& peer() const { return link->to[1 - side]; }

@@ -84,7 +84,7 @@ class Network {
   // the port is opened at the robot's own address.
   virtual void At(NetHandle handle, uint32_t ip) = 0;
 
-  // ---- TCP
+  // ---- Commands for TCP sockets
 
   // Accepts connections to `port` from now on, as socket `listener`.  Holds a few connections until
   // Accept() takes them.
@@ -105,7 +105,7 @@ class Network {
   // discarded.
   virtual void Close(NetHandle handle) = 0;
 
-  // ---- UDP
+  // ---- Commands for UDP sockets
 
   // Binds `port`.  `any_port` is true if the stack has chosen the port.  Then no peer expects a
   // certain number, so the host may use another port.
@@ -118,7 +118,7 @@ class Network {
   // a request that has no answer yet.
   virtual void ReceiveFrom(NetHandle handle, size_t count_max) = 0;
 
-  // ---- Names
+  // ---- Commands that look up names and addresses of hosts
 
   // Asks for the addresses of `name`, which is complete (with its domain) and has no final dot.  An
   // event kResolved answers.
@@ -126,7 +126,7 @@ class Network {
   // Asks for the name of the host with the address `ip`.  An event kResolved answers.
   virtual void ResolveAddress(NetHandle handle, uint32_t ip) = 0;
 
-  // ---- All handles
+  // ---- Functions for sockets of every protocol
 
   // Returns a number for a new socket.  No number is returned twice, not even after a boot.
   NetHandle NewHandle() { return ++last_handle_; }

@@ -19,7 +19,7 @@ class UdpEndpoint : public Endpoint {
   // (field-notes.md, 11.7).
   static constexpr int kRobotDatagramMax = 18'500;
   static constexpr int kDatagramMax = 65507;  // bytes that fit into an IPv4 packet
-  static constexpr size_t kReadAhead = 16;    // datagrams read from the network at a time
+  static constexpr size_t kReadAhead = 16;    // number of datagrams read at a time
 
   void Start(const Operation& operation) override;
   void Take(const NetworkEvent& event) override;
