@@ -1,6 +1,6 @@
 // Functions that return whether a character is a blank, a digit or a letter.  The parsers of the
-// robot's text files use them and not those of <cctype>, because they accept only ASCII characters,
-// whatever the host's locale.
+// robot's text files use these functions and not those of <cctype>, because these functions accept
+// only ASCII characters, whatever the host's locale.
 #pragma once
 
 namespace openr_host {

@@ -1,4 +1,4 @@
-// Finds the valid name nearest to a misspelt one, for "did you mean" in messages.
+// Finds the valid name nearest to a misspelt name, for "did you mean" in messages.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@ bool EqualsIgnoringCase(std::string_view a, std::string_view b);
 
 // Returns `word` if it is one of the candidates.  Otherwise returns the candidate that equals
 // `word` when the case of ASCII letters is ignored; nullopt if no candidate does, or if several
-// different ones do.
+// different candidates do.
 std::optional<std::string> MatchIgnoringCase(std::string_view word,
                                              const std::vector<std::string>& candidates);
 

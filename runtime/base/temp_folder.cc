@@ -68,8 +68,8 @@ TempFolder::TempFolder(TempUse use) : process_(getpid()) {
   const fs::path parent = ParentFor(use);
   const std::string prefix = Prefix();
   RemoveStaleFolders(parent, prefix);
-  // Removes stale folders in memory too, even if this folder is not in memory, because they take
-  // memory that other programs need.
+  // Removes stale folders in memory too, even if the new folder will not be in memory, because
+  // stale folders take memory that other programs need.
   if (parent != kMemoryFolder) RemoveStaleFolders(kMemoryFolder, prefix);
   std::string name = (parent / fmt::format("{}{}-XXXXXX", prefix, process_)).string();
   if (mkdtemp(name.data()) == nullptr) {

@@ -283,7 +283,7 @@ FILE* freopen(const char* path, const char* mode, FILE* file) {
   const ApiScope scope;
   if (may_open) return Remember(next(host.c_str(), mode, file), host, writes, path);
   const int error = errno;
-  fclose(file);  // as freopen() of the C library does if it cannot open the new file
+  fclose(file);  // freopen() of the C library also closes the old file when it fails
   errno = error;
   return nullptr;
 }

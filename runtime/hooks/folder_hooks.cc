@@ -31,7 +31,7 @@ struct Folder {
   size_t next;
   struct dirent entry;
   struct Name {
-    char text[13];  // "NAME.EXT"
+    char text[13];  // the name, such as "NAME.EXT", and its NUL
     unsigned char type;
   } names[kEntriesMax];
 };

@@ -189,7 +189,7 @@ uint64_t FolderStick::ContentHash() {
     const std::string extension = UpperCase(it->path().extension().string());
     // Leaves out the record of a crash in an earlier run, because this run does not read that file.
     const bool is_crash_record = UpperCase(it->path().filename().string()) == kCrashRecord;
-    std::error_code no_file;  // set for a dangling link, which is no file
+    std::error_code no_file;  // is set for a dangling link, which is left out because it is no file
     if (it->is_regular_file(no_file) && extension != ".BIN" && extension != ".DBG" &&
         !is_crash_record)
       names.push_back(it->path().lexically_relative(root_).string());
