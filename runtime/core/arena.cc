@@ -179,6 +179,8 @@ bool Arena::WasFreed(const void* block) {
   const auto offset =
       static_cast<size_t>(static_cast<const char*>(block) - arena.base_) % kSpanBytes;
   if (span.use < 0) return span.use == kFree && offset == 0;
+  // Blocks from `unused` on in the newest span of the size class were never allocated, so no block
+  // was freed there.
   const char* const unused = arena.bump_[span.use];
   const bool is_of_newest_span =
       unused != nullptr && arena.IndexOf(unused - 1) == arena.IndexOf(block);

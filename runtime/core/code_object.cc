@@ -41,6 +41,7 @@ Selector CodeObject::AddEntry(const std::string& name, std::unique_ptr<Entry> en
 }
 
 CodeHost::~CodeHost() {
+  // Makes this object current, because destructors of its code may call functions of the SDK.
   const CurrentScope scope(system, this);
   entry_count = 0;
   code.reset();

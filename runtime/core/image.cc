@@ -219,6 +219,8 @@ std::string ImageObject::ReadTables() {
 }
 
 bool ImageObject::HasCode(const void* address) const {
+  // The address belongs to the image if both lie in the same loaded library, that is, if their
+  // libraries have the same base address.
   Dl_info own{}, other{};
   return !entries_.empty() && dladdr(dlsym(handle_, "ObjectEntryTable"), &own) != 0 &&
          dladdr(address, &other) != 0 && own.dli_fbase == other.dli_fbase;

@@ -56,6 +56,7 @@ bool IsWhole(const std::string& bytes, const Elf64_Ehdr& header) {
 
 std::string CheckFormat(const std::string& bytes, bool* is_for_robot) {
   Elf64_Ehdr header{};
+  // Copies only the bytes that the file has; the other fields of the header stay 0.
   std::memcpy(&header, bytes.data(), std::min(bytes.size(), sizeof header));
   if (bytes.size() < sizeof(Elf32_Ehdr) || std::memcmp(&header, ELFMAG, SELFMAG) != 0)
     return "is not an object image; build the object for the host (openr build)";
@@ -90,11 +91,13 @@ std::string OcfTextOf(const std::string& bytes) {
     Elf64_Shdr section;
     if (!ReadAt(bytes, section_at(i), &section)) return "";
     const uint64_t name = names.sh_offset + section.sh_name;
+    // Compares the closing NUL of the name too, so that no longer name matches.
     if (name >= bytes.size() ||
         bytes.compare(name, sizeof kOcfSection, kOcfSection, sizeof kOcfSection))
       continue;
     if (section.sh_offset > bytes.size()) return "";
     const std::string text = bytes.substr(section.sh_offset, section.sh_size);
+    // Cuts the section at the NUL that ends the text.
     return text.substr(0, text.find('\0'));
   }
   return "";

@@ -217,6 +217,8 @@ LoadedImage::LoadedImage(char* image) : begin(reinterpret_cast<uint64_t>(image))
   const auto* const segments = reinterpret_cast<const Elf64_Phdr*>(image + header->e_phoff);
   for (int i = 0; i < header->e_phnum; ++i) {
     const Elf64_Phdr& segment = segments[i];
+    // Takes p_vaddr for an address in memory, because the image lies at the address for which it
+    // was linked.
     if (segment.p_type == PT_LOAD) end = std::max(end, segment.p_vaddr + segment.p_memsz);
     if (segment.p_type == PT_DYNAMIC) dynamic = reinterpret_cast<const Elf64_Dyn*>(segment.p_vaddr);
     if (segment.p_type == PT_GNU_RELRO) {
@@ -266,6 +268,7 @@ void Redirection::FindImports(int64_t table, int64_t size) {
   for (uint64_t i = 0; i < count; ++i) {
     const Elf64_Rela& relocation = relocations[i];
     const uint64_t type = ELF64_R_TYPE(relocation.r_info);
+    // Looks only at relocations of these types, because they store the address of a symbol.
     if (type != R_X86_64_JUMP_SLOT && type != R_X86_64_GLOB_DAT && type != R_X86_64_64) continue;
     const Import import{reinterpret_cast<uint64_t*>(relocation.r_offset),
                         ELF64_R_SYM(relocation.r_info)};

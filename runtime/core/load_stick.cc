@@ -128,6 +128,7 @@ bool StickLoader::LoadObjects() {
            "OBJECT.CFG: names no object for this robot; nothing of the application runs");
   }
   bool is_good = true;
+  // Loads the other objects even if one fails, so that all problems are reported.
   for (const ObjectRecord& record : config.objects) is_good = LoadObject(record) && is_good;
   return is_good;
 }
@@ -169,6 +170,7 @@ void StickLoader::LoadDesign() {
 bool LoadStick(System* system, int robot, StandIns stand_ins,
                const std::vector<SystemImage>& system_images) {
   for (const SystemImage& image : system_images)
+    // Does not replace a stand-in for the same file, because the caller's stand-ins count first.
     stand_ins.emplace(image.file, [&image](const std::string&) { image.add(); });
   Robot& dog = system->robot(robot);
   if (dog.stick != nullptr) dog.stick_hash = dog.stick->ContentHash();

@@ -85,6 +85,7 @@ int32_t LocalCalls::RegisterName(ObjectId object, std::string_view name) {
 
 int32_t LocalCalls::FindName(std::string_view name, ObjectId* object) {
   const Robot& robot = RobotOfCaller(system_);
+  // Finds an object by the name in its .ocf file even if the object has not called Register().
   if (const Object* const loaded = system_->FindObject(robot.index, name)) {
     *object = loaded->id;
     return sSUCCESS;

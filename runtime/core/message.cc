@@ -30,6 +30,8 @@ MessageQueue::~MessageQueue() {
 
 void MessageQueue::AddChunk() {
   chunks_.emplace_back(new Message[kChunk]);
+  // Releases the last message of the chunk first, because the message released last is taken first.
+  // So messages are taken in the order of their addresses.
   for (size_t i = kChunk; i > 0; --i) {
     Message& message = chunks_.back()[i - 1];
     message.pool = this;
@@ -65,6 +67,8 @@ const Message* MessageQueue::First() const {
 // Lets `schedule` choose among the receivers of the messages in `list`.  REQUIRES: `list` is not
 // empty.
 ObjectId MessageQueue::ChooseTarget(const List& list, Schedule* schedule) {
+  // Lists the receivers in the order of their first messages, so that candidate 0 is the choice of
+  // a run without a schedule (Schedule::Choose()).
   candidates_.clear();
   for (const Message* m = list.head; m != nullptr; m = m->next) {
     if (std::find(candidates_.begin(), candidates_.end(), m->target) == candidates_.end())
@@ -136,6 +140,7 @@ void MessageQueue::ForEach(const std::function<void(const Message&)>& visit) con
   for (const List& list : levels_) {
     for (const Message* m = list.head; m != nullptr; m = m->next) visit(*m);
   }
+  // Sorts a copy of the heap, because a heap is not in the order of delivery.
   std::vector<Later> rest = later_;
   std::sort(rest.begin(), rest.end(), [](const Later& a, const Later& b) { return b < a; });
   for (const Later& entry : rest) visit(*entry.message);

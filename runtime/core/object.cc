@@ -52,6 +52,7 @@ std::string Object::EntryName(uint32_t selector) const {
 }
 
 std::string Object::NameService(uint32_t selector, const char* kind) {
+  // If the object has called an entry of its own, that entry counts and not the running message.
   const uint32_t entry = handler.self_reply != nullptr ? handler.self_reply->selector
                          : handler.running != nullptr  ? handler.running->selector
                                                        : UNDEF;
@@ -79,6 +80,7 @@ void Object::HandleUndelivered(const Message& message) {
 }
 
 void Object::ReturnHeld() {
+  // Begins with the newest message, so that the oldest is at the front of the queue afterwards.
   for (; !handler.held.empty(); handler.held.pop_back())
     system->Readmit(std::move(handler.held.back()));
 }

@@ -64,6 +64,7 @@ std::vector<std::string> SubjectsOf(const System& system, int robot, std::string
 std::string PostNotification(System* system, const ServiceEnd& subject, const ServiceEnd& observer,
                              std::string_view datum) {
   if (std::string why = WhyNotConnected(*system, subject, observer); !why.empty()) return why;
+  // Makes the subject's object current, so that the notification counts as sent by this object.
   const CurrentScope scope(system, system->object(subject.object));
   RCRegion* const region = new RCRegion(datum.size());
   std::memcpy(region->Base(), datum.data(), datum.size());
@@ -80,6 +81,7 @@ std::string PostNotification(System* system, const ServiceEnd& subject, const Se
   message->size = sizeof notify;
   message->kind = PayloadKind::kNotify;
   if (system->Post(std::move(message)) == sSUCCESS) return "";
+  // Gives up the only reference, because no observer will give the region back.
   region->RemoveReference();
   return kFull;
 }
@@ -87,6 +89,7 @@ std::string PostNotification(System* system, const ServiceEnd& subject, const Se
 std::string PostReady(System* system, const ServiceEnd& observer, const ServiceEnd& subject,
                       bool is_ready) {
   if (std::string why = WhyNotConnected(*system, subject, observer); !why.empty()) return why;
+  // Makes the observer's object current, so that the ready counts as sent by this object.
   const CurrentScope scope(system, system->object(observer.object));
   OwnedMessage message = system->NewMessage(subject.object, subject.selector);
   auto& ready = *new (message->payload) OReadyMessage;

@@ -66,6 +66,7 @@ uint32_t RegionTable::New(size_t size, ObjectId owner) {
 // pinned), the memory is moved to outlived_ instead.  Returns null if the slot has a live block.
 RegionTable::Slot* RegionTable::SlotFor(uint32_t id) {
   const uint32_t index = (id & 0xffff) - 1;
+  // Refuses an id that names no slot (its lower 16 bits are 0): its index is a very large number.
   if (index >= 0xffff) return nullptr;
   if (index >= slots_.size()) slots_.resize(index + 1);
   Slot& slot = slots_[index];
@@ -97,6 +98,7 @@ char* RegionTable::AdoptCopy(uint32_t id, size_t size) {
   if (slot != nullptr && slot->is_idle && slot->capacity == size) {
     slot->is_idle = false;
     slot->size = size;
+    // Writes the guard bytes again, because a program may have changed them in the last copy.
     std::memset(slot->base + size, kGuard, kGuardBytes);
     return slot->base;
   }
@@ -153,6 +155,8 @@ bool RegionTable::WasDeleted(uint32_t id) const {
   if (index >= slots_.size()) return false;
   const Slot& slot = slots_[index];
   const uint32_t generation = id >> 16;
+  // The generation of a slot only grows, so a smaller generation in an id names an earlier block of
+  // the slot.
   return slot.is_reusable && generation > 0 &&
          (generation < slot.generation || (generation == slot.generation && !slot.live));
 }
@@ -234,6 +238,7 @@ bool RegionTable::Resize(uint32_t id, size_t size) {
   Slot* const slot = Find(id);
   if (slot == nullptr || size == 0 || size > slot->capacity) return false;
   slot->size = size;
+  // Moves the guard bytes to the new end of the block.
   std::memset(slot->base + size, kGuard, kGuardBytes);
   return true;
 }

@@ -74,6 +74,7 @@ StackMemory::StackMemory(char* address) : mapping_(address) {
 StackMemory::~StackMemory() {
   StackMemory** link = &t_newest;
   while (*link != nullptr && *link != this) link = &(*link)->older_;
+  // The list of this thread does not have a stack that another thread has made.
   if (*link != nullptr) *link = older_;
 #ifdef VALGRIND_STACK_DEREGISTER
   VALGRIND_STACK_DEREGISTER(valgrind_id_);
@@ -114,6 +115,7 @@ std::vector<std::pair<const char*, size_t>> StackMemory::All() {
   for (const StackMemory* each = t_newest; each != nullptr; each = each->older_) {
     all.emplace_back(each->bottom_, kBytes);
     const char* const imports = each->mapping_ + kGuardBytes;
+    // Only a stack at a planned address has a part for imported functions below it.
     if (imports < each->bottom_)
       all.emplace_back(imports, static_cast<size_t>(each->bottom_ - kGuardBytes - imports));
   }

@@ -117,6 +117,8 @@ void System::PostTask(std::function<void()> task) { manager_->PostTask(std::move
 void System::Shutdown(int robot, const RunEnd& why) { calls_->Shutdown(robot, why); }
 
 void System::BeginShutdown(int index, const RunEnd& why) {
+  // A robot that is off already and waits for its boot timer stays off; no object runs that would
+  // have to be stopped.
   if (off_robots_.Remove(index)) {
     robot(index).end = why;
     return NoteWhetherAllAreOff(why);
@@ -149,9 +151,11 @@ void System::PowerOff(int robot, const RunEnd& why) { calls_->PowerOff(robot, wh
 
 void System::CutPower(int index, const RunEnd& why) {
   const bool is_shutdown = why.kind == EndKind::kPowerOff;  // a shutdown has set Robot::end already
+  // Replaces the reason of a shutdown that has begun, but not the reason of a robot that is off.
   if (index < robot_count() && !is_shutdown && !robot(index).powered_off) robot(index).end = why;
   NoteEnd(index, why);
   for (const auto& object : objects()) {
+    // Leaves out the object manager, because it serves all robots of the System.
     if (object != nullptr && object->robot == index && object.get() != &manager_->host())
       object->is_off = true;
   }
@@ -377,6 +381,8 @@ uint64_t System::state_hash() {
     object->HashState(&hasher);
     for (const OwnedMessage& message : object->handler.held) hasher.Add(message->number);
     for (const ProcessorState::Outgoing& outgoing : object->processor.outbox)
+      // Hashes the number of the cause, because a message in an outbox has no number of its own
+      // yet.
       hasher.Add(outgoing.message->cause);
   }
   for (const auto& cpu : cpus_) cpu->HashState(&hasher);
