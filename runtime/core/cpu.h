@@ -38,7 +38,8 @@ class Cpu {
   Cpu(const Cpu&) = delete;
   Cpu& operator=(const Cpu&) = delete;
 
-  // Returns whether `object` may run a handler now.  REQUIRES: `object` belongs to this robot.
+  // Returns whether `object` may run a handler now, because the processor is free or runs a handler
+  // of lower priority.  REQUIRES: `object` belongs to this robot.
   bool IsFreeFor(const Object& object) const;
 
   // The longest wait for the processor that is normal; a longer wait becomes a finding.  The value

@@ -185,7 +185,7 @@ void Dispatcher::Recycle() {
     return;
   }
   // Gives the receiver the processor, or lets the message wait for the processor.  In a run whose
-  // handlers take no time there are no processors.
+  // handlers take no time there are no processors, so the handler runs at once.
   if (!system_->cpus_.empty() && !MayRun(object, *message)) {
     Cpu* const cpu = system_->cpus_[static_cast<size_t>(object->robot)].get();
     cpu->Wait(object, std::move(message), system_->now_us_);

@@ -101,7 +101,7 @@ class Inputs {
 
   System* const system_;
   std::map<std::pair<int, std::string>, Verb> verbs_;  // the key is the robot and the verb's name
-  std::deque<Waiting> waiting_;                        // in the order of due_us
+  std::deque<Waiting> waiting_;  // the inputs that wait, in the order of due_us
   std::vector<Listener> listeners_;
 };
 

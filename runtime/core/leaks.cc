@@ -87,7 +87,7 @@ class LeakSearch {
   bool HasWaitingHandler() const;
 
   System* const system_;
-  std::vector<Node> nodes_;   // in the order of addresses
+  std::vector<Node> nodes_;   // the blocks and regions, in the order of addresses
   std::vector<Range> holes_;  // memory of this process that is not read, in the order of addresses
   std::map<uint32_t, HiddenAddress> region_of_id_;
   std::vector<size_t> reached_;  // indices of reachable nodes whose bytes have still to be searched

@@ -228,7 +228,8 @@ class Object {
   int queue_max = 32;   // limit of `waiting` (field-notes.md, 2.3), set with SetResourceValue()
   int waiting_max = 0;  // the highest value of `waiting` so far
   ObjectLimits limits;
-  // The class of the messages that the object posts.
+  // The class of the messages that the object posts, which comes before priorities in the order of
+  // delivery.
   MessageClass post_class = MessageClass::kObject;
   bool is_image = false;       // whether the object was loaded from a file (an image)
   bool is_off = false;         // whether the robot is off; messages to the object are then dropped

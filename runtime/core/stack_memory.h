@@ -21,7 +21,7 @@ namespace openr_host {
 
 class StackMemory {
  public:
-  // The size of the stack on which the code of an image runs.  The size is our choice.  It is
+  // The size of the stack on which the code of an image runs.  The size is our choice.  It can be
   // large, because pages that were never touched use no memory.
   static constexpr size_t kBytes = size_t{256} << 10;
 

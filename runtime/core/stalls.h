@@ -16,10 +16,11 @@ namespace openr_host {
 class System;
 
 struct Stall {
-  ObjectId object = kNoObject;  // the object that waits, or the subject's object
-  int64_t since_us = 0;         // virtual time when the wait began
-  std::string text;             // "JointMover waits for ready of RCServer on ... since t=1.248 s"
-  const char* advice = "";      // tells the author of the program how to end the wait
+  // The object that waits.  If an observer has not asserted ready, the object of its subject.
+  ObjectId object = kNoObject;
+  int64_t since_us = 0;     // virtual time when the wait began
+  std::string text;         // "JointMover waits for ready of RCServer on ... since t=1.248 s"
+  const char* advice = "";  // tells the author of the program how to end the wait
   // True if the observer has asserted no ready since its last notification, or not at all, and no
   // data wait for the observer.  The observer may have forgotten to assert, or may want no more
   // data.  So this stall is reported only if no object of the run sends messages any more.
