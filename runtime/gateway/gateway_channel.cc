@@ -35,7 +35,7 @@ void OutgoingChannel::Notify(const ONotifyEvent& event) {
 
 void OutgoingChannel::SendHeld() {
   if (!peer_is_ready_ || held_.empty() || connection_.is_sending()) return;
-  peer_is_ready_ = false;  // each ready of the peer is valid for one set only
+  peer_is_ready_ = false;  // each ready of the peer is valid for one notification only
   const std::string bytes = std::exchange(held_, "");
   connection_.Send(bytes);
   observer_->AssertReady();

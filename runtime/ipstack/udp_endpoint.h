@@ -18,7 +18,7 @@ class UdpEndpoint : public Endpoint {
   // The size of the largest datagram that the robot survives; a larger datagram crashes the robot
   // (field-notes.md, 11.7).
   static constexpr int kRobotDatagramMax = 18'500;
-  static constexpr int kDatagramMax = 65507;  // bytes that fit into an IPv4 packet
+  static constexpr int kDatagramMax = 65507;  // bytes of data in the largest IPv4 packet
   static constexpr size_t kReadAhead = 16;    // number of datagrams read at a time
 
   void Start(const Operation& operation) override;

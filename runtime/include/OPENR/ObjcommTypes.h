@@ -21,7 +21,7 @@ typedef OServiceEntry ObserverID;
 inline SubjectID ENTRY2SUBJECTID(const OServiceEntry& entry) { return entry; }
 inline ObserverID ENTRY2OBSERVERID(const OServiceEntry& entry) { return entry; }
 
-// Prints "(OID:0x80000042 ,Sel:7)".
+// Prints an id in the form "(OID:0x80000042 ,Sel:7)".
 ostream& operator<<(ostream& out, const ObserverID& id);
 
 typedef int ObjcommCommand;
