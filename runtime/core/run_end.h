@@ -30,7 +30,7 @@ const char* EndName(EndKind kind);
 
 struct RunEnd {
   EndKind kind = EndKind::kPowerOff;
-  // A text for people.  If an object has shut the robot down, it begins with the object's name.
+  // A text for people.  If an object has shut the robot down, the text begins with its name.
   std::string why = "the robot was shut down";
 };
 

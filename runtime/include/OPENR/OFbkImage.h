@@ -36,7 +36,7 @@ class OFbkImage {
   byte* Pointer() const { return pointer_; }  // first pixel of the top row
   int Width() const { return width_; }        // in pixels
   int Height() const { return height_; }
-  int Skip() const { return skip_; }  // offset in bytes from the end of a row to the next row
+  int Skip() const { return skip_; }  // distance in bytes from the end of a row to the next row
 
   // Returns a pixel; (0, 0) is the top left corner.  REQUIRES: 0 <= x < Width(), 0 <= y < Height().
   byte Pixel(int x, int y) const;
