@@ -1,5 +1,5 @@
-// LocalCalls: the SystemCalls (the functions of a System that handlers call) if the System is in
-// the same process as the handlers.
+// LocalCalls: the SystemCalls of a System that runs handlers in its own process.  SystemCalls are
+// the functions of a System that handlers call.
 #pragma once
 
 #include "runtime/core/system_calls.h"

@@ -36,7 +36,7 @@ std::ostream& operator<<(std::ostream& out, EtherStatus status);
 
 // An Ethernet address, 6 bytes in the order in which they are sent.
 struct EtherMACAddress {
-  // The same six octets as three words.
+  // The six octets of an address as three words.
   struct Opt {
     word w1;
     word w2;
