@@ -113,13 +113,13 @@ bool HasNoEffect(const std::string& assembly) {
 }
 
 // Returns `replacement` with as many line ends as the text `replaced` has, so that the lines after
-// it keep their numbers.
+// the replaced text keep their numbers.
 std::string WithLineEnds(std::string replacement, std::string_view replaced) {
   for (size_t i = 0; i < replaced.size(); ++i) {
     if (replaced[i] != '\n') continue;
     const size_t back = i > 0 && replaced[i - 1] == '\r' ? 2 : 1;
-    // Writes a backslash before the new line end if there was one before the replaced line end,
-    // because each line of a macro but the last must end in a backslash.
+    // Ends the line of `replacement` in a backslash if the replaced line ended in one, because each
+    // line of a macro but the last must end in a backslash.
     const bool goes_on = i >= back && replaced[i - back] == '\\';
     replacement += goes_on ? " \\\n" : "\n";
   }

@@ -1,10 +1,10 @@
 // Removes assembly for the robot's processor from C and C++ sources, because the host's compiler
-// cannot translate it.
+// cannot translate such assembly.
 //
-// An assembly statement becomes a trap, which ends the run only if the program reaches it.  So the
-// rest of the object builds and runs.  A statement that only waits or orders memory accesses (nop,
-// sync) becomes a barrier.  The edits keep all line numbers, so messages of the compiler name the
-// right lines.
+// An assembly statement becomes a trap, which ends the run only if the program reaches the trap.
+// So the rest of the object builds and runs.  A statement that only waits or orders memory accesses
+// (nop, sync) becomes a barrier.  The edits keep all line numbers, so messages of the compiler name
+// the right lines.
 #pragma once
 
 #include <string>
@@ -18,7 +18,7 @@ namespace openr_host {
 // compiler ("... in 'asm'") or from the assembler.
 bool IsAboutAssembly(const Complaint& complaint);
 
-// Beginning of Complaint::message if the assembler, and not the compiler, reported the error.
+// Beginning of Complaint::message for errors that come from the assembler and not the compiler.
 inline constexpr char kAssemblerSays[] = "assembler: ";
 
 // Returns the edits that remove from `text`, a source, the assembly that `complaint` is about.  If

@@ -39,15 +39,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Name of a file in the build folder that the kit keeps for a user's folder.  The file contains the
-// version of the kit that made this build folder.
+// Name of a file in the folder in which `openr build` keeps its results.  The file says which
+// version of our files and compilers made these results.
 constexpr char kIdentityFile[] = "kit.txt";
 
-// Name of a file in the build folder that the kit keeps for a user's folder.  The file contains the
-// path of the user's folder.
+// Name of a file in the folder in which `openr build` keeps its results.  The file contains the
+// path of the user's folder that was built.
 constexpr char kOwnerFile[] = "folder.txt";
 
-// Returns a text that is different for each version of the kit's files and compilers.  If the text
+// Returns a text that is different for each version of our files and of the compilers.  If the text
 // has changed since the last build, the build begins anew, so that results of different versions
 // are not mixed.
 std::string KitIdentity(const std::string& sdk_root, BuildVariant variant) {
@@ -112,7 +112,7 @@ class FolderBuild {
   Project project_;
   bool is_made_ = false;              // true: all runs of make have succeeded
   std::string make_cause_;            // the reason why make failed; "": unknown
-  bool wants_all_ = false;            // true: there is no OBJECT.CFG, so all images are wanted
+  bool wants_all_ = false;            // true: without an OBJECT.CFG, all images are wanted
   std::vector<std::string> hurdles_;  // reasons why the build of some objects could not begin
   std::vector<std::string> missing_;  // images that OBJECT.CFG names and that were not made
   std::vector<std::string> problems_;
@@ -203,8 +203,8 @@ bool FolderBuild::HasFailure(const ObjectFolder& object) const {
   });
 }
 
-// Returns the objects that have no image from this build and no failed source.  A failed source
-// would fail again if its object were built in another way.
+// Returns the objects that have no image from this build.  Leaves out objects with a failed source,
+// because the source would fail again if the object were built in another way.
 std::vector<ObjectFolder> FolderBuild::NotBuilt() const {
   const KitLog log = ReadKitLog(make_.log);
   std::vector<ObjectFolder> objects;
@@ -286,6 +286,8 @@ bool IsOlderThanSources(const KitLog::Image& image) {
 // look like images of this build.
 void FolderBuild::RemoveOldImages(bool is_made) {
   KitLog log = ReadKitLog(make_.log);
+  // Compares times only if make has failed.  A make that succeeds has itself made the images again
+  // whose sources are newer.
   const auto is_old = [&](const KitLog::Image& image) {
     return IsOutOfDate(image, log.failures) || (!is_made && IsOlderThanSources(image));
   };
@@ -296,14 +298,16 @@ void FolderBuild::RemoveOldImages(bool is_made) {
   WriteKitLog(make_.log, log);
 }
 
-// Returns whether the build lacks an image that an OBJECT.CFG names.  Without OBJECT.CFG, the names
-// of the images are not known.  Then an image counts as missing if make has failed.
+// Returns whether the build lacks an image that an OBJECT.CFG names.  Without an OBJECT.CFG the
+// wanted images are not known, so the result then says whether make has failed.
 bool FolderBuild::SomeImageIsMissing() const {
   const KitLog log = ReadKitLog(make_.log);
   bool has_list = false;
   for (const StickFolder& stick : project_.sticks) {
     if (stick.objects.empty()) continue;
     has_list = true;
+    // Completes the stick only to learn what is missing.  So removes the images that this has put
+    // on the stick.
     const Harvest harvest = CompleteStick(stick, project_, log, sdk_root_, {});
     for (const fs::path& file : harvest.placed) fs::remove(file);
     if (!harvest.problems.empty()) return true;
@@ -325,7 +329,8 @@ void FolderBuild::Deliver() {
   if (after.sticks.empty()) after.sticks.push_back({after.root / "MS", {}, {}});
   wants_all_ = std::all_of(after.sticks.begin(), after.sticks.end(),
                            [](const StickFolder& stick) { return stick.objects.empty(); });
-  if (wants_all_ && HasFailed()) return;  // an OBJECT.CFG made now would lack images
+  // An OBJECT.CFG written now would not list the images that have failed.
+  if (wants_all_ && HasFailed()) return;
   const KitLog log = ReadKitLog(make_.log);
   std::string placed;
   std::set<std::string> used;
@@ -365,8 +370,8 @@ void FolderBuild::Deliver() {
 }
 
 // Returns whether the build of some object has failed or could not begin.  A Makefile can ignore
-// the failure of a command, so make may succeed nevertheless.  If make succeeds, a failure counts
-// only if it is in an object's folder.
+// the failure of a command, so make may succeed although a file has failed.  If make succeeds, only
+// failures of files in the objects' folders count.
 bool FolderBuild::HasFailed() const {
   const std::vector<KitLog::Failure> failures = ReadKitLog(make_.log).failures;
   return !hurdles_.empty() ||
@@ -394,7 +399,7 @@ void FolderBuild::TellFailures() {
   const std::vector<std::string> libraries = LeftOutAndMissed();
   problems_.insert(problems_.end(), libraries.begin(), libraries.end());
   // Does not print a cause that only says that a rule has failed, if the log has the failure of the
-  // compiler or linker.  That failure says more, and was printed before.
+  // compiler or linker, because that failure says more and was printed before.
   if (!is_made_ && (log.failures.empty() || make_cause_.find("the rule for") != 0) &&
       !make_cause_.empty())
     problems_.push_back("make failed: " + make_cause_);

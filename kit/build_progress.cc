@@ -25,7 +25,7 @@ void ShowBuildProgress(MakeOptions* options, const std::function<uint64_t()>& co
   try {
     work();
   } catch (...) {
-    options->while_waiting = {};  // refers to local variables
+    options->while_waiting = {};  // the function refers to local variables, which end here
     throw;
   }
   options->while_waiting = {};

@@ -35,8 +35,10 @@ BuildVariant VariantOfBuild() {
 }
 
 // Leaves out two checks of UndefinedBehaviorSanitizer.  The check "return" would end the program in
-// a function that returns no value, but the kit makes such a function return 0 (image_source.cc).
-// The check "vptr" needs functions that the runtime does not have (runtime/core/checked_code.cc).
+// a function that returns no value, but `openr build` makes such a function return 0
+// (image_source.cc).  The check "vptr" needs functions that the runtime does not have
+// (runtime/core/checked_code.cc).  The flag -fno-wrapv undoes -fwrapv of compile-flags.txt, with
+// which no overflow of a signed number would be found.
 std::vector<std::string> VariantCompileFlags(BuildVariant variant) {
   switch (variant) {
     case BuildVariant::kDebug:

@@ -9,13 +9,13 @@ namespace openr_host {
 
 enum class BuildVariant { kPlain, kDebug, kSanitize, kCoverage };
 
-// Returns "debug", "sanitize" or "coverage"; "" for kPlain.
+// Returns "debug", "sanitize" or "coverage"; "" for kPlain, the build without special flags.
 std::string VariantName(BuildVariant variant);
-// Returns the variant of this name; kPlain if no variant has this name.
+// Returns the variant called `name` ("debug" for kDebug); kPlain if there is none of this name.
 BuildVariant VariantOf(const std::string& name);
 
-// Returns the variant that `openr build` has told the tools to make, by the environment variable
-// kVariantVariable.
+// Returns the variant that `openr build` has asked the compiler and the linker to make, by the
+// environment variable kVariantVariable.
 BuildVariant VariantOfBuild();
 
 // Returns the compiler flags of a variant.  They follow the flags of the user's Makefile, because

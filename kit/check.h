@@ -14,7 +14,7 @@ struct Remark {
   enum class Kind {
     kError,    // the program will not work
     kWarning,  // the program may do something else than wanted, on this computer or on the robot
-    kNote,     // the remark tells something that is worth knowing; nothing is wrong
+    kNote,     // nothing is wrong, but the remark tells something worth knowing
   };
   Kind kind;
   std::string file;
@@ -26,7 +26,7 @@ struct Remark {
   // remark without a cause ("") is never joined.
   std::string cause;
   uint64_t count = 1;                // number of places that the remark is about
-  std::vector<std::string> also_at;  // the first few of the other places: "CONNECT.CFG:5"
+  std::vector<std::string> also_at;  // places of a few of the others, such as "CONNECT.CFG:5"
 };
 
 // Collects remarks about one program.

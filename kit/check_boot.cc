@@ -144,6 +144,7 @@ void BootCheck::CheckBase() {
                     fmt::format("lacks {} of the base image, which must be copied whole",
                                 fmt::join(objects, ", ")));
   }
+  // Recognises the kind of the base image by the objects that the smaller kinds lack.
   summary_.base = !MissingObjects(root_, kNetworkObjects).empty()   ? "BASIC"
                   : !MissingObjects(root_, kConsoleObjects).empty() ? "WLAN"
                                                                     : "WCONSOLE";
@@ -181,6 +182,8 @@ void BootCheck::CheckImages() {
 
 void BootCheck::CheckImage(const ObjectRecord& record, const fs::path& file) {
   const ImageFile image = ReadImageFile(file);
+  // Searches the strings of the image for names of the IP stack, which an object that uses the
+  // network contains.
   for (const std::string_view text : TextsIn(image.bytes))
     needs_network_ = needs_network_ || text.find("antStack") != std::string_view::npos ||
                      text.find("IPStack") != std::string_view::npos;

@@ -20,8 +20,8 @@ namespace {
 
 constexpr int kFrameMs = 8;
 
-// The part of a controller that a function belongs to: functions called from main(), from a
-// function passed to robot_run(), or from a function passed to robot_die().
+// The part of a controller that a function belongs to.  kRun: a function passed to robot_run(), or
+// called from such a function.  kDie: the same for robot_die().  kMain: all other functions.
 enum class Part { kMain, kRun, kDie };
 
 class ControllerCheck {
@@ -151,6 +151,7 @@ class ControllerCheck {
       if (code_.FunctionAt(file, call.at) == nullptr || code_.Defines(call.name)) continue;
       const bool is_member = IsMember(code, call.at);
       if (!is_member) AddLack(file, call.at, call.name);
+      // Among member functions only open() takes the name of a file, as in stream.open("A.TXT").
       const bool opens = TakesFileName(call.name) && (!is_member || call.name == "open");
       if (opens || IsFileStream(code, call.at)) CheckFileName(file, call);
     }
@@ -180,6 +181,8 @@ class ControllerCheck {
     for (const StringLiteral& literal : StringLiteralsIn(file.source)) {
       const size_t after = NextOf(file.source, literal.at + literal.text.size() + 2);
       const size_t before = PreviousOf(file.source, literal.at);
+      // Skips strings that may be only a part of a name: strings next to another string, with a
+      // format or an escape, or with a separator at the end.
       const bool is_joined = (after != kNone && file.source[after] == '"') ||
                              (before != kNone && file.source[before] == '"');
       const bool is_made_up = literal.text.find_first_of("%\\") != std::string::npos;

@@ -49,18 +49,19 @@ std::string TroubleIn(const std::string& members) {
   return "";
 }
 
-// A regular expression for a part of a statement.  Its length is limited, because
-// std::regex_search() calls itself for each character of a repetition.
+// A regular expression for a part of a statement.  The length of the part is limited, because
+// std::regex_search() calls itself for each character of a repetition, so a long part could
+// overflow the stack.
 const std::string kPartOfStatement = "[^;]{0,400}";
 
 // A struct or class of the program.
 struct DataType {
   std::vector<std::string> bases;
-  std::vector<std::string> virtual_functions;  // names, without those of the bases
+  std::vector<std::string> virtual_functions;  // names, without those that the bases declare
 };
 
-// Returns all words in the list of base classes `text`, such as ": public Base": its class names,
-// and words like "public", which name no type.
+// Returns all words in the list of base classes `text`, such as ": public Base".  These are names
+// of classes and words such as "public", which do no harm because no type has such a name.
 std::vector<std::string> WordsOf(const std::string& text) {
   static const std::regex kWord("\\w+");
   std::vector<std::string> words;

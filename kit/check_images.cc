@@ -41,7 +41,7 @@ std::string ObjectNameIn(std::string_view bytes) {
 // A line of OBJECT.CFG without a usable image: the file is missing, or is a binary for the robot.
 struct MissingImage {
   ObjectRecord record;
-  std::string problem;  // the error of the binary for the robot; "": the file is missing
+  std::string problem;  // why the file, an image for the robot, cannot run; "": no file
 };
 
 class ImageCheck {
@@ -127,8 +127,8 @@ void ImageCheck::CheckRecord(const ObjectRecord& record) {
     return;
   }
   const ImageFile image = ReadImageFile(file);
-  // Treats a binary for the robot as missing if there are sources to build, because a build will
-  // replace the binary by an image for the host.
+  // Treats an image for the robot as missing if there are sources to build, because a build will
+  // replace that image by an image for the host.
   if (image.is_for_robot && has_sources_) {
     missing_.push_back({record, image.problem});
   } else if (!image.problem.empty() && !(image.is_for_robot && target_ == CheckTarget::kRobot)) {
@@ -158,9 +158,9 @@ void ImageCheck::CheckImage(const ObjectRecord& record, const fs::path& file,
   for (const ObjectFolder* object : objects_) {
     if (HasOcfName(*object, name)) namesakes.push_back(object);
   }
-  // Compares services if several objects have this name, because objects for different robots often
-  // share a name.  A single object is taken without this check, because its stub.cfg may have
-  // changed since the build.
+  // Chooses by the services if several objects have this name, because objects for different robots
+  // often share a name.  A single object is taken without this choice, because its stub.cfg may
+  // have changed since the build.
   if (namesakes.size() > 1)
     std::erase_if(namesakes,
                   [&](const ObjectFolder* object) { return !HasServicesIn(*object, record); });

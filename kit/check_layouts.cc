@@ -46,8 +46,8 @@ bool Matches(const std::string& text, const std::string& pattern) {
 // overflow the stack.
 const std::string kRestOfStatement = "[^;]{0,400}";
 
-// Returns whether the object passes a whole struct `type` to SetData(): a variable of this type, or
-// a region of its size.
+// Returns whether the object passes a whole struct `type` to SetData(), the function that sends
+// data: a variable of this type, or a region of its size.
 bool Sends(const ObjectCode& code, const std::string& type) {
   const std::string size_of_type = "sizeof\\s*\\(?\\s*" + type + "\\b";
   if (Matches(code.sources, "\\b(SetData|RCRegion)\\s*\\(" + kRestOfStatement + size_of_type))
@@ -154,7 +154,8 @@ class LayoutCheck {
     if (subject == nullptr || observer == nullptr || subject == observer) return;
     const ObjectCode& sending = CodeOfObject(*subject->folder);
     const ObjectCode& receiving = CodeOfObject(*observer->folder);
-    // Looks for the word first, because that is fast and regular expressions are not.
+    // Looks first for the name of the struct as a word, because that is fast and the regular
+    // expressions of Sends() and Receives() are slow.
     if (!HasWord(sending.all, type) || !HasWord(receiving.sources, type)) return;
     if (!Sends(sending, type) || !Receives(receiving, type)) return;
     const auto ours = LayoutIn(subject->image, type), theirs = LayoutIn(observer->image, type);
@@ -173,7 +174,7 @@ class LayoutCheck {
   }
 
  private:
-  // Notes the first member of the struct that has another size here than on the robot.
+  // Adds a note about the first member of the struct that has another size here than on the robot.
   void NoteWideMember(const ConnectRecord& record, const StructLayout& layout) const {
     const auto wide =
         std::find_if(layout.members.begin(), layout.members.end(),
@@ -189,8 +190,8 @@ class LayoutCheck {
                     is_pointer ? "" : ", and longword has 4 bytes on both"));
   }
 
-  // Returns the object that declares the service `name` and is built; null if no object or more
-  // than one object does so.
+  // Returns the built object that declares the service `name`; null if no built object or more than
+  // one of them declares the service.
   const BuiltObject* OwnerOf(const ServiceName& name) const {
     const auto [begin, end] = owners_.equal_range(Compose(name));
     return begin != end && std::next(begin) == end ? begin->second : nullptr;

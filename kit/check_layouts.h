@@ -13,15 +13,15 @@ namespace openr_host {
 
 // Warns of each connection of `wires` whose two objects lay out its struct differently.  To raise
 // no false alarm, warns only if all of this holds:
-//   - the data type in the names of the services is the name of the struct;
-//   - both images are built, and their debug information has one definition of the struct;
-//   - sources of the subject's object pass such a struct to SetData(), with its size;
-//   - sources of the observer's object use received data as such a struct;
-//   - a member that sources of both objects name lies at another place or has another size, or the
-//     observer's object names a member that is behind the last byte which the subject sends, and
-//     asks nowhere for the size of the data.
-// An array at the end of the struct may have another length, because data of variable length are
-// sent in this way.
+// - the data type in the names of the services is the name of the struct;
+// - both images are built, and their debug information has one definition of the struct;
+// - sources of the subject's object pass such a struct to SetData(), with its size;
+// - sources of the observer's object use received data as such a struct;
+// - a member that sources of both objects name lies at another place or has another size, or the
+//   observer's object names a member that is behind the last byte which the subject sends, and
+//   asks nowhere for the size of the data.
+// An array at the end of the struct may have another length in the two objects, because data of
+// variable length are sent in this way.
 //
 // Notes a struct with a member of type long or size_t, or with a pointer, if the first four of
 // these conditions hold: it has another size here than on the robot (field-notes.md, 12.4).

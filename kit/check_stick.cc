@@ -25,7 +25,8 @@ namespace {
 namespace fs = std::filesystem;
 
 // The robot's address in the samples of Sony's SDK.  A robot that openr runs on this computer has
-// the address 127.0.0.1, so a line of a configuration file with the old address gets a note.
+// the address 127.0.0.1, so each line of a configuration file with the samples' address gets a
+// note.
 constexpr char kRobotOfThatTime[] = "10.0.1.100";
 
 // The name under which a robot was sold that calls itself ERS-7.  No section may have this name.

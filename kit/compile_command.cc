@@ -118,7 +118,7 @@ std::vector<std::string> StandardFlags(const std::string& name, Language languag
 CompileCommand TranslateCompile(const std::vector<std::string>& arguments, bool is_cxx) {
   CompileCommand command;
   std::string language, standard;
-  bool asks = false;  // true: the command only preprocesses, or prints the version or the like
+  bool asks = false;  // true: the command only preprocesses, or prints its version or the like
   for (size_t i = 0; i < arguments.size(); ++i) {
     const std::string& word = arguments[i];
     const bool has_next = i + 1 < arguments.size();
@@ -156,7 +156,7 @@ std::vector<std::string> CarriedFlags(const std::vector<std::string>& arguments,
                                       const std::string& folder) {
   const auto absolute = [&folder](const std::string& path) {
     const fs::path whole = (fs::path(folder) / path).lexically_normal();
-    // Removes the slash at the end of the name of a folder, such as "a/".
+    // Removes the slash at the end of a folder's name, so that "a" and "a/" are one folder.
     return (whole.has_filename() ? whole : whole.parent_path()).string();
   };
   std::vector<std::string> flags;
@@ -164,8 +164,8 @@ std::vector<std::string> CarriedFlags(const std::vector<std::string>& arguments,
     const std::string& word = arguments[i];
     const bool has_next = i + 1 < arguments.size();
     if (IsOneOf(word, {"-include", "-imacros", "-isystem", "-idirafter", "-iquote"}) && has_next) {
-      // Leaves the name of a file of -include relative if the file is not in `folder`, because the
-      // compiler looks for it in the folders of -I, too.
+      // The compiler looks for a file of -include in the folders of -I, too.  So a name stays
+      // relative if `folder` has no such file.
       const std::string there = absolute(arguments[++i]);
       flags.insert(flags.end(), {word, fs::exists(there) ? there : arguments[i]});
     } else if (IsOneOf(word, {"-D", "-U", "-I"}) && has_next) {

@@ -15,9 +15,9 @@ struct CompileCommand {
   std::vector<std::string> sources;  // files to compile, in the order given
   std::string output;                // value of -o; "" if not given
   bool compiles = false;             // true: the command makes object files or assembly (-c, -S)
-  // True: the command makes a program: it has no -c, -S or -E, and no flag such as --version.
+  // True: the command makes a program, because it has none of -c, -S, -E, --version and their like.
   bool links = false;
-  bool is_quiet = false;               // true: -w was given
+  bool is_quiet = false;               // true: -w was given, so warnings are not shown
   Language language = Language::kCxx;  // language of the sources
 };
 

@@ -14,8 +14,8 @@ namespace {
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
-// Returns the words of `command`, changed so that it compiles `original`, the user's file, and not
-// the private copy of this file.
+// Returns the words of `command`, changed so that the compiler reads `original`, the user's file,
+// and not the private copy of this file.
 Words WordsFor(const KitLog::Command& command, const std::string& original,
                const std::vector<SourceCopy>& copies) {
   Words words = command.words;
@@ -42,7 +42,7 @@ std::string CompileDatabase(const KitLog& log, const std::vector<SourceCopy>& co
   std::error_code error;
   for (const KitLog::Command& command : log.commands) {
     const std::string original = OriginalOf(command.file, copies);
-    // Skips a source that the build has made, because the user has no such file.
+    // Skips a source that the build itself has made, because the user's folder has no such file.
     if (original.empty() || !fs::exists(original, error)) continue;
     commands.push_back({{"directory", command.folder},
                         {"file", original},

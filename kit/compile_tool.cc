@@ -18,6 +18,7 @@
 namespace openr_host {
 namespace {
 
+// Largest number of rounds in which one source is repaired and compiled again.
 constexpr int kRepairRoundsMax = 40;
 
 size_t CountErrors(const std::string& output) {
@@ -57,9 +58,9 @@ class CompileRun {
 
   const Arguments given_;
   CompileCommand command_;
-  Arguments compiler_;  // the host's compiler and the flags of the kit
-  Arguments extra_;    // further flags, besides those of the user's command, that this source needs
-  Arguments variant_;  // flags of the variant that is built
+  Arguments compiler_;  // the host's compiler and the flags of compile-flags.txt
+  Arguments extra_;     // flags beyond those of the user's command that this source needs
+  Arguments variant_;   // flags of the variant, such as "debug", that is built
 };
 
 CompileRun::CompileRun(const Arguments& arguments, bool is_cxx)
@@ -126,8 +127,8 @@ void CompileRun::UsePreludeIfItHelps(ProcessResult* result) {
 void CompileRun::RepairIfItHelps(ProcessResult* result) {
   RepairSession session;
   if (!session.may_repair()) return;
-  // Compiles the file again, because another compiler process may have repaired a header while this
-  // process waited for the lock.
+  // Compiles the file once more as it is, because another compiler process may have repaired a
+  // header while this process waited for the lock.
   extra_.clear();
   ProcessResult now = Try({});
   if (!now.good()) UsePreludeIfItHelps(&now);

@@ -101,7 +101,7 @@ class ControllerBuild {
     StickFolder stick;
     stick.root = stick_;
     const fs::path images = stick.ObjectsFolder();
-    fs::remove(images / "CONTROLL.DBG");  // removes the debug information of the former image
+    fs::remove(images / "CONTROLL.DBG");  // debug information of the former image
     Put(Made(), images / kImage);
     const fs::path open_r = FindEntry(stick_, "OPEN-R");
     for (const auto& entry : fs::directory_iterator(folder_)) {

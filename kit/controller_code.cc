@@ -20,8 +20,8 @@ bool IsKeyword(const std::string& word) {
 }
 
 // Returns the position of a function's body after `close`, the bracket at the end of its
-// parameters.  Only "const" or the parameter types of old C may be between bracket and body.
-// Returns kNone if there is no body.
+// parameters; kNone if there is no body.  Between bracket and body there may be "const", and in old
+// C the types of the parameters, but nothing else.
 size_t BodyAfter(const std::string& code, size_t close) {
   for (size_t at = NextOf(code, close + 1); at != kNone; at = NextOf(code, at + 1)) {
     if (code[at] == '{') return at;

@@ -27,7 +27,7 @@ struct CodeFunction {
   size_t end = 0;    // position of the bracket that closes the body
 };
 
-// A call in a file's code, or text that looks like a call.
+// A call of a function in a file's code, or text that only looks like a call.
 struct CodeCall {
   std::string name;
   size_t at = 0;    // position of the name

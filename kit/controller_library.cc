@@ -17,8 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The source of a function that calls main() of the controller.  The library exports this function;
-// all its other functions are hidden.
+// The source of a function that calls main() of the controller.  Only this function has default
+// visibility, so the library exports no other function.
 constexpr char kExport[] =
     "// Generated when the controller was built.\n\n"
     "int CallControllerMain();\n\n"

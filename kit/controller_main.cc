@@ -12,17 +12,18 @@
 namespace openr_host {
 namespace {
 
-// A way to declare main().  The kit compiles main() under the name controller_main: `symbol` is the
-// name of that function in the object file.  `declaration` and `call` are the C++ text that
-// declares and calls the function.
+// A way in which a source may declare main(), which is compiled under the name controller_main.
+// `symbol` is the name of that function in the object file.  `declaration` and `call` are the C++
+// text that declares and calls the function.
 struct Form {
   const char* symbol;
   const char* declaration;
   const char* call;
 };
 
-// The ways of declaring main().  The symbol of a C function does not show its parameters.  So a C
-// function is called with all arguments, and a function without parameters ignores them.
+// All ways in which a source may declare main().  The symbol of a C function does not show its
+// parameters.  So a C function is called with all arguments, and ignores them if it has no
+// parameters.
 constexpr Form kForms[] = {
     {"controller_main", "extern \"C\" int controller_main(int argc, char** argv);",
      "controller_main(1, arguments)"},

@@ -33,8 +33,8 @@ std::vector<fs::path> SourcesIn(const fs::path& folder) {
 }
 
 // The text of a Makefile that prints the values of all variables that the file $(LIST) sets, each
-// on a line that begins with "= ".  The names of the variables are not printed: any variable may
-// have the list of sources, so the kit looks at all values.
+// on a line that begins with "= ".  Any variable may have the list of sources, so all values are
+// printed, without the names of the variables.
 constexpr char kPrintVariables[] =
     "include $(LIST)\n"
     "$(foreach v,$(filter-out MAKE% .% CURDIR SHELL LIST,$(.VARIABLES)),"
@@ -92,8 +92,8 @@ void ReadList(const fs::path& folder, ControllerSources* sources) {
           AtWord(sources->list, text, word, fmt::format("there is no file '{}'", word)));
     }
   }
-  // Reports a list that has words but no sources.  A list without any word is no error: it means
-  // the empty controller.
+  // Reports a list that has words but no sources.  A list without any word is no error, because it
+  // asks for the empty controller.
   if (has_words && sources->files.empty()) {
     sources->diagnostics.push_back(
         AtWord(sources->list, text, "",

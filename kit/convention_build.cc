@@ -39,14 +39,14 @@ std::multimap<std::string, fs::path> HeadersByName(const Paths& sources, const P
   return headers;
 }
 
-// Returns whether the source has a main(), which makes it a program of its own and no part of an
+// Returns whether the source has a main().  Such a source is a program of its own and no part of an
 // object.
 bool HasMain(const fs::path& source) {
   static const std::regex kMain("(?:^|\n)[ \t]*(?:(?:int|void)[ \t\r\n]+)?main[ \t]*\\(");
   return std::regex_search(ReadText(source).value_or(""), kMain);
 }
 
-// Returns the shared sources of the project that may be parts of objects.
+// Returns the shared sources, which lie in no object's folder, without those that have a main().
 Paths SharedParts(const Project& project) {
   Paths shared;
   for (const fs::path& source : project.shared_sources)
@@ -157,8 +157,9 @@ class ConventionBuild {
         flags_(std::move(flags)),
         build_(std::move(build)),
         options_(options) {
-    // Gives this build a log of its own, because undefined names at its first attempt to link are
-    // no failure if the second attempt succeeds.
+    // This build has a log of its own.  The names that are undefined at its first attempt to link
+    // are no failure if the second attempt succeeds, so they must not be in the log of the whole
+    // build.
     options_.log = build_ / "log.txt";
     shared_ = SharedParts(project);
   }
@@ -194,8 +195,8 @@ class ConventionBuild {
     return RunMakeIn(build_, {}, options_).is_good;
   }
 
-  // Returns whether undefined names are the only failures of the last build, so that more sources
-  // may help.
+  // Returns whether undefined names are the only failures of the last build, so that linking more
+  // sources may help.
   bool LinksOnly() const {
     const std::vector<KitLog::Failure> failures = log().failures;
     return !failures.empty() &&
@@ -204,8 +205,8 @@ class ConventionBuild {
            });
   }
 
-  // Links the object with `included`, the shared sources whose headers it includes, and with all
-  // other shared sources that compile.  One of these sources may define the undefined names.
+  // Links the object with `included`, the shared sources whose headers the object includes, and
+  // with all other shared sources that compile, because one of them may define the undefined names.
   void LinkWithAll(const Paths& included) {
     Paths rest, compiling;
     std::set_difference(shared_.begin(), shared_.end(), included.begin(), included.end(),
@@ -228,8 +229,8 @@ class ConventionBuild {
     std::string flags = "-O2";
     for (const std::string& flag : flags_) flags += " " + InMakefile(ShellWord(flag));
     flags += " -I" + object_.folder.string();
-    // Never gives a folder both flags, -I and -idirafter, because gcc searches a folder of
-    // -idirafter last even if -I names it, too.
+    // Never gives a folder both flags, -I and -idirafter, because gcc searches such a folder last,
+    // as if it had no -I.
     const auto add = [&](const fs::path& folder, const char* search) {
       const bool is_first =
           std::find(flags_.begin(), flags_.end(), "-I" + folder.string()) != flags_.end();
@@ -314,6 +315,7 @@ std::vector<std::string> BuildByConvention(const Project& project,
                                            const MakePlan& plan, const fs::path& work,
                                            const MakeOptions& options) {
   std::vector<std::string> problems;
+  // Makes the stubs of all objects first, because sources may include the stub of another object.
   for (const ObjectFolder& object : project.objects) GenerateStub(object, options);
   const KitLog made = ReadKitLog(options.log);
   for (const ObjectFolder& object : objects) {
@@ -323,8 +325,8 @@ std::vector<std::string> BuildByConvention(const Project& project,
                             build.lexically_normal(), options);
     const std::string problem = attempt.Run();
     KitLog log = attempt.log();
-    // Removes the compilations from the log, because their flags are from the kit's Makefile and
-    // not from the user's.
+    // Removes the compilations from the log, because their flags come from a Makefile that we have
+    // written and not from the user's.
     log.compiles.clear();
     AppendKitLog(options.log, log);
     if (!problem.empty()) {

@@ -16,11 +16,11 @@ struct CoverageOptions {
   bool resets = false;   // true: forgets the counts of earlier runs, and shows no counts
 };
 
-// Numbers of executions of the lines with code, by the path of the source and the line's number.
+// Counts of executions of the lines with code: path of the source, number of the line, count.
 using LineCounts = std::map<std::string, std::map<int, uint64_t>>;
 
 // Adds the counts in `json` to `counts`.  `json` is the output of gcov --json-format, with one JSON
-// document per line.  Throws std::runtime_error if `json` is something else.
+// document per line.  Throws std::runtime_error if `json` is not such output.
 void AddGcovCounts(const std::string& json, LineCounts* counts);
 
 // Returns the numbers of the lines that were not executed, with neighbours joined: "3, 7-9".  Lines

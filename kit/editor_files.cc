@@ -24,7 +24,8 @@ constexpr char kTestFolder[] = "${workspaceFolder}/build";
 constexpr char kBuildTask[] = "build";
 constexpr char kDebugBuildTask[] = "build for the debugger";
 
-// Returns a task that starts a program.  The arguments need no quotes, since no shell reads them.
+// Returns an editor's task that starts `program`.  The arguments need no quotes, since no shell
+// reads them.
 Json Task(const std::string& label, const std::string& program, const Json& arguments) {
   return {{"label", label},
           {"type", "process"},
@@ -37,8 +38,8 @@ std::string StickOf(const EditorFolder& folder) {
   return folder.stick == "." ? kFolder : std::string(kFolder) + "/" + folder.stick;
 }
 
-// Returns how long the tasks run the stick, in virtual time.  A controller gets more time, because
-// it begins only when the robot has stood up, which takes more than 10 s.
+// Returns how long the editor's tasks run the stick, in virtual time.  A controller gets more time,
+// because its main() is called only when the robot has stood up, which takes more than 10 s.
 const char* DurationOf(const EditorFolder& folder) { return folder.is_controller ? "30s" : "10s"; }
 
 // Returns the name of the task whose images the debugger runs.  A controller is always built with
@@ -107,9 +108,10 @@ Json Launch(const EditorPlaces& places, const EditorFolder& folder) {
                                            {"preLaunchTask", TaskBeforeDebugger(folder)}}})}};
 }
 
-// Returns the settings with which the editor finds headers.  They name the file of compile commands
-// that the build writes.  The build of a controller writes no such file, so for a controller they
-// list the folders in which `openr controller build` finds headers.
+// Returns the settings with which the editor finds headers.  For objects, the settings name the
+// file of compile commands that the build writes.  The build of a controller writes no such file,
+// so for a controller the settings list the folders in which `openr controller build` finds
+// headers.
 Json Settings(const EditorPlaces& places, const EditorFolder& folder) {
   if (folder.is_controller)
     return {{"C_Cpp.default.includePath",
@@ -118,8 +120,8 @@ Json Settings(const EditorPlaces& places, const EditorFolder& folder) {
           {"files.associations", {{"stub.cfg", "plaintext"}, {"*.ocf", "plaintext"}}}};
 }
 
-// Returns the path of the stick that is nearest to the root of the project, below the root. Without
-// a stick, returns the stick that `openr build` makes.
+// Returns the path of the stick that is nearest to the root of the project, relative to the root.
+// If there is no stick, returns the path of the stick that `openr build` will make.
 std::string NearestStick(const Project& project) {
   std::vector<std::string> sticks;
   for (const StickFolder& stick : project.sticks)

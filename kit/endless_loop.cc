@@ -39,8 +39,8 @@ class LoopFinder {
     return code_.size();
   }
 
-  // Returns whether the word "while" at `at` is the end of a do loop, not the beginning of a while
-  // loop.
+  // Returns whether the word "while" at `at` is the end of a do loop and not the beginning of a
+  // while loop.
   bool IsEndOfDo(size_t at) const { return std::count(do_ends_.begin(), do_ends_.end(), at) > 0; }
 
   void LookAtDo(size_t at) {
@@ -102,8 +102,8 @@ class LoopFinder {
 
   // Returns whether a statement in the body of a loop, from `begin` to `end`, leaves this loop.
   bool Leaves(size_t begin, size_t end) const {
-    // End of an inner loop or switch.  A break before this position leaves only that inner
-    // statement.
+    // End of an inner loop or switch.  A break before this position leaves only the inner loop or
+    // switch.
     size_t inner = begin;
     for (size_t at = begin; at < end;) {
       const std::string_view word = WordAt(code_, at);

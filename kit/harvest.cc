@@ -25,9 +25,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// An image of this build: its entry in the log, the content of its file, and the names under which
-// OBJECT.CFG may mention it.  These are the names of its object, its class, its files and its
-// folder.
+// An image of this build: its entry in the log of the build, the content of its file, and the names
+// under which OBJECT.CFG may mention the image.  These are the names of its object, its class, its
+// files and its folder.
 struct BuiltImage {
   KitLog::Image log;
   std::string bytes;
@@ -66,6 +66,7 @@ std::vector<BuiltImage> ReadBuiltImages(const KitLog& log, const Project& projec
   for (const KitLog::Image& entry : log.images) {
     BuiltImage image{entry, ReadImageFile(entry.file).bytes, {}};
     const fs::path folder = fs::path(entry.ocf).parent_path();
+    // The dot keeps Normalised() from cutting the end of a folder's name as an extension.
     image.names = {entry.object, fs::path(entry.file).filename(), fs::path(entry.ocf).filename(),
                    folder.filename().string() + "."};
     for (const ObjectFolder& object : project.objects) {
@@ -139,12 +140,12 @@ class StickCompletion {
   // Returns the path of the image that `record`, a line of OBJECT.CFG, names; "" if this image is
   // not on the stick.  The image may be in another folder than OBJS.
   fs::path PlaceOf(const ObjectRecord& record) const {
+    // Leaves out the first four characters of the path, "/MS/".
     return record.path.size() < 4 ? fs::path() : FindBelow(stick_.root, record.path.substr(4));
   }
 
-  // Returns whether no other stick is nearer to the image's .ocf file.  If the folder around a
-  // stick also contains the .ocf file, the stick is near; the deeper this folder, the nearer the
-  // stick.
+  // Returns whether no other stick is nearer to the image's .ocf file.  A stick is near if
+  // the folder around it also contains the .ocf file; the deeper that folder, the nearer the stick.
   bool IsOfThisStick(const BuiltImage& image) const {
     const auto depth = [&image](const StickFolder& stick) {
       const fs::path around = stick.root.parent_path();
@@ -160,8 +161,8 @@ class StickCompletion {
     for (const std::string& name : missing_) TakeFromKit(name);
   }
 
-  // Finds images for the names in `missing_`.  Takes only unused images for which `is_wanted`
-  // returns true and whose names are similar (MatchImages).
+  // Finds images for the names in `missing_` by similar names (MatchImages).  Takes only images
+  // that are not on the stick yet and for which `is_wanted` returns true.
   void TakeMatching(const std::function<bool(const BuiltImage&)>& is_wanted) {
     std::vector<ImageCandidate> candidates;
     std::vector<size_t> indices;
@@ -245,8 +246,8 @@ class StickCompletion {
     harvest_.notes.insert(harvest_.notes.end(), unlisted_.begin(), unlisted_.end());
   }
 
-  // Lists the images of this build that rules of Makefiles have put on the stick, each under the
-  // name that it has there.
+  // Adds to `listed_` the images of this build that rules of Makefiles have put on the stick, each
+  // under the name that the rule gave it.
   void ListInstalled() {
     for (const fs::path& file : InstalledFiles(stick_)) {
       const size_t index = IndexOf(ReadImageFile(file).bytes);
@@ -257,11 +258,11 @@ class StickCompletion {
     }
   }
 
-  // Lists the images in OBJS that this build has not made: those that rules of Makefiles have
-  // copied there, and those of the user's stick for which the kit has an image.  Adds a note about
-  // each image that stays out of OBJECT.CFG.
+  // Adds to `listed_` the images in OBJS that this build has not made: those that rules of
+  // Makefiles have copied there, and those of the user's stick for which the SDK tree has an image.
+  // Adds a note about each image that stays out of OBJECT.CFG.
   void ListForeign() {
-    std::map<std::string, fs::path> files;  // by their names in upper case
+    std::map<std::string, fs::path> files;  // by the upper case name of the file
     for (const fs::path& folder :
          {FindBelow(users_stick_, "OPEN-R/MW/OBJS"), stick_.ObjectsFolder()}) {
       for (const fs::path& file : FilesIn(folder)) {
@@ -290,8 +291,8 @@ class StickCompletion {
     listed_.emplace_back(name, kNone);
   }
 
-  // Returns why an image that this build has not made cannot be listed; "" if it can.  `is_of_make`
-  // is true if a rule of a Makefile has put it on the stick.
+  // Returns the reason why OBJECT.CFG must not list an image that this build has not made; "" if
+  // there is none.  `is_of_make` is true if a rule of a Makefile has put the image on the stick.
   std::string WhyUnlisted(const std::string& name, const ImageFile& image, bool is_of_make) const {
     if (image.is_for_robot) return "it is an image for the robot (MIPS), not for this machine";
     if (!image.problem.empty()) return "it " + image.problem;
@@ -311,16 +312,16 @@ class StickCompletion {
   const Project& project_;
   const fs::path objects_;
   const std::string sdk_root_;
-  const fs::path users_stick_;  // the stick of which `stick_` is a copy; empty: there is none
+  const fs::path users_stick_;  // the stick of which `stick_` is a copy; empty if there is none
   const std::vector<BuiltImage> built_;
   const bool has_failures_;
   std::set<size_t> used_;  // indexes in built_ of the images on the stick
   std::vector<std::string> missing_;
   std::map<std::string, bool> is_for_robot_;
-  // The images of the OBJECT.CFG that ListEverything() writes: the names of their files, and their
-  // indexes in built_, or kNone if this build has not made them.
+  // The images that the OBJECT.CFG of ListEverything() names: the name of each file, and its index
+  // in built_, or kNone if this build has not made the image.
   std::vector<std::pair<std::string, size_t>> listed_;
-  std::vector<std::string> unlisted_;  // notes about the images that this OBJECT.CFG does not name
+  std::vector<std::string> unlisted_;  // notes about images that ListEverything() does not list
   Harvest harvest_;
 };
 
@@ -330,8 +331,8 @@ bool HasSameBytes(const fs::path& a, const fs::path& b) {
   return ReadText(a) == ReadText(b);
 }
 
-// Creates MW/DATA/P, in which programs open files for writing.  OPEN-R does not create a missing
-// folder, so without this folder the programs could not write.
+// Creates MW/DATA/P, in which programs open files for writing.  OPEN-R does not create missing
+// folders, so without this folder programs could not write.
 void MakeDataFolder(const StickFolder& stick, const fs::path& target) {
   const fs::path middleware =
       target / stick.ObjectsFolder().parent_path().lexically_relative(stick.root);
@@ -376,6 +377,7 @@ std::vector<std::string> DeliverStick(const StickFolder& stick, const fs::path& 
       TryCopyFile(place, robot_folder / name, fs::copy_options::skip_existing);
     }
     fs::create_directories(place.parent_path(), error);
+    // Replaces the file in one step, so that a run never loads an image that is only half copied.
     const fs::path temporary = place.string() + ".tmp";
     error = TryCopyFile(file, temporary, fs::copy_options::overwrite_existing);
     if (!error) fs::rename(temporary, place, error);

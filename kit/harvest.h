@@ -14,14 +14,14 @@ namespace openr_host {
 
 struct HarvestedImage {
   std::string name;    // file name of the image, such as HELLO.BIN
-  std::string object;  // name of its object; "": this build has not made the image
+  std::string object;  // name of the image's object; "" if this build has not made the image
   // How the image was found: "Makefile", "by its name", "the kit's own" and others.
   std::string from;
 };
 
 struct Harvest {
   std::vector<HarvestedImage> images;
-  std::vector<std::string> problems;  // error messages, a line each
+  std::vector<std::string> problems;  // error messages, each of one line
   std::vector<std::string> notes;
   // Files that CompleteStick() has put on the stick, without the files that rules of Makefiles have
   // put there.  The next build removes the files of this list, so that they do not count as images
@@ -32,16 +32,17 @@ struct Harvest {
 
 // Puts on `stick` the images that its OBJECT.CFG names and that rules of Makefiles have not put
 // there.  `stick` is in the private copy of the user's folder, and `users_stick` is its original;
-// empty: there is none.  If the stick has no OBJECT.CFG, writes one that names all images, and
-// notes which images of its folder OBJS are left out and why.  If there are several sticks, first
-// takes images that were built nearer to this stick than to other sticks in the tree of folders.
-// Takes images that were built elsewhere only for the names that are then still without an image.
-// An image that a Makefile puts on one stick has the same file name on all other sticks.
+// the path is empty if there is no original.  If the stick has no OBJECT.CFG, writes one that names
+// all images, and adds a note about each image of its folder OBJS that is left out.  If there are
+// several sticks, first takes images that were built nearer to this stick than to other sticks in
+// the tree of folders.  Takes images that were built elsewhere only for the names that are then
+// still without an image.  An image that a Makefile puts on one stick has the same file name on all
+// other sticks.
 Harvest CompleteStick(const StickFolder& stick, const Project& project, const KitLog& log,
                       const std::string& sdk_root, const std::filesystem::path& users_stick);
 
-// Deletes `images`, which are out of date: the file that the linker wrote, and every file with the
-// same content on the sticks of `project`.
+// Deletes `images`, which are out of date.  Deletes the file that the linker wrote, and every file
+// with the same content on the sticks of `project`.
 void RemoveImages(const std::vector<KitLog::Image>& images, const Project& project);
 
 // Copies the files of `stick`, which is in the private copy, to `target`, the user's stick or

@@ -7,10 +7,10 @@
 namespace openr_host {
 namespace {
 
-// Least length of a name that counts as a part of another name.  A shorter name may occur in the
-// other name by chance.
+// Least length of a name that counts as a part of another name, because a shorter name may occur in
+// another name by chance.
 constexpr size_t kPrefixMin = 3;
-constexpr size_t kSharedMin = 4;  // names with this many equal letters in a row may belong together
+constexpr size_t kSharedMin = 4;  // names with so many equal letters in a row may be of one image
 
 // Returns the letters and digits of the name in lower case, without the extension.
 std::string Normalised(const std::string& name) {
@@ -126,6 +126,7 @@ std::vector<int> MatchImages(const std::vector<std::string>& wanted,
 
 std::string ShortImageName(const std::string& name) {
   std::string result;
+  // The dot keeps Normalised() from cutting the end of the name as an extension.
   for (const char c : Normalised(name + ".")) {
     if (result.size() < 8) result += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   }

@@ -1,5 +1,5 @@
-// Finds, by comparing names, the built image that a line of OBJECT.CFG means.  Needed when no rule
-// of a Makefile copies an image to the name in that line.
+// Finds, by comparing names, the built image that a line of OBJECT.CFG means.  The search is needed
+// when no rule of a Makefile copies an image to the name in that line.
 #pragma once
 
 #include <string>
@@ -8,7 +8,8 @@
 namespace openr_host {
 
 struct ImageCandidate {
-  // Names of the image's object, file, folder and class, in any order.
+  // The names by which OBJECT.CFG may mean the image, in any order: those of its object, file,
+  // folder and class.
   std::vector<std::string> names;
 };
 

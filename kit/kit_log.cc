@@ -32,6 +32,7 @@ void Append(const std::vector<std::string>& words) {
   const int descriptor = open(file, O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0666);
   if (descriptor < 0) return;
   const std::string line = Line(words);
+  // Writes the whole line at once, so that lines of several processes do not mix.
   [[maybe_unused]] const ssize_t written = write(descriptor, line.data(), line.size());
   close(descriptor);
 }
@@ -53,7 +54,7 @@ std::vector<std::string> From(size_t n, const std::vector<std::string>& words) {
   return {words.begin() + static_cast<long>(n), words.end()};
 }
 
-// Returns the number of compilations in the log `file`, together with those of earlier builds.
+// Returns the number of compilations in the log `file`, including those of earlier builds.
 uint64_t CountCompiles(const std::string& file) {
   uint64_t count = 0;
   std::ifstream stream(file);

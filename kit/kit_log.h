@@ -1,6 +1,6 @@
-// A log file by which the tools of the SDK tree, such as the compiler, report to `openr build`.
-// The log is needed because `openr build` starts only make, and make starts the tools.  So `openr
-// build` gets no results from the tools directly.
+// A log file by which the compiler, the linker and other tools report to `openr build`.  The log is
+// needed because `openr build` starts only make, and make starts the tools, so `openr build` gets
+// no results from the tools directly.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ struct KitLog {
     std::vector<std::string> parts;  // the object files and libraries that were linked
   };
   struct Failure {
-    std::string file;    // source or image that could not be made
+    std::string file;    // source that does not compile, or image that was not made
     std::string why;     // reason: "does not compile", or the undefined names
     std::string output;  // file that the tool was to make; "" if unknown
   };
@@ -40,7 +40,7 @@ struct KitLog {
     std::string what;
   };
   std::vector<Image> images;      // images; for each image file only the newest entry
-  std::vector<Failure> failures;  // failures of files that were not made later
+  std::vector<Failure> failures;  // failures, but not of files that were made later
   std::vector<Compile> compiles;  // compilations; for each file and folder only the newest entry
   std::vector<Command> commands;  // commands; for each file and folder only the newest entry
   std::vector<Repair> repairs;
@@ -62,7 +62,7 @@ void LogRepair(const KitLog::Repair& repair);
 // Returns the content of the log; an empty log when there is no such file.
 KitLog ReadKitLog(const std::string& file);
 
-// Counts the sources that a build has compiled so far.  A build may have several logs.
+// Counts the sources that a build has compiled so far, from all logs of the build.
 class CompileCounter {
  public:
   // Reads the log `file` again and returns the number of sources compiled so far, in all logs that
@@ -72,8 +72,8 @@ class CompileCounter {
 
  private:
   struct Lines {
-    uint64_t before = 0;  // compilations of earlier builds
-    uint64_t now = 0;     // largest number of compilations of this build that the log has had
+    uint64_t before = 0;  // compilations that the log had at the first reading
+    uint64_t now = 0;     // largest number of further compilations at any reading
   };
   std::map<std::string, Lines> logs_;
 };

@@ -34,7 +34,7 @@ LinkCommand TranslateMkbin(const std::vector<std::string>& arguments,
     } else if (word.starts_with("-l")) {
       wanted.push_back(ValueOf(arguments, &i));
     } else if (word == "-p") {
-      // Skips the value of this flag, the folder of the SDK, because it is not needed.
+      // Skips the value of -p, the folder of the SDK, because the host's linker does not need it.
       ValueOf(arguments, &i);
     } else if (word.ends_with(".ocf")) {
       command.ocf = word;

@@ -32,8 +32,8 @@ int Refuse(const std::string& why) {
 }
 
 // Returns whether the command has object files or libraries for another processor, and reports the
-// first one.  Such files are object files of an earlier build for the robot, which make believes to
-// be up to date, or libraries for the robot that came without sources.
+// first of these files.  Such object files are left from an earlier build for the robot, and make
+// takes them as up to date.  Such libraries are for the robot and came without sources.
 bool HasForeignCode(const LinkCommand& command) {
   for (const std::string& file : command.objects) {
     const std::string processor = ForeignProcessorOf(file);
@@ -82,8 +82,8 @@ std::string CompileImageInfo(const LinkCommand& command, const std::string& ocf_
   return result.good() ? object : "";
 }
 
-// Returns the name of the file that the linker writes.  Only after success is this file copied to
-// the image, so that no incomplete image ever exists.
+// Returns the name of the file that the linker writes.  This file is copied to the image only if
+// the linker succeeds, so that no incomplete image ever exists.
 std::string Made(const LinkCommand& command) { return Stem(command.output) + ".nosnap.elf"; }
 
 Arguments LinkArguments(const LinkCommand& command, const std::string& image_info) {
@@ -91,6 +91,7 @@ Arguments LinkArguments(const LinkCommand& command, const std::string& image_inf
   Arguments link = HostCompiler(Language::kCxx);
   link.insert(link.end(), {"-shared", "-o", Made(command)});
   link.insert(link.end(), command.objects.begin(), command.objects.end());
+  // Links the libraries as a group, so that each may use functions of the others in any order.
   link.push_back("-Wl,--start-group");
   link.insert(link.end(), command.libraries.begin(), command.libraries.end());
   link.insert(link.end(), {"-Wl,--end-group", image_info, "-L" + (prefix / "lib").string(),
@@ -119,8 +120,8 @@ std::string WithoutDangerWarnings(const std::string& output) {
   return last.empty() ? kept : kept + last + "\n";
 }
 
-// Makes links with the names that the intermediate files of the SDK's mkbin have, because rules of
-// Makefiles use these files.
+// Gives the linked file also the names of the intermediate files that the SDK's mkbin leaves,
+// because rules of Makefiles use these files.
 void LinkIntermediates(const LinkCommand& command) {
   std::error_code ignored;
   for (const char* extension : {".snap.elf", ".rel.elf"}) {
@@ -129,7 +130,7 @@ void LinkIntermediates(const LinkCommand& command) {
   }
 }
 
-// Returns a summary of the linker's errors in one line.
+// Returns a summary in one line of `output`, the linker's errors.
 std::string Summarise(const std::string& output) {
   const std::vector<std::string> names = UndefinedNames(output);
   if (names.empty()) return "does not link";

@@ -32,13 +32,13 @@ class MacroTable {
   std::string WrittenAs(const std::string& word) const;
 
   // Returns `source` with macros expanded, without comments, strings, directives and the parts in
-  // "#if 0".  Macros that stand for numbers are not expanded, because messages show the names of
+  // "#if 0".  Does not expand macros that stand for numbers, because messages show the names of
   // such macros.
   ExpandedText Expand(const std::string& source) const;
 
  private:
   struct Macro {
-    // Names of the parameters; nullopt: a macro without brackets.
+    // Names of the parameters; nullopt if the macro has no list of parameters.
     std::optional<std::vector<std::string>> parameters;
     std::string body;  // text of the macro, without comments and strings
     std::string written;

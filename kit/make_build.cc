@@ -39,6 +39,8 @@ Environment MakeEnvironment(const MakeOptions& options) {
       {"CC", bin + "/mipsel-linux-gcc"},
       {"CXX", bin + "/mipsel-linux-g++"},
       {"AR", bin + "/mipsel-linux-ar"}};
+  // Removes variables of the user's shell that make or a Makefile would use, and those of a make
+  // that may have started this program.
   for (const char* name : {"CFLAGS", "CXXFLAGS", "CPPFLAGS", "LDFLAGS", "MAKEFLAGS", "MFLAGS",
                            "MAKELEVEL", "LD", "AS", "RANLIB", "STRIP"}) {
     environment.emplace_back(name, "");
@@ -63,7 +65,7 @@ ProcessResult Make(const fs::path& folder, const std::vector<std::string>& argum
   Environment environment = MakeEnvironment(options);
   std::function<void()> while_waiting;
   if (options.while_waiting) while_waiting = [&options] { options.while_waiting(options.log); };
-  // Sets PWD, because rules use it as the folder of their Makefile.
+  // Sets PWD to the folder of the Makefile, because rules use PWD as this folder.
   environment.emplace_back("PWD", folder);
   return RunProcess(all, {.environment = environment,
                           .folder = folder,
@@ -90,9 +92,9 @@ std::vector<fs::path> TopFolders(const Project& project) {
   return folders;
 }
 
-// Returns whether users had to set the variable for their own computers: the Makefiles give it no
-// value, or a value that leads to a path outside of the project.  `makefiles` is the text of all
-// Makefiles.
+// Returns whether users had to set the variable for their own computers, because the Makefiles give
+// it no value, or a value that leads to a path outside of the project.  `makefiles` is the text of
+// all Makefiles.
 bool LeadsElsewhere(const MakefileVariable& variable, const std::string& makefiles) {
   if (!variable.is_defined) return true;
   static const std::regex kReference("\\$[({](\\w+)[)}].*");
@@ -162,7 +164,7 @@ std::string ComplaintOfMake(const std::string& line) {
 std::string CauseOf(const std::string& output) {
   static const std::regex kFailedRule("\\[(?:(\\S+:\\d+): )?(.*)\\] (Error \\d+|[A-Z].*)");
   std::istringstream lines(output);
-  std::string before;  // the last line that a command printed
+  std::string before;  // last line before the current one that a command printed
   std::string tool, rule;
   for (std::string line; std::getline(lines, line);) {
     const std::string complaint = ComplaintOfMake(line);
@@ -173,9 +175,9 @@ std::string CauseOf(const std::string& output) {
     if (complaint.starts_with("Waiting for") || complaint.starts_with("Deleting file")) continue;
     std::smatch match;
     if (!std::regex_match(complaint, match, kFailedRule)) return complaint;
-    // Prefers a missing program (Error 127) as the cause, because it explains more than a program
-    // that failed.  Of several failed rules the first is the cause, because the others may depend
-    // on it.
+    // Prefers a missing program (Error 127) as the cause, because this explains more than a program
+    // that failed.  Of several failed rules the first is the cause, because the later rules may
+    // depend on the first.
     std::string* const cause = match[3] == "Error 127" ? &tool : &rule;
     if (!cause->empty()) continue;
     *cause = fmt::format("the rule for '{}'{} failed: {}", match[2].str(),
@@ -189,7 +191,7 @@ MakePlan PlanMake(const Project& project, const std::string& sdk_root) {
   MakePlan plan;
   plan.folders = TopFolders(project);
   const std::string stick = StickValue(project);
-  std::string all;  // text of all Makefiles, which may use variables of each other
+  std::string all;  // text of all Makefiles, because a Makefile may use variables of others
   for (const fs::path& file : project.makefiles) {
     const std::string text = ReadText(file).value_or("");
     all += text + "\n";
@@ -267,6 +269,7 @@ MakeOutcome RunMakeIn(const fs::path& folder, const std::vector<std::string>& ar
       std::fputs(together.output.c_str(), stderr);
       return {true, together.output};
     }
+    // Forgets the failures of the first run, because the second run logs the failures that remain.
     after.failures = before.failures;
     WriteKitLog(options.log, after);
   }

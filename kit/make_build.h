@@ -19,14 +19,15 @@ struct MakeOptions {
   std::string variant;  // name of the variant to build (build_variant.h)
   int jobs = 1;
   bool is_verbose = false;
-  // A function that is called again and again while make runs, with the path of the log in which
-  // this make records its compilations; may be null.
+  // A function that is called again and again while make runs; null: none.  Its argument is the
+  // path of the log in which this make records its compilations.
   std::function<void(const std::string& log)> while_waiting;
   // Says when the output of make is printed: always, only if make succeeds, or never.
   enum class Says { kAlways, kIfGood, kNever } says = Says::kAlways;
 };
 
-// The way in which make is called for a project.  Made by PlanMake(), used by RunMake().
+// The folders and variables with which make is called for a project.  PlanMake() makes the plan and
+// RunMake() carries it out.
 struct MakePlan {
   // Folders in which make runs, for the first target of the Makefile and for `install`.
   std::vector<std::filesystem::path> folders;
@@ -40,8 +41,8 @@ struct MakePlan {
 
 struct MakeOutcome {
   bool is_good = true;
-  // The output of make and its commands.  If make ran again with one job after a failure with
-  // several jobs, only the output of the second run counts.
+  // The output of make and its commands.  If several jobs failed and make ran again with one job,
+  // only the output of the second run.
   std::string output;
 };
 
@@ -53,7 +54,7 @@ MakePlan PlanMake(const Project& project, const std::string& sdk_root);
 uint64_t CountSourcesIn(const std::string& commands);
 
 // Returns how many sources RunMake() is going to compile, according to make -n.  Returns 0 if make
-// does not know its commands before it runs, such as in rules that call make from a script.
+// does not know the commands before it runs them, for example because a script calls make.
 uint64_t CountPlannedCompiles(const MakePlan& plan, const MakeOptions& options);
 
 // Runs make as planned.  Prints the output of compilers and make.  Afterwards the log (kit_log.h)

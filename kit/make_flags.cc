@@ -34,8 +34,8 @@ bool HasMainMakefile(const fs::path& folder) {
   return false;
 }
 
-// The text of a rule for make.  The rule prints the value of each variable that Makefiles set, each
-// on a line of its own.
+// The text of a rule for make that prints the value of each variable that a Makefile sets, each on
+// a line of its own.
 constexpr char kShowVariables[] =
     "openr-kit-flags: ; "
     "$(foreach v,$(.VARIABLES),$(if $(filter file,$(origin $v)),$(info $($v))))@:";

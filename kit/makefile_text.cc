@@ -120,6 +120,7 @@ bool IsDefinedIn(const std::string& text, const std::string& name) {
 std::vector<std::string> InstalledImages(const std::string& text) {
   static const std::regex kImage("(?:OBJS|objs)/([\\w$&#{}~%'()@^`!-]+\\.(?:BIN|bin))(?!\\w)");
   Names names = AllMatches(text, kImage);
+  // Drops names that begin with a variable, whose value is not known here.
   std::erase_if(names, [](const std::string& name) { return name.find('$') == 0; });
   return names;
 }

@@ -18,8 +18,8 @@ struct MakefileVariable {
   std::string name;
   bool is_defined = false;  // true: the text assigns a value to the variable (=, := or the like)
   std::vector<std::string> values;  // the values as written, one per assignment
-  // The folder in the SDK that the variable names, such as "/OPEN_R/bin"; "": the folder of the
-  // SDK.
+  // The folder in the SDK for which the variable stands, such as "/OPEN_R/bin"; "": the SDK's own
+  // folder.
   std::string folder;
 };
 

@@ -34,8 +34,8 @@ std::string ClassName(std::string name) {
   return name;
 }
 
-// Returns whether a class of this name compiles with the headers of the SDK tree `sdk_root`,
-// together with calls of its functions as in a stub.
+// Returns whether a class called `class_name`, with calls of its functions as in a stub, compiles
+// with the headers of the SDK tree `sdk_root`.
 bool Compiles(const std::string& class_name, const std::string& sdk_root) {
   std::vector<std::string> command = HostCompiler(Language::kCxx);
   const std::vector<std::string> flags = ParseCompileFlags(
@@ -75,6 +75,7 @@ std::string WhyNoObjectName(const std::string& name) {
 }
 
 std::string WhyNoClass(const std::string& name, const std::string& sdk_root) {
+  // Compiles a harmless name as well: if that fails, too, the reason is not the name.
   if (Compiles(ClassName(name), sdk_root) || !Compiles("HelloWorld", sdk_root)) return "";
   return fmt::format(
       "no class can be called {}, because the OPEN-R headers or those of C use this name; choose "

@@ -19,7 +19,7 @@ std::string WhyNoObjectName(const std::string& name);
 // compiles because there is no compiler.
 std::string WhyNoClass(const std::string& name, const std::string& sdk_root);
 
-// Name of the file that tells git what builds and runs leave behind.
+// Name of the file that tells git which files of builds and runs are not to be committed.
 inline constexpr char kIgnoreFile[] = ".gitignore";
 
 // Returns the files of a folder with the object `name`: stub.cfg, sources, .ocf file, a Memory

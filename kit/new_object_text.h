@@ -184,7 +184,7 @@ clean:
 	rm -f @Name@/*.o @Name@/*.bin @Name@/*.elf @Name@/@Name@Stub.* @Name@/def.h @Name@/entry.h
 )";
 
-// Lists what builds and runs leave behind, so that git does not offer it to be committed.
+// The file .gitignore: lists what builds and runs leave behind, so that nobody commits it.
 inline constexpr char kIgnore[] = R"(# What openr build, make, CMake and runs leave here.
 /build/
 /compile_commands.json

@@ -77,8 +77,8 @@ void CopyBase(const std::string& base, const fs::path& root) {
   CopyTree(tree, root / "OPEN-R");
 }
 
-// Returns the names of the images in OPEN-R/MW/OBJS of the stick `root` that its OBJECT.CFG names
-// for no robot.
+// Returns the names of the images in OPEN-R/MW/OBJS of the stick `root` that no section of its
+// OBJECT.CFG names, so that no robot loads them.
 std::vector<std::string> UnlistedImages(const fs::path& root) {
   const std::string text = ReadText(SpeltBelow(root, "OPEN-R/MW/CONF/OBJECT.CFG")).value_or("");
   const std::vector<ObjectRecord> records =

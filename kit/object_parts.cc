@@ -95,6 +95,7 @@ std::vector<fs::path> ObjectParts::MakefilesOf(const ObjectFolder& object) const
     if (IsOfOther(file, object)) continue;
     std::set<fs::path> named;
     for (const std::string& path : PathsIn(TextOf(file))) {
+      // Adds a slash and removes it again, so that "Dog" and "Dog/" become the same path.
       const fs::path target = (file.parent_path() / path / "").lexically_normal().parent_path();
       if (object_folders_.contains(target)) named.insert(target);
       if (object_folders_.contains(target.parent_path())) named.insert(target.parent_path());
@@ -176,6 +177,8 @@ std::vector<fs::path> ObjectParts::OcfsOf(const ObjectFolder& object) const {
   std::vector<ImageCandidate> candidates;
   for (const fs::path& file : free)
     candidates.push_back({{file.filename(), file.parent_path().filename().string() + "."}});
+  // Matches the names of all objects without an .ocf file together, so that two objects do not get
+  // the same file.
   std::vector<std::string> wanted;
   size_t own = 0;
   for (const ObjectFolder& other : project_.objects) {

@@ -13,8 +13,8 @@
 
 namespace openr_host {
 
-// Reads the files of a project and of the folders outside that the project refers to with "../",
-// each file at most once.
+// Reads the files of a project, and of the folders outside of it that it names with "../".  Each
+// file is read at most once.
 class ObjectParts {
  public:
   ObjectParts(const Project& project, const ReferredPlaces& places);
@@ -34,8 +34,8 @@ class ObjectParts {
   // Remote Processing, which lets objects run on a PC.
   bool IsForRemoteProcessing(const ObjectFolder& object) const;
 
-  // Returns the file names of the images that rules of Makefiles put on a stick for this object
-  // alone.
+  // Returns the file names of the images that rules of Makefiles put on a stick for `object` and
+  // for no other object.
   std::vector<std::string> ImageNamesOf(const ObjectFolder& object) const;
 
   // Returns the file names of all images that rules of Makefiles put on a stick.

@@ -32,6 +32,7 @@ int Check(const char* tool, const std::string& problem) {
 
 // Returns `bytes` compressed, in the file format of gzip.
 std::string Gzipped(std::string bytes) {
+  // Added to the size of the window, makes zlib write the file format of gzip.
   constexpr int kGzipFormat = 16;
   z_stream stream{};
   if (deflateInit2(&stream, 6, Z_DEFLATED, kGzipFormat + MAX_WBITS, MAX_MEM_LEVEL - 1,
@@ -49,8 +50,8 @@ std::string Gzipped(std::string bytes) {
   return packed;
 }
 
-// Returns the path of the copy of `from`: `to`, or a file of the same name in `to` if `to` is a
-// folder.
+// Returns the path for a copy of the file `from`: `to`, or if `to` is a folder, a file of the same
+// name in this folder.
 fs::path Target(const fs::path& from, const fs::path& to) {
   std::error_code error;
   return fs::is_directory(to, error) ? to / from.filename() : to;

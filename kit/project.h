@@ -17,13 +17,13 @@ struct ObjectFolder {
   std::string class_name;      // name of the object's class, from stub.cfg
   std::vector<std::filesystem::path> ocfs;
   std::vector<std::filesystem::path> sources;  // sources in this folder, without generated files
-  std::vector<std::string> image_names;        // files that rules of its Makefile put on a stick
+  std::vector<std::string> image_names;        // images that rules of its Makefile install
 };
 
 // A Memory Stick in the form of a folder: it holds OPEN-R/MW.
 struct StickFolder {
   std::filesystem::path root;
-  std::vector<ObjectRecord> objects;    // lines of OBJECT.CFG, for all designs of robot, in order
+  std::vector<ObjectRecord> objects;    // lines of OBJECT.CFG in their order, for all robots
   std::filesystem::path object_config;  // path of OBJECT.CFG; empty: the stick has none
 
   // Returns the path of OPEN-R/MW/OBJS with the upper and lower case it has on the disk.

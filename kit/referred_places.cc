@@ -16,11 +16,11 @@ namespace {
 namespace fs = std::filesystem;
 
 // Largest number of files in a folder outside of the program.  A folder with more files is not
-// used.
+// taken as a part of the program.
 constexpr size_t kOutsideFilesMax = 20'000;
 
-// Returns whether the file, by its name, may be a part of a program.  From a folder around the
-// program, only such files are used, because that folder may hold many other files.
+// Returns whether the file, by its name, may be a part of a program.  Of a folder around the
+// program only such files are used, because the folder may hold many other files.
 bool IsPartOfPrograms(const fs::path& file) {
   return IsSourceName(file) || IsHeaderName(file) || IsMakefileName(file) ||
          LowerCase(file.extension()) == ".ocf" || LowerCase(file.extension()) == ".cfg";
@@ -120,8 +120,8 @@ class PlaceSearch {
   }
 
   // Adds the file or folder `target`, to which a path in a file of the program leads.  `is_above`
-  // says that the path ends in "..".  Such a folder may hold more than the program, so if it
-  // contains a known folder of the program, only the files directly in it are added.
+  // says that the path ends in "..", so the folder may hold more than the program.  Of a folder
+  // that contains a known folder of the program, only the files directly in it are added.
   void AddTarget(const fs::path& target, bool is_above) {
     std::error_code error;
     if (!fs::exists(target, error) || IsCovered(target)) return;
@@ -131,7 +131,7 @@ class PlaceSearch {
     const bool wants_files = is_above || !is_folder;
     if (is_around_root || (wants_files && IsAroundSome(folder))) {
       if (!is_folder) AddFile(target);
-      AddFilesIn(folder);  // a source may include headers beside it, which it names without a path
+      AddFilesIn(folder);  // a source may include headers beside it, which it names without "../"
     } else if (FilesBelow(folder).size() <= kOutsideFilesMax) {
       places_.folders.push_back(folder);
     }

@@ -24,7 +24,7 @@ struct ReferredPlaces {
 std::string ExpandedMakefile(const std::filesystem::path& file);
 
 // Searches the files below `root`, an absolute folder, for paths that lead out of `root`.  Then
-// searches the files in the places that it has found in the same way.  Returns these places.
+// searches the files to which these paths lead in the same way.  Returns all places outside.
 ReferredPlaces FindReferredPlaces(const std::filesystem::path& root);
 
 }  // namespace openr_host

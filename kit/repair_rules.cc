@@ -15,7 +15,7 @@ namespace {
 
 using Edits = std::vector<Edit>;
 
-// An error message of the compiler, and the text of its file with and without comments.
+// An error message of the compiler, with the text of the file that the message is about.
 struct Spot {
   const Complaint& complaint;
   const std::string& text;
@@ -97,10 +97,10 @@ Edits LabelAtEnd(const Spot& place) {
 
 // Replaces __FUNCTION__ beside a string by __FILE__, as in `Print("in " __FUNCTION__)`.  In g++ 3.3
 // __FUNCTION__ was a string literal, which the compiler joins with the string.  Today only __FILE__
-// is a literal.  The text then names the file and not the function; this is good enough, because
-// only people read it.
+// is a literal.  The printed text then names the file and not the function, which is good enough,
+// because only people read the text.
 Edits FunctionName(const Spot& place) {
-  size_t begin = NextOf(place.code, place.at);  // the message names the text before the word
+  size_t begin = NextOf(place.code, place.at);  // the message names the text before it
   if (place.Says("before string constant")) {
     begin = PreviousOf(place.code, place.at);
     while (begin != kNone && begin > 0 && IsWordCharacter(place.code[begin - 1])) --begin;
@@ -149,7 +149,7 @@ Edits Specialisation(const Spot& place) {
   while (begin > 0 && std::string_view(";{}").find(place.code[begin - 1]) == std::string_view::npos)
     --begin;
   begin = NextOf(place.code, begin);
-  while (begin < place.at && place.code[begin] == '#') {  // skips lines of directives
+  while (begin < place.at && place.code[begin] == '#') {  // skips lines such as #define
     begin = place.code.find('\n', begin);
     begin = begin == kNone ? place.at : NextOf(place.code, begin);
   }
@@ -166,7 +166,7 @@ Edits StaticSpecialisation(const Spot& place) {
 }
 
 // Removes the leading `::` of a name that was declared before: int ::f() {}  Today's g++ does not
-// accept `::` in a declaration at global scope.
+// accept `::` in the declaration of such a name.
 Edits KnownGlobalName(const Spot& place) {
   if (!place.Says("explicit qualification in declaration")) return {};
   if (place.code.compare(place.at, 2, "::") != 0) return {};
@@ -177,7 +177,7 @@ Edits KnownGlobalName(const Spot& place) {
 // `::` only before a name that it knows.
 Edits GlobalName(const Spot& place) {
   if (!place.Says("should have been declared inside '::'")) return {};
-  size_t at = place.at;  // the message names the place of the closing bracket, or of the name
+  size_t at = place.at;  // the message names the closing bracket or the name
   if (place.code[at] == ')') {
     int depth = 0;
     for (; at > 0; --at) {
@@ -192,7 +192,7 @@ Edits GlobalName(const Spot& place) {
   return {{colon - 1, colon + 1, "  ", "'::' left out before a name at global scope"}};
 }
 
-// A for loop that declares a variable, which the program also uses after the loop.
+// A for loop that declares a variable which is also used after the loop.
 struct Loop {
   size_t begin = kNone;    // position of the word "for"
   size_t declaration = 0;  // position after the opening bracket
@@ -264,7 +264,7 @@ Edits LoopVariable(const Spot& place) {
 
 // Returns whether the block after the text `head` may use names that a template inherits.  Such a
 // block is a class whose base depends on a template parameter, or a member function that is defined
-// outside of its class template.  Today's g++ wants "this->" before such names.
+// outside of its class template.  Today's g++ requires "this->" before inherited names there.
 bool MayInheritNames(const std::string& head) {
   static const std::regex kDerived("template\\s*<[^]*(?:class|struct)\\s+\\w+\\s*:[^]*<");
   static const std::regex kMember("template\\s*<[^]*\\w\\s*<[^()]*>\\s*::\\s*~?\\w+\\s*\\(");
@@ -299,8 +299,8 @@ Edits InheritedName(const Spot& place) {
            fmt::format("'this->' put before '{}', which a template inherits", place.Quoted())}};
 }
 
-// Corrects the name of a header if its slashes or its upper and lower case letters are wrong,
-// because it was written for another file system: #include "Sub\HEADER.H"
+// Corrects the name of a header whose slashes or upper and lower case letters are wrong here,
+// because the name was written for another file system: #include "Sub\HEADER.H"
 Edits HeaderName(const Spot& place, const std::vector<std::string>& headers) {
   const size_t end = place.complaint.message.find(": No such file or directory");
   if (end == kNone) return {};

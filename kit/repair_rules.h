@@ -1,4 +1,4 @@
-// Repairs sources that the SDK's g++ 3.3 accepted and today's g++ does not, so that both compilers
+// Changes sources that the SDK's g++ 3.3 accepted and today's g++ does not, so that both compilers
 // accept them.
 //
 // Each rule handles one kind of error message and looks at the source text at the place that the

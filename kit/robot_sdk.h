@@ -37,8 +37,8 @@ class RobotSdk {
   void Compile(const std::filesystem::path& source, const std::filesystem::path& object,
                const std::vector<std::string>& options) const;
 
-  // Links an image.  `libraries` are flags such as "-lInternet".  Checks that the image is for the
-  // robot's processor.
+  // Links an image for the robot.  `libraries` are flags such as "-lInternet".  Throws if the image
+  // is not for the robot's processor.
   void Link(const std::filesystem::path& ocf, const std::vector<std::filesystem::path>& objects,
             const std::vector<std::string>& libraries, const std::filesystem::path& image) const;
 

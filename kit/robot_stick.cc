@@ -29,7 +29,7 @@ constexpr char kElfFolder[] = "elf";
 
 struct RobotObject {
   const char* name;   // name of the object's class, folder and files
-  const char* image;  // file name in OBJECT.CFG
+  const char* image;  // file name of the image
   bool has_common;    // true: the object is linked with the sources in objects/common
   bool has_network;
 };
@@ -158,8 +158,9 @@ class RobotStick {
     KeepElfFile(made);
   }
 
-  // Keeps the ELF file with line numbers that mkbin leaves beside an image, for openr emon.  It is
-  // not in OPEN-R/, because it does not belong on the robot's stick.
+  // Copies the ELF file that mkbin leaves beside an image to the folder kElfFolder.  openr emon
+  // reads the line numbers in this file.  The folder is outside of OPEN-R/, because the file does
+  // not belong on the robot's stick.
   void KeepElfFile(const fs::path& image) {
     const fs::path elf = fs::path(image).replace_extension(".nosnap.elf");
     std::error_code error;

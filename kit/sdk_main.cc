@@ -1,5 +1,5 @@
 // The program openr-sdk, which does the work of all tools of the SDK tree.  The tools are links to
-// this program.  It acts as the tool by whose name it was called.
+// this program, which acts as the tool by whose name it was called.
 //
 //   mipsel-linux-g++ -O2 -c a.cc      the same as      openr-sdk g++ -O2 -c a.cc
 #include <cstdio>

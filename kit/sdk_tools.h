@@ -11,27 +11,27 @@ namespace openr_host {
 
 using Arguments = std::vector<std::string>;
 
-// The tools mipsel-linux-g++ and mipsel-linux-gcc, which run the host's compiler with the kit's
-// flags.
+// Runs mipsel-linux-g++ (`is_cxx`) or mipsel-linux-gcc: calls the host's compiler with the flags
+// that old sources need.
 int RunCompiler(const Arguments& arguments, bool is_cxx);
 
-// The tool `mkbin -o X.bin X.ocf a.o libb.a -lObjectComm`, which links an image.  An image is a
-// shared library that also contains the text of the .ocf file.
+// Runs the tool `mkbin -o X.bin X.ocf a.o libb.a -lObjectComm`, which links an image.  An image is
+// a shared library that also contains the text of the .ocf file.
 int RunMkbin(const Arguments& arguments);
 
-// The tool `image-info OCF OUT`, which writes to OUT the source that brings the text of the .ocf
-// file into an image.  A build system compiles this source and links it into the image.
+// Runs the tool `image-info OCF OUT`, which writes to OUT the source that brings the text of the
+// .ocf file into an image.  A build system compiles this source and links it into the image.
 int RunImageInfo(const Arguments& arguments);
 
-// The tool `controller-main NM OUT [OBJECT...]`, which writes the source that calls main() of a
-// controller, for build systems; see controller_main.h.
+// Runs the tool `controller-main NM OUT [OBJECT...]`, which writes the source that calls main() of
+// a controller.  The tool is for build systems; see controller_main.h.
 int RunControllerMain(const Arguments& arguments);
 
-// The tool `gzcp FROM TO`, which makes a copy of FROM that is compressed with gzip.
+// Runs the tool `gzcp FROM TO`, which makes a copy of FROM that is compressed with gzip.
 int RunGzcp(const Arguments& arguments);
 
-// The tool `strip [-o OUT] FILE...`, which removes nothing here, because a debugger on the host
-// needs the debug information in the files.  With -o, it copies the file.
+// Runs the tool `strip [-o OUT] FILE...`, which removes nothing, because a debugger on the host
+// needs the debug information in the files.  With -o, the tool copies the file.
 int RunStrip(const Arguments& arguments);
 
 // Does the work of the SDK's ar, ld and other tools: runs the host's tool of the name `tool` with

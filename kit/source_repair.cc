@@ -79,6 +79,8 @@ std::string Edited(std::string text, std::vector<Edit> edits) {
   return text;
 }
 
+// Counts edits that only touch as well, because the order of two insertions at one position would
+// matter.
 bool Overlaps(const std::vector<Edit>& edits, const std::vector<Edit>& others) {
   return std::any_of(edits.begin(), edits.end(), [&](const Edit& edit) {
     return std::any_of(others.begin(), others.end(), [&](const Edit& other) {
@@ -110,9 +112,9 @@ RepairSession::~RepairSession() {
   if (lock_ >= 0) close(lock_);
 }
 
-// Adds to `edits_of` edits of headers that remove assembly from macros.  Called for a complaint
-// about assembly in a line of `text` that itself has no assembly.  Then the assembly comes from a
-// macro of a header.
+// Adds to `edits_of` the edits of headers that remove assembly from macros.  Called if the compiler
+// complains about assembly in a line of `text` that has none, because the assembly then comes from
+// a macro of a header.
 void RepairSession::AddMacroEdits(const Complaint& complaint, const std::string& text,
                                   std::map<std::string, std::vector<Edit>>* edits_of) {
   const size_t begin = OffsetOf(text, complaint.line, 1);

@@ -21,8 +21,8 @@ class RepairSession {
   RepairSession(const RepairSession&) = delete;
   RepairSession& operator=(const RepairSession&) = delete;
 
-  // Returns whether repairs are possible.  Only the private copies that `openr build` makes may be
-  // changed, so repairs are not possible without such copies.
+  // Returns whether files may be repaired.  This is true only if `openr build` has made private
+  // copies, because the user's own files are never changed.
   bool may_repair() const { return !copies_.empty(); }
 
   // Repairs the files for the errors in `diagnostics`, the output of g++ with

@@ -28,7 +28,7 @@ std::vector<StringLiteral> StringLiteralsIn(std::string_view text);
 // Returns the position of a line and a column, both from 1; npos if the text has no such place.
 size_t OffsetOf(std::string_view text, int line, int column);
 
-// The result of functions that find no position.
+// The result of the functions below if they find no position.
 inline constexpr size_t kNone = std::string_view::npos;
 
 // Returns the position of the first character from `at` on that is neither a blank nor a line end;

@@ -17,6 +17,7 @@ namespace fs = std::filesystem;
 }  // namespace
 
 StickDraft::StickDraft(const std::string& output)
+    // Adds a slash and takes the parent, so that "out" and "out/" become the same path.
     : output_((fs::absolute(output) / "").lexically_normal().parent_path()) {
   std::error_code error;
   if (fs::exists(fs::symlink_status(output_, error))) {

@@ -59,13 +59,13 @@ const std::set<std::string> kWlanKeys = {"HOSTNAME", "ETHER_IP",     "ETHER_NETM
 
 std::string MergeConfig(const std::string& base, const std::string& ours) {
   const Parts theirs = Split(base), mine = Split(ours);
-  if (!HasRecord(theirs)) return ours;  // the file of the base has no records, only comments
+  if (!HasRecord(theirs)) return ours;  // the base's file has no records, only comments
   std::set<std::string> known;
   std::string text;
   const auto add = [&](const std::vector<std::string>& lines, bool in_section) {
     for (const std::string& line : lines) {
-      // Drops a repeated line only outside of sections, because several sections may need the same
-      // line.
+      // Drops a repeated line only outside of sections, because each section is for another robot
+      // and so several sections may need the same line.
       if (IsRecord(line) && !known.insert(WithoutBlanks(line)).second && !in_section) continue;
       text += line + "\n";
     }
@@ -144,6 +144,7 @@ std::vector<Diagnostic> CheckObjectConfig(const fs::path& stick) {
   bool has_power_monitor = false;
   for (const FilePosition& line : SplitLines("OPEN-R/MW/CONF/OBJECT.CFG", text, &diagnostics)) {
     if (!IsRecord(line.text)) continue;
+    // Removes the blank that WithoutBlanks() leaves at the end.
     const std::string path =
         WithoutBlanks(line.text).substr(0, WithoutBlanks(line.text).size() - 1);
     // Looks for PowerMonitor, the object that handles the pause button on the robot's own sticks.

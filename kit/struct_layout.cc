@@ -16,8 +16,8 @@ namespace fs = std::filesystem;
 using OpenElf = std::unique_ptr<Elf, decltype(&elf_end)>;
 using OpenDwarf = std::unique_ptr<Dwarf, decltype(&dwarf_end)>;
 
-// Returns the type of `die`, an entry of the debug information (DWARF), as an entry.  Returns
-// nullopt if `die` has no type.
+// Returns the entry of the type of `die`, an entry of the debug information (DWARF); nullopt if
+// `die` has no type.
 std::optional<Dwarf_Die> DeclaredTypeOf(Dwarf_Die* die) {
   Dwarf_Attribute attribute;
   Dwarf_Die type;
@@ -26,8 +26,8 @@ std::optional<Dwarf_Die> DeclaredTypeOf(Dwarf_Die* die) {
   return type;
 }
 
-// Returns the type of `die`, an entry of the debug information, as an entry: the type without
-// typedefs, const and volatile.  Returns nullopt if `die` has no type.
+// Returns the entry of the type of `die`, without typedefs, const and volatile; nullopt if `die`,
+// an entry of the debug information, has no type.
 std::optional<Dwarf_Die> TypeOf(Dwarf_Die* die) {
   std::optional<Dwarf_Die> type = DeclaredTypeOf(die);
   Dwarf_Die peeled;
@@ -57,7 +57,7 @@ std::string WideTypeIn(Dwarf_Die* structure);
 // Returns the name of the type in `member` that has 8 bytes here and 4 on the robot
 // (StructLayout::Member::wide_type); "" if there is none.
 std::string WideTypeOf(Dwarf_Die* member) {
-  std::string shown;  // name of the first typedef, by which the user knows the type
+  std::string shown;  // the outermost typedef, by which the user knows the type
   Dwarf_Die die = *member;
   while (const std::optional<Dwarf_Die> next = DeclaredTypeOf(&die)) {
     die = *next;
@@ -73,20 +73,21 @@ std::string WideTypeOf(Dwarf_Die* member) {
         if (NumberOf(&die, DW_AT_byte_size) != uint64_t{8}) return "";
         return shown.empty() ? name : shown;
       case DW_TAG_typedef:
-        // A type such as int64_t, which is long here, does not count, because it has 8 bytes on the
-        // robot, too.
+        // Does not count a type such as int64_t, which is `long` here, because such a type has 8
+        // bytes on the robot, too.
         if (name.find("64") != std::string::npos) return "";
         if (shown.empty()) shown = name;
         break;
-      default:  // const, volatile, or an array, whose type is that of an element
+      default:  // const, volatile or an array: goes on with the type of the element
         break;
     }
   }
   return "";
 }
 
-// Returns the first type in a struct that has 8 bytes here and 4 on the robot.  Leaves out the
-// pointer of a class with virtual functions, because no source names this pointer.
+// Returns the name of the first type in a struct that has 8 bytes here and 4 on the robot; "" if
+// there is none.  Leaves out the pointer of a class with virtual functions, because no source names
+// this pointer.
 std::string WideTypeIn(Dwarf_Die* structure) {
   Dwarf_Die child;
   for (int end = dwarf_child(structure, &child); end == 0; end = dwarf_siblingof(&child, &child)) {

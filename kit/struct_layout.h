@@ -9,7 +9,7 @@
 
 namespace openr_host {
 
-// The name of a pointer in StructLayout::Member::wide_type.
+// The value of StructLayout::Member::wide_type for a pointer.
 inline constexpr char kWidePointer[] = "a pointer";
 
 // A struct or class.  Bit fields, static members and members without a name are left out.

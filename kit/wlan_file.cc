@@ -15,8 +15,8 @@ namespace {
 bool Always(const WlanConfig&) { return true; }
 bool WithoutDhcp(const WlanConfig& config) { return !config.use_dhcp; }
 bool WithWep(const WlanConfig& config) { return config.wep_enable; }
-// Returns whether the network may be an ad hoc network.  Only for such a network the user gives a
-// channel; an access point has its own channel (Installation Guide 3.2.2).
+// Returns whether the network may be an ad hoc network.  Only such a network needs a channel from
+// the user; an access point has its own channel (Installation Guide 3.2.2).
 bool MayBeAdHoc(const WlanConfig& config) { return config.ap_mode != 1; }
 
 // Returns an address such as "10.0.1.100" as a number.  The address is valid, because the parser
@@ -51,7 +51,7 @@ bool Sets(const WlanResult& settings, const char* key) {
   return std::find(settings.keys.begin(), settings.keys.end(), key) != settings.keys.end();
 }
 
-// Collects the warnings about settings that are valid but do not fit together.
+// Collects warnings about settings of which each is valid but which do not fit together.
 class Sense {
  public:
   explicit Sense(std::string file) { place_.file = std::move(file); }
@@ -70,6 +70,7 @@ void CheckAddresses(const WlanConfig& config, Sense* sense) {
                             config.ether_netmask));
     return;
   }
+  // A network of one or two addresses has no address for itself and none for all in it.
   const bool has_hosts = mask < 0xfffffffe;
   if (has_hosts && ((ip & ~mask) == 0 || (ip | mask) == 0xffffffff)) {
     sense->Warn(

@@ -35,8 +35,8 @@ bool IsBuiltImage(const fs::path& file) {
          ReadImageFile(file).problem.empty();
 }
 
-// Returns whether the file is a list of dependencies for make.  The copy of such a file is empty,
-// because the list names headers of the robot's compiler, and make would fail without them.
+// Returns whether the file is a list of dependencies for make.  Such a list names headers of the
+// robot's compiler, and make would fail without these headers, so the copy of the list is empty.
 bool IsDependencyList(const fs::path& file) {
   const std::string name = file.filename();
   return file.extension() == ".d" || name == ".depend" || name == ".depends" || name == ".dep";
@@ -186,8 +186,8 @@ void WorkCopy::CopyFile(const fs::path& original) {
     return;
   }
   if (MakesHeaders(original)) has_new_headers_ = true;
-  // Does not copy files for another processor, such as the robot's, because make would believe that
-  // they are up to date.
+  // Does not copy files for another processor, such as the robot's, because make would take them as
+  // up to date.
   const std::string processor = ForeignProcessorOf(original);
   if (!processor.empty()) {
     left_out_[original] = processor;
@@ -202,16 +202,17 @@ void WorkCopy::CopyFile(const fs::path& original) {
   std::error_code error;
   fs::permissions(copy, fs::status(original, error).permissions() | fs::perms::owner_write, error);
   SetTime(copy, original);
-  // Gives the copy of a generated stub an older time than its stub.cfg, so that a Makefile's rule
-  // that makes the stub will run.
+  // Gives the copy of a generated stub an older time than its stub.cfg, so that make runs the rule
+  // that makes the stub.
   if (IsGeneratedStub(original)) {
     SetOldTime(copy);
+    // Leaves a def.h that was written by hand as it is.
     if (copy.filename() != "def.h" || IsGeneratedDefinitions(text)) left_stubs_.push_back(copy);
   }
 }
 
 // Makes the copied stubs again with our stubgen2, because other versions of stubgen2 may have made
-// the originals.  This is not left to make, because a Makefile may have no rule for the stub, or
+// the originals.  This does not wait for make, because a Makefile may have no rule for the stub, or
 // may use the stub before that rule has run.
 void WorkCopy::MakeStubsAnew() const {
   std::set<fs::path> folders;
@@ -251,6 +252,7 @@ WorkCopy::Stamp WorkCopy::StampOf(const fs::path& file) {
 }
 
 fs::path DefaultWorkFolder(const fs::path& folder, BuildVariant variant) {
+  // The hash of the path keeps apart folders that have the same name.
   Hasher hasher;
   hasher.AddText(folder.string());
   const std::string name = VariantName(variant);

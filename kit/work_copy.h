@@ -18,7 +18,7 @@
 namespace openr_host {
 
 // Returns the folder in the user's cache for private copies of `folder`, an absolute path.  Each
-// variant has a folder of its own.
+// variant, such as "debug", has a folder of its own.
 std::filesystem::path DefaultWorkFolder(const std::filesystem::path& folder, BuildVariant variant);
 
 class WorkCopy {
@@ -32,11 +32,12 @@ class WorkCopy {
   // copy.  Throws std::runtime_error when something cannot be read or written.
   std::filesystem::path Add(const std::filesystem::path& original);
 
-  // Returns the path in the copy that belongs to `original`, even if that file was not copied.
+  // Returns the path that the copy of `original` has or would have, even if that file was not
+  // copied.
   std::filesystem::path PlaceOf(const std::filesystem::path& original) const;
 
-  // Returns all copied folders.  The first is the folder that the user named.  At the end of the
-  // list are folders of which only the files directly inside were copied.
+  // Returns all copied folders.  The first is the folder that the user named.  The last ones are
+  // folders of which only the files directly inside were copied.
   const std::vector<SourceCopy>& copies() const { return copies_; }
 
   // Returns the originals of object files, libraries and images that were not copied because they
@@ -72,7 +73,7 @@ class WorkCopy {
   // Copied files that stubgen2 had made in the user's folder; MakeStubsAnew() replaces them.
   std::vector<std::filesystem::path> left_stubs_;
   std::map<std::string, std::string> left_out_, former_left_out_;
-  // Whether a header or a stub.cfg is new, was removed or has changed since the last build.
+  // True: a header or a stub.cfg is new, was removed or has changed since the last build.
   bool has_new_headers_ = false;
   // Size and time of the copied files at the last build, by the path of the original.  A file with
   // the same size and time is not copied again.
