@@ -33,8 +33,8 @@ class Console {
   int saved_ = -1;  // copy of descriptor 1 from before this Console took it
 };
 
-// Writes out what objects have printed, and ends their last line if they have not.  Called before
-// the program prints a line of its own.
+// Writes out what objects have printed, and ends their last line if it has no end.  Called before
+// the program prints a line of its own, so that the two do not share a line.
 void EndConsoleLine();
 
 }  // namespace openr_host

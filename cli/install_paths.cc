@@ -68,7 +68,7 @@ std::string ProgramCall() {
     if (!fs::is_regular_file(found, error)) continue;
     const bool is_self = fs::equivalent(found, self, error);
     if (is_self && !error) return self.filename();
-    break;  // a shell would find another program of this name
+    break;  // a shell finds another program of this name first
   }
   const fs::path relative = self.lexically_relative(fs::current_path());
   const bool is_below = !relative.empty() && *relative.begin() != "..";

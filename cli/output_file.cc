@@ -171,7 +171,7 @@ std::string WhyNoFolder(const std::string& folder) {
   if (folder.empty()) return "'' names no folder";
   std::error_code error;
   fs::path there =
-      fs::absolute(folder, error).lexically_normal();  // the longest part of the path that exists
+      fs::absolute(folder, error).lexically_normal();  // shortened to the part that exists
   while (!fs::exists(there, error) && there.has_relative_path()) there = there.parent_path();
   if (!fs::is_directory(there, error)) {
     return fs::equivalent(there, folder, error)

@@ -56,7 +56,8 @@ class PendingFile {
   const std::string file_;
   std::string bytes_;
   std::string target_;  // path of the file, after symbolic links were followed
-  // Path of the file with the new content; "": there is none, and Commit() writes in place.
+  // Path of the file with the new content; "" if there is no such file, and Commit() writes in
+  // place.
   std::string temporary_;
 };
 
@@ -90,7 +91,7 @@ class PreparedFile {
 
  private:
   static constexpr size_t kPathBytes = 4096;
-  char target_[kPathBytes] = "";     // path of the file to replace; "": there is none
+  char target_[kPathBytes] = "";     // path of the file to replace; "" if there is none
   char temporary_[kPathBytes] = "";  // path of the file for the new content; "": write in place
   // The open stream that the file name means; -1: the name means a file.
   int stream_ = -1;

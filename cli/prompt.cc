@@ -17,7 +17,7 @@
 namespace openr_host {
 namespace {
 
-// The functions of libedit that this program calls, under their names.
+// The list of the functions of libedit that this program calls: F is written once for each name.
 #define OPENR_LIBEDIT_FUNCTIONS(F) \
   F(el_end)                        \
   F(el_get)                        \
@@ -105,8 +105,8 @@ class LineEdit {
     for (;;) {
       is_dropped_ = false;
       int count = 0;
-      // Prepares the terminal before el_gets() shows the prompt, because otherwise keys that are
-      // pressed before el_gets() prepares it would be echoed, and Ctrl-C would be a signal.
+      // Prepares the terminal before el_gets() shows the prompt.  Otherwise keys that are pressed
+      // before el_gets() prepares the terminal would be echoed, and Ctrl-C would be a signal.
       libedit_.el_set(edit_, EL_PREP_TERM, 1);
       const char* const text = libedit_.el_gets(edit_, &count);
       if (is_dropped_) continue;
@@ -115,7 +115,7 @@ class LineEdit {
         return false;
       }
       line->assign(text, static_cast<size_t>(count));
-      line->erase(line->find_last_not_of(" \n") + 1);  // also removes a blank that Tab has inserted
+      line->erase(line->find_last_not_of(" \n") + 1);  // also removes a blank that Tab has added
       return true;
     }
   }
@@ -150,8 +150,8 @@ class LineEdit {
       more = Of(edit)->prompt_.Continuation(begin, &choices);
     } catch (const std::exception&) {
       // Catches the exception, because it must not pass through the functions of libedit, which are
-      // in C.  Its reason, such as a run that has ended, is told to the user when the line is
-      // carried out.
+      // in C.  The user learns the reason of the exception, such as that the run has ended, when
+      // the line is carried out.
       return CC_REFRESH_BEEP;
     }
     if (!more.empty())

@@ -61,7 +61,7 @@ void KeepErrorStreamGood() {
 // notes the reason.
 bool FlushStreams() {
   errno = 0;
-  std::cout.flush();  // a failure leaves its reason in errno
+  std::cout.flush();  // sets errno if it fails
   const bool is_flushed = std::fflush(stdout) == 0;
   const int error = errno;  // errno is read before ferror(), which may change it
   const bool is_written = is_flushed && std::ferror(stdout) == 0;

@@ -23,8 +23,8 @@ struct ReaderGone : std::runtime_error {
 //   - writing to standard error never fails: text that cannot be written is lost.
 void PrepareStandardStreams();
 
-// Returns the descriptor of the standard output that the program was started with.  It is not 1
-// while a Console exists (console.h).
+// Returns the descriptor of the standard output that the program was started with.  The descriptor
+// is not 1 while a Console exists (console.h).
 int StandardOutput();
 
 // Called when descriptor 1 begins or ceases to lead to the console.  `descriptor` leads to the
@@ -40,8 +40,8 @@ void PrintAnswer(std::string_view text);
 // does.
 void FlushAnswer();
 
-// Notes that a part of the answer was lost without a call of PrintAnswer().  `error` is an errno,
-// or 0 if the reason is not known.
+// Notes that a part of the answer was lost outside of PrintAnswer(), so that the program ends with
+// an error.  `error` is an errno, or 0 if the reason is not known.
 void NoteLostAnswer(int error);
 
 // Writes out the text that is still in the buffer of standard output.  Must be called last in
