@@ -15,17 +15,18 @@ from .finding import findings_of
 
 PROGRAM = "OPENR_HOST_PROGRAM"  # environment variable with the path of the program openr
 _SIZES = struct.Struct("<II")
-_RECEIVE = 1 << 16  # a larger buffer would be new memory of the system each time
+_RECEIVE = 1 << 16  # bytes; recv() would ask the system for new memory each time for a larger buffer
 
-# Processes of runs that were closed while copies of them still ran.  They end with the copies.
+# Processes of runs that were closed while copies of these runs still ran.  Such a process ends with its
+# last copy, so close() does not wait for it.
 _leftover: list["subprocess.Popen[bytes]"] = []
 
 
 def find_program(program: Optional[str] = None) -> str:
     """Returns the path of the program openr.
 
-    It is `program`, or what OPENR_HOST_PROGRAM says; else the one that was installed or built
-    beside this module; else the one in PATH.
+    The path is `program`, or the value of OPENR_HOST_PROGRAM, or that of the program which was installed
+    or built beside this module, or else that of the program in PATH.
     """
     named = program or os.environ.get(PROGRAM)
     if named:
@@ -60,9 +61,9 @@ class Channel:
         self._popen: Optional["subprocess.Popen[bytes]"] = popen
         self.process = popen.pid
         self._socket: Optional[socket.socket] = ours
-        self._rest = b""  # bytes that came after the last answer: the begin of the last words
+        self._rest = b""  # bytes after the last answer, which begin the next one
         # The ids of the processes of open copies, and of copies of these.  Copies share this set with
-        # their original.  It has no channels, so that a copy that is dropped ends at once.
+        # their original.  The set has no channels, which would keep copies alive that nobody uses.
         self._copies: set[int] = set()
 
     @classmethod
@@ -77,7 +78,7 @@ class Channel:
 
     def ask(self, request: bytes, data: bytes = b"",
             descriptors: Sequence[int] = ()) -> tuple[dict[str, Any], bytes]:
-        """Sends a request, JSON text and further bytes.  Returns the answer and its bytes."""
+        """Sends a request, which is JSON text and `data`.  Returns the answer and its bytes."""
         if self._socket is None:
             raise ProcessError("this run is closed")
         message = _SIZES.pack(len(request), len(data)) + request + data
@@ -90,11 +91,11 @@ class Channel:
         except OSError as error:
             raise self._lost(str(error)) from error
         except KeyboardInterrupt:
-            self.close()  # the answer to this request would be taken for one to the next
+            self.close()  # else the next request would get the answer to this one
             raise
 
     def hear(self) -> tuple[dict[str, Any], bytes]:
-        """Waits for an answer."""
+        """Waits for an answer and returns it with its bytes."""
         assert self._socket is not None
         received = self._rest or self._socket.recv(_RECEIVE)
         needed = _SIZES.size
@@ -125,7 +126,7 @@ class Channel:
 
     def _last_words(self) -> dict[str, Any]:
         """Returns findings, console and report, which the process of a crashed run sends before it
-        ends; {} if the crash has left it unable to."""
+        ends; {} if the process could not send them."""
         try:
             return self.hear()[0]
         except (OSError, ProcessError):
@@ -156,14 +157,14 @@ class Channel:
             theirs.close()
         copy = Channel._of_copy(answer["process"], ours, self._copies)
         self._copies.add(copy.process)
-        copy.hear()  # the copy says that it is there
+        copy.hear()  # the first answer of the copy says that it runs
         return copy
 
     def is_closed(self) -> bool:
         return self._socket is None
 
     def close(self) -> None:
-        """Ends the process.  One that was copied ends with its last copy."""
+        """Ends the process.  A process that was copied ends only with its last copy."""
         if self._socket is not None:
             self._socket.close()
             self._socket = None

@@ -1,4 +1,4 @@
-"""Building objects, as `openr build`."""
+"""Builds folders of objects, as the command `openr build` does."""
 from __future__ import annotations
 
 import os
@@ -13,7 +13,7 @@ from ._channel import find_program
 from .errors import BuildFailed, Error, Refused
 
 VARIANTS = ("debug", "sanitize", "coverage")
-# A line by which a good build ends: the command that runs a stick.
+# The line at the end of a good build: the command that runs the stick.
 _STICK = re.compile(r" run --stick (.+)$", re.MULTILINE)
 
 
@@ -22,10 +22,10 @@ def build(folder: Union[str, "os.PathLike[str]"], variant: str = "", *,
           program: Optional[str] = None) -> pathlib.Path:
     """Builds a folder of objects with `openr build`, and returns the stick, for `Run`.
 
-    `variant` is "debug", "sanitize" or "coverage", and "" is none of them.  The stick is the one in
-    the folder, or `output`.  `jobs` compilers run at once, 0: one for each processor.  With `echo`
-    all that the compilers say is printed on standard error, warnings too.  Raises BuildFailed with
-    the compiler's lines if an image of the stick is missing.
+    `variant` is "debug", "sanitize" or "coverage"; "" means a build without special flags.  The stick
+    is the one in the folder, or `output` if that is given.  `jobs` compilers run at once; 0 means one
+    for each processor.  With `echo`, all messages of the compilers are printed on standard error,
+    warnings too.  Raises BuildFailed with the compiler's lines if an image of the stick is missing.
     """
     if variant and variant not in VARIANTS:
         raise Refused(f"there is no variant '{variant}'; there are {', '.join(VARIANTS)}")
@@ -43,7 +43,7 @@ def build(folder: Union[str, "os.PathLike[str]"], variant: str = "", *,
 
 
 def _only_stick(folder: str, said: str) -> pathlib.Path:
-    """Returns the stick that a good build names."""
+    """Returns the stick that `said`, the output of a good build, names."""
     sticks = [shlex.split(match[1])[0] for match in _STICK.finditer(said)]
     if len(sticks) != 1:
         raise Error(f"{folder}: {len(sticks)} sticks have been built: {', '.join(sticks)}; "

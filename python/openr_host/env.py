@@ -1,8 +1,9 @@
-"""AiboEnv: a dog that learns to walk, with the reset and step of the libraries for learning.
+"""AiboEnv: a dog that learns to walk, with the functions reset and step of learning libraries.
 
-With Gymnasium installed it is a gymnasium.Env with spaces of that library, and passes its checker.
-Without it (Debian has no package) the interface is the same: `reset(seed=, options=)` returns
-observation and info; `step(action)` returns observation, reward, terminated, truncated and info.
+If the library Gymnasium is installed, AiboEnv is a gymnasium.Env with spaces of that library, and
+passes its checker.  Without Gymnasium (Debian has no package) the interface is the same:
+`reset(seed=, options=)` returns observation and info; `step(action)` returns observation, reward,
+terminated, truncated and info.
 """
 from __future__ import annotations
 
@@ -13,7 +14,7 @@ from typing import Any, Optional, Sequence
 from .errors import RunEnded
 from .run import Run
 
-numpy: Any = None  # without NumPy observations are lists
+numpy: Any = None  # NumPy is missing, so observations are lists
 gymnasium: Any = None
 try:
     import numpy as _numpy
@@ -26,7 +27,7 @@ _Base: Any = object if gymnasium is None else gymnasium.Env
 
 
 class Box:
-    """A space of numbers between limits, as gymnasium.spaces.Box, for programs without Gymnasium."""
+    """A space of numbers between limits, in place of gymnasium.spaces.Box if Gymnasium is missing."""
 
     def __init__(self, low: Sequence[float], high: Sequence[float]) -> None:
         self.low, self.high = list(low), list(high)
@@ -55,7 +56,7 @@ LEG_JOINTS = tuple(f"{leg}_j{number}" for leg in LEGS for number in (1, 2, 3))
 
 
 def _shares(action: Sequence[float]) -> list[float]:
-    """Returns the numbers of an action.  Raises ValueError if they are no action."""
+    """Returns the numbers of `action`.  Raises ValueError if they are not 12 finite numbers."""
     shares = [float(share) for share in action]
     if len(shares) != len(LEG_JOINTS):
         raise ValueError(f"an action has {len(LEG_JOINTS)} numbers, one for each leg joint; this one has {len(shares)}")
@@ -66,7 +67,7 @@ def _shares(action: Sequence[float]) -> list[float]:
 
 
 class AiboEnv(_Base):  # type: ignore[misc]
-    """The dog stands.  An action moves the set points of its 12 leg joints for `frames` frames of
+    """A dog that stands at the beginning.  An action moves the set points of its 12 leg joints for `frames` frames of
     8 ms; the reward is the way forward in m, less `effort` times the mean square of the action.
 
     action       12 numbers from -1 to 1: set points, `reach_deg` about those of standing, inside
@@ -86,8 +87,8 @@ class AiboEnv(_Base):  # type: ignore[misc]
     def __init__(self, frames: int = 4, episode_s: float = 10.0, reach_deg: float = 30.0,
                  effort: float = 0.0, disturb_deg: float = 2.0, keep_speed: bool = True,
                  **run: Any) -> None:
-        """`disturb_deg`: by so much, at random, each leg joint is moved at a reset.  Further
-        parameters are those of Run: body, world, seed, program."""
+        """Makes the run and lets the dog stand up.  At a reset, each leg joint is moved at random by
+        at most `disturb_deg`.  Further parameters are those of Run: body, world, seed, program."""
         self._frames, self._episode_s, self._effort = frames, episode_s, effort
         self._disturb_deg = disturb_deg
         self._random = random.Random(0)
@@ -123,7 +124,7 @@ class AiboEnv(_Base):  # type: ignore[misc]
 
     def reset(self, *, seed: Optional[int] = None,
               options: Optional[dict[str, Any]] = None) -> tuple[Any, dict[str, Any]]:
-        """Goes back to the standing dog.  `seed` decides all that is random from now on."""
+        """Goes back to the state in which the dog stood.  `seed` decides all that is random from now on."""
         if gymnasium is not None:
             super().reset(seed=seed)
         if seed is not None:
@@ -139,8 +140,8 @@ class AiboEnv(_Base):  # type: ignore[misc]
     def step(self, action: Sequence[float]) -> tuple[Any, float, bool, bool, dict[str, Any]]:
         """Moves the set points and runs `frames` frames.
 
-        Numbers beyond -1 and 1 count as these.  Raises ValueError, and changes nothing, if the action
-        does not have 12 numbers or if one of them is not finite.
+        Numbers below -1 count as -1, numbers above 1 as 1.  Raises ValueError, and changes nothing, if
+        the action does not have 12 numbers or if one of them is not finite.
         """
         shares = _shares(action)
         for i, share in enumerate(shares):
@@ -170,7 +171,7 @@ class AiboEnv(_Base):  # type: ignore[misc]
         return (shares if numpy is None else numpy.array(shares, numpy.float32)), info
 
     def render(self) -> None:
-        """Does nothing; `run.picture(FILE)` writes a picture."""
+        """Does nothing, because `run.picture(FILE)` writes pictures."""
 
     def close(self) -> None:
         self._run.close()

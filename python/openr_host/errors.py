@@ -7,7 +7,7 @@ from .finding import Finding
 
 
 class Error(Exception):
-    """What all exceptions of this module are derived from."""
+    """The base class of all exceptions of this module."""
 
 
 class ProcessError(Error):
@@ -15,26 +15,26 @@ class ProcessError(Error):
 
 
 class Refused(Error):
-    """A command was wrong, and has changed nothing."""
+    """The run has refused a wrong command, which has changed nothing."""
 
 
 class BuildFailed(Error):
-    """Objects could not be built.  The text is what `openr build` has said: the compiler's lines
-    first, then what is missing."""
+    """Objects could not be built.  The text is what `openr build` has printed: the compiler's lines
+    first, then the list of what is missing."""
 
 
 class NotMet(Error):
-    """What a call has waited for did not come in time."""
+    """The condition or message for which a call has waited did not come in time."""
 
 
 class RunEnded(Error):
     """The run is over: the robot is off, or an object has crashed.
 
     `by` is a word of docs/cli.md, "How a run ends": pause, battery, power-off, fatal, strict,
-    crash, handler-limit, no-boot; `why` is the sentence about it.  `findings`, `console` and
-    `report` are what the methods of these names of the run say at its end.  After a crash, or a
-    handler that does not return, the run is closed and only these are left; `report` is empty if the
-    process could not answer any more.
+    crash, handler-limit, no-boot; `why` is a sentence about that end.  `findings`, `console`
+    and `report` are the results of the methods of Run with these names at the end of the run.  After a
+    crash, or a handler that does not return, the run is closed, so only these results are left;
+    `report` is empty if the process could not answer any more.
     """
 
     def __init__(self, by: str, why: str, text: str = "", findings: Sequence[Finding] = (),
@@ -48,5 +48,5 @@ class RunEnded(Error):
         self.report: dict[str, Any] = report or {}
 
     def __reduce__(self) -> tuple[Any, ...]:
-        # Lets a process of a pool send the exception to the process that waits for it.
+        # Lets multiprocessing send the exception from a worker to the process that waits for its result.
         return type(self), (self.by, self.why, self._text, self.findings, self.console, self.report)

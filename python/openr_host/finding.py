@@ -1,4 +1,4 @@
-"""Finding: what a run says about a program."""
+"""Finding: a remark of a run about a program."""
 from __future__ import annotations
 
 from typing import Any, Iterable, Mapping, NamedTuple
@@ -7,8 +7,8 @@ from typing import Any, Iterable, Mapping, NamedTuple
 class Finding(NamedTuple):
     """An error, a warning or a note about a program.
 
-    `message` is the number of the message that an object handled when the finding was added; 0:
-    none.  `said` is the content of this message in words; "" if it is not known.
+    `message` is the number of the message that an object handled when the finding was added; 0 if
+    there was none.  `said` is the content of this message in words; "" if the content is not known.
     """
 
     severity: str

@@ -1,4 +1,4 @@
-"""Many runs at a time."""
+"""Runs several functions at a time, each with runs of its own."""
 from __future__ import annotations
 
 import concurrent.futures

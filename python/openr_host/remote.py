@@ -11,7 +11,7 @@ from .errors import Error, NotMet
 from .run import Run
 
 PORT = 54000
-READY = 6  # state in which the robot stands and plays nothing
+READY = 6  # Sensors.state of a robot that stands and plays no motion
 _INFO, _MOVE, _SENSORS, _MTN_PLAY, _MTN_STOP, _MTN_LIST = 0x01, 0x11, 0x30, 0x40, 0x41, 0x42
 _UPLOAD_BEGIN, _UPLOAD_DATA, _UPLOAD_END = 0x50, 0x51, 0x52
 _REQUEST = struct.Struct("<2sHBBH")
@@ -20,7 +20,7 @@ _BUSY = 7
 
 
 class RemoteError(Error):
-    """The robot has refused a request; `status` is its number."""
+    """The robot has refused a request; `status` is the number of the error."""
 
     def __init__(self, status: int, text: str) -> None:
         super().__init__(text)
@@ -30,11 +30,11 @@ class RemoteError(Error):
 class Sensors(NamedTuple):
     state: int
     joints: tuple[float, ...]  # degrees, in the order of Run.joint_names
-    key_frame: int             # of the motion that plays; -1: none
+    key_frame: int             # number of the key frame of the motion that plays; -1: none plays
 
 
 class Remote:
-    """A client of RCServer.  Its requests take virtual time: the robot reads them between frames."""
+    """A client of the object RCServer.  Requests take virtual time: the robot reads them between frames."""
 
     def __init__(self, run: Run, robot: int = 0) -> None:
         self._run = run
@@ -98,7 +98,7 @@ class Remote:
         self.ask(_MTN_STOP)
 
     def wait(self, within_s: float = 60.0) -> None:
-        """Runs until the robot stands and plays nothing."""
+        """Runs until the robot stands and plays no motion."""
         end_s = self._run.time_s + within_s
         while self.sensors().state != READY:
             if self._run.time_s >= end_s:

@@ -1,4 +1,4 @@
-"""Run: a robot, its objects and its simulated body, which go on as far as you ask for.
+"""Run: a robot, its objects and its simulated body.  Time passes only when a call asks for it.
 
     import openr_host
     with openr_host.Run() as run:
@@ -27,11 +27,11 @@ READY = "objects.JointMover.state == accepting-commands"
 
 
 class Message(NamedTuple):
-    """A message that was delivered.
+    """A message that an object has handled.
 
-    `data` are its bytes.  Messages of the network stack hold addresses, so theirs are a description.
-    `text` is the content in words, a line for each value: "move neck_pan to 30.00 deg".  Content of
-    a type that only your objects know is there as text or as numbers.
+    `data` has the bytes of the message.  Messages of the network stack contain addresses in memory, so
+    for these `data` has a description.  `text` is the content in words, a line for each value: "move
+    neck_pan to 30.00 deg".  Content of a type that only your objects know becomes text or numbers.
     """
 
     number: int
@@ -53,7 +53,7 @@ class Message(NamedTuple):
 
 
 class State:
-    """A state of a run that `Run.save` has kept.  It takes a process until it is dropped."""
+    """A state of a run that `Run.save` has kept.  A process holds the state until `drop()`."""
 
     def __init__(self, channel: Channel, time_s: float) -> None:
         self._channel = channel
@@ -81,8 +81,8 @@ def _seconds(time_s: float) -> str:
 class Run:
     """A run in a process of its own.  `boot=False` leaves the robot off until `boot()`.
 
-    The parameters are flags of `openr run`; docs/python.md says which.  Without a stick it is the
-    default stick, which makes the dog stand up and listen.
+    The parameters are flags of `openr run`; docs/python.md lists them.  Without `stick`, the run
+    has the default stick, whose objects make the dog stand up and wait for commands.
     """
 
     def __init__(self, stick: Union[str, "os.PathLike[str]"] = "", *, robot: str = "ers210",
@@ -116,7 +116,7 @@ class Run:
         self.joint_names: tuple[str, ...] = tuple(about["joints"])
         self.sensor_names: tuple[str, ...] = tuple(about["sensors"])
         self.locators: dict[str, str] = dict(zip(about["joints"], about["locators"]))
-        # name of a joint: smallest and largest set point, in degrees, and speed, in degrees/s
+        # By the name of a joint: smallest and largest set point, in degrees, and speed, in degrees/s.
         self.limits: dict[str, tuple[float, float, float]] = {
             name: (low, high, speed) for name, (low, high, speed) in zip(about["joints"], about["limits"])}
         self.actuators: tuple[str, ...] = self.joint_names
@@ -127,7 +127,7 @@ class Run:
         self._commands = Commands(channel)
         self._act: dict[tuple[int, bool], bytes] = {}
 
-    # ---- The life of a run
+    # ---- Begin and end of a run
 
     def boot(self) -> None:
         """Begins the boot.  The objects start while the run goes on."""
@@ -138,7 +138,7 @@ class Run:
         return self._commands.finish()[0]
 
     def close(self) -> None:
-        """Ends the process of the run.  A recording is completed."""
+        """Ends the process of the run, and completes its recording."""
         self._channel.close()
 
     @property
@@ -152,7 +152,7 @@ class Run:
         self.close()
 
     def _goes_on(self, answer: tuple[dict[str, Any], bytes]) -> tuple[dict[str, Any], bytes]:
-        """Notes the time of an answer.  Raises RunEnded if the run is over."""
+        """Sets `time_s` to the time in an answer.  Raises RunEnded if the run is over."""
         members = answer[0]
         self.time_s = members["time_s"]
         if "ended" in members:
@@ -160,26 +160,25 @@ class Run:
                            self.console(), self.report())
         return answer
 
-    # ---- Going on
+    # ---- Letting time pass
 
     def run(self, for_s: float) -> None:
-        """Runs for so long, in virtual time."""
+        """Runs for `for_s` seconds of virtual time."""
         self._goes_on(self._commands.run(for_s=for_s))
 
     def run_to(self, to_s: float) -> None:
-        """Runs to this virtual time."""
+        """Runs until the virtual time is `to_s`."""
         self._goes_on(self._commands.run(to_s=to_s))
 
     def step(self, over: str = "frame", count: int = 1) -> None:
-        """Steps over the next frames of 8 ms, over messages ("message"), or over sensor vectors
-        ("vector")."""
+        """Runs over the next `count` frames of 8 ms, messages ("message") or sensor vectors ("vector")."""
         self._goes_on(self._commands.step(over=over, count=count))
 
     def until(self, condition: Union[str, Callable[["Run"], object]], within_s: float = 10.0) -> None:
         """Runs until a condition holds at the end of a frame.
 
-        It is a text, "robots[0].pitch_deg > 10", or a function of this run.  Raises NotMet if it
-        does not hold within so long.
+        `condition` is a text such as "robots[0].pitch_deg > 10", or a function that gets this run.  Raises
+        NotMet if the condition does not hold within `within_s` seconds of virtual time.
         """
         if isinstance(condition, str):
             met = self._goes_on(self._commands.until(condition=condition, within_s=within_s))[0]["met"]
@@ -194,10 +193,10 @@ class Run:
         """Runs until JointMover of the default stick has made the dog stand."""
         self.until(READY, within_s)
 
-    # ---- Joints and values, again and again
+    # ---- Joints and values in a loop of control
 
     def actuate(self, *names: str) -> tuple[str, ...]:
-        """Chooses the joints that `act` moves, and their order.  Without names: all."""
+        """Chooses the joints that `act` moves, and their order; without `names`, all joints."""
         self.actuators = tuple(self._commands.actuate(names=names)[0]["names"])
         return self.actuators
 
@@ -230,15 +229,15 @@ class Run:
     # ---- What people do to the robot (docs/inputs.md)
 
     def input(self, line: str, robot: int = 0) -> None:
-        """Gives the run any input: "press chin for 300ms"."""
+        """Gives the run an input in the form of docs/inputs.md, such as "press chin for 300ms"."""
         self._commands.input(line=line, robot=robot)
 
     def inputs(self, robot: int = 0) -> list[str]:
-        """Returns how each input is written."""
+        """Returns a line for each input that shows how the input is written."""
         return [each["usage"] for each in self._commands.inputs(robot=robot)[0]["inputs"]]
 
     def set_joints(self, degrees: Mapping[str, float], in_s: float = 0.0, robot: int = 0) -> None:
-        """Gives servos set points, in place of the objects', until `release_joints`."""
+        """Gives servos set points that replace those of the objects until `release_joints`."""
         goals = " ".join(f"{name} {value:.5f}" for name, value in degrees.items())
         self.input(f"target {goals}" + (f" in {_seconds(in_s)}" if in_s > 0 else ""), robot)
 
@@ -253,11 +252,11 @@ class Run:
         self.input(f"release {sensor}", robot)
 
     def push(self, x_n: float, y_n: float, z_n: float = 0.0, for_s: float = 0.1, robot: int = 0) -> None:
-        """Pushes the body with a force in N, forward, to its left and up."""
+        """Pushes the body with a force in N: forward (x_n), to its left (y_n) and up (z_n)."""
         self.input(f"push {x_n} {y_n} {z_n} for {_seconds(for_s)}", robot)
 
     def inject(self, observer: str, data: bytes, subject: str = "", robot: int = 0) -> None:
-        """Sends an observer one datum, as if a connected subject had notified it."""
+        """Sends `data` to an observer, as if a connected subject had sent a notification."""
         sender = f" from {subject}" if subject else ""
         self.input(f"send {observer}{sender} hex:{data.hex()}", robot)
 
@@ -265,10 +264,10 @@ class Run:
 
     def expect(self, sender: str = "", receiver: str = "", *, kind: str = "", entry: str = "",
                within_s: float = 1.0) -> Message:
-        """Runs until a message that fits has been handled, and returns it.
+        """Runs until a message with these properties has been handled, and returns the message.
 
-        An end is an object, "RCServer", or the first parts of a service, "RCServer.Mover".  Raises
-        NotMet if none comes within so long.
+        `sender` and `receiver` are an object, "RCServer", or the first parts of a service,
+        "RCServer.Mover".  Raises NotMet if no such message comes within `within_s` seconds.
         """
         members, data = self._goes_on(self._commands.expect(
             kind=kind, sender=sender, receiver=receiver, entry=entry, within_s=within_s))
@@ -277,11 +276,11 @@ class Run:
         return _message(members["message"], data)
 
     def watch(self, sender: str = "", receiver: str = "", *, kind: str = "", entry: str = "") -> None:
-        """Keeps messages that fit from now on, for `watched`."""
+        """Keeps all messages with these properties from now on; `watched` returns them."""
         self._commands.watch(kind=kind, sender=sender, receiver=receiver, entry=entry)
 
     def watched(self) -> list[Message]:
-        """Takes the messages that were kept, at most the last 10,000."""
+        """Returns the messages that `watch` has kept, at most the last 10,000, and forgets them."""
         members, data = self._commands.watched()
         messages, at = [], 0
         for fields in members["messages"]:
@@ -290,13 +289,13 @@ class Run:
         return messages
 
     def connect(self, port: int, robot: int = 0) -> "Connection":
-        """Connects to a TCP port of the robot, inside the process: a run with it repeats exactly."""
+        """Connects to a TCP port of the robot without a socket, so that the run can be repeated exactly."""
         return Connection(self, self._commands.connect(port=port, robot=robot)[0]["connection"])
 
     # ---- States
 
     def fork(self, record: Union[str, "os.PathLike[str]"] = "") -> "Run":
-        """Copies the run.  Both go on from here, each in its own process.
+        """Copies the run.  The run and its copy go on from here, each in its own process.
 
         `record` names the file in which the copy goes on with the recording of this run; without
         it, the copy records nothing.
@@ -313,10 +312,10 @@ class Run:
         return State(self._channel.fork(""), self.time_s)
 
     def go_back(self, state: State, record: Union[str, "os.PathLike[str]"] = "") -> None:
-        """Goes back to a state, or forward to one of another run; what this run did since is over.
+        """Goes back to `state`, or forward to a state of another run.  All that this run did since is lost.
 
-        A recording ends here.  `record` names the file in which it goes on, from the begin of the
-        run to the state and from there.
+        The recording of this run ends here.  `record` names the file of a new recording, which has the
+        run from its begin to `state`, and all that follows.
         """
         channel = state._channel.fork(os.fspath(record))
         self._channel.close()
@@ -328,11 +327,11 @@ class Run:
             self.observe(*self.observed)
         self.time_s = state.time_s
 
-    # ---- Looking
+    # ---- Reading values
 
     def read(self, *names: str) -> dict[str, Value]:
-        """Reads values by their names, as those of `observe`; texts are allowed.  The result has
-        their full names."""
+        """Reads values, which have the names that `observe` takes.  Values may be texts, too.  The keys of
+        the result are the full names."""
         values: dict[str, Value] = self._commands.read(names=names)[0]["values"]
         return values
 
@@ -344,11 +343,11 @@ class Run:
         return values[0]
 
     def joints(self, robot: int = 0) -> dict[str, float]:
-        """Returns the measured angles in degrees."""
+        """Returns the measured angles of the joints in degrees."""
         return {each["name"]: each["deg"] for each in self._commands.joints(robot=robot)[0]["joints"]}
 
     def targets(self, robot: int = 0) -> dict[str, float]:
-        """Returns the commanded angles in degrees."""
+        """Returns the commanded angles of the joints in degrees."""
         joints = self._commands.joints(robot=robot)[0]["joints"]
         return {each["name"]: each["target_deg"] for each in joints}
 
@@ -378,7 +377,7 @@ class Run:
         return lines
 
     def hashes(self) -> tuple[str, str]:
-        """Returns the hash of all messages and that of the state."""
+        """Returns the hash of all messages, and the hash of the state."""
         members = self._commands.hashes()[0]
         return members["trace_hash"], members["state_hash"]
 
@@ -396,7 +395,7 @@ class Run:
         self._commands.picture(file=os.fspath(file), view=view, size=size, robot=robot)
 
     def motion(self, csv: str, name: str = "motion") -> bytes:
-        """Makes a motion file (MTN) of key frames, in the form of `openr mtn dump`."""
+        """Returns a motion file (MTN) with the key frames `csv`, a table as of `openr mtn dump`."""
         return self._commands.motion(csv=csv, name=name)[1]
 
 
@@ -412,9 +411,9 @@ class Connection:
         self._run._commands.send(connection=self._number, data=data)
 
     def receive(self, count: int = 0, within_s: float = 1.0) -> bytes:
-        """Runs until so many bytes are there, and takes them; with 0 takes those that are there.
+        """Runs until `count` bytes have come, and returns them; with 0, returns what has come already.
 
-        Raises NotMet if they do not come within so long of virtual time.
+        Raises NotMet if the bytes do not come within `within_s` seconds of virtual time.
         """
         answer = self._run._commands.receive(connection=self._number, count=count, within_s=within_s)
         members, data = self._run._goes_on(answer)
@@ -438,7 +437,7 @@ class Replay(NamedTuple):
 
 def replay(recording: Union[str, "os.PathLike[str]"], stick: Union[str, "os.PathLike[str]"] = "",
            program: Optional[str] = None) -> Replay:
-    """Runs a recording again and compares it message by message, as `openr replay`."""
+    """Runs a recording again and compares each message with the recording, as `openr replay` does."""
     command = [find_program(program), "replay", "--json", os.fspath(recording)]
     if stick:
         command += ["--stick", os.fspath(stick)]
@@ -453,7 +452,7 @@ def replay(recording: Union[str, "os.PathLike[str]"], stick: Union[str, "os.Path
 
 
 def default_motion(name: str, program: Optional[str] = None) -> pathlib.Path:
-    """Returns the path of a motion of the default stick: `default_motion("WALK.MTN")`."""
+    """Returns the path of the file of a motion, such as "WALK.MTN", on the default stick."""
     root = pathlib.Path(find_program(program)).resolve().parent.parent
     for stick in (root / "stick", root / "share/openr-host/stick"):
         file = stick / "OPEN-R/MW/DATA/P" / name
