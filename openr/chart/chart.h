@@ -50,8 +50,8 @@ using DrawChartFunction = void(const Chart& chart, FileType type, std::string* b
                                std::string* error);
 constexpr char kDrawChartName[] = "openr_draw_chart";
 
-// Returns the reason why a chart cannot be written to a file of the name `file`; "" if it can be
-// written.  Charts are written to .svg and .png files.
+// Returns the reason why a chart cannot be written to `file`, such as a name that does not end in
+// .svg or .png; "" if the name is good.
 std::string WhyNoChartName(const std::string& file);
 
 // Draws the chart and writes it to `file`.  Returns "", or the error.  The first call loads

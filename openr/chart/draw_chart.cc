@@ -41,7 +41,7 @@ struct Span {
   double low, high;
 };
 
-// The values of an axis at which numbers are drawn: `first`, `first` + `step`, ...
+// The values of an axis at which the chart has numbers: `first`, `first` + `step`, and so on.
 struct Ticks {
   double first, step;
   int decimals;
@@ -271,7 +271,7 @@ class Painter {
     return extents.x_advance;
   }
 
-  // Returns `text`; if it is wider than `room`, replaces its middle by dots.
+  // Returns `text`, or if it is wider than `room`, `text` with dots in place of its middle.
   std::string Shortened(const std::string& text, double size, bool is_bold, double room) {
     std::string shortened = text;
     for (size_t left_out = 1;

@@ -19,8 +19,8 @@
 namespace openr_host {
 namespace {
 
-// Returns the words with which the user calls `command`, such as "rc mtn"; "" for the program
-// itself.
+// Returns the words after "openr" with which the user calls `command`, such as "rc mtn"; "" for the
+// program itself.
 std::string PathOf(const CLI::App& command) {
   if (command.get_parent() == nullptr) return "";
   const std::string parent = PathOf(*command.get_parent());

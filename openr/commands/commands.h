@@ -1,5 +1,5 @@
-// The commands of the program.  Each AddXxxCommand() adds the command xxx to the command line.
-// When the user calls it, the command stores its exit code (exit_code.h) in `*exit_code`.
+// The commands of the program.  Each AddXxxCommand() adds the command xxx to the command line.  A
+// command that the user calls stores its exit code (exit_code.h) in `*exit_code`.
 #pragma once
 
 #include <string_view>

@@ -170,8 +170,8 @@ CLI::Validator IsWritable() { return CLI::Validator(&WhyNotWritable, "FILE"); }
 
 void RefuseInput(const std::string& flag, const std::string& file, const std::string& problem) {
   if (problem.empty()) return;
-  // Throws a plain ParseError.  CLI11 puts the flag's name before the text of a ValidationError,
-  // but the text here already begins with this name.
+  // Throws a plain ParseError, because CLI11 would put the flag's name before the text of a
+  // ValidationError, and the text here already begins with this name.
   throw CLI::ParseError(fmt::format("{} {}: {}", flag, file, problem),
                         CLI::ExitCodes::ValidationError);
 }

@@ -65,7 +65,7 @@ const char* KindOf(Value value) {
   return value == Value::kFile ? "-f" : value == Value::kFolder ? "-d" : "";
 }
 
-// Adds a pattern of the shell's `case` statement to the script for each flag with a value.  The
+// Adds to the script, for each flag with a value, a pattern of the shell's `case` statement.  The
 // code after the pattern completes the words that can follow the flag.
 void AddValues(const CommandInfo& command, std::string* script) {
   for (const OptionInfo& option : command.options) {
@@ -85,9 +85,9 @@ void AddValues(const CommandInfo& command, std::string* script) {
   for (const CommandInfo& below : command.commands) AddValues(below, script);
 }
 
-// Adds a pattern of the shell's `case` statement to the script for each command.  The code after
+// Adds to the script, for each command, a pattern of the shell's `case` statement.  The code after
 // the pattern sets `words` to the words that may come next, then '|', then the flags of the
-// command. It sets `kind`, which says whether file or folder names may come next.
+// command.  It sets `kind`, which says whether file or folder names may come next.
 void AddWords(const CommandInfo& command, std::string* script) {
   std::vector<std::string> words, flags;
   for (const CommandInfo& below : command.commands) words.push_back(below.name);

@@ -66,8 +66,8 @@ class ContinuedRun {
     for (BranchNetwork* const network : networks_) network->GoOn();
   }
 
-  // Drops the network events that log_ has kept.  Only a run that can be rewound needs them, and
-  // this run cannot be rewound.
+  // Drops the network events that log_ has kept, because only a run that can be rewound needs them,
+  // and this run cannot be rewound.
   void ForgetEvents() { log_.DropBefore(log_.end()); }
 
   // Completes the recording of the run.  Returns "", or the error that happened while the recording

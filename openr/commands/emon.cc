@@ -33,8 +33,8 @@ struct EmonFlags {
   bool is_json = false;
 };
 
-// Returns the part of a run's record that is for people, with functions and lines; "" for the
-// record of a robot.  The part in the robot's form follows it, perhaps with further records.
+// Returns the part of a run's record that people read, with functions and lines; "" for the record
+// of a robot.  This part ends where the part in the form of a robot's record begins.
 std::string TextOfRun(const std::string& record) {
   if (!record.starts_with(kOwnRecord)) return "";
   return record.substr(0, record.find(kRobotRecordBegin));

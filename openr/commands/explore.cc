@@ -175,8 +175,8 @@ Vary VaryOf(const std::vector<std::string>& names) {
   return vary;
 }
 
-// The file to which the objects of all runs print.  All processes of the exploration write to it.
-// Without a file, the output is discarded.
+// The file to which the objects of all runs print.  All processes of the exploration write to this
+// file.  Without a file, the output is discarded.
 class SharedConsole {
  public:
   // Opens `file` for the output of objects; "" means that the output is discarded.  Throws
@@ -216,8 +216,8 @@ class SharedConsole {
   int* error_ = nullptr;  // errno of the first failed write; shared by all processes
 };
 
-// Returns `exit_code`.  If the output of the objects could not be written to its file, prints an
-// error and returns 1.
+// Returns `exit_code`; if the output of the objects could not be written to its file, prints an
+// error and returns 1 instead.
 int WithConsole(int exit_code, const SharedConsole& console) {
   const std::string problem = console.Problem();
   if (problem.empty()) return exit_code;

@@ -44,7 +44,7 @@ std::string WhyNoStick(const std::string& folder) {
   return fmt::format("{}: there is no such folder; give a copy of the run's stick", folder);
 }
 
-// Exit codes of the child process in which a worker runs with --restart.
+// Exit codes of a child process that runs a worker for --restart.
 constexpr int kRefused = 3;  // the run refuses this version or stick; a restart cannot help
 constexpr int kOffline = 4;  // the worker threw an exception, usually without a network
 
@@ -95,8 +95,9 @@ void HandleEndSignals(int flags) {
   _exit(128 + g_ended_by);
 }
 
-// Discards all output to standard error while the SilencedErrors exists, if `is_on`.  Used when a
-// worker without a network tries again, because Cyclone DDS would print the same errors each time.
+// Discards all output to standard error while the SilencedErrors exists, if `is_on` is true.  Used
+// when a worker without a network tries again, because Cyclone DDS would print the same errors each
+// time.
 class SilencedErrors {
  public:
   explicit SilencedErrors(bool is_on) : before_(is_on ? dup(STDERR_FILENO) : -1) {

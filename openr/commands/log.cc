@@ -348,7 +348,7 @@ int PerformLog(LogAction action, const LogFlags& flags) {
     action(flags);
     return kExitGood;
   } catch (const std::system_error&) {
-    throw;  // the answer cannot be written, which is told at the end of the program (program.cc)
+    throw;  // the answer cannot be written; program.cc reports this error
   } catch (const ReaderGone&) {
     throw;
   } catch (const std::runtime_error& error) {

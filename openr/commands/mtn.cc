@@ -142,8 +142,8 @@ bool Check(const std::string& name, MtnFlags* flags) {
   return good;
 }
 
-// Prints one line for each key frame of a motion: its time, attitude and joint angles.  Returns
-// false after printing an error.
+// Prints one line for each key frame of the motion file `name`: time, attitude and joint angles.
+// Returns false after printing an error.
 bool Dump(const std::string& name, MtnFlags*) {
   MtnFile motion;
   std::string problem;

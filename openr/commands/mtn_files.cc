@@ -41,7 +41,7 @@ void OnCall(CLI::App* command, int* exit_code, std::function<void()> action) {
       action();
       *exit_code = kExitGood;
     } catch (const std::system_error&) {
-      throw;  // the answer cannot be written, which is told at the end of the program (program.cc)
+      throw;  // the answer cannot be written; program.cc reports this error
     } catch (const ReaderGone&) {
       throw;
     } catch (const std::runtime_error& error) {

@@ -50,8 +50,8 @@ std::string WhyNoNewObject(const std::string& name) {
   return problem.empty() ? WhyNoClass(name, SdkRoot()) : problem;
 }
 
-// Returns the files to write to `folder`.  A .gitignore that is there stays as it is, because an
-// object may be made in a repository that has nothing else yet.
+// Returns the files to write to `folder`.  Leaves out the .gitignore if the folder has one, because
+// a new object may be made in a repository that has only a .gitignore yet.
 std::vector<NewFile> FilesFor(const std::string& name, const std::string& folder) {
   std::vector<NewFile> files = MakeNewObject(name);
   for (NewFile& file : EditorFiles(FindEditorPlaces(), {})) files.push_back(std::move(file));

@@ -290,8 +290,8 @@ int RunAttach(const LiveFlags& flags) {
   for (std::string line; lines.Read(prompt, &line) && line != "quit";) {
     if (!line.empty() && !console.Line(line)) good = false;
   }
-  // Returns kExitWrong after an error only if the lines come from a script, because a person at a
-  // terminal has seen each error at once.
+  // Returns kExitWrong after an error only if the lines come from a script.  A person at a terminal
+  // has seen each error at once.
   return good || is_terminal ? kExitGood : kExitWrong;
 }
 
@@ -310,8 +310,8 @@ void AddPokeCommand(CLI::App* app, int* exit_code) {
       "poke", "Gives a run an input: openr poke RUN press chin for 300ms; without one, lists them");
   auto flags = std::make_shared<LiveFlags>();
   AddLiveFlags(command, flags.get());
-  // Takes the words after the command unchanged, because CLI11 would take the number -5 in "push 0
-  // -5 0" for a flag.
+  // Takes the words after the command as they are, because CLI11 would take the number -5 in "push
+  // 0 -5 0" for a flag.
   command->prefix_command();
   command->callback(
       [command, flags, exit_code] { *exit_code = RunPoke(*flags, command->remaining()); });

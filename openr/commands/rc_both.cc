@@ -38,7 +38,7 @@ struct Partner {
   std::string address;
   std::unique_ptr<remote::Connection> connection;
   std::string problem;
-  Json refusal;  // answer for --json if the robot has refused the action; null: it has not
+  Json refusal;  // answer for --json if the robot has refused; null if it has not
 };
 
 void Act(Partner* robot, const RcFlags& flags, const RcAction& action) {

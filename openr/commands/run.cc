@@ -64,7 +64,7 @@ bool Answer(const std::string& text) {
     PrintAnswer(text);
     return true;
   } catch (const ReaderGone&) {
-    return true;  // the run writes its files, and FinishStandardOutput() returns the exit status
+    return true;  // nobody reads the answer, but the files of the run are still to be written
   } catch (const std::exception& error) {
     return IsGood(error.what());
   }
@@ -283,7 +283,7 @@ std::string CommandedRun::LiveName() const {
   return std::filesystem::absolute(stick_.name()).lexically_normal().filename();
 }
 
-// Returns the reason why this run cannot be rewound; "" if it can.
+// Returns the reason why clients cannot rewind this run; "" if they can.
 std::string CommandedRun::WhyNotRewound() const {
   if (distribution_.has_processes()) return "its objects are in several processes";
   if (flags_.ros2.is_on) return "it is connected to ROS 2 (--ros2)";

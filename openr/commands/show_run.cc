@@ -42,8 +42,8 @@ int ShowRun(const MakeKnownRun& make, const ShowOptions& options) {
         "what it needs");
   InterruptCounter interrupts;
   ConsoleLog console;
-  // The run.  It is null while make() assembles the run.  Images may already print during this
-  // time, so the console then uses the time 0.
+  // The run; null while make() assembles it.  Images may already print during this time, so the
+  // console then uses the time 0.
   KnownRun* run_made = nullptr;
   const std::unique_ptr<KnownRun> run = make([&](std::string_view text) {
     console.Add(run_made == nullptr ? 0 : run_made->simulation().system().now_us(), text);

@@ -86,9 +86,8 @@ size_t LineWidth(const Widths& widths) {
 }
 
 // Returns the width of each column, so that a row of the table has at most `columns` characters.
-// First shortens the state, the last column.  Then leaves out columns in the order of kGoes, the
-// least important first, until the row is short enough.  At last gives the rest of the space to the
-// state.
+// First shortens the last column, the state.  Then leaves out columns in the order of kGoes, the
+// least important first, until the row is short enough.  Space that is then left goes to the state.
 Widths WidthsFor(const std::vector<Row>& rows, size_t columns) {
   constexpr size_t kStateMin = 12;
   constexpr Column kGoes[] = {kPriority, kPid, kHost, kP99, kMean, kDrops, kProcess};
@@ -107,7 +106,7 @@ Widths WidthsFor(const std::vector<Row>& rows, size_t columns) {
 }
 
 std::string TableText(const std::vector<Row>& rows, size_t columns) {
-  // Aligns columns of words left and columns of numbers right.
+  // Columns of words, which are aligned left; columns of numbers are aligned right.
   constexpr Column kLeft[] = {kObject, kProcess, kHost, kState};
   const Widths widths = WidthsFor(rows, columns);
   std::string text;

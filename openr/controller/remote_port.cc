@@ -97,7 +97,7 @@ bool RemotePort::Guarded(const Function& function, std::string* refusal) {
   return false;
 }
 
-// ---- Events from the robot
+// ---- Functions that handle events from the robot
 
 void RemotePort::ReceiveUntil(Clock::time_point deadline, const std::function<bool()>& is_ended) {
   // Receives at least once, even after the deadline, because a controller that is always late must
@@ -146,7 +146,7 @@ void RemotePort::TakeSensors(const remote::Sensors& sensors, uint32_t frame) {
   if (!playing_.empty()) TellMotion(key_frame, state_ == moverACCEPTING_COMMANDS && key_frame < 0);
   for (const auto& [joint, why] : busy_) {
     if (state_ > moverACCEPTING_COMMANDS) {
-      // Makes Changes() return the position again later, because a motion plays now.
+      // Marks the position as not sent, so that Changes() returns it again when the motion is over.
       joints_.Forget(joint);
     } else {
       WarnOfRefusal(why);
@@ -221,7 +221,7 @@ void RemotePort::Finish() {
   TakeAnswers(true);
 }
 
-// ---- Commands
+// ---- Functions that send commands
 
 // Sends all changes of an iteration.  ControllerCore sends joints, ears and lights in this order,
 // and sends the lights in every iteration.  So the call of SendLeds() is the last one of the
@@ -275,7 +275,7 @@ void RemotePort::SendMover(const MoverCommand& command) {
   TellMotion(-1, true);
 }
 
-// ---- Files
+// ---- Functions for files of the controller and of the stick
 
 bool RemotePort::ReadFile(const std::string& path, std::vector<Uint8>* bytes, std::string* error) {
   const std::string name = path.substr(path.rfind('/') + 1);
@@ -315,7 +315,7 @@ std::string RemotePort::FetchMotion(const std::string& name) {
   return bytes;
 }
 
-// ---- Camera, and messages for the user
+// ---- Functions for the camera, and for messages to the user
 
 void RemotePort::EnableCamera(bool on) {
   if (on && camera_ == nullptr) {
@@ -346,7 +346,7 @@ void RemotePort::Print(const char* text) {
   std::fflush(stdout);
 }
 
-// ---- A controller that is an endless loop
+// ---- Functions for a controller that is an endless loop
 
 // Blocks in robot_step() until ControllerCore continues the loop of the controller; then returns
 // true.  On this computer the controller may block, so it needs no second stack, which it has on

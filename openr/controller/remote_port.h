@@ -113,7 +113,7 @@ class RemotePort : public ControllerPort {
   std::unique_ptr<CameraFetcher> camera_;
   std::exception_ptr failure_;
 
-  // Joints as the controller wants them; nullopt: it wants no change.
+  // The positions and motors that the controller wants for all joints; nullopt: no change.
   std::optional<BatchMoverCommand> wanted_;
   // Joints whose new positions the robot has refused as BUSY, and the text of the warning for each.
   std::vector<std::pair<int, std::string>> busy_;

@@ -304,8 +304,8 @@ std::string DecodeSystemMessage(const std::string& content) {
   return "";
 }
 
-// Returns content of an unknown type.  Returns it as text if all of it is printable, else as 32-bit
-// numbers.
+// Returns content of an unknown type as text: the characters if all are printable, else the content
+// as numbers of 32 bits.
 std::string DecodeUnknown(const std::string& content) {
   std::string text = content.substr(0, 256);
   while (text.ends_with('\0')) text.pop_back();
@@ -415,8 +415,8 @@ std::string MessageInParentheses(uint64_t number, const std::string& said) {
 
 std::string_view ContentView(const Message& message, std::string* copy) {
   if (message.kind != PayloadKind::kHashed) return PayloadView(message, copy);
-  // Returns early for a message without an antEnvMsg, because such a message only wakes an object
-  // whose wait has timed out.
+  // Returns no content for a message without an antEnvMsg, because such a message only wakes an
+  // object whose wait has timed out.
   if (message.size < sizeof(antEnvMsg)) return {};
   const auto& request = *reinterpret_cast<const antEnvMsg*>(message.payload);
   if (message.size < AntMessageSize(request)) return {};

@@ -27,8 +27,8 @@ constexpr const char* kRegisterNames[kRobotRegisters] = {
 // Names in front of numbers.  A number after one of these names is always hexadecimal.
 constexpr const char* kHexNames[] = {"cause", "epc", "badvaddr", "context", "gp", "ra", "sp"};
 
-// A number in a line of the record, and its name: the words between the number before it and the
-// number itself, in lower case.
+// A number in a line of the record, with its name: the words in front of this number, up to the
+// number before it, in lower case.
 struct NamedNumber {
   std::vector<std::string> words;
   uint32_t value = 0;

@@ -139,9 +139,9 @@ bool RobotCode::IsAfterCall(uint32_t address) const {
   const uint32_t operation = *word >> 26;
   const bool is_jalr = operation == 0 && (*word & 63) == 9;
   const uint32_t condition = *word >> 16 & 31;
-  // The instruction bltzal or bgezal.
+  // True for the instructions bltzal and bgezal, which are branches that call a function.
   const bool is_branch = operation == 1 && (condition == 16 || condition == 17);
-  return operation == 3 || is_jalr || is_branch;  // 3 means jal
+  return operation == 3 || is_jalr || is_branch;  // 3 is jal, the usual call
 }
 
 CodeLookup RobotCode::LookUp(uint32_t address) const {

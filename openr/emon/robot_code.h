@@ -46,7 +46,7 @@ class RobotCode {
   std::string bytes_;  // bytes of the image, decompressed
   bool is_compressed_ = false;
   std::filesystem::path names_;
-  uint32_t names_moved_by_ = 0;  // moved_by_ of the file with the names
+  uint32_t names_moved_by_ = 0;  // as moved_by_, for the file with the names
   uint32_t text_ = 0;            // address of the code in the file
   uint32_t text_offset_ = 0;     // place of the code in bytes_
   uint32_t text_bytes_ = 0;

@@ -25,7 +25,7 @@ struct Walk {
   uintptr_t* addresses;
   size_t max;
   size_t count = 0;
-  bool is_outside = false;  // true when the walk has passed the frames of the signal handler
+  bool is_outside = false;  // true: the frames of the signal handler are passed
 };
 
 _Unwind_Reason_Code Take(_Unwind_Context* context, void* data) {

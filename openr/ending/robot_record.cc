@@ -23,10 +23,10 @@ SignalText& AddWord(const char* name, uint64_t number, SignalText* text) {
   return AddHex(number, kWordDigits, text);
 }
 
-// Adds a line of the object list.
+// Adds the line of `object` in the record's list of objects.
 void AddObject(const Object& object, SignalText* text) {
   text->Add(" ").Add(object.name.c_str());
-  for (int column = 0; column < 3; ++column) {  // context, thread, OID
+  for (int column = 0; column < 3; ++column) {  // the columns context, thread and OID
     text->Add(" ");
     AddHex(OidValue(object.id), kWordDigits, text);
   }

@@ -31,7 +31,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr char kReady[] = "ready";
-constexpr int64_t kOddSliceUs = 50'021;  // time slice of a plan's second run, not whole frames
+constexpr int64_t kOddSliceUs = 50'021;  // time slice of a second run, no multiple of a frame
 
 void SilenceOutput() {
   const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);

@@ -29,7 +29,7 @@ class FailingRun : public KnownRun {
   PreparedRun prepared_;
   std::unique_ptr<ExploreSchedule> schedule_;
   int64_t length_us_;
-  std::string why_;  // reason of the failure
+  std::string why_;  // text about the failure of the run
 };
 
 }  // namespace openr_host

@@ -14,7 +14,7 @@
 
 namespace openr_host {
 
-// The parts of a run that properties can read.
+// The parts of a run whose values properties can read.
 struct RunView {
   const PreparedRun* prepared = nullptr;
   // A monitor for each robot, which tells whether the robot stands.

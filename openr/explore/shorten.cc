@@ -55,7 +55,7 @@ class Shortener {
         if (i < begin || i >= end) rest.push_back(script_[i]);
       }
       if (Try(std::move(rest))) {
-        any = true;  // the rest of the list has moved to `begin`, so `begin` does not change
+        any = true;  // the parts after `begin` have moved there, so `begin` stays
       } else {
         begin = end;
       }

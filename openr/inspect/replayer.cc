@@ -299,7 +299,7 @@ void Replayer::Compare(const TraceRecord& record, const Message& message) {
   const bool is_end = next != nullptr && next->kind == Kind::kEnd;
   if (next == nullptr || (is_end && record.time_us >= next->time_us)) {
     // The recorded run may have stopped between two messages of the same time, so a message of this
-    // time that the recording does not have is no difference.  Nothing is left to compare.
+    // time that the recording does not have is no difference.  The recording ends here.
     at_end_ = true;
     return;
   }
@@ -376,8 +376,8 @@ bool Replayer::ApplyInput() {
     if (next->time_us <= system().now_us() || system().powered_off()) CompareEnd(reader_.Take());
     return false;
   }
-  // Leaves messages and network input to other functions: Compare() takes a message when it is
-  // delivered, SayNetwork() takes network input when a robot polls its network.
+  // Leaves messages and network input to other functions: Compare() handles a message when it is
+  // delivered, SayNetwork() handles network input when a robot polls its network.
   if (next->kind == Kind::kMessage || next->kind == Kind::kNetwork) return false;
   if (next->time_us > system().now_us()) return false;
   if (next->kind == Kind::kLoss) {

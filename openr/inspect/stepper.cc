@@ -40,7 +40,7 @@ constexpr size_t kBreaksBytes = 16 << 10;
 // (stepper.h describes these processes).  A process that ends writes here what the waiting process
 // of an earlier snapshot has to do next.
 struct Shared {
-  bool went_back;    // true: a copy of the process has ended because the session goes back
+  bool went_back;    // true: a copy has ended because the session goes back
   uint64_t target;   // number of messages after which going back ends
   int64_t until_us;  // virtual time up to which the session runs after going back; 0: none
   // True while a process runs the session.  A process that ends as it should sets it to false.  If
@@ -155,7 +155,8 @@ class Stepper {
     shared_->runs = false;
   }
 
-  // Runs this new copy of the snapshot after `here` messages forward to the wanted moment.
+  // Runs this process, a new copy of the snapshot after `here` messages, forward to the message
+  // that the user wants.
   void CatchUp(uint64_t here) {
     went_back_ = false;  // Forward() must not stop at the snapshots that it takes now
     if (shared_->target > here) ForwardBy(shared_->target - here);

@@ -160,7 +160,7 @@ void TraceCoder::Write(const TraceEntry& entry, ByteWriter* out) {
       out->Text(entry.name);
       return;
     case TraceEntry::Kind::kMessage:
-      return;  // does nothing, because WriteMessage() has written the message already
+      return;  // WriteMessage() has written the message already
     case TraceEntry::Kind::kNetwork:
       out->Varint(static_cast<uint64_t>(entry.robot));
       out->Varint(entry.events.size());

@@ -74,8 +74,8 @@ TraceHeader HeaderOf(std::string_view text) {
   json.at("robots").get_to(h.robots);
   json.at("seed").get_to(h.seed);
   json.at("microphone").get_to(h.microphone);
-  // Replaces "" by the test pattern.  Older recordings have "", and their cameras saw only the test
-  // pattern.
+  // Takes the test pattern if the recording has "", because recordings with "" are older and their
+  // cameras saw only the test pattern.
   json.at("images").get_to(h.images);
   if (h.images.empty()) h.images = kImagesOfPattern;
   json.at("strict").get_to(h.strict);

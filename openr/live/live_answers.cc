@@ -215,7 +215,7 @@ int64_t InUs(double time_s) {
   return static_cast<int64_t>(std::llround(std::clamp(time_s, -kTimeMax_s, kTimeMax_s) * 1e6));
 }
 
-// Makes a known run, such as a replay, go on to the later moment `time_us`.  Returns the answer to
+// Lets a known run, such as a replay, go on to the later moment `time_us`.  Returns the answer to
 // the client: the state of the clock, or an error.
 Json GoTo(const Asked& asked, int64_t time_us) {
   const KnownRun* const known = asked.context.known;
@@ -280,8 +280,8 @@ Json AnswerCamera(const Asked& asked) {
           {"png", Base64(png)}};
 }
 
-// Answers a request for one event of the run, as it is now in this process.  If this process is a
-// view, which repeats the run up to a past moment, the event is about that moment.
+// Answers a request for one event of the run.  The event is about this process: if the process is a
+// view, a copy that repeats the run up to a past moment, the event is about that moment.
 Json AnswerEvent(const Asked& asked) {
   const auto name = asked.request.at("name").get<std::string>();
   const auto& kinds = LiveEvents::Kinds();
@@ -323,7 +323,7 @@ Json AnswerHashes(const Asked& asked) {
           {"state_hash", fmt::format("{:016x}", asked.system().state_hash())}};
 }
 
-// Answers a request while the run shows an earlier moment.  The request is about this moment.
+// Answers a request while the run shows an earlier moment; the answer is about that moment.
 Json AnswerInPast(const Asked& asked, const std::string& name) {
   Rewind* const rewind = asked.context.rewind;
   if (name == "input")

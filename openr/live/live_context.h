@@ -17,7 +17,7 @@ struct LiveContext {
   ConsoleLog* console;
   MessageHistory* history;
   LiveEvents* events;
-  Rewind* rewind;             // the rewind of this run, which goes back to earlier moments
+  Rewind* rewind;             // goes back to earlier moments of this run
   KnownRun* known = nullptr;  // the replay, if this run repeats a recording or another known run;
                               // null: clients can change this run
 };
