@@ -170,8 +170,8 @@ bool IsStandardOutput(const std::string& file) { return TargetOf(file).stream ==
 std::string WhyNoFolder(const std::string& folder) {
   if (folder.empty()) return "'' names no folder";
   std::error_code error;
-  fs::path there =
-      fs::absolute(folder, error).lexically_normal();  // shortened to the part that exists
+  // Shortened below to the part of the path that exists.
+  fs::path there = fs::absolute(folder, error).lexically_normal();
   while (!fs::exists(there, error) && there.has_relative_path()) there = there.parent_path();
   if (!fs::is_directory(there, error)) {
     return fs::equivalent(there, folder, error)

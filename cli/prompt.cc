@@ -136,8 +136,9 @@ class LineEdit {
   }
 
   static unsigned char Suspend(EditLine*, int) {
-    raise(
-        SIGTSTP);  // libedit restores the terminal, and prepares it again when the program goes on
+    // libedit handles this signal: it restores the terminal, and prepares the terminal again when
+    // the program goes on.
+    raise(SIGTSTP);
     return CC_REDISPLAY;
   }
 

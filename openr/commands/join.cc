@@ -58,9 +58,9 @@ void BecomeChild(pid_t parent) {
   ::signal(SIGHUP, SIG_IGN);
 }
 
-volatile sig_atomic_t g_ended_by = 0;  // the first signal that came: SIGINT, SIGTERM or SIGHUP; 0:
-                                       // none
-volatile sig_atomic_t g_child = 0;     // process id of the worker that --restart runs; 0: none
+// The first signal that came: SIGINT, SIGTERM or SIGHUP; 0: none.
+volatile sig_atomic_t g_ended_by = 0;
+volatile sig_atomic_t g_child = 0;  // process id of the worker that --restart runs; 0: none
 
 // Handles SIGINT, SIGTERM and SIGHUP.  After the first signal, the worker finishes the handler that
 // runs, tells the run that it leaves, and ends.  With --restart the worker is a child process: the
@@ -137,8 +137,9 @@ Outcome Work(const WorkerOptions& options, bool is_known) {
     if (ending->object == nullptr) return;
     const CurrentScope scope(ending->object->system, ending->object);
     worker->ReportCrash(ending->finding.text());
-    TellHandled(*ending);  // called after ReportCrash(), so that a crash in this call does not keep
-                           // the report from the run
+    // Called after ReportCrash(), so that a crash in this call does not keep the report from the
+    // run.
+    TellHandled(*ending);
   });
   const std::string problem = worker->Run();
   return {problem, worker->is_refused()};
@@ -177,9 +178,9 @@ int Join(JoinFlags flags, bool is_known = false) {
     const std::string file = flags.parent != 0 ? flags.crash_log
                              : is_own          ? own_stick->crash_log()
                                                : CrashLogOn(stick);
-    std::optional<std::string> place;  // text that the report adds after the path of the crash
-                                       // record, such as " on HOST"; nullopt: the report need not
-                                       // name the path, because the record is on the run's stick
+    // Text that the report adds after the path of the crash record, such as " on HOST"; nullopt:
+    // the report need not name the path, because the record is on the run's stick.
+    std::optional<std::string> place;
     if (flags.parent == 0) {
       place = " on " + HostName();
     } else if (file != CrashLogOn(stick)) {

@@ -16,9 +16,10 @@ namespace remote = openr::remote;
 
 struct RcFlags {
   std::string address;
-  std::string with;    // address of a second robot; "": there is only one robot
-  bool track = false;  // true: the robot that follows the other one goes straight to each position,
-                       // and ignores its own limits of speed and acceleration
+  std::string with;  // address of a second robot; "": there is only one robot
+  // True: the robot that follows the other one goes straight to each position, and ignores its own
+  // limits of speed and acceleration.
+  bool track = false;
   int64_t timeout_us = 3'000'000;
   std::string token_file;  // file with the token of the robots' servers; "": they need none
   bool json = false;
@@ -32,10 +33,10 @@ struct RcFlags {
   int loops = 1;
   int key_frames = 0;
   std::string layer = "m";  // layer of the camera's picture: "h", "m", "l" or "c"
-  bool raw = false;         // whether to write the bytes of the layer exactly as the robot
-                            // sends them
-  std::string log;          // file on this host to which the log of a motion is written; "": no log
-  bool simulated = false;   // whether the log's values are those of a simulated robot
+  // Whether to write the bytes of the layer exactly as the robot sends them.
+  bool raw = false;
+  std::string log;         // file on this host to which the log of a motion is written; "": no log
+  bool simulated = false;  // whether the log's values are those of a simulated robot
   // File on this host to which a download is written; "": it gets the name of the file on the
   // stick.
   std::string output;

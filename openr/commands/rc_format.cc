@@ -14,9 +14,9 @@ using Json = nlohmann::ordered_json;
 
 constexpr uint32_t kNoFrame = 0xffffffff;
 
-thread_local std::string t_robot;  // the address that RcRobotLabel has set for this thread; "":
-                                   // none
-std::mutex g_print_mutex;          // protects the output, because with two robots two threads print
+// The address that RcRobotLabel has set for this thread; "": none.
+thread_local std::string t_robot;
+std::mutex g_print_mutex;  // protects the output, because with two robots two threads print
 
 }  // namespace
 

@@ -15,8 +15,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int64_t kVectorUs = 32'000;  // duration of a sensor vector, which has 4 frames of 8 ms
-constexpr int kPeriodMax = 65532;      // largest period in frames: the largest multiple of 4 that
-                                       // fits into 16 bits
+// Largest period in frames: the largest multiple of 4 that fits into 16 bits.
+constexpr int kPeriodMax = 65532;
 
 // Returns the number of frames in the time `every_us`, rounded up to whole sensor vectors.
 int PeriodOf(int64_t every_us) {

@@ -37,8 +37,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kInterruptMs = 200;  // longest wait for data from the copies of this process, so that
-                                   // Ctrl-C is noticed soon
+// Longest wait for data from the copies of this process, so that Ctrl-C is noticed soon.
+constexpr int kInterruptMs = 200;
 // Most findings that are printed; the report has all findings.
 constexpr size_t kFindingsPrinted = 20;
 
@@ -93,8 +93,8 @@ struct SharedFinding {
 // robots as one line, because they would otherwise hide the finding of a single robot.
 void PrintFindings(const Json& findings) {
   std::vector<SharedFinding> shared;
-  std::map<std::pair<std::string, std::string>, size_t> places;  // key: severity and text; value:
-                                                                 // index in `shared`
+  // Key: severity and text; value: index in `shared`.
+  std::map<std::pair<std::string, std::string>, size_t> places;
   for (const Json& finding : findings) {
     const std::string severity = finding["severity"].get<std::string>();
     const std::string object = finding["object"].get<std::string>();
@@ -202,8 +202,8 @@ void RobotJobs::RunInCopy(int robot, int answer) {
   robot_ = robot;
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   const EndingAnswer ending_answer(-1);
-  std::optional<std::string> place;  // has a value if the finding about a crash must name the
-                                     // record's file (CrashLog)
+  // Has a value if the finding about a crash must name the record's file (CrashLog).
+  std::optional<std::string> place;
   if (stick_.is_default()) place = "";
   const CrashLog crash_log({stick_.crash_log()}, true, place);
   const Watchdog watchdog(flags_.handler_limit_us);

@@ -48,12 +48,12 @@ class RobotJobs {
   const RunStick stick_;
   Console console_;
   InterruptCounter interrupts_;
-  int robot_ = -1;    // number of the robot that this copy of the process runs; -1: this is no copy
-  std::string line_;  // text that the objects of this robot have printed after their last whole
-                      // line
+  int robot_ = -1;  // number of the robot that this copy of the process runs; -1: this is no copy
+  // Text that the objects of this robot have printed after their last whole line.
+  std::string line_;
   Simulation simulation_;
-  std::vector<nlohmann::ordered_json> reports_;  // index: number of the robot; null: the robot has
-                                                 // not run
+  // Index: number of the robot; null: the robot has not run.
+  std::vector<nlohmann::ordered_json> reports_;
 };
 
 }  // namespace openr_host

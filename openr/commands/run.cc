@@ -107,8 +107,8 @@ void ReportTheEnding(Ending* ending, Simulation* simulation, DistributedRun* dis
   WriteReport(report, flags);
   ending->answered = true;
   distribution->EndProcesses();
-  TellHandled(*ending);  // called last, so that a crash in this call does not keep the report from
-                         // being written
+  // Called last, so that a crash in this call does not keep the report from being written.
+  TellHandled(*ending);
 }
 
 // Reads the script of --events.  Throws CLI::ValidationError, with the place in the file, if the

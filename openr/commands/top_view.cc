@@ -180,8 +180,8 @@ void RunsHeard::Take(const std::vector<RunStatus>& news, double now_s) {
     if (!status.objects.empty()) {
       runs_[key] = {status, now_s};
     } else if (const auto found = runs_.find(key); found != runs_.end()) {
-      found->second.status.has_ended = true;  // a status without objects means that the run has
-                                              // ended
+      // A status without objects means that the run has ended.
+      found->second.status.has_ended = true;
       found->second.heard_s = now_s;
     }
   }

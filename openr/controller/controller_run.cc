@@ -64,8 +64,8 @@ class Session {
   StepClock clock_;
   std::string why_ = "its loop has ended";
   int status_ = kExitGood;
-  uint32_t first_frame_ = 0, last_frame_ = 0;  // frame numbers at the start of the first and of the
-                                               // last iteration
+  // Frame numbers at the start of the first and of the last iteration.
+  uint32_t first_frame_ = 0, last_frame_ = 0;
 };
 
 // Waits until the robot stands.  On the robot, the main() of a controller also begins only then.

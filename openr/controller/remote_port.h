@@ -60,7 +60,7 @@ class RemotePort : public ControllerPort {
   uint32_t frame() const { return core_.Sensors().frame; }
 
  private:
-  // ---- Implementation of ControllerPort
+  // ---- Functions of ControllerPort, which ControllerCore calls
   bool IsLedReady() override { return true; }
   bool IsEarReady() override { return true; }
   bool IsBatchMoverReady() override { return true; }
@@ -131,8 +131,8 @@ class RemotePort : public ControllerPort {
   bool is_continued_ = false;
   std::chrono::steady_clock::time_point heard_{};   // time of the last event or answer
   std::chrono::steady_clock::time_point warned_{};  // time of the last WarnOfRefusal()
-  openr::remote::RequestId life_ = 0;               // id of the INFO request that waits for its
-                                                    // answer; 0: none
+  // Id of the INFO request that waits for its answer; 0: none.
+  openr::remote::RequestId life_ = 0;
 };
 
 }  // namespace openr_host

@@ -11,8 +11,8 @@
 namespace openr_host {
 namespace {
 
-constexpr int64_t kFlushUs = 1'000'000;  // longest virtual time for which a line is kept in memory
-                                         // before it is written
+// Longest virtual time for which a line is kept in memory before it is written.
+constexpr int64_t kFlushUs = 1'000'000;
 
 }  // namespace
 

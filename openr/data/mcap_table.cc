@@ -180,9 +180,9 @@ class McapReader {
   Table table_;
   std::map<std::string, size_t> places_;  // key: name of a quantity; value: index in table_.series
   std::map<uint16_t, std::string> schemas_, topics_;
-  size_t good_ = 0;  // place in the file of the present record, or of the chunk that contains this
-                     // record
-  int depth_ = 0;    // 1 while the records of a chunk are read, else 0
+  // Place in the file of the present record, or of the chunk that contains this record.
+  size_t good_ = 0;
+  int depth_ = 0;  // 1 while the records of a chunk are read, else 0
   bool is_over_ = false;
 };
 

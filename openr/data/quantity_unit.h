@@ -8,8 +8,9 @@ namespace openr_host {
 struct QuantityUnit {
   const char* text;  // name of the unit, such as "m/s^2"; "": a plain number
   double factor;     // factor that converts a value of a log to this unit
-  double span_min;   // smallest span of an axis that shows values in this unit; it keeps small
-                     // noise from filling a panel
+  // Smallest span of an axis that shows values in this unit; it keeps small noise from filling a
+  // panel.
+  double span_min;
 };
 
 // Returns the unit of the quantity `name`, such as "pitch_deg" or "robots[1].sensor.distance".  The

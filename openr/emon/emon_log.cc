@@ -12,8 +12,8 @@
 namespace openr_host {
 namespace {
 
-constexpr size_t kHexDigits = 8;  // number of digits of a hexadecimal word; such a word needs no
-                                  // "0x"
+// Number of digits of a hexadecimal word; such a word needs no "0x".
+constexpr size_t kHexDigits = 8;
 constexpr uint32_t kWordBytes = 4;
 // Largest number of words of a stack dump that are kept, so that a damaged address in the dump
 // cannot make the reader use all memory.
@@ -205,8 +205,9 @@ class Reader {
   }
 
   void ReadFields(const std::string& text) {
-    std::optional<int> last;  // register that the number before belongs to; a number without a name
-                              // belongs to the next register
+    // Register that the number before belongs to; a number without a name belongs to the next
+    // register.
+    std::optional<int> last;
     for (const NamedNumber& number : Split(text)) {
       std::optional<int> reg;
       if (!number.words.empty()) reg = RegisterOf(number.words.back());

@@ -15,8 +15,8 @@
 namespace openr_host {
 
 constexpr int kRobotRegisters = 32;
-constexpr int kRobotGp = 28;  // number of the register gp, which points into the data of the image
-                              // whose code runs
+// Number of the register gp, which points into the data of the image whose code runs.
+constexpr int kRobotGp = 28;
 constexpr int kRobotSp = 29;  // number of the register sp, the stack pointer
 constexpr int kRobotRa = 31;  // number of the register ra, the return address
 
@@ -40,8 +40,8 @@ struct EmonLog {
   std::optional<uint32_t> context;  // context of the object that crashed
   std::array<std::optional<uint32_t>, kRobotRegisters> registers;
   std::vector<Object> objects;
-  std::map<uint32_t, uint32_t> stack;  // words of the stack dump; the key is the address of the
-                                       // word
+  // Words of the stack dump; the key is the address of the word.
+  std::map<uint32_t, uint32_t> stack;
 
   // Returns the address of the instruction that failed; nullopt if `epc` is not known.  If this
   // instruction is in the delay slot of a branch, right after the branch, then `epc` is the address

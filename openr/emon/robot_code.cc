@@ -130,8 +130,8 @@ bool RobotCode::Contains(uint32_t address) const {
 }
 
 bool RobotCode::IsAfterCall(uint32_t address) const {
-  constexpr uint32_t kDelay = 8;  // bytes of a call and of the instruction after it (delay slot),
-                                  // which runs before the call
+  // Bytes of a call and of the instruction after it (delay slot), which runs before the call.
+  constexpr uint32_t kDelay = 8;
   if (!Contains(address) || !Contains(address - kDelay)) return false;
   const auto word =
       ReadAt<uint32_t>(bytes_, uint64_t{text_offset_} + InFile(address) - kDelay - text_);

@@ -20,13 +20,13 @@ class System;
 struct Deviation {
   enum class Kind : uint8_t {
     kStart,  // at the nth choice of the object that starts next, `object` is chosen
-    kTie,    // at the nth tie at time_us, when several objects have a message due, `object` goes
-             // first
+    // At the nth tie at time_us, when several objects have a message due, `object` goes first.
+    kTie,
     kDelay,  // the nth message from `sender` to entry `selector` of `object` arrives `us` later
     kCost,   // the nth call of entry `selector` of `object` takes `us` longer (shorter if negative)
     kFrame,  // the frame counter of the robot number `nth` begins with the frame number `us`
-    kFault,  // the nth fault of the run is FaultLine() number `us`, at time_us in robot number
-             // `selector`
+    // The nth fault of the run is FaultLine() number `us`, at time_us in robot number `selector`.
+    kFault,
   };
   Kind kind = Kind::kTie;
   // Virtual time of the deviation.  A kTie is found in the run by this time and by `nth`; for

@@ -36,8 +36,8 @@ struct GraphConnection {
 
 struct GraphView {
   double virtual_time_s = 0;
-  std::vector<GraphObject> objects;          // all objects of the stick, and the system objects
-                                             // that have services
+  // All objects of the stick, and the system objects that have services.
+  std::vector<GraphObject> objects;
   std::vector<GraphConnection> connections;  // all connections, in the order of CONNECT.CFG
 };
 

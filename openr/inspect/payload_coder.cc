@@ -71,8 +71,8 @@ void LastPayload::Write(std::string_view now, ByteWriter* out) {
   const size_t whole = size_ / kPayloadBlock * kPayloadBlock;
   for (size_t i = 0; i < whole; i += kPayloadBlock) compare(now.data() + i, bytes_.data() + i);
   if (whole < size_) {
-    char rest[kPayloadBlock] = {};  // a copy of the last bytes, because bytes behind `now` may not
-                                    // be read
+    // A copy of the last bytes, because bytes behind `now` may not be read.
+    char rest[kPayloadBlock] = {};
     std::memcpy(rest, now.data() + whole, size_ - whole);
     compare(rest, bytes_.data() + whole);
   }

@@ -54,8 +54,8 @@ void Recorder::Begin(Simulation* simulation, const SimulationOptions& options,
   system.inputs().OnAdd([this, &system](int robot, std::string_view line) {
     writer_->AddInput(robot, line, system.now_us());
   });
-  if (options.robots == 1) {  // a stick of several robots is read-only, so it has no changes to
-                              // record
+  // A stick of several robots is read-only, so it has no changes to record.
+  if (options.robots == 1) {
     const std::string root = simulation->stick() + "/";
     system.robot(0).stick->OnFirstChange([this, root](const MemoryStick::Location& location) {
       writer_->AddStick(location.path.substr(root.size()), location.path);

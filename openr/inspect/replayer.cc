@@ -235,8 +235,9 @@ void Replayer::CompareFields(const TraceEntry& recorded, const TraceRecord& now,
   } else if (now.cause != then.cause) {
     Differ(recorded,
            fmt::format("is caused by message {} now, by {} when recorded", now.cause, then.cause));
-  } else if (now.size != then.size) {  // a message of the object `only_` must have the recorded
-                                       // size, too, because the recorded bytes replace its bytes
+  } else if (now.size != then.size) {
+    // A message of the object `only_` must have the recorded size, too, because the recorded bytes
+    // replace its bytes.
     Differ(recorded, fmt::format("has {} bytes now, {} when recorded", now.size, then.size));
   }
 }

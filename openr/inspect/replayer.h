@@ -59,7 +59,7 @@ class Replayer : public KnownRun {
   // input, delivers nothing, and the next call applies the input.  Returns false at the end of the
   // recording and after a difference.
   bool Step();
-  // ---- Implementation of KnownRun
+  // ---- Functions of KnownRun
   void RunOne(int64_t time_us) override;
   int64_t length_us() const override { return length_us_; }
   std::string WhyOver() const override;
@@ -123,11 +123,11 @@ class Replayer : public KnownRun {
 
   const std::string file_;
   TraceReader reader_;
-  TempFolder folder_;                          // holds the copy of the Memory Stick
-  PreparedRun prepared_;                       // owns the run if the recording has a schedule;
-                                               // else empty
-  std::unique_ptr<ExploreSchedule> schedule_;  // schedule of the recording; null: the seed decides
-                                               // the order of messages
+  TempFolder folder_;  // holds the copy of the Memory Stick
+  // Owns the run if the recording has a schedule; else empty.
+  PreparedRun prepared_;
+  // Schedule of the recording; null: the seed decides the order of messages.
+  std::unique_ptr<ExploreSchedule> schedule_;
   // The simulation of the replay; null if the recording has a schedule, because prepared_ then owns
   // the simulation.
   std::unique_ptr<Simulation> own_simulation_;

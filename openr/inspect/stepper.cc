@@ -155,8 +155,7 @@ class Stepper {
     shared_->runs = false;
   }
 
-  // Runs this process, a new copy of the snapshot after `here` messages, forward to the message
-  // that the user wants.
+  // Runs this process, a new copy of the snapshot after `here` messages, to the wanted message.
   void CatchUp(uint64_t here) {
     went_back_ = false;  // Forward() must not stop at the snapshots that it takes now
     if (shared_->target > here) ForwardBy(shared_->target - here);

@@ -59,13 +59,14 @@ struct TraceHeader {
 struct TraceEntry {
   // The kinds of entries.  Each comment names the fields of TraceEntry that such an entry has.
   enum class Kind : uint8_t {
-    kObject = 1,      // an object, before its first message; fields: id, robot, name
-    kEntry = 2,       // an entry (handler) of the object `id`, before the first message to this
-                      // handler; fields: id, selector, name
+    kObject = 1,  // an object, before its first message; fields: id, robot, name
+    // An entry (handler) of the object `id`, before the first message to this handler; fields: id,
+    // selector, name.
+    kEntry = 2,
     kOldMessage = 3,  // kind of an old version, see kOldestTraceVersion
-    kNetwork = 4,   // network events that Poll() returned during the message before; fields: robot,
-                    // events
-    kOldPause = 5,  // kind of an old version, see kOldestTraceVersion
+    // Network events that Poll() returned during the message before; fields: robot, events.
+    kNetwork = 4,
+    kOldPause = 5,     // kind of an old version, see kOldestTraceVersion
     kOldShutdown = 6,  // kind of an old version, see kOldestTraceVersion
     kEnd = 7,          // the last entry; fields: time_us, trace_hash, state_hash
     kOldConsole = 8,   // kind of an old version, see kOldestTraceVersion
@@ -116,8 +117,8 @@ class TraceCoder {
     int32_t sender = 0;
     int32_t target = 0;
     uint32_t selector = 0;
-    LastPayload* last = nullptr;  // the element of last_ with the link's last payload; set only
-                                  // when writing
+    // The element of last_ with the link's last payload; set only when writing.
+    LastPayload* last = nullptr;
   };
   struct LinkKey {
     int32_t sender, target;
@@ -208,8 +209,8 @@ class TraceWriter {
   int descriptor_ = -1;
   int error_ = 0;  // errno of the first failed write
   ByteWriter block_;
-  std::map<int32_t, int> objects_;  // key: id of an object; value: Object::predecessors when the
-                                    // object's name was written
+  // Key: id of an object; value: Object::predecessors when the object's name was written.
+  std::map<int32_t, int> objects_;
   std::set<std::pair<int32_t, uint32_t>> entries_;
   // For each link, by its number: how often the objects at its two ends had been replaced when
   // their names were last written.  AddMessage() looks up names only when these numbers have

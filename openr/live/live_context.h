@@ -17,9 +17,10 @@ struct LiveContext {
   ConsoleLog* console;
   MessageHistory* history;
   LiveEvents* events;
-  Rewind* rewind;             // goes back to earlier moments of this run
-  KnownRun* known = nullptr;  // the replay, if this run repeats a recording or another known run;
-                              // null: clients can change this run
+  Rewind* rewind;  // goes back to earlier moments of this run
+  // The replay, if this run repeats a recording or another known run; null: clients can change this
+  // run.
+  KnownRun* known = nullptr;
 };
 
 }  // namespace openr_host

@@ -27,8 +27,8 @@ class LiveEvents {
  public:
   struct Kind {
     const char* name;
-    int64_t interval_ns;  // least time between two events of this kind; a client may ask for a
-                          // longer time
+    // Least time between two events of this kind; a client may ask for a longer time.
+    int64_t interval_ns;
   };
   // Returns all kinds of events, in the order in which they are sent.
   static const std::vector<Kind>& Kinds();
@@ -61,11 +61,11 @@ class LiveEvents {
   nlohmann::ordered_json Log(EventCursor* cursor);
 
   const LiveContext context_;
-  int64_t rates_us_ = 0;                // virtual time at which the rates were computed
-  std::map<int, Rate> objects_;         // number and rate of the messages that each object has
-                                        // received; key: id of the object
-  std::map<size_t, Rate> connections_;  // number and rate of the messages of each connection; key:
-                                        // index in System::connections()
+  int64_t rates_us_ = 0;  // virtual time at which the rates were computed
+  // Number and rate of the messages that each object has received; key: id of the object.
+  std::map<int, Rate> objects_;
+  // Number and rate of the messages of each connection; key: index in System::connections().
+  std::map<size_t, Rate> connections_;
   // The time of this computer's clock at the last update of speed_.
   int64_t speed_ns_ = 0;
   // The virtual time at the last update of speed_.

@@ -140,8 +140,8 @@ nlohmann::ordered_json LiveServer::BeginWatch(Client* client, const nlohmann::js
   return {{"watching", !client->watches.empty()}};
 }
 
-// Tells `events_` whether any client watches the event "graph", so that messages are kept only
-// then.
+// Tells `events_` whether any client watches the event "graph", because messages are kept only for
+// such clients.
 void LiveServer::TellWatchedEvents() {
   if (events_ == nullptr) return;
   const auto is_graph = [](const Watch& watch) {

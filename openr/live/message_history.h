@@ -28,8 +28,8 @@ class MessageHistory {
   struct Entry {
     uint64_t number;
     int64_t time_us;
-    bool is_ready;        // true: a ready message of the observer; false: a notification of the
-                          // subject
+    // True: a ready message of the observer; false: a notification of the subject.
+    bool is_ready;
     uint32_t size;        // number of bytes of the whole content
     std::string content;  // the content as in a recording, cut to kContentMax bytes
   };
@@ -67,8 +67,8 @@ class MessageHistory {
   struct ConnectionMessages {
     std::string subject;  // names of the two services of the connection
     std::string observer;
-    int loads = -1;  // number of times that objects with these two ids had been loaded when the
-                     // services were named
+    // Number of times that objects with these two ids had been loaded when the services were named.
+    int loads = -1;
     uint64_t count = 0;
     std::deque<Entry> last;
   };

@@ -77,7 +77,7 @@ int DistanceSensorOf(const RobotModel& model) {
   return -1;
 }
 
-// Makes a robot that stands in `world` and does not move.
+// Makes a robot that stands in `world` and does not move, because only its sensor is measured.
 std::unique_ptr<Body> StandingStatue(const RobotModel& model, const World& world) {
   std::unique_ptr<Body> body = MakeIdealBody(model, world);
   BodyMover mover(model, body.get());

@@ -25,8 +25,8 @@ struct ComparedSide {
 struct Comparison {
   std::string title;
   ComparedSide a, b;
-  JointTraces commanded;  // commanded positions, drawn below the curves of A and B; empty: not
-                          // drawn
+  // Commanded positions, drawn below the curves of A and B; empty: not drawn.
+  JointTraces commanded;
   const RobotConstants* robot = nullptr;
   std::vector<JointDifference> differences;
 };

@@ -52,8 +52,8 @@ class Curve {
 // The straight line that gives the positions in motion B best as a function of those in motion A.
 struct Fit {
   double gain = 0;
-  double unexplained = 1;  // fraction of the variance of motion B that the line does not explain, 0
-                           // to 1
+  // Fraction of the variance of motion B that the line does not explain, 0 to 1.
+  double unexplained = 1;
 };
 
 Fit FitLine(const std::vector<double>& a, const std::vector<double>& b) {

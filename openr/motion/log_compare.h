@@ -43,8 +43,8 @@ struct JointDifference {
 };
 
 constexpr double kMovesDeg = 1;
-constexpr double kLagMaxMs = 320;  // the largest shift that is tried; for a short motion, 1/4 of
-                                   // its length
+// The largest shift that is tried; for a short motion, 1/4 of its length.
+constexpr double kLagMaxMs = 320;
 constexpr int kSamplesMin = 8;
 
 // Compares motion B with motion A, joint by joint, over the time that both cover.  REQUIRES: A and

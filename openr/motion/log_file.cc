@@ -122,8 +122,8 @@ std::vector<const JointConstants*> LoggedJoints(const RobotConstants& robot) {
   return joints;
 }
 
-// Tries each design of robot, because the file does not name its robot.  At most one design fits:
-// with a wrong number of joints, the reader takes wrong bytes for the counts of values.
+// Tries each design of robot, because the file does not name its robot.  At most one design fits,
+// because with a wrong number of joints the reader takes wrong bytes for the counts of values.
 LogFile ParseLog(const std::string& bytes) {
   std::string problem;
   for (const char* const design : {"ERS-210", "ERS-7"}) {

@@ -42,8 +42,8 @@ struct LogRecord {
 };
 
 struct LogFile {
-  const RobotConstants* robot = nullptr;  // the robot, which ParseLog() finds by the number of
-                                          // joints
+  // The robot, which ParseLog() finds by the number of joints.
+  const RobotConstants* robot = nullptr;
   std::vector<LogRecord> records;
 };
 

@@ -16,8 +16,8 @@ constexpr double kPlayedFrameMs = 8;
 // the times of these records, up to the first record whose key frame is not the same as in the log.
 std::vector<double> PlayTimes(const LogFile& log, const MtnFile& motion, int per_vector) {
   MtnPlayer player;
-  // Lets the motion repeat more often than the log has records, so that the end of the log ends the
-  // play-back.
+  // Lets the motion repeat more often than the log has records, so that the log ends before the
+  // play-back does.
   player.Start(&motion, static_cast<int>(log.records.size()) + 1, per_vector);
   std::vector<double> times_ms;
   int frames = 0;

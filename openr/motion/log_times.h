@@ -8,8 +8,8 @@
 
 namespace openr_host {
 
-// Both functions TimesOf() return the time of each record of a log, in ms after the first key frame
-// of the motion.  They throw std::runtime_error with the reason when the times cannot be known.
+// Both functions below return the time of each record of a log, in ms after the first key frame of
+// the motion.  They throw std::runtime_error with the reason when the times cannot be known.
 
 // Returns the time of each record of `log`, in ms.  Assumes that key frames are 16 ms apart, as in
 // a motion without interpolated frames.  A key frame with a smaller number than the one before

@@ -72,7 +72,7 @@ std::vector<uint8_t> WriteMtn(const MotionFile& motion) {
   joints.Finish(&out);
 
   MtnSection data(3);
-  data.U32(0);  // the type of the data: 0 means angles
+  data.U32(0);  // the type of the data; 0 is the type of angles
   for (size_t k = 0; k < motion.key_frames.size(); ++k) {
     if (motion.key_frames[k].angles_urad.size() != motion.locators.size()) {
       throw std::invalid_argument(

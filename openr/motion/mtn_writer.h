@@ -9,8 +9,8 @@
 namespace openr_host {
 
 struct KeyFrame {
-  int interpolation = 0;  // number of interpolated frames before this key frame; unused in the
-                          // first key frame
+  // Number of interpolated frames before this key frame; unused in the first key frame.
+  int interpolation = 0;
   // Roll, pitch and yaw of the body; pitch is positive with the nose up.  Programs that play the
   // motion ignore these angles.
   std::array<int32_t, 3> attitude_urad{};

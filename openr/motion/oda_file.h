@@ -9,10 +9,10 @@
 namespace openr_host {
 
 struct OdaMember {
-  std::string type;        // type of the member: "OMTN", "WAVE", "MIDI", "LED", "SYN" or "OSND"
-  std::string name;        // name in the container: at most 128 bytes, not always readable text
-  std::string file;        // file name to save the member under, 8+3 characters, different for each
-                           // member
+  std::string type;  // type of the member: "OMTN", "WAVE", "MIDI", "LED", "SYN" or "OSND"
+  std::string name;  // name in the container: at most 128 bytes, not always readable text
+  // File name to save the member under, 8+3 characters, different for each member.
+  std::string file;
   std::string_view bytes;  // content, a part of the container's bytes
 };
 

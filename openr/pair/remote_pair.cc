@@ -26,14 +26,14 @@ constexpr size_t kPostedMax = 16;
 // The time of silence after which a robot gets no more positions.  When it goes on, all positions
 // that were sent during its silence would be old.
 constexpr int64_t kSilentMs = 500;
-constexpr size_t kTripsMax = 32;  // number of round trips that are kept; the shortest one counts
-                                  // as the time of the network
+// Number of round trips that are kept; the shortest one counts as the time of the network.
+constexpr size_t kTripsMax = 32;
 // Largest number of events that are taken from one robot before it is the other robot's turn.
 constexpr int kEventsMax = 100;
 // Least change of a joint's goal that is sent, in 0.01 degree.
 constexpr int32_t kChangeMin = 5;
-constexpr uint32_t kFramesPerTurn = 0x0ffffff1;  // number of frames after which frame numbers begin
-                                                 // again with 0
+// Number of frames after which frame numbers begin again with 0.
+constexpr uint32_t kFramesPerTurn = 0x0ffffff1;
 // Fewest and most frames in which the command TRACK moves a joint to its goal.
 constexpr uint32_t kTrackFramesMin = RC_FRAMES_PER_VECTOR, kTrackFramesMax = 40;
 // The largest step of a joint in one frame, in 0.01 degree.

@@ -36,26 +36,26 @@ struct PairOptions {
   bool first_may_pause = false;
 };
 
-// The wish of a person: what the two robots are to do.  It may change at any time.
+// What a person wants the two robots to do.  The wish may change at any time.
 struct PairWish {
   Follow follow = Follow::kNone;
-  bool follows_motions =
-      true;  // true: the first robot follows the key frames of the second robot's motions
+  // True: the first robot follows the key frames of the second robot's motions.
+  bool follows_motions = true;
 };
 
 // The state of both robots, to be shown to a person.
 struct PairStatus {
   Follow follow = Follow::kNone;
   std::optional<double> round_trip_ms[2];  // times from a request to its answer; index: PairSide
-  std::optional<int64_t> lag_ms;           // the lag that LagMeter has measured; nullopt while
-                                           // nothing moves
-  std::string state[2];                    // state of each robot's JointMover; "": not known
+  // The lag that LagMeter has measured; nullopt while nothing moves.
+  std::optional<int64_t> lag_ms;
+  std::string state[2];            // state of each robot's JointMover; "": not known
   std::vector<int32_t> joints[2];  // measured positions of each robot's joints, in 0.01 degree
   std::string motion;              // file of the motion that the second robot plays
   int key_frame = -1;
   uint64_t key_frames = 0;  // number of key frames that were sent to the first robot
-  std::string refusal[2];   // reason why a robot has refused the last positions; "": it has taken
-                            // them
+  // Reason why a robot has refused the last positions; "": it has taken them.
+  std::string refusal[2];
 };
 
 // Passes the wish of a person, and the request to end the pair, from other threads to the thread
@@ -123,8 +123,8 @@ class RemotePair {
     int64_t asked_ms = 0;  // time of the last request with which the round trip was measured
     std::map<remote::RequestId, Posted> posted;  // requests without an answer yet
     std::deque<int64_t> trips_ms;                // times of the last round trips, in ms
-    std::vector<int32_t> sent;                   // goals that were sent last to this robot; empty:
-                                                 // none
+    // Goals that were sent last to this robot; empty: none.
+    std::vector<int32_t> sent;
     uint32_t goal_frame = 0;  // frame in which the other robot had the goals in `sent`
     int state = -1;           // state of the robot's JointMover (MoverState); -1: not known
     bool tracks = false;

@@ -18,8 +18,8 @@ bool IsSameSecret(std::string_view a, std::string_view b);
 
 class Access {
  public:
-  // `address` is the IPv4 address at which the server listens; 0.0.0.0: all addresses of this
-  // computer.
+  // Makes the rules for a server that listens at the IPv4 address `address` and `port`; 0.0.0.0:
+  // all addresses of this computer.
   Access(std::string token, std::string address, uint16_t port);
 
   // Returns the WebSocket subprotocol by which a page shows that it knows the token.
@@ -28,8 +28,8 @@ class Access {
   std::string Url(const std::string& token) const;
   const std::string& token() const { return token_; }
 
-  // Returns the source of WebSockets that a page at the address `host` may use, for its content
-  // policy; "" if `host`, a header Host, is not that of the panel.
+  // Returns the address of WebSockets, "ws://HOST", that the content security policy of a page
+  // allows; "" if `host`, the header Host of the request, is not an address of the panel.
   std::string SocketSource(const std::string& host) const;
 
   // Returns the reason why a request for a file is refused; "" if it is allowed.  Checks the header

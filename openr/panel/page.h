@@ -40,7 +40,8 @@ class Page : public WebPage {
   // The most robots whose remote control one page may use at a time.
   static constexpr size_t kEndpointsMax = 4;
 
-  // `allows_controllers` says whether the page may upload controllers.
+  // Makes the server's end of a page.  `allows_controllers` says whether the page may upload
+  // controllers.
   Page(WebLoop* loop, WebConnection* connection, RunsLister* runs, bool allows_controllers);
   ~Page() override;
 

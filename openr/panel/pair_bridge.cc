@@ -128,8 +128,8 @@ class Coupling {
     try {
       Ask("");  // ends the coupling, so that the page sees the old rate at once
     } catch (const std::exception&) {
-      // Ignores the error: either the run has ended, or it ends the coupling when it sees that the
-      // connection is closed.
+      // Ignores the error: either the run has ended, or the run ends the coupling when it sees that
+      // the connection is closed.
     }
   }
   Coupling(const Coupling&) = delete;

@@ -65,8 +65,8 @@ std::optional<LiveRun> FindRun(const std::string& wanted) {
 
 // Returns NAME.PROCESS of the run that pages show first; "" if they let the user choose.
 std::string FirstRun(const PanelOptions& options) {
-  // A run gives its server the name NAME.PROCESS.  This name is not looked up, because a short run
-  // may have ended already, which is no error.
+  // Does not look up the name NAME.PROCESS, which a run gives to its server, because a short run
+  // may have ended already, and that is no error.
   if (options.run_pipe >= 0) return options.run;
   const std::optional<LiveRun> run = FindRun(options.run);
   return run ? std::filesystem::path(run->socket).filename().string() : "";

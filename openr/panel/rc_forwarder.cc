@@ -109,8 +109,8 @@ class Forwarding {
   const RcForwarder::Rules& rules_;
   int robot_ = -1;
   RcFramer requests_, answers_;
-  RcHeader first_ = {RC_HEADER_SIZE, RC_VERSION_FILES, 0,
-                     0};         // header of the client's first packet
+  // Header of the client's first packet.
+  RcHeader first_ = {RC_HEADER_SIZE, RC_VERSION_FILES, 0, 0};
   bool is_client_there_ = true;  // false: the client has ended its sending side
   int unanswered_ = 0;           // number of requests that the robot has not answered yet
   // An answer that waits until the robot has answered all earlier requests, because answers come in
@@ -268,8 +268,8 @@ void Forwarding::Forward() {
 void Serve(int client, const RcForwarder::Rules& rules) {
   const int on = 1;
   setsockopt(client, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
-  setsockopt(client, SOL_SOCKET, SO_KEEPALIVE, &on, sizeof on);  // makes the kernel find clients
-                                                                 // whose computers are gone
+  // Makes the kernel find clients whose computers are gone.
+  setsockopt(client, SOL_SOCKET, SO_KEEPALIVE, &on, sizeof on);
   Forwarding forwarding(client, rules);
   const bool knows_token = forwarding.TakeToken();
   const int clients = knows_token ? ++g_clients : 0;
@@ -301,8 +301,8 @@ void RcForwarder::Take(int connection) {
       Serve(connection, *rules);
       close(connection);
     }).detach();
-  } catch (const std::system_error&) {  // thrown when this computer cannot make a thread for the
-                                        // client
+  } catch (const std::system_error&) {
+    // This computer cannot make a thread for the client, so the client is not served.
     --g_without_token;
     close(connection);
   }

@@ -22,7 +22,8 @@ class RcForwarder {
   // The longest time in which a client, or the robot, must take a piece of data that is sent to it.
   static constexpr int kSendTimeoutMs = 30'000;
 
-  // `find_address` is called in threads of this class.
+  // Makes a forwarder for the robot whose address `find_address` returns.  `find_address` is called
+  // in threads of this class.
   RcForwarder(RcCalls::FindAddress find_address, std::string token, bool allows_controllers);
 
   // Serves the client at the other end of `connection`, a socket, in a thread of its own.  Owns the
@@ -32,8 +33,8 @@ class RcForwarder {
   // Returns whether a thread of any RcForwarder of this process still runs.
   static bool HasThreads();
 
-  struct Rules;  // data that the threads read: how to find the robot, the token, and what is
-                 // allowed
+  // Data that the threads read: how to find the robot, the token, and what is allowed.
+  struct Rules;
 
  private:
   const std::shared_ptr<const Rules> rules_;

@@ -76,12 +76,13 @@ void Connection::ShowToken() {
   RcWriter writer(payload.data(), static_cast<int>(payload.size()));
   writer.String(options_.token);
   const Answer answer = WaitForAny(Send(rcTOKEN, payload));
-  // Accepts these two refusals: the robot does not know the command TOKEN, so it needs no token.
+  // Accepts two refusals by which the robot says that it does not know the command TOKEN, because
+  // such a robot needs no token.
   if (answer.status == rcerrorUNKNOWN_COMMAND || answer.status == rcerrorVERSION) return;
   if (answer.status != rcOK) throw Error(answer.status, answer.frame, answer.error);
 }
 
-// ---- Errors
+// ---- Functions for errors
 
 void Connection::Throw(ErrorCode code, const std::string& text, const std::string& advice) const {
   throw Error(code, fmt::format("{}: {}", address_.Text(), text), advice);
@@ -103,7 +104,7 @@ bool Connection::RobotGoesOn() const {
     Connection(address_, options_, true).Request(rcINFO);
     return true;
   } catch (const Error& error) {
-    // Returns true for a refusal: the robot goes on, but has all the clients that it can serve.
+    // A refusal shows that the robot goes on, but has all the clients that it can serve.
     return error.code() == ErrorCode::kRefused;
   }
 }
@@ -125,7 +126,7 @@ void Connection::ThrowMalformed() const {
         "is the client of the robot's version?");
 }
 
-// ---- Packets
+// ---- Functions for packets
 
 void Connection::SendBytes(const Bytes& bytes) {
   switch (stream_->Send(bytes.data(), bytes.size(), Clock::now() + options_.timeout)) {
@@ -203,7 +204,7 @@ void Connection::KeepEvent(const RcAnswerHeader& header) {
   SendBytes(MakePacket(rcEVENT, header.header.tag, {}));
 }
 
-// ---- Requests
+// ---- Functions for requests and their answers
 
 RequestId Connection::Send(int command, const Bytes& payload, int version) {
   do {
@@ -308,7 +309,7 @@ std::vector<Answer> Connection::Batch(const std::vector<Call>& calls) {
   return WaitForBatch(SendBatch(calls), calls.size());
 }
 
-// ---- Events
+// ---- Functions for events
 
 RequestId Connection::Subscribe(RcStream stream, int period) {
   const RequestId id = Send(

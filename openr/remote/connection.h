@@ -36,8 +36,8 @@ class TcpStream;
 using Info = RcInfo;  // describes the design of the robot and what the robot does now
 // Describes a device: its names, and the limits of a joint or the kind of a sensor.
 using Description = RcDescription;
-using JointState =
-    RcJointState;  // the units of its fields are 0.01 degree, 0.01 degree/s and 0.01 degree/s^2
+// Describes a joint; the units of the fields are 0.01 degree, 0.01 degree/s and 0.01 degree/s^2.
+using JointState = RcJointState;
 using Gains = RcGains;
 using Power = RcPower;
 using Sensors = RcSensors;
@@ -59,8 +59,8 @@ using RequestId = uint16_t;
 
 // The answer of the robot to a request.
 struct Answer {
-  uint32_t frame =
-      0xffffffff;     // frame of 8 ms of the robot's newest sensor values; 0xffffffff: none
+  // Number of the frame of 8 ms of the robot's newest sensor values; 0xffffffff: none.
+  uint32_t frame = 0xffffffff;
   int status = rcOK;  // result of the request, an RcStatus
   std::string error;  // the robot's error text if the status is not rcOK
   Bytes payload;      // payload of the answer; empty if the status is not rcOK
@@ -76,10 +76,10 @@ struct Call {
 struct Event {
   RequestId subscription = 0;  // id of the subscription, which Subscribe() has returned
   uint32_t frame = 0;
-  int stream = 0;    // kind of the stream, an RcStream
-  int left_out = 0;  // number of values that the robot left out between the event before and this
-                     // event
-  Bytes values;      // values of Sensors or SetValues; see Read()
+  int stream = 0;  // kind of the stream, an RcStream
+  // Number of values that the robot left out between the event before and this event.
+  int left_out = 0;
+  Bytes values;  // values of Sensors or SetValues; see Read()
 };
 
 // A function that is called during a transfer with two numbers: the bytes that were transferred,
@@ -105,7 +105,7 @@ class Connection {
   // Returns the frame number in the newest answer for which a function of this class has waited.
   uint32_t frame() const { return frame_; }
 
-  // ---- Devices: an index is the number of a device in the robot's model, from 0.
+  // ---- Functions for devices.  An index is the number of a device in the robot's model, from 0.
 
   Info GetInfo();
 
@@ -118,7 +118,7 @@ class Connection {
   // device, throws Error (kNoDevice) with a list of all devices.
   int Find(RcDeviceKind kind, const std::string& name);
 
-  // ---- Joints, lights, ears
+  // ---- Functions for joints, lights and ears
 
   JointState GetJoint(int joint);
 
@@ -145,7 +145,7 @@ class Connection {
   // Sets the gains, each 0 to RC_MAX_GAIN; returns the new gains.
   Gains SetGains(int joint, int p, int i, int d);
 
-  // ---- Sensors and power
+  // ---- Functions for sensors and power
 
   Sensors GetSensors();
   Power GetPower();
@@ -154,7 +154,8 @@ class Connection {
   // `layer` is 0 for H, 1 for M, 2 for L, 3 for C.
   Picture TakePicture(int layer);
 
-  // ---- Motions and files of the stick.  `name` is a file name of 8+3 characters: "WALK.MTN".
+  // ---- Functions for motions and files of the stick.  `name` is a file name of 8+3 characters,
+  // such as "WALK.MTN".
 
   // Starts a motion; returns before the motion begins.  `loops` is 1 to 65535.
   // `key_frames_per_vector` is 2, 4, 6, 8 or 0 (the robot chooses).
@@ -171,12 +172,12 @@ class Connection {
   std::string Download(RcFileKind kind, const std::string& name, const Progress& progress = {});
   void DeleteMotion(const std::string& name);
 
-  // ---- The end of the run.  The robot answers no further request of this client.
+  // ---- Functions that end the run.  The robot answers no further request of this client.
 
   void Reboot();
   void Shutdown();
 
-  // ---- Events
+  // ---- Functions for events, which the robot sends without further requests
 
   // Subscribes to a stream; replaces an earlier subscription to it.  `period` is the smallest
   // number of frames between two events: a multiple of 4 and not 0 for sensors, 0 or more for set
@@ -194,7 +195,7 @@ class Connection {
   std::optional<Event> NextEvent(std::chrono::steady_clock::time_point deadline);
   static constexpr size_t kEventsMax = 1000;
 
-  // ---- Single requests of any kind, and several requests without waiting
+  // ---- Functions for single requests of any kind, and for several requests without waiting
 
   // Sends a request, waits for its answer and returns the answer.  `version` is the version of the
   // protocol; 0: the first version that has the command.
@@ -210,8 +211,8 @@ class Connection {
   // Returns whether the answer to the request `id` has arrived, so that Wait() returns at once.
   // Throws Error (kTimeout) if the request was sent longer ago than the time limit of the options.
   bool IsAnswered(RequestId id);
-  Answer Wait(RequestId id);  // waits for the answer and returns it; throws Error (kRefused) if the
-                              // robot refuses the request
+  // Waits for the answer and returns it; throws Error (kRefused) if the robot refuses the request.
+  Answer Wait(RequestId id);
   // Waits for the answer to the request `id` and returns it, even if the robot refuses the request.
   Answer WaitForAny(RequestId id);
   void Drop(RequestId id);  // makes the library throw the answer away when it arrives
@@ -230,7 +231,7 @@ class Connection {
   // is the number of calls in the batch.
   std::vector<Answer> WaitForBatch(RequestId id, size_t count);
 
-  // ---- For programs that serve several robots in one thread
+  // ---- Functions for programs that serve several robots in one thread
 
   // Returns the socket, for poll().  REQUIRES: the caller uses it with poll() only.
   int descriptor() const;

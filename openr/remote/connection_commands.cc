@@ -15,7 +15,7 @@ constexpr double kValueMax = 1e6;
 
 }  // namespace
 
-// ---- Devices
+// ---- Functions for devices
 
 Info Connection::GetInfo() {
   const Answer answer = WaitForAny(Send(rcINFO, {}, RC_VERSION_FILES));
@@ -58,7 +58,7 @@ int Connection::Find(RcDeviceKind kind, const std::string& name) {
               fmt::format("there are{}", list));
 }
 
-// ---- Joints, lights, ears
+// ---- Functions for joints, lights and ears
 
 JointState Connection::GetJoint(int joint) {
   return Read<JointState>(Request(rcGET, {static_cast<uint8_t>(joint)}));
@@ -116,13 +116,13 @@ Gains Connection::SetGains(int joint, int p, int i, int d) {
   return Read<Gains>(Request(rcGAINS, {bytes, bytes + sizeof bytes}));
 }
 
-// ---- Sensors and power
+// ---- Functions for sensors and power
 
 Sensors Connection::GetSensors() { return Read<Sensors>(Request(rcSENSORS)); }
 
 Power Connection::GetPower() { return Read<Power>(Request(rcPOWER)); }
 
-// ---- Motions
+// ---- Functions for motions
 
 PlayAnswer Connection::PlayMotion(const std::string& name, int loops, int key_frames_per_vector) {
   RcPlayRequest request;
@@ -134,7 +134,7 @@ PlayAnswer Connection::PlayMotion(const std::string& name, int loops, int key_fr
 
 void Connection::StopMotion() { Request(rcMTN_STOP); }
 
-// ---- The end of the run
+// ---- Functions that end the run
 
 void Connection::Reboot() { Request(rcREBOOT); }
 

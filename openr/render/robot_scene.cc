@@ -49,8 +49,8 @@ render::Camera CameraFor(const RobotLook& look, View view) {
 // Returns a camera that sees all robots and things.  It looks from the side of the world where y is
 // negative.
 render::Camera CameraOverWorld(const std::vector<RobotLook>& looks, const World& world) {
-  constexpr double kRobot_m = 0.25, kReachMax_m = 6;  // things further away than kReachMax_m are
-                                                      // left out
+  // Things further away than kReachMax_m are left out.
+  constexpr double kRobot_m = 0.25, kReachMax_m = 6;
   Eigen::AlignedBox2d seen;
   for (const RobotLook& look : looks) {
     const Eigen::Vector2d place = look.X_WB.translation().head<2>();

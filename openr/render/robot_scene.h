@@ -18,11 +18,11 @@ class VirtualRobot;
 struct RobotLook {
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
   std::vector<Eigen::Isometry3d> X_WL;  // poses of the bodies, in the order of Body::BodyPoses()
-  std::vector<double> leds;  // brightness, 0 to 1, in the order of RobotModel::leds; missing lights
-                             // are off
-  bool is_face_in_mode_b = false;    // true: the lights of the face show their colours of mode B
-  std::vector<double> plungers_rad;  // angles of the plungers, in the order of
-                                     // RobotModel::plungers; missing angles are 0
+  // Brightness, 0 to 1, in the order of RobotModel::leds; missing lights are off.
+  std::vector<double> leds;
+  bool is_face_in_mode_b = false;  // true: the lights of the face show their colours of mode B
+  // Angles of the plungers, in the order of RobotModel::plungers; missing angles are 0.
+  std::vector<double> plungers_rad;
 };
 
 // Returns the present posture, lights and ears of `robot`.

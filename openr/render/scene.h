@@ -33,8 +33,8 @@ struct Shape {
 struct Camera {
   Eigen::Vector3d p_W{1, -1, 0.5};  // place of the camera in the world
   Eigen::Vector3d target_W{0, 0, 0};
-  Eigen::Vector3d up{0, 0, 1};  // direction that is up in the picture; must not be parallel to the
-                                // line of sight
+  // Direction that is up in the picture; must not be parallel to the line of sight.
+  Eigen::Vector3d up{0, 0, 1};
   double fov_rad = 0.5;         // angle of view from the bottom to the top of the picture
   double shadow_reach_m = 0.4;  // shadows are drawn only up to this distance from `target_W`
 };

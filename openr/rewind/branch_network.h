@@ -78,11 +78,11 @@ class BranchNetwork : public PassingNetwork {
   // The function that gives the events that Poll() returns, from RepeatFrom(); null: Poll() returns
   // the events in inputs_.
   std::function<std::vector<NetworkEvent>()> say_;
-  bool repeats_ = false;              // true: Poll() returns logged inputs, and nothing is sent
-  std::deque<LoggedInput> inputs_;    // inputs that Poll() has still to return, in order of their
-                                      // numbers
-  std::vector<NetworkEvent> broken_;  // events that tell the robot that its connections are broken;
-                                      // the next Poll() returns them
+  bool repeats_ = false;  // true: Poll() returns logged inputs, and nothing is sent
+  // Inputs that Poll() has still to return, in order of their numbers.
+  std::deque<LoggedInput> inputs_;
+  // Events that tell the robot that its connections are broken; the next Poll() returns them.
+  std::vector<NetworkEvent> broken_;
   std::map<NetHandle, Socket> sockets_;
 };
 

@@ -155,22 +155,22 @@ class Rewind {
   InputLog log_;
   // Network of each robot; the index is the number of the robot.
   std::vector<BranchNetwork*> networks_;
-  SavedStick original_files_;           // files that objects have changed, with their first
-                                        // content
+  // Files that objects have changed, with their first content.
+  SavedStick original_files_;
   std::deque<Checkpoint> checkpoints_;  // all checkpoints, in order of time
-  Checkpoint* shown_ = nullptr;         // the checkpoint whose view clients see; null: they see the
-                                        // present
+  // The checkpoint whose view clients see; null: they see the present.
+  Checkpoint* shown_ = nullptr;
   int64_t shown_us_ = 0;
   uint64_t shown_messages_ = 0;
   int64_t next_ns_ = 0;  // earliest time of the next checkpoint, by the clock of this computer
   int64_t memory_ns_ = 0;
   size_t memory_bytes_ = 0;
-  pid_t branch_ = -1;         // process of the branch, the run that goes on in place of this run;
-                              // -1: none
-  pid_t branch_parent_ = -1;  // process of the checkpoint that made the branch; a child of this
-                              // process
-  std::string trouble_;       // reason why no more checkpoints are taken; "": they are taken
-  std::string refusal_;       // reason that was given to Refuse(); "": requests are allowed
+  // Process of the branch, the run that goes on in place of this run; -1: none.
+  pid_t branch_ = -1;
+  // Process of the checkpoint that made the branch; a child of this process.
+  pid_t branch_parent_ = -1;
+  std::string trouble_;  // reason why no more checkpoints are taken; "": they are taken
+  std::string refusal_;  // reason that was given to Refuse(); "": requests are allowed
 
   bool is_view_ = false;
   int64_t last_frame_us_ = 0;           // end of the last frame that this view has run

@@ -51,7 +51,7 @@ void Rewind::Wait(int socket, const SavedStick& stick, ProcessFiles* files) {
   for (;;) {
     const std::optional<PlainJson> request = ReceiveMessage(socket, -1);
     // Ends this process when the original run has closed its socket: the run is over, or the last
-    // view has become a branch, a run of its own, which is over.
+    // view has become a branch, a run of its own, and this branch is over.
     if (!request) _exit(exit_code);
     if (!request->contains("show")) {
       SendMessage(socket, {{"error", "no view is open"}});
@@ -170,7 +170,8 @@ void Rewind::RunTo(const PlainJson& target) {
     if (now_us >= end_us) return;
     const int64_t frame_end_us = (now_us / kFrameUs + 1) * kFrameUs;
     RunOne(std::min(frame_end_us, end_us));
-    // Returns if the run is over: then the time does not advance and no message comes.
+    // Returns if neither the time has advanced nor a message has come, because then the run is
+    // over.
     if (system().now_us() == now_us && system().message_count() == before) return;
   }
 }
@@ -182,8 +183,8 @@ void Rewind::RunOne(int64_t time_us) {
   system().RunOne(time_us);
 }
 
-// Makes the view a run of its own, which goes on at `rate`.  Returns the answer to the request for
-// it.
+// Makes the view a run of its own, which goes on at `rate`.  Returns the answer to the client that
+// has asked for this run.
 PlainJson Rewind::GoOn(ProcessFiles* files, double rate) {
   const std::vector<std::string> kept = files->KeepCopies();
   const std::string name = parts_.become_branch(rate);

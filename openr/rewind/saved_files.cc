@@ -74,7 +74,7 @@ bool IsStandardStream(const struct stat& status) {
   return false;
 }
 
-// Returns those of the flags `flags` that are needed to open the file again.
+// Returns the flags among `flags` that are needed to open the file again.
 int FlagsAgain(int flags) { return flags & (O_ACCMODE | O_APPEND | O_NONBLOCK); }
 
 // Returns the path with a number behind the name: DIR/NAME-NUMBER.EXT for DIR/NAME.EXT.
@@ -129,7 +129,8 @@ size_t SavedStick::bytes() const {
 }
 
 void SavedStick::CopyTo(const std::string& folder) const {
-  // Goes through the paths in order of their names, so a folder is made before the files in it.
+  // Goes through the paths in order of their names, so that a folder is made before the files in
+  // it.
   for (const auto& [path, saved] : files_) {
     const fs::path target = fs::path(folder) / path;
     if (saved.is_folder) {

@@ -110,7 +110,7 @@ RobotTopics::RobotTopics(Bus* bus, const std::string& space, VirtualRobot* robot
         switches_[sensor] = std::make_unique<Ros2Switch>(bus, space + "/touch/" + part);
         break;
       case SensorKind::kForce:
-      case SensorKind::kRaw:  // its value is the strength of a touch, without a unit
+      case SensorKind::kRaw:  // its value is the strength of a touch and has no unit
         numbers_[sensor] = std::make_unique<Ros2Number>(bus, space + "/touch/" + part);
         break;
       case SensorKind::kDistance:
@@ -122,7 +122,8 @@ RobotTopics::RobotTopics(Bus* bus, const std::string& space, VirtualRobot* robot
         break;
       case SensorKind::kJoint:
       case SensorKind::kAcceleration:
-        // Makes no topic of its own: joint_states has all joints, imu the acceleration.
+        // Joints and acceleration get no topics of their own, because they are in joint_states and
+        // imu.
         break;
     }
   }

@@ -21,7 +21,7 @@ constexpr const char* kInputTopic = "/input";
 
 std::string WrongNamespace(const std::string& name) {
   bool is_good = name.size() <= kNamespaceMax && name.find("__") == std::string::npos;
-  bool at_start = true;  // true: `c` begins a word
+  bool at_start = true;  // true: the character `c` begins a word
   for (const char c : name) {
     const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
     const bool is_digit = c >= '0' && c <= '9';
@@ -89,8 +89,8 @@ void Ros2Link::TakeCommands(Robot* robot) {
         ": a publisher does not match and is not heard; it has to be reliable and to speak "
         "XCDR1, which is the default of ROS 2");
   }
-  const bool is_waiting =
-      robot->client->IsWaiting();  // true: earlier targets still wait until the robot takes them
+  // True: earlier targets still wait until the robot takes them.
+  const bool is_waiting = robot->client->IsWaiting();
   for (int i = 0; i < Ros2JointCommands::kWaitingMax; ++i) {
     const std::optional<Ros2JointCommand> command = robot->commands->Take();
     if (!command) break;

@@ -195,8 +195,8 @@ double Runner::wall_time_s() const {
 // run in worker processes.  The run goes no faster than the clock of this computer.  While it waits
 // for the clock, it applies the results of these handlers when they come.
 void Runner::RunFreely(int64_t stop_us, Pacer* pacer) {
-  constexpr double kSliceUs = 1000;  // longest wait in `pump`; it is also the largest delay of an
-                                     // event that comes meanwhile
+  // Longest wait in `pump`; it is also the largest delay of an event that comes meanwhile.
+  constexpr double kSliceUs = 1000;
   System& system = simulation_->system();
   while (!system.powered_off()) {
     const int64_t clock_us = pacer->TimeNow(system.now_us());
@@ -250,7 +250,7 @@ bool Runner::Run() {
     if (plan_.live != nullptr) plan_.live->Serve();
     const int64_t before_us = system.now_us();
     if (!WaitWhilePaused(&pacer)) GoOn(&pacer);
-    // Does not end the frame if a step to a message has stopped inside of the frame.
+    // Does not end the frame if a step to a message has stopped inside the frame.
     const bool is_within_frame = system.now_us() < NextStopAfter(before_us);
     if (!is_within_frame || system.powered_off()) AfterFrame();
     // Restarts the pacer in a branch, a run that goes on from an earlier moment, because the pacer

@@ -38,9 +38,9 @@ struct RunPlan {
   std::string stdin_file;
   EventScript* events = nullptr;  // script of timed inputs; null: none
   LiveServer* live = nullptr;     // server for clients such as openr poke; null: none
-  RunClock* clock = nullptr;      // rate and pause that clients choose; null:
-                                  // the run always has `rate`
-  Rewind* rewind = nullptr;       // goes back to earlier moments; null: the run cannot be rewound
+  // Rate and pause that clients choose; null: the run always has `rate`.
+  RunClock* clock = nullptr;
+  Rewind* rewind = nullptr;  // goes back to earlier moments; null: the run cannot be rewound
   // A function that prints a message for the user.
   std::function<void(const std::string& line)> say;
   Recorder* recorder = nullptr;  // records lost processes; null: none

@@ -21,10 +21,10 @@ struct RunCommand {
   const char* name;
   const char* help;
   std::vector<CommandParameter> parameters;
-  const char* answer;      // members of the answer, such as "time_s: number"; "bytes" stands for
-                           // bytes after the JSON text
-  const char* takes = "";  // meaning of the bytes after the JSON text of the request; "": there are
-                           // none
+  // Members of the answer, such as "time_s: number"; "bytes" stands for bytes after the JSON text.
+  const char* answer;
+  // Meaning of the bytes after the JSON text of the request; "": there are none.
+  const char* takes = "";
 };
 
 // Returns all commands of openr serve, in the order of the documentation.

@@ -139,7 +139,7 @@ void RunServer::BeginGuards(int64_t handler_limit_us) {
 }
 
 void RunServer::WatchCrashes() {
-  crash_log_.reset();  // destroys the old CrashLog first, because only one may exist
+  crash_log_.reset();  // destroys the old CrashLog, because only one may exist
   const auto robots = run().simulation().robots().size();
   crash_log_ = std::make_unique<CrashLog>(std::vector<std::string>(robots, run_->crash_log()));
 }
@@ -168,9 +168,9 @@ void RunServer::TellLastWords(const Ending& ending) {
                                           {"report", run_->Report()}};
     pipe_.Send(JsonText(words), "");
   } catch (const std::exception&) {
-    return;  // the program then finds the pipe closed, and does not get this second message
+    return;  // the pipe is closed, so the program gets no second message
   }
-  TellHandled(ending);  // called last, so that a crash in it comes after Send()
+  TellHandled(ending);  // called last, because a crash in this call must not prevent Send()
 }
 
 }  // namespace openr_host

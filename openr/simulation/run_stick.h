@@ -16,9 +16,10 @@ namespace openr_host {
 
 class RunStick {
  public:
-  // `wanted` is the folder of the user's stick; "": the default stick.  `is_written` says that
-  // objects may write to the stick; then the default stick is copied.  Throws std::runtime_error if
-  // `wanted` is not the folder of a stick, or if the default stick cannot be copied.
+  // Chooses the folder: `wanted` is the folder of the user's stick; "": the default stick.
+  // `is_written` says that objects may write to the stick; then the default stick is copied.
+  // Throws std::runtime_error if `wanted` is not the folder of a stick, or if the default stick
+  // cannot be copied.
   RunStick(const std::string& wanted, bool is_written);
 
   // Returns the folder of the original stick, for messages and recordings.  Unlike the copy, it

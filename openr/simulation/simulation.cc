@@ -200,8 +200,7 @@ bool Simulation::Load(int robot, const StandIns& stand_ins) {
 }
 
 // Adds a note to the report if the battery is almost empty at boot.  Users expect that such a
-// battery ends the run.  It does not, because objects hear only of a battery that becomes low
-// during the run.
+// battery ends the run, but objects hear only of a battery that becomes low during the run.
 void Simulation::NoteALowBattery(const std::string& text) {
   Battery battery;
   ParseBattery(text, &battery);
@@ -222,9 +221,8 @@ std::vector<AddressPair> Simulation::AddressesOf(const SimulationOptions& option
   if (!text) return options.addresses;
   const AddressConfig config = ParseAddressConfig(kAddressFile, *text, model_.design);
   for (const Diagnostic& diagnostic : config.diagnostics) {
-    if (static_cast<size_t>(index) < sticks_.size())  // robots beyond the sticks are skipped, so
-                                                      // that the errors of each stick are reported
-                                                      // once
+    // Robots beyond the sticks are skipped, so that the errors of each stick are reported once.
+    if (static_cast<size_t>(index) < sticks_.size())
       system_->AddFindingAbout(nullptr, diagnostic.severity, RenderWithoutKind(diagnostic));
   }
   return MergeAddressPairs(options.addresses, config.pairs);

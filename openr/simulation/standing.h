@@ -38,11 +38,11 @@ class StandingMonitor {
  private:
   // Pose of a robot relative to the plane that touches its four paws from below.
   struct Stance {
-    double height_m = 0;  // height of the origin of B, the base frame, over the plane below the
-                          // paws
+    // Height of the origin of B, the base frame, over the plane below the paws.
+    double height_m = 0;
     double roll_rad = 0, pitch_rad = 0;
-    Eigen::Vector3d up_B{0, 0, 1};  // unit vector in the base frame B, at right angles to the plane
-                                    // below the paws
+    // Unit vector in the base frame B, at right angles to the plane below the paws.
+    Eigen::Vector3d up_B{0, 0, 1};
   };
 
   Stance StanceAt(const std::vector<double>& angles_rad) const;

@@ -62,8 +62,8 @@ class CtfFields {
   CtfFields& U64(uint64_t value) { return Number(value, 8); }
   // Appends a text and a byte 0, which ends the text.
   CtfFields& Text(const std::string& text) {
-    bytes_ += text.c_str();  // ends the text at the first 0 byte, because a 0 ends it in the file,
-                             // too
+    // Ends the text at the first 0 byte, because a 0 ends it in the file, too.
+    bytes_ += text.c_str();
     bytes_ += '\0';
     return *this;
   }

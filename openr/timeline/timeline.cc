@@ -30,7 +30,7 @@ Timeline::Timeline(const std::string& file, System* system) : system_(system) {
   } else {
     json_ = std::make_unique<GrowingFile>(file);
     writer_ = std::make_unique<PerfettoWriter>([this](std::string_view text) { Print(text); });
-    FlushJson();  // writes the file at once, so that a run that is killed soon leaves a valid file
+    FlushJson();  // so that a run that is killed soon leaves a valid file
   }
   sink_ = system->trace().AddSink(
       [this](const TraceRecord& record, const Message& message) { Deliver(record, message); });
@@ -83,7 +83,8 @@ void Timeline::Deliver(const TraceRecord& record, const Message& message) {
     slice.length_us = *cost_us;
   }
   running_ = std::move(slice);
-  begin_ns_ = WallClockNs();  // read last, so that no slice contains the time of the work above
+  // Read last, because the work above must not count as time of the handler.
+  begin_ns_ = WallClockNs();
 }
 
 void Timeline::EndSlice() {

@@ -56,10 +56,11 @@ class Timeline {
   CtfWriter* ctf_ = nullptr;  // the writer, if the timeline is in CTF; null: it is JSON
   int sink_ = 0;
   std::optional<HandlerSlice> running_;  // slice of the handler that runs
-  int64_t begin_ns_ = 0;                 // time at which this handler began, by the clock of
-                                         // this computer
-  double free_us_ = 0;                   // end of the last slice whose length is wall time; the
-                                         // next such slice begins at this time or later
+  // Time at which this handler began, by the clock of this computer.
+  int64_t begin_ns_ = 0;
+  // End of the last slice whose length is wall time; the next such slice begins at this time or
+  // later.
+  double free_us_ = 0;
   // Objects whose names were written: the id, and how many objects had this id before
   // (Object::predecessors).
   std::set<std::pair<int32_t, int>> known_;

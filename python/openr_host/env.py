@@ -68,7 +68,8 @@ def _shares(action: Sequence[float]) -> list[float]:
 
 class AiboEnv(_Base):  # type: ignore[misc]
     """A dog that stands at the beginning.  An action moves the set points of its 12 leg joints for
-    `frames` frames of 8 ms; the reward is the way forward in m, less `effort` times the mean square of the action.
+    `frames` frames of 8 ms; the reward is the way forward in m, less `effort` times the mean square of
+    the action.
 
     action       12 numbers from -1 to 1: set points, `reach_deg` about those of standing, inside
                  the limits of the joints, and no faster than their motors plan (`keep_speed`)
