@@ -9,9 +9,9 @@
 namespace openr_host {
 
 // While a Console exists, descriptor 1 of the process leads to the console (standard error, or a
-// file).  So text that objects write there does not mix with the answer of the program, which goes
-// to StandardOutput().  If the console can no longer be written, the text of objects is lost, and
-// the objects see no error.  Only one Console may exist at a time.
+// file).  So text that objects write to descriptor 1 does not mix with the answer of the program,
+// which goes to StandardOutput().  If the console can no longer be written, the text of objects is
+// lost, and the objects see no error.  Only one Console may exist at a time.
 class Console {
  public:
   // Opens `file` as the console, or uses standard error if `file` is empty.  Throws

@@ -21,8 +21,8 @@ class GrowingFile {
   //
   // `end` is text that completes the file, for example "]" after a list.  Each call overwrites the
   // `end` of the call before.  So the file is complete even if the process is killed between two
-  // calls, or if a later call fails.  A pipe or a terminal gets no `end`, because written text
-  // cannot be taken back there.
+  // calls, or if a later call fails.  A pipe or a terminal gets no `end`, because text that was
+  // written to them cannot be replaced.
   void Append(std::string_view bytes, std::string_view end = "");
 
   // Returns "FILE: cannot be written: why" if a write has failed, else "".

@@ -32,25 +32,25 @@ std::string ModelFile(const std::string& name);
 // name that came with the program ("ers210.cost"), or `name` if the program has no such file.
 std::string DataFile(const std::string& name);
 
-// Returns the path of the file with the pretty printers of gdb; "" if it is not there.
+// Returns the path of the file with the pretty printers of gdb; "" if the file does not exist.
 std::string GdbPrinters();
 
 // Returns the folder with the built page of the panel (index.html); "" if it is not built.
 std::string PanelFolder();
 
-// Returns the path of libopenr_panel.so beside the program.  If it is not there, returns only its
-// name, as RenderLibrary() does.
+// Returns the path of libopenr_panel.so beside the program.  If this file does not exist, returns
+// only its name, as RenderLibrary() does.
 std::string PanelLibrary();
 
 // Returns the path of libopenr_controller.so beside the program, as PanelLibrary() does.
 std::string ControllerLibrary();
 
-// Returns the path of libopenr_render.so beside the program.  If it is not there, returns only its
-// name, so that the dynamic linker looks for it.
+// Returns the path of libopenr_render.so beside the program.  If this file does not exist, returns
+// only its name, so that the dynamic linker looks for it.
 std::string RenderLibrary();
 
-// Returns the path of libopenr_chart.so beside the program.  If it is not there, returns only its
-// name, as RenderLibrary() does.
+// Returns the path of libopenr_chart.so beside the program.  If this file does not exist, returns
+// only its name, as RenderLibrary() does.
 std::string ChartLibrary();
 
 }  // namespace openr_host

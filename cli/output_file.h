@@ -5,8 +5,8 @@
 // gets its name.  Permissions and owner stay, and a symbolic link still leads to the file.  Two
 // kinds of files are written in place instead, if the disk has room: a file with a second name (a
 // hard link), and a file in a folder where files cannot be replaced.  Pipes and devices are written
-// directly.  /dev/stdout and /dev/fd/N mean the stream that the program was started with; the text
-// follows the text that was written there before.
+// directly.  /dev/stdout and /dev/fd/N mean the stream that the program was started with; the new
+// text follows the text that the stream has got before.
 #pragma once
 
 #include <filesystem>

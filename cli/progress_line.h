@@ -54,8 +54,9 @@ class RunProgressLine {
   ProgressLine line_;
 };
 
-// Clears the line that a ProgressLine of this process has drawn last, if it is still there.  Must
-// be called before other text is written to the terminal; the next Show() draws the line again.
+// Clears the line that a ProgressLine of this process has drawn last, if the terminal still shows
+// this line.  Must be called before other text is written to the terminal; the next Show() draws
+// the line again.
 void ClearProgressLine();
 
 }  // namespace openr_host

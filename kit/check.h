@@ -26,7 +26,7 @@ struct Remark {
   // remark without a cause ("") is never joined.
   std::string cause;
   uint64_t count = 1;                // number of places that the remark is about
-  std::vector<std::string> also_at;  // places of a few of the others, such as "CONNECT.CFG:5"
+  std::vector<std::string> also_at;  // a few further places, such as "CONNECT.CFG:5"
 };
 
 // Collects remarks about one program.

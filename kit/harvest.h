@@ -24,20 +24,20 @@ struct Harvest {
   std::vector<std::string> problems;  // error messages, each of one line
   std::vector<std::string> notes;
   // Files that CompleteStick() has put on the stick, without the files that rules of Makefiles have
-  // put there.  The next build removes the files of this list, so that they do not count as images
-  // of that build.
+  // put on the stick.  The next build removes the files of this list, so that they do not count as
+  // images of that build.
   std::vector<std::filesystem::path> placed;
   std::set<std::string> used;  // paths (KitLog::Image::file) of the images on the stick
 };
 
-// Puts on `stick` the images that its OBJECT.CFG names and that rules of Makefiles have not put
-// there.  `stick` is in the private copy of the user's folder, and `users_stick` is its original;
-// the path is empty if there is no original.  If the stick has no OBJECT.CFG, writes one that names
-// all images, and adds a note about each image of its folder OBJS that is left out.  If there are
-// several sticks, first takes images that were built nearer to this stick than to other sticks in
-// the tree of folders.  Takes images that were built elsewhere only for the names that are then
-// still without an image.  An image that a Makefile puts on one stick has the same file name on all
-// other sticks.
+// Puts on `stick` the images that its OBJECT.CFG names and that no rule of a Makefile has put on
+// the stick.  `stick` is in the private copy of the user's folder, and `users_stick` is its
+// original; the path is empty if there is no original.  If the stick has no OBJECT.CFG, writes one
+// that names all images, and adds a note about each image of its folder OBJS that is left out.  If
+// there are several sticks, first takes images that were built nearer to this stick than to other
+// sticks in the tree of folders.  Takes images that were built elsewhere only for the names that
+// are then still without an image.  An image that a Makefile puts on one stick has the same file
+// name on all other sticks.
 Harvest CompleteStick(const StickFolder& stick, const Project& project, const KitLog& log,
                       const std::string& sdk_root, const std::filesystem::path& users_stick);
 

@@ -91,7 +91,7 @@ Arguments LinkArguments(const LinkCommand& command, const std::string& image_inf
   Arguments link = HostCompiler(Language::kCxx);
   link.insert(link.end(), {"-shared", "-o", Made(command)});
   link.insert(link.end(), command.objects.begin(), command.objects.end());
-  // Links the libraries as a group, so that each may use functions of the others in any order.
+  // Links the libraries as a group, so that each may use functions of all other libraries.
   link.push_back("-Wl,--start-group");
   link.insert(link.end(), command.libraries.begin(), command.libraries.end());
   link.insert(link.end(), {"-Wl,--end-group", image_info, "-L" + (prefix / "lib").string(),

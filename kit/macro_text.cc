@@ -171,7 +171,7 @@ ExpandedText MacroTable::Expand(const std::string& source) const {
 }
 
 // Expands the macro that is used at `at` into `result`, and returns the position after the use.
-// Returns `at` if no macro is used there.  All new characters get the offset `origin`
+// Returns `at` if no macro is used at `at`.  All new characters get the offset `origin`
 // (ExpandedText::origins).  Macros in `hidden` are not expanded, because `text` is a part of their
 // own expansion.
 size_t MacroTable::PutMacro(std::string_view text, size_t at, size_t origin, const Names& hidden,

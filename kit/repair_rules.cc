@@ -264,7 +264,8 @@ Edits LoopVariable(const Spot& place) {
 
 // Returns whether the block after the text `head` may use names that a template inherits.  Such a
 // block is a class whose base depends on a template parameter, or a member function that is defined
-// outside of its class template.  Today's g++ requires "this->" before inherited names there.
+// outside of its class template.  Today's g++ requires "this->" before inherited names in such a
+// block.
 bool MayInheritNames(const std::string& head) {
   static const std::regex kDerived("template\\s*<[^]*(?:class|struct)\\s+\\w+\\s*:[^]*<");
   static const std::regex kMember("template\\s*<[^]*\\w\\s*<[^()]*>\\s*::\\s*~?\\w+\\s*\\(");

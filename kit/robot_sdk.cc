@@ -121,8 +121,8 @@ void RobotSdk::Run(const std::vector<std::string>& arguments, const fs::path& fo
   ProcessOptions options;
   options.folder = folder;
   options.has_no_input = true;
-  // Puts the folders of the SDK first in PATH, because mkbin and the tools that it starts look
-  // there for each other and for the compiler.
+  // Puts the folders of the SDK first in PATH, because mkbin and the tools that it starts look in
+  // PATH for each other and for the compiler.
   const char* const path = std::getenv("PATH");
   options.environment = {
       {"OPENRSDK_ROOT", root_},

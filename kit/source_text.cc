@@ -8,8 +8,8 @@
 namespace openr_host {
 namespace {
 
-// Returns the position after the comment that begins at `at`; `at` itself if no comment begins
-// there.
+// Returns the position after the comment that begins at `at`; `at` itself if no comment begins at
+// `at`.
 size_t EndOfComment(std::string_view text, size_t at) {
   if (text.substr(at, 2) == "//") return std::min(text.find('\n', at), text.size());
   if (text.substr(at, 2) != "/*") return at;
@@ -18,7 +18,7 @@ size_t EndOfComment(std::string_view text, size_t at) {
 }
 
 // Returns the position after the string or character literal that begins at `at`; `at` itself if no
-// literal begins there.  A literal without its closing quote ends with its line.
+// literal begins at `at`.  A literal without its closing quote ends with its line.
 size_t EndOfString(std::string_view text, size_t at) {
   const char quote = text[at];
   if (quote != '"' && quote != '\'') return at;

@@ -47,7 +47,7 @@ bool HasWordAt(std::string_view text, size_t at, std::string_view word);
 // Returns whether the whole word `word` occurs in the text.
 bool HasWord(std::string_view text, std::string_view word);
 
-// Returns the word that begins at `at`; "" if no word begins there.
+// Returns the word that begins at `at`; "" if no word begins at `at`.
 std::string_view WordAt(std::string_view text, size_t at);
 
 // Returns the position of the bracket that closes the bracket at `open`; npos if there is no such

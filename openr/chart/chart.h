@@ -10,7 +10,7 @@ namespace openr_host::chart {
 // The look of a curve.  The looks differ in width and dashes, so that they can be told apart
 // without colour.
 enum class Look {
-  kReference,  // a wide pale line, drawn below the others
+  kReference,  // a wide pale line, drawn below the other curves
   kFirst,      // a solid line
   kSecond,     // a dashed line
   kMarks,      // small circles without a line

@@ -93,7 +93,7 @@ struct SharedFinding {
 // robots as one line, because they would otherwise hide the finding of a single robot.
 void PrintFindings(const Json& findings) {
   std::vector<SharedFinding> shared;
-  // Key: severity and text; value: index in `shared`.
+  // The index in `shared` of each finding; the key is severity and text of the finding.
   std::map<std::pair<std::string, std::string>, size_t> places;
   for (const Json& finding : findings) {
     const std::string severity = finding["severity"].get<std::string>();

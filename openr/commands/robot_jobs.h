@@ -52,7 +52,7 @@ class RobotJobs {
   // Text that the objects of this robot have printed after their last whole line.
   std::string line_;
   Simulation simulation_;
-  // Index: number of the robot; null: the robot has not run.
+  // The report of each robot, by the number of the robot; null: the robot has not run.
   std::vector<nlohmann::ordered_json> reports_;
 };
 

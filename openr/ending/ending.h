@@ -1,7 +1,8 @@
 // Ends the process after a crash of an object, or when a handler of an object does not return.
 //
 // The process is ended in a signal handler.  docs/endings.md lists all functions that run in signal
-// handlers.  Some of them make calls that are not allowed there; the list says why this is safe.
+// handlers.  Some of these functions make calls that are not allowed in signal handlers; the list
+// says why this is safe.
 #pragma once
 
 #include <functional>

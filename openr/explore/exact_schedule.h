@@ -103,7 +103,7 @@ class ExactSchedule : public ExploreSchedule {
   std::vector<Node> nodes_;
   bool is_cut_ = false;
 
-  // ---- The current delivery
+  // ---- Members about the current delivery
   //
   // A delivery becomes the current one when its receiver is chosen.  If the receiver was the only
   // candidate, so that no choice was made, its delivery becomes the current one when the message is

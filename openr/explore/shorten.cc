@@ -32,7 +32,7 @@ class Shortener {
   void MakeSmaller() {
     for (size_t i = 0; i < script_.size(); ++i) {
       if (!script_[i].contains("us")) continue;
-      // Does not make "us" smaller in faults and first frames, because there "us" is a number and
+      // Does not make "us" smaller in faults and first frames, because their "us" is a number and
       // not a time.
       if (script_[i]["kind"] == "frame" || script_[i]["kind"] == "fault") continue;
       while (left_ > 0 && std::abs(script_[i]["us"].get<int64_t>()) > 1) {
@@ -55,7 +55,7 @@ class Shortener {
         if (i < begin || i >= end) rest.push_back(script_[i]);
       }
       if (Try(std::move(rest))) {
-        any = true;  // the parts after `begin` have moved there, so `begin` stays
+        any = true;  // `begin` stays, because the next part is at `begin` now
       } else {
         begin = end;
       }

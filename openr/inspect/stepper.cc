@@ -184,8 +184,8 @@ class Stepper {
 
   // Runs forward by `count` messages, and takes snapshots on the way.  Returns false if the replay
   // ends earlier.  When the user later goes back to one of these snapshots, this function returns
-  // once more, in the new copy.  There it returns false, because the rest of the `count` messages
-  // must not follow.
+  // once more, in the new copy.  In the copy it returns false, because the rest of the `count`
+  // messages must not follow.
   bool Forward(uint64_t count) {
     for (; count > 0; --count) {
       const uint64_t before = replayer_->count();

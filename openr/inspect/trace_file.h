@@ -209,7 +209,7 @@ class TraceWriter {
   int descriptor_ = -1;
   int error_ = 0;  // errno of the first failed write
   ByteWriter block_;
-  // Key: id of an object; value: Object::predecessors when the object's name was written.
+  // The value of Object::predecessors when the name of an object was written, by the object's id.
   std::map<int32_t, int> objects_;
   std::set<std::pair<int32_t, uint32_t>> entries_;
   // For each link, by its number: how often the objects at its two ends had been replaced when

@@ -39,7 +39,8 @@ class RunClock {
   // left.
   Step TakeStep();
 
-  // Makes the run go on as fast as possible to the virtual time `time_us`, and pauses it there.
+  // Makes the run go on as fast as possible to the virtual time `time_us`, and pauses the run at
+  // this time.
   void GoTo(int64_t time_us);
   // Returns the virtual time at which GoTo() will pause the run; INT64_MAX: no such time is
   // set.

@@ -1,4 +1,5 @@
-// The address at which the server of the panel listens, and what other computers may do there.
+// The address at which the server of the panel listens, and what other computers may do at this
+// address.
 #pragma once
 
 #include <cstdint>
@@ -33,7 +34,8 @@ void CheckListen(const ListenOptions& options);
 std::string ReadOrMakeToken(const std::string& file);
 
 // Returns a socket that listens at the IPv4 address `address`, on the first free port from `*port`
-// on.  Sets `*port` to this port.  Throws std::runtime_error if it cannot listen there.
+// on.  Sets `*port` to this port.  Throws std::runtime_error if no socket can listen at the
+// address.
 int Listen(const std::string& address, uint16_t* port);
 
 }  // namespace openr_host

@@ -64,7 +64,7 @@ class JointClient : public PassingNetwork {
   NetHandle listener_ = 0;         // listener of the robot's remote control; 0: it does not listen
   std::deque<NetHandle> accepts_;  // Accept() calls of the remote control that wait
 
-  // ---- State of the connection
+  // ---- Members about the connection to the robot
   NetHandle handle_ = 0;  // the robot's end of the connection; 0: no connection
   std::string out_;       // requests that the robot has not received yet
   int unanswered_ = 0;

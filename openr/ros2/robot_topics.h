@@ -57,7 +57,7 @@ class RobotTopics {
   // Topics of the lights, in the order of RobotModel::leds.
   std::vector<std::unique_ptr<Ros2Number>> lights_;
   std::vector<double> last_lights_;  // brightness values that were published last
-  int64_t last_sound_ = -1;          // frame of the sound that was published last
+  int64_t last_sound_ = -1;          // number of the frame whose sound was published last
   Picture picture_;
 };
 
