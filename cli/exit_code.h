@@ -7,8 +7,8 @@ constexpr int kExitGood = 0;
 constexpr int kExitWrong = 1;        // an error in the input or in the run
 constexpr int kExitCommandLine = 2;  // an error in the command line
 
-// The reader of standard output has closed its pipe.  This is the status by which a shell shows
-// that SIGPIPE has ended a program: 128 + 13.
+// The reader of standard output has closed its pipe.  The value is the status that a shell shows
+// when SIGPIPE has ended a program: 128 + 13.
 constexpr int kExitReaderGone = 141;
 
 }  // namespace openr_host

@@ -12,8 +12,8 @@
 namespace openr_host {
 
 // Returns the text of the file: one command for each compiled source of the user.  The commands
-// name the user's files.  They also search headers in the private copies, because headers that a
-// build makes, such as def.h, are in no other folder.
+// name the user's files.  Their flags also have the folders of the private copies, because headers
+// that a build makes, such as def.h, are in no other folder.
 std::string CompileDatabase(const KitLog& log, const std::vector<SourceCopy>& copies);
 
 // Writes the file compile_commands.json into `folder`.  Adds the error to `problems` if that is not

@@ -15,9 +15,10 @@ struct ControllerSources {
   std::vector<Diagnostic> diagnostics;  // mistakes in the list, such as a missing file
 };
 
-// Returns the sources that Makefile.sources of `folder` names.  Its variables may have any names:
-// after make has expanded their values, every word that ends in .c, .cc or .cpp is a source.  If
-// there is no Makefile.sources, returns the *.c, *.cc and *.cpp files of the folder itself.
+// Returns the sources that Makefile.sources of `folder` names.  The variables of this file may have
+// any names: after make has expanded their values, every word that ends in .c, .cc or .cpp is a
+// source.  If there is no Makefile.sources, returns the *.c, *.cc and *.cpp files of the folder
+// itself.
 ControllerSources FindControllerSources(const std::filesystem::path& folder);
 
 // Returns whether `folder` is the folder of a controller: it has a Makefile.sources, or a source

@@ -123,9 +123,9 @@ fs::path NamedStubFolder(const ObjectFolder& object) {
   return {};
 }
 
-// Returns the folder into which stubgen2 writes the stub of `object`.  This is the folder from
-// which the object's sources include the stub.  If the sources name no such folder, it is the
-// folder of stub.cfg, because sources of other objects may include the stub from that folder
+// Returns the folder into which stubgen2 writes the stub of `object`.  This folder is the one from
+// which the object's sources include the stub.  If the sources name no such folder, the result is
+// the folder of stub.cfg, because sources of other objects may include the stub from that folder
 // ("../Walker/def.h").  If the folder of stub.cfg has a def.h written by hand, returns `build`, so
 // that this def.h is not overwritten.
 fs::path StubFolder(const ObjectFolder& object, const fs::path& build) {

@@ -87,7 +87,8 @@ Json Tasks(const EditorPlaces& places, const EditorFolder& folder) {
 }
 
 // Returns the settings for a run under gdb.  The run has no time limit for handlers, because the
-// user may stop inside a handler.  Its standard input is /dev/null, because gdb reads the terminal.
+// user may stop inside a handler.  The standard input of the run is /dev/null, because gdb reads
+// the terminal.
 Json Launch(const EditorPlaces& places, const EditorFolder& folder) {
   Json settings = Json::array();
   for (const std::string& command : GdbSettings(places.printers))

@@ -26,8 +26,8 @@ void AddBatteryFlag(CLI::App* command, SimulationOptions* options);
 // Adds --cost, a flag of all commands that run robots.
 void AddCostFlag(CLI::App* command, SimulationOptions* options);
 
-// Adds the flag --images to `command`.  It names the source of the pictures that the cameras of the
-// robots see.
+// Adds the flag --images to `command`.  The value of the flag names the source of the pictures that
+// the cameras of the robots see.
 void AddImagesFlag(CLI::App* command, SimulationOptions* options);
 
 // Adds a flag that takes a duration such as "20s".  If the user gives the flag, `take` is called

@@ -8,9 +8,10 @@ namespace {
 
 using Value = OptionInfo::Value;
 
-// The beginning of the completion script.  It finds out which command stands before the word to
-// complete.  BashCompletion() puts the names of all commands between kBegin and kAfterCommands.
-// The words after `help` are completed as if `help` were not there: `help run` like `run`.
+// The beginning of the completion script.  This part of the script finds out which command stands
+// before the word to complete.  BashCompletion() puts the names of all commands between kBegin and
+// kAfterCommands.  The words after `help` are completed as if `help` were not there: `help run`
+// like `run`.
 constexpr char kBegin[] = R"(# Completion of openr for bash; made by: openr completion bash
 _openr() {
   local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD-1]} path=openr i
@@ -87,7 +88,7 @@ void AddValues(const CommandInfo& command, std::string* script) {
 
 // Adds to the script, for each command, a pattern of the shell's `case` statement.  The code after
 // the pattern sets `words` to the words that may come next, then '|', then the flags of the
-// command.  It sets `kind`, which says whether file or folder names may come next.
+// command.  The code also sets `kind`, which says whether file or folder names may come next.
 void AddWords(const CommandInfo& command, std::string* script) {
   std::vector<std::string> words, flags;
   for (const CommandInfo& below : command.commands) words.push_back(below.name);

@@ -100,8 +100,8 @@ void CheckForBoth(const RcFlags& flags, const std::string& command) {
                                fmt::format("'{}' is for one robot; call it for each", command));
 }
 
-// Adds the commands of openr rc to the command line.  They store their flags in one RcFlags,
-// because HOST, --timeout and --json belong to all commands of openr rc.
+// Adds the commands of openr rc to the command line.  The commands store their flags in one
+// RcFlags, because HOST, --timeout and --json belong to all commands of openr rc.
 class RcCommands {
  public:
   RcCommands(CLI::App* app, int* exit_code)

@@ -22,7 +22,7 @@ namespace openr_host {
 // and sensor values come from its stream.
 //
 // The functions of ControllerPort are called in code of the controller, which may be C, so they
-// throw nothing.  They keep an error of the connection, and Check() throws it.
+// throw nothing.  If the connection fails, the functions keep the error, and Check() throws it.
 class RemotePort : public ControllerPort {
  public:
   // Connects to the robot and subscribes to its sensor values.  `folder` is the controller's

@@ -50,8 +50,9 @@ class RecordFields {
 };
 
 // Returns the first part of the names of the quantities in a topic; the name of a member follows
-// it.  It is "joint." for the topic "/aibo/joint", "robots[1].joint." for "/aibo1/joint", and ""
-// for "/aibo/base".  For a topic of another program, it is the name of the topic and a dot.
+// this part.  The part is "joint." for the topic "/aibo/joint", "robots[1].joint." for
+// "/aibo1/joint", and "" for "/aibo/base".  For a topic of another program, it is the name of the
+// topic and a dot.
 std::string QuantityOfTopic(const std::string& topic) {
   const size_t slash = topic.find('/', 1);
   if (!topic.starts_with("/aibo") || slash == std::string::npos) return topic + ".";

@@ -57,9 +57,9 @@ constexpr size_t kDecodedBytesMax = 16384;
 
 // Returns the content of `message` for DecodeContent() and for recordings.  If the bytes are in one
 // piece, the result refers to them; else it refers to a copy in `*copy`.  The content is that of
-// PayloadView() (trace.h), except for a message of the network stack.  Its bytes hold memory
-// addresses, so its content is a description, such as "IPStack: TCP Listen, port 54000".  The
-// result is valid until the message ends or `*copy` changes.
+// PayloadView() (trace.h), except for a message of the network stack.  The bytes of such a message
+// hold memory addresses, so the result is a description, such as "IPStack: TCP Listen, port 54000".
+// The result is valid until the message ends or `*copy` changes.
 std::string_view ContentView(const Message& message, std::string* copy);
 std::string ContentOf(const Message& message);
 

@@ -1,7 +1,7 @@
 // Reads EMON.LOG, the record that the emergency monitor of a robot writes when a program crashes.
 //
 // The record has parts (field-notes.md 4.5) under headings in brackets.  Records differ, so this
-// reader takes the words before a number as its name.  It does not need all parts, nor the
+// reader takes the words before a number as its name.  The reader does not need all parts, nor the
 // headings.
 #pragma once
 

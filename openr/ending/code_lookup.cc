@@ -43,9 +43,9 @@ CodeLookup LookUpCode(const char* file, uintptr_t offset) {
   // Removes the current object, so that malloc() and fopen() use the heap and the files of the
   // host, not those of the object that has crashed.
   const CurrentScope scope(nullptr, nullptr);
-  // Makes libdwfl search debug information only beside the image file.  It must not search the
-  // folders of installed debug packages, because the output of a run would then differ from machine
-  // to machine.
+  // Makes libdwfl search debug information only beside the image file.  Other folders, with
+  // installed debug packages, are not searched, because the output of a run would then differ from
+  // machine to machine.
   static char only_beside[] = ":.";
   static char* path = static_cast<char*>(only_beside);
   static const Dwfl_Callbacks kCallbacks = {.find_elf = nullptr,

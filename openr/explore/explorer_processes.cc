@@ -104,8 +104,8 @@ class PlanServer {
     if (answer.contains("time_us")) again["until_us"] = answer["time_us"];
     const Json other = elsewhere_->RunOne(again);
     const bool differs = !AreEqual(answer, other);
-    // Makes a third run, with the addresses of the first run.  It shows whether the first two runs
-    // differ only because of the addresses.
+    // Makes a third run, with the addresses of the first run.  The third run shows whether the
+    // first two runs differ only because of the addresses.
     const Json here = differs ? server_.Run(again) : answer;
     const bool differs_here = !AreEqual(answer, here);
     // A run that was killed has no hashes.  How long a run takes depends on the machine, so such a

@@ -17,8 +17,8 @@ class Recorder {
 
   // Changes `options` so that a recording network stands in front of each robot's network.  If
   // `options` already puts other networks in front of the robot's network, the recording network
-  // comes before these.  It passes all calls on, and gives this recorder all events from outside.
-  // Must be called before the simulation is made with `options`.
+  // comes before these.  The recording network passes all calls on, and gives this recorder all
+  // events from outside.  Must be called before the simulation is made with `options`.
   void Listen(SimulationOptions* options);
 
   // Begins the file of the recording.  `stick` is the folder in which a replay finds the files of

@@ -86,7 +86,7 @@ class Replayer : public KnownRun {
   // numbered when they are posted and recorded when they are delivered.
   std::optional<uint64_t> CountUpTo(uint64_t number) const;
   bool at_end() const { return at_end_; }
-  // Returns a text if the replay has ended early; otherwise "".  It ends early where a worker
+  // Returns a text if the replay has ended early; otherwise "".  A replay ends early where a worker
   // process of the recorded run was lost (crashed or answered no more), because a replay cannot
   // repeat what followed.
   const std::string& loss() const { return loss_; }

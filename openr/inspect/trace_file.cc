@@ -263,8 +263,8 @@ TraceReader::TraceReader(const std::string& file) : file_(file) {
   coder_.emplace(header_.payloads);
 }
 
-// Returns the part of an error text that says where in the run the problem is.  It names the last
-// message read: "after message 500 (t=1.248000 s, Controller -> JointMover "...")".
+// Returns the part of an error text that says where in the run the problem is.  This part names the
+// last message read: "after message 500 (t=1.248000 s, Controller -> JointMover "...")".
 std::string TraceReader::AfterWhat() const {
   if (last_.number == 0) return "before the first message";
   return fmt::format("after message {} (t={:.6f} s, {} -> {} \"{}\")", last_.number,

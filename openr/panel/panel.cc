@@ -371,7 +371,8 @@ bool HasRunEnded(int run_pipe) {
 }
 
 // Prints what the server has opened.  The server of a run prints it on standard error, like all
-// messages of a run to the user.  It uses one write(), so that text of the run does not mix in.
+// messages of a run to the user.  Uses one write(), so that text of the run does not come in
+// between.
 void Print(const std::string& announcement, bool is_of_run) {
   if (!is_of_run) {
     PrintAnswer(announcement);

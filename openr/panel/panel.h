@@ -10,7 +10,7 @@ namespace openr_host {
 
 struct PanelOptions {
   uint16_t port = 8210;  // first port that the server tries; 0: any free port
-  // The run for pages that name no run.  It is given by its name, its process id or both; "": no
+  // The run for pages that name no run: its name, its process id, or both as NAME.PROCESS; "": no
   // run.
   std::string run;
   // Descriptor of a pipe of which the run that has started this server holds the other end.  The

@@ -1,5 +1,5 @@
-// InputLog: the inputs that came into a run from outside.  They are kept so that a copy of the run
-// can repeat them.
+// InputLog: the inputs that came into a run from outside.  The inputs are kept so that a copy of
+// the run can repeat them.
 #pragma once
 
 #include <cstdint>

@@ -41,7 +41,8 @@ class RequestPipe {
   // come already, because they may belong to that request.
   void DropDescriptors();
 
-  // Returns whether a descriptor can come with a request.  It can if the input is a Unix socket.
+  // Returns whether a descriptor can come with a request.  This is possible if the input is a Unix
+  // socket.
   bool is_socket() const { return is_socket_; }
 
   // Goes on with the socket `socket` instead of the old input and output.  Called in a fork of the

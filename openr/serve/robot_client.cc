@@ -12,7 +12,7 @@ namespace openr_host {
 namespace {
 
 constexpr NetHandle kHandle = 1;
-// The first address of clients, 10.0.1.2.  It is in the network of the robot.
+// The address of the first client, 10.0.1.2, which is in the network of the robot.
 constexpr uint32_t kFirstIp = 0x0a000102;
 constexpr uint16_t kFirstPort = 40000;
 constexpr size_t kReceiveMax = size_t{1} << 20;

@@ -27,10 +27,11 @@ namespace fs = std::filesystem;
 // time.
 constexpr char kStartedVariable[] = "OPENR_SANITIZER";
 
-// Settings of AddressSanitizer.  It must not handle the signals of crashes, because the run handles
-// them itself.  It must not report memory that an object keeps until the end, because this memory
-// is freed with the object.  It accepts that memory of new is freed with free(), or memory of
-// malloc() with delete, because some functions of the SDK pass blocks between both.
+// Settings of AddressSanitizer.  AddressSanitizer must not handle the signals of crashes, because
+// the run handles them itself.  It must not report memory that an object keeps until the end,
+// because this memory is freed with the object.  It accepts that memory of new is freed with
+// free(), or memory of malloc() with delete, because some functions of the SDK pass blocks between
+// both.
 constexpr char kSettings[] =
     "detect_leaks=0:handle_segv=0:handle_sigbus=0:handle_sigfpe=0:handle_sigill=0:"
     "alloc_dealloc_mismatch=0:allocator_may_return_null=1";
