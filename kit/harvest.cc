@@ -258,9 +258,9 @@ class StickCompletion {
     }
   }
 
-  // Adds to `listed_` the images in OBJS that this build has not made: those that rules of
-  // Makefiles have copied to OBJS, and those of the user's stick for which the SDK tree has an
-  // image.  Adds a note about each image that stays out of OBJECT.CFG.
+  // Adds to `listed_` the images in OBJS that this build has not made: those that come from rules
+  // of Makefiles, and those of the user's stick for which the SDK tree has an image.  Adds a note
+  // about each image that stays out of OBJECT.CFG.
   void ListForeign() {
     std::map<std::string, fs::path> files;  // by the upper case name of the file
     for (const fs::path& folder :

@@ -32,8 +32,9 @@ std::vector<std::string> ParseCompileFlags(const std::string& text, Language lan
 // The next constants are environment variables that `openr build` sets for the tools that `make`
 // starts.  Without these variables the tools only do the work of the SDK's tools with the same
 // names.
-inline constexpr char kLogVariable[] = "OPENR_KIT_LOG";      // path of the log, see kit_log.h
-inline constexpr char kStickVariable[] = "OPENR_KIT_STICK";  // stick for rules of Makefiles
+inline constexpr char kLogVariable[] = "OPENR_KIT_LOG";  // path of the log, see kit_log.h
+// Path of the stick to which rules of Makefiles write.
+inline constexpr char kStickVariable[] = "OPENR_KIT_STICK";
 // Pairs of folders, "copy=original:copy=original"; see source_copies.h.
 inline constexpr char kCopiesVariable[] = "OPENR_KIT_COPIES";
 // Name of the variant to build, such as "debug"; see build_variant.h.
