@@ -49,10 +49,12 @@ class ReturnsTest : public testing::Test {
   }
   // Returns the worker's process id; -1 if there is none.
   static int PidOf(const ProgramRun& run, const std::string& process) {
+    // Searches for the whole words, because a folder may have the name of the process.
+    const std::string words = std::string("--process") + '\0' + process + '\0';
     for (const pid_t child : ChildrenOf(run.pid())) {
       std::ifstream file("/proc/" + std::to_string(child) + "/cmdline");
       const std::string line{std::istreambuf_iterator<char>(file), {}};
-      if (line.find(process) != std::string::npos) return child;
+      if (line.find(words) != std::string::npos) return child;
     }
     return -1;
   }
