@@ -62,6 +62,11 @@ inline bool IsRunningMessage(const Object& object, PayloadKind kind) {
 // object is being replaced.  No message type of the SDK has this value.
 constexpr OMessageType kDeassertOfLost = 0x10000;
 
+// Message type of a connect message for a subject whose process is lost.  The observer records that
+// the subject is missing (ObserverState::missing) and asks no subject.  No message type of the SDK
+// has this value.
+constexpr OMessageType kConnectToLost = 0x10001;
+
 // Sends `subject` a deassert, which says that the observer at entry `selector` of `object` is not
 // ready.  The deassert also gives back `regions`, at most MAX_NUM_DATA, which the subject had sent
 // to this observer.
@@ -180,7 +185,24 @@ struct ObserverState {
     int asserted = 0;
   };
   std::vector<Held> held;
-  std::list<OSubjectInfo> subjects;
+  std::list<OSubjectInfo> subjects;  // the connected subjects, as the SDK shows them
+  // The full name of the service of each connected subject.
+  struct Name {
+    SubjectID subject;
+    std::string service;
+  };
+  std::vector<Name> names;
+  // A subject that is not connected now, but will be: its process is lost, or its object is being
+  // replaced.
+  struct Missing {
+    std::string service;
+    // The last command (ready or not ready) that the observer has given to all its subjects since
+    // the subject is missing; objcommCMD_UNDEF if none.  The subject gets the command as soon as it
+    // is connected, because the program does not know that the subject was missing and so does not
+    // repeat the command.
+    ObjcommCommand command = objcommCMD_UNDEF;
+  };
+  std::vector<Missing> missing;  // mostly empty
   std::string service;
   size_t skip = 0;
   size_t min = 1;
@@ -194,6 +216,16 @@ struct ObserverState {
     }
     return held.emplace_back(Held{subject, {}});
   }
+  // Sends `command`, ready or not ready, to all subjects.  Missing subjects get it when they are
+  // connected.
+  OStatus SendReadyToAll(ObjcommCommand command);
+  // Records that this observer is connected with `subject`, which has registered `subject_service`.
+  // Sends the command that the observer has given while this subject was missing.
+  void AddSubject(const SubjectID& subject, const std::string& subject_service);
+  // Records that the connections end for whose subjects `ends` returns true.
+  void RemoveSubjects(const std::function<bool(const SubjectID&)>& ends);
+  // Records that the subject of `subject_service` is missing.
+  void MissSubject(const std::string& subject_service);
   // Adds a finding: this observer repeats its ready to a subject without a notification in between.
   void ReportRepeatedReady(const Held& held);
 };

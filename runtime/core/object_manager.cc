@@ -214,6 +214,15 @@ void ObjectManager::Begin(std::vector<std::unique_ptr<Object>> fresh) {
   are_connected_ = false;
   for (const auto& object : fresh) starting_[object->id] = false;
   ObjectTable::Readies readies = system().object_table().Replace(std::move(fresh));
+  // Sends to each new object the readies that observers had asserted to the old object, because
+  // these observers do not know of the replacement.  The readies are kept back until the
+  // connections are made.  They are sent first, so that a later command of the same observer counts
+  // and not the earlier one.  A ready of an observer that is replaced too is left out: the new
+  // observer asserts ready in its own boot.
+  for (auto& [id, standing] : readies) {
+    std::erase_if(standing, [&](const auto& one) { return readies.contains(one.observer); });
+    system().object_table().AssertAgain(id, standing);
+  }
   for (const auto& [id, standing] : readies) Send(system().object(id), oentryINIT, oreasonBOOT);
   // Makes the connections that begin or end at a new object.  For the other connections, reports
   // the unknown services in unreported_.  They were not reported before, because they might have
@@ -234,13 +243,6 @@ void ObjectManager::Begin(std::vector<std::unique_ptr<Object>> fresh) {
     if (no_observer) ReportUnknown(connection, connection.observer);
   }
   ReleaseEarlyMessages();
-  // Sends to each new object the readies that observers had asserted to the old object, because
-  // these observers do not know of the replacement.  A ready of an observer that is replaced too is
-  // left out: the new observer asserts ready in its own boot.
-  for (auto& [id, standing] : readies) {
-    std::erase_if(standing, [&](const auto& one) { return readies.contains(one.observer); });
-    system().object_table().AssertAgain(id, standing);
-  }
   for (const auto& [id, standing] : readies) Send(system().object(id), oentrySTART, oreasonBOOT);
 }
 
@@ -355,20 +357,23 @@ void ObjectManager::Connect(const Connection& connection) {
   const auto observer = directory.find(connection.observer);
   if (subject == directory.end()) ReportUnknown(connection, connection.subject);
   if (observer == directory.end()) ReportUnknown(connection, connection.observer);
-  if (subject == directory.end() || observer == directory.end()) return;
+  if (observer == directory.end()) return;
 
-  // Returns whether the process of the subject's or the observer's object is lost.  Then the
-  // connection is made when the process is back.
-  const auto has_lost_end = [&] {
-    return system().object(subject->second.first)->IsLost() ||
-           system().object(observer->second.first)->IsLost();
+  // The connection is made when the lost process is back.  If the process of the subject is lost,
+  // the observer gets the message nevertheless, so that it keeps its readies for the subject.
+  const auto is_subject_lost = [&] {
+    return subject == directory.end() ? MayBeLost(connection.robot, connection.subject)
+                                      : system().object(subject->second.first)->IsLost();
   };
-  if (has_lost_end()) return;
+  const auto is_observer_lost = [&] { return system().object(observer->second.first)->IsLost(); };
+  const bool was_subject_lost = is_subject_lost();
+  if (is_observer_lost() || (subject == directory.end() && !was_subject_lost)) return;
   OConnectMessage message;
   std::memset(static_cast<void*>(&message), 0, sizeof message);
-  message.msgType = omsgCONNECT;
+  message.msgType = was_subject_lost ? kConnectToLost : omsgCONNECT;
   message.command = oconnectcmdCONNECT;
-  message.entry = OServiceEntry(OidOf(subject->second.first), subject->second.second);
+  if (!was_subject_lost)
+    message.entry = OServiceEntry(OidOf(subject->second.first), subject->second.second);
   std::strncpy(message.subName, connection.subject.c_str(), sizeof message.subName - 1);
   OStatusMessage reply;
   const sError error =
@@ -376,7 +381,8 @@ void ObjectManager::Connect(const Connection& connection) {
                                sizeof message, &reply, sizeof reply, kReplyTimeoutUs);
   // Adds no finding if the process of an object was lost during the wait, because the loss is a
   // finding already.
-  if ((error != sSUCCESS || reply.status != oSUCCESS) && !has_lost_end()) {
+  if (was_subject_lost || is_subject_lost() || is_observer_lost()) return;
+  if (error != sSUCCESS || reply.status != oSUCCESS) {
     system().findings_.Add(
         {Severity::kError, connection.robot, "", 0, system().now_us(),
          fmt::format("{}: connection refused: {} -> {}: status {}", connection.where,

@@ -33,7 +33,8 @@ void ReleaseHeld(ObserverState* observer, const std::function<bool(const Subject
   }
 }
 
-// Ends every connection between `other` and `gone`, an object that is being replaced.
+// Ends every connection between `other` and `gone`, an object that is being replaced.  The subjects
+// of `gone` are missing until the observers of `other` are connected with the new object.
 void Disconnect(Object* other, Object* gone) {
   const ObjectId id = gone->id;
   const CurrentScope scope(other->system, other);
@@ -48,8 +49,10 @@ void Disconnect(Object* other, Object* gone) {
         [&](const OObserverInfo& info) { return IsOf(info.GetObserverID(), id); });
   }
   for (const auto& observer : other->observers) {
-    observer->subjects.remove_if(
-        [&](const OSubjectInfo& info) { return IsOf(info.GetSubjectID(), id); });
+    for (const ObserverState::Name& name : observer->names) {
+      if (IsOf(name.subject, id)) observer->MissSubject(name.service);
+    }
+    observer->RemoveSubjects([&](const SubjectID& subject) { return IsOf(subject, id); });
     ReleaseHeld(
         observer.get(), [&](const SubjectID& subject) { return IsOf(subject, id); },
         [gone](RCRegion* region) { gone->ReturnRegion(region); });

@@ -63,6 +63,42 @@ OStatus ObserverState::SendReady(const SubjectID& subject, ObjcommCommand comman
   return oSUCCESS;
 }
 
+OStatus ObserverState::SendReadyToAll(ObjcommCommand command) {
+  OStatus status = oSUCCESS;
+  // Goes on after a failure, so that the other subjects get their ready.  Returns the status of the
+  // last failure.
+  for (const OSubjectInfo& subject : subjects) {
+    const OStatus one = SendReady(subject.GetSubjectID(), command);
+    if (one != oSUCCESS) status = one;
+  }
+  for (Missing& subject : missing) subject.command = command;
+  return status;
+}
+
+void ObserverState::AddSubject(const SubjectID& subject, const std::string& subject_service) {
+  subjects.push_back(OSubjectInfo(subject, objcommVERSION22));
+  names.push_back({subject, subject_service});
+  const auto found = std::find_if(missing.begin(), missing.end(), [&](const Missing& each) {
+    return each.service == subject_service;
+  });
+  if (found == missing.end()) return;
+  const ObjcommCommand command = found->command;
+  missing.erase(found);
+  if (command != objcommCMD_UNDEF) SendReady(subject, command);
+}
+
+void ObserverState::RemoveSubjects(const std::function<bool(const SubjectID&)>& ends) {
+  subjects.remove_if([&](const OSubjectInfo& info) { return ends(info.GetSubjectID()); });
+  std::erase_if(names, [&](const Name& name) { return ends(name.subject); });
+}
+
+void ObserverState::MissSubject(const std::string& subject_service) {
+  for (const Missing& each : missing) {
+    if (each.service == subject_service) return;  // keeps the command that was given already
+  }
+  missing.push_back({subject_service});
+}
+
 OStatus ObserverState::ReportRefusedReady(sError error) {
   system->Print(fmt::format("OObserver({})::SendReady() Sending Ready failed. sError = {}\n",
                             service, error));

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <optional>
 
 #include "runtime/base/assert.h"
 #include "runtime/core/api.h"
@@ -50,14 +51,7 @@ void OObserver::SetBufCtrlParam(size_t skip, size_t min, size_t max) {
 
 OStatus OObserver::AssertReady() {
   const ApiScope scope;
-  OStatus status = oSUCCESS;
-  // Goes on after a failure, so that the other subjects get their ready.  Returns the status of the
-  // last failure.
-  for (const OSubjectInfo& subject : state_->subjects) {
-    const OStatus one = state_->SendReady(subject.GetSubjectID(), objcommCMD_ASSERT_READY);
-    if (one != oSUCCESS) status = one;
-  }
-  return status;
+  return state_->SendReadyToAll(objcommCMD_ASSERT_READY);
 }
 
 OStatus OObserver::AssertReady(const SubjectID& id) {
@@ -67,13 +61,7 @@ OStatus OObserver::AssertReady(const SubjectID& id) {
 
 OStatus OObserver::DeassertReady() {
   const ApiScope scope;
-  OStatus status = oSUCCESS;
-  // Goes on after a failure, as AssertReady() does.
-  for (const OSubjectInfo& subject : state_->subjects) {
-    const OStatus one = state_->SendReady(subject.GetSubjectID(), objcommCMD_DEASSERT_READY);
-    if (one != oSUCCESS) status = one;
-  }
-  return status;
+  return state_->SendReadyToAll(objcommCMD_DEASSERT_READY);
 }
 
 OStatus OObserver::DeassertReady(const SubjectID& id) {
@@ -97,11 +85,12 @@ SubjectID OObserver::FindSender(RCRegion* region) const {
 namespace {
 
 // Asks the subject at `entry` to add or remove this observer, as `control` says, and waits for the
-// reply.  If the subject is in the same object, calls the subject's entry directly, because a
-// message would never be answered: the object would handle the message only after this handler has
-// ended, but this handler waits for the reply.
-OControlReplyMessage AskSubject(ObserverState* state, const OServiceEntry& entry,
-                                OControlMessage* control) {
+// reply.  Returns the reply, or nullopt if the process of the subject was lost before the subject
+// has answered: the runtime then answers with an empty message.  If the subject is in the same
+// object, calls the subject's entry directly, because a message would never be answered: the object
+// would handle the message only after this handler has ended, but this handler waits for the reply.
+std::optional<OControlReplyMessage> AskSubject(ObserverState* state, const OServiceEntry& entry,
+                                               OControlMessage* control) {
   System* const system = state->system;
   OControlReplyMessage reply;
   std::memset(static_cast<void*>(&reply), 0, sizeof reply);
@@ -109,8 +98,9 @@ OControlReplyMessage AskSubject(ObserverState* state, const OServiceEntry& entry
   reply.status = oFAIL;
   const ObjectId target = ObjectIdOf(entry.GetOID());
   if (target != state->object->id) {
-    system->requests().Call(target, entry.GetSelector(), control, sizeof *control, &reply,
-                            sizeof reply);
+    const sError error = system->requests().Call(target, entry.GetSelector(), control,
+                                                 sizeof *control, &reply, sizeof reply);
+    if (error == sSUCCESS && reply.msgType == 0) return std::nullopt;
     return reply;
   }
   control->command = control->command == objcommCMD_ADDOBSERVER_V22
@@ -148,16 +138,19 @@ OStatus OObserver::ConnectHandler(const OConnectMessage& msg, OStatus status) {
     control.d_min = static_cast<longword>(state_->min);
     control.d_max = static_cast<longword>(state_->max);
     std::strncpy(control.subName, state_->service.c_str(), sizeof control.subName - 1);
-    const OControlReplyMessage reply = AskSubject(state_, msg.entry, &control);
-    answer.status = reply.status;
-    if (reply.status != oSUCCESS) {
+    const bool is_lost = msg.msgType == kConnectToLost;
+    const auto reply = is_lost ? std::nullopt : AskSubject(state_, msg.entry, &control);
+    answer.status = reply ? reply->status : oFAIL;
+    if (!reply) {
+      // Prints nothing, because the loss of the process is reported by the runtime.
+      if (connect) state_->MissSubject(msg.subName);
+    } else if (reply->status != oSUCCESS) {
       state_->system->Print(fmt::format(
-          "ConnectHandler AddObserver refused by Subject. OStatus = {}\n", reply.status));
+          "ConnectHandler AddObserver refused by Subject. OStatus = {}\n", reply->status));
     } else if (connect) {
-      state_->subjects.push_back(OSubjectInfo(reply.subjectID, objcommVERSION22));
+      state_->AddSubject(reply->subjectID, msg.subName);
     } else {
-      state_->subjects.remove_if(
-          [&](const OSubjectInfo& info) { return info.GetSubjectID() == reply.subjectID; });
+      state_->RemoveSubjects([&](const SubjectID& id) { return id == reply->subjectID; });
     }
   }
   Reply(&answer, sizeof answer);

@@ -356,6 +356,71 @@ TEST_F(LeftBehindTest, BothEndsOfAConnectionMayBeRestarted) {
   EXPECT_THAT(printed, HasSubstr("H in 5 "));
 }
 
+// ---- A subject that is lost while an observer asserts ready to all its subjects
+
+// Process "a" is restarted first, so Hearer starts when its subject is still lost.
+TEST_F(LeftBehindTest, AnObserverThatStartsWithoutItsSubjectIsReadyLater) {
+  Data("HSTART.TXT", "");
+  ASSERT_NO_FATAL_FAILURE(Place({{"hearer", "a"}, {"teller", "b"}}));
+  Settle();
+  Lose("a");
+  Lose("b");
+  ComeBack("a");
+  ComeBack("b");
+  Tell("send 5");
+  EXPECT_THAT(printed, HasSubstr("H in 5 "));
+}
+
+// The subject is killed when the observer is back and not connected yet.  The loss is noticed when
+// the observer asks the subject for the connection.
+TEST_F(LeftBehindTest, ASubjectMayBeLostWhileItsObserverIsConnected) {
+  Data("HSTART.TXT", "");
+  options_.say = [this](const std::string& line) {
+    if (line.find("process 'a' is back") == std::string::npos) return;
+    Kill("b");
+    WaitUntil("its end", [&] { return HasEnded("b"); });
+  };
+  ASSERT_NO_FATAL_FAILURE(Place({{"hearer", "a"}, {"teller", "b"}}));
+  Settle();
+  Lose("a");
+  ComeBack("a");
+  ComeBack("b");
+  EXPECT_EQ(Process("b").losses, 1);
+  EXPECT_THAT(printed, Not(HasSubstr("refused"))) << "the loss is the only finding";
+  Tell("send 5");
+  EXPECT_THAT(printed, HasSubstr("H in 5 "));
+}
+
+TEST_F(LeftBehindTest, ASubjectMayBeLostBeforeItIsConnectedAtTheBoot) {
+  Config("CONNECT.CFG", "Teller.Out.Number.S Receiver.In.Number.O\n");
+  ASSERT_NO_FATAL_FAILURE(Place({{"teller", "acting"}}));
+  Kill("acting");
+  Settle();
+  ComeBack("acting");
+  Tell("send 5");
+  EXPECT_THAT(receiver_->events, ElementsAre("5"));
+}
+
+// The subject is killed again as soon as it is back.  The observer asserts ready after it was
+// disconnected from the first subject and before the third one is there.
+TEST_F(LeftBehindTest, AReadyBetweenTwoRestartsOfTheSubjectIsKept) {
+  options_.restarts = 2;
+  int returns = 0;
+  options_.say = [&](const std::string& line) {
+    if (line.find("process 'b' is back") == std::string::npos || ++returns > 1) return;
+    Post("hearer", "Command", "assert");
+    Kill("b");
+    WaitUntil("its end", [&] { return HasEnded("b"); });
+  };
+  ASSERT_NO_FATAL_FAILURE(Place({{"hearer", "a"}, {"teller", "b"}}));
+  Settle();
+  Lose("b");
+  ComeBack("b");
+  EXPECT_EQ(Process("b").losses, 2);
+  Tell("send 5");
+  EXPECT_THAT(printed, HasSubstr("H in 5 "));
+}
+
 // A worker whose second start never joins.
 class AwayTest : public LeftBehindTest {
  protected:

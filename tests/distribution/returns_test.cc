@@ -240,6 +240,28 @@ TEST_F(ReturnsTest, AFreeRunGoesOnDuringARestart) {
   ExpectGoodBooks(run.heard());
 }
 
+// Both are lost before the run, which is stopped meanwhile, notices the first loss.  In lockstep
+// Payee starts again before Payer is back.
+TEST_F(ReturnsTest, CoinsArriveAfterBothEndsWereLostAtOnce) {
+  for (const Words& mode : {Words{}, Words{"--free-running"}}) {
+    ProgramRun run(RunAt(
+        "1",
+        OnStick({"--place", "Payer=payer", "--place", "Payee=payee", "--restart", "9"}) + mode));
+    ASSERT_TRUE(run.WaitFor("Payer's first coin has been got")) << run.heard();
+    const size_t before = run.heard().size();
+    run.Signal(SIGSTOP);
+    for (const char* const victim : {"payer", "payee"}) KillProcess(PidOf(run, victim), SIGKILL);
+    run.Signal(SIGCONT);
+    for (const char* const text :
+         {"process 'payer' is back", "process 'payee' is back", "Payee has booked its first coin",
+          "Payer's first coin has been got"})
+      ASSERT_TRUE(run.WaitFor(text, before)) << run.heard();
+    run.Signal(SIGINT);
+    EXPECT_EQ(run.Finish().status, 1);
+    ExpectGoodBooks(run.heard());
+  }
+}
+
 TEST_F(ReturnsTest, ASecondProcessOfANameIsRefused) {
   const std::string name = RunName("second");
   stick_.Write("where.cfg", "Payee payee\n@payee 127.0.0.1\n");

@@ -21,11 +21,16 @@ Hearer::DoInit(const OSystemEvent&)
     return oSUCCESS;
 }
 
+// HSTART.TXT: if the file exists, all observers assert ready, as those of most objects do.
 OStatus
 Hearer::DoStart(const OSystemEvent&)
 {
     OSYSPRINT(("H start\n"));
     ENABLE_ALL_SUBJECT;
+    FILE* file = fopen("/MS/OPEN-R/MW/DATA/P/HSTART.TXT", "r");
+    if (file == 0) return oSUCCESS;
+    fclose(file);
+    ASSERT_READY_TO_ALL_OBSERVER;
     return oSUCCESS;
 }
 

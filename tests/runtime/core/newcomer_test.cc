@@ -133,6 +133,46 @@ TEST_F(NewcomerTest, AnObserverThatIsReadyTooEarlyIsReadyWhenItIsConnected) {
   EXPECT_THAT(receiver_->events, ElementsAre("7"));
 }
 
+// The receiver is not connected with the newcomer while the sleeper is in its DoInit.
+TEST_F(NewcomerTest, AReadyToAllSubjectsBetweenTwoConnectionsIsKept) {
+  system_.Boot();
+  system_.RunFor(2 * kWaitUs);
+  Return();
+  RunAs(receiver_, [this] {
+    EXPECT_EQ(receiver_->in->NumberOfSubjects(), 0);
+    receiver_->in->AssertReady();
+  });
+  system_.RunFor(kWaitUs);
+  EXPECT_THAT(log_, ElementsAre("init", "ready:1"));
+  RunAs(newcomer_, [this] { newcomer_->Send(7); });
+  system_.RunFor(1000);
+  EXPECT_THAT(receiver_->events, ElementsAre("7"));
+}
+
+// The newcomer gets the assert that the receiver has given to its predecessor, then the deassert.
+TEST_F(NewcomerTest, ADeassertBetweenTwoConnectionsCountsAsTheLaterCommand) {
+  system_.Boot();
+  RunAs(receiver_, [this] { receiver_->in->AssertReady(newcomer_->out->GetID()); });
+  system_.RunFor(2 * kWaitUs);
+  Return();
+  RunAs(receiver_, [this] { receiver_->in->DeassertReady(); });
+  system_.RunFor(kWaitUs);
+  EXPECT_THAT(log_, ElementsAre("init", "ready:1", "deassert"));
+}
+
+// Only commands that were given between two connections are repeated.
+TEST_F(NewcomerTest, AnObserverThatWasNotReadyIsNotReadyForTheSuccessor) {
+  system_.Boot();
+  system_.RunFor(2 * kWaitUs);
+  RunAs(receiver_, [this] { receiver_->in->AssertReady(); });
+  system_.RunFor(1000);
+  RunAs(newcomer_, [this] { newcomer_->Send(7); });
+  system_.RunFor(1000);
+  Return();
+  system_.RunFor(kWaitUs);
+  EXPECT_THAT(log_, ElementsAre("init"));
+}
+
 // ---- handlers that take time
 
 constexpr int64_t kWorkUs = 3000;
