@@ -200,14 +200,17 @@ void WorkerGroup::OnReplaced(ObjectId id) {
     }
   }
   for (auto& [name, member] : members_) {
-    for (const auto& [other, object] : member.objects) {
-      // Skips the master's old stand-ins for objects that were replaced before, because they are
-      // destroyed already.  In stage kReplacing, member.objects still has the old stand-ins.
-      // Objects are replaced in the order of their ids, so the old stand-ins with ids below `id`
-      // are destroyed.
-      if (other >= id || member.stage != Stage::kReplacing) object->ForgetObserver(id);
+    if (member.stage != Stage::kReplacing || !member.successors.contains(id)) {
+      // Includes the old stand-ins of a worker whose objects are replaced later, because their
+      // readies go to the new objects.
+      for (const auto& [other, object] : member.objects) object->ForgetObserver(id);
+      continue;
     }
-    if (member.stage != Stage::kReplacing || !member.successors.contains(id)) continue;
+    // This member is the worker of object `id`.  Its objects need not forget, because the readies
+    // of replaced objects to each other are not sent again (ObjectManager::Begin()).  They could
+    // not: objects are replaced in the order of their ids, so the old stand-ins with ids below `id`
+    // in member.objects are destroyed already.
+    //
     // Copies the count of undelivered messages from the master's old stand-in for the object to the
     // new one.  NewInstance() has copied it already, but messages may have come for the old
     // stand-in since then.

@@ -371,6 +371,19 @@ TEST_F(LeftBehindTest, AnObserverThatStartsWithoutItsSubjectIsReadyLater) {
   EXPECT_THAT(printed, HasSubstr("H in 5 "));
 }
 
+// Hearer was ready for Teller and does not assert ready when it starts again.
+TEST_F(LeftBehindTest, AReadyEndsWithItsObserverAlsoIfTheSubjectIsLost) {
+  ASSERT_NO_FATAL_FAILURE(Place({{"hearer", "a"}, {"teller", "b"}}));
+  Settle();
+  Hear("assert");
+  Lose("a");
+  Lose("b");
+  ComeBack("a");
+  ComeBack("b");
+  Tell("ready?");
+  EXPECT_THAT(printed, HasSubstr("T any 0 ready 0 all 0"));
+}
+
 // The subject is killed when the observer is back and not connected yet.  The loss is noticed when
 // the observer asks the subject for the connection.
 TEST_F(LeftBehindTest, ASubjectMayBeLostWhileItsObserverIsConnected) {
