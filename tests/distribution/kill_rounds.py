@@ -3,8 +3,9 @@
 
 Payer and Payee are in workers; with Ledger (tests/images/Coins) they count the coins that are paid
 and received.  In each round one of them is killed with SIGKILL at a random moment and restarted by
-the run.  In the end no coin may have arrived twice, and no coin that a ready has acknowledged may
-be missing.  The last line is "N passed, N failed", with one check for each property.
+the run.  In half of the rounds the other one is killed too, at the same time or as soon as the first
+is back, when it is being connected; then coins must arrive again before the next round.  In the end
+no coin may have arrived twice, and no coin that a ready has acknowledged may be missing.  The last line is "N passed, N failed", with one check for each property.
 
     kill_rounds.py --build build/release --rounds 10000 [--free-running] [--seed 1]
 """
@@ -71,7 +72,7 @@ class Run:
     def __init__(self, build, stick, rounds, free):
         command = [os.path.join(build, "bin", "openr"), "run", "--stick", stick, "--body", "ideal",
                    "--no-panel", "--rc-port", "0", "--place", "Payer=payer", "--place",
-                   "Payee=payee", "--restart", str(rounds), "--dds-domain", str(DOMAIN),
+                   "Payee=payee", "--restart", str(2 * rounds), "--dds-domain", str(DOMAIN),
                    "--dds-lease", "10"]
         command += ["--free-running"] if free else ["--rate", "max"]
         self.process = subprocess.Popen(command, stderr=subprocess.PIPE, stdin=subprocess.DEVNULL,
@@ -115,19 +116,40 @@ class Run:
                 and len(self.working) == 2
 
 
+def kill(run, victim, kills):
+    """Whether there was a process to kill."""
+    pid = children_of(run.process.pid).get(victim)
+    if pid is None:
+        return False
+    os.kill(pid, signal.SIGKILL)
+    kills[victim] += 1
+    return True
+
+
+def play_round(run, dice, kills):
+    """Whether all that were killed in this round came back, and worked after a round with two."""
+    time.sleep(dice.random() * 0.02)
+    victims = dice.sample(["payer", "payee"], 2)
+    kind = dice.choice(["one", "one", "both", "one after the other"])
+    if not kill(run, victims[0], kills):
+        return False
+    if kind == "one":
+        return run.wait_for_returns(sum(kills.values()))
+    if kind == "one after the other":
+        if not run.wait_for_returns(sum(kills.values())):
+            return False
+        # The run connects the objects of a process within a millisecond or two.
+        time.sleep(dice.random() * 0.002)
+    return kill(run, victims[1], kills) and run.wait_for_returns(sum(kills.values())) \
+        and run.wait_for_work()
+
+
 def play(run, rounds, dice, kills):
-    """Kills `rounds` times; how often the one killed came back."""
+    """Plays `rounds` rounds; the number of those that went well."""
     if not run.wait_for_work():
         return 0
     for number in range(rounds):
-        time.sleep(dice.random() * 0.02)
-        victim = dice.choice(["payer", "payee"])
-        pid = children_of(run.process.pid).get(victim)
-        if pid is None:
-            return number
-        os.kill(pid, signal.SIGKILL)
-        kills[victim] += 1
-        if not run.wait_for_returns(number + 1):
+        if not play_round(run, dice, kills):
             return number
         if (number + 1) % 1000 == 0:
             print(f"{number + 1} rounds", flush=True)
@@ -150,7 +172,9 @@ def main():
         done = play(run, flags.rounds, random.Random(flags.seed), kills)
         taken = time.monotonic() - begin
         checks.append(("coins got after the last return", run.wait_for_work()))
-        checks.append((f"{done} of {flags.rounds} rounds", done == flags.rounds))
+        kill_count = sum(kills.values())
+        checks.append((f"{done} of {flags.rounds} rounds, {kill_count} kills",
+                       done == flags.rounds))
         run.process.send_signal(signal.SIGINT)
         try:
             run.process.wait(WAIT_S)
@@ -161,8 +185,8 @@ def main():
         sums = [SUM.search(line) for line in run.lines if SUM.search(line)]
     if sums:
         got, twice, missed, lost, series = map(int, sums[-1].groups())
-        print(f"{done} rounds in {taken:.0f} s: {got} coins got, {lost} came back unread, "
-              f"{series} lives of Payer")
+        print(f"{done} rounds with {kill_count} kills in {taken:.0f} s: {got} coins got, "
+              f"{lost} came back unread, {series} lives of Payer")
         checks += [("no coin twice", twice == 0),
                    ("no acknowledged coin missing", missed == 0),
                    ("more coins than rounds", got > flags.rounds),
