@@ -42,14 +42,17 @@ int64_t ProgressQuietNs() {
   return (is_number ? int64_t{quiet_ms} : kQuietMs) * kMillisecondNs;
 }
 
-std::string ProgressText(uint64_t done, uint64_t total, const std::string& what, double elapsed_s) {
-  std::string text = fmt::format("openr: {} of {} {}", done, total, what);
-  if (done == 0 || done > total) return text;
-  const double left_s = elapsed_s / static_cast<double>(done) * static_cast<double>(total - done);
+std::string ProgressText(uint64_t done, std::optional<uint64_t> total, const std::string& what,
+                         double elapsed_s) {
+  if (!total) return fmt::format("openr: {} {}", done, what);
+  std::string text = fmt::format("openr: {} of {} {}", done, *total, what);
+  if (done == 0 || done > *total) return text;
+  const double left_s = elapsed_s / static_cast<double>(done) * static_cast<double>(*total - done);
   return text + fmt::format(", about {} left", TimeLeft(left_s));
 }
 
-ProgressLine::ProgressLine(int descriptor, uint64_t total, std::string what, int64_t quiet_ns)
+ProgressLine::ProgressLine(int descriptor, std::optional<uint64_t> total, std::string what,
+                           int64_t quiet_ns)
     : descriptor_(descriptor >= 0 && isatty(descriptor) != 0 ? descriptor : -1),
       total_(total),
       what_(std::move(what)),

@@ -2,14 +2,16 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace openr_host {
 
 // Returns the text of the line: "openr: 40 of 100 seeds, about 90 s left".  `what` is the plural
 // noun for the things that are counted, such as "seeds".  At the beginning the remaining time is
-// not known yet, and the text leaves it out.
-std::string ProgressText(uint64_t done, uint64_t total, const std::string& what, double elapsed_s);
+// not known yet, and the text leaves it out.  Without a total the text is "openr: 40 seeds".
+std::string ProgressText(uint64_t done, std::optional<uint64_t> total, const std::string& what,
+                         double elapsed_s);
 
 // Returns the time before which a command shows no line: 2 s, or the number of milliseconds in the
 // environment variable OPENR_HOST_PROGRESS_MS.
@@ -19,7 +21,8 @@ int64_t ProgressQuietNs();
 // if `descriptor` is -1 or no terminal, and nothing before `quiet_ns` have passed.
 class ProgressLine {
  public:
-  ProgressLine(int descriptor, uint64_t total, std::string what,
+  // `total`: the number of pieces; nullopt: it is not known.
+  ProgressLine(int descriptor, std::optional<uint64_t> total, std::string what,
                int64_t quiet_ns = ProgressQuietNs());
   ~ProgressLine();  // clears the line
   ProgressLine(const ProgressLine&) = delete;
@@ -34,7 +37,7 @@ class ProgressLine {
 
  private:
   const int descriptor_;  // descriptor of the terminal; -1: the line is not drawn
-  const uint64_t total_;
+  const std::optional<uint64_t> total_;
   const std::string what_;
   const int64_t begin_ns_;
   const int64_t quiet_ns_;

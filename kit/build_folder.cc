@@ -228,8 +228,8 @@ void FolderBuild::Build() {
   ShowBuildProgress(
       &make_,
       [&] {
-        const uint64_t planned = CountPlannedCompiles(plan, make_);
-        return planned > 0 ? planned : CountByConvention(project_, project_.objects);
+        const std::optional<uint64_t> planned = CountPlannedCompiles(plan, make_);
+        return planned == 0 ? CountByConvention(project_, project_.objects) : planned;
       },
       [&] { outcome = RunMake(plan, make_); });
   RemoveOldImages(outcome.is_good);

@@ -3,6 +3,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <optional>
 #include <string>
 
 #include "cli/progress_line.h"
@@ -10,16 +12,17 @@
 
 namespace openr_host {
 
-void ShowBuildProgress(MakeOptions* options, const std::function<uint64_t()>& count,
+void ShowBuildProgress(MakeOptions* options, const std::function<std::optional<uint64_t>()>& count,
                        const std::function<void()>& work) {
-  const uint64_t total = isatty(STDERR_FILENO) != 0 ? count() : 0;
-  ProgressLine progress(total > 0 ? STDERR_FILENO : -1, total, "sources compiled");
+  const std::optional<uint64_t> total = isatty(STDERR_FILENO) != 0 ? count() : 0;
+  ProgressLine progress(total == 0 ? -1 : STDERR_FILENO, total, "sources compiled");
   CompileCounter counter;
   if (progress.is_shown()) {
-    // Limits the shown number to `total`, because a source that fails is compiled several times,
+    // Limits the shown number to the total, because a source that fails is compiled several times,
     // and each time counts.
     options->while_waiting = [&progress, &counter, total](const std::string& log) {
-      progress.Show(std::min(counter.CountIn(log), total));
+      const uint64_t done = counter.CountIn(log);
+      progress.Show(std::min(done, total.value_or(done)));
     };
   }
   try {

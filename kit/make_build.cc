@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "cli/process.h"
+#include "kit/dry_run.h"
 #include "kit/kit_log.h"
 #include "kit/makefile_text.h"
 #include "kit/sdk_paths.h"
@@ -115,8 +116,26 @@ bool IsAlready(const MakefileVariable& variable, const std::string& value) {
                                             [&](const std::string& v) { return v == value; });
 }
 
+// Returns whether the database of make (make -p) has a rule whose target is `install` itself.  make
+// runs no recipe of the Makefile for this question.
+bool HasExplicitInstallRule(const fs::path& folder, const std::vector<std::string>& variables,
+                            const MakeOptions& options) {
+  std::vector<std::string> arguments{"-p", "--eval=openr-host-nothing:;@:", "openr-host-nothing"};
+  arguments.insert(arguments.end(), variables.begin(), variables.end());
+  std::istringstream database(Make(folder, arguments, 1, false, options).output);
+  std::string before;
+  for (std::string line; std::getline(database, line); before = line) {
+    if (line.starts_with("install:") && before != "# Not a target:") return true;
+  }
+  return false;
+}
+
+// Returns whether make has a rule for the target `install`.
 bool HasInstallRule(const fs::path& folder, const std::vector<std::string>& variables,
                     const MakeOptions& options) {
+  // Reads the database first, because the recipe of an explicit rule could run commands in a dry
+  // run (dry_run.h).
+  if (HasExplicitInstallRule(folder, variables, options)) return true;
   std::vector<std::string> arguments{"-n", "install"};
   arguments.insert(arguments.end(), variables.begin(), variables.end());
   const std::string said = Make(folder, arguments, 1, false, options).output;
@@ -203,6 +222,7 @@ MakePlan PlanMake(const Project& project, const std::string& sdk_root) {
       }
     }
   }
+  plan.runs_in_dry_run = DryRunRunsCommands(all);
   plan.variables.emplace_back("OPENRSDK_ROOT", sdk_root);
   plan.variables.emplace_back(kStickVariable, stick);
   for (const MakefileVariable& variable : SdkVariables(all)) {
@@ -240,7 +260,8 @@ uint64_t CountSourcesIn(const std::string& commands) {
   return count;
 }
 
-uint64_t CountPlannedCompiles(const MakePlan& plan, const MakeOptions& options) {
+std::optional<uint64_t> CountPlannedCompiles(const MakePlan& plan, const MakeOptions& options) {
+  if (plan.runs_in_dry_run) return std::nullopt;
   std::vector<std::string> arguments = VariableArguments(plan);
   arguments.insert(arguments.begin(), "-n");
   uint64_t count = 0;

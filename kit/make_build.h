@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,6 +38,8 @@ struct MakePlan {
   // Folders into which rules of the Makefiles write.  Some Makefiles do not create them, so
   // RunMake() creates them first.
   std::vector<std::filesystem::path> needed_folders;
+  // True: make -n would run commands of these Makefiles (dry_run.h).
+  bool runs_in_dry_run = false;
 };
 
 struct MakeOutcome {
@@ -55,7 +58,9 @@ uint64_t CountSourcesIn(const std::string& commands);
 
 // Returns how many sources RunMake() is going to compile, according to make -n.  Returns 0 if make
 // does not know the commands before it runs them, for example because a script calls make.
-uint64_t CountPlannedCompiles(const MakePlan& plan, const MakeOptions& options);
+// Returns nullopt, and does not call make, if make -n would run commands; because RunMake() runs
+// them again, a command that may run only once would fail or do damage.
+std::optional<uint64_t> CountPlannedCompiles(const MakePlan& plan, const MakeOptions& options);
 
 // Runs make as planned.  Prints the output of compilers and make.  Afterwards the log (kit_log.h)
 // lists the images that were made.

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace openr_host {
@@ -20,6 +21,7 @@ TEST(ProgressLineTest, TellsHowManyAreDoneAndHowLongTheOthersTake) {
   EXPECT_EQ(ProgressText(40, 100, "seeds", 60), "openr: 40 of 100 seeds, about 90 s left");
   EXPECT_EQ(ProgressText(1, 100, "seeds", 10), "openr: 1 of 100 seeds, about 17 min left");
   EXPECT_EQ(ProgressText(100, 100, "seeds", 60), "openr: 100 of 100 seeds, about 0 s left");
+  EXPECT_EQ(ProgressText(40, std::nullopt, "seeds", 60), "openr: 40 seeds");
 }
 
 // Returns what a ProgressLine writes during its life to a terminal or to a pipe.  `between` is

@@ -63,6 +63,20 @@ TEST(BuildProgressTest, SourcesThatNoMakefileNamesAreNotCounted) {
   EXPECT_THAT(ShownByBuild(folder), HasSubstr(" of 2 sources compiled"));
 }
 
+// make -n runs lines with $(MAKE), and a build asks make whether there is a target `install`.
+TEST(BuildProgressTest, LinesThatCallMakeRunOnceAndTheirSourcesAreNotCountedBefore) {
+  KitFolder folder("");
+  const std::string ran = folder.scratch().File("ran.txt");
+  folder.AddObject("Walker", "Walker", "", "");
+  folder.AddMakefile("Walker", "Walker");
+  folder.AddStick("MS", {"WALKER.BIN"});
+  folder.Write("Makefile", "all install:\n\techo $@ >> " + ran + "; $(MAKE) -C Walker $@\n");
+  const std::string shown = ShownByBuild(folder);
+  EXPECT_THAT(shown, HasSubstr(" sources compiled"));
+  EXPECT_THAT(shown, testing::Not(HasSubstr(" of 2 sources compiled")));
+  EXPECT_EQ(folder.scratch().Read("ran.txt"), "all\ninstall\n");
+}
+
 TEST(BuildProgressTest, SourcesOfObjectsWithoutMakefilesAreCounted) {
   KitFolder folder("");
   folder.AddObject("Walker", "Walker", "", "");
