@@ -51,7 +51,12 @@ void Faults::AddVerbs() {
     robot_.system.inputs().AddVerb(
         robot_.robot_index,
         {name, usage, help, [this, read](int, std::string_view rest, Inputs::Action* action) {
-           return (this->*read)(rest, action);
+           const std::string problem = (this->*read)(rest, action);
+           // Objects open most primitives in DoInit, so a part that is missing at time 0 must be
+           // missing before the boot.  All inputs of faults come before the boot then, so that they
+           // take effect in the order of their lines, and a repair ends the faults above it.
+           action->is_before_boot = true;
+           return problem;
          }});
   };
   add("break", "break JOINT|SENSOR FAULT [for DURATION]",
@@ -147,9 +152,6 @@ std::string Faults::ReadMissing(const std::vector<std::string>& words, const Fau
       Begin({Part::kPrimitive, static_cast<int>(id)}, {Kind::kMissing, 0, frames});
     if (!robot_.system.booted()) ReportMissingLimbs(ids);
   };
-  // Objects open most primitives in DoInit, so a part that is missing at time 0 has to be missing
-  // before the boot.
-  action->is_before_boot = true;
   return "";
 }
 

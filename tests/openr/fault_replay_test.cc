@@ -88,5 +88,13 @@ TEST_F(FaultReplayTest, APartThatIsMissingBeforeTheBootIsMissingInTheReplay) {
   ExpectSameReplay();
 }
 
+TEST_F(FaultReplayTest, ARepairOfTimeZeroEndsTheFaultsBeforeIt) {
+  const uint64_t healthy = RecordFaults(file_, {});
+  const uint64_t repaired = RecordFaults(
+      file_, {{0, "break acceleration_z missing"}, {0, "break LF_j1 weak 20%"}, {0, "repair all"}});
+  EXPECT_EQ(healthy, repaired);
+  ExpectSameReplay();
+}
+
 }  // namespace
 }  // namespace openr_host

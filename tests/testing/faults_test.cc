@@ -257,6 +257,25 @@ TEST(FaultsTest, WithoutAJointTheDefaultStickMovesNothingAndGoesOn) {
   EXPECT_EQ(bench.SensorValue("chin"), 0);
 }
 
+TEST(FaultsTest, FaultsAndRepairsOfTimeZeroComeBeforeTheBootInTheOrderOfTheirLines) {
+  Bench bench(FaultyDog("ideal"));
+  EXPECT_TRUE(bench.Do("break LF_j1 missing"));
+  EXPECT_TRUE(bench.Do("break LF_j1 weak 20%"));
+  EXPECT_TRUE(bench.Do("repair all"));
+  EXPECT_TRUE(bench.Do("break chin stuck"));
+  bench.Boot();  // a missing joint would be a finding, because DoInit of JointMover would fail
+  EXPECT_EQ(FaultsOf(bench), std::vector<std::string>{"chin stuck"});
+}
+
+TEST(FaultsTest, APartThatBreaksAfterARepairOfTimeZeroIsMissingInTheBoot) {
+  Bench bench(FaultyDog("ideal"));
+  EXPECT_TRUE(bench.Do("repair LF_j1"));
+  EXPECT_TRUE(bench.Do("break LF_j1 missing"));
+  bench.ExpectFinding(HasSubstr("DoInit"));
+  bench.Boot();
+  EXPECT_EQ(FaultsOf(bench), std::vector<std::string>{"LF_j1 missing"});
+}
+
 // ---- heat and current
 
 TEST(HeatTest, TheThermometerReadsTheHeatOfTheBody) {
