@@ -59,12 +59,12 @@ void Faults::AddVerbs() {
            return problem;
          }});
   };
-  add("break", "break JOINT|SENSOR FAULT [for DURATION]",
+  add("break", "break JOINT|SENSOR|LOCATOR FAULT [for DURATION]",
       "Makes a part faulty.  FAULT: jammed, weak N%, unpowered (joints); stuck, noisy N%, dead "
-      "(sensors, also those of joints); missing (any part, lights by their locators): "
-      "OpenPrimitive() fails.",
+      "(sensors, also those of joints); missing (any part, lights and the camera by their "
+      "locators): OpenPrimitive() fails.",
       &Faults::ReadBreak);
-  add("repair", "repair JOINT|SENSOR|body|battery|all", "Ends break, heat and draw.",
+  add("repair", "repair JOINT|SENSOR|LOCATOR|body|battery|all", "Ends break, heat and draw.",
       &Faults::ReadRepair);
   add("heat", "heat body|battery DEGREES [for DURATION]",
       "Keeps a temperature in degrees Celsius, until it is repaired.", &Faults::ReadHeat);
@@ -109,7 +109,7 @@ std::string Faults::ReadBreak(std::string_view rest, Inputs::Action* action) {
   std::vector<std::string> words = SplitInput(rest);
   Fault fault{Kind::kJammed, 0, {}};
   if (std::string problem = TakeFor(&words, &fault.frames); !problem.empty()) return problem;
-  if (words.size() < 2) return "needs a joint or sensor and a fault";
+  if (words.size() < 2) return "needs a joint, a sensor or a locator, and a fault";
   if (words[1] == kMissingName) return ReadMissing(words, fault, action);
   size_t kind = 0;
   while (kind < std::size(kKindNames) && words[1] != kKindNames[kind]) ++kind;
@@ -202,7 +202,7 @@ std::string Faults::ReadDraw(std::string_view rest, Inputs::Action* action) {
 
 std::string Faults::ReadRepair(std::string_view rest, Inputs::Action* action) {
   const std::vector<std::string> words = SplitInput(rest);
-  if (words.size() != 1) return "needs one joint or sensor, body, battery or all";
+  if (words.size() != 1) return "needs one joint, sensor or locator, body, battery or all";
   std::vector<Place> places;
   if (words[0] == "body") {
     places = {{Part::kBody}};

@@ -213,7 +213,7 @@ TEST(FaultsTest, FaultsThatCannotBeAreRefused) {
   Bench bench(FaultyDog("ideal"));
   bench.Boot();
   const auto why = [&](const char* line) { return bench.system().inputs().Check(0, line); };
-  EXPECT_THAT(why("break"), HasSubstr("needs a joint or sensor and a fault"));
+  EXPECT_THAT(why("break"), HasSubstr("needs a joint, a sensor or a locator, and a fault"));
   EXPECT_THAT(why("break LF_j9 jammed"), HasSubstr("no joint or sensor 'LF_j9'; did you mean"));
   EXPECT_THAT(why("break LF_j1 jamed"), HasSubstr("'jamed' is no fault; did you mean 'jammed'?"));
   EXPECT_THAT(why("break chin jammed"), HasSubstr("'chin' is a sensor and no joint"));
@@ -223,7 +223,7 @@ TEST(FaultsTest, FaultsThatCannotBeAreRefused) {
   EXPECT_THAT(why("break chin missing 5%"), HasSubstr("missing needs nothing more"));
   EXPECT_THAT(why("break nose missing"), HasSubstr("no joint or sensor 'nose'"));
   EXPECT_THAT(why("break chin dead for 3"), HasSubstr("'3' has no unit"));
-  EXPECT_THAT(why("repair"), HasSubstr("needs one joint or sensor, body, battery or all"));
+  EXPECT_THAT(why("repair"), HasSubstr("needs one joint, sensor or locator, body, battery or all"));
   EXPECT_THAT(why("repair nose"), HasSubstr("no joint or sensor 'nose'"));
   EXPECT_THAT(why("heat nose 40"), HasSubstr("needs body or battery"));
   EXPECT_THAT(why("heat body 400"), HasSubstr("'400' is no whole number from -20 to 120"));
