@@ -12,6 +12,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "cli/standard_streams.h"
 #include "runtime/base/late_library.h"
 
 namespace openr_host {
@@ -204,7 +205,7 @@ std::vector<std::string> PromptHistory::Lines() const {
 }
 
 bool Prompt::Read(const std::string& prompt, std::string* line) {
-  std::fflush(stdout);
+  FlushAnswer();
   if (CanEdit() && Libedit() != nullptr) {
     LineEdit edit(*Libedit(), *this, *history_, prompt);
     if (edit.is_good()) {
@@ -213,8 +214,8 @@ bool Prompt::Read(const std::string& prompt, std::string* line) {
       return true;
     }
   }
-  std::fputs(prompt.c_str(), stdout);
-  std::fflush(stdout);
+  PrintAnswer(prompt);
+  FlushAnswer();
   return ReadPlain(line);
 }
 

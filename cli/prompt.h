@@ -44,10 +44,11 @@ class Prompt {
   Prompt(PromptHistory* history, Complete complete)
       : history_(history), complete_(std::move(complete)) {}
 
-  // Prints `prompt` to stdout and reads a line from standard input, without its end.  Returns false
-  // at the end of the input.  If libedit is used, Ctrl-C drops the typed text and begins a new
-  // line; without libedit, Ctrl-C ends the process.  Nothing that follows the line is read, so
-  // another process can go on with the input.
+  // Prints `prompt` on standard output and reads a line from standard input, without its end.
+  // Returns false at the end of the input.  Throws as PrintAnswer() does (standard_streams.h).  If
+  // libedit is used, Ctrl-C drops the typed text and begins a new line; without libedit, Ctrl-C
+  // ends the process.  Nothing that follows the line is read, so another process can go on with the
+  // input.
   bool Read(const std::string& prompt, std::string* line);
 
   // Returns the text that Tab inserts at the end of `begin`, the line up to the cursor; "" if no

@@ -15,14 +15,16 @@
 #include <new>
 #include <optional>
 #include <sstream>
+#include <system_error>
 #include <utility>
 
 #include "cli/counted.h"
 #include "cli/progress_line.h"
 #include "cli/prompt.h"
+#include "cli/standard_streams.h"
 #include "openr/decode/decode_message.h"
 #include "openr/inspect/breakpoints.h"
-#include "openr/inspect/snapshot_list.h"
+#include "openr/inspect/shared_session.h"
 #include "openr/inspect/step_commands.h"
 #include "openr/inspect/trace_text.h"
 #include "runtime/base/duration.h"
@@ -34,24 +36,6 @@ namespace {
 
 // The number of messages between two snapshots, before old snapshots are thinned out.
 constexpr uint64_t kSnapshotMessages = 1000;
-constexpr size_t kBreaksBytes = 16 << 10;
-
-// The state of a session of openr replay --step, in memory that all processes of the session share
-// (stepper.h describes these processes).  A process that ends writes here what the waiting process
-// of an earlier snapshot has to do next.
-struct Shared {
-  bool went_back;    // true: a copy has ended because the session goes back
-  uint64_t target;   // number of messages after which going back ends
-  int64_t until_us;  // virtual time up to which the session runs after going back; 0: none
-  // True while a process runs the session.  A process that ends as it should sets it to false.  If
-  // it is still true when the process has ended, the run has crashed.
-  bool runs;
-  bool ends;  // true: the session is over
-  bool differs;
-  SnapshotList snapshots;
-  char breaks[kBreaksBytes];
-  PromptHistory history;
-};
 
 // Returns the number that `text` has; nullopt if `text` is no number, or if the number is too
 // large.
@@ -64,7 +48,7 @@ std::optional<uint64_t> NumberIn(const std::string& text) {
 
 class Stepper {
  public:
-  Stepper(Replayer* replayer, Shared* shared)
+  Stepper(Replayer* replayer, SharedSession* shared)
       : replayer_(replayer),
         view_(&replayer->simulation()),
         breaks_(replayer, &view_),
@@ -80,9 +64,16 @@ class Stepper {
   // the first process, because all copies of it end with _exit().
   void Run() {
     if (!Snapshot()) return;
-    Show();
-    for (std::string line; ReadLine(&line);) {
-      if (!Obey(line)) break;
+    try {
+      Show();
+      for (std::string line; ReadLine(&line);) {
+        if (!Obey(line)) break;
+      }
+    } catch (const ReaderGone&) {
+      shared_->NoteLostText(EPIPE);
+    } catch (const std::system_error& error) {
+      if (std::ferror(stdout) == 0) throw;  // fmt::print() could write; the error is another one
+      shared_->NoteLostText(error.code().value());
     }
     Leave();
   }
@@ -95,7 +86,7 @@ class Stepper {
     const uint64_t here = replayer_->count();
     AddToSnapshots(here);
     for (;;) {
-      std::fflush(nullptr);
+      shared_->FlushText();
       const pid_t copy = fork();
       if (copy == 0) {
         BeginCopy(here);
@@ -150,7 +141,7 @@ class Stepper {
   void EndSession(const std::string& why) {
     ClearProgressLine();
     fmt::print("{}\n", why);
-    std::fflush(nullptr);  // needed before _exit(), which would drop buffered text
+    shared_->FlushText();
     shared_->ends = shared_->differs = true;
     shared_->runs = false;
   }
@@ -167,11 +158,14 @@ class Stepper {
     shared_->ends = true;
     shared_->runs = false;
     shared_->differs = !replayer_->difference().empty();
-    std::fflush(nullptr);
+    shared_->FlushText();
     _exit(0);
   }
 
+  // Reads the next command.  Returns false at the end of the input, and when text was lost, because
+  // nobody would read the answer.
   bool ReadLine(std::string* line) {
+    if (!shared_->FlushText()) return false;
     return prompt_.Read(replayer_->count() == 0
                             ? "(start) "
                             : fmt::format("(message {}) ", replayer_->last().record.number),
@@ -225,7 +219,7 @@ class Stepper {
     shared_->until_us = until_us;
     shared_->went_back = true;
     shared_->runs = false;
-    std::fflush(nullptr);
+    shared_->FlushText();
     _exit(0);
   }
 
@@ -288,8 +282,8 @@ class Stepper {
 
   void SaveBreaks() {
     const std::string text = breaks_.Save();
-    std::memset(shared_->breaks, 0, kBreaksBytes);
-    std::memcpy(shared_->breaks, text.data(), std::min(text.size(), kBreaksBytes - 1));
+    std::memset(shared_->breaks, 0, sizeof shared_->breaks);
+    std::memcpy(shared_->breaks, text.data(), std::min(text.size(), sizeof shared_->breaks - 1));
   }
 
   void Break(const std::string& text) {
@@ -359,7 +353,7 @@ class Stepper {
   Replayer* const replayer_;
   SimulationView view_;
   Breakpoints breaks_;
-  Shared* const shared_;
+  SharedSession* const shared_;
   Prompt prompt_;
   bool is_copy_ = false;
   bool went_back_ = false;
@@ -486,14 +480,15 @@ void Stepper::PrintQuantity(const std::string& name) {
 }  // namespace
 
 bool StepThrough(const ReplayOptions& options) {
-  void* const memory =
-      mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  void* const memory = mmap(nullptr, sizeof(SharedSession), PROT_READ | PROT_WRITE,
+                            MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (memory == MAP_FAILED) throw std::bad_alloc();
-  Shared* const shared = new (memory) Shared{};
+  SharedSession* const shared = new (memory) SharedSession{};
   Replayer replayer(options);
   Stepper(&replayer, shared).Run();
   const bool good = !shared->differs;
-  munmap(memory, sizeof(Shared));
+  if (shared->is_text_lost) NoteLostAnswer(shared->lost_errno);
+  munmap(memory, sizeof(SharedSession));
   return good;
 }
 

@@ -7,7 +7,8 @@ namespace openr_host {
 
 // Reads commands from standard input and answers on standard output, until "quit" or the end of the
 // input.  Returns false if the replay has met a difference from the recording.  Throws the
-// exceptions of Replayer.
+// exceptions of Replayer.  Ends the session if an answer cannot be written, and notes the loss
+// (NoteLostAnswer()), so that the program ends with the exit code for lost answers.
 //
 // Going back is exact, because processes serve as snapshots.  After every 1000 messages the process
 // forks: the child process, called the copy, continues the session, and its parent waits.  When the

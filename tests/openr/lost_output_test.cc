@@ -101,10 +101,12 @@ TEST(LostOutputTest, ToolsWithoutStreamsMakeTheSameFiles) {
 // Commands whose product goes to standard output.
 std::vector<std::string> Answering(const Recorded& recorded) {
   const std::string mtn = std::string(OPENR_STICK) + "/OPEN-R/MW/DATA/P/WALK.MTN";
+  const std::string step = "printf 'step\\nback\\nstep\\nquit\\n' | $openr replay --step ";
   return {"$openr trace " + recorded.file(),
           "$openr trace --format csv " + recorded.file(),
           "$openr trace --format perfetto " + recorded.file(),
           "$openr replay --json " + recorded.file(),
+          step + recorded.file(),
           "$openr run $rest --for 100ms --json --stick " + recorded.stick(),
           "$openr explore --runs 2 --for 100ms --jobs 1 --stick " + recorded.stick(),
           "$openr explore --runs 2 --for 100ms --jobs 1 --json --stick " + recorded.stick(),

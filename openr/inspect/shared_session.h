@@ -1,0 +1,37 @@
+// The state of a session of openr replay --step, in memory that all processes of the session share
+// (stepper.h describes these processes).
+#pragma once
+
+#include <cstdint>
+
+#include "cli/prompt.h"
+#include "openr/inspect/snapshot_list.h"
+
+namespace openr_host {
+
+// A process that ends writes here what the waiting process of an earlier snapshot has to do next.
+struct SharedSession {
+  bool went_back;    // true: a copy has ended because the session goes back
+  uint64_t target;   // number of messages after which going back ends
+  int64_t until_us;  // virtual time up to which the session runs after going back; 0: none
+  // True while a process runs the session.  A process that ends as it should sets it to false.  If
+  // it is still true when the process has ended, the run has crashed.
+  bool runs;
+  bool ends;  // true: the session is over
+  bool differs;
+  bool is_text_lost;  // true: a process could not write some text to standard output
+  int lost_errno;     // the errno of the first failed write; 0: the reason is not known
+  SnapshotList snapshots;
+  char breaks[16 << 10];  // the breakpoints as text (Breakpoints::Save())
+  PromptHistory history;
+
+  // Notes that text for standard output was lost.  The first process of the session then ends with
+  // the exit code for lost answers.  `error` is an errno, or 0 if the reason is not known.
+  void NoteLostText(int error);
+
+  // Writes out the text in the buffers of the streams, which fork() would double and _exit() would
+  // drop.  Returns false if some text of the session was lost.
+  bool FlushText();
+};
+
+}  // namespace openr_host
