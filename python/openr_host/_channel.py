@@ -4,6 +4,7 @@ from __future__ import annotations
 import json
 import os
 import pathlib
+import select
 import shutil
 import socket
 import struct
@@ -126,11 +127,47 @@ class Channel:
 
     def _last_words(self) -> dict[str, Any]:
         """Returns findings, console and report, which the process of a crashed run sends before it
-        ends; {} if the process could not send them."""
+        ends; {} if the process could not send them.
+
+        The wait ends with the process, which ends within 10 s of a crash (openr/ending/ending.cc), also
+        if another process still holds the other end of the pipe.
+        """
         try:
-            return self.hear()[0]
-        except (OSError, ProcessError):
+            received = self._rest + self._receive_to_the_end()
+        except OSError:
             return {}
+        if len(received) < _SIZES.size:
+            return {}
+        text_size, _ = _SIZES.unpack_from(received)
+        text = received[_SIZES.size:_SIZES.size + text_size]
+        words: dict[str, Any] = json.loads(text) if len(text) == text_size else {}
+        return words
+
+    def _receive_to_the_end(self) -> bytes:
+        """Returns all bytes that come until the pipe is closed or the process has ended."""
+        assert self._socket is not None
+        poll = select.poll()
+        poll.register(self._socket, select.POLLIN)
+        ended = -1  # a descriptor that is readable once the process has ended
+        try:
+            ended = os.pidfd_open(self.process)
+        except ProcessLookupError:  # a copy that has ended already; its bytes are in the pipe
+            ended = os.open(os.devnull, os.O_RDONLY)
+        except OSError:
+            pass  # a system without such descriptors; the pipe alone shows the end
+        try:
+            if ended >= 0:
+                poll.register(ended, select.POLLIN)
+            received = b""
+            while self._socket.fileno() in dict(poll.poll()):
+                more = self._socket.recv(_RECEIVE)
+                if not more:
+                    break
+                received += more
+            return received
+        finally:
+            if ended >= 0:
+                os.close(ended)
 
     def _lost(self, why: str) -> ProcessError:
         status = None

@@ -138,14 +138,15 @@ class LastWordsTest(unittest.TestCase):
                "count": 1, "text": "crash"}
     WORDS = {"findings": [FINDING], "console": ["hello"], "report": {"ended_by": "crash"}}
 
-    def ended_by(self, *messages):
+    def ended_by(self, *messages, then=""):
         """Returns the exception when a process answers the first request with these messages, all at once,
-        and ends."""
+        does what the line `then` of Python says, and ends."""
         texts = [json.dumps(each).encode() for each in messages]
         answer = b"".join(struct.pack("<II", len(text), 0) + text for text in texts)
         with tempfile.TemporaryDirectory() as folder:
             program = pathlib.Path(folder, "openr")
-            program.write_text(f"#!{sys.executable}\nimport os\nos.read(0, 1 << 16)\nos.write(1, {answer!r})\n")
+            program.write_text(f"#!{sys.executable}\nimport os\nos.read(0, 1 << 16)\nos.write(1, {answer!r})\n"
+                               f"{then}\n")
             program.chmod(0o755)
             with self.assertRaises(openr_host.RunEnded) as ended:
                 openr_host.Run(program=str(program))
@@ -159,6 +160,19 @@ class LastWordsTest(unittest.TestCase):
 
     def test_a_process_that_cannot_say_more_leaves_them_empty(self):
         ended = self.ended_by(self.CRASH)
+        self.assertEqual((ended.findings, ended.console, ended.report), ([], [], {}))
+
+    def test_words_that_break_off_are_left_out(self):
+        ended = self.ended_by(self.CRASH, then="os.write(1, b'\\x09\\0\\0\\0\\0\\0\\0\\0{')")
+        self.assertEqual((ended.findings, ended.console, ended.report), ([], [], {}))
+
+    def test_they_are_awaited_until_the_process_ends_and_no_longer(self):
+        # The child of the process keeps the pipe.  It goes on until the pipe is closed, and would send a
+        # message if that did not happen for a minute.
+        words = json.dumps(self.WORDS).encode()
+        message = struct.pack("<II", len(words), 0) + words
+        ended = self.ended_by(self.CRASH, then="import select\nif os.fork() == 0 and not "
+                              f"select.select([0], [], [], 60)[0]: os.write(1, {message!r})")
         self.assertEqual((ended.findings, ended.console, ended.report), ([], [], {}))
 
 
