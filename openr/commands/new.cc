@@ -1,8 +1,12 @@
 // The command openr new: makes the files of a new object.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <set>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -14,6 +18,7 @@
 #include "kit/new_object.h"
 #include "kit/sdk_paths.h"
 #include "kit/shell_words.h"
+#include "kit/text_files.h"
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
 
@@ -44,28 +49,55 @@ std::string NextCommands(const std::string& folder) {
       below("build/stick"));
 }
 
+// Returns the lines of `wanted` that `text` does not have.  Leaves out comments and empty lines.
+std::string LinesNotIn(const std::string& text, const std::string& wanted) {
+  std::set<std::string> present;
+  std::istringstream text_lines(text);
+  for (std::string line; std::getline(text_lines, line);) {
+    line.erase(line.find_last_not_of(" \t\r") + 1);
+    present.insert(line);
+  }
+  std::string lacking;
+  std::istringstream wanted_lines(wanted);
+  for (std::string line; std::getline(wanted_lines, line);) {
+    if (!line.empty() && line[0] != '#' && !present.contains(line)) lacking += line + "\n";
+  }
+  return lacking;
+}
+
 // Returns the reason why no new object can have the name; "" if it can.
 std::string WhyNoNewObject(const std::string& name) {
   const std::string problem = WhyNoObjectName(name);
   return problem.empty() ? WhyNoClass(name, SdkRoot()) : problem;
 }
 
-// Returns the files to write to `folder`.  Leaves out the .gitignore if the folder has one, because
-// a new object may be made in a repository that has only a .gitignore yet.
-std::vector<NewFile> FilesFor(const std::string& name, const std::string& folder) {
-  std::vector<NewFile> files = MakeNewObject(name);
-  for (NewFile& file : EditorFiles(FindEditorPlaces(), {})) files.push_back(std::move(file));
-  if (std::filesystem::exists(std::filesystem::path(folder) / kIgnoreFile))
-    std::erase_if(files, [](const NewFile& file) { return file.path == kIgnoreFile; });
-  return files;
+// Removes .gitignore from `files` if `folder` has this file, which then stays as it is, because a
+// new object may be made in a repository that has only a .gitignore yet.  Returns the lines that
+// the file in the folder lacks; "" if it has them all, or if the folder has no such file.
+std::string TakeIgnoreLines(const std::string& folder, std::vector<NewFile>* files) {
+  const std::optional<std::string> present = ReadText(std::filesystem::path(folder) / kIgnoreFile);
+  if (!present) return "";
+  const auto ours = std::find_if(files->begin(), files->end(),
+                                 [](const NewFile& file) { return file.path == kIgnoreFile; });
+  const std::string lacking = LinesNotIn(*present, ours->text);
+  files->erase(ours);
+  return lacking;
 }
 
 int New(const NewFlags& flags) {
   const std::string folder = flags.folder.empty() ? flags.name : flags.folder;
-  const std::vector<NewFile> files = FilesFor(flags.name, folder);
+  std::vector<NewFile> files = MakeNewObject(flags.name);
+  for (NewFile& file : EditorFiles(FindEditorPlaces(), {})) files.push_back(std::move(file));
+  const std::string lacking = TakeIgnoreLines(folder, &files);
   const std::string problem = WriteNewObject(files, folder);
   if (!problem.empty()) throw std::runtime_error(problem);
   for (const NewFile& file : files) fmt::print("{}/{}\n", folder, file.path);
+  if (!lacking.empty()) {
+    fmt::print(
+        "\n{}/{} was there already and stays as it is; add these lines, so that git ignores what "
+        "builds and runs leave behind:\n{}",
+        folder, kIgnoreFile, lacking);
+  }
   fmt::print("{}", NextCommands(folder));
   return kExitGood;
 }

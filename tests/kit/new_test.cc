@@ -235,8 +235,23 @@ TEST(NewTest, AGitignoreThatIsThereStays) {
   folder.Write(".gitignore", "mine\n");
   const ProgramResult made = RunProgram({"new", "Wag", folder.File("")});
   EXPECT_EQ(made.status, 0) << made.err;
-  EXPECT_THAT(made.out, ::testing::Not(HasSubstr(".gitignore")));
+  EXPECT_THAT(made.out, HasSubstr("\n\n" + folder.File("") +
+                                  "/.gitignore was there already and stays as it is; add these "
+                                  "lines, so that git ignores what builds and runs leave behind:\n"
+                                  "/build/\n/compile_commands.json\n/MS/OPEN-R/MW/OBJS/\n"));
   EXPECT_EQ(folder.Read(".gitignore"), "mine\n");
+}
+
+TEST(NewTest, OnlyLinesThatAGitignoreLacksAreToBeAdded) {
+  const KitFolder first(""), some("");
+  ASSERT_EQ(RunProgram({"new", "Wag", first.File("")}).status, 0);
+  some.Write(".gitignore", "/MS/OPEN-R/MW/OBJS/ \r\n/build/\n");
+  EXPECT_THAT(RunProgram({"new", "Wag", some.File("")}).out,
+              HasSubstr("leave behind:\n/compile_commands.json\n/MS/OPEN-R/EMON.LOG\n"));
+  const KitFolder all("");
+  all.Write(".gitignore", first.Read(".gitignore"));
+  EXPECT_THAT(RunProgram({"new", "Wag", all.File("")}).out,
+              ::testing::Not(HasSubstr(".gitignore")));
 }
 
 TEST(NewTest, ANameThatIsNoClassIsRefused) {
