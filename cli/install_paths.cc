@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
@@ -34,9 +34,25 @@ fs::path RuntimePrefix() {
   return (is_installed ? folder.parent_path() : folder).parent_path();
 }
 
+// The folder of data below the prefix of an installation, and in the build tree.
+constexpr char kDataFolder[] = "share/openr-host";
+
 std::vector<fs::path> DataFolders() {
-  const fs::path data = fs::path("share") / "openr-host";
-  return {Prefix(), Prefix() / data, RuntimePrefix(), RuntimePrefix() / data};
+  return {Prefix(), Prefix() / kDataFolder, RuntimePrefix(), RuntimePrefix() / kDataFolder};
+}
+
+// Returns the paths of the .json files in `folders`, one path for each file name, sorted by name.
+std::vector<fs::path> JsonFiles(const std::vector<fs::path>& folders) {
+  std::map<fs::path, fs::path> files;  // the key is the name
+  for (const fs::path& folder : folders) {
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(folder, error)) {
+      if (entry.path().extension() == ".json") files.emplace(entry.path().filename(), entry.path());
+    }
+  }
+  std::vector<fs::path> paths;
+  for (const auto& [name, path] : files) paths.push_back(path);
+  return paths;
 }
 
 std::string LibraryBesideProgram(const char* name) {
@@ -97,20 +113,28 @@ std::string ObjectSources() {
 }
 
 std::string ModelFile(const std::string& name) {
-  std::vector<std::string> known;
   for (const fs::path& folder : DataFolders()) {
     std::error_code error;
     const fs::path file = folder / "model" / (name + ".json");
     if (name.find('/') == std::string::npos && fs::is_regular_file(file, error)) return file;
-    for (const auto& entry : fs::directory_iterator(folder / "model", error)) {
-      if (entry.path().extension() == ".json") known.push_back(entry.path().stem());
-    }
   }
-  // Removes double names, because two data folders may have the same model.
-  std::sort(known.begin(), known.end());
-  known.erase(std::unique(known.begin(), known.end()), known.end());
   throw std::runtime_error(
-      fmt::format("no robot model '{}'; there are: {}", name, fmt::join(known, ", ")));
+      fmt::format("no robot model '{}'; there are: {}", name, fmt::join(ModelNames(), ", ")));
+}
+
+std::vector<std::string> ModelNames() {
+  std::vector<fs::path> folders;
+  for (const fs::path& folder : DataFolders()) folders.push_back(folder / "model");
+  std::vector<std::string> names;
+  for (const fs::path& file : JsonFiles(folders)) names.push_back(file.stem());
+  return names;
+}
+
+std::vector<std::string> WorldNames() {
+  std::vector<std::string> names;
+  for (const fs::path& file : JsonFiles({Prefix() / kDataFolder, RuntimePrefix() / kDataFolder}))
+    names.push_back(file.filename());
+  return names;
 }
 
 std::string DataFile(const std::string& name) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace openr_host {
 
@@ -27,6 +28,12 @@ std::string ObjectSources();
 // Returns the path of the file that describes the robot model `name` ("ers210").  If there is no
 // such model, throws std::runtime_error that lists the models.
 std::string ModelFile(const std::string& name);
+
+// Returns the names of the robot models that came with the program, sorted.
+std::vector<std::string> ModelNames();
+
+// Returns the file names of the worlds that came with the program ("ramp-and-stairs.json"), sorted.
+std::vector<std::string> WorldNames();
 
 // Returns `name` if a file of this name exists.  Otherwise returns the path of the file of this
 // name that came with the program ("ers210.cost"), or `name` if the program has no such file.

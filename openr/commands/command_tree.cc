@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <sstream>
 
+#include "openr/commands/common_flags.h"
+
 namespace openr_host {
 namespace {
 
@@ -33,6 +35,9 @@ OptionInfo::Value ValueOf(const std::string& type, const std::string& name) {
   if (type.find("FOLDER") != std::string::npos || IsOneOf(name, {"DIR"})) return Value::kFolder;
   const bool is_file = type.find("FILE") != std::string::npos;
   if (is_file || IsOneOf(name, {"FILE", "LOG", "SOURCE"})) return Value::kFile;
+  if (IsOneOf(name, {"JOINT", "QUANTITY"})) return Value::kJoint;
+  if (IsOneOf(name, {"MODEL"})) return Value::kModel;
+  if (type == kWorldType) return Value::kWorld;
   return Value::kText;
 }
 
@@ -70,6 +75,7 @@ CommandInfo DescribeCommand(const CLI::App& app, const std::string& above) {
   info.path = above.empty() ? info.name : above + " " + info.name;
   info.description = app.get_description();
   info.footer = app.get_footer();
+  info.takes_input = app.get_prefix_command();
   // Leaves out options without a group.  They are hidden from users, because only openr gives these
   // options, to programs that it starts.
   const auto is_shown = [](const CLI::Option* option) { return !option->get_group().empty(); };

@@ -20,6 +20,9 @@ struct OptionInfo {
     kChoice,  // one of the words in `choices`
     kFile,
     kFolder,
+    kJoint,  // the name of a joint of a robot
+    kModel,  // the name of a robot model
+    kWorld,  // a file, or the name of a world that came with the program
   };
 
   // Names of the flag, such as "-o" and "--output".  A positional has only one name, which help
@@ -42,6 +45,7 @@ struct CommandInfo {
   std::string footer;  // the last part of the help: the examples, and lists of words
   std::vector<OptionInfo> positionals;
   std::vector<OptionInfo> options;
+  bool takes_input = false;  // true: the words of an input (docs/inputs.md) follow the positionals
   std::vector<CommandInfo> commands;  // the subcommands, in the order in which the help lists them
 };
 

@@ -55,7 +55,8 @@ void AddCommonFlags(CLI::App* command, SimulationOptions* options) {
       ->add_option("--world", options->world,
                    "World file, or one of field-2004.json, empty-room.json, corridor.json, "
                    "ramp-and-stairs.json (default: a flat floor)")
-      ->check(IsDataFile("--world", kWorldFile));
+      ->check(IsDataFile("--world", kWorldFile))
+      ->type_name(kWorldType);
   command->add_option("--seed", options->seed, "Of everything random")
       ->check(IsCount())
       ->capture_default_str();

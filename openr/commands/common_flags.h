@@ -11,6 +11,9 @@
 
 namespace openr_host {
 
+// The name of the value of --world in the help.
+inline constexpr char kWorldType[] = "WORLD";
+
 // Adds the flags of all commands that load the objects of a stick: --stick, --robot, --world and
 // --seed.
 void AddCommonFlags(CLI::App* command, SimulationOptions* options);

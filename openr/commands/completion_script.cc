@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <utility>
+
 namespace openr_host {
 namespace {
 
@@ -62,57 +64,70 @@ void AddPaths(const CommandInfo& command, std::vector<std::string>* patterns) {
   }
 }
 
+// Returns the flag of the script's _openr_files for values of this kind; "" if they are no files.
 const char* KindOf(Value value) {
-  return value == Value::kFile ? "-f" : value == Value::kFolder ? "-d" : "";
+  if (value == Value::kFolder) return "-d";
+  return value == Value::kFile || value == Value::kWorld ? "-f" : "";
+}
+
+// Returns the words that an option may have as its value.
+std::vector<std::string> WordsFor(const OptionInfo& option, const DataNames& names) {
+  if (option.value == Value::kJoint) return names.joints;
+  if (option.value == Value::kModel) return names.models;
+  if (option.value == Value::kWorld) return names.worlds;
+  return option.choices;
 }
 
 // Adds to the script, for each flag with a value, a pattern of the shell's `case` statement.  The
 // code after the pattern completes the words that can follow the flag.
-void AddValues(const CommandInfo& command, std::string* script) {
+void AddValues(const CommandInfo& command, const DataNames& names, std::string* script) {
   for (const OptionInfo& option : command.options) {
     if (option.value == Value::kNone) continue;
     std::vector<std::string> patterns;
     for (const std::string& name : option.names)
       patterns.push_back(fmt::format("'{} {}'", command.path, name));
-    std::string action = "return";
-    if (option.value == Value::kChoice) {
-      action = fmt::format("COMPREPLY=($(compgen -W '{}' -- \"$cur\")); return",
-                           fmt::join(option.choices, " "));
-    } else if (*KindOf(option.value) != '\0') {
-      action = fmt::format("_openr_files {}; return", KindOf(option.value));
+    std::string action;
+    if (const std::vector<std::string> words = WordsFor(option, names); !words.empty()) {
+      action = fmt::format("COMPREPLY=($(compgen -W '{}' -- \"$cur\")); ", fmt::join(words, " "));
     }
-    *script += fmt::format("    {}) {} ;;\n", fmt::join(patterns, "|"), action);
+    if (*KindOf(option.value) != '\0')
+      action += fmt::format("_openr_files {}; ", KindOf(option.value));
+    *script += fmt::format("    {}) {}return ;;\n", fmt::join(patterns, "|"), action);
   }
-  for (const CommandInfo& below : command.commands) AddValues(below, script);
+  for (const CommandInfo& below : command.commands) AddValues(below, names, script);
 }
 
 // Adds to the script, for each command, a pattern of the shell's `case` statement.  The code after
 // the pattern sets `words` to the words that may come next, then '|', then the flags of the
 // command.  The code also sets `kind`, which says whether file or folder names may come next.
-void AddWords(const CommandInfo& command, std::string* script) {
+void AddWords(const CommandInfo& command, const DataNames& names, std::string* script) {
   std::vector<std::string> words, flags;
   for (const CommandInfo& below : command.commands) words.push_back(below.name);
   std::string kind;
   for (const OptionInfo& positional : command.positionals) {
-    words.insert(words.end(), positional.choices.begin(), positional.choices.end());
+    for (std::string& word : WordsFor(positional, names)) words.push_back(std::move(word));
     if (kind.empty()) kind = KindOf(positional.value);
+  }
+  if (command.takes_input) {
+    words.insert(words.end(), names.joints.begin(), names.joints.end());
+    words.insert(words.end(), names.sensors.begin(), names.sensors.end());
   }
   for (const OptionInfo& option : command.options)
     flags.insert(flags.end(), option.names.begin(), option.names.end());
   *script += fmt::format("    '{}') words='{}|{}' kind={} ;;\n", command.path,
                          fmt::join(words, " "), fmt::join(flags, " "), kind);
-  for (const CommandInfo& below : command.commands) AddWords(below, script);
+  for (const CommandInfo& below : command.commands) AddWords(below, names, script);
 }
 
 }  // namespace
 
-std::string BashCompletion(const CommandInfo& program) {
+std::string BashCompletion(const CommandInfo& program, const DataNames& names) {
   std::vector<std::string> patterns;
   AddPaths(program, &patterns);
   std::string script = kBegin + fmt::format("{}", fmt::join(patterns, "|")) + kAfterCommands;
-  AddValues(program, &script);
+  AddValues(program, names, &script);
   script += kBetween;
-  AddWords(program, &script);
+  AddWords(program, names, &script);
   return script + kEnd;
 }
 

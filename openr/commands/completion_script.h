@@ -2,13 +2,22 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "openr/commands/command_tree.h"
 
 namespace openr_host {
 
+// Names in the data of the program that a user types in command lines, each list sorted.
+struct DataNames {
+  std::vector<std::string> joints;   // of all robot models
+  std::vector<std::string> sensors;  // of all robot models, without the sensors of joints
+  std::vector<std::string> models;
+  std::vector<std::string> worlds;
+};
+
 // Returns a script for bash that completes commands, flags, and the values of flags.  Such a value
-// is a word of a list, a file or a folder.
-std::string BashCompletion(const CommandInfo& program);
+// is a word of a list, a name from `names`, a file or a folder.
+std::string BashCompletion(const CommandInfo& program, const DataNames& names);
 
 }  // namespace openr_host

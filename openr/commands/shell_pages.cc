@@ -4,11 +4,13 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <stdexcept>
 #include <string>
 
 #include "cli/counted.h"
 #include "cli/exit_code.h"
+#include "cli/install_paths.h"
 #include "cli/output_file.h"
 #include "cli/standard_streams.h"
 #include "openr/commands/command_tree.h"
@@ -16,6 +18,7 @@
 #include "openr/commands/common_flags.h"
 #include "openr/commands/completion_script.h"
 #include "openr/commands/man_page.h"
+#include "virtualrobot/model/robot_model.h"
 
 namespace openr_host {
 namespace {
@@ -39,6 +42,20 @@ void WritePages(const CommandInfo& program, const std::string& output) {
       fmt::format("wrote {} to {}\n", Counted(program.commands.size() + 1, "page"), output));
 }
 
+// Returns the names in the models and worlds that came with the program.
+DataNames FindDataNames() {
+  std::set<std::string> joints, sensors;  // sorted, each name once
+  for (const std::string& name : ModelNames()) {
+    const RobotModel model = LoadRobotModel(ModelFile(name));
+    for (const auto& joint : model.joints) joints.insert(joint.name);
+    for (const Sensor& sensor : model.sensors) {
+      if (sensor.joint < 0) sensors.insert(sensor.short_name);
+    }
+  }
+  return {
+      {joints.begin(), joints.end()}, {sensors.begin(), sensors.end()}, ModelNames(), WorldNames()};
+}
+
 }  // namespace
 
 void AddCompletionCommand(CLI::App* app, int* exit_code) {
@@ -47,7 +64,7 @@ void AddCompletionCommand(CLI::App* app, int* exit_code) {
   auto shell = std::make_shared<std::string>();
   command->add_option("SHELL", *shell, "Which shell")->required()->check(CLI::IsMember({"bash"}));
   command->callback([app, exit_code] {
-    PrintAnswer(BashCompletion(DescribeCommands(*app)));
+    PrintAnswer(BashCompletion(DescribeCommands(*app), FindDataNames()));
     *exit_code = kExitGood;
   });
 }

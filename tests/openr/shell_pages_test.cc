@@ -13,6 +13,7 @@ namespace {
 using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::IsSupersetOf;
 using ::testing::Not;
 using ::testing::UnorderedElementsAre;
 
@@ -63,6 +64,31 @@ TEST_F(CompletionTest, ValuesAreThoseOfTheFlag) {
   EXPECT_THAT(Offered("openr run --stick s"), UnorderedElementsAre("stick"));
   EXPECT_THAT(Offered("openr run --for ''"), IsEmpty());
   EXPECT_THAT(Offered("openr stick robot --flavour w"), UnorderedElementsAre("wlan", "wconsole"));
+}
+
+TEST_F(CompletionTest, WorldsAreThoseThatCameAlongAndFiles) {
+  folder_.Write("my-world.json", "");
+  EXPECT_THAT(Offered("openr run --world ''"),
+              UnorderedElementsAre("corridor.json", "empty-room.json", "field-2004.json",
+                                   "ramp-and-stairs.json", "my-world.json", "a file.MTN",
+                                   "openr.bash", "stick"));
+  EXPECT_THAT(Offered("openr explore --world ra"), UnorderedElementsAre("ramp-and-stairs.json"));
+  // The help of the flag names the worlds, too.
+  const std::string help = RunProgram({"help", "run"}).out;
+  for (const std::string& world : Offered("openr run --world ''")) {
+    if (!world.ends_with(".json") || world == "my-world.json") continue;
+    EXPECT_THAT(help, HasSubstr(world));
+  }
+}
+
+TEST_F(CompletionTest, JointsAreThoseOfTheModels) {
+  EXPECT_THAT(Offered("openr rc 127.0.0.1 move LF_j"),
+              UnorderedElementsAre("LF_j1", "LF_j2", "LF_j3"));
+  EXPECT_THAT(Offered("openr plot run.mcap neck"),
+              IsSupersetOf({"neck_pan", "neck_tilt", "neck_roll"}));
+  EXPECT_THAT(Offered("openr poke default break LF_j1"), UnorderedElementsAre("LF_j1"));
+  EXPECT_THAT(Offered("openr poke default press ch"), UnorderedElementsAre("chin"));
+  EXPECT_THAT(Offered("openr model show ers2"), UnorderedElementsAre("ers210", "ers220"));
 }
 
 TEST_F(CompletionTest, FilesAreOfferedWhereACommandTakesOne) {
