@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 #include <vector>
 
 #include "kit/text_files.h"
@@ -174,9 +175,18 @@ void BootCheck::CheckImages() {
   const ObjectConfig config = ParseObjectConfig(file, ReadText(file).value_or(""), kEveryDesign);
   if (config.objects.empty())
     remarks_->Warning(file.string(), "names no object; the robot boots and does nothing");
+  std::set<fs::path> images;  // each image once, because records of several designs may name it
   for (const ObjectRecord& record : config.objects) {
     const fs::path image = record.path.size() < 4 ? fs::path() : On(record.path.substr(4));
-    if (!image.empty()) CheckImage(record, image);
+    if (image.empty()) continue;
+    CheckImage(record, image);
+    images.insert(image);
+  }
+  std::error_code error;
+  for (const fs::path& image : images) {
+    if (!fs::is_regular_file(image, error)) continue;
+    ++summary_.num_images;
+    summary_.image_bytes += fs::file_size(image, error);
   }
 }
 

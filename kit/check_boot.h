@@ -2,6 +2,7 @@
 // need these files.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "kit/check.h"
@@ -13,6 +14,10 @@ struct StickSummary {
   std::string base;  // name of the base image, such as "WCONSOLE"; "": none
   int num_files = 0;
   uint64_t num_bytes = 0;
+  // The images that OBJECT.CFG names and that are on the stick: the part of the stick that a
+  // program needs beside the robot's system.
+  int num_images = 0;
+  uint64_t image_bytes = 0;
 };
 
 // Returns whether the folder `root`, which holds OPEN-R/, has at least a part of a base image,

@@ -143,10 +143,18 @@ struct CheckCommand {
   bool json = false;
 };
 
+// Returns a size in KB of 1024 bytes, rounded up.
+uint64_t InKilobytes(uint64_t bytes) { return (bytes + 1023) / 1024; }
+
+// The sizes are information only.  No source says how much a Programming Memory Stick holds
+// (docs/robot-build.md), so they are compared with nothing.
 std::string SummaryOf(const StickSummary& stick) {
-  return fmt::format("{}, {} KB; base image: {}\n",
+  return fmt::format("{}, {} KB, of which {} of objects {} {} KB; base image: {}\n",
                      Counted(static_cast<uint64_t>(stick.num_files), "file"),
-                     (stick.num_bytes + 1023) / 1024, stick.base.empty() ? "none" : stick.base);
+                     InKilobytes(stick.num_bytes),
+                     Counted(static_cast<uint64_t>(stick.num_images), "image"),
+                     stick.num_images == 1 ? "has" : "have", InKilobytes(stick.image_bytes),
+                     stick.base.empty() ? "none" : stick.base);
 }
 
 int Check(const CheckCommand& command) {
@@ -163,6 +171,8 @@ int Check(const CheckCommand& command) {
     json["base"] = summary.base;
     json["files"] = summary.num_files;
     json["bytes"] = summary.num_bytes;
+    json["images"] = summary.num_images;
+    json["image_bytes"] = summary.image_bytes;
     PrintAnswer(JsonText(json, 2) + "\n");
   } else {
     PrintAnswer(RenderRemarks(remarks, HasColours(StandardOutput())) + SummaryOf(summary));

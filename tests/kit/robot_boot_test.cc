@@ -79,6 +79,22 @@ TEST_F(RobotStickCheckTest, AWholeStickHasNoErrors) {
   EXPECT_THAT(result.out, HasSubstr("nothing is known that keeps an ERS-210 from booting"));
 }
 
+TEST_F(RobotStickCheckTest, SizesAreToldOfTheStickAndOfTheImagesOfObjects) {
+  MakeBase();
+  folder_.Write("stick/OPEN-R/MW/OBJS/MOVER.BIN", std::string(3000, '\0'));
+  folder_.Write("stick/OPEN-R/MW/OBJS/UNUSED.BIN", std::string(9000, '\0'));
+  // Two designs name the same image, and an image is not there.
+  folder_.Write("stick/OPEN-R/MW/CONF/OBJECT.CFG",
+                "[ERS-210]\n/MS/OPEN-R/MW/OBJS/POWERMON.BIN\n/MS/OPEN-R/MW/OBJS/MOVER.BIN\n"
+                "[ERS-7]\n/MS/OPEN-R/MW/OBJS/MOVER.BIN\n/MS/OPEN-R/MW/OBJS/LOST.BIN\n");
+  const uint64_t image_bytes = RobotImage().size() + 3000;
+  EXPECT_THAT(Check().out, HasSubstr(" KB, of which 2 images of objects have 4 KB; base image"));
+  const auto json = nlohmann::json::parse(Check({"--json"}).out);
+  EXPECT_EQ(json["images"], 2);
+  EXPECT_EQ(json["image_bytes"], image_bytes);
+  EXPECT_GT(json["bytes"], image_bytes + 9000);
+}
+
 TEST_F(RobotStickCheckTest, EachMissingPartOfTheBaseIsNamed) {
   MakeBase();
   std::filesystem::remove(folder_.File("stick/OPEN-R/BOOTPARA"));
