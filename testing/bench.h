@@ -404,20 +404,29 @@ class Bench {
   bool IsRunning(const Place& place);
   void See(const openr_host::Message& message);
 
-  // Returns false, and reports a failure, if `spec` names an object or a service that does not
-  // exist.  Before Boot() not all services are known, so this function returns true and Boot()
-  // checks the names.
-  bool CheckNames(const MessageSpec& spec, const Place& place);
+  // Reports a failure and calls `on_wrong`, which may be null, if `spec` names an object or a
+  // service that does not exist.  Before Boot() not all services are known, so Boot() checks the
+  // names then.
+  void CheckNames(const MessageSpec& spec, const Place& place,
+                  const std::function<void()>& on_wrong = {});
   bool CheckName(const std::string& name, const Place& place);
 
+  // The function of the test that posts a message, such as "Inject", for failures.
+  struct Caller {
+    const char* function;
+    Place place;  // line of its call
+  };
   void PostAgain(const SeenMessage& message, const Place& place);
-  bool InjectNotify(const MessageSpec& spec, std::string_view bytes, const Place& place);
-  bool InjectReady(const MessageSpec& spec, const Place& place);
-  bool InjectEntry(const MessageSpec& spec, std::string_view bytes, const Place& place);
+  bool PostBytes(const MessageSpec& spec, std::string_view bytes, const Caller& caller);
+  bool PostNotify(const MessageSpec& spec, std::string_view bytes, const Caller& caller);
+  bool PostReadiness(const MessageSpec& spec, const Caller& caller);
+  bool PostEntry(const MessageSpec& spec, std::string_view bytes, const Caller& caller);
+  // Reports that the message of `caller` could not be posted.  Always returns false.
+  bool MissPost(const Caller& caller, const std::string& problem);
   static std::string CommandOf(uint64_t seed);
   // Returns the end of a connection that `name` names; reports a failure if there is no such end.
   std::optional<openr_host::ServiceEnd> FindEnd(const std::string& name,
-                                                openr_host::ServiceSide side, const Place& place);
+                                                openr_host::ServiceSide side, const Caller& caller);
 
   const BenchOptions options_;
   const Place place_;  // line of the test that made the bench
@@ -441,9 +450,13 @@ class Bench {
   // Number of the message at which StepToMessage() stops; 0 at other times.
   uint64_t goal_number_ = 0;
   bool goal_reached_ = false;
-  // Descriptions of messages that the test gave before Boot(), each with the line of its call.
-  // Boot() checks the names in them.
-  std::vector<std::pair<MessageSpec, Place>> unchecked_;
+  // A description of messages that the test gave before Boot(), whose names Boot() checks.
+  struct UncheckedNames {
+    MessageSpec spec;
+    Place place;                     // line of the test that gave the description
+    std::function<void()> on_wrong;  // called if a name is wrong; may be null
+  };
+  std::vector<UncheckedNames> unchecked_;
   std::deque<ExpectedFinding> expected_findings_;
   bool findings_allowed_ = false;
   size_t findings_seen_ = 0;

@@ -19,13 +19,14 @@ using openr_host::OwnedMessage;
 using openr_host::ServiceEnd;
 using openr_host::ServiceSide;
 
-bool Bench::CheckNames(const MessageSpec& spec, const Place& place) {
+void Bench::CheckNames(const MessageSpec& spec, const Place& place,
+                       const std::function<void()>& on_wrong) {
   if (!system_->booted()) {
-    unchecked_.emplace_back(spec, place);
-    return true;
+    unchecked_.push_back({spec, place, on_wrong});
+    return;
   }
-  const bool from = CheckName(spec.from(), place);
-  return CheckName(spec.to(), place) && from;
+  const bool from = CheckName(spec.from(), place), to = CheckName(spec.to(), place);
+  if ((!from || !to) && on_wrong) on_wrong();
 }
 
 bool Bench::CheckName(const std::string& name, const Place& place) {
@@ -49,50 +50,59 @@ bool Bench::CheckName(const std::string& name, const Place& place) {
 // ---- Messages that the test itself sends
 
 std::optional<ServiceEnd> Bench::FindEnd(const std::string& name, ServiceSide side,
-                                         const Place& place) {
+                                         const Caller& caller) {
   const std::optional<ServiceEnd> end = openr_host::FindService(*system_, 0, name, side);
   if (!end) {
-    Fail(place, fmt::format("Inject: '{}' is no {} of a connection", name,
-                            side == ServiceSide::kSubject ? "subject" : "observer"));
+    Fail(caller.place, fmt::format("{}: '{}' is no {} of a connection", caller.function, name,
+                                   side == ServiceSide::kSubject ? "subject" : "observer"));
   }
   return end;
 }
 
 bool Bench::InjectBytes(const MessageSpec& spec, std::string_view bytes, Place place) {
+  return PostBytes(spec, bytes, {"Inject", place});
+}
+
+bool Bench::PostBytes(const MessageSpec& spec, std::string_view bytes, const Caller& caller) {
   using enum MessageKind;
   const MessageKind kind = spec.kind().value_or(kOther);
-  if (kind == kNotify) return InjectNotify(spec, bytes, place);
-  if (kind == kReady || kind == kNotReady) return InjectReady(spec, place);
-  return InjectEntry(spec, bytes, place);
+  if (kind == kNotify) return PostNotify(spec, bytes, caller);
+  if (kind == kReady || kind == kNotReady) return PostReadiness(spec, caller);
+  return PostEntry(spec, bytes, caller);
 }
 
-bool Bench::InjectNotify(const MessageSpec& spec, std::string_view bytes, const Place& place) {
-  const auto from = FindEnd(spec.from(), ServiceSide::kSubject, place);
-  const auto to = FindEnd(spec.to(), ServiceSide::kObserver, place);
+bool Bench::MissPost(const Caller& caller, const std::string& problem) {
+  return Miss(caller.place, fmt::format("{}: {}", caller.function, problem));
+}
+
+bool Bench::PostNotify(const MessageSpec& spec, std::string_view bytes, const Caller& caller) {
+  const auto from = FindEnd(spec.from(), ServiceSide::kSubject, caller);
+  const auto to = FindEnd(spec.to(), ServiceSide::kObserver, caller);
   if (!from || !to) return false;
   const std::string problem = PostNotification(system_.get(), *from, *to, bytes);
-  return problem.empty() || Miss(place, "Inject: " + problem);
+  return problem.empty() || MissPost(caller, problem);
 }
 
-bool Bench::InjectReady(const MessageSpec& spec, const Place& place) {
-  const auto from = FindEnd(spec.from(), ServiceSide::kObserver, place);
-  const auto to = FindEnd(spec.to(), ServiceSide::kSubject, place);
+bool Bench::PostReadiness(const MessageSpec& spec, const Caller& caller) {
+  const auto from = FindEnd(spec.from(), ServiceSide::kObserver, caller);
+  const auto to = FindEnd(spec.to(), ServiceSide::kSubject, caller);
   if (!from || !to) return false;
   const bool is_ready = spec.kind() == MessageKind::kReady;
   const std::string problem = PostReady(system_.get(), *from, *to, is_ready);
-  return problem.empty() || Miss(place, "Inject: " + problem);
+  return problem.empty() || MissPost(caller, problem);
 }
 
-bool Bench::InjectEntry(const MessageSpec& spec, std::string_view bytes, const Place& place) {
+bool Bench::PostEntry(const MessageSpec& spec, std::string_view bytes, const Caller& caller) {
   constexpr uint32_t kSelectors = 64;  // largest number of entries that an object can have
   const Object& target = object(spec.to());
   uint32_t selector = 0;
   while (selector < kSelectors && target.EntryName(selector) != spec.entry()) ++selector;
   if (selector == kSelectors || bytes.size() > Message::kPayloadMax) {
-    Fail(place, selector == kSelectors
-                    ? fmt::format("Inject: {} has no entry '{}'", target.name, spec.entry())
-                    : fmt::format("Inject: a message holds {} bytes at most, these are {}",
-                                  Message::kPayloadMax, bytes.size()));
+    Fail(caller.place,
+         selector == kSelectors
+             ? fmt::format("{}: {} has no entry '{}'", caller.function, target.name, spec.entry())
+             : fmt::format("{}: a message holds {} bytes at most, these are {}", caller.function,
+                           Message::kPayloadMax, bytes.size()));
     return false;
   }
   const CurrentScope scope(system_.get(), spec.from().empty() ? nullptr : &object(spec.from()));
@@ -101,7 +111,7 @@ bool Bench::InjectEntry(const MessageSpec& spec, std::string_view bytes, const P
   std::memcpy(message->payload, bytes.data(), bytes.size());
   message->size = static_cast<uint32_t>(bytes.size());
   return system_->Post(std::move(message)) == sSUCCESS ||
-         Miss(place, "Inject: the queue of the receiver is full");
+         MissPost(caller, "the queue of the receiver is full");
 }
 
 // ---- Actions of a person on the dog
@@ -147,51 +157,53 @@ void Bench::Reorder(std::vector<std::string> objects, Place place) {
 }
 
 HeldMessages& Bench::Hold(const MessageSpec& spec, Place place) {
-  const bool is_good = CheckNames(spec, place);
   HeldMessages& held = doors_.Hold(spec, place);
-  return is_good ? held : held.Optional();  // CheckNames() has reported a wrong name already
+  // Does not ask for a message whose name is wrong, because the wrong name is a failure already.
+  CheckNames(spec, place, [&held] { held.Optional(); });
+  return held;
 }
 
 DroppedMessages& Bench::Drop(const MessageSpec& spec, int count, Place place) {
-  const bool is_good = CheckNames(spec, place);
   DroppedMessages& dropped = doors_.Drop(spec, count, place);
-  return is_good ? dropped : dropped.Optional();
+  CheckNames(spec, place, [&dropped] { dropped.Optional(); });
+  return dropped;
 }
 
 RepeatedMessage& Bench::Repeat(const MessageSpec& spec, uint64_t nth, Place place) {
   if (nth < 1) throw std::invalid_argument("Repeat: messages are counted from 1");
-  const bool is_good = CheckNames(spec, place);
   RepeatedMessage& repeated = doors_.Repeat(spec, nth, place);
-  return is_good ? repeated : repeated.Optional();
+  CheckNames(spec, place, [&repeated] { repeated.Optional(); });
+  return repeated;
 }
 
 void Bench::PostAgain(const SeenMessage& message, const Place& place) {
   const std::string from = ShortName(message.from()), to = ShortName(message.to());
+  const Caller caller = {"Repeat", place};
   switch (message.kind()) {
     case MessageKind::kNotify:
       for (int i = 0; i < message.data_count(); ++i)
-        InjectBytes(Notify(from, to), message.data(i), place);
+        PostBytes(Notify(from, to), message.data(i), caller);
       return;
     case MessageKind::kReady:
-      InjectBytes(Ready(from, to), {}, place);
+      PostBytes(Ready(from, to), {}, caller);
       return;
     case MessageKind::kNotReady:
-      InjectBytes(NotReady(from, to), {}, place);
+      PostBytes(NotReady(from, to), {}, caller);
       return;
     case MessageKind::kReply:
-      Miss(place, "Repeat: an answer cannot come twice: " + message.Text());
+      MissPost(caller, "an answer cannot come twice: " + message.Text());
       return;
     case MessageKind::kOther:
-      InjectBytes(ToEntry(to, message.entry()).From(from),
-                  message.data_count() == 0 ? std::string_view() : message.data(0), place);
+      PostBytes(ToEntry(to, message.entry()).From(from),
+                message.data_count() == 0 ? std::string_view() : message.data(0), caller);
       return;
   }
 }
 
 RefusedMessage& Bench::Refuse(const MessageSpec& spec, uint64_t nth, Place place) {
-  const bool is_good = CheckNames(spec, place);
   RefusedMessage& refused = schedule_.Refuse(spec, nth, place);
-  return is_good ? refused : refused.Optional();
+  CheckNames(spec, place, [&refused] { refused.Optional(); });
+  return refused;
 }
 
 void Bench::Delay(const MessageSpec& spec, Duration extra, Place place) {

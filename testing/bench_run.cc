@@ -97,7 +97,8 @@ bool Bench::Boot(Place place) {
     system_->RunUntil([&] { return system_->booted(); }, kBootUsMax);
   });
   if (!system_->booted()) return Miss(place, "Boot: the robot did not boot");
-  for (const auto& [spec, where] : std::exchange(unchecked_, {})) CheckNames(spec, where);
+  for (const UncheckedNames& each : std::exchange(unchecked_, {}))
+    CheckNames(each.spec, each.place, each.on_wrong);
   return good;
 }
 

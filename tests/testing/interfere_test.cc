@@ -138,6 +138,13 @@ TEST_F(InterfereTest, ARepeatedEntryCarriesItsBytes) {
   EXPECT_EQ(doubler->alarms, (Ints{7, 7}));
 }
 
+TEST_F(InterfereTest, ARepeatThatCannotPostItsMessageSaysSo) {
+  bench().Repeat(ToEntry("Doubler", "Alarm"));
+  bench().Refuse(ToEntry("Doubler", "Alarm"), 2);
+  bench().Inject(ToEntry("Doubler", "Alarm").From("Test1"), 7);
+  EXPECT_NONFATAL_FAILURE(bench().RunFor(1ms), "Repeat: the queue of the receiver is full");
+}
+
 TEST_F(InterfereTest, ARepeatWhoseMessageNeverComesFails) {
   bench().Repeat(Notify("Test1.In", "Doubler.In"), 2);
   in->Send(1);
@@ -211,6 +218,41 @@ TEST_F(InterfereTest, ADelayedConnectionIsSlowAndStaysInOrder) {
   bench().RunFor(2ms);
   EXPECT_EQ(out->values<int>(), (Ints{2, 4}));
   EXPECT_EQ(out->events()[0].time_us, 4000);
+}
+
+// A wrong name is one mistake: that no message fits it must not be a second failure.
+class WrongNameTest : public DoublerTest, public ::testing::WithParamInterface<bool> {
+ protected:
+  // Calls `use` before the boot or after it, and ends the bench.
+  void UseAndEnd(const std::function<void()>& use) {
+    Build();
+    if (GetParam()) use();
+    bench().Boot();
+    if (!GetParam()) use();
+    bench().RunFor(1ms);
+    EndBench();
+  }
+};
+INSTANTIATE_TEST_SUITE_P(BeforeAndAfterBoot, WrongNameTest, ::testing::Bool());
+
+TEST_P(WrongNameTest, OfAHoldFailsOnce) {
+  EXPECT_NONFATAL_FAILURE(UseAndEnd([this] { bench().Hold(Notify("", "Dubler")); }),
+                          "There is no object 'Dubler' on this bench");
+}
+
+TEST_P(WrongNameTest, OfADropFailsOnce) {
+  EXPECT_NONFATAL_FAILURE(UseAndEnd([this] { bench().Drop(Notify("Dubler.Out")); }),
+                          "There is no service 'Dubler.Out' on this bench");
+}
+
+TEST_P(WrongNameTest, OfARepeatFailsOnce) {
+  EXPECT_NONFATAL_FAILURE(UseAndEnd([this] { bench().Repeat(Notify("Dubler")); }),
+                          "There is no object 'Dubler' on this bench");
+}
+
+TEST_P(WrongNameTest, OfARefuseFailsOnce) {
+  EXPECT_NONFATAL_FAILURE(UseAndEnd([this] { bench().Refuse(Notify("Dubler")); }),
+                          "There is no object 'Dubler' on this bench");
 }
 
 // Three observers of one subject: whose handler is next is left open.
