@@ -10,11 +10,12 @@
 #include <stdexcept>
 #include <utility>
 
+#include "openr/panel/listen.h"
+
 namespace openr_host {
 namespace {
 
 constexpr char kLoopback[] = "127.0.0.1";
-constexpr char kAnyAddress[] = "0.0.0.0";
 
 }  // namespace
 

@@ -28,9 +28,9 @@ std::string WhyNoListenAddress(const std::string& address) {
   in_addr number{};
   if (inet_pton(AF_INET, address.c_str(), &number) == 1) return "";
   return fmt::format(
-      "'{}' is no IPv4 address; write one of this computer, such as 192.168.0.5, or 0.0.0.0 for "
-      "all of them",
-      address);
+      "'{}' is no IPv4 address; write one of this computer, such as 192.168.0.5, or {} for all of "
+      "them",
+      address, kAnyAddress);
 }
 
 void CheckListen(const ListenOptions& options) {

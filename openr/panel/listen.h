@@ -7,10 +7,13 @@
 
 namespace openr_host {
 
+// The value of --listen for all addresses of this computer.
+inline constexpr char kAnyAddress[] = "0.0.0.0";
+
 // Values of the flag --listen, and of the flags that can be given only with it.
 struct ListenOptions {
-  // IPv4 address of this computer, or 0.0.0.0 for all of them; "": the panel listens at 127.0.0.1,
-  // and the remote control is not forwarded.
+  // IPv4 address of this computer, or kAnyAddress; "": the panel listens at 127.0.0.1, and the
+  // remote control is not forwarded.
   std::string address;
   std::string token_file;  // file with the token that clients need
   // First port that is tried for the remote control of the first robot.  It is not the robot's own

@@ -268,14 +268,14 @@ std::string Panel::Announcement() const {
   for (size_t i = 0; i < forwarded_.size(); ++i) {
     text += fmt::format("remote control{}: openr rc {}:{} --token-file {} info\n",
                         forwarded_.size() == 1 ? "" : fmt::format(" of robot {}", i),
-                        listen_.address == "0.0.0.0" ? "ADDRESS" : listen_.address,
+                        listen_.address == kAnyAddress ? "ADDRESS" : listen_.address,
                         forwarded_[i].port, listen_.token_file);
   }
   return text +
          fmt::format(
              "other computers reach both at {}, with a copy of that file; nothing is encrypted; "
              "{}\n",
-             listen_.address == "0.0.0.0" ? "all addresses of this computer" : listen_.address,
+             listen_.address == kAnyAddress ? "all addresses of this computer" : listen_.address,
              listen_.allows_controllers
                  ? "they may upload controllers, which run as code of this user"
                  : "uploads of controllers are off (--allow-uploads)");
