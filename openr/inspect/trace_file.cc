@@ -12,7 +12,6 @@
 #include <optional>
 #include <utility>
 
-#include "cli/input_file.h"
 #include "cli/json_text.h"
 #include "cli/output_file.h"
 #include "openr/decode/decode_message.h"
@@ -238,29 +237,32 @@ std::string TraceWriter::Finish(System* system) {
   return fmt::format("{}: could not be written whole: {}", file_, std::strerror(error_));
 }
 
-TraceReader::TraceReader(const std::string& file) : file_(file) {
-  RequireReadable(file, kRecordingFile);
-  std::optional<std::string> bytes = ReadFile(file);
-  if (!bytes)
-    throw std::runtime_error(fmt::format("{}: cannot be read: {}", file, std::strerror(errno)));
-  bytes_ = std::move(*bytes);
-  if (bytes_.empty()) throw std::runtime_error(fmt::format("{}: is empty", file));
-  if (!bytes_.starts_with(kMagic))
+TraceReader::TraceReader(const std::string& file) : file_(file), bytes_(file) {
+  if (bytes_.size() == 0) throw std::runtime_error(fmt::format("{}: is empty", file));
+  if (bytes_.Read(0, kMagic.size()) != kMagic)
     throw std::runtime_error(fmt::format("{}: is no trace (openr run --record makes them)", file));
-  ByteReader reader(std::string_view(bytes_).substr(kMagic.size()));
   try {
-    const uint32_t version = reader.U32();
-    if (version < kOldestTraceVersion || version > kTraceVersion) {
-      throw std::runtime_error(
-          fmt::format("has version {} of the format, this program reads {} to {}", version,
-                      kOldestTraceVersion, kTraceVersion));
-    }
-    header_ = HeaderOf(reader.Text());
+    ReadHeader();
   } catch (const std::exception& e) {
     throw std::runtime_error(fmt::format("{}: header: {}", file, e.what()));
   }
-  at_ = kMagic.size() + reader.at();
   coder_.emplace(header_.payloads);
+}
+
+void TraceReader::ReadHeader() {
+  constexpr uint64_t kLengthsMax = 4 + ByteWriter::kVarintBytesMax;  // of the version and the text
+  ByteReader lengths(bytes_.Read(kMagic.size(), kLengthsMax));
+  const uint32_t version = lengths.U32();
+  if (version < kOldestTraceVersion || version > kTraceVersion) {
+    throw std::runtime_error(
+        fmt::format("has version {} of the format, this program reads {} to {}", version,
+                    kOldestTraceVersion, kTraceVersion));
+  }
+  const uint64_t text_size = lengths.Varint();
+  at_ = kMagic.size() + lengths.at();
+  ByteReader text(bytes_.Read(at_, text_size));
+  header_ = HeaderOf(text.Bytes(text_size));
+  at_ += text_size;
 }
 
 // Returns the part of an error text that says where in the run the problem is.  This part names the
@@ -291,18 +293,22 @@ bool TraceReader::NextBlock() {
   const auto where = [&] {
     return fmt::format("{}: block {} at offset {}", file_, block_count_, at_);
   };
-  if (bytes_.size() - at_ < kBlockHead) {
-    problems_.push_back(where() + ": is cut off");
+  const auto cut_off = [&] {
+    problems_.push_back(where() +
+                        (bytes_.error() == 0
+                             ? ": is cut off"
+                             : fmt::format(": cannot be read: {}", std::strerror(bytes_.error()))));
     return false;
-  }
-  ByteReader head(std::string_view(bytes_).substr(at_, kBlockHead));
+  };
+  const std::string_view head_bytes = bytes_.Read(at_, kBlockHead);
+  if (head_bytes.size() < kBlockHead) return cut_off();
+  ByteReader head(head_bytes);
   const size_t size = head.U32();
   const uint64_t checksum = head.U64();
-  if (size > bytes_.size() - at_ - kBlockHead) {
-    problems_.push_back(where() + ": is cut off");
-    return false;
-  }
-  const std::string_view block = std::string_view(bytes_).substr(at_ + kBlockHead, size);
+  // Compares the size before the block is read, because that of a damaged block may be anything.
+  if (size > bytes_.size() - at_ - kBlockHead) return cut_off();
+  const std::string_view block = bytes_.Read(at_ + kBlockHead, size);
+  if (block.size() < size) return cut_off();
   if (HashBytes(block.data(), block.size()) != checksum)
     problems_.push_back(where() + fmt::format(": checksum of its {} bytes is wrong", size));
   block_.emplace(block);

@@ -16,6 +16,7 @@
 
 #include "openr/inspect/byte_stream.h"
 #include "openr/inspect/payload_coder.h"
+#include "openr/inspect/recording_bytes.h"
 #include "runtime/core/trace.h"
 #include "runtime/ipstack/network.h"
 
@@ -221,8 +222,8 @@ class TraceWriter {
 
 class TraceReader {
  public:
-  // Opens the recording `file`.  Throws std::runtime_error when the file is no trace file or has a
-  // version that cannot be read.
+  // Opens the recording `file`, which is read block by block.  Throws std::runtime_error when the
+  // file is no trace file or has a version that cannot be read.
   explicit TraceReader(const std::string& file);
 
   const TraceHeader& header() const { return header_; }
@@ -257,14 +258,15 @@ class TraceReader {
   std::string WhyNothing(const std::string& object, const std::string& service) const;
 
  private:
+  void ReadHeader();
   bool NextBlock();
   void Damaged(const std::string& what);
   std::string AfterWhat() const;
   void Learn(const TraceEntry& entry);
 
   const std::string file_;
-  std::string bytes_;
-  size_t at_ = 0;
+  RecordingBytes bytes_;
+  uint64_t at_ = 0;  // place of the next block in the file
   int block_count_ = 0;
   size_t block_size_ = 0;  // number of bytes in the last block that was read
   TraceHeader header_;
