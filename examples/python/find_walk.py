@@ -3,6 +3,9 @@
 
     PYTHONPATH=python python3 examples/python/find_walk.py -o FOLDER [--minutes 10] [--jobs 2] [--at-least 1.5]
 
+With --generations N the search ends after so many generations, not by the clock, so it does the same
+work and finds the same walk on each machine.
+
 The search begins with the walk of the default stick.  Its joints are sums of waves, whose sizes are
 the numbers that evolve: each generation draws gaits around the best ones so far (an evolution
 strategy with one step size for each number).  Each gait becomes a motion file, is uploaded to the
@@ -24,6 +27,7 @@ three seeds, than 1.5 times the walk of the default stick (--at-least), or if it
 straight and within the limits.
 """
 import argparse
+import itertools
 import json
 import math
 import pathlib
@@ -130,6 +134,14 @@ class Strategy:
         self.sigma *= math.exp(self.c_sigma / self.damping * (length / self.norm - 1))
 
 
+def limits_of(generations, minutes):
+    """Returns how many generations and how many seconds a search may take.  `minutes` is None if
+    the user has not said how long."""
+    if generations and minutes is None:
+        return generations, math.inf
+    return generations or math.inf, 60 * SEARCH_SHARE * (10 if minutes is None else minutes)
+
+
 def search(kennel, shipped, arguments):
     """Returns the best gait of each generation with its score, the mean of the last generation among
     them, and the curve: for each generation seconds, best score, mean score."""
@@ -143,8 +155,9 @@ def search(kennel, shipped, arguments):
         return Gait(numbers[:-1], frames)
 
     tops, curve, begin = [], [], time.monotonic()
-    for generation in range(arguments.generations or 10**9):
-        if time.monotonic() - begin > 60 * SEARCH_SHARE * arguments.minutes:
+    generations, seconds = limits_of(arguments.generations, arguments.minutes)
+    for generation in itertools.count():
+        if generation >= generations or time.monotonic() - begin > seconds:
             break
         seeds = generator.sample(SEARCH_SEEDS, SEEDS_AT_A_TIME)
         deviations = strategy.draw()
@@ -208,10 +221,10 @@ def verdict(result, at_least):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("-o", "--output", type=pathlib.Path, required=True)
-    parser.add_argument("--minutes", type=float, default=10, help="how long to search (10)")
+    parser.add_argument("--minutes", type=float, help="how long to search (10; with --generations no limit)")
     parser.add_argument("--at-least", type=float, default=1.5, metavar="TIMES",
                         help="status 1 if the winner is not so many times as fast as the walk of the stick (1.5)")
-    parser.add_argument("--generations", type=int, default=0, help="end after so many; 0: by time")
+    parser.add_argument("--generations", type=int, default=0, help="end after so many; 0: by time (0)")
     parser.add_argument("--population", type=int, default=16)
     parser.add_argument("--jobs", type=int, default=2, help="candidates at a time (2)")
     parser.add_argument("--seed", type=int, default=1, help="seed of the search (1)")

@@ -2,6 +2,7 @@
 import contextlib
 import io
 import json
+import math
 import os
 import pathlib
 import re
@@ -134,6 +135,11 @@ class WalkTest(unittest.TestCase):
         line, status = find_walk.verdict({**self.RESULT, "good": False}, 1.5)
         self.assertIn("upright, straight and within limits: no", line)
         self.assertEqual(status, 1)
+
+    def test_a_number_of_generations_takes_as_long_as_it_takes(self):
+        self.assertEqual(find_walk.limits_of(40, None), (40, math.inf))
+        self.assertEqual(find_walk.limits_of(0, None), (math.inf, 570))
+        self.assertEqual(find_walk.limits_of(40, 1), (40, 57))
 
     def test_a_short_search_improves_the_walk(self):
         with in_empty_folder() as folder:
