@@ -4,6 +4,8 @@
 
 #include <array>
 #include <charconv>
+#include <map>
+#include <set>
 #include <utility>
 
 #include "runtime/base/hasher.h"
@@ -150,28 +152,29 @@ std::string Faults::ReadMissing(const std::vector<std::string>& words, const Fau
   *action = [this, ids, frames = fault.frames] {
     for (const OPrimitiveID id : ids)
       Begin({Part::kPrimitive, static_cast<int>(id)}, {Kind::kMissing, 0, frames});
-    if (!robot_.system.booted()) ReportMissingLimbs(ids);
   };
   return "";
 }
 
-void Faults::ReportMissingLimbs(const std::vector<OPrimitiveID>& ids) {
-  for (const OPrimitiveID id : ids) {
-    const std::string limb = LimbOf(robot_.primitives.Find(id)->locator);
-    std::vector<std::string> names;
-    bool is_any_left = false;
-    for (const JointModel& joint : robot_.model.joints) {
-      if (LimbOf(joint.locator) != limb) continue;
-      names.push_back(joint.name);
-      is_any_left |= !robot_.primitives.Find(robot_.primitives.IdOf(joint.locator))->is_missing;
-    }
-    if (names.empty() || is_any_left) continue;
+void Faults::ReportMissingLimbs() const {
+  std::vector<std::string> limbs;                         // in the order of the model
+  std::map<std::string, std::vector<std::string>> names;  // of the joints, by their limb
+  std::set<std::string> left;                             // limbs of which a joint is left
+  for (const JointModel& joint : robot_.model.joints) {
+    const std::string limb = LimbOf(joint.locator);
+    if (names[limb].empty()) limbs.push_back(limb);
+    names[limb].push_back(joint.name);
+    if (!robot_.primitives.Find(robot_.primitives.IdOf(joint.locator))->is_missing)
+      left.insert(limb);
+  }
+  for (const std::string& limb : limbs) {
+    if (left.contains(limb)) continue;
     robot_.system.AddFindingAboutRobot(
         robot_.robot_index, Severity::kError,
         fmt::format("all joints of {} are missing ({}): the robot's boot ends with 'DR OPEN-R SDK "
                     "version can run odrexecMODE3 only' and OPENR::Fatal(-1), as with a limb of "
                     "another model or a bad contact (field-notes.md 5.3); here it goes on",
-                    limb, fmt::join(names, ", ")));
+                    limb, fmt::join(names[limb], ", ")));
   }
 }
 

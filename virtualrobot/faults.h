@@ -39,6 +39,10 @@ class Faults {
   // moves and its sensors are sampled.
   void DoFrame();
 
+  // Adds an error finding for each limb of which all joints are missing, because a robot does not
+  // boot without a limb.  Called while the robot boots, after the inputs of that time.
+  void ReportMissingLimbs() const;
+
   // Returns the faults that the robot has now, a text for each fault, such as "LF_j1 weak 30%".
   std::vector<std::string> Present() const;
 
@@ -71,9 +75,6 @@ class Faults {
   // duration.
   std::string ReadMissing(const std::vector<std::string>& words, const Fault& fault,
                           Inputs::Action* action);
-  // Reports each limb of which no joint is left, if one of the primitives `ids` belongs to it.  A
-  // robot does not boot without a limb.  REQUIRES: the robot has not booted yet.
-  void ReportMissingLimbs(const std::vector<OPrimitiveID>& ids);
   std::string ReadHeat(std::string_view rest, Inputs::Action* action);
   std::string ReadDraw(std::string_view rest, Inputs::Action* action);
   std::string ReadRepair(std::string_view rest, Inputs::Action* action);

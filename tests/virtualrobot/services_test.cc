@@ -77,14 +77,29 @@ TEST_F(VirtualRobotCommTest, ALimbThatIsMissingAfterTheBootEndsNoBoot) {
   EXPECT_EQ(CountFindings("all joints of"), 0);
 }
 
-// Time 0 comes before DoInit for this fault only, so that no other run changes.
-TEST_F(VirtualRobotCommTest, OtherInputsAtTimeZeroComeAfterTheBoot) {
+TEST_F(VirtualRobotCommTest, ALimbThatIsRepairedBeforeTheBootIsNotReported) {
+  for (const char* line :
+       {"break LF_j1 missing", "break LF_j2 missing", "break LF_j3 missing", "repair LF_j2"})
+    EXPECT_EQ(system.inputs().Add(dog, line), "");
+  Boot();
+  EXPECT_EQ(CountFindings("all joints of"), 0);
+}
+
+// All inputs of faults come before DoInit at time 0, so that they keep their order.
+TEST_F(VirtualRobotCommTest, AllFaultsAtTimeZeroComeBeforeTheBoot) {
   EXPECT_EQ(system.inputs().Add(dog, "break neck_pan dead"), "");
   system.Boot();
   EXPECT_TRUE(system.RunUntil([&] { return system.booted(); }, 0));
-  EXPECT_TRUE(robot->parts().faults.Present().empty());
-  system.RunFor(1);
   EXPECT_EQ(robot->parts().faults.Present(), Log{"neck_pan dead"});
+}
+
+TEST_F(VirtualRobotCommTest, OtherInputsAtTimeZeroComeAfterTheBoot) {
+  EXPECT_EQ(system.inputs().Add(dog, "battery 42%"), "");
+  system.Boot();
+  EXPECT_TRUE(system.RunUntil([&] { return system.booted(); }, 0));
+  EXPECT_NE(robot->parts().power.remaining_percent(), 42);
+  system.RunFor(1);
+  EXPECT_EQ(robot->parts().power.remaining_percent(), 42);
 }
 
 TEST_F(VirtualRobotCommTest, APartThatIsOpenStaysOpenWhenItIsMissingLater) {
