@@ -16,6 +16,7 @@ import pathlib
 import re
 import shlex
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -96,6 +97,8 @@ def run(name, command, shard, scratch_root):
     seconds = time.monotonic() - begin
     if totals is None:  # no totals: a script without totals, or a program that has crashed
         good = status == 0 and name.endswith(".sh")
+        if status < 0:
+            output += f"\n{name}: ended by signal {-status} ({signal.strsignal(-status)})\n"
         return name, int(good), int(not good), 0, output, seconds
     passed, failed, skipped = (int(n or 0) for n in totals.groups())
     if status != 0 and failed == 0:
