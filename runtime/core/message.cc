@@ -55,13 +55,40 @@ void MessageQueue::PushFront(OwnedMessage message, int priority) {
   List& list = levels_[level];
   message->next = list.head;
   list.head = message.release();
-  if (list.tail == nullptr) list.tail = list.head;
-  MarkOccupied(level);
-  ++due_count_;
+  if (list.head->next == nullptr) list.tail = list.head;
+  Mark(level);
+}
+
+// Returns the first level, beginning with `level`, whose bit in marks_ is 1; kLevels if there is
+// none.
+uint32_t MessageQueue::NextMarked(uint32_t level) const {
+  uint64_t before = (uint64_t{1} << (level % 64)) - 1;  // the bits of the levels before `level`
+  for (uint32_t word = level / 64; word < kLevels / 64; ++word) {
+    const uint64_t bits = marks_[word] & ~std::exchange(before, 0);
+    if (bits != 0) return word * 64 + static_cast<uint32_t>(__builtin_ctzll(bits));
+  }
+  return kLevels;
+}
+
+// Goes on to the next marked level, because the list of first_level_ is empty.
+void MessageQueue::LeaveFirstLevel() {
+  marks_[first_level_ / 64] &= ~(uint64_t{1} << (first_level_ % 64));
+  first_level_ = NextMarked(first_level_);
 }
 
 const Message* MessageQueue::First() const {
-  return due_count_ == 0 ? nullptr : levels_[first_level_].head;
+  for (uint32_t level = first_level_; level < kLevels; level = NextMarked(level + 1)) {
+    if (levels_[level].head != nullptr) return levels_[level].head;
+  }
+  return nullptr;
+}
+
+size_t MessageQueue::size() const {
+  size_t count = later_.size();
+  for (uint32_t level = first_level_; level < kLevels; ++level) {
+    for (const Message* m = levels_[level].head; m != nullptr; m = m->next) ++count;
+  }
+  return count;
 }
 
 // Lets `schedule` choose among the receivers of the messages in `list`.  REQUIRES: `list` is not
@@ -90,15 +117,13 @@ Message* MessageQueue::TakeFirst(uint32_t level, ObjectId target) {
   for (; message->target != target; message = message->next) before = message;
   (before == nullptr ? list.head : before->next) = message->next;
   if (list.tail == message) list.tail = before;
-  if (list.head == nullptr) MarkEmpty(level);
-  --due_count_;
   return message;
 }
 
 void MessageQueue::Advance(int64_t time_us) {
-  ASSERT(due_count_ == 0 && time_us >= now_us_ && time_us <= NextTime(),
-         "cannot go from {} us to {} us: {} messages due, next at {} us", now_us_, time_us,
-         due_count_, NextTime());
+  ASSERT(!HasDue() && time_us >= now_us_ && time_us <= NextTime(),
+         "cannot go from {} us to {} us: {} messages queued, next at {} us", now_us_, time_us,
+         size(), NextTime());
   now_us_ = time_us;
   while (!later_.empty() && later_.front().due_us == time_us) {
     const Later first = later_.front();
@@ -111,14 +136,10 @@ void MessageQueue::Advance(int64_t time_us) {
 std::vector<OwnedMessage> MessageQueue::TakeIf(const std::function<bool(const Message&)>& matches) {
   std::vector<OwnedMessage> taken;
   for (uint32_t level = 0; level < kLevels; ++level) {
-    List old = levels_[level];
-    if (old.head == nullptr) continue;
     // Empties the list, then appends the messages that stay, which keeps their order.
-    levels_[level] = {};
-    MarkEmpty(level);
-    for (Message* message = old.head; message != nullptr;) {
+    Message* message = std::exchange(levels_[level].head, nullptr);
+    while (message != nullptr) {
       Message* const next = message->next;
-      --due_count_;
       if (matches(*message)) {
         taken.emplace_back(message);
       } else {

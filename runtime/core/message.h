@@ -101,7 +101,7 @@ class MessageQueue {
   // messages have the same class and priority, `schedule` (schedule.h) chooses the receiver that
   // gets its first message.
   OwnedMessage Pop(Schedule* schedule = nullptr) { return OwnedMessage(TakeDue(schedule)); }
-  bool HasDue() const { return due_count_ > 0; }
+  bool HasDue() const { return First() != nullptr; }
   // Returns the message that Pop() without a schedule would take; null if no message is due.
   const Message* First() const;
 
@@ -113,7 +113,8 @@ class MessageQueue {
   // is not before the clock.
   void Advance(int64_t time_us);
 
-  size_t size() const { return due_count_ + later_.size(); }
+  // Returns the number of queued messages.  Counts them, so this function is slow.
+  size_t size() const;
 
   // Takes every queued message for which `matches` returns true.  Returns first the messages that
   // are due, in the order of delivery, then the other messages in no order.
@@ -129,8 +130,8 @@ class MessageQueue {
   static constexpr uint32_t kLevels = kMessageClasses * kPriorities;
 
   struct List {
-    Message* head = nullptr;
-    Message* tail = nullptr;
+    Message* head = nullptr;  // null if the list is empty
+    Message* tail = nullptr;  // the last message; has no meaning if the list is empty
   };
   struct Later {
     int64_t due_us;
@@ -160,32 +161,22 @@ class MessageQueue {
   void InsertLater(Message* message, uint32_t level);
   Message* TakeDue(Schedule* schedule);
   void Append(Message* message, uint32_t level);
-  void MarkOccupied(uint32_t level) {
-    occupied_[level / 64] |= uint64_t{1} << (level % 64);
+  void Mark(uint32_t level) {
+    marks_[level / 64] |= uint64_t{1} << (level % 64);
     if (level < first_level_) first_level_ = level;
   }
-  void MarkEmpty(uint32_t level) {
-    occupied_[level / 64] &= ~(uint64_t{1} << (level % 64));
-    if (level == first_level_) first_level_ = FirstLevelFrom(level / 64);
-  }
-  // Searches the levels (class and priority, see LevelOf()) whose bits are in occupied_[word] or
-  // later words.  Returns the first level that has a message, or kLevels if these levels have no
-  // message.
-  uint32_t FirstLevelFrom(uint32_t word) const {
-    for (; word < kLevels / 64; ++word) {
-      if (occupied_[word] != 0)
-        return word * 64 + static_cast<uint32_t>(__builtin_ctzll(occupied_[word]));
-    }
-    return kLevels;
-  }
+  uint32_t NextMarked(uint32_t level) const;
+  void LeaveFirstLevel();
   Message* TakeFirst(uint32_t level, ObjectId target);
   ObjectId ChooseTarget(const List& list, Schedule* schedule);
 
   int64_t now_us_ = 0;
-  size_t due_count_ = 0;
-  std::vector<List> levels_;              // messages that are due now, by level (LevelOf())
-  uint64_t occupied_[kLevels / 64] = {};  // bit i is 1 if the list of level i is not empty
-  uint32_t first_level_ = kLevels;  // the first level with a message; kLevels: no message is due
+  std::vector<List> levels_;  // messages that are due now, by level (LevelOf())
+  // Bit i is 1 if the list of level i has a message.  The bit stays 1 when the last message of the
+  // list is taken, because most often the handler of this message posts another message to the same
+  // level.  TakeDue() clears the bit when it finds the list empty.
+  uint64_t marks_[kLevels / 64] = {};
+  uint32_t first_level_ = kLevels;  // the first level whose bit in marks_ is 1; kLevels if none is
   std::vector<Later> later_;        // messages that are not due yet, as a heap (std::push_heap)
   // The first free message; each free message points to the next with Message::next.
   Message* free_ = nullptr;
@@ -227,26 +218,30 @@ inline void MessageQueue::Insert(Message* message, int priority) {
 inline void MessageQueue::Append(Message* message, uint32_t level) {
   List& list = levels_[level];
   message->next = nullptr;
-  (list.tail == nullptr ? list.head : list.tail->next) = message;
+  if (list.head == nullptr) {
+    list.head = message;
+    if (level != first_level_) Mark(level);
+  } else {
+    list.tail->next = message;
+  }
   list.tail = message;
-  MarkOccupied(level);
-  ++due_count_;
 }
 
 inline Message* MessageQueue::TakeDue(Schedule* schedule) {
-  const uint32_t level = first_level_;
-  if (level == kLevels) return nullptr;
-  List& list = levels_[level];
-  if (schedule != nullptr && list.head != list.tail) [[unlikely]]
-    return TakeFirst(level, ChooseTarget(list, schedule));
-  Message* const message = list.head;
-  list.head = message->next;
-  if (list.head == nullptr) {
-    list.tail = nullptr;
-    MarkEmpty(level);
+  for (;;) {
+    const uint32_t level = first_level_;
+    if (level == kLevels) return nullptr;
+    List& list = levels_[level];
+    Message* const message = list.head;
+    if (message == nullptr) {
+      LeaveFirstLevel();
+      continue;
+    }
+    if (schedule != nullptr && message != list.tail) [[unlikely]]
+      return TakeFirst(level, ChooseTarget(list, schedule));
+    list.head = message->next;
+    return message;
   }
-  --due_count_;
-  return message;
 }
 
 inline void ReturnToPool::operator()(Message* message) const { message->pool->Release(message); }
