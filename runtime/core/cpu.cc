@@ -58,6 +58,7 @@ void Cpu::Begin(Object* object, uint32_t selector, int64_t cost_us, int64_t now_
   if (!jobs_.empty()) jobs_.back().left_us -= now_us - jobs_.back().since_us;
   jobs_.push_back({object, cost_us, now_us});
   object->processor.is_busy = true;
+  object->is_free = false;
 }
 
 int64_t Cpu::EndUs() const {

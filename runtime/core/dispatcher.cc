@@ -24,6 +24,7 @@ uint64_t Dispatcher::Run(const Limits& limits) {
   limits_ = limits;
   delivered_ = 0;
   const Current saved = t_current;
+  t_current.system = system_;
   Fiber* const fiber = TakeFiber();
   running_ = fiber;
   fiber->SwitchFrom(&caller_);
@@ -81,15 +82,21 @@ void Dispatcher::Recycle() {
 // from the queue to the handler.
 
 [[gnu::always_inline]] inline void Dispatcher::FinishHandler(Object* object) {
-  if (t_current.watch != nullptr) std::exchange(t_current.watch, nullptr)->End();
-  if (object->is_image) {
-    auto* const image = static_cast<ImageObject*>(object);
-    if (system_->options_.measure_stacks) NoteStackUse(object, image->StackUsed());
-    image->CheckNumbers(object->handler.running->selector);
-  }
-  t_current = {system_, nullptr, false};
+  if (object->is_image) [[unlikely]]
+    FinishImage(object);
+  t_current.object = nullptr;
   object->handler.running.reset();
-  if (!object->processor.is_busy && !object->handler.held.empty()) object->ReturnHeld();
+  if (!object->is_free && !object->processor.is_busy && !object->handler.held.empty()) [[unlikely]]
+    object->ReturnHeld();
+}
+
+// Ends the measurements of a handler of an image.
+void Dispatcher::FinishImage(Object* object) {
+  if (t_current.watch != nullptr) std::exchange(t_current.watch, nullptr)->End();
+  auto* const image = static_cast<ImageObject*>(object);
+  if (system_->options_.measure_stacks) NoteStackUse(object, image->StackUsed());
+  image->CheckNumbers(object->handler.running->selector);
+  t_current.image_code = false;
 }
 
 // Calls the entry of `object` for its running message.  An uncaught exception or an unknown
@@ -107,32 +114,47 @@ void Dispatcher::Recycle() {
   }
 }
 
-// Runs the handler of `object` for `message`, and records the message in the trace first.
-[[gnu::always_inline]] inline void Dispatcher::RunHandler(Object* object, OwnedMessage message) {
-  ASSERT(object->handler.running == nullptr, "{} runs one handler at a time", object->name);
-  system_->trace_.Deliver(*message, system_->now_us_);
-  ++object->message_count;
-  if (message->selector == oentryINIT) system_->manager_->Begins(object->id);
-  // The message belongs to the object's state and not to a local variable, because this stack is
-  // given up if the handler is abandoned.
-  object->handler.running = std::move(message);
-  object->handler.time_calls = 0;
-  // The code of a handler was compiled for SSE.  It would run slowly if AVX code, such as the
-  // string functions of the C library, has left bits in the upper halves of the vector registers
-  // (upper_registers.h).
-  ClearUpperRegisters();
+// Calls the entry of `object` as CallEntry() does, with what only images and SystemOptions demand:
+// a watch for floating-point faults, and the wall time of the handler.
+void Dispatcher::RunMeasured(Object* object) {
   ArithmeticWatch watch;
-  const bool is_watched = object->is_image && ArithmeticWatch::Catches();
   // Reads the clock of the host before an image becomes the current object, because clock() would
   // then return the time of the robot.
   const auto clock = system_->options_.wall_clock_ns;
   const int64_t begin_ns = clock == nullptr ? 0 : clock();
+  const bool is_watched = object->is_image && ArithmeticWatch::Catches();
   t_current = {system_, object, object->is_image, is_watched ? &watch : nullptr};
   CallEntry(object);
   if (clock != nullptr) {
     const ApiScope scope;  // without this scope, clock() would return the time of the robot
     object->handler_ns_max = std::max(object->handler_ns_max, clock() - begin_ns);
   }
+  FinishHandler(object);
+}
+
+// Runs the handler of `object` for `message`, and records the message in the trace first.  Takes
+// over the message.
+[[gnu::always_inline]] inline void Dispatcher::RunHandler(Object* object, Message* message) {
+  system_->trace_.Deliver(*message, system_->now_us_);
+  ++object->message_count;
+  if (message->selector == oentryINIT) [[unlikely]]
+    system_->manager_->Begins(object->id);
+  ASSERT(object->handler.running == nullptr, "{} runs one handler at a time", object->name);
+  // The message belongs to the object's state and not to a local variable, because this stack is
+  // given up if the handler is abandoned.
+  object->handler.running.reset(message);
+  object->handler.time_calls = 0;
+  // The code of a handler was compiled for SSE.  It would run slowly if AVX code, such as the
+  // string functions of the C library, has left bits in the upper halves of the vector registers
+  // (upper_registers.h).
+  ClearUpperRegisters();
+  if (object->is_image || system_->options_.wall_clock_ns != nullptr) [[unlikely]]
+    return RunMeasured(object);
+  // Run() has set t_current.system.
+  t_current.object = object;
+  t_current.image_code = false;
+  t_current.watch = nullptr;
+  CallEntry(object);
   FinishHandler(object);
 }
 
@@ -155,47 +177,60 @@ void Dispatcher::Recycle() {
   prefetch(&object->entry_count, 3);
 }
 
-// Delivers `message` to its receiver.  If the receiver cannot handle it now, holds the message for
-// later.
-[[gnu::always_inline]] inline void Dispatcher::Deliver(OwnedMessage message) {
-  PrefetchAfter(*message);
-  Object* const object = system_->object(message->target);
-  // Drops a message to an object that does not exist, or whose robot is off.
-  if (object == nullptr) return;
+// Returns `message` if `object`, its receiver, can handle it now.  Otherwise returns null: the
+// message is dropped, is a reply, which needs no new handler, or is held for later.
+[[gnu::noinline]] OwnedMessage Dispatcher::Admit(Object* object, OwnedMessage message) {
   if (object->is_off) {
     if (!message->is_reply) --object->waiting;
-    return;
+    return nullptr;
   }
   // Holds the message if the receiver cannot handle it now: the receiver's last handler waits or
   // still has the processor, or the receiver is still in its boot.  A reply is never held, because
   // the handler that waits needs it.
-  if (!message->is_reply && (object->handler.blocked != nullptr || object->processor.is_busy ||
-                             system_->manager_->IsTooEarly(*message))) {
+  const bool is_in_handler = object->handler.blocked != nullptr || object->processor.is_busy;
+  if (!message->is_reply && (is_in_handler || system_->manager_->IsTooEarly(*message))) {
     object->handler.held.push_back(std::move(message));
-    return;
+    object->is_free = false;
+    return nullptr;
   }
   // A gate (schedule.h), which a test has set, may keep the message and put it back into the queue
   // later.
   if (system_->gate_ != nullptr) {
     message = system_->gate_->Admit(std::move(message));
-    if (message == nullptr) return;
+    if (message == nullptr) return nullptr;
   }
   if (message->is_reply) {
     DeliverReply(object, std::move(message));
-    return;
+    return nullptr;
   }
   // Gives the receiver the processor, or lets the message wait for the processor.  In a run whose
   // handlers take no time there are no processors, so the handler runs at once.
   if (!system_->cpus_.empty() && !MayRun(object, *message)) {
     Cpu* const cpu = system_->cpus_[static_cast<size_t>(object->robot)].get();
     cpu->Wait(object, std::move(message), system_->now_us_);
-    return;
+    return nullptr;
   }
-  ASSERT(object->waiting > 0, "{} gets a message, none was counted as waiting", object->name);
-  --object->waiting;
+  object->is_free = object->handler.held.empty() && !object->processor.is_busy;
+  system_->are_deliveries_free_ =
+      system_->gate_ == nullptr && system_->cpus_.empty() && !system_->manager_->KeepsBack();
+  return message;
+}
+
+// Delivers `message` to its receiver, and takes it over.
+[[gnu::always_inline]] inline void Dispatcher::Deliver(Message* message) {
+  PrefetchAfter(*message);
+  Object* const object = system_->table_.GetKnown(message->target);
+  const bool needs_no_check =
+      object->is_free && system_->are_deliveries_free_ && !message->is_reply;
+  if (!needs_no_check) [[unlikely]] {
+    message = Admit(object, OwnedMessage(message)).release();
+    if (message == nullptr) return;
+  }
+  ASSERT(--object->waiting >= 0, "{} gets a message, none was counted as waiting", object->name);
   ++delivered_;
-  if (++deliveries_at_instant_ == free_deliveries_) ReportCreep(object);
-  RunHandler(object, std::move(message));
+  if (++deliveries_at_instant_ >= free_deliveries_) [[unlikely]]
+    NoteManyDeliveries(object);
+  RunHandler(object, message);
 }
 
 void Dispatcher::ReportSelector(uint32_t selector) {
@@ -215,8 +250,13 @@ void Dispatcher::ReportException(const Object& object, const std::string& what) 
                       fmt::format("uncaught exception in {}{}; on the robot abort()", entry, what));
 }
 
-// Adds a finding that from now on each message at this instant takes 1 us (creep_us()).
-void Dispatcher::ReportCreep(const Object* object) {
+// Called when SystemOptions::free_deliveries messages or more were delivered at this instant.  Adds
+// a finding that each further message takes 1 us, and then makes it so (creep_us()).
+void Dispatcher::NoteManyDeliveries(const Object* object) {
+  if (deliveries_at_instant_ > free_deliveries_) {
+    creep_us_ = 1;
+    return;
+  }
   system_->AddFindingAbout(object, Severity::kWarning,
                            fmt::format("{} messages without the clock moving: objects answer each "
                                        "other without waiting; from here each message takes 1 us",
@@ -232,7 +272,7 @@ void Dispatcher::Loop() {
     }
     MessageQueue& queue = system_->queue_;
     if (OwnedMessage message = queue.Pop(system_->schedule_)) {
-      Deliver(std::move(message));
+      Deliver(message.release());
       continue;
     }
     // Moves the clock to the next message or other event, because no message is due now.
@@ -251,7 +291,7 @@ void Dispatcher::AdvanceTo(int64_t time_us) {
   // Does not reset the count of messages at one instant after a step of 1 us.  Such a step may come
   // from creep_us(), which delays the messages of objects that answer each other without waiting.
   // With a reset, creep_us() would take these objects for normal ones again.
-  if (time_us > system_->now_us_ + 1) deliveries_at_instant_ = 0;
+  if (time_us > system_->now_us_ + 1) deliveries_at_instant_ = creep_us_ = 0;
   system_->queue_.Advance(time_us);
   system_->now_us_ = time_us;
 }
@@ -299,6 +339,7 @@ OwnedMessage Dispatcher::WaitFor(uint64_t box) {
     // switches back to this fiber.
     const Current saved = t_current;
     object->handler.blocked = running_;
+    object->is_free = false;
     object->handler.blocked_box = box;
     object->handler.blocked_since_us = system_->now_us_;
     SwitchTo(TakeFiber());

@@ -45,7 +45,7 @@ class Dispatcher {
 
   // Returns the time to add to a message posted now: 1 us if more messages were delivered at this
   // instant than SystemOptions::free_deliveries, otherwise 0.
-  int64_t creep_us() const { return deliveries_at_instant_ > free_deliveries_ ? 1 : 0; }
+  int64_t creep_us() const { return creep_us_; }
 
  private:
   static void FiberMain(void* dispatcher);
@@ -54,15 +54,18 @@ class Dispatcher {
   void ToCaller();
   void AdvanceTo(int64_t time_us);
   void PrefetchAfter(const Message& message);
-  void Deliver(OwnedMessage message);
-  void ReportCreep(const Object* object);
+  void Deliver(Message* message);
+  OwnedMessage Admit(Object* object, OwnedMessage message);
+  void NoteManyDeliveries(const Object* object);
   void ReportSelector(uint32_t selector);
   void ReportException(const Object& object, const std::string& what);
   bool MayRun(Object* object, const Message& message);
   void DeliverReply(Object* object, OwnedMessage message);
-  void RunHandler(Object* object, OwnedMessage message);
+  void RunHandler(Object* object, Message* message);
+  void RunMeasured(Object* object);
   void CallEntry(Object* object);
   void FinishHandler(Object* object);
+  void FinishImage(Object* object);
   Fiber* TakeFiber();
   void SwitchTo(Fiber* fiber);
   void Recycle();
@@ -79,6 +82,7 @@ class Dispatcher {
   uint64_t delivered_ = 0;  // messages delivered in the current Run()
   const int64_t free_deliveries_;
   int64_t deliveries_at_instant_ = 0;
+  int64_t creep_us_ = 0;
 };
 
 }  // namespace openr_host

@@ -231,8 +231,12 @@ class Object {
   // The class of the messages that the object posts, which comes before priorities in the order of
   // delivery.
   MessageClass post_class = MessageClass::kObject;
-  bool is_image = false;       // whether the object was loaded from a file (an image)
-  bool is_off = false;         // whether the robot is off; messages to the object are then dropped
+  bool is_image = false;  // whether the object was loaded from a file (an image)
+  bool is_off = false;    // whether the robot is off; messages to the object are then dropped
+  // True if nothing keeps a message from being handled at once: the robot is on, no handler of the
+  // object waits or has the processor, and no message is held.  Set to false where one of these
+  // begins.  Only Dispatcher::Admit() sets it to true, when it finds that all of them have ended.
+  bool is_free = false;
   uint64_t message_count = 0;  // number of messages delivered to the object
   ProcessorState processor;
   HandlerState handler;

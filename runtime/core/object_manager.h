@@ -51,6 +51,8 @@ class ObjectManager : public CodeObject {
     if (message.kind == PayloadKind::kReady) return true;
     return !found->second && !HoldsUpBoot(message);
   }
+  // Returns whether IsTooEarly() keeps messages back, that is, whether an object is in its boot.
+  bool KeepsBack() const { return !starting_.empty(); }
   // Returns whether `message` is a request from an object that is itself in its boot.  Such a
   // message must not be kept back, or the boot would not go on: the sender waits for the reply in
   // its DoInit, and the receiver gets its own DoInit only after the DoInit of the sender has

@@ -41,6 +41,9 @@ class ObjectTable {
     const auto index = static_cast<size_t>(id);  // a negative id becomes a very large index
     return index < objects_.size() ? objects_[index].get() : nullptr;
   }
+  // Returns the object with this id.  REQUIRES: Get(id) has returned an object at any time before.
+  // Objects are replaced but never removed, so there is still an object with this id.
+  Object* GetKnown(ObjectId id) const { return objects_[static_cast<size_t>(id)].get(); }
   // Returns the object of `robot` with this name; null if there is no such object.  Leaves out
   // objects that are absent because the robot was switched off (Object::is_absent).
   Object* Find(int robot, std::string_view name) const;

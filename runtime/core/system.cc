@@ -90,6 +90,7 @@ int System::AddRobot(const std::string& design, std::shared_ptr<MemoryStick> sti
   robot->services = std::make_unique<RobotServices>();
   robots_.push_back(std::move(robot));
   if (options_.cost) cpus_.push_back(std::make_unique<Cpu>(this));
+  CheckDeliveries();
   return robot_count() - 1;
 }
 
@@ -156,8 +157,9 @@ void System::CutPower(int index, const RunEnd& why) {
   NoteEnd(index, why);
   for (const auto& object : objects()) {
     // Leaves out the object manager, because it serves all robots of the System.
-    if (object != nullptr && object->robot == index && object.get() != &manager_->host())
-      object->is_off = true;
+    if (object == nullptr || object->robot != index || object.get() == &manager_->host()) continue;
+    object->is_off = true;
+    object->is_free = false;
   }
   if (index >= robot_count()) return NoteWhetherAllAreOff(why);
   robot(index).powered_off = true;

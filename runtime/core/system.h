@@ -267,7 +267,15 @@ class System {
   // REQUIRES: before Boot().
   void set_schedule(Schedule* schedule) { schedule_ = schedule; }
   // Sets the gate, which decides for each message whether it may be delivered now.
-  void set_gate(Gate* gate) { gate_ = gate; }
+  void set_gate(Gate* gate) {
+    gate_ = gate;
+    CheckDeliveries();
+  }
+  // Makes the dispatcher ask for each message again whether the receiver can handle it now.  Called
+  // when something begins that may hold messages to any object back: a gate, a model of the
+  // processor, or the boot of an object.  Dispatcher::Admit() ends this when nothing of the kind is
+  // left.
+  void CheckDeliveries() { are_deliveries_free_ = false; }
   // Puts into the queue again a message that a gate or the processor (cpu.h) has held.  The message
   // is due now and comes before all others of its class and priority.
   void Readmit(OwnedMessage message);
@@ -376,6 +384,7 @@ class System {
   std::unique_ptr<SeedSchedule> seed_schedule_;
   Schedule* schedule_ = nullptr;
   Gate* gate_ = nullptr;
+  bool are_deliveries_free_ = false;  // false if CheckDeliveries() was called
   ObjectManager* manager_ = nullptr;
   // The table is the last member, so it is destroyed first: objects use the other members until
   // they are destroyed.
