@@ -57,12 +57,14 @@ bool CodeHost::HasEntry(uint32_t selector) const {
 }
 
 bool CodeHost::Dispatch(uint32_t selector, void* payload) {
-  if (!HasEntry(selector)) return false;
-  if (selector >= oentryBASE) {
-    code->entries_[selector - oentryBASE]->Handle(payload);
-  } else {
-    CallSystemEntry(selector, payload);
+  // For a selector below oentryBASE, the index becomes a very large number.
+  const uint32_t index = selector - oentryBASE;
+  if (code != nullptr && index < code->entries_.size()) [[likely]] {
+    code->entries_[index]->Handle(payload);
+    return true;
   }
+  if (!HasEntry(selector)) return false;
+  CallSystemEntry(selector, payload);
   return true;
 }
 

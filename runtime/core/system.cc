@@ -58,6 +58,7 @@ void AllocateStandardOutput() {
 
 System::System(SystemOptions options)
     : options_(std::move(options)),
+      calls_are_local_(!options_.make_calls),
       calls_(options_.make_calls ? options_.make_calls(this) : std::make_unique<LocalCalls>(this)),
       dispatcher_(std::make_unique<Dispatcher>(this)) {
   AllocateStandardOutput();
@@ -261,7 +262,30 @@ int32_t System::ReportFullQueue(const Message& message, Object* target) {
   return sFULLMSGQENTRY;
 }
 
+// Gives `message` its number and its due time.
+[[gnu::always_inline]] inline void System::Number(Message* message, int64_t delay_us) {
+  message->number = ++last_number_;
+  message->due_us = now_us_ + delay_us + dispatcher_->creep_us();
+}
+
 int32_t System::Enqueue(OwnedMessage&& message, int64_t delay_us) {
+  Object* const target = object(message->target);
+  const Object* const self = t_current.object;
+  const bool is_common = target != nullptr && delay_us >= 0 && schedule_ == nullptr &&
+                         !message->is_reply && message->selector < target->entry_count &&
+                         target->waiting < target->queue_max &&
+                         (self == nullptr || !self->processor.is_busy);
+  if (!is_common) [[unlikely]]
+    return EnqueueChecked(std::move(message), delay_us);
+  target->waiting_max = std::max(target->waiting_max, ++target->waiting);
+  Number(message.get(), delay_us);
+  queue_.Push(std::move(message), target->limits.priority);
+  return sSUCCESS;
+}
+
+// Does what Enqueue() does, for a message that may have to be refused, kept or delayed, and for a
+// reply.
+int32_t System::EnqueueChecked(OwnedMessage&& message, int64_t delay_us) {
   Object* const target = object(message->target);
   if (target == nullptr) return sINVALIDOID;
   ASSERT(delay_us >= 0, "message to {} in {} us", target->name, delay_us);
@@ -287,8 +311,7 @@ int32_t System::Enqueue(OwnedMessage&& message, int64_t delay_us) {
     }
     target->waiting_max = std::max(target->waiting_max, ++target->waiting);
   }
-  message->number = ++last_number_;
-  message->due_us = now_us_ + delay_us + dispatcher_->creep_us();
+  Number(message.get(), delay_us);
   if (schedule_ != nullptr) message->due_us += schedule_->ExtraDelayUs(*message, now_us_, delay_us);
   queue_.Push(std::move(message), target->limits.priority);
   return sSUCCESS;

@@ -227,7 +227,7 @@ class System {
 
   // Returns a message from the current object (or the system) with an empty payload, to be filled
   // and posted.
-  OwnedMessage NewMessage(ObjectId target, uint32_t selector) {
+  [[gnu::always_inline]] OwnedMessage NewMessage(ObjectId target, uint32_t selector) {
     OwnedMessage message = queue_.Allocate();
     message->target = target;
     message->selector = selector;
@@ -243,10 +243,11 @@ class System {
   // Queues a message of NewMessage(), due `delay_us` from now.  Returns an sError: sSUCCESS,
   // sINVALIDOID, or sFULLMSGQENTRY if the receiver's queue is full (only with
   // SystemOptions::strict) or if the schedule (schedule.h) makes the post fail.
-  int32_t Post(OwnedMessage message, int64_t delay_us = 0) {
+  int32_t Post(OwnedMessage&& message, int64_t delay_us = 0) {
     const Object* const sender = t_current.object;
     if (sender != nullptr && sender->is_image) ReportHostAddresses(*message);
-    return calls_->Post(std::move(message), delay_us);
+    return calls_are_local_ ? Enqueue(std::move(message), delay_us)
+                            : calls_->Post(std::move(message), delay_us);
   }
 
   // Queues a message in the queue of this process.  Called by LocalCalls::Post().  Returns an
@@ -307,6 +308,13 @@ class System {
   const SystemOptions& options() const { return options_; }
   MessageQueue& queue() { return queue_; }
   SystemCalls& calls() { return *calls_; }
+  // The next two functions are short forms for functions of calls().
+  bool PinRegion(uint32_t region) {
+    return calls_are_local_ ? regions_.Pin(region) : calls_->PinRegion(region);
+  }
+  bool UnpinRegion(uint32_t region) {
+    return calls_are_local_ ? regions_.Unpin(region) : calls_->UnpinRegion(region);
+  }
   Dispatcher& dispatcher() { return *dispatcher_; }
   ObjectManager& manager() { return *manager_; }
   // Returns the processors of all robots, by index of the robot.  Without a cost model the result
@@ -355,8 +363,13 @@ class System {
   int32_t RefuseAsFull(const Message& message, Object* target);
   int32_t ReportFullQueue(const Message& message, Object* target);
   void ReportHostAddresses(const Message& message);
+  void Number(Message* message, int64_t delay_us);
+  int32_t EnqueueChecked(OwnedMessage&& message, int64_t delay_us);
 
   SystemOptions options_;
+  // True if `calls_` is LocalCalls.  The functions that run for every message then do the work
+  // themselves, which saves a virtual call.
+  const bool calls_are_local_;
   const std::unique_ptr<SystemCalls> calls_;
   int64_t now_us_ = 0;
   uint64_t last_number_ = 0;
