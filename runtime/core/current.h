@@ -34,12 +34,14 @@ extern thread_local constinit Current t_current;
 class ApiScope {
  public:
   [[gnu::always_inline]] ApiScope() : image_code_(t_current.image_code) {
+    if (!image_code_) return;
     t_current.image_code = false;
-    if (image_code_ && t_current.watch != nullptr) t_current.watch->Enter();
+    if (t_current.watch != nullptr) t_current.watch->Enter();
   }
   [[gnu::always_inline]] ~ApiScope() {
-    t_current.image_code = image_code_;
-    if (image_code_ && t_current.watch != nullptr) t_current.watch->Leave();
+    if (!image_code_) return;
+    t_current.image_code = true;
+    if (t_current.watch != nullptr) t_current.watch->Leave();
   }
   ApiScope(const ApiScope&) = delete;
   ApiScope& operator=(const ApiScope&) = delete;
