@@ -37,7 +37,12 @@ struct RegionAccess {
   // not deleted.
   static void VisitPool(const std::function<void(const void* begin, size_t bytes)>& memory,
                         const std::function<void(const RCRegion* region)>& used);
+  static void LookUp(RCRegion* region);
+  static void AddReference(RCRegion* region) { ++region->count_; }
   static RCRegion* SourceOf(const RCRegion* received) { return received->source_; }
+
+ private:
+  static void UseReadOnlyCopy(RCRegion* region);
 };
 
 // Adds an error finding: an entry of a subject or observer of `object` has received bytes that are
@@ -122,7 +127,7 @@ struct SubjectState {
   // notification has at most MAX_NUM_DATA data.  If it has more now, drops the oldest datum and
   // returns oFATAL, as on the robot.
   OStatus SetData(ObserverLink* link, RCRegion* region) {
-    region->AddReference();
+    RegionAccess::AddReference(region);
     link->fresh.push_back(region);
     return link->fresh.size() <= MAX_NUM_DATA ? oSUCCESS : DropOldestData(link);
   }

@@ -21,22 +21,22 @@ void ObserverState::ReportRepeatedReady(const Held& held) {
 
 OStatus ObserverState::SendReady(const SubjectID& subject, ObjcommCommand command) {
   OwnedMessage message = system->NewMessage(ObjectIdOf(subject.GetOID()), subject.GetSelector());
+  const ObserverID self = id;
   auto& ready = *new (message->payload) OReadyMessage;
   ready.command = command;
-  ready.observerID = id;
+  ready.observerID = self;
   message->size = sizeof ready;
   message->kind = PayloadKind::kReady;
   // The ready gives back the regions that this object no longer uses, that is, to which it holds no
   // reference of its own.  A ready can give back MAX_NUM_DATA regions; the next ready gives back
   // the other regions.
-  RCRegion* returned[MAX_NUM_DATA];
+  int count = 0;
   Held& entry = HeldOf(subject);
   for (RCRegion* region : entry.regions) {
-    if (region->NumberOfReference() > 1 || ready.numOfData == MAX_NUM_DATA) continue;
-    returned[ready.numOfData] = region;
-    ready.rcRegion[ready.numOfData++] = RegionAccess::SourceOf(region);
+    if (region->NumberOfReference() > 1 || count == MAX_NUM_DATA) continue;
+    ready.rcRegion[count++] = RegionAccess::SourceOf(region);
   }
-  const int count = ready.numOfData;
+  ready.numOfData = count;
   // The message is posted before this object gives up the regions, because the object keeps them if
   // the message is refused.
   const sError error = system->Post(std::move(message));
@@ -47,16 +47,15 @@ OStatus ObserverState::SendReady(const SubjectID& subject, ObjcommCommand comman
   constexpr int kTimesMax = 8;  // our choice: no program asserts ready more often on purpose
   entry.asserted = command == objcommCMD_ASSERT_READY ? entry.asserted + 1 : 0;
   if (entry.asserted == kTimesMax + 1 && !object->is_system) ReportRepeatedReady(entry);
-  // Removes from `entry.regions` the regions in `returned`.  One pass is enough, because the two
-  // lists have these regions in the same order.
+  // Removes from `entry.regions` the regions that the message gives back: the same as in the loop
+  // above, because no reference was added or removed since.
   auto kept = entry.regions.begin();
-  int next = 0;
   for (RCRegion* const region : entry.regions) {
-    if (next < count && region == returned[next]) {
-      RegionAccess::GiveBack(region);
-      ++next;
-    } else {
+    if (region->NumberOfReference() > 1 || count == 0) {
       *kept++ = region;
+    } else {
+      RegionAccess::GiveBack(region);
+      --count;
     }
   }
   entry.regions.erase(kept, entry.regions.end());

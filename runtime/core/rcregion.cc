@@ -127,12 +127,8 @@ RCRegion::RCRegion(MemoryRegionID id, offset_t offset, void* base, size_t size)
       offset_(offset),
       type_(REFERENCE_V20),
       source_(nullptr) {
-  // Looks up what the program has left out: the address, the size or both.
-  if (base_ != nullptr && size_ != 0) return;
-  RegionTable* const table = Table();
-  if (table == nullptr) return;
-  if (base_ == nullptr && table->BaseOf(id) != nullptr) base_ = table->BaseOf(id) + offset;
-  if (size_ == 0 && table->SizeOf(id) > offset) size_ = table->SizeOf(id) - offset;
+  if (base_ == nullptr || size_ == 0) [[unlikely]]
+    openr_host::RegionAccess::LookUp(this);
 }
 
 RCRegion::~RCRegion() {
@@ -140,7 +136,7 @@ RCRegion::~RCRegion() {
   if (type_ == SELF_ALLOCATED) {
     t_current.system->calls().DeleteRegion(id_);
   } else if (source_ != nullptr) {
-    t_current.system->calls().UnpinRegion(id_);
+    t_current.system->UnpinRegion(id_);
   }
 }
 
@@ -183,16 +179,31 @@ void RegionAccess::VisitPool(const std::function<void(const void*, size_t)>& mem
 RCRegion* RegionAccess::Receive(RCRegion* source, MemoryRegionID id, offset_t offset, size_t size) {
   RCRegion* const region = new RCRegion(id, offset, source->Base(), size);
   region->source_ = source;
-  t_current.system->calls().PinRegion(id);
-  GuardPages* const guard = t_current.system->guard_pages();
-  const ObjectId self = t_current.object->id;
-  // Gives a read-only copy only to an object that may not write to the region.
-  if (guard != nullptr && !t_current.object->is_system &&
-      !t_current.system->region_shares().MayWrite(self, id)) {
-    const AddressPlace* const place = t_current.object->place.get();
-    if (char* const copy = guard->NewCopy(place, source->Base(), size)) region->base_ = copy;
-  }
+  t_current.system->PinRegion(id);
+  if (t_current.system->guard_pages() != nullptr) [[unlikely]]
+    UseReadOnlyCopy(region);
   return region;
+}
+
+// Replaces the address of `region`, which Receive() has made, by that of a copy that the current
+// object may not write.  Does nothing if the object may write into the memory.
+void RegionAccess::UseReadOnlyCopy(RCRegion* region) {
+  System* const system = t_current.system;
+  const Object* const self = t_current.object;
+  if (self->is_system || system->region_shares().MayWrite(self->id, region->id_)) return;
+  char* const copy =
+      system->guard_pages()->NewCopy(self->place.get(), region->source_->Base(), region->size_);
+  if (copy != nullptr) region->base_ = copy;
+}
+
+// Completes a new RCRegion that was made without its address or its size.
+void RegionAccess::LookUp(RCRegion* region) {
+  const RegionTable* const table = Table();
+  if (table == nullptr) return;
+  char* const base = table->BaseOf(region->id_);
+  const size_t size = table->SizeOf(region->id_);
+  if (region->base_ == nullptr && base != nullptr) region->base_ = base + region->offset_;
+  if (region->size_ == 0 && size > region->offset_) region->size_ = size - region->offset_;
 }
 
 void RegionAccess::GiveBack(RCRegion* received) {

@@ -84,8 +84,9 @@ void ReportDeasserted(const SubjectState& subject, ObserverLink* link) {
                                                       size_t data_count, size_t unit_count) {
   OwnedMessage message =
       system->NewMessage(ObjectIdOf(link->observer.GetOID()), link->observer.GetSelector());
+  const SubjectID self = id;
   auto& notify = *new (message->payload) ONotifyMessage;
-  notify.subjectID = id;
+  notify.subjectID = self;
   notify.numOfNotify = static_cast<short>(unit_count);
   for (size_t i = 0; i < data_count; ++i) notify.Write(data[i]);
   message->size = sizeof notify;

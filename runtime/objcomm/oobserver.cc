@@ -191,7 +191,8 @@ OStatus OObserver::NotifyHandler(const ONotifyMessage& msg, ONotifyEvent* event)
   // Records from which subject the regions came, because the next ready to that subject gives them
   // back.
   ObserverState::Held& held = state_->HeldOf(msg.subjectID);
-  for (int i = 0; i < msg.numOfData; ++i) {
+  const int count = msg.numOfData;
+  for (int i = 0; i < count; ++i) {
     RCRegion* const region = RegionAccess::Receive(msg.data[i].srcRCR, msg.data[i].memID,
                                                    msg.data[i].offset, msg.data[i].size);
     held.regions.push_back(region);
