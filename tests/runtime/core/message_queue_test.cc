@@ -74,6 +74,19 @@ TEST_F(MessageQueueTest, TheFirstMessageIsTheOneThatPopTakes) {
   EXPECT_THAT(TakeDue(), ElementsAre(2, 1));
 }
 
+TEST_F(MessageQueueTest, ALevelThatHasRunEmptyHidesNoOtherMessage) {
+  Push(1, 0, 1, kPriority + 1);
+  EXPECT_EQ(queue.Pop()->number, 1u);
+  EXPECT_FALSE(queue.HasDue());
+  EXPECT_EQ(queue.size(), 0u);
+  Push(2);
+  EXPECT_EQ(queue.First()->number, 2u);
+  EXPECT_EQ(queue.size(), 1u);
+  Push(3, 0, 1, kPriority + 1);
+  EXPECT_THAT(TakeDue(), ElementsAre(3, 2));
+  EXPECT_EQ(queue.Pop(), nullptr);
+}
+
 TEST_F(MessageQueueTest, MessagesBecomeDueWithTheClock) {
   Push(1, 20);
   Push(2, 10);

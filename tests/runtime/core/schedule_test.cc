@@ -162,6 +162,21 @@ TEST_F(ScheduleTest, AGateKeepsMessagesUntilTheyAreReadmitted) {
   EXPECT_EQ(log, (Log{"a:1@1000", "a:2@1000"}));
 }
 
+TEST_F(ScheduleTest, AGateOfARunThatHadNoneKeepsMessages) {
+  RunTies();
+  log.clear();
+  KeepFor gate;
+  gate.kept_for = objects["a"]->host().id;
+  system->set_gate(&gate);
+  EXPECT_EQ(RunTies(), (Log{"b:1@1000", "c:1@1000", "b:2@1000", "c:2@1000"}));
+  system->set_gate(nullptr);
+  log.clear();
+  PostTo(objects["a"], 3);
+  system->RunFor(1000);
+  EXPECT_EQ(log, (Log{"a:3@2000"}));
+  gate.kept.clear();
+}
+
 // The same for every handler.
 class FixedCost : public CostModel {
  public:
