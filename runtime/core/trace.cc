@@ -97,17 +97,25 @@ void Trace::Record(const Message& message, int64_t now_us) {
   record.target = message.target;
   record.selector = message.is_reply ? UNDEF : message.selector;
   record.payload_hash = PayloadHash(message, &record.size);
+  if (!sinks_.empty()) [[unlikely]]
+    CallSinks(record, message);
+  if (++buffered_ == kBuffered) [[unlikely]]
+    HashBuffer();
+}
+
+// Not a part of Record(), which would then save more registers for each message.
+[[gnu::noinline]] void Trace::CallSinks(const TraceRecord& record, const Message& message) {
   for (const auto& [number, sink] : sinks_) sink(record, message);
-  if (++buffered_ == kBuffered) {
-    hasher_.AddBytes(buffer_, sizeof buffer_);
-    buffered_ = 0;
-  }
+}
+
+// Adds the records in buffer_ to the hash.
+void Trace::HashBuffer() const {
+  hasher_.AddBytes(buffer_, sizeof buffer_[0] * static_cast<size_t>(buffered_));
+  buffered_ = 0;
 }
 
 uint64_t Trace::hash() const {
-  // Adds the records that are still in the buffer to the hash.
-  hasher_.AddBytes(buffer_, sizeof buffer_[0] * static_cast<size_t>(buffered_));
-  buffered_ = 0;
+  HashBuffer();
   return hasher_.Digest();
 }
 

@@ -55,6 +55,8 @@ class Trace {
   static constexpr int kBuffered = 64;
 
   void Record(const Message& message, int64_t now_us);
+  void CallSinks(const TraceRecord& record, const Message& message);
+  void HashBuffer() const;
 
   std::vector<std::pair<int, Sink>> sinks_;
   int last_sink_ = 0;
