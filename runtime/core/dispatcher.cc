@@ -22,6 +22,7 @@ Dispatcher::~Dispatcher() = default;
 uint64_t Dispatcher::Run(const Limits& limits) {
   ASSERT(running_ == nullptr, "a handler must not run the system it belongs to");
   limits_ = limits;
+  if (system_->powered_off()) Stop();
   delivered_ = 0;
   const Current saved = t_current;
   t_current.system = system_;
@@ -73,8 +74,7 @@ void Dispatcher::Recycle() {
 }
 
 [[gnu::always_inline]] inline bool Dispatcher::MayContinue() const {
-  return delivered_ < limits_.messages && !system_->powered_off() &&
-         (limits_.until == nullptr || !(*limits_.until)());
+  return delivered_ < limits_.messages && (limits_.until == nullptr || !(*limits_.until)());
 }
 
 // The functions from here to Loop() are inline, so that the compiler joins them into one function.
@@ -226,7 +226,8 @@ void Dispatcher::RunMeasured(Object* object) {
     message = Admit(object, OwnedMessage(message)).release();
     if (message == nullptr) return;
   }
-  ASSERT(--object->waiting >= 0, "{} gets a message, none was counted as waiting", object->name);
+  --object->waiting;
+  ASSERT(object->waiting >= 0, "{} gets a message, none was counted as waiting", object->name);
   ++delivered_;
   if (++deliveries_at_instant_ >= free_deliveries_) [[unlikely]]
     NoteManyDeliveries(object);

@@ -36,6 +36,9 @@ class Dispatcher {
   // limits.time_us.  REQUIRES: not called in a handler.
   uint64_t Run(const Limits& limits);
 
+  // Makes Run() return when the running handler has ended.  Called when all robots are off.
+  void Stop() { limits_.messages = 0; }
+
   // Suspends the running handler until a reply arrives in the object's reply box `box`, and returns
   // the reply.  REQUIRES: called in a handler.
   OwnedMessage WaitFor(uint64_t box);

@@ -182,7 +182,9 @@ void System::NoteWhetherAllAreOff(const RunEnd& why) {
   powered_off_ = std::all_of(robots_.begin(), robots_.end(), [this](const auto& dog) {
     return dog->powered_off && !off_robots_.Contains(dog->index);
   });
-  if (powered_off_) NoteRunEnd(why);
+  if (!powered_off_) return;
+  NoteRunEnd(why);
+  dispatcher_->Stop();
 }
 
 bool System::LoadAgain(int index) {
