@@ -56,7 +56,6 @@ class Dispatcher {
   bool MayContinue() const;
   void ToCaller();
   void AdvanceTo(int64_t time_us);
-  void PrefetchAfter(const Message& message);
   void Deliver(Message* message);
   OwnedMessage Admit(Object* object, OwnedMessage message);
   void NoteManyDeliveries(const Object* object);
