@@ -26,10 +26,10 @@ class System;
 // Operations on RCRegions (references to shared memory) that the runtime may do and objects may
 // not.
 struct RegionAccess {
-  // Makes an RCRegion for an observer, with one reference.  `source` is the subject's RCRegion in
-  // the notification.  Both RCRegions refer to the same memory, unless the observer gets a
-  // read-only copy (guard_pages.h).
-  static RCRegion* Receive(RCRegion* source, MemoryRegionID id, offset_t offset, size_t size);
+  // Makes an RCRegion for an observer, with one reference.  `data` is the part of the notification
+  // that describes the subject's RCRegion.  Both RCRegions refer to the same memory, unless the
+  // observer gets a read-only copy (guard_pages.h).
+  static RCRegion* Receive(const TransferedData& data);
   // Deletes an RCRegion that Receive() has made.
   static void GiveBack(RCRegion* received);
   // Visits the pool from which this thread takes the memory of its RCRegions.  Calls `memory` for

@@ -176,10 +176,10 @@ void RegionAccess::VisitPool(const std::function<void(const void*, size_t)>& mem
   }
 }
 
-RCRegion* RegionAccess::Receive(RCRegion* source, MemoryRegionID id, offset_t offset, size_t size) {
-  RCRegion* const region = new RCRegion(id, offset, source->Base(), size);
-  region->source_ = source;
-  t_current.system->PinRegion(id);
+RCRegion* RegionAccess::Receive(const TransferedData& data) {
+  RCRegion* const region = new RCRegion(data.memID, data.offset, data.srcRCR->base_, data.size);
+  region->source_ = data.srcRCR;
+  t_current.system->PinRegion(data.memID);
   if (t_current.system->guard_pages() != nullptr) [[unlikely]]
     UseReadOnlyCopy(region);
   return region;
@@ -207,8 +207,13 @@ void RegionAccess::LookUp(RCRegion* region) {
 }
 
 void RegionAccess::GiveBack(RCRegion* received) {
-  if (GuardPages* const guard = t_current.system->guard_pages()) guard->Retire(received->base_);
-  delete received;
+  System* const system = t_current.system;
+  if (GuardPages* const guard = system->guard_pages()) [[unlikely]]
+    guard->Retire(received->base_);
+  // Does what `delete received` would do for a received region, without asking again what kind of
+  // region this is.
+  system->UnpinRegion(received->id_);
+  GiveToPool(received);
 }
 
 }  // namespace openr_host

@@ -193,8 +193,7 @@ OStatus OObserver::NotifyHandler(const ONotifyMessage& msg, ONotifyEvent* event)
   ObserverState::Held& held = state_->HeldOf(msg.subjectID);
   const int count = msg.numOfData;
   for (int i = 0; i < count; ++i) {
-    RCRegion* const region = RegionAccess::Receive(msg.data[i].srcRCR, msg.data[i].memID,
-                                                   msg.data[i].offset, msg.data[i].size);
+    RCRegion* const region = RegionAccess::Receive(msg.data[i]);
     held.regions.push_back(region);
     event->SetData(i, region);
   }
