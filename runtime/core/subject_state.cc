@@ -22,14 +22,19 @@ void ReportForeignBytes(const Object& object) {
       "no notification and no ready; use NotifyObservers() and AssertReady()");
 }
 
-OStatus SubjectState::DropOldestData(ObserverLink* link) {
-  link->fresh.front()->RemoveReference();
-  link->fresh.erase(link->fresh.begin());
+RCRegion* RegionList::TakeFirst() {
+  RCRegion* const first = regions_[0];
+  std::copy(regions_ + 1, regions_ + size_, regions_);
+  --size_;
+  return first;
+}
+
+void SubjectState::DropOldestData(ObserverLink* link) {
+  link->fresh.TakeFirst()->RemoveReference();
   ++object->dropped_count;
   system->AddFinding(Severity::kWarning,
                      fmt::format("{}: more than {} data set before a notify; the oldest is dropped",
                                  service, MAX_NUM_DATA));
-  return oFATAL;
 }
 
 void SubjectState::DropOldestUnit(ObserverLink* link) {
@@ -114,20 +119,20 @@ OStatus SubjectState::Notify(ObserverLink* link) {
   if (link->skipped < link->skip) {
     ++link->skipped;
     for (RCRegion* region : link->fresh) region->RemoveReference();
-    link->fresh.clear();
+    link->fresh.Clear();
     return oSUCCESS;
   }
   link->skipped = 0;
   if (link->ready < 0) ReportDeasserted(*this, link);
   // Data for which the observer waits are sent at once and never become pending.
   const bool is_awaited = link->ready > 0 && link->units.empty() && link->min <= 1;
-  if (is_awaited && Send(link, link->fresh.data(), link->fresh.size(), 1)) {
-    link->fresh.clear();
+  if (is_awaited && Send(link, link->fresh.begin(), link->fresh.size(), 1)) [[likely]] {
+    link->fresh.Clear();
     return oSUCCESS;
   }
   link->units.push_back({static_cast<int>(link->fresh.size())});
   link->pending.insert(link->pending.end(), link->fresh.begin(), link->fresh.end());
-  link->fresh.clear();
+  link->fresh.Clear();
   if (!is_awaited) Flush(link);
   // Old notifications are dropped only after Flush(), so that data which the observer can take now
   // are sent and not lost.
@@ -162,7 +167,7 @@ void SubjectState::SendPending(ObserverLink* link) {
 void SubjectState::Clear(ObserverLink* link) {
   for (RCRegion* region : link->fresh) region->RemoveReference();
   for (RCRegion* region : link->pending) region->RemoveReference();
-  link->fresh.clear();
+  link->fresh.Clear();
   link->pending.clear();
   link->units.clear();
   link->waiting_since_us = -1;
