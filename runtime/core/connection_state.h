@@ -37,8 +37,17 @@ struct RegionAccess {
   // not deleted.
   static void VisitPool(const std::function<void(const void* begin, size_t bytes)>& memory,
                         const std::function<void(const RCRegion* region)>& used);
+  // Completes a new RCRegion that was made without its address or its size.
   static void LookUp(RCRegion* region);
+  // The next two functions do what the functions of RCRegion with these names do.  They are inline,
+  // because they run for every notification.
   static void AddReference(RCRegion* region) { ++region->count_; }
+  static void RemoveReference(RCRegion* region) {
+    if (region->count_ > 1) [[likely]]
+      --region->count_;
+    else
+      region->RemoveReference();
+  }
   static RCRegion* SourceOf(const RCRegion* received) { return received->source_; }
 
  private:

@@ -196,7 +196,6 @@ void RegionAccess::UseReadOnlyCopy(RCRegion* region) {
   if (copy != nullptr) region->base_ = copy;
 }
 
-// Completes a new RCRegion that was made without its address or its size.
 void RegionAccess::LookUp(RCRegion* region) {
   const RegionTable* const table = Table();
   if (table == nullptr) return;

@@ -282,7 +282,7 @@ OStatus OSubject::ReadyHandler(const OReadyMessage& msg) {
   // A ready also lists the regions of earlier notifications that the observer no longer uses.
   // Removes the subject's reference to each of these regions, so that the subject can write into
   // them again.
-  for (int i = 0; i < msg.numOfData; ++i) msg.rcRegion[i]->RemoveReference();
+  for (int i = 0; i < msg.numOfData; ++i) RegionAccess::RemoveReference(msg.rcRegion[i]);
   ObserverLink* const link = state_->Find(msg.observerID);
   // The observer may have been removed after it had sent this ready.  The loop above has given its
   // regions back nevertheless.
