@@ -63,7 +63,8 @@ void AddCompletionCommand(CLI::App* app, int* exit_code) {
       app->add_subcommand("completion", "Prints the script by which a shell completes commands");
   auto shell = std::make_shared<std::string>();
   command->add_option("SHELL", *shell, "Which shell")->required()->check(CLI::IsMember({"bash"}));
-  command->callback([app, exit_code] {
+  // Holds `shell` as well, because the option writes into it.
+  command->callback([app, shell, exit_code] {
     PrintAnswer(BashCompletion(DescribeCommands(*app), FindDataNames()));
     *exit_code = kExitGood;
   });
