@@ -30,7 +30,7 @@ PLANTED_WAIT = 10  # times as long a busy machine may take for it
 MAX_BYTES = 2048  # of an input, or max_bytes of targets.json, or the size of the largest seed
 OPTIONS = ["-timeout=10", "-rss_limit_mb=1536", "-malloc_limit_mb=600", "-print_final_stats=1",
            "-mutate_depth=3",  # an input with more changes is hardly ever valid
-           "-len_control=100"]  # short inputs first, which a mutator of ours switches off
+           "-len_control=0"]  # else no input is longer than the longest seed for a long time
 # Objects of a robot may leave memory behind, so leaks are no findings (docs/hacking.md).
 ENVIRONMENT = {**os.environ,
                # Files of a target in memory: a stick is written and removed for each input.
@@ -102,9 +102,9 @@ def seed_folders(name, found):
 
 
 def dictionary(name, found, folders):
-    """Writes the words of the target for libFuzzer: the texts in the sources of its reader, which
-    targets.json names, the words of its seeds, and the numbers of its format, in 4 bytes.
-    Returns the file."""
+    """Writes the words of the target: the texts in the sources of its reader, which targets.json
+    names, and the words of its seeds.  Returns two files: a dictionary of libFuzzer, which has the
+    numbers of the format as well, in 4 bytes, and the words for our mutator, one in a line."""
     import glob
     words = set()
     for pattern in found.get("words", []):
@@ -127,7 +127,10 @@ def dictionary(name, found, folders):
         for number in found.get("numbers", []):
             word = "".join(f"\\x{byte:02x}" for byte in number.to_bytes(4, "little"))
             file.write(f'number{number}="{word}"\n')
-    return path
+    lines = os.path.join(WORK, "seeds", f"{name}.words")
+    with open(lines, "w", encoding="utf-8") as file:
+        file.writelines(f"{word}\n" for word in sorted(words))
+    return path, lines
 
 
 def fuzz(name, found, seconds, seed, planted=False):
@@ -139,14 +142,14 @@ def fuzz(name, found, seconds, seed, planted=False):
     for folder in (kept, crashes):
         os.makedirs(folder, exist_ok=True)
     before = set(os.listdir(crashes))
-    command = [PROGRAM, name] + (["--planted"] if planted else []) + OPTIONS
+    seeds = seed_folders(name, found)
+    words, lines = dictionary(name, found, seeds)
+    command = [PROGRAM, name, "--words", lines] + (["--planted"] if planted else []) + OPTIONS
     if planted:  # processor time, so that a busy machine finds what an idle one does
         command = ["prlimit", f"--cpu={seconds}"] + command
         seconds *= PLANTED_WAIT
     command += [f"-max_total_time={seconds}", f"-artifact_prefix={crashes}/"]
-    seeds = seed_folders(name, found)
     folders = [kept] + seeds
-    words = dictionary(name, found, seeds)
     command += [f"-dict={words}"] if os.path.getsize(words) > 0 else []  # it refuses an empty one
     sizes = [os.path.getsize(os.path.join(folder, file))
              for folder in folders for file in os.listdir(folder)]

@@ -1,13 +1,18 @@
-// The program of all fuzz targets, for clang's libFuzzer: openr_fuzz TARGET [--planted] [ARGS].
+// The program of all fuzz targets, for clang's libFuzzer: openr_fuzz TARGET [--words FILE]
+// [--planted] [ARGS].
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <string>
+#include <unordered_map>
 
+#include "runtime/base/hasher.h"
 #include "tests/fuzz/fuzz_targets.h"
 #include "tests/fuzz/mutate.h"
+#include "tests/fuzz/mutate_steps.h"
 
 // Functions of libFuzzer, which has no header for them.
 extern "C" size_t LLVMFuzzerMutate(uint8_t* data, size_t size, size_t size_max);
@@ -16,6 +21,9 @@ namespace {
 
 const openr_host::FuzzTarget* target = nullptr;
 bool stops_at_planted_bug = false;
+openr_host::FuzzWords words;  // the dictionary of the target
+bool has_steps = false;       // the inputs of the target are programs (BeginFuzzStep())
+std::unordered_map<uint64_t, openr_host::FuzzStarts> known_steps;  // by the hash of the program
 
 // Removes the first argument behind the name of the program, because libFuzzer does not know it.
 void TakeArgument(int* argc, char** argv) {
@@ -32,14 +40,48 @@ size_t Put(const std::string& bytes, uint8_t* data, size_t size_max) {
   return size;
 }
 
-std::string MutateBytes(std::string bytes, size_t size_max, openr_host::FuzzRandom* random) {
-  const bool is_text = openr_host::IsText(bytes);
-  if (!is_text && (*random)() % 3 == 0) return openr_host::MutateNumber(bytes, random);
-  if ((*random)() % (is_text ? 2 : 16) == 0) return openr_host::MutateText(bytes, random);
+openr_host::FuzzStarts Run(const std::string& bytes) {
+  openr_host::FuzzStarts starts;
+  openr_host::NoteFuzzSteps(&starts);
+  const bool has_reached = target->run(bytes);
+  openr_host::NoteFuzzSteps(nullptr);
+  if (has_reached && stops_at_planted_bug) openr_host::FuzzViolation("the planted bug");
+  if (starts.empty()) return starts;
+  constexpr size_t kKnownMax = 20'000;
+  if (known_steps.size() >= kKnownMax) known_steps.clear();
+  has_steps = true;
+  known_steps[openr_host::HashBytes(bytes.data(), bytes.size())] = starts;
+  return starts;
+}
+
+// Returns where the steps of `bytes` begin.  Runs the target if that is not known.
+openr_host::FuzzStarts StartsOf(const std::string& bytes) {
+  if (!has_steps) return {};
+  const auto known = known_steps.find(openr_host::HashBytes(bytes.data(), bytes.size()));
+  return known != known_steps.end() ? known->second : Run(bytes);
+}
+
+// Makes one of libFuzzer's own changes.  The input grows by a few bytes at most, because an input
+// with a large piece of nonsense is hardly ever valid.
+std::string MutateAnyhow(std::string bytes, size_t size_max) {
+  constexpr size_t kGrowth = 32;
   const size_t size = bytes.size();
-  bytes.resize(std::max(size, size_max));
+  bytes.resize(std::max(size, std::min(size_max, size + kGrowth)));
   bytes.resize(LLVMFuzzerMutate(reinterpret_cast<uint8_t*>(bytes.data()), size, bytes.size()));
   return bytes;
+}
+
+std::string MutateBytes(const std::string& bytes, size_t size_max, openr_host::FuzzRandom* random) {
+  if (IsTarget("panel_websocket") && (*random)() % 2 == 0) {
+    return openr_host::MutateParts(bytes, words, random);
+  }
+  if (has_steps && (*random)() % 4 != 0) {
+    return openr_host::MutateSteps(bytes, StartsOf(bytes), random);
+  }
+  const bool is_text = openr_host::IsText(bytes);
+  if (!is_text && (*random)() % 3 == 0) return openr_host::MutateNumber(bytes, random);
+  if ((*random)() % (is_text ? 2 : 16) == 0) return openr_host::MutateText(bytes, words, random);
+  return MutateAnyhow(bytes, size_max);
 }
 
 }  // namespace
@@ -69,22 +111,31 @@ extern "C" size_t LLVMFuzzerCustomCrossOver(const uint8_t* first, size_t first_s
                                             const uint8_t* second, size_t second_size, uint8_t* out,
                                             size_t size_max, unsigned int seed) {
   openr_host::FuzzRandom random(seed + 1);
-  if (random() % 8 != 0) return 0;
-  return Put(openr_host::JoinTexts({reinterpret_cast<const char*>(first), first_size},
-                                   {reinterpret_cast<const char*>(second), second_size}, &random),
+  if (random() % (has_steps ? 4 : 8) != 0) return 0;
+  const std::string one(reinterpret_cast<const char*>(first), first_size);
+  const std::string other(reinterpret_cast<const char*>(second), second_size);
+  return Put(has_steps ? openr_host::JoinSteps(one, StartsOf(one), other, StartsOf(other), &random)
+                       : openr_host::JoinTexts(one, other, &random),
              out, size_max);
 }
 
 extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
   if (*argc > 1) target = openr_host::FindFuzzTarget((*argv)[1]);
   if (target == nullptr) {
-    std::fprintf(stderr, "usage: openr_fuzz TARGET [--planted] [ARGS of libFuzzer]\n");
+    std::fprintf(stderr,
+                 "usage: openr_fuzz TARGET [--words FILE] [--planted] [ARGS of libFuzzer]\n");
     for (const openr_host::FuzzTarget& known : openr_host::FuzzTargets()) {
       std::fprintf(stderr, "  %s\n", known.name);
     }
     std::exit(2);
   }
   TakeArgument(argc, *argv);
+  if (*argc > 2 && std::strcmp((*argv)[1], "--words") == 0) {
+    std::ifstream file((*argv)[2]);
+    for (std::string word; std::getline(file, word);) words.push_back(word);
+    TakeArgument(argc, *argv);
+    TakeArgument(argc, *argv);
+  }
   if (*argc > 1 && std::strcmp((*argv)[1], "--planted") == 0) {
     stops_at_planted_bug = true;
     TakeArgument(argc, *argv);
@@ -93,7 +144,6 @@ extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
-  const bool has_reached = target->run({reinterpret_cast<const char*>(data), size});
-  if (has_reached && stops_at_planted_bug) openr_host::FuzzViolation("the planted bug");
+  Run({reinterpret_cast<const char*>(data), size});
   return 0;
 }

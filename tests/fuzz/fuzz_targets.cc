@@ -12,6 +12,11 @@
 #include "tests/fuzz/target_list.h"
 
 namespace openr_host {
+namespace {
+
+std::vector<size_t>* noted_steps = nullptr;
+
+}  // namespace
 
 const std::vector<FuzzTarget>& FuzzTargets() {
   static const std::vector<FuzzTarget> targets = {
@@ -68,5 +73,11 @@ uint64_t FuzzBytes::U64() {
   std::memcpy(&value, bytes.data(), bytes.size());
   return value;
 }
+
+void BeginFuzzStep(size_t at) {
+  if (noted_steps != nullptr) noted_steps->push_back(at);
+}
+
+void NoteFuzzSteps(std::vector<size_t>* steps) { noted_steps = steps; }
 
 }  // namespace openr_host

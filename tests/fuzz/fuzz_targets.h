@@ -53,9 +53,11 @@ class FuzzFile {
 // Takes numbers and texts from the front of an input.  After its end all numbers are 0.
 class FuzzBytes {
  public:
-  explicit FuzzBytes(std::string_view bytes) : rest_(bytes) {}
+  explicit FuzzBytes(std::string_view bytes) : rest_(bytes), size_(bytes.size()) {}
 
   bool empty() const { return rest_.empty(); }
+  // Returns how many bytes have been taken.
+  size_t taken() const { return size_ - rest_.size(); }
   uint8_t U8();
   uint32_t U32();
   uint64_t U64();
@@ -63,6 +65,15 @@ class FuzzBytes {
 
  private:
   std::string_view rest_;
+  size_t size_;
 };
+
+// Notes that a step of the program that is the input begins at the byte `at`.  Targets whose inputs
+// are programs call this for each step, because the fuzzer changes such inputs step by step
+// (mutate_steps.h).
+void BeginFuzzStep(size_t at);
+
+// Puts the steps of the next inputs behind `*steps`.  Null: steps are not noted, as at first.
+void NoteFuzzSteps(std::vector<size_t>* steps);
 
 }  // namespace openr_host

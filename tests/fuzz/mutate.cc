@@ -26,15 +26,18 @@ struct Piece {
 
 bool IsOfWord(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-std::vector<Piece> WordsOf(std::string_view text) {
-  std::vector<Piece> words;
+bool IsOfSymbol(char c) { return std::ispunct(static_cast<unsigned char>(c)) != 0 && c != '_'; }
+
+// Returns the longest pieces of `text` whose characters all fit.
+std::vector<Piece> PiecesOf(std::string_view text, bool (*fits)(char)) {
+  std::vector<Piece> pieces;
   for (size_t at = 0; at < text.size();) {
     size_t end = at;
-    while (end < text.size() && IsOfWord(text[end])) ++end;
-    if (end > at) words.push_back({at, end - at});
+    while (end < text.size() && fits(text[end])) ++end;
+    if (end > at) pieces.push_back({at, end - at});
     at = std::max(end, at + 1);
   }
-  return words;
+  return pieces;
 }
 
 // Returns the lines of `text`, each with its line end.
@@ -56,30 +59,53 @@ std::string TextOf(const std::vector<std::string>& lines) {
 
 size_t Below(size_t limit, FuzzRandom* random) { return (*random)() % limit; }
 
-// Returns what to put in the place of `word`: a number for a number, and for a name the name
-// shortened, or another word of the text.
-std::string Substitute(const std::string& word, std::string_view text,
-                       const std::vector<Piece>& words, FuzzRandom* random) {
-  const bool is_number = std::isdigit(static_cast<unsigned char>(word[0])) != 0;
+// Returns a number for the place of `number`, a row of digits: a small one, a limit of a type, a
+// near one or a multiple.
+std::string OtherNumber(const std::string& number, FuzzRandom* random) {
   const size_t kind = Below(4, random);
-  if (is_number && kind == 0) return std::to_string(Below(200, random));
-  if (is_number && kind == 1) return kNumbers[Below(std::size(kNumbers), random)];
-  if (is_number && kind == 2 && word.size() < 10) {
-    return std::to_string(std::stoll(word) + static_cast<int>(Below(5, random)) - 2);
+  if (kind == 0) return std::to_string(Below(200, random));
+  if (kind == 1 || number.size() >= 10) return kNumbers[Below(std::size(kNumbers), random)];
+  const long long value = std::stoll(number);
+  if (kind == 2) return std::to_string(value + static_cast<int>(Below(5, random)) - 2);
+  return std::to_string(value * (2 + static_cast<int>(Below(9, random))));
+}
+
+// Returns a hexadecimal number for the place of `number`, which begins with "0x": as long as that
+// one, with one other digit or a small value.
+std::string OtherHexNumber(std::string number, FuzzRandom* random) {
+  constexpr char kDigits[] = "0123456789abcdef";
+  const size_t digits = number.size() - 2;
+  if (Below(2, random) == 0) std::fill_n(number.begin() + 2, digits, '0');
+  number[2 + Below(digits, random)] = kDigits[Below(16, random)];
+  return number;
+}
+
+// Returns what to put in the place of `word`: a number for a number, whose unit stays, and for a
+// name the name shortened, another word of the text, or a word of the dictionary.
+std::string Substitute(const std::string& word, std::string_view text,
+                       const std::vector<Piece>& pieces, const FuzzWords& words,
+                       FuzzRandom* random) {
+  const bool is_number = std::isdigit(static_cast<unsigned char>(word[0])) != 0;
+  const size_t kind = Below(8, random);
+  if (is_number && kind < 6) {
+    if (word.size() > 2 && word.starts_with("0x")) return OtherHexNumber(word, random);
+    const size_t digits = std::min(word.find_first_not_of("0123456789"), word.size());
+    return OtherNumber(word.substr(0, digits), random) + word.substr(digits);
   }
   if (kind < 2) return word.substr(0, 1 + Below(word.size(), random));
-  const Piece other = words[Below(words.size(), random)];
+  if (kind < 6 && !words.empty()) return words[Below(words.size(), random)];
+  const Piece other = pieces[Below(pieces.size(), random)];
   return std::string(text.substr(other.begin, other.size));
 }
 
-std::string MutateWord(std::string_view text, const std::vector<Piece>& words, bool everywhere,
-                       FuzzRandom* random) {
-  const Piece chosen = words[Below(words.size(), random)];
+std::string MutateWord(std::string_view text, const std::vector<Piece>& pieces,
+                       const FuzzWords& words, bool everywhere, FuzzRandom* random) {
+  const Piece chosen = pieces[Below(pieces.size(), random)];
   const std::string word(text.substr(chosen.begin, chosen.size));
-  const std::string other = Substitute(word, text, words, random);
+  const std::string other = Substitute(word, text, pieces, words, random);
   std::string result;
   size_t at = 0;
-  for (const Piece& piece : words) {
+  for (const Piece& piece : pieces) {
     const bool is_chosen =
         piece.begin == chosen.begin || (everywhere && text.substr(piece.begin, piece.size) == word);
     if (!is_chosen) continue;
@@ -90,6 +116,47 @@ std::string MutateWord(std::string_view text, const std::vector<Piece>& words, b
   return result += text.substr(at);
 }
 
+// Puts another symbol, such as "==" or ">", in the place of one.  Takes it from the text or from
+// the dictionary.
+std::string MutateSymbol(std::string_view text, const FuzzWords& words, FuzzRandom* random) {
+  const std::vector<Piece> pieces = PiecesOf(text, IsOfSymbol);
+  if (pieces.empty()) return std::string(text);
+  std::vector<std::string_view> symbols;
+  for (const Piece& piece : pieces) symbols.push_back(text.substr(piece.begin, piece.size));
+  for (const std::string& word : words) {
+    if (std::all_of(word.begin(), word.end(), IsOfSymbol)) symbols.push_back(word);
+  }
+  const Piece chosen = pieces[Below(pieces.size(), random)];
+  std::string result(text.substr(0, chosen.begin));
+  result += symbols[Below(symbols.size(), random)];
+  return result += text.substr(chosen.begin + chosen.size);
+}
+
+// Multiplies the whole numbers in one column of all lines, such as the times of a table, so that
+// numbers that rise go on rising.
+std::string MutateColumn(std::string_view text, FuzzRandom* random) {
+  const char separator = text.find(',') != std::string_view::npos ? ',' : ' ';
+  std::vector<std::string> lines = LinesOf(text);
+  const std::string& line = lines[Below(lines.size(), random)];
+  const auto separators = static_cast<size_t>(std::count(line.begin(), line.end(), separator));
+  const size_t column = Below(separators + 1, random);
+  const auto factor = static_cast<int>(2 + Below(9, random));
+  for (std::string& row : lines) {
+    size_t begin = 0;
+    for (size_t i = 0; i < column && begin <= row.size(); ++i) {
+      begin = std::min(row.find(separator, begin), row.size()) + 1;
+    }
+    if (begin > row.size()) continue;
+    const size_t end =
+        std::min(row.find_first_of(std::string("\r\n") + separator, begin), row.size());
+    const std::string field = row.substr(begin, end - begin);
+    const bool is_number = !field.empty() && field.size() < 10 &&
+                           field.find_first_not_of("0123456789") == std::string::npos;
+    if (is_number) row.replace(begin, end - begin, std::to_string(std::stoll(field) * factor));
+  }
+  return TextOf(lines);
+}
+
 }  // namespace
 
 bool IsText(std::string_view bytes) {
@@ -98,17 +165,19 @@ bool IsText(std::string_view bytes) {
   });
 }
 
-std::string MutateText(std::string_view text, FuzzRandom* random) {
-  const std::vector<Piece> words = WordsOf(text);
-  if (words.empty()) return std::string(text);
-  const size_t kind = Below(8, random);
-  if (kind < 3) return MutateWord(text, words, false, random);
-  if (kind < 5) return MutateWord(text, words, true, random);
+std::string MutateText(std::string_view text, const FuzzWords& words, FuzzRandom* random) {
+  const std::vector<Piece> pieces = PiecesOf(text, IsOfWord);
+  if (pieces.empty()) return std::string(text);
+  const size_t kind = Below(12, random);
+  if (kind < 5) return MutateWord(text, pieces, words, false, random);
+  if (kind < 7) return MutateWord(text, pieces, words, true, random);
+  if (kind == 7) return MutateSymbol(text, words, random);
+  if (kind == 8) return MutateColumn(text, random);
   std::vector<std::string> lines = LinesOf(text);
   const size_t from = Below(lines.size(), random);
   const std::string line = lines[from];
-  if (kind != 5) lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(from));
-  if (kind != 6) {
+  if (kind != 9) lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(from));
+  if (kind != 10) {
     const size_t to = Below(lines.size() + 1, random);
     lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(to), line);
   }

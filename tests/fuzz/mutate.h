@@ -5,18 +5,21 @@
 #include <random>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace openr_host {
 
 using FuzzRandom = std::minstd_rand;
+using FuzzWords = std::vector<std::string>;
 
 // Returns whether `bytes` have no control characters but those between words and lines.
 bool IsText(std::string_view bytes);
 
-// Makes one change to a word (letters, digits, '_') or to a line of `text`: renames a word in all
-// its places, puts another word or number in its place, or copies, removes or moves a line.
-// Returns `text` itself if it has no words.
-std::string MutateText(std::string_view text, FuzzRandom* random);
+// Makes one change to `text`: renames a word (letters, digits, '_') in one or all of its places,
+// puts another word, number or symbol in its place, multiplies the numbers of a column, or copies,
+// removes or moves a line.  `words` is the dictionary of the target.  Returns `text` itself if it
+// has no words.
+std::string MutateText(std::string_view text, const FuzzWords& words, FuzzRandom* random);
 
 // Changes a number of 1, 2 or 4 bytes, little-endian: to a near one, a small one, or a limit of a
 // type.  Returns `bytes` themselves if there are too few.

@@ -7,13 +7,30 @@
 #include <iterator>
 #include <set>
 
+#include "tests/fuzz/fuzz_targets.h"
+#include "tests/fuzz/mutate_steps.h"
+
 namespace openr_host {
 namespace {
 
-std::set<std::string> ManyMutations(const std::string& text) {
+std::set<std::string> ManyMutations(const std::string& text, const FuzzWords& words = {}) {
   std::set<std::string> found;
   FuzzRandom random(1);
-  for (int i = 0; i < 5000; ++i) found.insert(MutateText(text, &random));
+  for (int i = 0; i < 5000; ++i) found.insert(MutateText(text, words, &random));
+  return found;
+}
+
+std::set<std::string> ManyPrograms(const std::string& program, const FuzzStarts& starts) {
+  std::set<std::string> found;
+  FuzzRandom random(1);
+  for (int i = 0; i < 5000; ++i) found.insert(MutateSteps(program, starts, &random));
+  return found;
+}
+
+std::set<std::string> ManyParts(const std::string& input) {
+  std::set<std::string> found;
+  FuzzRandom random(1);
+  for (int i = 0; i < 5000; ++i) found.insert(MutateParts(input, {}, &random));
   return found;
 }
 
@@ -23,6 +40,32 @@ TEST(MutateTest, AWordIsRenamedInAllItsPlaces) {
 
 TEST(MutateTest, ANumberGetsANearValue) {
   EXPECT_TRUE(ManyMutations("port 54300\n").contains("port 54301\n"));
+}
+
+TEST(MutateTest, ANumberIsMultipliedAndKeepsItsUnit) {
+  const std::set<std::string> found = ManyMutations("within 7s");
+  EXPECT_TRUE(found.contains("within 35s"));
+  EXPECT_TRUE(found.contains("within 8s"));
+}
+
+TEST(MutateTest, AHexadecimalNumberStaysAsLong) {
+  EXPECT_TRUE(ManyMutations("cause: 0x00000010").contains("cause: 0x00000030"));
+}
+
+TEST(MutateTest, AWordOfTheDictionaryTakesThePlaceOfAWord) {
+  EXPECT_TRUE(ManyMutations("{\"do\":\"step\"}", {"act"}).contains("{\"do\":\"act\"}"));
+}
+
+TEST(MutateTest, ASymbolTakesThePlaceOfAnother) {
+  const std::set<std::string> found = ManyMutations("a == 1\nb < 2\n", {"!=", "from"});
+  EXPECT_TRUE(found.contains("a < 1\nb < 2\n"));
+  EXPECT_TRUE(found.contains("a == 1\nb != 2\n"));
+}
+
+TEST(MutateTest, TheNumbersOfAColumnAreMultiplied) {
+  const std::set<std::string> found = ManyMutations("n,ms,deg\n0,0,1.5\n1,160,2\r\n2,320,3");
+  EXPECT_TRUE(found.contains("n,ms,deg\n0,0,1.5\n1,480,2\r\n2,960,3"));
+  EXPECT_TRUE(ManyMutations("a 1\nb\nc 3\n").contains("a 2\nb\nc 6\n"));
 }
 
 TEST(MutateTest, LinesAreCopiedRemovedAndMoved) {
@@ -40,8 +83,8 @@ TEST(MutateTest, ControlCharactersAreNoText) {
 
 TEST(MutateTest, BytesWithoutWordsStayAsTheyAre) {
   FuzzRandom random(1);
-  EXPECT_EQ(MutateText("\x01\x02", &random), "\x01\x02");
-  EXPECT_EQ(MutateText("", &random), "");
+  EXPECT_EQ(MutateText("\x01\x02", {}, &random), "\x01\x02");
+  EXPECT_EQ(MutateText("", {}, &random), "");
 }
 
 TEST(MutateTest, ANumberOfFewBytesIsChanged) {
@@ -78,6 +121,66 @@ TEST(MutateTest, CompressedBytesAreTheSameAfterwards) {
   EXPECT_LT(Compress(text).size(), 100u);
   EXPECT_EQ(Decompress(Compress(text)), text);
   EXPECT_EQ(Decompress("no gzip file"), "");
+}
+
+TEST(MutateStepsTest, StepsAreCopiedRemovedAndMoved) {
+  const std::set<std::string> found = ManyPrograms("aBBcccc", {0, 1, 3});
+  EXPECT_TRUE(found.contains("aaBBcccc"));
+  EXPECT_TRUE(found.contains("acccc"));
+  EXPECT_TRUE(found.contains("BBacccc"));
+  EXPECT_TRUE(found.contains("aBBccccaBBcccc"));
+}
+
+TEST(MutateStepsTest, AByteOfAStepIsChanged) {
+  const std::set<std::string> found = ManyPrograms("aBBcccc", {0, 1, 3});
+  EXPECT_TRUE(found.contains("aBDcccc"));
+  EXPECT_TRUE(found.contains("aBBccc#"));
+}
+
+// The target dds_message runs its input twice, so it notes each step twice.
+TEST(MutateStepsTest, StepsThatAreNotedTwiceCountOnce) {
+  EXPECT_EQ(ManyPrograms("aBBcccc", {0, 1, 3, 0, 1, 3}), ManyPrograms("aBBcccc", {0, 1, 3}));
+}
+
+TEST(MutateStepsTest, AProgramWithoutStepsStaysAsItIs) {
+  EXPECT_EQ(ManyPrograms("abc", {}), std::set<std::string>{"abc"});
+  EXPECT_EQ(ManyPrograms("", {0}), std::set<std::string>{""});
+}
+
+TEST(MutateStepsTest, StepsOfASecondProgramArePutBetween) {
+  std::set<std::string> found;
+  FuzzRandom random(1);
+  for (int i = 0; i < 1000; ++i) {
+    found.insert(JoinSteps("aBB", {0, 1}, "cDDD", {0, 1}, &random));
+  }
+  EXPECT_TRUE(found.contains("aDDDBB"));
+  EXPECT_TRUE(found.contains("aBBcDDD"));
+  EXPECT_TRUE(found.contains("caBB"));
+  EXPECT_EQ(JoinSteps("aBB", {0, 1}, "", {}, &random), "aBB");
+}
+
+TEST(MutateStepsTest, ATargetNotesItsSteps) {
+  FuzzStarts starts;
+  NoteFuzzSteps(&starts);
+  FindFuzzTarget("panel_websocket")->run(std::string("\0\2\0ab\1\1\0c", 9));
+  NoteFuzzSteps(nullptr);
+  EXPECT_EQ(starts, (FuzzStarts{0, 5}));
+  FindFuzzTarget("panel_websocket")->run("abc");
+  EXPECT_EQ(starts.size(), 2u);
+}
+
+TEST(MutatePartsTest, ATextIsChangedAndItsSizeIsRight) {
+  EXPECT_TRUE(ManyParts(std::string("\1\4\0id:7", 7)).contains(std::string("\1\5\0id:77", 8)));
+}
+
+TEST(MutatePartsTest, PartsAreDividedAndJoined) {
+  const std::string whole("\1\4\0id:7", 7), divided("\0\2\0id\1\2\0:7", 10);
+  EXPECT_TRUE(ManyParts(whole).contains(divided));
+  EXPECT_TRUE(ManyParts(divided).contains(whole));
+}
+
+TEST(MutatePartsTest, AnInputWithoutPartsStaysAsItIs) {
+  EXPECT_EQ(ManyParts("ab"), std::set<std::string>{"ab"});
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "Crc32.h"
 #include "MoverState.h"
 #include "StickFile.h"
+#include "tests/fuzz/fuzz_targets.h"
 #include "tests/objects/mtn_bytes.h"
 
 namespace openr_host {
@@ -73,6 +74,7 @@ void RemoteDriver::Run(const uint8_t* program, size_t size) {
   size_ = size;
   at_ = 0;
   while (at_ < size_) {
+    BeginFuzzStep(at_);
     Step();
     AskWitness();
   }

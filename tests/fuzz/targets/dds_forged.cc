@@ -18,6 +18,7 @@ class Liar final : public ForgedTest {
   bool Run() {
     const std::string before = TextHere();
     for (int handlers = 0; !input_.empty() && handlers < 4; ++handlers) {
+      BeginFuzzStep(input_.taken());
       std::vector<openr_wire_ToMaster> samples;
       const int count = 1 + input_.U8() % 3;
       for (int i = 0; i < count; ++i) samples.push_back(Sample());

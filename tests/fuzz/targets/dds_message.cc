@@ -22,6 +22,7 @@ class Forger {
   bool AtEnd() const { return input_.empty(); }
 
   openr_wire_Message Next() {
+    BeginFuzzStep(input_.taken());
     arena_.Clear();
     openr_wire_Message message{};
     message.sender = static_cast<int32_t>(Number());

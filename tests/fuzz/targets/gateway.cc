@@ -105,6 +105,7 @@ class Peers {
 
  private:
   void Step(FuzzBytes* input) {
+    BeginFuzzStep(input->taken());
     const uint8_t step = input->U8();
     NetHandle& handle = handles_[step % 8 % kConnections];
     switch (step >> 4) {

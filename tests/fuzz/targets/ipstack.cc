@@ -248,6 +248,7 @@ bool fuzz::ipstack(std::string_view bytes) {
   system.RunFor(1000);
   FuzzBytes input(bytes.substr(0, 4096));
   while (!input.empty()) {
+    BeginFuzzStep(input.taken());
     switch (input.U8() % 4) {
       case 0:
       case 1:

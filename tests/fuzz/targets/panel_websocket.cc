@@ -63,6 +63,7 @@ bool fuzz::panel_websocket(std::string_view bytes) {
   int parts = 0;
   bool has_found = false;
   while (!input.empty()) {
+    BeginFuzzStep(input.taken());
     const uint8_t flags = input.U8();
     size_t size = input.U8();
     size += size_t{input.U8()} << 8;
