@@ -158,7 +158,7 @@ class Peers {
     }
     const uint32_t count = shape % 4 + (shape >= 0xf0 ? input->U32() : 0);
     const auto size = static_cast<uint32_t>(items.size() + 4) + (shape >> 4 == 14 ? 1 : 0);
-    std::string set = Words({size + 4, count}) + items;
+    std::string set = Words({size, count}) + items;
     if (shape >> 4 == 13) set.resize(set.size() / 2);
     Send(handle, set);
   }
