@@ -43,10 +43,10 @@ class AnyNetwork : public Network {
   uint16_t HostPort(NetProtocol, uint16_t) const override { return 0; }
   std::vector<NetworkEvent> Poll() override { return std::exchange(events_, {}); }
 
-  // Makes an event for one of the sockets, for the next Poll().
+  // Makes an event for one of the sockets, counted from the newest, for the next Poll().
   void Answer(FuzzBytes* input) {
     if (asked_.empty()) return;
-    auto found = asked_.begin();
+    auto found = asked_.rbegin();
     std::advance(found, input->U8() % asked_.size());
     NetworkEvent event;
     event.handle = found->first;
@@ -102,7 +102,8 @@ class AnyNetwork : public Network {
   std::vector<NetworkEvent> events_;
 };
 
-// A program that sends the stack what the input says.
+// A program that sends the stack what the input says.  Endpoints and buffers are counted from the
+// newest, so that an input which is put together from two others uses those of each.
 class Sender : public CodeObject {
  public:
   Sender() {
@@ -136,7 +137,7 @@ class Sender : public CodeObject {
   antModuleRef Endpoint() {
     const uint8_t which = input_->U8();
     if (which >= 0xf0 || endpoints_.empty()) return MakeModuleRef(which % 8, input_->U8());
-    return endpoints_[which % endpoints_.size()];
+    return endpoints_[endpoints_.size() - 1 - which % endpoints_.size()];
   }
   int32_t Number() {
     const uint8_t number = input_->U8();
@@ -146,7 +147,7 @@ class Sender : public CodeObject {
   byte* Place() {
     const uint8_t which = input_->U8();
     if (buffers_.empty() || which == 0xff) return nullptr;
-    return buffers_[which % buffers_.size()] + input_->U8() * 8;
+    return buffers_[buffers_.size() - 1 - which % buffers_.size()] + input_->U8() * 8;
   }
 
   template <typename M>
