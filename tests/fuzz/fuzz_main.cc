@@ -12,6 +12,7 @@
 #include "runtime/base/hasher.h"
 #include "tests/fuzz/fuzz_targets.h"
 #include "tests/fuzz/mutate.h"
+#include "tests/fuzz/mutate_json.h"
 #include "tests/fuzz/mutate_steps.h"
 
 // Functions of libFuzzer, which has no header for them.
@@ -78,9 +79,16 @@ std::string MutateBytes(const std::string& bytes, size_t size_max, openr_host::F
   if (has_steps && (*random)() % 4 != 0) {
     return openr_host::MutateSteps(bytes, StartsOf(bytes), random);
   }
+  const bool is_json = !bytes.empty() && (bytes[0] == '{' || bytes[0] == '[');
+  if (is_json && (*random)() % 2 == 0) {
+    const std::string changed = openr_host::MutateJson(bytes, words, random);
+    if (!changed.empty()) return changed;
+  }
   const bool is_text = openr_host::IsText(bytes);
   if (!is_text && (*random)() % 3 == 0) return openr_host::MutateNumber(bytes, random);
-  if ((*random)() % (is_text ? 2 : 16) == 0) return openr_host::MutateText(bytes, words, random);
+  if (is_text ? (*random)() % 3 != 0 : (*random)() % 16 == 0) {
+    return openr_host::MutateText(bytes, words, random);
+  }
   return MutateAnyhow(bytes, size_max);
 }
 

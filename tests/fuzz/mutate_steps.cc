@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "tests/fuzz/mutate_json.h"
+
 namespace openr_host {
 namespace {
 
@@ -42,9 +44,10 @@ Row ChooseRow(size_t steps, FuzzRandom* random) {
   return {begin, begin + 1 + Any(std::min(most, steps - begin), random)};
 }
 
+// Puts a row of steps behind all others, or anywhere between them.
 void Insert(const std::vector<std::string>& row, std::vector<std::string>* steps,
             FuzzRandom* random) {
-  const size_t to = Any(steps->size() + 1, random);
+  const size_t to = Any(2, random) == 0 ? steps->size() : Any(steps->size() + 1, random);
   steps->insert(steps->begin() + static_cast<std::ptrdiff_t>(to), row.begin(), row.end());
 }
 
@@ -151,7 +154,9 @@ std::string MutateParts(const std::string& input, const FuzzWords& words, FuzzRa
     part.flags = next->flags;
     parts.erase(next);
   } else {
-    part.text = MutateText(part.text, words, random);
+    const std::string changed =
+        kind % 2 == 0 ? MutateJson(part.text, words, random) : std::string();
+    part.text = changed.empty() ? MutateText(part.text, words, random) : changed;
   }
   return InputOf(parts);
 }

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "tests/fuzz/fuzz_targets.h"
+#include "tests/fuzz/mutate_json.h"
 #include "tests/fuzz/mutate_steps.h"
 
 namespace openr_host {
@@ -167,6 +168,27 @@ TEST(MutateStepsTest, ATargetNotesItsSteps) {
   EXPECT_EQ(starts, (FuzzStarts{0, 5}));
   FindFuzzTarget("panel_websocket")->run("abc");
   EXPECT_EQ(starts.size(), 2u);
+}
+
+TEST(MutateJsonTest, JsonStaysJson) {
+  std::set<std::string> found;
+  FuzzRandom random(1);
+  for (int i = 0; i < 5000; ++i) {
+    found.insert(MutateJson("{\"do\": \"step\", \"list\": [2, true]}", {"act"}, &random));
+  }
+  EXPECT_FALSE(found.contains(""));
+  EXPECT_TRUE(found.contains("{\"do\":\"act\",\"list\":[2,true]}"));
+  EXPECT_TRUE(found.contains("{\"do\":\"step\",\"list\":[77,true]}"));
+  EXPECT_TRUE(found.contains("{\"do\":\"step\",\"list\":[2,false]}"));
+  EXPECT_TRUE(found.contains("{\"do\":\"step\",\"list\":[2,2,true]}"));
+  EXPECT_TRUE(found.contains("{\"do\":\"step\",\"act\":[2,true]}"));
+  EXPECT_TRUE(found.contains("{\"list\":[2,true]}"));
+}
+
+TEST(MutateJsonTest, OtherBytesAreLeftToOthers) {
+  FuzzRandom random(1);
+  EXPECT_EQ(MutateJson("{\"do\"", {}, &random), "");
+  EXPECT_EQ(MutateJson(std::string(60, '[') + std::string(60, ']'), {}, &random), "");
 }
 
 TEST(MutatePartsTest, ATextIsChangedAndItsSizeIsRight) {

@@ -27,8 +27,10 @@ const std::string& GoodMotion() {
   return motion;
 }
 
-uint32_t CrcOfText(const std::string& bytes) {
-  return Crc32(0, reinterpret_cast<const Uint8*>(bytes.data()), static_cast<int>(bytes.size()));
+uint32_t CrcOfMotion() {
+  static const uint32_t crc = Crc32(0, reinterpret_cast<const Uint8*>(GoodMotion().data()),
+                                    static_cast<int>(GoodMotion().size()));
+  return crc;
 }
 
 // Commands that programs send most often; others are named by their number.
@@ -229,7 +231,7 @@ void RemoteDriver::WriteUpload(Client* client) {
     const std::string given = kind % 16 == 8 ? "CONTROLL.BIN" : name;
     payload += static_cast<char>(given.size()) + given;
     Append(&payload, static_cast<uint32_t>(GoodMotion().size()), 4);
-    Append(&payload, CrcOfText(GoodMotion()), 4);
+    Append(&payload, CrcOfMotion(), 4);
     WritePacket(client, rcUPLOAD_BEGIN, payload, RC_VERSION_FILES);
   } else if (kind % 8 < 5 && client->upload_offset < GoodMotion().size()) {
     Append(&payload, client->upload_offset, 4);
