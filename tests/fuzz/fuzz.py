@@ -27,10 +27,14 @@ PROCESSES = 2
 WORD_BYTES = 40  # of a word of a dictionary
 PLANTED_SECONDS = 60  # of processor time
 PLANTED_WAIT = 10  # times as long a busy machine may take for it
-MAX_BYTES = 2048  # of an input, or max_bytes of targets.json, or the size of the largest seed
+MIN_BYTES, MAX_BYTES = 512, 2048  # limits for the bytes of an input (bytes_limit())
 OPTIONS = ["-timeout=10", "-rss_limit_mb=1536", "-malloc_limit_mb=600", "-print_final_stats=1",
            "-mutate_depth=3",  # an input with more changes is hardly ever valid
-           "-len_control=0"]  # else no input is longer than the longest seed for a long time
+           "-len_control=0",  # else no input is longer than the longest seed for a long time
+           "-detect_leaks=0",  # else an input that leaves memory behind runs twice
+           # Which inputs are changed next: those with rare features, but looking for them must not
+           # take longer than a run; and those that run fast.
+           "-entropic_number_of_rarest_features=10"]
 # Objects of a robot may leave memory behind, so leaks are no findings (docs/hacking.md).
 ENVIRONMENT = {**os.environ,
                # Files of a target in memory: a stick is written and removed for each input.
@@ -133,6 +137,13 @@ def dictionary(name, found, folders):
     return path, lines
 
 
+def bytes_limit(found, largest):
+    """Returns how many bytes an input may have: max_bytes of targets.json, or twice as many as the
+    largest seed, because long inputs of a short format are mostly junk, or the largest seed."""
+    limit = found.get("max_bytes", min(MAX_BYTES, max(MIN_BYTES, 2 * largest)))
+    return max(limit, largest)
+
+
 def fuzz(name, found, seconds, seed, planted=False):
     """Runs one target.  Returns what libFuzzer has counted, and the inputs that crash."""
     kept = os.path.join(WORK, "planted" if planted else "corpus", name)
@@ -153,8 +164,7 @@ def fuzz(name, found, seconds, seed, planted=False):
     command += [f"-dict={words}"] if os.path.getsize(words) > 0 else []  # it refuses an empty one
     sizes = [os.path.getsize(os.path.join(folder, file))
              for folder in folders for file in os.listdir(folder)]
-    command += [f"-max_len={max([found.get('max_bytes', MAX_BYTES), *sizes])}"]
-    command += ["-use_value_profile=1"] if planted else []
+    command += [f"-max_len={bytes_limit(found, max(sizes, default=0))}"]
     command += [f"-seed={seed}"] if seed is not None else []
     run = subprocess.run(command + folders, env=ENVIRONMENT,
                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""tests/fuzz/fuzz.py: the progress line of ./dev fuzz.  The last line is "N passed, N failed"."""
+"""tests/fuzz/fuzz.py: the progress line of ./dev fuzz, and the limits of inputs.  The last line is "N passed, N failed"."""
 import io
 import sys
 import threading
@@ -53,6 +53,12 @@ check("else the time left follows from the targets that are done", fuzz.progress
       "fuzz: 1 of 4 targets done, about 60 s left")
 check("and is not known before the first", fuzz.progress_text(0, 4, 20),
       "fuzz: 0 of 4 targets done")
+
+verdict("an input may be twice as long as the largest seed",
+        [fuzz.bytes_limit({}, size) for size in (0, 24, 600, 1500, 9000)]
+        == [512, 512, 1200, 2048, 9000])
+verdict("a target limits its inputs, but not its seeds",
+        [fuzz.bytes_limit({"max_bytes": 256}, size) for size in (24, 300)] == [256, 300])
 
 shown = drawn(is_terminal=True)
 verdict("a terminal shows the line", " of 3 targets done, about 20 s left" in shown, shown)
