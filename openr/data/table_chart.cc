@@ -46,6 +46,18 @@ std::string PanelOf(const std::string& name) {
   return panel.erase(panel.find(group->begin), std::string(group->begin).size());
 }
 
+// Returns whether `wanted`, a name or a pattern with '*', means the quantity `name`.  The parts of
+// the name before a dot may be left out, so 'RF_j*' means all angles of the joints of this leg.
+bool IsLike(const std::string& name, const std::string& wanted) {
+  std::string pattern;
+  for (const char c : wanted) {
+    if (c == '[' || c == '?') pattern += '\\';  // as in robots[1].x_m: only '*' has a meaning
+    pattern += c;
+  }
+  return fnmatch(pattern.c_str(), name.c_str(), 0) == 0 ||
+         fnmatch(("*." + pattern).c_str(), name.c_str(), 0) == 0;
+}
+
 // The unit of the quantities in kAngleGroups, which do not end with their unit.
 constexpr QuantityUnit kAngle{"deg", 1, 4};
 
@@ -122,10 +134,7 @@ class ChartMaker {
     const size_t before = panels_.size();
     bool has_found = false;
     for (const Series& series : table_.series) {
-      const bool is_like = wanted.find('*') != kNowhere
-                               ? fnmatch(wanted.c_str(), series.name.c_str(), 0) == 0
-                               : series.name.ends_with("." + wanted);
-      if (!is_like) continue;
+      if (!IsLike(series.name, wanted)) continue;
       has_found = true;
       Add(PanelOf(series.name), &series, before);
     }

@@ -193,6 +193,16 @@ TEST(TableChartTest, AnglesOfAJointShareAPanel) {
   EXPECT_THAT(PanelsOf({"LF_j1", "pitch_deg"}), ElementsAre("LF_j1 2", "pitch_deg 1"));
   EXPECT_THAT(PanelsOf({"joint.LF_j1"}), ElementsAre("joint.LF_j1 1"));
   EXPECT_THAT(PanelsOf({"sensor.*"}), ElementsAre("sensor.chin 1", "sensor.back 1"));
+  EXPECT_THAT(PanelsOf({"LF_j*", "b*"}), ElementsAre("LF_j1 2", "sensor.back 1"));
+}
+
+TEST(TableChartTest, AnotherRobotsQuantitiesAreNamedWithItsNumber) {
+  PlotRequest request;
+  request.wanted = {"robots[1].sensor.*"};
+  const Chart chart = ChartOf(
+      {{{"robots[0].sensor.chin", {0}, {0}}, {"robots[1].sensor.chin", {0}, {1}}}, ""}, request);
+  ASSERT_EQ(chart.panels.size(), 1u);
+  EXPECT_EQ(chart.panels[0].title, "robots[1].sensor.chin");
 }
 
 TEST(TableChartTest, UnknownNamesAndEmptyTimesAreRefused) {
