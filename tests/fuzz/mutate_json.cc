@@ -83,8 +83,9 @@ void ChangeElements(Json* json, const std::vector<Json*>& values, const FuzzWord
   std::advance(at, chosen);
   const std::string key = at.key();
   if (kind == 3) other = at.value();
+  const std::string word = AnyWord(values, words, random);  // before `values` are erased
   json->erase(key);
-  if (kind != 1) (*json)[AnyWord(values, words, random)] = std::move(other);
+  if (kind != 1) (*json)[word] = std::move(other);
 }
 
 }  // namespace
