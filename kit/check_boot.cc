@@ -145,7 +145,8 @@ void BootCheck::CheckBase() {
                     fmt::format("lacks {} of the base image, which must be copied whole",
                                 fmt::join(objects, ", ")));
   }
-  // Recognises the kind of the base image by the objects that the smaller kinds lack.
+  // Recognises the kind of the base image by the system objects that it lacks: BASIC has no objects
+  // for the network, WLAN has none for the console, and WCONSOLE has both.
   summary_.base = !MissingObjects(root_, kNetworkObjects).empty()   ? "BASIC"
                   : !MissingObjects(root_, kConsoleObjects).empty() ? "WLAN"
                                                                     : "WCONSOLE";

@@ -158,9 +158,9 @@ void ImageCheck::CheckImage(const ObjectRecord& record, const fs::path& file,
   for (const ObjectFolder* object : objects_) {
     if (HasOcfName(*object, name)) namesakes.push_back(object);
   }
-  // Chooses by the services if several objects have this name, because objects for different robots
-  // often share a name.  A single object is taken without this choice, because its stub.cfg may
-  // have changed since the build.
+  // Drops, if several objects of the program have this name, those with a service that the image
+  // lacks, because objects for different robots often share a name.  Keeps a single object without
+  // a look at its services, because its stub.cfg may have changed since the image was built.
   if (namesakes.size() > 1)
     std::erase_if(namesakes,
                   [&](const ObjectFolder* object) { return !HasServicesIn(*object, record); });

@@ -14,8 +14,9 @@ namespace {
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
-// Returns the words of `command`, changed so that the compiler reads `original`, the user's file,
-// and not the private copy of this file.
+// Returns the words of `command`, a call of the compiler.  The build compiled a private copy of
+// `original`, which is a file of the user; the words are changed so that they name `original`,
+// because editors show the user's file.
 Words WordsFor(const KitLog::Command& command, const std::string& original,
                const std::vector<SourceCopy>& copies) {
   Words words = command.words;

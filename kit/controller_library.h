@@ -5,7 +5,8 @@
 
 namespace openr_host {
 
-// Name of the function of the library that calls main() of the controller: extern "C" int f(void).
+// Name of the only function that the shared library of a controller exports: extern "C" int
+// f(void).  The function calls main() of the controller.
 inline constexpr char kControllerMainName[] = "openr_controller_main";
 
 struct ControllerLibraryOptions {

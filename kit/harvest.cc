@@ -235,7 +235,7 @@ class StickCompletion {
     for (const auto& [name, index] : listed_)
       (index == kNone ? foreign : own) += fmt::format("/MS/OPEN-R/MW/OBJS/{}\n", name);
     const fs::path folder = objects_.parent_path() / "CONF";
-    // Begins OBJECT.CFG with the images that this build has not made.  One of them may be
+    // Begins OBJECT.CFG with the images that this build has not linked.  One of them may be
     // POWERMON.BIN, which the robot's own sticks name in the first line.
     WriteText(folder / "OBJECT.CFG", foreign + own);
     const bool has_connections = !FindEntry(folder, "CONNECT.CFG").empty();
@@ -258,9 +258,9 @@ class StickCompletion {
     }
   }
 
-  // Adds to `listed_` the images in OBJS that this build has not made: those that come from rules
-  // of Makefiles, and those of the user's stick for which the SDK tree has an image.  Adds a note
-  // about each image that stays out of OBJECT.CFG.
+  // Adds to `listed_` the images in OBJS that this build has not linked: those that rules of
+  // Makefiles have copied to the stick, and those of the user's stick for which the SDK tree has an
+  // image.  Adds a note about each image that stays out of OBJECT.CFG.
   void ListForeign() {
     std::map<std::string, fs::path> files;  // by the upper case name of the file
     for (const fs::path& folder :
@@ -291,8 +291,9 @@ class StickCompletion {
     listed_.emplace_back(name, kNone);
   }
 
-  // Returns the reason why OBJECT.CFG must not list an image that this build has not made; "" if
-  // there is none.  `is_of_make` is true if a rule of a Makefile has put the image on the stick.
+  // Returns the reason why OBJECT.CFG must not list an image in OBJS that this build has not
+  // linked; "" if OBJECT.CFG may list it.  `is_of_make` is true if a rule of a Makefile has copied
+  // the image to the stick in this build; false if the image lay on the user's stick before.
   std::string WhyUnlisted(const std::string& name, const ImageFile& image, bool is_of_make) const {
     if (image.is_for_robot) return "it is an image for the robot (MIPS), not for this machine";
     if (!image.problem.empty()) return "it " + image.problem;
@@ -319,7 +320,7 @@ class StickCompletion {
   std::vector<std::string> missing_;
   std::map<std::string, bool> is_for_robot_;
   // The images that the OBJECT.CFG of ListEverything() names: the name of each file, and its index
-  // in built_, or kNone if this build has not made the image.
+  // in built_, or kNone if this build has not linked the image.
   std::vector<std::pair<std::string, size_t>> listed_;
   std::vector<std::string> unlisted_;  // notes about images that ListEverything() does not list
   Harvest harvest_;

@@ -193,10 +193,11 @@ size_t MacroTable::PutMacro(std::string_view text, size_t at, size_t origin, con
   return close + 1;
 }
 
-// Expands the macros in `text` and appends the outcome to `result`.  If `text` comes from a macro,
-// all its characters get the offset `fixed` (ExpandedText::origins).  If `text` is the source
-// itself, `fixed` is kNone, and each character gets its own position.  Macros in `hidden` are not
-// expanded.
+// Expands the macros in `text` and appends the resulting characters to `result`, each with its
+// origin, an offset in the source (ExpandedText::origins).  If `text` comes from a macro, `fixed`
+// is the origin of all characters: the offset of the macro's use.  If `text` is the source itself,
+// `fixed` is kNone, and the origin of a character is its offset in `text`.  Macros in `hidden` are
+// not expanded, because `text` is a part of their own expansion.
 void MacroTable::Put(std::string_view text, size_t fixed, const Names& hidden,
                      ExpandedText* result) const {
   for (size_t at = 0; at < text.size() && result->text.size() < kExpandedMax;) {

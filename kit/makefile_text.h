@@ -14,12 +14,13 @@ namespace openr_host {
 //   - CR LF becomes LF.
 std::string AdaptMakefile(const std::string& text, const std::string& sdk_root);
 
+// A variable of a Makefile that stands for a folder of the SDK, or for a Memory Stick.
 struct MakefileVariable {
   std::string name;
   bool is_defined = false;  // true: the text assigns a value to the variable (=, := or the like)
   std::vector<std::string> values;  // the values as written, one per assignment
-  // The folder in the SDK for which the variable stands, such as "/OPEN_R/bin"; "": the SDK's own
-  // folder.
+  // The folder inside the SDK for which the variable stands, as a path from the root of the SDK,
+  // such as "/OPEN_R/bin"; "" if the variable stands for the root, or for a Memory Stick.
   std::string folder;
 };
 

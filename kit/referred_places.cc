@@ -19,8 +19,8 @@ namespace fs = std::filesystem;
 // taken as a part of the program.
 constexpr size_t kOutsideFilesMax = 20'000;
 
-// Returns whether the file, by its name, may be a part of a program.  Of a folder around the
-// program only such files are used, because the folder may hold many other files.
+// Returns whether the file, by its name, may be a part of a program.  Of a folder that contains the
+// program, only such files are used, because the folder may hold many other files.
 bool IsPartOfPrograms(const fs::path& file) {
   return IsSourceName(file) || IsHeaderName(file) || IsMakefileName(file) ||
          LowerCase(file.extension()) == ".ocf" || LowerCase(file.extension()) == ".cfg";
@@ -119,9 +119,11 @@ class PlaceSearch {
     }
   }
 
-  // Adds the file or folder `target`, to which a path in a file of the program leads.  `is_above`
-  // says that the path ends in "..", so the folder may hold more than the program.  Of a folder
-  // that contains a known folder of the program, only the files directly in it are added.
+  // Adds the folder `target`, or the folder of the file `target`, to which a path in a file of the
+  // program leads.  `is_above` says that the path ends in "..".  A folder that contains the
+  // program's own folder may hold other programs too, so only the files directly in this folder are
+  // added.  The same holds for the folder of a file and for a folder above (`is_above`) if it
+  // contains a folder that was added before.
   void AddTarget(const fs::path& target, bool is_above) {
     std::error_code error;
     if (!fs::exists(target, error) || IsCovered(target)) return;

@@ -141,8 +141,9 @@ bool RepairSession::Apply(const std::string& diagnostics, const std::vector<std:
   std::vector<Complaint> complaints = ReadComplaints(diagnostics);
   const std::vector<Complaint> more = ReadAssemblerComplaints(diagnostics, sources);
   complaints.insert(complaints.end(), more.begin(), more.end());
-  // Leaves messages about undeclared names for a later round while a 'typename' is missing, because
-  // the missing 'typename' may be the reason for these messages.
+  // Ignores the compiler's messages about undeclared names in this round of repairs if a 'typename'
+  // is missing, because the missing 'typename' may be the cause of these messages.  A later round
+  // repairs the names that are still undeclared.
   const bool is_unclear = diagnostics.find("need 'typename'") != std::string::npos;
   for (const Complaint& complaint : complaints) {
     if (is_unclear && complaint.message.find("not declared") != std::string::npos) continue;

@@ -6,12 +6,13 @@
 
 namespace openr_host {
 
-// A temporary folder beside the output, in which the stick is made.  Finish() renames the finished
-// stick to the output.  The destructor removes the temporary folder, so that a failure leaves
-// nothing.
+// A temporary folder in which a stick is made.  It lies beside `output`, the path of the finished
+// stick.  Finish() renames the stick to `output`.  The destructor removes the temporary folder, so
+// that a failure leaves nothing.
 class StickDraft {
  public:
-  // Throws std::runtime_error if `output` exists already, or if no folder can be made beside it.
+  // Makes the temporary folder.  Throws std::runtime_error if `output` exists already, or if the
+  // temporary folder cannot be made in the folder that is to contain `output`.
   explicit StickDraft(const std::string& output);
   ~StickDraft();
   StickDraft(const StickDraft&) = delete;

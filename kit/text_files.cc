@@ -20,8 +20,9 @@ bool HasExtension(const fs::path& file, std::initializer_list<const char*> exten
   return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
 }
 
-// Adds the files below `folder` to `files`.  `open` has the real paths of the folders around
-// `folder`.  A link to one of these folders is not followed, because the search would never end.
+// Adds the files below `folder` to `files`.  `open` has the real paths of the folders that contain
+// `folder`.  Does not follow a link to one of these folders, because the search would then never
+// end.
 void AddFiles(const fs::path& folder, std::vector<fs::path>* open, std::vector<fs::path>* files) {
   std::error_code error;
   const fs::path real = fs::canonical(folder, error);

@@ -36,7 +36,8 @@ bool IsBuiltImage(const fs::path& file) {
 }
 
 // Returns whether the file is a list of dependencies for make.  Such a list names headers of the
-// robot's compiler, and make would fail without these headers, so the copy of the list is empty.
+// robot's compiler, and make would fail without these headers.  So the private copy of the user's
+// folder gets an empty file in place of the list.
 bool IsDependencyList(const fs::path& file) {
   const std::string name = file.filename();
   return file.extension() == ".d" || name == ".depend" || name == ".depends" || name == ".dep";

@@ -45,14 +45,15 @@ class Hull {
     Eigen::Matrix3d half_edges;  // matrix whose columns are half the edges of the box
     int part;
   };
-  // The balls that enclose two boxes: element i of around_ has the balls of the boxes 2i and 2i + 1
-  // of boxes_.  LowestAlong() looks at a box only if the ball of the box reaches lower than the
-  // lowest point found so far.
+  // Two balls, each of which encloses one box: element i of around_ has the balls of the boxes 2i
+  // and 2i + 1 of boxes_.  LowestAlong() looks at a box only if the ball of the box reaches lower
+  // than the lowest point found so far.
   struct BallPair {
     Pair x{}, y{}, z{};  // coordinates of the balls' centres
-    // The radii of the two balls.  If the pair has only one box, the second radius stays minus
-    // infinity.  Then the lowest point of the second ball (height of the centre minus radius) is
-    // infinitely high, so LowestAlong() never looks for a second box.
+    // The radii of the two balls.  If the number of boxes is odd, the last element of around_ has
+    // only one ball, and its second radius stays minus infinity.  Then the lowest point of the
+    // missing ball (height of the centre minus radius) is infinitely high, so LowestAlong() never
+    // looks at the missing box.
     Pair radius = {-std::numeric_limits<double>::infinity(),
                    -std::numeric_limits<double>::infinity()};
   };

@@ -5,7 +5,7 @@
 //   - set points have no effect, because power or gain is off,
 //   - set points are in radians instead of microradians,
 //   - joints of an ERS-7 are given different shifts of their gains, though all joints share one,
-//   - a motor pushes at its limit for 30 s.
+//   - a motor pushes with at least 78 % of its largest drive for 30 s.
 //
 // A servo acts when it has motor power and a P gain; otherwise its joint is limp.  A frame is 8 ms.
 #pragma once
@@ -45,7 +45,8 @@ class JointWatch {
   // the drive is not known.  Called after every frame.
   int NoteFrame(const BodyState& body);
 
-  // Forgets what earlier frames and vectors have shown, because the robot is switched off.
+  // Forgets all that was recorded about the joints and which mistakes were reported, because the
+  // robot is switched off.
   void SwitchOff();
 
   void HashState(Hasher* hasher) const;

@@ -109,7 +109,9 @@ void OVirtualRobotComm::Frame() {
   if (running_) PostNextFrame();
 }
 
-// Reports a motor that has pushed at its limit for 30 s as an error of the program.
+// Checks whether the drive of a motor has been 78 % of its limit or more for 30 s
+// (JointWatch::NoteFrame()).  If so, adds an error finding about the robot's program, because a
+// real robot shuts down in this case.
 void OVirtualRobotComm::ReportOverload() {
   const int joint = robot_.watch.NoteFrame(robot_.body->state());
   if (joint < 0) return;

@@ -109,7 +109,8 @@ led_set(DeviceTag tag, unsigned char value)
 
 // ---- servo.h -------------------------------------------------------------------------
 
-// Returns the index of the joint with this tag; -1 for other devices.
+// Returns the index in RobotConstants::joints of the joint to which the device tag `tag` belongs;
+// -1 if `tag` belongs to no joint.
 static int
 JointOf(DeviceTag tag)
 {

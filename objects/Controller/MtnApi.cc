@@ -102,9 +102,11 @@ mtn_get_time(MTN* motion)
     return motion->keyFrame < 0 ? motion->file.DurationMs() : motion->file.TimeMs(motion->keyFrame);
 }
 
-// Returns 1 when the motion has reached its last key frame.  Compares key frames and not times,
-// because JointMover reports the motion's progress only at key frames.  A motion of one key frame
-// is over only when JointMover reports it.
+// Returns 1 when the motion does not play, or has reached its last key frame.  Compares key frames
+// and not times, because JointMover reports the progress of a motion only at key frames.
+// mtn_play() stores key frame 0 at the start of a motion, so a motion with a single key frame is at
+// its last key frame from the beginning.  Such a motion is over only when JointMover reports its
+// end.
 int
 mtn_is_over(MTN* motion)
 {

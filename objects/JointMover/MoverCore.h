@@ -23,13 +23,14 @@
 #include "MtnFile.h"
 #include "MtnPlayer.h"
 
-// Number of frames of a vector outside of motions: 4 x 8 ms, which is the period of the sensor
-// vectors.  Because two vectors are in the effector, a command begins to act after 64 ms at most.
+// Number of frames of a command vector outside of motions: 4 x 8 ms, which is the period of the
+// sensor vectors.  Because two vectors are under way, a command begins to act after 64 ms at most.
 // Full vectors of 128 ms would make this time 256 ms; shorter vectors would double the messages for
 // little gain.
 const int MANUAL_VECTOR_FRAMES = 4;
 
-// Maximum number of vectors in the effector: one plays and one waits.
+// Maximum number of command vectors that are under way, that is, sent to the robot and not ended:
+// one plays and one waits.
 const int MAX_VECTORS_UNDER_WAY = 2;
 
 // Limit, in urad, of the distance between a joint and its angle in the first key frame (posture) of
@@ -62,8 +63,8 @@ public:
     // MAX_VECTORS_UNDER_WAY vectors have not ended yet.
     bool NextVector(VectorPlan* plan);
 
-    // Records that the oldest vector in the effector has ended.  If the present state waited only
-    // for this vector, enters the next state.
+    // Records that the oldest vector under way has ended.  If the present state waited only for
+    // this vector, enters the next state.
     void VectorEnded();
 
     // Carries out `command`, which may be of any kind except PLAY and STOP.
@@ -95,8 +96,9 @@ public:
     // Ends the motion, or the movement to its first key frame, at once.
     void Stop();
 
-    // Reports on SetValue that the motion of `command` is over, because it was refused.  Changes
-    // nothing else.
+    // Tells the observers of the subject SetValue that the motion of `command` is over.  Called
+    // when the motion was refused, so that no object waits for its end.  Does not change the state
+    // of the core.
     void ReportRefusal(const MoverCommand& command);
 
 private:
@@ -148,7 +150,7 @@ private:
     BatchJoint batch_[MAX_JOINTS];  // the buffer that was received last
     Sint32 numVectors_;             // number of vectors made so far
     int numUnderWay_;
-    UnderWay underWay_[MAX_VECTORS_UNDER_WAY];  // vectors in the effector, oldest first
+    UnderWay underWay_[MAX_VECTORS_UNDER_WAY];  // the vectors under way, oldest first
 };
 
 #endif  // MoverCore_h_DEFINED

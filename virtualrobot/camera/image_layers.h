@@ -35,7 +35,8 @@ using Exposure = std::array<std::array<uint8_t, 256>, 3>;
 class ImageLayers {
  public:
   // `width` and `height` are the size of the sensor in pixels.  REQUIRES: both are multiples of 8,
-  // and layer C is at least 16 pixels wide, which is the size of a tag (see Make()).
+  // and `width` is at least 64, because Make() writes a tag of 16 bytes into a row of layer C,
+  // which has only `width` / 4 bytes.
   ImageLayers(int width, int height);
 
   static constexpr size_t kBands = 6;

@@ -319,8 +319,9 @@ void ContactFinder::FindOnRound(const Shape& shape, const Shape& other, bool swa
   AddTouches(shape, other, swapped);
 }
 
-// Converts the points in touches_ to contacts and adds these to points_.  The normals of touches_
-// point out of `other`.
+// Adds a ContactPoint to points_, the result of Find(), for each point in touches_, at which
+// `shape` touches `other`.  The normals of touches_ point out of `other`.  `swapped` says that
+// `other` is the side that can move; then exchanges the two sides and turns the normals round.
 void ContactFinder::AddTouches(const Shape& shape, const Shape& other, bool swapped) {
   for (const TouchPoint& touch : touches_) {
     ContactPoint point;
