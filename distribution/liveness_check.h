@@ -28,8 +28,8 @@ class LivenessCheck {
 
  private:
   int64_t pid_ = 0;  // id of the tested process; 0 if there is no process to test
-  // Start time of the tested process in clock ticks since the boot of this machine; "" if the start
-  // time is hidden from this process.
+  // Start time of the process pid_ in clock ticks since the boot of this machine; "" if our process
+  // may not read the start time.
   std::string start_time_;
 };
 

@@ -78,7 +78,8 @@ class RemoteObject : public Object {
   const LossListener lost_;
   std::set<uint32_t> selectors_;
   // Observers that have asserted ready to a subject of this object and were not notified since
-  // then.  Only the lost process knew these asserts, so a restarted worker gets them again.
+  // then.  The worker knows these asserts too, but loses them when it ends, so a restarted worker
+  // gets them again from this set.
   std::set<StandingReady> readies_;
 };
 

@@ -92,9 +92,9 @@ class RemoteProcess {
   // replaced this object and will be connected again.
   void Forget(ObjectId id);
 
-  // Switches to free running: the master does not wait while a handler runs in the worker.  Only
-  // the handler's object waits.  HandleReceived() applies the effects of the handler when they
-  // arrive.
+  // Switches to free running: while a handler of an object runs in the worker, only this object
+  // gets no further message; the master goes on with the messages to other objects.
+  // HandleReceived() applies the effects of the handler when they arrive.
   void RunFree() { is_free_ = true; }
 
   // Returns whether, in a free run, a handler of the object runs in the worker at this time.  A

@@ -251,7 +251,9 @@ void WorkerGroup::HandleLoss(const RemoteObject* about, RemoteObject::Loss loss,
   // Calls the listener before anything changes, so that a recording of the run has the loss before
   // its consequences.
   if (loss_listener_ && loss != RemoteObject::Loss::kAtEnd) loss_listener_(member->name);
-  // Reports no loss after a second Ctrl-C, because after that signal workers may end at any time.
+  // Adds no finding about a loss after a second Ctrl-C, because after that signal workers may end
+  // at any time.  Only a crash is still reported, because its cause is a handler and not the
+  // signal.
   if (IsInterrupted() && loss != RemoteObject::Loss::kCrashed) {
     process.set_lost();
     return StopRun(

@@ -1,4 +1,5 @@
-// The part of Worker that loads robots, stick and objects, and counts the heap that objects use.
+// Implements the functions of Worker that load a run: they add its robots and objects to the tables
+// of this process, find its Memory Stick, and count the heap that its objects use.
 #include <fmt/format.h>
 
 #include <filesystem>

@@ -204,8 +204,9 @@ std::vector<std::string> Bench::KnownServices() {
   for (const auto& object : system_->objects()) {
     for (const auto& [selector, entry] : object->entry_names)
       services.push_back(entry.substr(0, entry.rfind(" (")));
-    // Reads names of services also from the image's file, because the object itself gives its
-    // services their names only while it boots.
+    // Reads names of services also from the image's file, because an object that is loaded from an
+    // image gives names to its services only while it boots, and this function may be called
+    // before.
     if (!object->is_image) continue;
     const std::string file = stick_->Locate(object->path).path;
     for (std::string& text : openr_host::ServicesInImage(openr_host::ReadImageFile(file).bytes))

@@ -83,7 +83,8 @@ std::string DefaultStick();
 uint64_t SeedOfEnvironment();
 
 struct BenchOptions {
-  // Folder that holds OPEN-R/, which is copied to the bench; "": the stick of the bench is empty.
+  // A folder that contains OPEN-R/, as a Memory Stick does.  The robot on the bench gets a copy of
+  // this folder as its stick.  "": the stick is empty.
   std::string stick = "";
   std::vector<StandIn> replace = {};  // objects of the stick that are replaced
   // Kind of body: "none", "ideal" (joints follow exactly) or "ode" (physics).
@@ -280,7 +281,7 @@ class Bench {
 
   // Reports a failure for everything that the test has asked for and that has not happened:
   // expected messages and findings, messages to hold, drop or refuse, and steps of network clients.
-  // Reports each of these only once.
+  // A second call does not report the same failures again.
   void Verify();
 
   // ---- State of the robot and of the objects
@@ -411,7 +412,8 @@ class Bench {
                   const std::function<void()>& on_wrong = {});
   bool CheckName(const std::string& name, const Place& place);
 
-  // The function of the test that posts a message, such as "Inject", for failures.
+  // A call of a Bench function that posts a message, such as Inject().  A failure names the
+  // function and points to the line of the call.
   struct Caller {
     const char* function;
     Place place;  // line of its call

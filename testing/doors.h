@@ -135,11 +135,12 @@ class Doors : public openr_host::Gate {
   std::string Text() const;
 
  private:
-  // Drops `message` if a Drop() asks for it: counts the message, and gives back the regions that it
-  // holds.  Returns whether the message was dropped.
+  // Drops `message` if a call of Drop() has asked for it: counts the message, and releases the
+  // regions (shared memory) with the data of the message.  Returns whether the message was dropped.
   bool Lose(const openr_host::Message& message);
 
-  // Posts `message` once more for each Repeat() that asks for it.
+  // Posts a message with the same data again for each call of Repeat() that has asked to repeat
+  // `message`.
   void RepeatIfAsked(const openr_host::Message& message);
 
   openr_host::System* const system_;

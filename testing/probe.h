@@ -94,7 +94,8 @@ class ProbeObserver {
   std::function<void(const ONotifyEvent&)> on_event_;
 };
 
-// A message "ready" or "not ready" that a probe's subject received from an observer.
+// A message "ready" or "not ready" that a subject of a Probe (an object through which a test sends
+// and receives) got from an observer.
 struct ReceivedReady {
   int64_t time_us = 0;
   std::string from;       // name of the sender, such as "Eye.Light"

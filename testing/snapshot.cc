@@ -31,8 +31,9 @@ struct ResultHeader {
   size_t message_size;
 };
 
-// Sends every test result of a copy to its original process at once, so that no result is lost when
-// the copy crashes.  That includes results inside of EXPECT_NONFATAL_FAILURE().
+// Sends every test result from a copy of the process (made by fork()) to the original process at
+// once, so that no result is lost when the copy crashes.  Also sends the results of a copy that was
+// made inside of EXPECT_NONFATAL_FAILURE().
 class ResultSender : public ::testing::ScopedFakeTestPartResultReporter {
  public:
   explicit ResultSender(int pipe)
@@ -69,7 +70,7 @@ void LiveAsCopy(const std::function<void()>& body, int pipe) {
   }
 }
 
-// Adds the results of a copy to the running test.
+// Adds the test results that a copy of the process has sent to the running test.
 void AddResults(const std::string& bytes) {
   for (size_t at = 0; at + sizeof(ResultHeader) <= bytes.size();) {
     ResultHeader header;

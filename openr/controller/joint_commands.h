@@ -10,7 +10,8 @@
 
 namespace openr_host {
 
-// A request to the robot, and a description of the request for messages to the user.
+// A request that is sent to the robot, and a text that describes this request in warnings to the
+// user.
 struct RobotCommand {
   openr::remote::Call call;
   std::string what;  // description of the request, such as "a position of neck_pan"

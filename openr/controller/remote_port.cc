@@ -23,7 +23,9 @@ using Clock = std::chrono::steady_clock;
 constexpr int kFrameMs = 8;
 // Longest wait for packets, so that Ctrl-C is noticed soon.
 constexpr std::chrono::milliseconds kSlice{50};
-// Largest number of events that are taken before answers are read.
+// Number of events from the robot after which RemotePort looks for the robot's answers to commands,
+// even if more events wait.  Without this limit many events could keep RemotePort from reading the
+// answers.
 constexpr int kEventsAtOnce = 64;
 // Number of different frame numbers: after the largest one follows 0 (docs/remote-control.md).
 constexpr uint32_t kFramesMax = 0x0ffffff1;

@@ -61,8 +61,9 @@ nlohmann::ordered_json ReplayDeviations(const ExplorePlan& plan,
 // property.  `pool` makes more runs, to find the deviations that are needed to break it.  The
 // description has
 //   "seed", "property", "time_us", "message", "text", "waits", "tail" (as in RunPlan()),
-//   "deviations" (those that are needed to break the property), "deviations_found" (their number
-//   before unneeded ones were removed),
+//   "deviations" (the differences from an ordinary run that are needed to break the property, such
+//   as another order of messages; see deviation.h), "deviations_found" (number of differences
+//   before those that are not needed were removed),
 //   "shorten_runs" (number of runs made by `pool`), "canonical" (true: the property is broken
 //   without any deviation too).
 nlohmann::ordered_json MakeFailure(const ExplorePlan& plan, ExplorerProcesses* pool,

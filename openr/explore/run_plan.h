@@ -1,5 +1,5 @@
-// Makes one run of an exploration, from the boot of the robot to the end, and returns its result as
-// an answer in JSON.
+// RunPlan() makes one run of an exploration (many runs of a program, with different orders of
+// messages) from the boot of the robot to the end.  It returns the result of the run as JSON.
 #pragma once
 
 #include <cstdint>

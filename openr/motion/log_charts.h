@@ -25,7 +25,8 @@ struct ComparedSide {
 struct Comparison {
   std::string title;
   ComparedSide a, b;
-  // Commanded positions, drawn below the curves of A and B; empty: not drawn.
+  // Positions that the joints were commanded to take.  Their curves are drawn first, so that the
+  // curves of the motions A and B lie on top of them.  Empty: these curves are not drawn.
   JointTraces commanded;
   const RobotConstants* robot = nullptr;
   std::vector<JointDifference> differences;

@@ -47,7 +47,9 @@ struct PairWish {
 struct PairStatus {
   Follow follow = Follow::kNone;
   std::optional<double> round_trip_ms[2];  // times from a request to its answer; index: PairSide
-  // The lag that LagMeter has measured; nullopt while nothing moves.
+  // The time by which the joints of the robot that follows lag behind those of the other robot, as
+  // LagMeter has measured it; nullopt if the lag cannot be measured, for instance because nothing
+  // moves.
   std::optional<int64_t> lag_ms;
   std::string state[2];            // state of each robot's JointMover; "": not known
   std::vector<int32_t> joints[2];  // measured positions of each robot's joints, in 0.01 degree

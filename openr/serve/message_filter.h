@@ -1,5 +1,5 @@
-// MessageFilter: describes the messages for which a program waits, by kind, sender, receiver and
-// entry.
+// MessageFilter: a condition on messages, by kind, sender, receiver and entry.  A program that
+// controls a run through the Python module waits for a message that meets the condition.
 #pragma once
 
 #include <cstdint>

@@ -90,8 +90,8 @@ class RunServer {
 
   RequestPipe& pipe_;
   bool is_copy_ = false;
-  // Registered before the EndingActions of `run_`, so that it is called after them.  If it crashes
-  // while it makes the report, the recording has its last messages already.
+  // Registered before the EndingActions of `run_`, so that it is called after them.  So the
+  // recording of the run is complete already if this action crashes while it makes the report.
   const EndingAction last_words_{[this](Ending* ending) { TellLastWords(*ending); }};
   std::unique_ptr<ServedRun> run_;
   // These members end the process when an object crashes or its handler does not return:

@@ -48,7 +48,8 @@ struct SimulationOptions {
   // sees the pictures of a folder; the other robots see their world.
   std::string images = kImagesOfWorld;
   std::string battery = "drain";  // battery of each robot; see ParseBattery()
-  // Whether objects may write to the stick.  With several robots they never may.
+  // True: objects may write to the stick.  Has no effect if there are several robots, because their
+  // objects must never write to the sticks.
   bool writable_stick = true;
   bool measures = true;             // true: measures handler times and stacks for the report
   bool guard_regions = false;       // see SystemOptions::guard_regions

@@ -14,15 +14,15 @@ using namespace openr_host;
 
 namespace {
 
-// The number of regions at which a real robot stopped, because its program had made a new vector
-// for every command (field-notes.md, 3.4).
+// The number of regions (blocks of shared memory) at which a real robot stopped, because its
+// program had made a new vector for every command (field-notes.md, 3.4).
 constexpr int kRegionsOfRobot = 0x1cb;
 // The number of regions of one object above which a warning is given.  The number is our choice:
 // sample programs need two regions per service, so an object with more than 64 probably makes new
 // regions again and again.
 constexpr int kRegionsOfObject = 64;
 
-// Returns the number of regions that the objects of `robot` own together.
+// Returns how many regions the objects of `robot` own in total.
 int RegionsOfRobot(const System& system, const RegionTable& regions, int robot) {
   int count = 0;
   for (const auto& object : system.objects()) {

@@ -88,7 +88,8 @@ class CodeObject : public OObject {
     Extra extra_;
   };
 
-  // The entry for the readies of a subject.  The subject is a member of the entry.
+  // Handles the ready messages to `subject`, which is a part of this entry.  Passes each message to
+  // `subject`, then calls `ready_`, the function that the object has given to AddSubject().
   template <typename Ready>
   class ReadyEntry final : public Entry {
    public:
@@ -105,7 +106,8 @@ class CodeObject : public OObject {
     Ready ready_;
   };
 
-  // The entry for the notifications to an observer.  The observer is a member of the entry.
+  // Handles the notifications to `observer`, which is a part of this entry.  Passes each message to
+  // `observer`, then calls `notify_`, the function that the object has given to AddObserver().
   template <typename Notify>
   class NotifyEntry final : public Entry {
    public:

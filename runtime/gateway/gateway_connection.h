@@ -53,8 +53,8 @@ class GatewayConnection {
   void Refuse(const std::string& why);
 
   void TakeAnswer(const antEnvMsg& answer);
-  // Called kHintUs after an attempt to connect.  Warns the user if the peer has neither accepted
-  // nor refused an attempt yet.
+  // Warns the user if the peer has not answered yet: it has neither accepted nor refused an attempt
+  // to connect.  Called when kHintUs have passed since an attempt.
   void LookForAnswer();
 
   void HashState(Hasher* hasher) const;

@@ -284,8 +284,8 @@ OStatus OSubject::ReadyHandler(const OReadyMessage& msg) {
   // them again.
   for (int i = 0; i < msg.numOfData; ++i) RegionAccess::RemoveReference(msg.rcRegion[i]);
   ObserverLink* const link = state_->Find(msg.observerID);
-  // The observer may have been removed after it had sent this ready.  The loop above has given its
-  // regions back nevertheless.
+  // Returns an error if the observer was removed after it had sent this message.  In this case too,
+  // the loop above has given back the regions that the message lists.
   if (link == nullptr) return oNOT_FOUND;
   if (msg.command == objcommCMD_DEASSERT_READY) {
     link->ready = -1;

@@ -39,10 +39,10 @@ class MemoryStick {
   // if the file may not be read.
   int WhyUnread(std::string_view name);
 
-  // Returns the hash of the names (below /MS) and contents of all files, or 0 if there are no
-  // files.  A replay compares this hash with the hash of the recording.  So files that may differ
-  // are left out: images and debug files, which differ from build to build, and the record of a
-  // crash in an earlier run.
+  // Returns the hash of the names (below /MS) and contents of the files, or 0 if there are no
+  // files.  A replay compares this hash with the hash of the recording.  So the hash leaves out
+  // files that may differ although the program is the same: images and debug files, which differ
+  // from build to build, and the record of a crash in an earlier run.
   virtual uint64_t ContentHash() = 0;
 
   // Records that objects change the file `name`, so that its content becomes part of HashState().

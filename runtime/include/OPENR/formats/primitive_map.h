@@ -1,10 +1,11 @@
-// Descriptions of the parts of the robot; rarely used, mostly by the system.
+// Vectors that describe the robot's devices (primitives) and the components of its body; rarely
+// used, mostly by the system.
 #ifndef OPENR_FORMATS_PRIMITIVE_MAP_H_INCLUDED
 #define OPENR_FORMATS_PRIMITIVE_MAP_H_INCLUDED
 
 #include <OPENR/formats/vector_info.h>
 
-// Describes one primitive; 160 bytes.
+// Describes one primitive, a device of the robot such as a joint.  This struct has 160 bytes.
 struct OPrimitiveInfo {
   ODataType type;  // the type odataPRIMITIVE_INFO
   OPrimitiveID primitiveID;
@@ -23,7 +24,7 @@ struct OPrimitiveMapData {
   OPrimitiveInfo* GetInfo(int index) { return info + index; }
 };
 
-// Describes one component of the body that is plugged in; 12 bytes.
+// Describes one plugged-in component of the robot's body.  This struct has 12 bytes.
 struct OCPCInfo {
   ODataType type;  // the type odataCPC_INFO
   word cpcClass;

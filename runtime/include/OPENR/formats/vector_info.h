@@ -1,11 +1,13 @@
-// The types of data, and the header of every data vector.
+// The types of the data in vectors, and the header with which every vector begins.  A vector is
+// shared memory with commands, sensor values, images or sounds.
 #ifndef OPENR_FORMATS_VECTOR_INFO_H_INCLUDED
 #define OPENR_FORMATS_VECTOR_INFO_H_INCLUDED
 
 #include <MemoryRegion.h>
 #include <OPENR/OPENR.h>
 
-// The type of a value, a command or a vector.
+// The type of a single value, of a command for a primitive (a device of the robot), or of a whole
+// vector (shared memory with such data).
 typedef longword ODataType;
 const ODataType odataUNDEF = 0;
 const ODataType odataNO_DIMENSION = 1;
