@@ -25,6 +25,7 @@ namespace {
 
 constexpr int64_t kNsPerMs = 1'000'000;
 constexpr int64_t kIntervalNs = 2 * kNsPerMs;
+constexpr int64_t kLastAnswersNs = 3'000 * kNsPerMs;
 constexpr int kPeriodMs = 8;  // shortest time between two events of a kind: one frame
 
 }  // namespace
@@ -70,7 +71,24 @@ void LiveServer::OpenAgain() {
   Open();
 }
 
+// Sends the answers that wait, because a run at full speed may end before its clients have taken
+// them.  Gives up after kLastAnswersNs, because a client may never read.
+void LiveServer::SendLastAnswers() {
+  const int64_t end_ns = WallClockNs() + kLastAnswersNs;
+  for (;;) {
+    std::vector<pollfd> waited;
+    for (Client& client : clients_) {
+      if (!Send(&client)) client.to_send.clear();
+      if (!client.to_send.empty()) waited.push_back({client.descriptor, POLLOUT, 0});
+    }
+    const int64_t left_ms = (end_ns - WallClockNs()) / kNsPerMs;
+    if (waited.empty() || left_ms <= 0) return;
+    poll(waited.data(), waited.size(), static_cast<int>(left_ms));
+  }
+}
+
 LiveServer::~LiveServer() {
+  if (getpid() == process_) SendLastAnswers();
   Forget();
   if (getpid() == process_) unlink(path_.c_str());
 }

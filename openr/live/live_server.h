@@ -38,7 +38,8 @@ class LiveServer {
   // refused.  Throws std::runtime_error if the socket cannot be made.
   LiveServer(const std::string& name, Answer answer, LiveEvents* events,
              Couplings* couplings = nullptr);
-  // Closes the server and removes its socket.
+  // Closes the server and removes its socket.  Waits at most 3 s for clients that have not taken
+  // all their answers.
   ~LiveServer();
   LiveServer(const LiveServer&) = delete;
   LiveServer& operator=(const LiveServer&) = delete;
@@ -86,6 +87,7 @@ class LiveServer {
   nlohmann::ordered_json BeginWatch(Client* client, const nlohmann::json& request);
   void SendEvents(Client* client, int64_t now_ns);
   void TellWatchedEvents();
+  void SendLastAnswers();
   void ServeAll();
 
   void Open();

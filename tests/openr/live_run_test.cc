@@ -1,4 +1,5 @@
 // openr poke and openr attach: acting on a run that goes on.
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
@@ -11,7 +12,10 @@
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <thread>
+#include <utility>
 
 #include "cli/process.h"
 #include "openr/live/live_client.h"
@@ -166,7 +170,7 @@ class LiveServerTest : public LiveRunTest {
  protected:
   LiveServerTest()
       : server_(
-            "name",
+            std::in_place, "name",
             [](const nlohmann::json& request) -> Json {
               return {{"echo", request.at("do").get<std::string>()}};
             },
@@ -186,7 +190,7 @@ class LiveServerTest : public LiveRunTest {
   void Serve(int times = 3) {
     for (int i = 0; i < times; ++i) {
       usleep(3000);
-      server_.Serve();
+      server_->Serve();
     }
   }
 
@@ -207,7 +211,7 @@ class LiveServerTest : public LiveRunTest {
               static_cast<ssize_t>(text.size()));
   }
 
-  LiveServer server_;
+  std::optional<LiveServer> server_;
 };
 
 TEST_F(LiveServerTest, RequestsMayComeInPiecesOrTogether) {
@@ -268,6 +272,23 @@ TEST_F(LiveServerTest, AClientThatTakesNoAnswersIsClosed) {
     Serve(1);
   }
   EXPECT_LT(sent, 0);  // the server has closed the connection, though the client never read
+  close(client);
+}
+
+TEST_F(LiveServerTest, AnswersThatWaitAreSentBeforeTheEnd) {
+  const int client = Connect();
+  const std::string answer = "{\"echo\":\"" + std::string(30'000, 'x') + "\"}\n";
+  for (int i = 0; i < 20; ++i) {  // more than a socket holds
+    Write(client, "{\"do\":\"" + std::string(30'000, 'x') + "\"}\n");
+    Serve();
+  }
+  fcntl(client, F_SETFL, 0);  // waits when it reads
+  std::string text;
+  std::thread reader([&] { text = Read(client); });
+  server_.reset();
+  reader.join();
+  EXPECT_EQ(text.size(), 20 * answer.size() + std::string("(closed)").size());
+  EXPECT_TRUE(text.ends_with("(closed)"));
   close(client);
 }
 
