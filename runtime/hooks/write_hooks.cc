@@ -13,7 +13,6 @@
 #include <cerrno>
 #include <cstring>
 #include <string>
-#include <utility>
 
 #include "runtime/core/system.h"
 #include "runtime/hooks/hook.h"
@@ -56,13 +55,20 @@ void CheckWritten(int descriptor, ssize_t result, size_t size) {
 namespace openr_host {
 
 void ReportLostBytes(OpenFiles::File* file, int error) {
-  if (std::exchange(file->has_lost, true)) return;
+  if (file->has_lost) return;
   const ApiScope scope;
   const int kept = errno;
-  struct statvfs disk {};
-  // An error that is not known is most likely that of a full disk, if the disk is full now.
-  if (error == 0 && statvfs(file->path.c_str(), &disk) == 0 && disk.f_bavail == 0) error = ENOSPC;
-  const std::string why = error == 0 ? "a write failed" : std::strerror(error);
+  if (error == 0) {
+    // A stream has the same mark for a failed write and for a failed read, which loses nothing, so
+    // only a disk that is full now is taken for the reason.
+    struct statvfs disk {};
+    const bool is_full = statvfs(file->path.c_str(), &disk) == 0 && disk.f_bavail == 0;
+    errno = kept;
+    if (!is_full) return;
+    error = ENOSPC;
+  }
+  file->has_lost = true;
+  const std::string why = std::strerror(error);
   const std::string advice =
       error == ENOSPC ? fmt::format("; make room on the disk that holds {}", file->path) : "";
   t_current.system->AddFinding(Severity::kWarning,
@@ -73,6 +79,14 @@ void ReportLostBytes(OpenFiles::File* file, int error) {
 }
 
 }  // namespace openr_host
+
+namespace {
+
+// Looks up the C library's write() when the library is loaded, because later a signal handler may
+// be the first caller, and a look-up is not allowed there.
+[[gnu::constructor]] void FindWrite() { static_cast<void>(write(-1, nullptr, 0) == 0); }
+
+}  // namespace
 
 extern "C" {
 
