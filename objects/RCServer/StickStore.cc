@@ -119,6 +119,9 @@ bool
 StickStore::Replace(const std::string& from, const std::string& to)
 {
     if (rename(from.c_str(), to.c_str()) == 0) return true;
+    // Stops on a full, protected or damaged stick: a second rename() may succeed there, although the
+    // bytes of `from` are lost.
+    if (errno != EEXIST && errno != EACCES) return false;
     // Gives the file `to` another name and tries again, because the file system may refuse to
     // rename a file to a name that exists.  No source says whether the robot's file system refuses
     // this.  Does not remove `to` before `from` is in its place, because on a full or damaged stick

@@ -435,23 +435,24 @@ class Cases:
                               timeout=LIMIT_S, check=False)
         return done.returncode, done.stdout
 
-    def damaged(self, call, error):
-        """Uploads to a stick whose disk refuses one kind of calls: the acknowledged motion stays."""
-        folder = self.make(f"damaged-{call}-{error}")
+    def damaged(self, call, error, when="1+"):
+        """Uploads to a stick whose disk refuses one kind of calls, the first one or all: the
+        acknowledged motion stays."""
+        folder = self.make(f"damaged-{call}-{error}-{when}")
         shutil.copytree(self.good_stick, folder / "stick")
         path = folder / "stick" / rc.FOLDERS[rc.MOTION] / MOTION
         data = (path.parent / "STAND.MTN").read_bytes()
         path.write_bytes(data)
         run = rc.Run(self.openr, folder, "--rate", RATE, stick=folder / "stick",
                      prefix=["strace", "-f", "-qq", "-o", "/dev/null", "-e", f"trace={call}",
-                             "-e", f"inject={call}:error={error}"])
+                             "-e", f"inject={call}:error={error}:when={when}"])
         try:
             client = rc.Client(run.port)
             run.wait_until_standing(client)
             refused = self.try_upload(client, rc.MOTION, MOTION, data + bytes(100))
             names = sorted(file.name for file in path.parent.iterdir())
             whole = path.exists() and path.read_bytes() == data
-            verdict(f"{call} fails, {error}: an upload is refused, and the old motion stays",
+            verdict(f"{call} {when} fails, {error}: an upload is refused, and the old motion stays",
                     f"status {NOT_WRITTEN}, " in refused and whole and "UPLOAD0.TMP" not in names,
                     f"{refused}; {names}")
         finally:
@@ -491,6 +492,8 @@ def damage(cases):
         sys.exit("strace is not installed (Debian package strace)")
     for call, error in (("rename", "ENOSPC"), ("rename", "EACCES"), ("fsync", "EIO"), ("fsync", "ENOSPC")):
         cases.damaged(call, error)
+    # Linux reports once that the bytes of a file are lost.
+    cases.damaged("fsync", "EIO", "1")
 
 
 if __name__ == "__main__":
