@@ -61,7 +61,7 @@ std::vector<std::string> IndicesOf(const char* prefix, const std::vector<StubSer
 }
 
 // Returns whether `code` declares a function, a variable or a macro `name` of its own: a type
-// stands before the name, or the "*" or "&" of a type, or "Class::".
+// stands before the name, or the "*" or "&" of a type, or "Class::", or another declared name.
 bool HasOwn(const std::string& code, const std::string& name) {
   const std::regex macro("#[ \t]*define[ \t]+" + name + "\\b");
   if (std::regex_search(code, macro)) return true;
@@ -72,6 +72,11 @@ bool HasOwn(const std::string& code, const std::string& name) {
     const size_t last = PreviousOf(code, at);
     if (last == kNone || last == 0) continue;
     if (code[last] == '*' || code[last] == '&') return true;
+    // In a list of declared names, or behind the arguments of a template.
+    const size_t next = NextOf(code, at + name.size());
+    if ((code[last] == ',' || code[last] == '>') && next != kNone &&
+        std::string_view(";,[=").find(code[next]) != std::string_view::npos)
+      return true;
     if (code.compare(last - 1, 2, "::") != 0) continue;
     const std::string_view space = WordBefore(code, last - 1);
     if (!space.empty() && space != "std") return true;

@@ -374,8 +374,16 @@ std::vector<std::string> DeliverStick(const StickFolder& stick, const fs::path& 
     std::error_code error;
     if (LowerCase(name.extension()) == ".bin" && fs::exists(place, error) &&
         ReadImageFile(place).is_for_robot) {
-      fs::create_directories((robot_folder / name).parent_path(), error);
-      TryCopyFile(place, robot_folder / name, fs::copy_options::skip_existing);
+      const fs::path kept = robot_folder / name;
+      fs::create_directories(kept.parent_path(), error);
+      error = TryCopyFile(place, kept, fs::copy_options::skip_existing);
+      if (error) {
+        problems.push_back(
+            fmt::format("{}: an image for the robot, which stays because it cannot "
+                        "be kept as {}: {}",
+                        place.string(), kept.string(), error.message()));
+        continue;
+      }
     }
     fs::create_directories(place.parent_path(), error);
     // Replaces the file in one step, so that a run never loads an image that is only half copied.

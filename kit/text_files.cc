@@ -51,7 +51,7 @@ std::optional<std::string> ReadText(const fs::path& file) {
 
 std::string WriteText(const fs::path& file, const std::string& text) {
   std::error_code error;
-  fs::create_directories(file.parent_path(), error);
+  if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
   // WriteFile() names a file that is in the place of a folder.
   if (error && error != std::errc::not_a_directory)
     return Explain(fs::filesystem_error("", file.parent_path(), error));

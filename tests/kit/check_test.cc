@@ -372,6 +372,11 @@ TEST(CheckTest, ClocksThatTheRobotLacksAreNamed) {
   }
   EXPECT_THAT(check("static long time(long* t) { return 0; }\n", "    time(0);"),
               HasSubstr("0 warnings"));
+  EXPECT_THAT(check("struct Probe {\n  int ticks, clock;\n  Probe() : ticks(0), clock() {}\n};\n"
+                    "#include <vector>\nstruct Watch {\n  std::vector<int> time;\n"
+                    "  Watch() : time(0) {}\n};\n",
+                    ""),
+              HasSubstr("0 warnings"));
 }
 
 // field-notes.md, 3.6.
