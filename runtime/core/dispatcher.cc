@@ -1,5 +1,6 @@
 #include "runtime/core/dispatcher.h"
 
+#include <cstdint>
 #include <exception>
 #include <utility>
 
@@ -210,8 +211,12 @@ void Dispatcher::RunMeasured(Object* object) {
     const char* const hot = reinterpret_cast<const char*>(&object->entry_count);
     __builtin_prefetch(object);
     for (int i = 0; i < 3; ++i) __builtin_prefetch(hot + kCacheLine * i);
-    const char* const third = reinterpret_cast<const char*>(second->next);
-    for (int i = 0; i < 3; ++i) __builtin_prefetch(third + kCacheLine * i);
+    // Counts with a number, because there may be no third message, and C++ gives a sum with a null
+    // pointer no meaning.
+    const auto third = reinterpret_cast<uintptr_t>(second->next);
+    for (int i = 0; i < 3; ++i)
+      __builtin_prefetch(
+          reinterpret_cast<const void*>(third + kCacheLine * static_cast<unsigned>(i)));
   }
   Object* const object = system_->table_.GetKnown(message->target);
   const bool needs_no_check =
