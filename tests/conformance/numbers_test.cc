@@ -45,9 +45,11 @@ TEST_F(NumbersConformance, ADenormalFromElsewhereIsReportedOneThatWasComputedIsN
 // A NaN that the object got as bytes.  This processor raises nothing when it is added.
 TEST_F(NumbersConformance, ANaNFromElsewhereIsReportedWhereItIsComparedOrPrinted) {
   EXPECT_EQ(FindingsOf("fp foreign"), "");
+#if !defined(__clang__)  // clang compares with an instruction that raises nothing
   EXPECT_NE(FindingsOf("fp compare").find("a floating-point operation made NaN"),
             std::string::npos);
   Start();
+#endif
   EXPECT_NE(FindingsOf("fp whole").find("its integer type does not hold"), std::string::npos);
 #if !defined(__SANITIZE_ADDRESS__)  // sprintf() is the sanitizer's then
   Start();
