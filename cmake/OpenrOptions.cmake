@@ -36,6 +36,12 @@ if(OPENR_SANITIZE)
   add_compile_definitions($<$<CXX_COMPILER_ID:Clang>:__SANITIZE_ADDRESS__=1>)
   add_link_options(-fsanitize=address,undefined)
 endif()
+if(OPENR_SANITIZE_THREADS)
+  add_compile_options(-fsanitize=thread -fno-omit-frame-pointer)
+  # The name by which our sources know ThreadSanitizer; g++ defines it, clang does not.
+  add_compile_definitions($<$<CXX_COMPILER_ID:Clang>:__SANITIZE_THREAD__=1>)
+  add_link_options(-fsanitize=thread)
+endif()
 if(OPENR_FUZZ)
   # Counters of branches, by which libFuzzer sees how far an input has come.
   add_compile_options(-fsanitize=fuzzer-no-link)
@@ -70,6 +76,8 @@ set(OPENR_OBJECT_FLAGS -g -Wall -Wextra -Werror -fno-strict-aliasing -ftrivial-a
   # reports these conversions itself.
   $<$<CXX_COMPILER_ID:Clang>:-fno-sanitize=float-cast-overflow>
   $<$<BOOL:${OPENR_FUZZ}>:-fsanitize=alignment>
+  # Objects have no threads.
+  $<$<BOOL:${OPENR_SANITIZE_THREADS}>:-fno-sanitize=thread>
   $<$<CXX_COMPILER_ID:Clang>:-enable-trivial-auto-var-init-zero-knowing-it-will-be-removed-from-clang>
   $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-fno-gnu-unique>)
 

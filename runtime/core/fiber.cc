@@ -36,6 +36,7 @@ void Fiber::Prepare(Main main, void* argument) {
   argument_ = argument;
   exceptions_[0] = exceptions_[1] = nullptr;
   fake_stack_ = nullptr;
+  watched_.Begin();
   const auto entry = [](context::transfer_t transfer) {
     t_left->context_ = transfer.fctx;
     Fiber* const self = t_entered;
@@ -61,6 +62,8 @@ void Fiber::SwitchFrom(Fiber* from) {
     __sanitizer_start_switch_fiber(forever ? nullptr : &from->fake_stack_, stack_bottom_,
                                    stack_bytes_);
   }
+  from->watched_.Leave();
+  watched_.Enter();
   const context::transfer_t transfer = context::jump_fcontext(context_, nullptr);
   // This code runs when another fiber has switched back to `from`.  That other fiber is t_left now.
   // The state of its stack is known only here, so it is stored here.

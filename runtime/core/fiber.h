@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "runtime/core/stack_memory.h"
+#include "runtime/core/watched_fiber.h"
 
 namespace openr_host {
 
@@ -49,6 +50,7 @@ class Fiber {
   void* fake_stack_ = nullptr;
   const void* stack_bottom_ = nullptr;
   size_t stack_bytes_ = 0;
+  [[no_unique_address]] WatchedFiber watched_;
 };
 
 // The fiber for the stack of the thread itself, on which System::Run...() was called.

@@ -5,7 +5,7 @@
 // A call from anywhere in the process goes to these functions instead of the functions of the C
 // library.  Sanitizers have definitions of their own; with a sanitizer, objects share the host's
 // heap.
-#if !defined(__SANITIZE_ADDRESS__) && !defined(OPENR_NO_HEAP_HOOKS)
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(OPENR_NO_HEAP_HOOKS)
 
 #include <fmt/format.h>
 #include <malloc.h>

@@ -4,7 +4,9 @@
 //
 // Of all functions that objects call often, these functions need the most stack: up to 2 KiB on
 // this host.  But the .ocf file of an object may allow a stack of only 3 KiB.
-#if !defined(__SANITIZE_ADDRESS__)  // AddressSanitizer defines these functions itself
+//
+// Sanitizers define these functions themselves, so nothing is defined here in their builds.
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 
 #include <stdarg.h>
 #include <stdio.h>
