@@ -10,7 +10,7 @@
 namespace openr_host {
 namespace {
 
-constexpr remote::Options kPatient = {.timeout = std::chrono::seconds(20)};
+const remote::Options kPatient = {.timeout = std::chrono::seconds(20)};
 
 class RcStreamsTest : public testing::Test {
  protected:

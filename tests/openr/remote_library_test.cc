@@ -15,7 +15,7 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
-constexpr remote::Options kPatience = {.timeout = std::chrono::seconds(20)};
+const remote::Options kPatience = {.timeout = std::chrono::seconds(20)};
 
 class RemoteLibraryTest : public testing::Test {
  protected:

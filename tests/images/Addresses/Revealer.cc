@@ -99,7 +99,7 @@ Revealer::SendAddresses()
     Shape shape;
     shape.size = 1;
     void* vtable;
-    memcpy(&vtable, &shape, sizeof(vtable));
+    memcpy(&vtable, (const void*)&shape, sizeof(vtable));
     void* own = 0;
     NewRegion(5000, &own);
     RCRegion* small = new RCRegion(20);
