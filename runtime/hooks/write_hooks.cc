@@ -1,9 +1,10 @@
-// Functions that write to an open file: write(), writev(), which std::ofstream calls, and fflush().
+// Functions that write to an open file: write(), writev(), which std::ofstream calls, fwrite() and
+// fflush().
 //
 // An object gets from them what the C library returns.  If the host's disk has not taken all bytes,
 // for instance because it is full, the run has a finding, because programs often ignore such an
-// error.  There is no hook for fwrite() and the like: an error of theirs is found by fflush(), or
-// at the end of the stream (fclose() in file_hooks.cc).
+// error.  There is no hook for fprintf(), fputs() and the like: an error of theirs is found by the
+// next fwrite() or fflush(), or at the end of the stream (fclose() in file_hooks.cc).
 #include <fmt/format.h>
 #include <stdio.h>
 #include <sys/statvfs.h>
@@ -48,6 +49,17 @@ void CheckWritten(int descriptor, ssize_t result, size_t size) {
   const ApiScope scope;
   OpenFiles::File* const file = FindFile(descriptor);
   if (file != nullptr && file->writes) openr_host::ReportLostBytes(file, error);
+}
+
+// Reports that the stream `file` has just failed to write; errno has the reason and stays as it is.
+void ReportFailedStream(FILE* file) {
+  const int error = errno;
+  const ApiScope scope;
+  OpenFiles& files = t_current.object->files;
+  const auto found = files.streams.find(file);
+  if (found != files.streams.end() && found->second.writes)
+    openr_host::ReportLostBytes(&found->second, error);
+  errno = error;
 }
 
 }  // namespace
@@ -107,16 +119,18 @@ ssize_t writev(int descriptor, const iovec* parts, int count) {
   return result;
 }
 
+size_t fwrite(const void* data, size_t size, size_t count, FILE* file) {
+  static const auto next = OPENR_NEXT(fwrite);
+  const size_t written = next(data, size, count, file);
+  // fwrite() also returns 0 if there is nothing to write.
+  if (written < count && size != 0 && InObject()) ReportFailedStream(file);
+  return written;
+}
+
 int fflush(FILE* file) {
   static const auto next = OPENR_NEXT(fflush);
   const int result = next(file);
-  if (result == 0 || file == nullptr || !InObject()) return result;
-  const int error = errno;
-  const ApiScope scope;
-  const auto found = t_current.object->files.streams.find(file);
-  if (found != t_current.object->files.streams.end() && found->second.writes)
-    openr_host::ReportLostBytes(&found->second, error);
-  errno = error;
+  if (result != 0 && file != nullptr && InObject()) ReportFailedStream(file);
   return result;
 }
 
