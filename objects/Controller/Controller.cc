@@ -241,9 +241,9 @@ Controller::SendLeds(Uint32 on, int frames)
     FinishVector(sbjLed, region);
 }
 
-// Sends one command frame for each ear.  An ear needs 128 ms for the frame (Hohl 2004, 5.3.4); more
-// frames would only warm its coil.  STATE1 is the position of an ear that is on (see the robot
-// model).
+// Sends a vector with one command frame for each ear.  One frame lasts 128 ms, in which an ear
+// reaches its position (Hohl 2004, 5.3.4); more frames would only warm the coil of the ear.  STATE1
+// is the position of an ear that is on (see the robot model).
 void
 Controller::SendEars(Uint32 on)
 {

@@ -28,9 +28,10 @@ Clip(int value)
     return (Uint8)(value < 0 ? 0 : (value > 255 ? 255 : value));
 }
 
-// Converts the image with integers, so that every compiler gives the same picture.  Green is y -
-// 0.51 cr - 0.19 cb.  Because the last row of the luminance Y begins with 16 bytes of other data,
-// the row above is used instead.
+// Converts the image with integers, so that every compiler gives the same picture.  Y is the
+// luminance, Cr is red - Y, and Cb is blue - Y.  So red is Y + Cr, blue is Y + Cb, and green is Y -
+// 0.51 Cr - 0.19 Cb.  The last row of Y begins with 16 bytes of other data, so for this row the Y
+// of the row above is used.
 static void
 Convert(OFbkImageVectorData* vector, int width, int height, Uint8* out)
 {

@@ -43,15 +43,16 @@ JointMover::DoStart(const OSystemEvent&)
 {
     ENABLE_ALL_SUBJECT;
     core_.Begin(robot_);
-    // Sends vectors if the effector is ready; otherwise its ready event sends them.  Sends none if
-    // DoInit has failed, after which DoStart is called, too.
+    // If the effector is not ready yet, SendVectors() sends nothing, and the effector's first ready
+    // event makes JointMover send vectors.  SendVectors() also sends nothing if DoInit has failed,
+    // because the system calls DoStart even then.
     SendVectors();
     SendReports();
     return oSUCCESS;
 }
 
-// Stops the object.  Leaves the joints where they are, because the pause button has cut motor power
-// already (BBS 421).
+// Stops the object.  Leaves the joints where they are: if the pause button stops the robot, it has
+// cut motor power already, so no joint would move (BBS 421).
 OStatus
 JointMover::DoStop(const OSystemEvent&)
 {

@@ -74,9 +74,9 @@ public:
     void Step(Sint32 urad[MAX_JOINTS]);
     Sint32 Position(int joint) const { return trajectory_[joint].Position(); }
 
-    // Records that command vector number `vector` was made, so that a joint that waits to be
-    // switched on waits for the end of this vector.  The number of each vector is 1 more than the
-    // number of the vector before.
+    // Records that command vector number `vector` was made, so that the gains of joints that are to
+    // be switched on are enabled at the end of this vector.  The number of each vector is 1 more
+    // than the number of the vector before.
     void VectorMade(Sint32 vector);
 
     // Switches on the gains of the joints that have waited for the end of command vector number
@@ -94,7 +94,9 @@ private:
     Gain gain_[MAX_JOINTS];
     Sint32 pid_[MAX_JOINTS][3];  // P, I and D gain of each joint
     bool hasPower_;
-    // Number of the vector for whose end each joint waits; -1 if this vector was not made yet.
+    // For each joint that waits for its gain (gainWAITING): the number of the command vector at
+    // whose end the gain is enabled; -1 while this vector is not made yet.  Not used for other
+    // joints.
     Sint32 wakeVector_[MAX_JOINTS];
     Sint32 wakeGoal_[MAX_JOINTS];
 };

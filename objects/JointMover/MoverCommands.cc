@@ -1,6 +1,6 @@
 //
-// The commands of MoverCore: positions and limits of single joints, the buffer of a controller,
-// motions.
+// The commands of MoverCore: commands that move single joints or set their limits, the buffer of
+// joint commands that a controller sends, and commands that play and stop motions.
 //
 
 #include "MoverCore.h"
@@ -36,10 +36,10 @@ MoverCore::MoveJoint(const MoverCommand& command)
         joints_.SetAcceleration(command.joint, command.value);
 }
 
-// Moves a joint that follows a joint of another robot, whose positions come again and again.  So
-// the joint moves to a near position in the number of frames that the command has: the time until
-// the next position comes.  The joint moves to a far position within its limits of speed and
-// acceleration, as to the first key frame of a motion.
+// Moves a joint that follows a joint of another robot, whose position is sent again and again.  If
+// the new position is near, the joint reaches it in `command.frames` frames, when the next position
+// is due.  If it is far, the joint moves within its limits of speed and acceleration, as in the
+// movement to the first key frame of a motion.
 void
 MoverCore::Track(const MoverCommand& command)
 {

@@ -53,7 +53,8 @@ public:
     // Makes a core.  `port` must outlive the core.
     explicit MoverCore(MoverPort* port);
 
-    // Begins the start-up of the robot and measures all joints.
+    // Begins the start-up of the robot: reads the present angles of all joints, from which the
+    // joints then move to the start-up postures.
     void Begin(const RobotConstants* robot);
 
     MoverState State() const { return state_; }
@@ -132,7 +133,8 @@ private:
     const RobotConstants* robot_;
     JointSet joints_;
     MoverState state_;
-    // Number of states entered so far; shows whether a vector belongs to an earlier state.
+    // Number of states entered so far.  Each vector stores this number, which shows at the end of
+    // the vector whether the vector belongs to an earlier state.
     Sint32 stateCount_;
     bool filled_;  // whether the first vector (state moverFILLING) was made already
     int posture_;  // index of the start-up posture to which the robot moves
@@ -142,7 +144,7 @@ private:
     char file_[MTN_NAME_SIZE];
     int loops_, keyFramesPerVector_;
     bool inMotion_[MAX_JOINTS];  // for each joint, whether the motion moves it
-    // For each joint, whether a position waits for the end of the motion.
+    // For each joint, whether a command for its position waits until the motion has ended.
     bool deferred_[MAX_JOINTS];
     bool deferredWake_[MAX_JOINTS];
     Sint32 deferredGoal_[MAX_JOINTS];

@@ -34,7 +34,8 @@ ClientSession::Take(const Uint8* bytes, int size)
     hasSpoken_ = true;
 }
 
-// Returns whether the packet in the framer only acknowledges packets of streams.
+// Returns whether the packet that framer_ has found only acknowledges packets of streams (values to
+// which the client has subscribed).  Such a packet gets no answer.
 bool
 ClientSession::IsAcknowledgement() const
 {

@@ -78,7 +78,7 @@ public:
 private:
     // Time between packets of subscriptions to a client that sends nothing, in frames of 8 ms: 224
     // ms.  The time is longer than the 200 ms within which the client's host acknowledges all
-    // earlier bytes (network.md 4.3), so that no packet waits for an acknowledgement.
+    // earlier bytes (network.md 4.3), so no packet is held back until an acknowledgement comes.
     static const Uint32 EVENT_FRAMES = 28;
 
     void Reset();

@@ -30,8 +30,8 @@ public:
     // Returns the stream with a packet that is due in `frame`; -1 if no packet is due.
     int Due(Uint32 frame) const;
 
-    // Records that a packet of `stream` is made in `frame`.  Returns the number of values that were
-    // left out since the packet before.
+    // Records that a packet of `stream` is made in `frame`.  Returns the number of values that the
+    // client did not get since the packet before.
     Uint16 Sent(int stream, Uint32 frame);
 
     Uint16 Tag(int stream) const { return stream_[stream].tag; }

@@ -46,7 +46,8 @@ int
 RequestHandler::BeginUpload(RcReader* in, RcWriter* out)
 {
     RcUploadBegin request;
-    // Ends an earlier upload, even if the new request is wrong.
+    // Ends an earlier upload of the client even if the new request is wrong, because the client has
+    // given the earlier upload up.
     upload_[client_].Abort();
     if (!request.Read(in)) return FailSize();
     if (request.kind >= NUM_RC_FILE_KINDS) return FailKind(request.kind);

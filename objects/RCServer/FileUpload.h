@@ -29,8 +29,8 @@ public:
     // Appends data to the file; `offset` must be the number of bytes received so far.
     int Append(Uint32 offset, const Uint8* bytes, int count, std::string* why);
 
-    // Checks the file and gives it its final name.  Checks a motion for `robot` by reading it into
-    // `motion`; for an image, neither argument is used.
+    // Checks the whole file and renames it from its temporary to its final name.  Checks a motion
+    // for `robot` by reading it into `motion`; for an image, neither argument is used.
     int End(StickStore* store, const RobotConstants* robot, MtnFile* motion, std::string* why);
 
     // Ends the upload, if there is one, and removes its temporary file.

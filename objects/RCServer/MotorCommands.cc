@@ -25,7 +25,7 @@ RequestHandler::SwitchMotor(int command, RcReader* in)
     message.joint = all ? MOVER_ALL_JOINTS : joint;
     status = Post(message);
     if (status != rcOK || !all) return status;
-    // Assumes the state that the command will cause, until JointMover reports its state.
+    // Assumes that JointMover will carry the command out, until JointMover reports its state.
     motorsOff_ = command == rcMOTOR_OFF;
     if (motorsOff_) state_ = moverACCEPTING_COMMANDS;
     return rcOK;

@@ -32,7 +32,7 @@ public:
     }
 
 private:
-    // Maximum number of commands: enough for commands of six clients to every joint before
+    // Maximum number of commands: enough if six clients command all joints (at most 20) before
     // JointMover is ready again.
     static const int CAPACITY = 128;
 

@@ -34,7 +34,8 @@ public:
     // Empties the slot, so that any client may take it.
     void Clear() { owner_ = -1; }
 
-    // Records that the owner has asked for a part of the picture, so that it keeps the slot.
+    // Records that the owner has asked for a part of the picture, so that the owner keeps the slot
+    // for two more seconds.
     void Touch(Uint32 frame) { lastFrame_ = frame; }
 
     int Layer() const { return layer_; }

@@ -249,9 +249,9 @@ RCServer::ShutDownRobot()
     }
 }
 
-// Converts the temperature of the battery to 0.01 degree Celsius.  The robot measures in 0.1
-// kelvin, from 0 to 5000.  Because the range in Hohl 2004, table 3.6, ends at 227.00 degrees,
-// 0 degrees are 273 kelvin here.
+// Converts the temperature of the battery to 0.01 degree Celsius.  `temperature` is in 0.1 kelvin,
+// from 0 to 5000.  The range in Hohl 2004, table 3.6, ends at 227.00 degrees for 500 kelvin, so 273
+// kelvin, and not 273.15, are taken as 0 degrees here.
 static Sint32
 CentiCelsius(word temperature)
 {

@@ -126,7 +126,7 @@ RCServer::PlaceWaiting(Uint32 frame)
     int silent = -1;
     for (int i = 0; i < NUM_CLIENTS; i++) {
         // Skips a client from which RCServer does not wait for bytes now: this client has sent
-        // requests, and their answers are on their way.
+        // requests, and their answers are on their way, so it is not silent.
         if (client_[i].state != clientOPEN || !client_[i].isReceiving) continue;
         if (client_[i].session.IsWaiting()) {
             waiting = i;

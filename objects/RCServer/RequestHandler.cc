@@ -68,8 +68,8 @@ RequestHandler::MoverIsReady()
 
 // ---- Answers -------------------------------------------------------------------------
 
-// Leaves room for the header, then writes frame number and status.  PutHeader() writes the header
-// later, when the size is known.
+// Begins an answer: leaves room for the header, then writes frame number and status.  PutHeader()
+// writes the header later, when the size is known.
 void
 RequestHandler::BeginAnswer(RcWriter* out, int status)
 {

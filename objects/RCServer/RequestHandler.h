@@ -56,11 +56,11 @@ public:
     // Returns the frame number of the newest sensor values.
     Uint32 Frame() const { return sensors_.frame; }
 
-    // Returns whether a packet of a stream is due for a client.
+    // Returns whether a packet with values to which a client has subscribed is due.
     bool HasEvents(int client) const { return streams_[client].Due(sensors_.frame) >= 0; }
 
-    // Writes all packets of streams that are due for a client to `out`.  REQUIRES: `out` is empty
-    // and has room for RC_MAX_PACKET bytes.
+    // Writes to `out` all packets that are due with values to which a client has subscribed.
+    // REQUIRES: `out` is empty and has room for RC_MAX_PACKET bytes.
     void WriteEvents(int client, RcWriter* out);
 
     // Ends the upload, the subscriptions and the picture of a client whose connection has ended.

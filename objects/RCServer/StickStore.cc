@@ -129,9 +129,9 @@ StickStore::Replace(const std::string& from, const std::string& to)
     const int error = errno;
     const std::string spare = from.substr(0, from.rfind('.')) + ".BAK";
     bool isReplaced = false;
-    // Requires that both are files, because a folder may not be replaced.
+    // Goes on only if `from` and `to` are files, because a folder may not be replaced.
     if (SizeOf(from) >= 0 && SizeOf(to) >= 0) {
-        remove(spare.c_str());  // of an earlier run; usually there is no such file
+        remove(spare.c_str());  // left by an earlier run; usually there is no such file
         if (rename(to.c_str(), spare.c_str()) == 0) {
             isReplaced = rename(from.c_str(), to.c_str()) == 0;
             if (isReplaced) {

@@ -1,5 +1,6 @@
 //
-// Answers the requests for streams, and makes their packets.
+// Answers the requests that begin and end streams (values that the robot sends to a client again
+// and again), and makes the packets of streams.
 //
 
 #include "RequestHandler.h"

@@ -57,8 +57,9 @@ RequestHandler::HandleVersion2(int command, RcReader* in, RcWriter* out)
 
 // ---- Batch ---------------------------------------------------------------------------
 
-// Returns whether a command may be a part of a batch.  Uploads may not, because an error in a part
-// of an upload must end the upload before the next request is read.
+// Returns whether a command may be a part of a batch (several requests in one packet).  After a
+// failed request, a batch goes on with its next request.  An upload must not go on after an error
+// in one of its parts, so uploads may not be in a batch.
 static bool
 MayBeInBatch(int command)
 {

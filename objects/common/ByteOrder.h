@@ -22,8 +22,8 @@ GetU32(const Uint8* at)
     return (Uint32)at[0] | ((Uint32)at[1] << 8) | ((Uint32)at[2] << 16) | ((Uint32)at[3] << 24);
 }
 
-// Reads a number in two's complement.  Converts it by arithmetic, because C++98 leaves the result
-// of a cast of a large unsigned value to the compiler.
+// Reads a number in two's complement.  Converts it by arithmetic, because in C++98 each compiler
+// may choose the result when a large unsigned value is cast to a signed type.
 inline Sint32
 GetS32(const Uint8* at)
 {

@@ -28,7 +28,8 @@ ImageProcessorOf(const Uint8* bytes, int size)
 ImageProcessor
 OwnProcessor()
 {
-    // Objects are built for two processors only: the robot's processor, with 32 bits, and x86-64.
+    // Objects are built for two processors only, the robot's with 32 bits and x86-64 with 64 bits,
+    // so the size of a pointer tells for which of them this code was compiled.
     return sizeof(void*) == 4 ? imageMIPS : imageX86_64;
 }
 

@@ -262,7 +262,8 @@ MtnFile::ReadKeyFrames(Cursor* cursor)
     return true;
 }
 
-// Reads a key frame and the interpolation count before it.  The first key frame has no such count.
+// Reads a key frame and the interpolation count before it (the number of frames between this key
+// frame and the key frame before).  The first key frame has no such count.
 bool
 MtnFile::ReadKeyFrame(Cursor* cursor)
 {

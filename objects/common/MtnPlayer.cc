@@ -19,7 +19,8 @@ void
 MtnPlayer::Start(const MtnFile* motion, int loops, int keyFramesPerVector)
 {
     shown_ = motion;
-    // Plays nothing if there is a single key frame, because then there is no gap.
+    // Plays nothing if there is a single key frame, because a motion is played gap by gap, and a
+    // gap is the time between two key frames.
     motion_ = motion->NumKeyFrames() > 1 ? motion : 0;
     loopsLeft_ = loops;
     keyFramesPerVector_ = Clamp(keyFramesPerVector / 2 * 2, 2, MAX_VECTOR_FRAMES / 2);

@@ -46,8 +46,8 @@ struct RcList {
     bool Read(RcReader* in);
 };
 
-// Largest number of entries in one part of the list.  A packet has room for 59 names of 12
-// characters.
+// Largest number of entries in one part of the list.  The limit is below 59, the number of names of
+// 12 characters for which a packet has room.
 const int RC_MAX_LIST_ENTRIES = 50;
 
 struct RcUploadBegin {

@@ -22,8 +22,8 @@ FindPosture(const RobotConstants* robot, const char* name)
     return 0;
 }
 
-// Returns the index of the row with this locator; -1 when there is no such row.  A template serves
-// all tables, because every type of row has a locator.
+// Returns the index of the row with this locator; -1 when there is no such row.  A template,
+// because every table has rows of another type, and all these types have a locator.
 template <class Row>
 static int
 FindLocator(const Row* rows, int numRows, const char* locator)

@@ -108,11 +108,13 @@ SquareRoot(Sint64 value)
     return root;
 }
 
-// Returns the largest step s with s + StoppingDistance(s) <= distance.  Let a be the acceleration.
-// After the step s, the joint brakes in n steps: s - a, s - 2 a, ..., s - n a.  So the distance is
-// (n + 1) s - a n (n + 1) / 2.  Solved for s, this gives the returned value.  The last step is not
-// negative, so n is the largest number with n a <= s, that is, with a n (n + 1) / 2 <= distance.
-// REQUIRES: distance >= 0.
+// Returns the largest step s with s + StoppingDistance(s) <= distance.  A step is the way of the
+// joint in one frame.  Let a be the acceleration, by which each step is shorter than the step
+// before while the joint brakes.  After the step s, the joint brakes in n steps: s - a, s - 2 a,
+// ..., s - n a.  The sum of s and these steps is (n + 1) s - a n (n + 1) / 2.  It must be
+// `distance`, so s is (distance + a n (n + 1) / 2) / (n + 1).  No step is negative, so n is the
+// largest number with n a <= s.  If s is n a, the sum is a n (n + 1) / 2; so n is also the largest
+// number with a n (n + 1) / 2 <= distance, from which it is computed.  REQUIRES: distance >= 0.
 Sint64
 Trajectory::LargestStep(Sint64 distance) const
 {
@@ -134,7 +136,8 @@ Trajectory::Step()
         if (--trackFrames_ == 0) Rest();
         return Position();
     }
-    // From here on, distance and speed are positive in the direction of the goal.
+    // Computes with a distance and a speed that are positive in the direction of the goal, so that
+    // both directions share the code below.
     const Sint64 toGoal = goal_ * ONE_URAD - position_;
     const bool forward = toGoal >= 0;
     const Sint64 distance = forward ? toGoal : -toGoal;
