@@ -97,8 +97,8 @@ class Body {
   virtual void Push(int /*part*/, const Eigen::Vector3d& /*force_W*/,
                     const Eigen::Vector3d& /*p_W*/) {}
 
-  // Lets a hand hold the robot from the next frame on: the hand moves B towards `X_WB` with a
-  // limited force.  nullopt: the hand lets go.
+  // Lets a person's hand hold the robot from the next frame on: the hand moves B towards `X_WB`
+  // with a limited force.  nullopt: the hand lets go.
   virtual void Hold(const std::optional<Eigen::Isometry3d>& /*X_WB*/) {}
 
   // Follows a ray from `p_W` along the unit vector `direction_W` to the floor or the first thing of

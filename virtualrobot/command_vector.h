@@ -43,7 +43,7 @@ struct CommandElement {
 
 // Replaces the content of `elements` by all elements of `vector`.  Adds to `problems` a text for
 // each element that has a mistake.  Writes `frame_number`, the number of the frame in which the
-// vector begins, into the vector's infos, where its sender can read it.
+// vector begins, into the OCommandInfo of each element, where the sender of the vector can read it.
 void ReadCommandElements(const SentVector& vector, longword frame_number,
                          PrimitiveTable* primitives, std::vector<CommandElement>* elements,
                          std::vector<std::string>* problems);

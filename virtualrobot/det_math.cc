@@ -80,8 +80,8 @@ double AtanOfRatio(double small, double large) {
   const int k = static_cast<int>(small / large * 8 + 0.5);
   const double c = k / 8.0;
   // Uses atan(t) = atan(c) + atan((t - c) / (1 + t c)), where t = small / large and c is the
-  // multiple of 1/8 next to t, whose arc tangent is in the table.  The argument of the second term
-  // is at most 1/16 in size, so a short series is enough for it.
+  // multiple of 1/8 nearest to t, whose arc tangent is in the table.  The argument u of the second
+  // term is at most 1/16 in size, so a short series is enough for it.
   const double u = (small - c * large) / (large + c * small);
   const double z = u * u;
   double sum = 1.0 / 13.0;

@@ -53,9 +53,11 @@ class Devices {
   // motors have power.  The result is valid until the next call.
   const std::vector<JointCommand>& Commands(bool motor_power);
 
-  // Returns the hands and faults that act on `joint`, so that the caller can change them.
+  // Returns how the hands of people and the faults act on `joint`, so that the caller can change
+  // it.
   JointTrouble& Trouble(int joint);
-  // Returns the hands and faults that act on `joint`, for reading only; null when none act on it.
+  // Returns how the hands of people and the faults act on `joint`, for reading only; null when none
+  // act on it.
   const JointTrouble* TroubleOf(int joint) const;
 
   // Sets the object whose command vector is applied next.  SetTarget() stores this object as the
@@ -94,14 +96,16 @@ class Devices {
   std::vector<PlungerDevice> plungers;
 
  private:
-  // Gives all joints that have a gain the shifts of `joint`.
+  // Gives all joints that have a gain the shifts of `joint`, because these joints share one
+  // register for the shifts.
   void ShareShifts(int joint);
 
   bool has_one_shift_;  // the result of HasOneShift()
   ObjectId commander_ = kNoObject;
   std::vector<bool> on_face_;  // for each light, the result of OnFace()
   std::vector<JointCommand> commands_;
-  // The hands and faults that act on each joint; empty before the first call of Trouble().
+  // How the hands of people and the faults act on each joint; empty before the first call of
+  // Trouble().
   std::vector<JointTrouble> troubles_;
 };
 

@@ -11,7 +11,7 @@ namespace {
 
 // Share of a motor's power that the gears pass on to the joint.
 constexpr double kGearShare = 0.6;
-// Current of a robot whose motors do nothing, for its computer, camera and radio.
+// Current, in mA, of a robot whose motors do nothing, for its computer, camera and radio.
 constexpr double kElectronicsMa = 1000;
 // Weight of a new frame in the mean current.  With this weight the mean has a time constant of 100
 // ms.
@@ -23,7 +23,7 @@ constexpr double kBodyPerW_k = 2.5, kBodyTime_s = 600;
 // kBatteryUsual_k * (r^2 - 1), where r is the current divided by kUsualMa.  kBatteryTime_s is the
 // time constant of this rise.
 constexpr double kBatteryUsual_k = 5, kBatteryTime_s = 1200;
-// Steady rise of the battery's temperature while it is charged.
+// Rise of the battery's temperature, in kelvin, to which a long charge leads.
 constexpr double kChargingBattery_k = 6;
 
 }  // namespace
@@ -46,7 +46,8 @@ void Energy::NoteMotors(const BodyState& state, const Devices& devices) {
     const JointTrouble* const trouble = devices.TroubleOf(static_cast<int>(j));
     const double strength = trouble == nullptr ? 1 : trouble->strength;
     const double duty = std::clamp(joint.drive / kDriveFull, -1.0, 1.0);
-    // Current in the motor, as a share of its stall current.
+    // Current in the motor, as a share of its stall current; the voltage that the turning motor
+    // produces reduces the current.
     const double share = strength * (duty - joint.speed_rad_s / motors_[j].no_load_rad_s);
     // Counts no negative current, because a motor that is turned by its load gives nothing back to
     // the battery.

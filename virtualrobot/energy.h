@@ -47,8 +47,8 @@ class Energy {
   // Keeps `thing` at the temperature `celsius`.  If `celsius` is nullopt, lets the thing warm up
   // and cool down again, from its present temperature.
   void Keep(WarmThing thing, std::optional<int> celsius);
-  // Sets an additional current that the battery gives, beside the current of the robot itself.
-  // Used by the fault "draw".
+  // Sets an additional current that the battery gives, beside the current of the robot itself.  The
+  // fault "draw" (faults.h) uses this function.
   void SetExtraMa(int ma) { extra_ma_ = ma; }
 
   void HashState(Hasher* hasher) const;

@@ -54,9 +54,10 @@ void Faults::AddVerbs() {
         robot_.robot_index,
         {name, usage, help, [this, read](int, std::string_view rest, Inputs::Action* action) {
            const std::string problem = (this->*read)(rest, action);
-           // Objects open most primitives in DoInit, so a part that is missing at time 0 must be
-           // missing before the boot.  All inputs of faults come before the boot then, so that they
-           // take effect in the order of their lines, and a repair ends the faults above it.
+           // Makes inputs of time 0 act before the boot.  Objects open most primitives in DoInit,
+           // so a part that is missing at time 0 must be missing before.  All inputs of faults do
+           // so, not only those for missing parts, so that they take effect in the order of their
+           // lines, and a repair ends the faults above it.
            action->is_before_boot = true;
            return problem;
          }});
@@ -157,9 +158,9 @@ std::string Faults::ReadMissing(const std::vector<std::string>& words, const Fau
 }
 
 void Faults::ReportMissingLimbs() const {
-  std::vector<std::string> limbs;                         // in the order of the model
-  std::map<std::string, std::vector<std::string>> names;  // of the joints, by their limb
-  std::set<std::string> left;                             // limbs of which a joint is left
+  std::vector<std::string> limbs;                         // all limbs, in the order of the model
+  std::map<std::string, std::vector<std::string>> names;  // for each limb, the names of its joints
+  std::set<std::string> left;                             // limbs with a joint that is not missing
   for (const JointModel& joint : robot_.model.joints) {
     const std::string limb = LimbOf(joint.locator);
     if (names[limb].empty()) limbs.push_back(limb);

@@ -33,7 +33,7 @@ class Hands {
   void DoFrame();
 
   bool is_holding() const { return grip_.has_value(); }
-  // Returns whether a hand presses sensor `sensor` or sets its value.
+  // Returns whether the input `press` presses sensor `sensor`, or the input `set` sets its value.
   bool IsTouched(int sensor) const { return touches_.contains(sensor); }
 
   void HashState(Hasher* hasher) const;
@@ -45,7 +45,7 @@ class Hands {
     int64_t frames_left;
   };
 
-  // A hand that turns a joint against its servo.
+  // A person's hand that turns a joint against its servo (input `turn`).
   struct Turn {
     double angle_rad = 0;  // the angle to which the hand moves the joint now
     double goal_rad = 0;   // the angle at which the hand stops
@@ -54,7 +54,7 @@ class Hands {
     std::optional<int64_t> frames;
   };
 
-  // A hand that holds the robot by its trunk.
+  // A person's hand that holds the robot by its trunk, to lift it or to set it down.
   struct Grip {
     Eigen::Isometry3d X_WB;  // the pose to which the hand moves the base
     double goal_z_m = 0;     // the height at which the hand stops

@@ -10,8 +10,9 @@ using Eigen::Isometry3d;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Factor by which the ball around a box is larger than needed.  The factor exceeds all errors of
-// rounding by far, so the search never skips the box that has the lowest point.
+// Factor by which the ball around a box is larger than needed.  LowestAlong() skips a box whose
+// ball does not reach low enough.  Because the factor exceeds all errors of rounding by far,
+// LowestAlong() never skips the box that has the lowest point.
 constexpr double kBallFactor = 1 + 1e-9;
 
 }  // namespace
@@ -68,8 +69,8 @@ Vector3d Hull::LowestAlong(const Vector3d& n_B, const Vector3d& up_B) const {
   }
   const double n_norm = n_B.norm();
   for (size_t i = 0; i < around_.size(); ++i) {
-    // Compares the lowest points of the balls first, because most boxes are so far above the paws
-    // that their exact height is not needed.
+    // Compares the lowest points of the balls around the boxes first, because most boxes are so far
+    // above the paws that their exact height is not needed.
     const BallPair& pair = around_[i];
     const Pair bottom =
         pair.x * n_B.x() + pair.y * n_B.y() + pair.z * n_B.z() - pair.radius * n_norm;

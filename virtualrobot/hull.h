@@ -25,7 +25,8 @@ class Hull {
   void Move(int part, const Eigen::Isometry3d& X_BL);
 
   // Returns the point that lies furthest in the direction opposite to `n_B`.  A ball counts as one
-  // point: its lowest point when `up_B`, a unit vector near n_B, points up.
+  // point, its lowest point when `up_B` (a unit vector near n_B) points up.  So the hull is made of
+  // points only: these and the corners of the boxes.
   Eigen::Vector3d LowestAlong(const Eigen::Vector3d& n_B, const Eigen::Vector3d& up_B) const;
 
   // Returns the centre of the ball of paw `paw` (index of RobotModel::paws), in the base frame B.

@@ -61,7 +61,7 @@ void IdealBody::Place() const {
   placed_ = true;
 }
 
-// Puts the robot into the pose that the hand gives it.  No paw then touches the floor.
+// Puts the robot into the pose that the hand of a person gives it.  No paw then touches the floor.
 void IdealBody::PlaceInHand() const {
   pose_.X_WB = *held_at_;
   pose_.paws.assign(model_.paws.size(), false);

@@ -31,9 +31,9 @@ class JointTargets {
   // that the set points of inputs replace them.
   void DoFrame();
 
-  // Gives a joint back to the objects of the robot.
+  // Gives a joint back to the objects of the robot: their set points move the joint again.
   void Release(int joint) { ways_.erase(joint); }
-  // Gives all joints back to the objects of the robot.
+  // Gives all joints back to the objects of the robot, because the robot is switched off.
   void SwitchOff() { ways_.clear(); }
 
   void HashState(Hasher* hasher) const;

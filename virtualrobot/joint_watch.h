@@ -58,8 +58,10 @@ class JointWatch {
   };
   struct Joint {
     bool acted = false;  // whether the servo acted at the last change of gains or power
-    // The next four members say whether a kind of mistake has been reported for this joint already,
-    // because each is reported only once: start far from the set point, jump, no effect, radians.
+    // Each of the next four members says whether a mistake of the program has been reported for
+    // this joint already, because each mistake is reported only once: a servo that begins to act
+    // far from its set point (told_start), set points that jump (told_jump), set points that have
+    // no effect (told_effect), and set points in radians instead of microradians (told_radians).
     bool told_start = false;
     bool told_jump = false;
     bool told_effect = false;

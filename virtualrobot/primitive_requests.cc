@@ -8,8 +8,9 @@
 
 namespace openr_host {
 
-// The arguments of a request.  Their sizes were checked with the request's row of the table
-// already.
+// The arguments of a call of ControlPrimitive(), by which an object sends a request to a primitive.
+// The sizes of `param` and `result` are those of the request's row in kRows: ControlPrimitive() has
+// checked them.
 struct RequestCall {
   VirtualRobot& robot;
   RobotParts& parts;
@@ -40,14 +41,14 @@ struct PrimitiveRequests {
   static OStatus Nothing(const RequestCall&) { return oSUCCESS; }
   static OStatus NotSupported(const RequestCall&) { return oNOT_SUPPORTED; }
 
-  // Performs a request that only sets a bool of a device.
+  // Carries out a request of ControlPrimitive() that only switches a setting of a device on or off.
   template <auto device, auto set, bool on>
   static OStatus Switch(const RequestCall& call) {
     (call.parts.*device.*set)(on);
     return oSUCCESS;
   }
-  // Performs a request that changes a setting of the camera.  Refuses a value that OPEN-R does not
-  // define.
+  // Carries out a request of ControlPrimitive() that changes a setting of the camera.  Refuses a
+  // value that OPEN-R does not define.
   template <auto set>
   static OStatus Choose(const RequestCall& call) {
     return (call.parts.camera.*set)(CameraParam(call)) ? oSUCCESS : oINVALID_ARG;
@@ -153,8 +154,8 @@ const PrimitiveRequests::Row PrimitiveRequests::kRows[] = {
      Choose<&CameraDevice::SetGain>},
     {oprmreqCAM_SET_SHUTTER_SPEED, oprimitiveFBKIMAGESENSOR, sizeof(OPrimitiveControl_CameraParam),
      0, Choose<&CameraDevice::SetShutter>},
-    // Refuses the request, because it is not known how 32 segments are packed into the 100 bytes of
-    // the answer.
+    // Refuses the request for a colour table, because it is not known how the 32 segments of the
+    // table are packed into the 100 bytes of the answer.
     {oprmreqCAM_GET_CDT_TABLE, oprimitiveFBKIMAGESENSOR, sizeof(OPrimitiveControl_Cdt),
      sizeof(OPrimitiveControl_Cdt), NotSupported},
     {oprmreqCAM_AE_ON, oprimitiveFBKIMAGESENSOR, 0, 0,

@@ -20,14 +20,14 @@ constexpr double kTemperatureRangeMicroC = 100e6;
 constexpr double kRayMaxM = 2.0;
 // Least light that a distance sensor needs to see a thing.  The light that comes back is the
 // reflectance of the thing, divided by the square of its distance.  The data sheets promise that
-// such a sensor sees grey paper, with a reflectance of 0.18, up to 0.8 m; docs/calibration.md.
+// such a sensor sees grey paper, with a reflectance of 0.18, up to 0.8 m (docs/calibration.md).
 constexpr double kLightMinPerM2 = 0.18 / (0.8 * 0.8);
 
-// Two sensors are measured in turn: time for which one is measured before the other sensor's turn
-// comes (field-notes.md 8.5).
+// Time for which one of two sensors is measured before the turn of the other comes.  An ERS-7
+// measures its two distance sensors in turn (field-notes.md 8.5).
 constexpr int64_t kTurnUs = 50'000;
-// The signal of a sensor that is measured in turn says whether its value is new.  No document gives
-// the two values of this signal, so they are our choice.
+// The field `signal` of such a sensor says whether its value is new.  No document gives the two
+// values of this signal, so they are our choice.
 constexpr word kFreshSignal = 1, kKeptSignal = 0;
 
 int TurnOf(int64_t frame) { return static_cast<int>(frame * kFrameUs / kTurnUs % 2); }
@@ -142,8 +142,8 @@ bool SensorSource::IsPressed(const BodyState& state, size_t paw) const {
   return state.paw_forces_n.empty() || state.paw_forces_n[paw] >= model_.paw_force_n;
 }
 
-// Returns the value that a sensor measures when no hand touches it.  REQUIRES: the sensor does not
-// belong to a joint.
+// Returns the value that a sensor measures when no person's hand touches it.  REQUIRES: the sensor
+// does not belong to a joint.
 slongword SensorSource::ValueOf(const Sensor& sensor, const Body& body) {
   switch (sensor.kind) {
     case SensorKind::kDistance:
@@ -169,8 +169,9 @@ void SensorSource::SampleTurn(int turn, const Body& body, const Devices& devices
       SampleJoint(i, sensor.joint, state, devices);
       continue;
     }
-    // Computes the value even when a hand sets the sensor or the sensor keeps its value, because
-    // the computation takes random numbers, and the noise of the other sensors must stay the same.
+    // Computes the value even when it is not used, because an input sets the value of the sensor
+    // (held_) or it is not the sensor's turn.  The computation takes random numbers, and without it
+    // the noise of the other sensors would change.
     const slongword value = ValueOf(sensor, body);
     const slongword before = latest_[i].value;
     const bool is_kept = sensor.turn >= 0 && turn != kAllTurns && turn != sensor.turn;
@@ -178,7 +179,8 @@ void SensorSource::SampleTurn(int turn, const Body& body, const Devices& devices
     if (sensor.turn >= 0) latest_[i].signal = is_kept ? kKeptSignal : kFreshSignal;
     const auto fault = faults_.find(static_cast<int>(i));
     if (fault == faults_.end()) continue;
-    // Adds no noise to a value that is kept, because its noise was added when it was measured.
+    // Adds no noise to the value of a sensor whose turn it is not, because the noise was added when
+    // the value was measured.
     if (is_kept && fault->second.kind == SensorFaultKind::kNoisy) continue;
     ApplyFault(fault->second, sensor, before, &latest_[i]);
   }

@@ -110,7 +110,8 @@ class SensorSource {
   // The value of the parameter `turn` of SampleTurn() with which all sensors are measured.
   static constexpr int kAllTurns = -1;
 
-  // Samples all sensors.  A sensor that is measured in turn, but not in `turn`, keeps its value.
+  // Samples all sensors.  Of two sensors that are measured in turn (Sensor::turn), only number
+  // `turn` is measured; the other keeps its value.
   void SampleTurn(int turn, const Body& body, const Devices& devices);
   void SampleJoint(size_t index, int joint, const BodyState& state, const Devices& devices);
   bool IsPressed(const BodyState& state, size_t paw) const;

@@ -92,8 +92,8 @@ TorqueLine Servo::MotorLine(double angle_rad, double speed_rad_s, double step_s)
           slope_nm_s + nm_per_count * (d_ + p_ * step_s)};
 }
 
-// Adds the torque of a hand that turns the joint, and the torque that holds a jammed joint.  Both
-// torques act like springs and are computed for the angle at the end of the step.
+// Adds the torque of a person's hand that turns the joint, and the torque that holds a jammed
+// joint.  Both torques act like springs and are computed for the angle at the end of the step.
 void Servo::AddTrouble(double angle_rad, double step_s, TorqueLine* line) const {
   if (trouble_->hand_rad) {
     const double stiffness_nm = settings_.hand_stiffness_nm_per_rad;

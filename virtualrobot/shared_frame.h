@@ -24,7 +24,7 @@ class SharedFrame {
 
  private:
   std::vector<RobotParts*> robots_;
-  // Number of the newest frame that End() has ended, counted from the begin of the run.
+  // Number of the newest frame that End() has ended, counted from the beginning of the run.
   int64_t ended_frame_ = -1;
 };
 

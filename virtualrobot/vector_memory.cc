@@ -12,8 +12,8 @@
 namespace openr_host {
 namespace {
 
-// The longest wait that a vector may ask for, 10 s in frames.  A longer wait is taken for a
-// mistake. The number is our choice.
+// The longest wait that a vector may ask for without a report: 10 s, in frames of 8 ms.  A longer
+// wait is probably a mistake of the program.  The number is our choice.
 constexpr longword kWaitFrames = 1250;
 
 // Returns how many bytes of the region may be read: the size that its sender says, limited by the
@@ -52,8 +52,8 @@ SentVector ReadSentVector(RCRegion* region, size_t info_size, const char* kind, 
                     "element {} is the last",
                     kind, static_cast<int64_t>(header.maxNumData) - 1));
   }
-  // Limits the numbers of elements in the header by the room in the region, because an object can
-  // write any number into a header.
+  // Limits the numbers of elements that the header names (numData and maxNumData) by the room in
+  // the region, because an object can write any number into a header.
   const size_t room = (vector.bytes - sizeof header) / info_size;
   const size_t made_for = std::min<size_t>(header.maxNumData, room);
   if (header.numData > made_for) {

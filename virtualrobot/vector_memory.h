@@ -19,7 +19,8 @@ struct SentVector {
   RCRegion* region = nullptr;
   size_t bytes = 0;                   // number of bytes that may be read
   ODataVectorInfo* header = nullptr;  // null: the region is too small for a header
-  // Number of elements: header->numData, or fewer when the region has no room for all their infos.
+  // Number of elements: header->numData, or fewer when the region has no room for the info structs
+  // (such as OCommandInfo) of so many elements.
   int elements = 0;
 
   // Returns the address of `size` bytes at `offset` in the vector; null when some of the bytes lie
@@ -28,8 +29,8 @@ struct SentVector {
 };
 
 // Reads the header of the vector in `region`.  Adds to `problems` a text for each mistake in the
-// header.  `kind` is "command vector" or "sound vector"; `info_size` is the size of the info of one
-// element.
+// header.  `kind` is "command vector" or "sound vector"; `info_size` is the size of the info struct
+// of one element, such as OCommandInfo.
 SentVector ReadSentVector(RCRegion* region, size_t info_size, const char* kind, System& system,
                           std::vector<std::string>* problems);
 
@@ -73,8 +74,9 @@ class VectorPool {
   std::vector<RCRegion*> regions_;
 };
 
-// Makes a region for a vector with `elements` infos, followed by `data_bytes` bytes of data, and
-// fills in the header.  The caller owns the only reference to the region.
+// Makes a region for a vector: a header, an info struct of `info_size` bytes for each of `elements`
+// elements, and `data_bytes` bytes of data.  Fills in the header.  The caller owns the only
+// reference to the region.
 RCRegion* NewVectorRegion(ODataType type, size_t info_size, size_t elements, size_t data_bytes);
 
 }  // namespace openr_host

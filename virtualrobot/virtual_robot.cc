@@ -218,8 +218,8 @@ OStatus VirtualRobot::GetBootCondition(OBootCondition* condition) {
 // because System::Shutdown() does not know these two reasons.
 OStatus VirtualRobot::Shutdown(const OBootCondition& condition) {
   parts_.power.next_boot = condition;
-  // Notes the second timed restart of a run.  One developer's robot did only the first, and only
-  // restarts at once were reliable (field-notes.md 5.13).
+  // Adds a note when an object asks for a second restart at a later time.  One developer's robot
+  // did only the first such restart, and only restarts at once were reliable (field-notes.md 5.13).
   const bool is_timed = (condition.bitmap & obcbBOOT_TIMER) != 0 && condition.bootTime > 0;
   if (is_timed && ++timed_restarts_ == 2) {
     parts_.system.AddFinding(

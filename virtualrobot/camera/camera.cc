@@ -12,19 +12,20 @@ namespace openr_host {
 namespace {
 
 // The factors by which settings of the camera change a picture, in units of 1/256.  The index of
-// each table is the parameter of the request.  With the default settings, the image has the colours
-// of the picture that the source of pictures gives.  Gain and shutter make the image brighter or
-// darker.  White balance multiplies red and divides blue by the square root of T / 4300 K, where T
-// is the colour temperature of the setting, and 4300 K that of the default setting.  This root is
-// our choice, because no measurement is known.
+// each table is the parameter that an object passes to ControlPrimitive().  With the default
+// settings, the image has the colours of the picture that the source of pictures gives.  Gain and
+// shutter make the image brighter or darker.  White balance multiplies red and divides blue by the
+// square root of T / 4300 K, where T is the colour temperature of the setting, and 4300 K that of
+// the default setting.  This root is our choice, because no measurement is known.
 constexpr int kOne = 256;
 constexpr int kGain[] = {0, kOne, kOne, 2 * kOne};  // factors for the gains 0 dB, 0 dB and 6 dB
 constexpr int kShutter[] = {0, 2 * kOne, kOne, kOne / 2};  // factors for 1/50, 1/100 and 1/200 s
 constexpr int kRed[] = {0, 207, 327, kOne};  // factors of red for 2800, 7000 and 4300 K
 constexpr int kBlue[] = {0, 317, 201, kOne};
 
-// The colours that stand for the channels in a picture of layer C.  They also differ in lightness,
-// so that people who see few colours can tell them apart.
+// The colours that stand for the channels of the colour detection in a picture of layer C (the
+// layer with the detected colours).  They also differ in lightness, so that people who see few
+// colours can tell them apart.
 constexpr std::array<std::array<uint8_t, 3>, ocdtNUM_CHANNELS> kChannelColours = {
     {{255, 140, 0},
      {90, 200, 255},
@@ -35,7 +36,8 @@ constexpr std::array<std::array<uint8_t, 3>, ocdtNUM_CHANNELS> kChannelColours =
      {170, 60, 200},
      {240, 240, 240}}};
 
-// Number of bytes before the data in an image vector: its header and its infos.
+// Number of bytes before the data in an image vector: its header, and an OFbkImageInfo for each
+// layer.
 constexpr size_t kHeadBytes = sizeof(ODataVectorInfo) + ofbkimageNUM_LAYERS * sizeof(OFbkImageInfo);
 
 bool Known(longword parameter) { return parameter >= 1 && parameter <= 3; }
@@ -144,14 +146,14 @@ RCRegion* CameraDevice::FreeVector() {
   return region;
 }
 
-// Fills in the infos of `vector`.  This is repeated for every image, because an object that
-// received the vector earlier may have overwritten the infos.
+// Fills in the OFbkImageInfo of each layer in `vector`.  This is repeated for every image, because
+// an object that received the vector earlier may have overwritten them.
 void CameraDevice::FillInfos(longword frame_number, OFbkImageVectorData* vector) const {
   size_t offset = kHeadBytes;
   for (OFbkImageLayer layer = 0; layer < ofbkimageNUM_LAYERS; ++layer) {
     OFbkImageInfo& info = *vector->GetInfo(static_cast<int>(layer));
-    // Uses the type with six bands, because recent system software always sends all bands (BBS
-    // 1856).
+    // Uses the data type that means six bands, because recent system software always sends all
+    // bands (BBS 1856).
     info.type = layer == ofbkimageLAYER_C ? odataFBK_CDT : odataFBK_YCrCb_HPF;
     info.primitiveID = id_;
     info.frameNumber = frame_number;
@@ -196,8 +198,8 @@ std::string CameraDevice::TakeColours(int64_t frame, const Body& body, Picture* 
   picture.rgb.resize(PictureBytes(model_));
   std::string problem = source_->Capture(ShotBefore(frame, body), &picture);
   if (!problem.empty()) return problem;
-  // Makes the vector in memory of this function and not in a region, because a region must belong
-  // to an object, and no object runs here.
+  // Makes the vector in a local buffer and not in a region, because a region must belong to the
+  // object that runs, and no object runs when somebody outside of the run asks for a picture.
   std::vector<byte> memory(kHeadBytes + DataBytes());
   auto* const vector = reinterpret_cast<OFbkImageVectorData*>(memory.data());
   FillInfos(0, vector);

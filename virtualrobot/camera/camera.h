@@ -59,8 +59,8 @@ class CameraDevice {
   // of the image, with the colour of ColourOfChannel() in each pixel in which a channel was
   // detected, and black elsewhere.  Returns "", or the reason why there is no picture.
   std::string TakeColours(int64_t frame, const Body& body, Picture* colours);
-  // Returns the colour (red, green and blue) that stands for channel 0 to 7 in a picture of
-  // TakeColours().
+  // Returns the colour (red, green and blue) that stands for a channel of the colour detection, 0
+  // to 7, in a picture of TakeColours().
   static const std::array<uint8_t, 3>& ColourOfChannel(int channel);
 
   // Sets the settings as they are at boot, and gives up the references to the regions of all

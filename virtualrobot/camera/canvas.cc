@@ -197,8 +197,9 @@ void Canvas::DrawFace(Face face, const Vector3d& normal_W, const RgbBytes& colou
 
 Canvas::Span Canvas::SpanOfBall(double forward, double sideways, double radius_m,
                                 double pixels_per_slope, double size) const {
-  // In the plane of `forward` and `sideways`, the ball is a circle.  Its tangents through the lens
-  // have the slopes m that solve (sideways - m forward)^2 = radius^2 (1 + m^2).
+  // In the plane of `forward` and `sideways`, the ball is a circle.  Its centre is as far as the
+  // radius from each of its two tangents through the lens.  So the slopes m of the tangents solve
+  // (sideways - m forward)^2 = radius^2 (1 + m^2).
   const double a = forward * forward - radius_m * radius_m;
   const double root = a + sideways * sideways;
   if (forward <= radius_m || a <= 0 || root <= 0) return {0, static_cast<int>(size)};
@@ -213,9 +214,10 @@ Canvas::Span Canvas::SpanOfBall(double forward, double sideways, double radius_m
 void Canvas::DrawBall(const Vector3d& centre_W, double radius_m, const Vector3d& colour,
                       const Vector3d& to_light_W, double ambient) {
   const Vector3d centre = R_CW_ * (centre_W - p_WC_), to_light = R_CW_ * to_light_W;
-  // The ray from the lens in the direction d meets the ball at the point t d with
-  // 1 / t = (b + sqrt(b^2 - a c)) / c.  Here a is d . d, b is d . centre, and c is
-  // centre . centre - radius^2.
+  // The ray from the lens in the direction d meets the ball at the point t d whose distance from
+  // the centre is the radius: a t^2 - 2 b t + c = 0, where a is d . d, b is d . centre, and c is
+  // centre . centre - radius^2.  Of its two solutions, the nearer point has 1 / t = (b + sqrt(b^2 -
+  // a c)) / c.
   const double c = centre.squaredNorm() - radius_m * radius_m;
   if (c <= 0) return;
   const Span columns =
@@ -223,8 +225,9 @@ void Canvas::DrawBall(const Vector3d& centre_W, double radius_m, const Vector3d&
   const Span rows = SpanOfBall(centre.x(), centre.z(), radius_m, height_ / (2 * slope_v_), height_);
   const Linear towards = AlongRays(centre), left = AlongRays(Vector3d::UnitY());
   const Linear up = AlongRays(Vector3d::UnitZ()), rise = AlongRays(R_CW_.col(2));
-  // At the point t d, where the ray meets the ball, the surface of the ball gets the share
-  // t * light(d) - light_of_centre of the directed light.
+  // At the point t d, where the ray meets the ball, the outward normal of the ball is (t d -
+  // centre) / radius.  The share of the directed light there is the scalar product of the normal
+  // with the direction to the light: t * light(d) - light_of_centre.
   const Linear light = AlongRays(to_light / radius_m);
   const double light_of_centre = to_light.dot(centre) / radius_m, per_c = 1 / c;
   const bool is_sunk = centre_W.z() < radius_m;

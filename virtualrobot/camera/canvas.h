@@ -35,8 +35,8 @@ class Face {
   int count() const { return count_; }
   const Eigen::Vector3d& corner(int i) const { return corners_[static_cast<size_t>(i)]; }
 
-  // Removes the part of the face whose points p have normal . p + offset < 0.  Adds at most one
-  // corner.
+  // Removes the part of the face whose points p have normal . p + offset < 0.  The rest of the face
+  // has at most one corner more.
   void CutBy(const Eigen::Vector3d& normal, double offset);
 
  private:
@@ -64,7 +64,8 @@ class Canvas {
   // The part of the face below the floor is cut away.
   void DrawFace(Face face, const Eigen::Vector3d& normal_W, const RgbBytes& colour);
 
-  // Draws paint, a face on the floor.  REQUIRES: called before faces and balls are drawn.
+  // Draws paint, a face on the floor.  REQUIRES: called before faces and balls are drawn, because
+  // paint has no depth and would cover them.
   void DrawPaint(Face face, const RgbBytes& colour);
 
   // Draws a ball that is lit from the direction `to_light_W`.  `ambient` is the share of the light
@@ -93,9 +94,9 @@ class Canvas {
   // the face reaches.  REQUIRES: the corners of the face are in the frame C of the lens.
   Span FindSpans(const Face& face);
   void AddEdge(const Eigen::Vector2d& from, const Eigen::Vector2d& to);
-  // Returns the pixels that a ball covers along one axis of the picture, which has `size` pixels.
-  // A slope is y or z divided by x, in the frame C of the lens; `pixels_per_slope` converts a slope
-  // to pixels.
+  // Returns the pixels that a ball covers along one axis of the picture.  The picture has `size`
+  // pixels along this axis.  A slope is y or z divided by x, in the frame C of the lens;
+  // `pixels_per_slope` converts a slope to pixels.
   Span SpanOfBall(double forward, double sideways, double radius_m, double pixels_per_slope,
                   double size) const;
   Face InLens(const Face& face) const;

@@ -16,8 +16,9 @@ byte Offset(int value) { return static_cast<byte>(std::clamp(value + 128, 0, 255
 // compute green from Y, Cr and Cb (image_layers.h), so programs get the original green back.
 int Luminance(int r, int g, int b) { return (77 * r + 150 * g + 29 * b) >> 8; }
 
-// Writes the tag: the field counter, then a byte per channel (channels 4 to 7, then channels 0 to
-// 3) that counts the pixels in which the channel was detected, in units of 16 pixels.
+// Writes the tag of a layer, the bytes with which its last row begins: the field counter (number of
+// the image), then a byte per channel (channels 4 to 7, then channels 0 to 3) that counts the
+// pixels in which the channel was detected, in units of 16 pixels.
 void WriteTag(word field_counter, const std::array<int, ocdtNUM_CHANNELS>& counts, byte* tag) {
   std::fill_n(tag, ImageLayers::kTagBytes, byte{0});
   tag[0] = static_cast<byte>(field_counter & 0xff);

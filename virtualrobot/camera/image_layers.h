@@ -47,8 +47,8 @@ class ImageLayers {
 
   // Fills in the data of all layers of `vector`.  In each layer, the last row begins with a tag
   // (field counter and pixel counts of the colours) instead of pixels.  In a layer with bands, only
-  // the Y band has the tag.  REQUIRES: `picture` has the size of the sensor; the infos of `vector`
-  // are filled in.
+  // the Y band has the tag.  REQUIRES: `picture` has the size of the sensor; the OFbkImageInfo of
+  // each layer in `vector` is filled in.
   void Make(const Picture& picture, const Exposure& exposure, const ColourTables& tables,
             word field_counter, OFbkImageVectorData* vector);
 
@@ -62,8 +62,8 @@ class ImageLayers {
   // Computes Cr and Cb of `layer` into `to` from the layer `from`, which has twice the width and
   // height.
   void HalveColour(const byte* from, OFbkImageLayer layer, byte* to) const;
-  // Computes layer C from layer M, and counts into `counts` the pixels in which each channel was
-  // detected.
+  // Computes layer C (the detected colours) from layer M, and counts into `counts` the pixels in
+  // which each channel was detected.
   void DetectColours(const byte* layer_m, const ColourTables& tables, byte* layer_c,
                      std::array<int, ocdtNUM_CHANNELS>* counts) const;
 

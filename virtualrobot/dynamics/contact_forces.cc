@@ -8,8 +8,9 @@
 namespace openr_host {
 namespace {
 
-// Largest number of attempts to solve the equations without sweeps.  Each attempt leaves out the
-// contacts that pulled in the attempt before.
+// Largest number of attempts to solve the equations of all contacts at once, under the assumption
+// that no contact slides.  Each attempt leaves out the contacts that pulled at the ground in the
+// attempt before.  If all attempts fail, the contacts are solved one after the other (Sweep()).
 constexpr int kOpenRounds = 3;
 
 double Length(double x, double y) { return std::sqrt(x * x + y * y); }
@@ -75,8 +76,9 @@ bool ContactForces::LiesInCone(int contact) const {
   return p[0] >= 0 && Length(p[1], p[2]) <= friction_ * p[0];
 }
 
-// Solves the equations under the assumption that each contact sticks, or opens if it would pull.
-// Returns whether the result obeys the laws of all contacts.
+// Solves the equations under the assumption that no contact slides.  Leaves out contacts that would
+// pull at the ground.  Returns whether the impulses obey Coulomb's law of friction at all contacts,
+// so that the assumption was right.
 bool ContactForces::SolveSticking(const ContactEquations& equations) {
   closed_.resize(equations.contacts());
   for (int c = 0; c < equations.contacts(); ++c) closed_[c] = c;
@@ -92,9 +94,9 @@ bool ContactForces::SolveSticking(const ContactEquations& equations) {
   return false;
 }
 
-// Solves the equations of the contacts in closed_ by Cholesky's method, and sets all other impulses
-// to 0.  Uses loops of our own, because Eigen chooses the order of its sums by the size of the
-// processor's caches.
+// Solves the equations of the contacts in closed_ (those that press) by Cholesky's method, and sets
+// all other impulses to 0.  Uses loops of our own, because Eigen chooses the order of its sums by
+// the size of the processor's caches.
 void ContactForces::SolveOpened(const ContactEquations& equations) {
   const int n = 3 * static_cast<int>(closed_.size());
   const auto row_of = [this](int i) { return 3 * closed_[i / 3] + i % 3; };
@@ -126,8 +128,8 @@ void ContactForces::SolveOpened(const ContactEquations& equations) {
   }
 }
 
-// Gives each contact in turn the impulse that its law demands.  Returns the largest change of an
-// impulse.
+// Gives one contact after the other the impulse that Coulomb's law of friction demands while all
+// other impulses stay.  Returns the largest change of an impulse.
 double ContactForces::Sweep(const ContactEquations& equations) {
   double largest = 0;
   for (int c = 0; c < equations.contacts(); ++c) {

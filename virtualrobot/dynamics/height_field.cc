@@ -40,7 +40,8 @@ Vector3d NearestOf(const Triangle& triangle, const Vector3d& p) {
   for (size_t i = 0; i < 3; ++i) {
     const Vector3d &a = triangle[i], &b = triangle[(i + 1) % 3];
     const Vector3d edge = b - a;
-    // Skips an edge if `below`, the point of the plane under `p`, is on the inner side of the edge.
+    // Skips an edge if `below`, the point of the plane under `p`, is on the inner side of the edge,
+    // because then the nearest point is not beyond this edge.
     if (edge.cross(below - a).dot(normal) >= 0) continue;
     const double share = std::clamp(edge.dot(p - a) / edge.squaredNorm(), 0.0, 1.0);
     const Vector3d on_edge = a + share * edge;

@@ -11,8 +11,9 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// A face of a box can touch the side of a cylinder only if the z of the face's normal, in the
-// cylinder's axes, is at most this number in size.
+// Largest size of the z, in the axes of a cylinder, of the normal of a box's face that can touch
+// the side of the cylinder.  A face with a larger z lies across the axis of the cylinder, so it
+// touches an end of the cylinder.
 constexpr double kUprightMax = 0.5;
 
 // Number of points of the rim of a cylinder's end that can touch a box.

@@ -121,8 +121,8 @@ struct Sensor {
   Eigen::Vector3d direction{0, 0, 0};
   // Table of a sensor of kind kDistance: at least two rows, in rising order of distance_m.
   std::vector<DistanceRow> lookup;
-  // Number of the sensor among two sensors that are measured in turn, 0 or 1; -1 for a sensor that
-  // is measured in every frame.
+  // For one of two sensors that are measured in turn (the distance sensors of an ERS-7): its
+  // number, 0 or 1.  For a sensor that is measured in every frame: -1.
   int turn = -1;
 };
 

@@ -215,7 +215,7 @@ void ContactFinder::FindBoxOnFloor(const Shape& box) {
   const dReal* R = dBodyGetRotation(box.body);
   const double zx = R[8] * half.x(), zy = R[9] * half.y(), zz = R[10] * half.z();
   if (p[2] >= std::fabs(zx) + std::fabs(zy) + std::fabs(zz)) return;
-  // From here on the lowest corner is below the floor, so the loop finds at least one corner.
+  // Here the box reaches below the floor, so at least its lowest corner is a contact.
   int found = 0;
   for (int corner = 0; corner < 8 && found < kCornersMax; ++corner) {
     const double sx = corner & 1 ? 1 : -1, sy = corner & 2 ? 1 : -1, sz = corner & 4 ? 1 : -1;

@@ -20,13 +20,14 @@ using Eigen::Isometry3d;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Parameters of a hand that holds the trunk (our choices): the time in which the hand moves the
-// trunk to the wanted pose, and the limits of the hand's speed, force and torque.
+// Parameters of a person's hand that holds the trunk (our choices): the time in which the hand
+// moves the trunk to the wanted pose, and the limits of the hand's speed, force and torque.
 constexpr double kHandTime_s = 0.05;
 constexpr double kHandSpeed_m_s = 0.5, kHandTurn_rad_s = 2;
 constexpr double kHandForce_n = 60, kHandTorque_nm = 5;
 
-// The largest distance of a part of a robot from the origin of the robot's base.
+// The largest distance, in m, of a part of a robot from the origin of the robot's base.  A ray that
+// stays further away misses the robot.
 constexpr double kReach_m = 0.6;
 
 // Returns the pose in which a robot lies at `start` in the sleeping posture.
@@ -240,10 +241,11 @@ void OdeBody::Push(int part, const Vector3d& force_W, const Vector3d& p_W) {
 
 void OdeBody::Hold(const std::optional<Isometry3d>& X_WB) { held_at_ = X_WB; }
 
-// Adds the force and the torque of a hand that holds the trunk.  The hand carries the weight of the
-// robot at its centre of mass.  It also moves the trunk towards held_at_: the wanted speed is the
-// distance divided by kHandTime_s, up to a limit.  The force is half of what would give the trunk
-// this speed in one step, because the legs and the head hang on the trunk and resist.
+// Adds the force and the torque of a person's hand that holds the trunk.  The hand carries the
+// weight of the robot at its centre of mass.  It also moves the trunk towards held_at_: the wanted
+// speed is the distance divided by kHandTime_s, up to a limit.  The force is half of what would
+// give the trunk this speed in one step, because the legs and the head hang on the trunk and
+// resist.
 void OdeBody::PullByHand(double step_s) {
   const double mass_kg = model_.TotalMassKg();
   Vector3d centre_W = Vector3d::Zero();

@@ -128,8 +128,9 @@ void PhysicsWorld::BrakeRolling(const std::vector<ContactPoint>& points, double 
   }
 }
 
-// Adds three rows for each contact to the trees of both sides of the contact, and tells the robots
-// which of their paws touch something.
+// Adds three rows for each contact (its normal and two directions of the ground, along which its
+// impulse acts) to the trees of both sides of the contact, and tells the robots which of their paws
+// touch something.
 void PhysicsWorld::AddRows(const std::vector<ContactPoint>& points) {
   rows_.clear();
   for (const ContactPoint& point : points) {

@@ -163,7 +163,8 @@ bool SoundQueue::Fill(int64_t frame, SoundFrame* samples, std::vector<SoundProbl
       filled = Copy(filled, samples);
       played = true;
     } else {
-      // A vector without sound lasts until the end of this frame.
+      // The vector has no sound.  It lasts until the end of this frame, so nothing else is played
+      // in the rest of the frame.
       filled = kSoundSamplesPerFrame;
     }
     if (sound_ < sounds_.size()) continue;

@@ -48,7 +48,9 @@ class Speaker {
   // in Sony's sample SoundPlay).  Returns "", or the reason why the sound could not be written.
   std::string Play(int64_t frame, const SoundFrame& samples, bool motor_power);
 
-  // The sound that was played last, with the settings applied, for listeners outside of the run.
+  // The newest frame of sound as the loudspeaker gives it: with the volume applied, and silent
+  // while the speaker is muted or has no power.  For listeners outside of the run, such as ROS
+  // topics.
   struct Sound {
     int64_t frame = -1;  // frame of the run; -1: nothing was played
     SoundFrame samples{};
