@@ -53,7 +53,7 @@ private:
     // played while the other waits until the effector is ready.
     static const int NUM_REGIONS = 2;
 
-    // Implementation of ControllerPort
+    // The functions of ControllerPort, which ControllerCore calls.
     virtual bool IsLedReady();
     virtual bool IsEarReady();
     virtual bool IsBatchMoverReady();

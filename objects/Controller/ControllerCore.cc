@@ -87,8 +87,9 @@ ControllerCore::Live(void (*reset)())
     if (reset != 0) reset();
 }
 
-// Sets the run function.  If main() calls Run(), also calls the run function at once.  If a run
-// function calls Run(), the new function is called from the next iteration on.
+// Sets the run function: the function of the program that is called in each iteration of the loop.
+// If main() calls Run(), also calls the run function at once.  If a run function calls Run(), the
+// new function is called from the next iteration on.
 void
 ControllerCore::Run(int (*run)(int))
 {

@@ -48,8 +48,8 @@ public:
     // Sends a change of the ears that could not be sent before.  Called when the observer of ear
     // vectors has become ready.
     void EarReady();
-    // Sends changes of joint commands that could not be sent before.  Called when the observer of
-    // batch commands has become ready.
+    // Sends changes of joint commands that could not be sent before.  Called when JointMover has
+    // become ready for the buffer of joint commands.
     void BatchMoverReady();
 
     // Puts the LEDs and ears that the remote control has set (`change`) into the buffers.

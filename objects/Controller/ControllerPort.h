@@ -21,7 +21,8 @@ public:
     // Returns whether the effector is ready for the next ear vector.
     virtual bool IsEarReady() = 0;
 
-    // Returns whether JointMover is ready for the next batch command.
+    // Returns whether JointMover is ready for the next batch command (the buffer of joint
+    // commands).
     virtual bool IsBatchMoverReady() = 0;
 
     // Sends a vector for all LEDs that lasts `frames` frames of 8 ms.  LED i is on when bit i of

@@ -45,7 +45,7 @@ private:
     // Number of regions for command vectors: one vector plays while the other waits.
     static const int NUM_REGIONS = MAX_VECTORS_UNDER_WAY;
 
-    // Implementation of MoverPort
+    // The functions of MoverPort, which MoverCore calls.
     virtual Sint32 Measure(int joint);
     virtual void EnableGain(int joint, const Sint32 gain[3]);
     virtual void DisableGain(int joint);

@@ -175,8 +175,9 @@ MoverCore::Play(const MoverCommand& command, const Uint8* bytes, size_t size, st
     return true;
 }
 
-// Returns whether the robot must first move to key frame 0.  Always returns true for a motion of
-// one key frame, because this movement is the whole motion.
+// Returns whether the robot must first move to key frame 0 of the motion, because a joint is far
+// from its position there.  Always returns true for a motion of one key frame, because this
+// movement is the whole motion.
 bool
 MoverCore::NeedsPreparation() const
 {

@@ -68,7 +68,8 @@ public:
     // this vector, enters the next state.
     void VectorEnded();
 
-    // Carries out `command`, which may be of any kind except PLAY and STOP.
+    // Carries out `command`, which may be of any kind except PLAY and STOP; for these kinds, Play()
+    // and Stop() are called.
     void Do(const MoverCommand& command);
 
     // Sets the position, speed or acceleration of one joint.  Has no effect before the robot

@@ -18,9 +18,10 @@ ClientStreams::Begin(int stream, Uint16 period, Uint16 tag)
     begun.tag = tag;
 }
 
-// Returns whether the period since lastFrame is over.  Also returns true when frame numbers have
-// begun anew: then `frame` is less than lastFrame, and the difference of these unsigned numbers is
-// very large.  So the next packet comes too early, which is better than a long wait.
+// Returns whether the period of the subscription (the least time between two packets), counted from
+// lastFrame, is over.  Also returns true when frame numbers have begun anew: then `frame` is less
+// than lastFrame, and the difference of these unsigned numbers is very large.  So the next packet
+// comes too early, which is better than a long wait.
 bool
 ClientStreams::IsPeriodOver(const Stream& stream, Uint32 frame) const
 {

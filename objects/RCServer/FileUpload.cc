@@ -42,7 +42,7 @@ FileUpload::RemoveLeftovers(const StickStore& store) const
                                   store.Path(rcfileIMAGE, TemporaryName("OLD")) };
     std::string kept;
     for (int i = 0; i < 3; i++) {
-        // Ignores ENOENT, because usually there is no such file.
+        // Ignores ENOENT, because usually an earlier run has left no such file.
         if (remove(paths[i].c_str()) != 0 && errno != ENOENT) kept = paths[i];
     }
     return kept;

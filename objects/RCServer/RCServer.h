@@ -79,7 +79,7 @@ private:
         Uint32 lastFrame;  // frame in which the client last sent bytes
     };
 
-    // Implementation of RequestPort
+    // The functions of RequestPort, which RequestHandler calls.
     virtual bool PostMover(const MoverCommand& command);
     virtual void PostLedEar(const LedEarState& change);
     virtual bool ReadFile(const std::string& path, std::vector<Uint8>* bytes, std::string* error);

@@ -27,8 +27,8 @@ public:
     // Sets the path of the folder that has the stick's folder MS: "" on the robot.
     void SetRoot(const std::string& root) { root_ = root; }
 
-    // Checks that a remote client may use a file of this kind and name.  A motion has a bare 8+3
-    // name that ends in .MTN; the only image is CONTROLL.BIN.
+    // Checks that a remote client may use a file of this kind and name.  The name of a motion has
+    // at most 8 characters before its ending .MTN, and no path; the only image is CONTROLL.BIN.
     int CheckName(int kind, const std::string& given, StickName* name, std::string* why) const;
 
     // Returns the path of the file `name` in the folder of `kind`.

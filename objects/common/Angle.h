@@ -33,8 +33,8 @@ const double URAD_PER_RAD = 1e6;
 // Number of cdeg in a radian.
 const double CDEG_PER_RAD = 5729.577951308232;
 
-// Converts 0.01 degree to urad.  An angle of more than 100 turns counts as 100 turns, so that the
-// result fits 32 bits.
+// Converts an angle in 0.01 degree to urad.  An angle of more than 100 turns counts as 100 turns,
+// so that the result fits 32 bits.
 inline Sint32
 UradFromCdeg(Sint32 cdeg)
 {

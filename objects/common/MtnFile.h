@@ -30,7 +30,7 @@ const Sint32 MTN_FRAME_MS = 16;
 const Sint32 MTN_MAX_ANGLE_URAD = 6283186;
 
 // Largest angle of the body's attitude (roll, pitch, yaw): ten turns, because a motion may turn the
-// body several times.  The attitude is not played.
+// body several times.  The attitude is read but not played.
 const Sint32 MTN_MAX_ATTITUDE_URAD = 62831853;
 
 // Largest number of key frames.  The index of a key frame must fit SetValue and the remote control,
@@ -57,7 +57,8 @@ public:
     // object is an empty motion, and Error() has the reason.
     bool Read(const Uint8* bytes, size_t size);
 
-    // Returns the reason why Read() or MapTo() returned false: "section 3, offset 516: ...".
+    // Returns the reason why Read() or MapTo() returned false, such as "section 3, offset 516:
+    // ...".
     const std::string& Error() const { return error_; }
 
     // Returns texts about unusual but harmless content, in the order of the file.

@@ -31,7 +31,8 @@ struct RcPicturePart {
     void Read(RcReader* in);  // reads the numbers, but not the bytes of the layer behind them
 };
 
-// Largest number of bytes of a layer in an answer.  All parts but the last have this size.
+// Largest number of bytes of a layer that an answer to CAMERA_PART can carry.  All parts but the
+// last have this size.
 const int RC_MAX_PICTURE_DATA = RC_MAX_PACKET - RC_ANSWER_HEADER_SIZE - RcPicturePart::SIZE;
 
 #endif  // RemoteCamera_h_DEFINED

@@ -22,10 +22,10 @@ const Uint32 RC_MAX_MOTION = 1024 * 1024;
 // have less than 1 MB, images of the robot less than 300 KB.
 const Uint32 RC_MAX_IMAGE = 8 * 1024 * 1024;
 
-// Largest number of bytes of a file in a request UPLOAD_DATA.
+// Largest number of bytes of a file that a request UPLOAD_DATA can carry.
 const int RC_MAX_UPLOAD_DATA = RC_MAX_PACKET - RC_HEADER_SIZE - 4;
 
-// Largest number of bytes of a file in an answer to DOWNLOAD.
+// Largest number of bytes of a file that an answer to DOWNLOAD can carry.
 const int RC_MAX_DOWNLOAD_DATA = RC_MAX_PACKET - RC_ANSWER_HEADER_SIZE - 4;
 
 // Name of the one image that may be uploaded and downloaded.

@@ -23,7 +23,7 @@
 // The text at the beginning of a log file, before the records.
 #define RC_LOG_HEADER "AIBO_1.1"
 
-// Record number in a request that asks only for the number of records.
+// Value of the record number in a request LOG that asks for no records, but only for their number.
 const Uint32 RC_LOG_END = 0xffffffff;
 
 const int RC_LOG_PAWS = 4;

@@ -131,8 +131,8 @@ public:
     RcFramer() { Reset(); }
     void Reset();
 
-    // Returns the number of bytes for which Take() has room; at least RC_MAX_PACKET after
-    // NEEDS_MORE.
+    // Returns the number of bytes for which Take() has room; at least RC_MAX_PACKET after Next()
+    // has returned NEEDS_MORE.
     int Room() const { return CAPACITY - size_; }
 
     // Appends `size` bytes to the stream.  REQUIRES: size <= Room().

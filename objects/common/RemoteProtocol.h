@@ -157,8 +157,8 @@ struct RcJointState {
 // joints and for motor power.
 const Uint8 RC_ALL_JOINTS = 255;
 
-// Largest P, I or D gain.  People used P gains up to 63; a report says that the robot takes 7 bits
-// (docs/openr/field-notes.md 7.14 and 7.15).
+// Largest P, I or D gain.  People used P gains up to 63; a report says that the robot takes gains
+// of 7 bits, which are at most 127 (docs/openr/field-notes.md 7.14 and 7.15).
 const int RC_MAX_GAIN = 127;
 
 // Gains of the servo of a joint.  A gain g with shift s acts like g x 2^(s-16).
