@@ -26,7 +26,7 @@ class BodyMover {
   void EnableAll();
 
   // Moves the joints to the angles `to_rad`.  All joints start and arrive together.  The joint that
-  // needs the most time moves at 0.9 of its planned speed limit.
+  // needs the most time moves at 0.9 of the highest speed that the model has for planned movements.
   void RampTo(const std::vector<double>& to_rad);
 
   // Returns the angles of a posture of the model, limited to the software limits of the joints.

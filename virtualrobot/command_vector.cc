@@ -30,8 +30,8 @@ ODataType CommandTypeOf(const Primitive& primitive) {
   }
 }
 
-// Returns command frame `i` of `data` as a Value.  Returns a Value with a set point of 0 if the
-// program never filled this frame.
+// Returns command frame `i` of `data` as a Value, which is the SDK's struct for a command of this
+// type.  Returns a Value with a set point of 0 if the program never filled this frame.
 template <typename Value>
 Value As(const OCommandData& data, int i) {
   static_assert(sizeof(Value) == sizeof(OCommandValue));

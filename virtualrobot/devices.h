@@ -19,7 +19,7 @@ class Hasher;
 
 // The gains P, I and D, then the shifts of P, I and D, as OPENR::SetJointGain() takes them.
 using GainWords = std::array<word, 6>;
-// The shifts of P, I and D.
+// The shifts of the gains P, I and D.  A gain with shift s acts like gain * 2^(s - 16).
 using ShiftWords = std::array<word, 3>;
 
 struct JointDevice {

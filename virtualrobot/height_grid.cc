@@ -73,7 +73,8 @@ std::vector<Triangle> OutsideOf(const WorldThing& thing) {
         triangles.push_back(triangle);
     }
   }
-  // Adds the side below the edge from `a` to `b`.  Seen from outside, `b` is to the left of `a`.
+  // Adds the two triangles of the side below the edge from `a` to `b`.  Seen from outside, `b` is
+  // to the left of `a`.
   const auto add_side = [&](const Vector3d& a, const Vector3d& b) {
     const Vector3d below_a(a.x(), a.y(), -thing.size_m.z() / 2);
     const Vector3d below_b(b.x(), b.y(), below_a.z());

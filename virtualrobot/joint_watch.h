@@ -69,8 +69,8 @@ class JointWatch {
     bool was_in_urad = false;  // whether a set point was too large to be an angle in radians
     int tiny_frames = 0;       // number of successive set points that look like radians
     int loaded_frames = 0;
-    // Range of the joint's positions in the present half second (`now`) and in the half second
-    // before (`before`).  Only recorded until the servo acts for the first time.
+    // Whether the servo has acted since boot.  Until then, `now` and `before` have the range of the
+    // joint's positions in the present half second and in the half second before.
     bool has_acted = false;
     Range_rad now, before;
   };

@@ -44,7 +44,7 @@ class Power {
   // Makes Power send a message to `entry` at each change that `filter` asks for.  Replaces an
   // earlier filter of `entry`.
   void Observe(const OPowerStatus& filter, const OServiceEntry& entry);
-  // Ends the messages to `entry`.  Returns false when `entry` does not observe.
+  // Ends the messages to `entry`.  Returns false when `entry` does not observe the power status.
   bool Unobserve(const OServiceEntry& entry);
 
   // The load of the battery in a frame of 8 ms.

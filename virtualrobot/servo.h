@@ -46,8 +46,8 @@ class Servo {
   // last call of Step() and Drive() for this frame.
   void BeginFrame(const JointCommand& command, double angle_rad);
 
-  // Returns the torque of motor, friction and stops on the joint during the next step of `step_s`
-  // seconds.
+  // Returns the torque of motor, friction and stops on the joint, as a function of the speed,
+  // during the next step of `step_s` seconds.
   TorqueLine Step(double angle_rad, double speed_rad_s, double step_s) const;
 
   // Returns the drive, in PWM counts, that the control law demands at this angle and speed, before

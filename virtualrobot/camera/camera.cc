@@ -89,8 +89,9 @@ void CameraDevice::set_auto_white_balance(bool on) {
   ChooseExposure();
 }
 
-// Computes exposure_ from the settings.  When auto exposure or auto white balance is on, takes the
-// default setting in place of the program's setting.
+// Computes exposure_, the tables that make the colours of a picture brighter or darker, from the
+// settings.  When auto exposure or auto white balance is on, takes the default setting in place of
+// the program's setting.
 void CameraDevice::ChooseExposure() {
   const int light =
       settings_.auto_exposure ? kOne : kGain[settings_.gain] * kShutter[settings_.shutter] / kOne;

@@ -105,7 +105,7 @@ bool Canvas::MaySee(const Vector3d& centre_W, double radius_m) const {
   const Vector3d p = R_CW_ * (centre_W - p_WC_);
   if (p.x() + radius_m < kNear_m) return false;
   // Returns whether the ball is completely outside the plane through the lens and an edge of the
-  // picture.
+  // picture, so that no part of the ball is in the picture.
   const auto is_outside = [&](double sideways, double slope) {
     return std::fabs(sideways) - p.x() * slope > radius_m * std::sqrt(1 + slope * slope);
   };

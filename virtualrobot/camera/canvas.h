@@ -48,7 +48,8 @@ class Face {
 
 class Canvas {
  public:
-  // Things nearer than this distance along the optical axis are not drawn.
+  // Things nearer than this distance along the optical axis are not drawn, because a drawing
+  // divides by the distance.
   static constexpr double kNear_m = 0.004;
 
   // Begins a picture: draws the floor z = 0 up to the horizon, and the background above it.

@@ -32,8 +32,8 @@ class ColourTables {
   void HashState(Hasher* hasher) const;
 
  private:
-  // The ranges of all channels.  Bit k of element [segment][value] is set when the range of channel
-  // k in this segment contains `value`.
+  // The ranges of Cr, or of Cb, of all channels.  Bit k of element [segment][value] is set when the
+  // range of channel k in this segment of luminance contains `value`.
   using Bits = std::array<std::array<uint8_t, 256>, ocdtMAX_Y_SEGMENT>;
   Bits cr_{};
   Bits cb_{};

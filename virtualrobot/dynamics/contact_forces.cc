@@ -24,7 +24,7 @@ double Missing(const ContactEquations& equations, const std::vector<double>& imp
   return missing;
 }
 
-// The impulse of a contact along the ground.
+// The impulse of a contact along the two directions of the ground, in N s.
 struct Friction {
   double x, y;
 };

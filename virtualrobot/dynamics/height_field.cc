@@ -90,7 +90,8 @@ void TouchTriangles(const WorldThing& thing, const Vector3d& p, double radius_m,
         const double distance_m = way.norm();
         if (distance_m >= radius_m || distance_m == 0) continue;
         const Vector3d out = way / distance_m;
-        // Ignores a triangle if the ball's centre is below the triangle.
+        // Ignores a triangle if the ball's centre is below it, because the triangle would push the
+        // ball downwards.
         if (out.dot(NormalOf(triangle)) > 0)
           found->push_back({p - radius_m * out, out, radius_m - distance_m});
       }

@@ -11,12 +11,12 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Largest size of the z, in the axes of a cylinder, of the normal of a box's face that can touch
-// the side of the cylinder.  A face with a larger z lies across the axis of the cylinder, so it
-// touches an end of the cylinder.
+// A face of a box touches the side of a cylinder only if it lies roughly along the axis of the
+// cylinder: the z of its normal, in the axes of the cylinder, is at most this number in size.  A
+// face that lies across the axis touches an end of the cylinder instead.
 constexpr double kUprightMax = 0.5;
 
-// Number of points of the rim of a cylinder's end that can touch a box.
+// Number of points on the rim of an end of a cylinder that are tested: each may touch a box.
 constexpr int kRimPoints = 8;
 
 SurfaceDistance DistanceToBox(const Vector3d& half, const Vector3d& p) {

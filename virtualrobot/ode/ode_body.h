@@ -51,7 +51,8 @@ class OdeBody : public Body {
   const std::vector<dxBody*>& ode_bodies() const { return bodies_; }
   JointTree& tree() { return *tree_; }
   void BeginFrame();
-  // Begins a step of `step_s` seconds: sets up the tree with the forces of servos, pushes and hand.
+  // Begins a step of `step_s` seconds: sets up the tree with the forces of the servos, of pushes
+  // and of a person's hand.
   void BeginStep(double step_s);
   void NotePawContact(int paw) { state_.paws[paw] = true; }
   // Adds `force_n` to the force that presses paw `paw` in this frame.  The caller has divided the
