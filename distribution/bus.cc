@@ -25,10 +25,10 @@ constexpr int kSamplesPerPacketMax = 4;
 constexpr int kTrimThresholdBytes = 64 << 20;
 constexpr int kMmapThresholdBytes = 4 << 20;
 
-// Settings of Cyclone DDS for a large history of sent samples.  The history holds more than a run
-// ever has in flight (one message for each object), so no write blocks.  With these settings
-// Cyclone DDS asks for acknowledgements only in its periodic heartbeat, so the heartbeat interval
-// is short.
+// Settings that make Cyclone DDS keep many sent samples (its history).  The history has room for
+// more than a run ever has under way (one message for each object), so no write blocks.  With these
+// settings Cyclone DDS asks for acknowledgements only in its periodic heartbeat, so we set a short
+// heartbeat interval to free the history soon.
 constexpr char kLargeHistory[] =
     "<Watermarks><WhcHigh>500MB</WhcHigh><WhcHighInit>500MB</WhcHighInit>"
     "<WhcAdaptive>false</WhcAdaptive></Watermarks>"
@@ -129,8 +129,8 @@ Bus::Bus(const BusOptions& options) : run_(options.run), number_(options.domain)
 // processes do not take it for dead after a short network failure.
 //
 // Cyclone DDS by itself announces a participant only when four fifths of its lease are over.  With
-// a lease of 10 s, a network failure in the last 2 s would be enough to lose the announcement.  A
-// writer with a shorter liveliness lease makes its participant announce itself more often.  So we
+// a lease of 10 s, a network failure in the last 2 s would be enough to lose the announcement.  But
+// a writer with a shorter liveliness lease makes its participant announce itself more often.  So we
 // create a writer whose liveliness lease is a fifth of `lease_s`, on a topic that nobody reads.  We
 // choose no shorter lease, because every participant has to receive each announcement.
 void Bus::AnnounceLiveliness(int lease_s) {
@@ -168,7 +168,8 @@ ChannelBase::ChannelBase(Bus* bus, const std::string& place, ChannelEnd end,
   const dds_entity_t publisher = Dds().dds_create_publisher(participant, qos, nullptr);
   const dds_entity_t subscriber = Dds().dds_create_subscriber(participant, qos, nullptr);
   owned_.insert(owned_.end(), {publisher, subscriber});
-  // Writers that are created from now on can batch samples, as WriteBatched() needs.
+  // Makes all writers that are created from now on collect samples into batches, because
+  // WriteBatched() needs such writers.
   Dds().dds_write_set_batch(true);
   writer_ = Dds().dds_create_writer(publisher, is_master ? to_worker : to_master, qos, nullptr);
   Dds().dds_write_set_batch(false);
@@ -247,8 +248,9 @@ void ChannelBase::ReceiveMore() {
   void* samples[kSamplesPerPacketMax];
   dds_sample_info_t infos[kSamplesPerPacketMax];
   std::copy_n(free_samples_.rbegin(), kSamplesPerPacketMax, samples);
-  // Receives only one sample if the sample before was large, because large samples are received one
-  // at a time (kBulkBytes).
+  // Receives only one sample if the sample before was large (kBulkBytes).  The next sample is then
+  // probably large too, and large samples are received one at a time, so that each reuses memory
+  // that is still in the processor's cache.
   const uint32_t wanted = last_bulk_bytes_ < kBulkBytes ? kSamplesPerPacketMax : 1;
   const int count =
       Check(Dds().dds_take(reader_, samples, infos, kSamplesPerPacketMax, wanted), "take");

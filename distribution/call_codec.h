@@ -38,7 +38,7 @@ struct CallArguments {
   std::string bytes = {};
 };
 
-// The result of a call (`status`) and its output parameters.
+// The result of a call (`status`) and the values of its output parameters (`numbers`, `bytes`).
 struct CallResult {
   int64_t status = 0;
   std::vector<uint64_t> numbers = {};

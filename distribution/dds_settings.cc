@@ -22,8 +22,8 @@ struct DomainElement {
   std::string id = "any";
   bool has_security = false;
 
-  // Returns whether the element applies to `domain`.  Compares ids as Cyclone DDS compares them, so
-  // that the result is what Cyclone DDS will do.
+  // Returns whether the element applies to `domain`.  Compares ids in the same way as Cyclone DDS,
+  // so that the result is true exactly if Cyclone DDS will use the element.
   bool IsFor(int domain) const {
     if (IsSame(id.c_str(), "any")) return true;
     char* end = nullptr;
@@ -63,8 +63,8 @@ class SettingsFile {
     } else if (parent == kRoot) {
       file->has_others_ = true;
     } else if (parent == kDomain && IsSame(name, "Id")) {
-      // The id of a domain is an element <Id>, and not an attribute, in files for older versions of
-      // Cyclone DDS.
+      // Accepts the id of a domain also as an element <Id>.  In files for older versions of Cyclone
+      // DDS it is such an element; in newer files it is an attribute of <Domain>.
       *element = kDomainId;
     } else if (parent == kDomain && (IsSame(name, "Security") || IsSame(name, "DDSSecurity"))) {
       file->domains_.back().has_security = true;
@@ -83,8 +83,8 @@ class SettingsFile {
   static void Error(void*, const char*, int) {}
 
   void SetId(const char* text) {
-    // Expands environment variables in the id, such as "${DOMAIN}", because Cyclone DDS does the
-    // same.
+    // Replaces environment variables in the id, such as "${DOMAIN}", by their values, because
+    // Cyclone DDS does the same.
     char* const id = Dds().ddsrt_expand_envvars(text, static_cast<uint32_t>(domain_));
     if (id != nullptr) domains_.back().id = id;
     Dds().ddsrt_free(id);

@@ -11,11 +11,13 @@ std::string JoinAdvice(const std::string& process, const std::string& host, cons
   if (bus.domain != assumed.domain) text += fmt::format(" --dds-domain {}", bus.domain);
   if (host != assumed.address) text += fmt::format(" --dds-address {}", host);
   if (host != bus.address) text += fmt::format(" --dds-peer {}", bus.address);
-  // Shows the word FILE and not the name of this run's file, because each host has a settings file
-  // of its own: with DDS Security, the file has the host's private key.
+  // Writes the word FILE into the command that the user is to type on the host `host`, and not the
+  // name of this run's settings file.  Each host has a settings file of its own: with DDS Security,
+  // the file contains the host's private key.
   if (!bus.config_file.empty()) text += " --dds-config FILE";
   if (host != bus.address)
-    // Shows the word DIR, which stands for a copy of the run's stick on the host `host`.
+    // Writes the word DIR into the command.  The user replaces it by the folder of a copy of the
+    // run's stick on the host `host`.
     text += " --stick DIR";
   return text;
 }

@@ -41,8 +41,9 @@ class Latency {
   double MaxUs() const { return static_cast<double>(max_ns_) / 1000; }
   double MeanUs() const;
 
-  // Returns the durations added after `before`, an earlier copy of this histogram.  The maximum is
-  // exact within 1/16, because it is taken from the buckets.
+  // Returns a histogram of the durations that were added after `before`, an earlier copy of this
+  // histogram, was made.  Its maximum may be up to 1/16 too high, because it is computed from the
+  // buckets.
   Latency Since(const Latency& before) const;
 
  private:

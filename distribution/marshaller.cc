@@ -102,8 +102,8 @@ void Marshaller::EncodeNotify(const Message& message, const PeerHasMemory& peer_
     part.offset = data.offset;
     part.size = static_cast<uint32_t>(data.size);
     // Sends the size of the whole region, because the receiver may have to make a copy of it.  For
-    // a deleted region SizeOf() returns 0.  Then we send as its size the offset at which the data
-    // end, because the receiver refuses data beyond the size that it was told.
+    // a deleted region SizeOf() returns 0.  In this case we send the offset at which the data end,
+    // because the receiver refuses data that end beyond the size of their region.
     part.region_bytes = static_cast<uint32_t>(
         std::max(system_->regions().SizeOf(data.memID), data.offset + data.size));
     if (!peer_has || !peer_has(data.memID))
@@ -344,8 +344,8 @@ std::string Marshaller::DecodeReady(const openr_wire_Ready& in, Message* out) {
   out->kind = PayloadKind::kReady;
   for (uint32_t i = 0; i < in.regions._length; ++i) {
     const openr_wire_ReturnedRegion& returned = in.regions._buffer[i];
-    // If TakeExportedBy() has already released the region, because the object of its subject was
-    // replaced, this loop only removes the region's token from withdrawn_.
+    // If the object with the region's subject was replaced, TakeExportedBy() has already released
+    // the region, and its token is in withdrawn_.  In this case the loop only removes the token.
     const auto found = exported_.find(returned.token);
     if (withdrawn_.erase(returned.token) > 0) continue;
     if (found == exported_.end()) return "a ready with an unknown region";

@@ -57,9 +57,9 @@ class Marshaller {
   std::string Decode(const openr_wire_Message& in, Message* out);
   void ReleaseSample();
 
-  // Returns whether data of `region` were received from the peer and not given back.  If so,
-  // observers may have changed the copy in this process, so this copy may be newer than the memory
-  // in the peer.
+  // Returns whether data of `region` were received from the peer and have not been given back to
+  // it.  If so, observers may have changed the copy in this process, so this copy may be newer than
+  // the memory in the peer.
   bool HasImported(uint32_t region) const;
 
   // Returns whether `region` was sent to the peer, which may still use it.

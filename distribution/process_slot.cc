@@ -44,7 +44,8 @@ std::string NewSessionName() {
 }
 
 std::string MakerOf(const std::string& session) {
-  // Searches for each '-' from the end, because host names may contain '-', too.
+  // A session name consists of host, process id and count, with '-' between them.  The search for
+  // each '-' begins at the end, because a host name may contain '-', too.
   const size_t count = session.rfind('-');
   const size_t pid = count == 0 ? count : session.rfind('-', count - 1);
   if (count == std::string::npos || pid == std::string::npos) return session;
@@ -85,9 +86,9 @@ void ProcessSlot::Abandon() {
   has_joined_ = false;
 }
 
-// Tells abandoned workers that the run goes on without them.  A worker that was unreachable only
-// for a short time does not take the master for dead.  Without this notice, such a worker would
-// wait for work for ever.
+// Tells abandoned workers (which the master has given up) that the run goes on without them.  A
+// worker that was unreachable only for a short time does not take the master for dead.  Without
+// this notice, such a worker would wait for work for ever.
 void ProcessSlot::NotifyAbandoned() {
   std::erase_if(abandoned_, [](const Abandoned& abandoned) {
     return abandoned.is_notified && !abandoned.channel->IsConnected();

@@ -29,8 +29,8 @@ constexpr ChannelTopics kJoinTopics = {&openr_wire_JoinAnswer_desc, "openr_join_
 using MasterJoinChannel = Channel<openr_wire_JoinAnswer, openr_wire_JoinRequest>;
 using WorkerJoinChannel = Channel<openr_wire_JoinRequest, openr_wire_JoinAnswer>;
 
-// The answer to a join request has this text as its session if another process has the worker's
-// place.
+// The text that an answer to a join request has in place of a session name if another process has
+// the worker's place already.
 constexpr const char* kTakenSession = "taken";
 
 // Returns a name such as "host-1234-5", unique in the run.

@@ -129,8 +129,8 @@ bool RemoteProcess::Answers(const Message& message, const Object* self) {
          (message.is_reply ? message.target : message.sender) == request->sender;
 }
 
-// Returns whether the worker may send bytes of `region`: true if the region belongs to an object of
-// the worker or was sent to the worker.
+// Returns whether the worker may send bytes for the memory region `region`.  The worker may do so
+// if an object of the worker owns or has made the region, or if the region was sent to the worker.
 bool RemoteProcess::MayUse(uint32_t region) const {
   return calls_->HasRegion(region) || marshaller_->HasExported(region);
 }
@@ -180,8 +180,9 @@ int32_t RemoteProcess::Post(const openr_wire_PostedMessage& posted, Object* self
   marshaller_->ReleaseSample();
   if (!problem.empty()) Refuse(problem);
   if (posted.delay_us < 0 || posted.delay_us > kDelayMaxUs) Refuse("a message for another time");
-  // Restores the master's values of class and cause, so that the message is the same as in a run
-  // with one process.  The message gets its number from System::Post().
+  // Restores the master's values of class and cause, which Decode() has overwritten, so that the
+  // message is the same as in a run with one process.  The number is 0 until System::Post() sets
+  // it.
   message->number = 0;
   message->cause = cause;
   message->message_class = message_class;

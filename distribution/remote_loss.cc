@@ -76,8 +76,8 @@ void RemoteProcess::ReleaseAll() {
 
 void RemoteProcess::Rejoin(const std::map<ObjectId, RemoteObject*>& objects) {
   objects_ = objects;
-  // Changes the number of the session.  Functions that still wait for the old process see by this
-  // number that the old process has ended.
+  // Changes the number of the session.  Functions that still wait for the old process compare this
+  // number to see that the old process has ended.
   ++session_;
   is_lost_ = false;
   loss_.clear();
@@ -97,8 +97,8 @@ void RemoteProcess::Forget(ObjectId id) {
   openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_FORGET);
   to_worker.body._u.replaced_object = id;
   Send(to_worker);
-  // Does not wait for the answer in a free run, in which the master waits for no worker.
-  // HandleFreeSample() receives the answer later.
+  // Waits for the answer of the worker only in lockstep.  In a free run the master waits for no
+  // worker, and HandleFreeSample() receives the answer later.
   if (is_free_) return;
   const ReceivedSample to_master = Next();
   if (to_master->body._d != openr_wire_TO_MASTER_FORGOTTEN)

@@ -58,8 +58,9 @@ bool RemoteObject::Run() {
 }
 
 void RemoteObject::RecordReady() {
-  // Records also in the master that this observer is ready.  If the worker is lost, the master
-  // tells this to the restarted worker, which has no other way to know it.
+  // Records also in the master that an observer is ready for data of this object.  If the worker is
+  // lost, its record is lost too, and the master tells the restarted worker which observers are
+  // ready.
   const auto& ready = *reinterpret_cast<const OReadyMessage*>(handler.running->payload);
   const StandingReady standing = {handler.running->selector, ObjectIdOf(ready.observerID.GetOID()),
                                   ready.observerID.GetSelector()};

@@ -74,8 +74,8 @@ void RemoteProcess::FlushBatch() {
 }
 
 // Returns whether the next message to be delivered goes to an object in a worker.  If so, the
-// present sample may wait, to share a packet with that message.  If not, no other sample follows
-// soon, so the present sample must be sent now.
+// sample that is about to be sent may wait and share a packet with that message.  If not, no other
+// sample follows soon, so the sample must be sent now.
 bool RemoteProcess::WillSendMore() const {
   const Message* const next = system_->queue().First();
   if (next == nullptr || next->is_reply) return false;
@@ -262,8 +262,8 @@ bool RemoteProcess::RunHandler(RemoteObject* object, const Message& message) {
     } else {
       ResumeWithReply(object, *stop, session);
     }
-    // Returns false if the worker was lost while the master waited, even if the worker has been
-    // restarted since.
+    // Returns false if the worker was lost while the master waited for it.  Compares the number of
+    // the session too, because is_lost_ is false again if the worker has been restarted since.
     if (is_lost_ || session != session_) return false;
   }
 }
@@ -310,8 +310,9 @@ void RemoteProcess::RecordHeap(int robot, uint64_t bytes) {
 }
 
 // Waits in a free run (the master does not wait for handlers) until the handler of `object` in the
-// worker has stopped.  Only `object` waits: other objects run meanwhile, and HandleFreeSample()
-// ends the wait.  Returns nullopt if the worker was lost.
+// worker has stopped.  Only `object` waits: other objects run meanwhile.  HandleFreeSample() ends
+// the wait when the worker reports that the handler has stopped.  Returns nullopt if the worker was
+// lost.
 std::optional<RemoteProcess::Stop> RemoteProcess::WaitForStopInFreeRun(RemoteObject* object) {
   const uint64_t session = session_;
   const uint64_t box = kFirstWakeBox + ++wake_box_count_;

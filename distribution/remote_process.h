@@ -110,8 +110,8 @@ class RemoteProcess {
   // Sends the samples to the worker that Channel::SendBatched() has kept to share a packet.
   void FlushBatch();
 
-  // Handles the samples that the worker has sent; returns true if there were any.  Must not be
-  // called from a handler.  If the worker is lost, sets loss() and does not throw.
+  // Handles the samples that the worker has sent; returns true if the worker had sent samples.
+  // Must not be called from a handler.  If the worker is lost, sets loss() and does not throw.
   bool HandleReceived();
   // Checks that the worker still exists.  If the worker is lost, sets loss() and does not throw.
   void CheckHealth();

@@ -26,9 +26,9 @@ using NewGroup = dds_entity_t (*)(dds_entity_t, const dds_qos_t*, const dds_list
 using NewEnd = dds_entity_t (*)(dds_entity_t, dds_entity_t, const dds_qos_t*,
                                 const dds_listener_t*);
 
-// Creates a reader or a writer of the status topic by calling `new_end`.  In DDS, a reader has the
-// partition of its subscriber, and a writer has the partition of its publisher.  So `new_group`
-// first creates the subscriber or publisher.
+// Creates a reader or a writer of the status topic by calling `new_end`, a function of Cyclone DDS.
+// In DDS, a reader has the partition of its subscriber, and a writer has the partition of its
+// publisher.  So the function first creates the subscriber or publisher by calling `new_group`.
 dds_entity_t Open(Bus* bus, NewGroup new_group, NewEnd new_end) {
   const dds_entity_t topic = Dds().dds_create_topic(bus->participant(), &openr_status_Status_desc,
                                                     kStatusTopic, nullptr, nullptr);

@@ -40,7 +40,8 @@ Worker::Worker(WorkerOptions options) : options_(std::move(options)), bus_(optio
 
 Worker::~Worker() {
   // Sets is_shutting_down_ first.  Destructors of the objects' code still post messages and call
-  // the SDK, and such calls must not reach the channel.
+  // the SDK.  With is_shutting_down_ set, Post(), Tell() and Ask() do nothing, because no handler
+  // runs any more for which the master accepts calls.
   is_shutting_down_ = true;
   marshaller_.reset();
   system_.reset();  // the destructors of the objects' code run here and may still call this Worker
@@ -285,7 +286,8 @@ void Worker::Deliver(const openr_wire_Deliver& deliver, bool timed_out) {
     message->kind = PayloadKind::kHashed;
     message->sender = message->target;
   }
-  // Makes the message due at once, because the master sends it only when it is due.
+  // Makes the message due at the present time, because the master sends each message to the worker
+  // only when the message is due.
   message->due_us = system_->now_us();
   if (!message->is_reply) ++object->waiting;
   // Removes the wait of the handler that continues with this message.  If the handler waits again,
@@ -347,8 +349,8 @@ void Worker::SendStopped(Object* object) {
   stopped.object = object->id;
   stopped.kind = openr_wire_STOP_DONE;
   stopped.timeout_us = -1;
-  // waits_ has an entry for the object if its handler has not returned, but waits for a reply or
-  // for a line of console input.  Sends the reason of this wait.
+  // If the handler has not returned, but waits for a reply or for a line of console input, waits_
+  // has an entry for the object.  The sample then tells the master what the handler waits for.
   if (const auto found = waits_.find(object->id); found != waits_.end()) {
     stopped.kind = found->second.kind;
     stopped.box = found->second.box;

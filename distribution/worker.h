@@ -143,8 +143,8 @@ class Worker : public MasterLink {
   std::set<ObjectId> fast_objects_;  // objects whose last handler took less than kFastHandlerNs
   bool is_shutting_down_ =
       false;  // whether the objects are being unloaded, so that no handler runs
-  // Entries of objects in other processes.  The master has told that these entries exist, so a
-  // message to them needs no new question.
+  // Entries of objects in other processes.  The master has told this worker that these entries
+  // exist, so the worker need not ask again before it sends a message to them.
   std::set<std::pair<ObjectId, uint32_t>> known_entries_;
   std::deque<ReceivedSample> deferred_;  // samples that arrived while an answer was awaited
   // The effects of the present handler that have not been sent, and the memory that they point to.

@@ -55,7 +55,7 @@ WorkerGroup::WorkerGroup(WorkerGroupOptions options)
 
 // Returns the reason why the worker cannot go on, or "" if it can.  As long as an external worker
 // has not joined, an earlier run of the same name is a problem too, because the worker could join
-// that run.
+// that run instead of this run.
 std::string WorkerGroup::ProblemOf(const Member& member) const {
   if (IsInterrupted()) return "interrupted";
   if (member.child != nullptr) return member.child->HowItEnded();
@@ -69,7 +69,8 @@ std::string WorkerGroup::ProblemOf(const Member& member) const {
 }
 
 void WorkerGroup::Start(Member* member) {
-  // Gives each process a new session name, so that samples for its predecessor never reach it.
+  // Gives each process a new session name, so that samples for an earlier process of the same name
+  // never reach this process.
   const std::string session = NewSessionName();
   member->process->slot().OpenSession(session);
   std::vector<std::string> command = options_.wrapper;
@@ -99,8 +100,9 @@ StandIns WorkerGroup::StandInsFor(System* system, int robot) {
       member->process->Add(object.get());
       placed_.push_back(name);
       system_->object_table().Adopt(std::move(object));
-      // Lets the worker load the object now and not in Connect(), so that the objects of all
-      // processes are loaded in the order of OBJECT.CFG.
+      // Lets the worker load the object as soon as OBJECT.CFG names it, and not later in Connect(),
+      // so that the objects of all processes are loaded in the order in which OBJECT.CFG names
+      // them.
       LoadNewObjects(member);
     };
   }
@@ -283,7 +285,8 @@ void WorkerGroup::HandleLoss(const RemoteObject* about, RemoteObject::Loss loss,
     process.set_lost();
     return StopRun({EndKind::kLostProcess, text});
   }
-  // Names the process only after a crash, because for other losses `why` names the process already.
+  // Names the process only after a crash, because for other losses the text `why` names the process
+  // already.
   if (member->crashed)
     text += fmt::format("; process '{}' (pid {}) is gone", process.name(), process.identity().pid);
   const bool waits = !options_.is_free && MayRestart(*member);
@@ -400,8 +403,8 @@ void WorkerGroup::End() {
   // end at the same time.
   for (auto& [name, member] : members_) member.process->End(why);
   for (auto& [name, member] : members_) {
-    // Does not wait for a worker that has not joined.  It was not told that the run is over, so it
-    // would not end by itself.  WaitForEnd() kills such a worker at once.
+    // Does not give a worker time to end if it has not joined.  Such a worker was not told that the
+    // run is over, so it would not end by itself, and WaitForEnd() kills it at once.
     const bool has_come = member.process->identity().pid != 0;
     const int64_t limit_ms = IsInterrupted() ? kInterruptedExitWaitMs : kExitWaitMs;
     if (member.child != nullptr) member.child->WaitForEnd(has_come ? limit_ms : 0);

@@ -153,11 +153,11 @@ class WorkerGroup {
     int losses = 0;
     int returns = 0;
     uint64_t undelivered_before = 0;  // number of undelivered messages before the loss
-    // The master's new stand-ins for the objects of a restarted worker, until they replace the old
-    // stand-ins.
+    // Owns the master's new stand-ins for the objects of a restarted worker, until the object table
+    // takes them to replace the old stand-ins.
     std::vector<std::unique_ptr<RemoteObject>> new_objects;
-    // The master's new stand-ins for the objects of a restarted worker; the key is the id of the
-    // object.
+    // The same new stand-ins; they remain in this map after the object table has taken them.  The
+    // key is the id of the object.
     std::map<ObjectId, RemoteObject*> successors;
   };
 

@@ -27,16 +27,16 @@ constexpr int kReturnPollUs = 1'000;
 
 }  // namespace
 
-// Returns whether the worker may be restarted.  In a free run, which goes on without the worker, an
-// external worker (started by a user) may join again at any time.  In lockstep such a worker may
-// join again only with --restart, because the run has to wait for the worker.
+// Returns whether the worker may be restarted.  A worker may be restarted as often as --restart
+// says.  In a free run an external worker (started by a user) may also join again at any time,
+// because the run goes on without the worker.
 bool WorkerGroup::MayRestart(const Member& member) const {
   return member.restarts_left > 0 || (member.is_external && options_.is_free);
 }
 
 void WorkerGroup::EnterStage(Member* member, Stage stage) {
-  // Checks the order of the stages. kCleaningUp may follow any stage, because the worker can be
-  // lost in each stage.  Every other stage may follow only one certain stage.
+  // Checks that `stage` may follow the present stage.  kCleaningUp may follow any stage, because
+  // the worker can be lost in each stage.  Every other stage may follow only one particular stage.
   const Stage before = member->stage;
   ASSERT(stage == Stage::kCleaningUp || (stage == Stage::kRunning && before == Stage::kReplacing) ||
              (stage == Stage::kNotRestarted && before == Stage::kCleaningUp) ||
@@ -201,15 +201,17 @@ void WorkerGroup::OnReplaced(ObjectId id) {
   }
   for (auto& [name, member] : members_) {
     if (member.stage != Stage::kReplacing || !member.successors.contains(id)) {
-      // Includes the old stand-ins of a worker whose objects are replaced later, because their
-      // readies go to the new objects.
+      // Removes the readies of the replaced object from all stand-ins in the master, because the
+      // new object asserts ready anew.  Does so also for old stand-ins that will be replaced
+      // themselves, because the new stand-ins get the readies of the old ones.
       for (const auto& [other, object] : member.objects) object->ForgetObserver(id);
       continue;
     }
-    // This member is the worker of object `id`.  Its objects need not forget, because the readies
-    // of replaced objects to each other are not sent again (ObjectManager::Begin()).  They could
-    // not: objects are replaced in the order of their ids, so the old stand-ins with ids below `id`
-    // in member.objects are destroyed already.
+    // This member is the worker of object `id`.  Its stand-ins may keep the readies of the replaced
+    // object, because ObjectManager::Begin() does not send readies again that came from a replaced
+    // object and go to a replaced object.  A call of ForgetObserver() would not be possible for all
+    // of them: objects are replaced in the order of their ids, so the old stand-ins in
+    // member.objects with ids below `id` are destroyed already.
     //
     // Copies the count of undelivered messages from the master's old stand-in for the object to the
     // new one.  NewInstance() has copied it already, but messages may have come for the old

@@ -54,9 +54,9 @@ void Worker::KeepUntilSent(uint32_t region) {
   pinned_.push_back(region);
 }
 
-// Removes the bytes of `part` if the sample that is being collected for the master already has
-// these bytes of the region.  One copy is enough, even for several observers, because the master
-// stores the bytes when it handles the first notification.
+// Removes the bytes of `part` if the sample that is being collected for the master already contains
+// the same bytes.  One copy of a region's bytes is enough, even for several observers, because the
+// master stores the bytes when it handles the first notification.
 void Worker::SendOnce(openr_wire_NotifiedRegion* part) {
   const auto [first, is_first] = parts_in_sample_.try_emplace(part->region, *part);
   const openr_wire_NotifiedRegion& sent = first->second;
@@ -127,16 +127,17 @@ int32_t Worker::Post(OwnedMessage message, int64_t delay_us) {
 }
 
 // Removes the latest call PinRegion() for `region` from the effects that are not sent yet, and
-// returns true.  The call UnpinRegion() that is about to be sent would undo that PinRegion(), so
-// neither call is sent.  Returns false if there is no such PinRegion().  Most observers take a
-// region and give it back in one handler, so most of these calls are never sent.
+// returns true.  The worker was about to send a call of UnpinRegion() for the same region.  This
+// call would undo the PinRegion(), so neither call needs to be sent.  Returns false if there is no
+// such PinRegion().  Most observers take a region and give it back in one handler, so most pairs of
+// these calls are never sent.
 bool Worker::CancelPendingPin(uint64_t region) {
   const auto is_pin = [region](const openr_wire_Effect& effect) {
     return effect._d == openr_wire_EFFECT_NOTE && effect._u.note.kind == kPinRegion &&
            effect._u.note.numbers._buffer[0] == region;
   };
-  // Searches for the latest call of PinRegion(), because an earlier call may belong to another
-  // observer, which still uses the region and must keep it.
+  // Searches from the end for the latest PinRegion() of this region.  An observer that gives its
+  // region back in the same handler has pinned it last, so the latest call is the one to remove.
   const auto found = std::find_if(effects_.rbegin(), effects_.rend(), is_pin);
   if (found == effects_.rend()) return false;
   effects_.erase(std::next(found).base());
@@ -159,8 +160,8 @@ CallResult Worker::Ask(uint32_t function, const CallArguments& arguments) {
   const Indivisible indivisible;
   if (is_shutting_down_) return {};
   openr_wire_ToMaster to_master = NewToMaster(openr_wire_TO_MASTER_QUESTION);
-  // Sends the effects of the handler so far with the question, because the answer may depend on
-  // them.
+  // Sends the effects that the handler has had so far (messages and notes) together with the
+  // question, because the answer may depend on them.
   to_master.body._u.question = {t_current.object == nullptr ? kNoObject : t_current.object->id,
                                 function, arena_.Numbers(arguments.numbers),
                                 arena_.Text(arguments.text),

@@ -19,9 +19,9 @@
 namespace openr_host {
 namespace {
 
-// Numbers of newest messages that are kept for a slow reader.  ROS 2 keeps 5 messages of sensor
-// data, and so do we.  We keep fewer large messages, and only one message of the clock, because
-// only the newest time matters.
+// For each kind of topic, how many of the newest messages are kept for a slow reader.  ROS 2 keeps
+// 5 messages of sensor data, and so do we.  We keep fewer large messages, and only one message of
+// the clock, because only the newest time matters.
 constexpr int kSensorDepth = 5;
 constexpr int kImageDepth = 2;
 constexpr int kClockDepth = 1;
