@@ -17,8 +17,9 @@
 namespace openr_host {
 namespace {
 
-// Limit of samples that are sent in one packet and received in one call.  With a larger limit, the
-// receiver would be idle while the sender still produces samples.
+// Limit of samples that are sent in one packet and received in one call.  With a larger limit, a
+// packet would be sent later, and the receiver would be idle while the sender still produces the
+// samples of the packet.
 constexpr int kSamplesPerPacketMax = 4;
 // Thresholds of malloc() that KeepFreedMemory() sets: malloc() keeps up to 64 MB of freed memory,
 // and takes blocks below 4 MB from its heap.
@@ -196,8 +197,8 @@ ChannelBase::~ChannelBase() {
 bool ChannelBase::IsConnected() const {
   dds_publication_matched_status_t readers;
   dds_subscription_matched_status_t writers;
-  // Tests both directions, because DDS finds the reader and the writer of the other end separately,
-  // and a sample that is sent before the reader is found is lost.
+  // Tests both directions of the channel, because DDS finds the reader and the writer of the other
+  // end separately, and a sample that is sent before the reader is found is lost.
   return Dds().dds_get_publication_matched_status(writer_, &readers) == DDS_RETCODE_OK &&
          Dds().dds_get_subscription_matched_status(reader_, &writers) == DDS_RETCODE_OK &&
          readers.current_count > 0 && writers.current_count > 0;

@@ -16,9 +16,9 @@
 namespace openr_host {
 namespace {
 
-// Longest time in microseconds that a worker may send.  No program can give a longer time, because
-// RelativeTime consists of two 32-bit numbers.  So a longer time is an error of the worker and is
-// refused.
+// Longest time in microseconds that a worker may send.  A program gives a time as a RelativeTime,
+// with 32 bits for seconds and 32 bits for milliseconds, which is always shorter.  So a longer time
+// is an error of the worker and is refused.
 constexpr int64_t kTimeMaxUs = int64_t{1} << 53;
 
 // Largest number of bytes that the master returns for a ControlPrimitive() request.  A faulty

@@ -21,7 +21,7 @@ size_t BucketOf(int64_t ns) {
   return static_cast<size_t>(octave) * kBucketsPerOctave + step;
 }
 
-// Returns the upper limit of a bucket, in nanoseconds.
+// Returns the limit below which the durations of a bucket lie, in nanoseconds.
 double UpperNs(size_t bucket) {
   const double octave = std::ldexp(1.0, static_cast<int>(bucket / kBucketsPerOctave));
   return octave * (1 + static_cast<double>(bucket % kBucketsPerOctave + 1) / kBucketsPerOctave);

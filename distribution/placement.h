@@ -21,7 +21,8 @@ struct Placement {
   // The address of the host of a process that a user starts (openr join).  The key is the process's
   // name.
   std::map<std::string, std::string> host_of;
-  // The lines of the file that name hosts; the key is the process's name.
+  // The lines of the placement file that name hosts, for messages about wrong hosts.  The key is
+  // the process's name.
   std::map<std::string, FilePosition> host_lines;
 
   bool empty() const { return process_of.empty(); }

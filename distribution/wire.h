@@ -31,7 +31,7 @@ class WireArena {
 
   char* Text(std::string_view text) {
     static char nothing[] = "";
-    // Cuts `text` at its first zero, because DDS strings end there.
+    // Cuts `text` at its first zero byte, because the strings of DDS end at a zero byte.
     text = text.substr(0, text.find('\0'));
     if (text.empty()) return nothing;
     auto* const kept = static_cast<char*>(memory_.allocate(text.size() + 1, 1));

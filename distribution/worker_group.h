@@ -136,10 +136,10 @@ class WorkerGroup {
     std::string lost;
     bool is_external = false;  // whether a user starts the worker with openr join
     bool is_welcomed = false;
-    // Number of robots that the worker has received, which are the first entries of the master's
+    // Number of robots that were sent to the worker, which are the first entries of the master's
     // table of robots.
     size_t robots = 0;
-    // Number of objects that the worker has received, which are the first entries of the master's
+    // Number of objects that were sent to the worker, which are the first entries of the master's
     // table of objects.
     size_t known = 0;
     // ---- The state of the loss and the restart of this worker, from here to the end
