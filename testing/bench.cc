@@ -1,4 +1,4 @@
-// Bench: its constructor, and how a test adds objects, probes and connections to it.
+// The constructor of Bench, and its functions by which a test adds objects, probes and connections.
 #include "testing/bench.h"
 
 #include <fmt/format.h>
@@ -179,7 +179,8 @@ Object& Bench::AddImage(const std::string& file) {
   stick_->ImportImage(file, name);
   Object* const object = openr_host::LoadImage(system_.get(), 0, name, "AddImage");
   if (object == nullptr) {
-    // Allows this finding, because the exception below reports it; it must not fail the test twice.
+    // Makes the bench accept this finding.  The exception below reports the same problem, and the
+    // test should not fail twice for it.
     AllowFinding(findings().size() - 1);
     throw std::runtime_error(findings().back().text);
   }
@@ -205,8 +206,8 @@ std::vector<std::string> Bench::KnownServices() {
     for (const auto& [selector, entry] : object->entry_names)
       services.push_back(entry.substr(0, entry.rfind(" (")));
     // Reads names of services also from the image's file, because an object that is loaded from an
-    // image gives names to its services only while it boots, and this function may be called
-    // before.
+    // image gives names to its services only while it boots, and this function may be called before
+    // the boot.
     if (!object->is_image) continue;
     const std::string file = stick_->Locate(object->path).path;
     for (std::string& text : openr_host::ServicesInImage(openr_host::ReadImageFile(file).bytes))

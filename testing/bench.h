@@ -128,7 +128,7 @@ class Bench {
   Bench(const Bench&) = delete;
   Bench& operator=(const Bench&) = delete;
 
-  // ---- Building: before Boot()
+  // ---- Functions that build the bench; to be called before Boot()
 
   // Loads the image of an object, such as the file that openr_add_object() builds.  The image gets
   // the name /MS/OPEN-R/MW/OBJS/<name of `file`> on the stick.  Throws std::runtime_error if it
@@ -165,7 +165,7 @@ class Bench {
   // does not boot or an object makes an error during the boot.
   bool Boot(Place place = Place::Here());
 
-  // ---- Running
+  // ---- Functions that run the robot
 
   // Delivers the next message, and moves the clock to its time.  Returns false, without a failure,
   // when there is no message.
@@ -234,12 +234,13 @@ class Bench {
   }
   // Drops the next `count` messages that fit `spec`.
   DroppedMessages& Drop(const MessageSpec& spec, int count = 1, Place place = Place::Here());
-  // Delivers the n-th message that fits `spec`, counted from now, twice: when it is delivered, it
-  // is posted once more, with its data.  A message with several data comes again as one for each
-  // datum. An answer to a Call() cannot come twice, so the test fails.
+  // Delivers the n-th message that fits `spec`, counted from now, twice: when the message is
+  // delivered, the bench posts a message with the same data once more.  A message with several data
+  // is repeated as one message for each datum. An answer to a Call() cannot come twice, so the test
+  // fails.
   RepeatedMessage& Repeat(const MessageSpec& spec, uint64_t nth = 1, Place place = Place::Here());
-  // Refuses the n-th message that fits `spec`, counted from now.  Its sender gets sFULLMSGQENTRY,
-  // as on a robot when the queue of the receiver holds 32 messages.
+  // Refuses the n-th message that fits `spec`, counted from now: the message is not posted, and its
+  // sender gets sFULLMSGQENTRY, as on a robot when the queue of the receiver holds 32 messages.
   RefusedMessage& Refuse(const MessageSpec& spec, uint64_t nth = 1, Place place = Place::Here());
   // Delays messages that fit `spec` by `extra` from now on, and keeps their order.  0 ends the
   // delay.
@@ -405,9 +406,9 @@ class Bench {
   bool IsRunning(const Place& place);
   void See(const openr_host::Message& message);
 
-  // Reports a failure and calls `on_wrong`, which may be null, if `spec` names an object or a
-  // service that does not exist.  Before Boot() not all services are known, so Boot() checks the
-  // names then.
+  // Checks that the objects and services that `spec` names exist.  Otherwise reports a failure and
+  // calls `on_wrong`, which may be null.  Before Boot() some services are not known yet, so a call
+  // before Boot() only stores `spec`, and Boot() makes the check.
   void CheckNames(const MessageSpec& spec, const Place& place,
                   const std::function<void()>& on_wrong = {});
   bool CheckName(const std::string& name, const Place& place);

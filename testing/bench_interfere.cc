@@ -1,4 +1,5 @@
-// Bench: changes to messages, and expectations about them.
+// The functions of Bench that post, hold, drop, repeat, refuse and delay messages, that expect
+// messages, and that act as a person on the dog.
 #include <fmt/format.h>
 
 #include <cstring>
@@ -158,7 +159,8 @@ void Bench::Reorder(std::vector<std::string> objects, Place place) {
 
 HeldMessages& Bench::Hold(const MessageSpec& spec, Place place) {
   HeldMessages& held = doors_.Hold(spec, place);
-  // Does not ask for a message whose name is wrong, because the wrong name is a failure already.
+  // If a name in `spec` is wrong, no message can fit.  Optional() then keeps the test from failing
+  // a second time because no message was held.
   CheckNames(spec, place, [&held] { held.Optional(); });
   return held;
 }

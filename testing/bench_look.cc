@@ -1,4 +1,4 @@
-// Bench: functions that return the state of the robot and of the objects.
+// The functions of Bench that return the state of the robot and of its objects.
 #include <errno.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>

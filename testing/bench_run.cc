@@ -1,4 +1,4 @@
-// Bench: functions that run the robot, and functions that check the test's expectations.
+// The functions of Bench that run the robot, and that check the test's expectations.
 #include <fmt/format.h>
 
 #include "openr/decode/decode_message.h"

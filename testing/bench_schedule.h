@@ -74,8 +74,8 @@ class BenchSchedule : public openr_host::Schedule {
   std::vector<std::string> preferred_;
   std::vector<std::pair<MessageSpec, int64_t>> delays_;
   // The time at which the last delayed message from a sender to a receiver is due.  Later messages
-  // between the two are delayed to at least this time, because messages must not overtake each
-  // other.
+  // between the two are delayed to at least this time, because a later message between the two must
+  // not overtake an earlier message.
   std::map<std::pair<openr_host::ObjectId, openr_host::ObjectId>, int64_t> last_due_us_;
   std::deque<RefusedMessage> refused_;
 };

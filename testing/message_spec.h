@@ -68,8 +68,8 @@ MessageSpec ToEntry(std::string object, std::string name);
 
 // ---- Payloads
 
-// Appends all data of a message to `values`, each as a T.  If a datum has not the size of a T,
-// writes that to `why` and returns false.
+// Appends all data of a message to `values`, each as a T.  If a datum does not have the size of a
+// T, writes a message about this to `why` and returns false.
 template <typename T>
 bool ReadData(const SeenMessage& message, std::vector<T>* values, std::ostream* why) {
   static_assert(std::is_trivially_copyable_v<T>, "what objects send each other is plain data");
@@ -153,7 +153,7 @@ class DataMatcher : public ::testing::MatcherInterface<const SeenMessage&> {
 };
 
 // Matches a message with exactly one datum, a T that `matcher` accepts.  If `matcher` is a plain
-// value, the datum must be equal to it.
+// value, the datum must be equal to this value.
 template <typename T, typename M>
 PayloadMatcher Data(M matcher) {
   return ::testing::MakeMatcher(

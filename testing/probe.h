@@ -71,7 +71,8 @@ class ProbeObserver {
   void Clear() { events_.clear(); }
 
   // Sets whether the probe asserts ready by itself, when it starts and after every event; by
-  // default it does.  Otherwise the observer is ready only when the test calls AssertReady().
+  // default the probe does so.  With `on` false, the observer is ready only after the test has
+  // called AssertReady().
   void set_auto_ready(bool on) { auto_ready_ = on; }
   OStatus AssertReady();
   OStatus DeassertReady();

@@ -35,7 +35,7 @@ class SeenMessage {
   // can be used after the delivery, when the message no longer exists.
   SeenMessage Past() const;
 
-  // Returns the number of the message; 0: it has no number yet, or was refused.
+  // Returns the number of the message; 0 if the message has no number yet or was refused.
   uint64_t number() const { return number_; }
   // Returns the number of the message whose handler sent this message.
   uint64_t cause() const { return cause_; }

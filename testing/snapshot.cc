@@ -47,8 +47,8 @@ class ResultSender : public ::testing::ScopedFakeTestPartResultReporter {
     const std::string message =
         result.failed() ? StoryTeller::WithStory(result.message()) : result.message();
     const ResultHeader header{result.type(), result.line_number(), file.size(), message.size()};
-    // Ignores errors of WriteAll(): they mean that the original process has ended, so the results
-    // are not needed.
+    // Ignores errors of WriteAll().  An error means that the original process has ended, and then
+    // nobody needs the results.
     WriteAll(pipe_, {reinterpret_cast<const char*>(&header), sizeof header});
     WriteAll(pipe_, file);
     WriteAll(pipe_, message);

@@ -56,8 +56,9 @@ void Listen() {
 
 }  // namespace
 
-// Prints the story, the text with the last messages (story_teller.h), also when the process crashes
-// or when a handler of an object does not return.  Only the newest bench of the process does so.
+// Makes the process print the story, the text with the last messages (story_teller.h), also when
+// the process crashes or when a handler of an object does not return.  Only the newest bench of the
+// process has Guards.
 struct StoryTeller::Guards {
   explicit Guards(int64_t handler_limit_us) : watchdog(handler_limit_us) {}
 
