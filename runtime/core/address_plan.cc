@@ -20,8 +20,8 @@ namespace {
 constexpr uintptr_t kTiB = uintptr_t{1} << 40;
 constexpr uintptr_t kAreaBytes = 12 * kTiB;
 constexpr uintptr_t kFirstArea = 2 * kTiB;
-// The first address of the plan if UseOtherAddresses() was called.  This area may overlap the area
-// at kFirstArea, because a process uses only one of the two areas.
+// The first address of the plan if UseOtherAddresses() was called.  The addresses from here on may
+// overlap the addresses from kFirstArea on, because a process uses either the ones or the others.
 constexpr uintptr_t kOtherArea = 5 * kTiB;
 
 // Offsets of the ranges (heaps, images ...) from the first address of the plan, which is kFirstArea
@@ -55,8 +55,9 @@ constexpr bool kIsPlanned = true;
 #endif
 
 // Returns whether no memory is mapped in the kAreaBytes from `area` on.  Linux leaves these
-// addresses empty, but a tool that runs this program, such as an emulator, may use them.  If they
-// are in use, the plan is not used, and the kernel chooses all addresses.
+// addresses empty, but a tool that runs this program, such as an emulator, may use them.  If such a
+// tool uses these addresses, this process works without the plan, and the kernel chooses all
+// addresses.
 bool IsEmpty(uintptr_t area) {
   std::FILE* const maps = std::fopen("/proc/self/maps", "re");
   if (maps == nullptr) return true;
@@ -72,7 +73,8 @@ bool IsEmpty(uintptr_t area) {
 }
 
 // Returns whether the first and the last page of the area can be mapped.  On a machine whose
-// addresses have too few bits for the area, they cannot be mapped, and the plan is not used.
+// addresses have too few bits for the area, these pages cannot be mapped, and this process works
+// without the plan.
 bool IsReachable(uintptr_t area) {
   constexpr size_t kPage = 4096;
   for (const uintptr_t address : {area, area + kAreaBytes - kPage}) {
@@ -109,8 +111,8 @@ char* AreaOf(int index, uintptr_t offset, size_t bytes) {
 AddressPlace::AddressPlace(ObjectId id) {
   Plan& plan = ThePlan();
   if (plan.area == 0) return;
-  // Object `id` has two places of its own, with the numbers 2 * id and 2 * id + 1.  Two are needed
-  // because an object can be loaded while the object that it replaces still has a place.
+  // Object `id` has two places of its own, with the numbers 2 * id and 2 * id + 1.  An object needs
+  // the second place if it is loaded while the object that it replaces still uses the first place.
   const int64_t own = int64_t{2} * id;
   for (const int64_t index : {own, own + 1}) {
     if (index_ < 0 && index >= 0 && index < kPlaces && !plan.taken[static_cast<size_t>(index)])
@@ -139,8 +141,8 @@ char* AddressPlace::stack(int number) const {
 }
 
 int AddressPlace::OfHeap(const void* address) {
-  // An address below g_area becomes a very large offset, so one comparison finds addresses on both
-  // sides of the heaps.
+  // An address below g_area, the first address of the plan, becomes a very large offset, so one
+  // comparison finds addresses on both sides of the heaps.
   const uintptr_t offset = reinterpret_cast<uintptr_t>(address) - g_area;
   if (g_area == 0 || offset >= kPlaces * kHeapBytes) return -1;
   return static_cast<int>(offset / kHeapBytes);

@@ -79,8 +79,9 @@ class AddressPlace {
 char* TakeRegionArea();
 // Gives back an `area` that TakeRegionArea() has returned, so that another System can take it.
 void GiveRegionArea(char* area);
-// The size of a region area.  RegionMemory needs about 1.33 TiB: for each of its slots one block of
-// every size class (region_memory.h).
+// The size of a region area.  RegionMemory needs about 1.33 TiB: for each of its 65,536 slots one
+// block of every size class, which have 64, 256, 1024 ... bytes up to 16 MiB (region_memory.h),
+// together 21.3 MiB.
 constexpr size_t kRegionAreaBytes = size_t{3} << 39;  // 1.5 TiB in bytes
 
 // Maps `bytes` bytes of zeros at `address`, readable and writable.  Returns false if there is no

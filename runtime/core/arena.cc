@@ -108,8 +108,8 @@ void Arena::Account(size_t size) {
 }
 
 void* Arena::Allocate(size_t size, size_t alignment) {
-  // A block of a size class that is a power of two lies at a multiple of its size.  So for a larger
-  // alignment, `size` is rounded up to a power of two.
+  // A block of a size class that is a power of two lies at a multiple of its size.  So for an
+  // alignment above 16 bytes, `size` is rounded up to a power of two that is at least `alignment`.
   if (alignment > 16) size = std::bit_ceil(std::max(size, alignment));
   if (!MayTake(size)) return nullptr;
   if (alignment > kSpanBytes) return nullptr;
@@ -179,8 +179,9 @@ bool Arena::WasFreed(const void* block) {
   const auto offset =
       static_cast<size_t>(static_cast<const char*>(block) - arena.base_) % kSpanBytes;
   if (span.use < 0) return span.use == kFree && offset == 0;
-  // Blocks from `unused` on in the newest span of the size class were never allocated, so no block
-  // was freed there.
+  // `unused` is the first block of the size class that was never allocated.  It lies in the newest
+  // span (piece of 64 KiB) of the class.  The blocks behind it were never allocated either, so none
+  // of them was freed.
   const char* const unused = arena.bump_[span.use];
   const bool is_of_newest_span =
       unused != nullptr && arena.IndexOf(unused - 1) == arena.IndexOf(block);

@@ -24,10 +24,10 @@ class ArithmeticWatch {
   void Begin(unsigned kinds);
   bool has_begun() const { return has_begun_; }
 
-  // Excludes the flag `kind` from the watch, because each kind of operation is reported once.
-  // Called by the handler of SIGFPE after it has recorded the instruction.  This handler also
-  // changes the interrupted code's MXCSR, the register that enables SIGFPE, so that the instruction
-  // does not raise SIGFPE again.
+  // Excludes the flag `kind` from the watch for the rest of the handler, because each kind of
+  // operation is reported only once.  Called by the handler of SIGFPE after it has recorded the
+  // instruction.  This handler also changes the interrupted code's MXCSR, the register that enables
+  // SIGFPE, so that the instruction does not raise SIGFPE again.
   void GiveUpCatching(unsigned kind) { kinds_ &= ~kind; }
 
   // Pauses the watch.  Called at the beginning of a function of the SDK or of the C library that

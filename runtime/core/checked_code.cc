@@ -27,8 +27,8 @@ namespace {
 struct SourcePlace {
   const char* file;
   uint32_t line;
-  // The column of the place.  When a fault at this place was reported, kSaid replaces the column,
-  // so that each place is reported once.
+  // The column of the place.  After a fault at this place was reported, kSaid stands here instead
+  // of the column, so that each place is reported only once.
   uint32_t column;
 };
 constexpr uint32_t kSaid = UINT32_MAX;

@@ -57,7 +57,8 @@ bool CodeHost::HasEntry(uint32_t selector) const {
 }
 
 bool CodeHost::Dispatch(uint32_t selector, void* payload) {
-  // For a selector below oentryBASE, the index becomes a very large number.
+  // For a selector below oentryBASE (DoInit, DoStart, DoStop or DoDestroy), the subtraction gives a
+  // very large number, so the comparison below sees that it is no index.
   const uint32_t index = selector - oentryBASE;
   if (code != nullptr && index < code->entries_.size()) [[likely]] {
     code->entries_[index]->Handle(payload);

@@ -33,11 +33,12 @@ struct RegionAccess {
   // Deletes an RCRegion that Receive() has made.
   static void GiveBack(RCRegion* received);
   // Visits the pool from which this thread takes the memory of its RCRegions.  Calls `memory` for
-  // each piece of memory that belongs to the pool, and `used` for every RCRegion that was made and
-  // not deleted.
+  // each piece of memory that belongs to the pool, and `used` for every RCRegion of the pool that
+  // was made and has not been deleted.
   static void VisitPool(const std::function<void(const void* begin, size_t bytes)>& memory,
                         const std::function<void(const RCRegion* region)>& used);
-  // Completes a new RCRegion that was made without its address or its size.
+  // Completes a new RCRegion that was made from a region id, without its address or its size: looks
+  // up what is missing in the RegionTable.
   static void LookUp(RCRegion* region);
   // The next two functions do what the functions of RCRegion with these names do.  They are inline,
   // because they run for every notification.
@@ -167,7 +168,8 @@ struct SubjectState {
   // and sends it if the observer is ready.
   OStatus Notify(ObserverLink* link);
   // Posts a message with the `data_count` regions at `data`, which are the data of `unit_count`
-  // notifications.  Returns false if the message is refused.
+  // notifications.  A subject may send several waiting notifications in one message.  Returns false
+  // if the message is refused.
   bool Send(ObserverLink* link, RCRegion* const* data, size_t data_count, size_t unit_count);
   // Sends pending notifications if the observer is ready and at least ObserverLink::min
   // notifications are pending.  The observer sets this number with SetBufCtrlParam().
@@ -260,7 +262,8 @@ struct ObserverState {
   void AddSubject(const SubjectID& subject, const std::string& subject_service);
   // Records that the connections end for whose subjects `ends` returns true.
   void RemoveSubjects(const std::function<bool(const SubjectID&)>& ends);
-  // Records that the subject of `subject_service` is missing.
+  // Records that the subject of `subject_service` is missing: its process is lost, or its object is
+  // being replaced.
   void MissSubject(const std::string& subject_service);
   // Adds a finding: this observer repeats its ready to a subject without a notification in between.
   void ReportRepeatedReady(const Held& held);

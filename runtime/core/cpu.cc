@@ -44,7 +44,8 @@ void Cpu::Grant(Object* object, int64_t now_us) {
 void Cpu::Begin(Object* object, uint32_t selector, int64_t cost_us, int64_t now_us) {
   ASSERT(cost_us > 0 && IsFreeFor(*object) && !object->processor.is_busy,
          "{} begins a handler of {} us", object->name, cost_us);
-  // Leaves out DoInit, DoStart, DoStop and DoDestroy, which run only when the robot starts or ends.
+  // Adds no finding about DoInit, DoStart, DoStop and DoDestroy, even if they take long, because
+  // they run only when the robot starts or ends.
   if (cost_us > kLongHandlerUs && selector > oentryDESTROY) {
     system_->AddFindingAbout(
         object, Severity::kWarning,

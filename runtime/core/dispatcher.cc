@@ -48,8 +48,8 @@ Fiber* Dispatcher::TakeFiber() {
 
 void Dispatcher::FiberMain(void* dispatcher) { static_cast<Dispatcher*>(dispatcher)->Loop(); }
 
-// Leaves the running fiber and continues `fiber`.  Returns when another fiber continues the fiber
-// that was left.
+// Leaves the running fiber (a stack on which handlers run) and continues `fiber`.  Returns when
+// another fiber continues the fiber that was left.
 void Dispatcher::SwitchTo(Fiber* fiber) {
   Fiber* const from = running_;
   running_ = fiber;
@@ -57,7 +57,8 @@ void Dispatcher::SwitchTo(Fiber* fiber) {
   Recycle();
 }
 
-// Makes Run() return to its caller.  This function returns when a later Run() continues this fiber.
+// Makes Run() return to its caller.  The running fiber (stack) stops here, and this function
+// returns when a later Run() continues the fiber.
 void Dispatcher::ToCaller() {
   Fiber* const from = running_;
   idle_.push_back(from);
@@ -65,8 +66,8 @@ void Dispatcher::ToCaller() {
   Recycle();
 }
 
-// Prepares the fiber that Abandon() left for a new use.  Abandon() cannot do this itself, because
-// it runs on that fiber.
+// Prepares the fiber (stack) of an abandoned handler for a new use.  Abandon() cannot do this
+// itself, because Abandon() runs on that fiber.
 void Dispatcher::Recycle() {
   if (abandoned_ == nullptr) return;
   abandoned_->Prepare(&FiberMain, this);
@@ -91,7 +92,7 @@ void Dispatcher::Recycle() {
     object->ReturnHeld();
 }
 
-// Ends the measurements of a handler of an image.
+// Ends what is measured of a handler of an image: floating-point faults and the use of its stack.
 void Dispatcher::FinishImage(Object* object) {
   if (t_current.watch != nullptr) std::exchange(t_current.watch, nullptr)->End();
   auto* const image = static_cast<ImageObject*>(object);
@@ -100,8 +101,8 @@ void Dispatcher::FinishImage(Object* object) {
   t_current.image_code = false;
 }
 
-// Calls the entry of `object` for its running message.  An uncaught exception or an unknown
-// selector becomes a finding.
+// Calls the entry (function) of `object` for the message that the object is to handle
+// (handler.running).  An uncaught exception or an unknown selector becomes a finding.
 [[gnu::always_inline]] inline void Dispatcher::CallEntry(Object* object) {
   Message* const message = object->handler.running.get();
   try {
@@ -151,7 +152,7 @@ void Dispatcher::RunMeasured(Object* object) {
   ClearUpperRegisters();
   if (object->is_image || system_->options_.wall_clock_ns != nullptr) [[unlikely]]
     return RunMeasured(object);
-  // Run() has set t_current.system.
+  // Sets all members of t_current except `system`, which Run() has set.
   t_current.object = object;
   t_current.image_code = false;
   t_current.watch = nullptr;
@@ -159,8 +160,9 @@ void Dispatcher::RunMeasured(Object* object) {
   FinishHandler(object);
 }
 
-// Returns `message` if `object`, its receiver, can handle it now.  Otherwise returns null: the
-// message is dropped, is a reply, which needs no new handler, or is held for later.
+// Returns `message` if `object`, its receiver, can handle it now.  Otherwise returns null, because
+// the message was dropped, was delivered as a reply (which needs no new handler), or is kept for
+// later.
 [[gnu::noinline]] OwnedMessage Dispatcher::Admit(Object* object, OwnedMessage message) {
   if (object->is_off) {
     if (!message->is_reply) --object->waiting;
@@ -211,8 +213,8 @@ void Dispatcher::RunMeasured(Object* object) {
     const char* const hot = reinterpret_cast<const char*>(&object->entry_count);
     __builtin_prefetch(object);
     for (int i = 0; i < 3; ++i) __builtin_prefetch(hot + kCacheLine * i);
-    // Counts with a number, because there may be no third message, and C++ gives a sum with a null
-    // pointer no meaning.
+    // Computes the addresses as numbers and not as pointers, because the pointer is null if there
+    // is no third message, and C++ does not define the sum of a null pointer and a number.
     const auto third = reinterpret_cast<uintptr_t>(second->next);
     for (int i = 0; i < 3; ++i)
       __builtin_prefetch(
@@ -318,8 +320,8 @@ void Dispatcher::DeliverReply(Object* object, OwnedMessage message) {
   if (!object->boxes.open.contains(box)) return;
   object->boxes.arrived[box] = std::move(message);
   // If the handler does not wait for this reply, the reply stays in its box until the object asks
-  // for it.  If the object has ordered messages for the arrival of this reply (reply events), they
-  // are posted now.
+  // for it in a later call.  If the object has ordered messages for the arrival of this reply
+  // (reply events), they are posted now.
   if (object->handler.blocked == nullptr || object->handler.blocked_box != box) {
     system_->time_events_.ReplyArrived(object->id, box);
     return;
@@ -335,8 +337,8 @@ OwnedMessage Dispatcher::WaitFor(uint64_t box) {
   Object* const object = t_current.object;
   ASSERT(object != nullptr && running_ != nullptr, "only a handler can wait");
   if (!object->boxes.arrived.contains(box)) {
-    // This fiber keeps the handler's stack.  Another fiber continues Loop(), until DeliverReply()
-    // switches back to this fiber.
+    // The running fiber keeps the stack of the handler that waits.  Another fiber continues Loop(),
+    // until DeliverReply() switches back to this fiber.
     const Current saved = t_current;
     object->handler.blocked = running_;
     object->is_free = false;
@@ -356,7 +358,8 @@ void Dispatcher::Abandon() {
   ASSERT(running_ != nullptr && t_current.object != nullptr, "only a handler can be abandoned");
   FinishHandler(t_current.object);
   Fiber* const next = TakeFiber();
-  // Recycle() prepares this fiber for its next use, because this code still runs on it.
+  // This fiber cannot be prepared for its next use here, because this code still runs on it.
+  // Recycle() does so after the switch to the next fiber.
   abandoned_ = running_;
   running_ = next;
   next->SwitchFrom(nullptr);

@@ -76,7 +76,8 @@ class Dispatcher {
   // The stack of the thread that has called Run().
   MainFiber caller_;
   std::vector<std::unique_ptr<Fiber>> fibers_;
-  // Fibers that can be used next; each is stopped in Loop() or prepared to enter Loop().
+  // Fibers that can be used next; each is stopped in Loop(), the loop that delivers messages, or
+  // prepared to enter it.
   std::vector<Fiber*> idle_;
   Fiber* running_ = nullptr;
   Fiber* abandoned_ = nullptr;  // the fiber that Abandon() left; the next fiber puts it into idle_

@@ -66,7 +66,8 @@ void Fiber::SwitchFrom(Fiber* from) {
   watched_.Enter();
   const context::transfer_t transfer = context::jump_fcontext(context_, nullptr);
   // This code runs when another fiber has switched back to `from`.  That other fiber is t_left now.
-  // The state of its stack is known only here, so it is stored here.
+  // Where that fiber stopped is known only after the switch, so this code, which is the first to
+  // run then, stores it.
   t_left->context_ = transfer.fctx;
   from->FinishSwitch();
 }

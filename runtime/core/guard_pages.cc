@@ -26,8 +26,8 @@ GuardPages::~GuardPages() {
   }
 }
 
-// Maps new pages in `area`, or where the kernel chooses if `area` is null.  Returns null if no
-// pages could be mapped.
+// Maps new pages in `area`, the memory area for the read-only copies that one object receives.  If
+// `area` is null, the kernel chooses the addresses.  Returns null if no pages could be mapped.
 char* GuardPages::MapPages(char* area, size_t bytes) {
   if (area == nullptr) {
     void* const pages =
@@ -35,8 +35,8 @@ char* GuardPages::MapPages(char* area, size_t bytes) {
     return pages == MAP_FAILED ? nullptr : static_cast<char*>(pages);
   }
   size_t& next = next_in_[area];
-  // Goes on at the beginning of the area when its end is reached.  Copies that are still in use may
-  // lie there, so pages in use are skipped.
+  // Tries the addresses of the area one after the other, and goes on at the beginning of the area
+  // when its end is reached.  Skips pages of copies that are still in use.
   for (size_t tried = 0; tried < AddressPlace::kCopyBytes; tried += bytes) {
     if (next + bytes > AddressPlace::kCopyBytes) next = 0;
     char* const pages = area + next;
@@ -47,7 +47,7 @@ char* GuardPages::MapPages(char* area, size_t bytes) {
 }
 
 // Returns writable pages for a new copy.  With GivenBack::kReused, pages of copies that were given
-// back are used again if they have the same size.  Otherwise maps new pages.
+// back are used again if they have the same size.  In all other cases, maps new pages.
 char* GuardPages::TakePages(char* area, size_t bytes) {
   std::vector<char*>& unused = unused_[{area, bytes}];
   if (unused.empty()) return MapPages(area, bytes);
@@ -58,8 +58,8 @@ char* GuardPages::TakePages(char* area, size_t bytes) {
 }
 
 char* GuardPages::NewCopy(const AddressPlace* place, const char* data, size_t size) {
-  // Gives the copy the same address modulo 16 as `data`, so that the observer sees data with the
-  // same alignment as the subject.
+  // Gives the read-only copy the same address modulo 16 as `data`, so that the observer sees data
+  // with the same alignment as the subject.
   const size_t shift = reinterpret_cast<uintptr_t>(data) % 16;
   const size_t bytes = Pages(shift + size + 1);
   if (bytes > AddressPlace::kCopyBytes) return nullptr;
@@ -83,9 +83,9 @@ void GuardPages::Retire(const char* copy) {
   } else if (area != nullptr) {
     munmap(page, bytes);
   } else {
-    // Keeps the pages mapped without access if the area is not planned.  If they were unmapped, the
-    // kernel could put other memory at these addresses, and a later access of the observer would be
-    // no fault.
+    // Keeps the pages mapped, but allows no access, if addresses are not planned (address_plan.h).
+    // If they were unmapped, the kernel could put other memory at these addresses, and a later
+    // access of the observer would be no fault.
     madvise(page, bytes, MADV_DONTNEED);
     mprotect(page, bytes, PROT_NONE);
   }
@@ -97,8 +97,9 @@ const char* GuardPages::WhyFault(const void* address) const {
     return at >= area.first && at < area.first + AddressPlace::kCopyBytes;
   });
   if (!is_ours) return "";
-  // Compares with the exact pages of each copy, because a copy that was given back often lies on
-  // the page before a copy that is still in use.
+  // Compares with the exact addresses of each copy's pages, and not with the area as a whole: a
+  // copy that was given back often lies on the page before a copy that is still in use, and an
+  // access to it is another mistake.
   for (const auto& [copy, pages] : copies_) {
     const char* const page = PageOf(copy);
     if (at >= page && at < page + pages.bytes)

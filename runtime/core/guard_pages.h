@@ -38,9 +38,10 @@ class GuardPages {
   // the data.  `place` is null for an object without a place; such objects share one area.
   char* NewCopy(const AddressPlace* place, const char* data, size_t size);
 
-  // Ends the use of `copy`, which the observer has given back.  With GivenBack::kReused, the next
-  // copy may lie at the same addresses.  With GivenBack::kGone, addresses are used again only after
-  // 128 MiB of copies, when the area is used up.  Does nothing if NewCopy() did not make `copy`.
+  // Ends the use of `copy`, a read-only copy that the observer has given back.  With
+  // GivenBack::kReused, the next copy may lie at the same addresses.  With GivenBack::kGone,
+  // addresses are used again only after 128 MiB of copies, when the area is used up.  Does nothing
+  // if NewCopy() did not make `copy`.
   void Retire(const char* copy);
 
   // Returns a text about the mistake that made the access to `address` a fault, or "" if `address`
@@ -50,8 +51,9 @@ class GuardPages {
  private:
   char* MapPages(char* area, size_t bytes);
 
-  // A copy that an observer has received and not given back.  `area` is the memory area of the copy
-  // (null if addresses are not planned), and `bytes` is the size of the copy's pages.
+  // A read-only copy of data that an observer has received and not given back.  `area` is the
+  // memory area of the copy (null if addresses are not planned), and `bytes` is the size of the
+  // copy's pages.
   struct Copy {
     char* area;
     size_t bytes;
@@ -65,8 +67,9 @@ class GuardPages {
   // Therefore nothing may depend on the order of these maps.
   std::map<const char*, Copy> copies_;
   std::map<char*, size_t> next_in_;  // for each area, the offset of the next copy
-  // The pages of copies that were given back.  The key is the memory area and the number of bytes:
-  // a new copy with the same key uses such pages again.
+  // Pages of read-only copies of received data, kept after the observers have given these data
+  // back.  The key is the memory area and the number of bytes.  NewCopy() uses the pages again for
+  // a copy with the same key.
   std::map<std::pair<char*, size_t>, std::vector<char*>> unused_;
 };
 

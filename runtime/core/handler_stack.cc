@@ -138,8 +138,8 @@ void HandlerStack::Call(void (*function)(void*), void* argument) { function(argu
 
 void HandlerStack::Clear() {
   ++calls_;
-  // Searches for a wide gap of zeros only in some of the calls, because this takes longer (see
-  // Call()).
+  // After some of the calls, searches the stack for a wide gap of zeros, below which nothing was
+  // written.  This is safer but takes longer than the search for a narrow gap (see Call()).
   const bool looks_far = calls_ <= 64 || calls_ % 16 == 0;
   used_bytes_ = memory_.Clear(looks_far ? StackMemory::kWideGapBytes : StackMemory::kSmallGapBytes);
   is_dirty_ = false;

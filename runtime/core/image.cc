@@ -42,8 +42,8 @@ std::string RunFolder::AddCopy(const std::string& file, const std::string& bytes
     return "";
   };
   const fs::path source(file);
-  // Gives each copy a folder of its own, because forks of this process use the same RunFolder and
-  // could overwrite each other's copies.
+  // Gives each copy of an image a folder of its own, because forks of this process use the same
+  // RunFolder and could overwrite each other's copies.
   std::string folder_name = folder_.path() + "/XXXXXX";
   if (mkdtemp(folder_name.data()) == nullptr) return fail(folder_.path());
   const fs::path folder = folder_name;
@@ -137,7 +137,8 @@ std::string ImageObject::CheckVersions() {
         "was built for version {} of the image format, this is version {}; build it again",
         info_->version, kImageVersion);
   }
-  // Version 0 is an image of a build that did not mark images yet; it may fit, so it is loaded.
+  // Accepts version 0, the version in images of builds that did not mark images yet.  Such an image
+  // may fit.
   const uint32_t headers = info_->headers_version;
   if (headers == 0 || headers == kHeadersVersion) return "";
   return fmt::format(
@@ -219,8 +220,9 @@ std::string ImageObject::ReadTables() {
 }
 
 bool ImageObject::HasCode(const void* address) const {
-  // The address belongs to the image if both lie in the same loaded library, that is, if their
-  // libraries have the same base address.
+  // Compares with an address that is surely in the image, the address of its table of entries.
+  // `address` belongs to the image if both addresses lie in the same loaded library, that is, in
+  // libraries with the same base address.
   Dl_info own{}, other{};
   return !entries_.empty() && dladdr(dlsym(handle_, "ObjectEntryTable"), &own) != 0 &&
          dladdr(address, &other) != 0 && own.dli_fbase == other.dli_fbase;

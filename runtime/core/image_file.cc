@@ -91,7 +91,8 @@ std::string OcfTextOf(const std::string& bytes) {
     Elf64_Shdr section;
     if (!ReadAt(bytes, section_at(i), &section)) return "";
     const uint64_t name = names.sh_offset + section.sh_name;
-    // Compares the closing NUL of the name too, so that no longer name matches.
+    // Compares the NUL at the end of the section's name too, so that no longer name is taken for
+    // kOcfSection.
     if (name >= bytes.size() ||
         bytes.compare(name, sizeof kOcfSection, kOcfSection, sizeof kOcfSection))
       continue;

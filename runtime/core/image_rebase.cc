@@ -110,8 +110,8 @@ void Rebase::MoveSegments(const Elf64_Ehdr& header) {
   if (segments == nullptr) return;
   segments_.assign(segments, segments + header.e_phnum);
   for (int i = 0; i < header.e_phnum; ++i) {
-    // Leaves out this segment, because it has no address: it only tells whether stacks may hold
-    // code.
+    // Leaves out the segment PT_GNU_STACK, because it has no address: it only tells whether stacks
+    // may hold code.
     if (segments[i].p_type == PT_GNU_STACK) continue;
     segments[i].p_vaddr += by_;
     segments[i].p_paddr += by_;

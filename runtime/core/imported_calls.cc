@@ -217,8 +217,8 @@ LoadedImage::LoadedImage(char* image) : begin(reinterpret_cast<uint64_t>(image))
   const auto* const segments = reinterpret_cast<const Elf64_Phdr*>(image + header->e_phoff);
   for (int i = 0; i < header->e_phnum; ++i) {
     const Elf64_Phdr& segment = segments[i];
-    // Takes p_vaddr for an address in memory, because the image lies at the address for which it
-    // was linked.
+    // Takes p_vaddr, the address for which the image was linked, for the address of the segment in
+    // memory, because the image lies at the address for which it was linked.
     if (segment.p_type == PT_LOAD) end = std::max(end, segment.p_vaddr + segment.p_memsz);
     if (segment.p_type == PT_DYNAMIC) dynamic = reinterpret_cast<const Elf64_Dyn*>(segment.p_vaddr);
     if (segment.p_type == PT_GNU_RELRO) {
@@ -312,8 +312,9 @@ std::string Redirection::Run(size_t bytes_max) {
   if (!MapAt(thunks_, bytes) || !set_access(PROT_READ | PROT_WRITE)) return kNoMemory;
   const std::array<void (*)(), 2> targets = {&openr_call_import, &openr_call_variadic_import};
   std::memcpy(thunks_, targets.data(), sizeof targets);
-  // A function gets only one thunk even if several tables of the image name it.  A program may
-  // compare addresses of functions, so a function must have the same address in all tables.
+  // Makes only one thunk (code that changes the stack for a call) for each imported function, even
+  // if several tables of the image name the function.  A program may compare addresses of
+  // functions, so a function must have the same address in all tables.
   std::vector<uint64_t> thunks(imports_.size());
   for (size_t i = 0; i < imports_.size(); ++i) {
     const auto same = std::ranges::find(imports_, imports_[i].symbol, &Import::symbol);
@@ -341,8 +342,8 @@ bool IsStackChange(uintptr_t address) {
 const void* ReturnAddressInImage(const void* own) {
   const auto here = reinterpret_cast<uintptr_t>(__builtin_frame_address(0));
   const uintptr_t offset = here % AddressPlace::kStackBytes;
-  // Returns `own` if this code runs on no stack for imported functions, because then no thunk was
-  // used.
+  // Returns `own` if this code does not run on a stack for imported functions, because then the
+  // image has called the function directly and not through a thunk.
   if (here >> 40 >= 17 || offset >= StackMemory::kImportsTopOffset) return own;
   const uintptr_t top = here - offset + StackMemory::kImportsTopOffset;
   const auto* const frame =

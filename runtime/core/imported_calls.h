@@ -19,10 +19,10 @@
 
 namespace openr_host {
 
-// Makes thunks for the functions that the image at `image` imports.  The thunks take at most
-// `bytes` of memory at `thunks`.  Returns "", or the reason of a failure.  Does nothing on
-// processors other than x86-64.  REQUIRES: the image lies at the address for which it was linked or
-// to which RebaseImage() has moved it; nothing is mapped at `thunks`.
+// Makes thunks (code that changes the stack for a call) for the functions that the image at `image`
+// imports.  The thunks take at most `bytes` of memory at `thunks`.  Returns "", or the reason of a
+// failure.  Does nothing on processors other than x86-64.  REQUIRES: the image lies at the address
+// for which it was linked or to which RebaseImage() has moved it; nothing is mapped at `thunks`.
 std::string RedirectImports(char* image, char* thunks, size_t bytes);
 
 // Returns whether `address` lies in the code with which thunks change the stack.  A list of the

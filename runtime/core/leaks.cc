@@ -50,7 +50,7 @@ struct Node {
   // Owner of the block or region.  If it is null, the node is never reported as a leak.
   const Object* object = nullptr;
   bool is_region = false;
-  // The calls that allocated the block, if this is a block.
+  // The calls that led to the allocation of the block, if this node is a block.
   const std::vector<const void*>* calls = nullptr;
   const void* made_at = nullptr;  // the instruction that made the region, if this is a region
   bool is_reachable = false;
@@ -77,8 +77,9 @@ class LeakSearch {
   void ReadStacks();
   void ReadHost(const char* stack);
   void ReadAround(const char* begin, const char* end);
-  // Searches the words of the memory from `begin` to `end`.  Marks a node as reachable if a word is
-  // an address in the node.  With `has_ids`, also marks each region whose id is in a word.
+  // Searches the words of the memory from `begin` to `end`.  Marks a node (block or region) as
+  // reachable if a word is an address in the node.  With `has_ids`, also marks each region whose id
+  // is in a word.
   void Read(const char* begin, const char* end, bool has_ids);
   void ReadReached();
   void MarkAddress(uintptr_t address);
@@ -103,7 +104,8 @@ void LeakSearch::CollectBlocks() {
       nodes_.push_back(
           {.begin = HiddenAddress(block), .bytes = bytes, .object = object.get(), .calls = &calls});
     });
-    // Memory of NewRegion() belongs to the object until DeleteRegion(), so it is never a leak.
+    // Adds memory of NewRegion() without an owner, so that it is never reported as a leak: it
+    // belongs to the object until DeleteRegion().
     for (void* const region : object->private_regions)
       nodes_.push_back({.begin = HiddenAddress(region), .bytes = Arena::UsableSize(region)});
   }
@@ -172,7 +174,8 @@ void LeakSearch::Read(const char* begin, const char* end, bool has_ids) {
     MarkId(static_cast<uint32_t>(word));
     MarkId(static_cast<uint32_t>(word >> 32));
   }
-  // Reads the last 4 bytes, which may hold the id of a region.
+  // Reads the 4 bytes that are left if the size of the memory is no multiple of 8.  They may hold
+  // the id of a region, which has 4 bytes.
   uint32_t rest;
   if (has_ids && end - at >= static_cast<ptrdiff_t>(sizeof rest)) {
     std::memcpy(&rest, at, sizeof rest);
@@ -234,15 +237,16 @@ void LeakSearch::ReadHost(const char* stack) {
   std::FILE* const maps = std::fopen("/proc/self/maps", "re");
   if (maps == nullptr) return;
   char line[4352];
-  // Collects all ranges before the first is searched, because the list of ranges itself needs
-  // memory and so changes the map.
+  // Collects all ranges before the first is searched, because the list needs memory itself, and so
+  // changes the ranges while it grows.
   std::vector<Range> writable;
   while (std::fgets(line, sizeof line, maps) != nullptr) {
     uintptr_t begin = 0, end = 0;
     char rights[5] = "";
     if (std::sscanf(line, "%" SCNxPTR "-%" SCNxPTR " %4s", &begin, &end, rights) != 3) continue;
     if (std::strcmp(rights, "rw-p") != 0) continue;
-    // Leaves out the part of the stack below `stack`, which this search itself uses.
+    // Leaves out the part of the stack below `stack`, because this search itself uses this part and
+    // may keep addresses of blocks there.
     if (std::strstr(line, "[stack]") != nullptr)
       begin = std::max(begin, reinterpret_cast<uintptr_t>(stack));
     writable.push_back({HiddenAddress(reinterpret_cast<const void*>(begin)), end - begin});

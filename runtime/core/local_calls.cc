@@ -38,13 +38,14 @@ bool LocalCalls::AcceptsReply(ObjectId asker, uint64_t box) const {
 
 const Message* LocalCalls::BeginWait(uint64_t box, int64_t timeout_us, std::string_view) {
   if (timeout_us < 0) return nullptr;
-  // The caller sends itself an empty reply that arrives after `timeout_us`.  Requests::Await()
-  // recognizes this reply by its sender and its kind.
+  // Makes the current object send itself an empty reply that arrives after `timeout_us` and ends
+  // the wait.  Requests::Await() recognizes this reply by its sender and its kind.
   OwnedMessage message = system_->NewMessage(t_current.object->id, 0);
   Message* const wake = message.get();
   wake->is_reply = true;
   wake->reply_box = box;
-  // The payload hash is a constant, because this reply has no bytes.
+  // Sets the payload hash, which the sender of a message of kind kHashed must set, to a constant,
+  // because this reply has no bytes.
   wake->payload_hash = 1;
   wake->kind = PayloadKind::kHashed;
   system_->Post(std::move(message), timeout_us);
@@ -65,7 +66,8 @@ uint32_t LocalCalls::AddTimedEvent(const TimeEvents::Letter& letter, int64_t fir
 uint32_t LocalCalls::AddReplyEvent(const TimeEvents::Letter& letter, uint64_t box) {
   const uint32_t event = system_->time_events().AddReply(letter, box);
   const Object* const self = t_current.object;
-  // Posts the letter now if the reply has come already, because no later message will do it.
+  // Posts the letter (the message of the event) now if the reply has come already, because the
+  // arrival of a reply posts only letters that were ordered before.
   if (self->boxes.arrived.contains(box)) system_->time_events().ReplyArrived(self->id, box);
   return event;
 }
@@ -85,7 +87,8 @@ int32_t LocalCalls::RegisterName(ObjectId object, std::string_view name) {
 
 int32_t LocalCalls::FindName(std::string_view name, ObjectId* object) {
   const Robot& robot = RobotOfCaller(system_);
-  // Finds an object by the name in its .ocf file even if the object has not called Register().
+  // Finds an object by the name in its .ocf file first: an object has this name even if it has not
+  // called Register().
   if (const Object* const loaded = system_->FindObject(robot.index, name)) {
     *object = loaded->id;
     return sSUCCESS;

@@ -30,8 +30,8 @@ MessageQueue::~MessageQueue() {
 
 void MessageQueue::AddChunk() {
   chunks_.emplace_back(new Message[kChunk]);
-  // Releases the last message of the chunk first, because the message released last is taken first.
-  // So messages are taken in the order of their addresses.
+  // Puts the last message of the new chunk into the pool first, because the pool hands out first
+  // the message that it got last.  So messages are handed out in the order of their addresses.
   for (size_t i = kChunk; i > 0; --i) {
     Message& message = chunks_.back()[i - 1];
     message.pool = this;
@@ -60,7 +60,8 @@ void MessageQueue::PushFront(OwnedMessage message, int priority) {
 }
 
 // Returns the first level, beginning with `level`, whose bit in marks_ is 1; kLevels if there is
-// none.
+// none.  A level is a number for the class and priority of messages; its bit shows that its list
+// may have messages.
 uint32_t MessageQueue::NextMarked(uint32_t level) const {
   uint64_t before = (uint64_t{1} << (level % 64)) - 1;  // the bits of the levels before `level`
   for (uint32_t word = level / 64; word < kLevels / 64; ++word) {
@@ -70,7 +71,8 @@ uint32_t MessageQueue::NextMarked(uint32_t level) const {
   return kLevels;
 }
 
-// Goes on to the next marked level, because the list of first_level_ is empty.
+// Leaves the level (class and priority) whose messages were all taken: clears its bit in marks_,
+// and sets first_level_ to the next level with a bit.
 void MessageQueue::LeaveFirstLevel() {
   marks_[first_level_ / 64] &= ~(uint64_t{1} << (first_level_ % 64));
   first_level_ = NextMarked(first_level_);
@@ -108,8 +110,8 @@ ObjectId MessageQueue::ChooseTarget(const List& list, Schedule* schedule) {
   return candidates_[chosen];
 }
 
-// Takes the first message for `target` from the list of `level`.  REQUIRES: the list has such a
-// message.
+// Takes the first message for `target` from the list of the messages that are due now and have the
+// class and priority of `level`.  REQUIRES: the list has such a message.
 Message* MessageQueue::TakeFirst(uint32_t level, ObjectId target) {
   List& list = levels_[level];
   Message* before = nullptr;
@@ -136,7 +138,8 @@ void MessageQueue::Advance(int64_t time_us) {
 std::vector<OwnedMessage> MessageQueue::TakeIf(const std::function<bool(const Message&)>& matches) {
   std::vector<OwnedMessage> taken;
   for (uint32_t level = 0; level < kLevels; ++level) {
-    // Empties the list, then appends the messages that stay, which keeps their order.
+    // Empties the list, then appends again all messages that do not match, so that they keep their
+    // order.
     Message* message = std::exchange(levels_[level].head, nullptr);
     while (message != nullptr) {
       Message* const next = message->next;
@@ -161,7 +164,8 @@ void MessageQueue::ForEach(const std::function<void(const Message&)>& visit) con
   for (const List& list : levels_) {
     for (const Message* m = list.head; m != nullptr; m = m->next) visit(*m);
   }
-  // Sorts a copy of the heap, because a heap is not in the order of delivery.
+  // Sorts a copy of later_ (the messages that are not due yet), because later_ is a heap and so not
+  // in the order of delivery.
   std::vector<Later> rest = later_;
   std::sort(rest.begin(), rest.end(), [](const Later& a, const Later& b) { return b < a; });
   for (const Later& entry : rest) visit(*entry.message);

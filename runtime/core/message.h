@@ -94,7 +94,8 @@ class MessageQueue {
   void Push(OwnedMessage&& message, int priority) { Insert(message.release(), priority); }
 
   // Queues `message`, which is due now, in front of the other messages of its class and priority.
-  // To put back several messages in their order, begin with the last of them.
+  // A caller that puts back several messages must begin with the last of them, so that they keep
+  // their order.
   void PushFront(OwnedMessage message, int priority);
 
   // Takes the first message that is due now, or returns null if no message is due.  If other due
@@ -172,9 +173,10 @@ class MessageQueue {
 
   int64_t now_us_ = 0;
   std::vector<List> levels_;  // messages that are due now, by level (LevelOf())
-  // Bit i is 1 if the list of level i has a message.  The bit stays 1 when the last message of the
-  // list is taken, because most often the handler of this message posts another message to the same
-  // level.  TakeDue() clears the bit when it finds the list empty.
+  // Bit i is 1 if the list of level i has a message.  A level stands for a class and a priority of
+  // messages (LevelOf()).  The bit stays 1 when the last message of the list is taken, because most
+  // often the handler of this message posts another message to the same level.  TakeDue() clears
+  // the bit when it finds the list empty.
   uint64_t marks_[kLevels / 64] = {};
   uint32_t first_level_ = kLevels;  // the first level whose bit in marks_ is 1; kLevels if none is
   std::vector<Later> later_;        // messages that are not due yet, as a heap (std::push_heap)
@@ -214,7 +216,8 @@ inline void MessageQueue::Insert(Message* message, int priority) {
     InsertLater(message, level);
 }
 
-// Appends `message`, which is due now, to the list of `level`.
+// Appends `message`, which is due now, to the list of `level` (the messages of one class and
+// priority).
 inline void MessageQueue::Append(Message* message, uint32_t level) {
   List& list = levels_[level];
   message->next = nullptr;

@@ -52,7 +52,8 @@ std::string Object::EntryName(uint32_t selector) const {
 }
 
 std::string Object::NameService(uint32_t selector, const char* kind) {
-  // If the object has called an entry of its own, that entry counts and not the running message.
+  // Takes the entry that the object has called itself, if there is one, and otherwise the entry of
+  // the running message.  Either is the Control or Connect entry of the service.
   const uint32_t entry = handler.self_reply != nullptr ? handler.self_reply->selector
                          : handler.running != nullptr  ? handler.running->selector
                                                        : UNDEF;

@@ -361,8 +361,9 @@ void ObjectManager::Connect(const Connection& connection) {
   if (observer == directory.end()) ReportUnknown(connection, connection.observer);
   if (observer == directory.end()) return;
 
-  // The connection is made when the lost process is back.  If the process of the subject is lost,
-  // the observer gets the message nevertheless, so that it keeps its readies for the subject.
+  // Makes no connection to or from a lost process now; the connection is made when that process is
+  // back.  If the process of the subject is lost, the observer gets a connect message nevertheless,
+  // so that it keeps its readies for the subject.
   const auto is_subject_lost = [&] {
     return subject == directory.end() ? MayBeLost(connection.robot, connection.subject)
                                       : system().object(subject->second.first)->IsLost();
@@ -381,8 +382,8 @@ void ObjectManager::Connect(const Connection& connection) {
   const sError error =
       system().requests().Call(observer->second.first, observer->second.second, &message,
                                sizeof message, &reply, sizeof reply, kReplyTimeoutUs);
-  // Adds no finding if the process of an object was lost during the wait, because the loss is a
-  // finding already.
+  // Adds no finding if the process of an object was lost during the wait for the reply, because the
+  // loss is a finding already.
   if (was_subject_lost || is_subject_lost() || is_observer_lost()) return;
   if (error != sSUCCESS || reply.status != oSUCCESS) {
     system().findings_.Add(

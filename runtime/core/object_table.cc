@@ -88,8 +88,8 @@ class AbsentObject : public Object {
   bool Dispatch(uint32_t, void*) override { return false; }
 };
 
-// Copies the statistics of `old` to `fresh`, which replaces `old`, because the report counts both
-// objects as one.
+// Copies the statistics of the object `old` to the object `fresh`, which replaces `old`, because
+// the report counts both objects as one.
 void PassStatistics(const Object& old, Object* fresh) {
   fresh->predecessors = old.predecessors + 1;
   fresh->message_count = old.message_count;
@@ -97,8 +97,8 @@ void PassStatistics(const Object& old, Object* fresh) {
   fresh->waiting_max = old.waiting_max;
   fresh->handler_ns_max = old.handler_ns_max;
   fresh->stack_max = old.stack_max;
-  // Copies the whole count of waiting messages.  The count includes messages that a gate
-  // (schedule.h) keeps, which `fresh` will receive.
+  // Copies the count of waiting messages as it is.  It includes messages that a gate (schedule.h)
+  // keeps and that the new object will receive.
   fresh->waiting = old.waiting;
 }
 
@@ -189,8 +189,9 @@ std::vector<OwnedMessage> ObjectTable::TakeMessagesTo(Object* object) {
   for (OwnedMessage& message : system_->queue().TakeIf(is_to_object)) {
     if (!message->is_reply) messages.push_back(std::move(message));
   }
-  // Subtracts only the messages taken so far.  The messages in outboxes (posted by handlers whose
-  // processor time is not over), which are taken below, were never counted as waiting.
+  // Subtracts only the messages that were taken so far from the count of waiting messages.  The
+  // messages in outboxes (posted by handlers whose processor time is not over), which are taken
+  // below, were never counted as waiting.
   object->waiting -= static_cast<int>(messages.size());
   ASSERT(object->waiting >= 0, "{} has {} waiting messages", object->name, object->waiting);
   for (const auto& sender : objects_) TakeOutgoing(sender.get(), object->id, &messages);

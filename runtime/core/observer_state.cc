@@ -127,8 +127,8 @@ void SendDeassert(Object* object, uint32_t selector, const SubjectID& subject,
   message->kind = PayloadKind::kReady;
   if (system->Post(std::move(message)) == sSUCCESS) return;
   const CurrentScope there(system, sender);
-  // True if the subject is in this process.  If not, `sender` has no subjects here: it stands for
-  // an object in a worker process, which has the subject and releases the regions.
+  // True if the subject is in this process.  Otherwise `sender` stands for an object in a worker
+  // process and has no subjects here: the subject in the worker releases the regions.
   const bool is_here = !sender->subjects.empty();
   for (RCRegion* const region : regions) {
     if (is_here) {

@@ -46,8 +46,8 @@ Conversion ReadConversion(const char** at) {
   return conversion;
 }
 
-// The list of arguments in a struct, because a va_list may be an array, which no function takes by
-// reference.
+// Holds the list of arguments.  A function cannot take a va_list itself by pointer on all
+// processors, because a va_list may be an array; it can take a pointer to this struct.
 struct Arguments {
   va_list list;
 };
@@ -102,7 +102,8 @@ void ReportPrintedNaN(const char* format, va_list arguments) {
       const ApiScope scope;
       what = fmt::format("a NaN was printed{} (exception 15)", AtCaller());
     }
-    // osysprint() has an ApiScope of its own.  The crash must count as one of the object's code.
+    // Sets image_code, which the ApiScope of osysprint() has cleared, so that the crash counts as a
+    // crash of the object's code.
     t_current.image_code = true;
     StopAsTheRobotDoes(what);
   }

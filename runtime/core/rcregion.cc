@@ -27,8 +27,8 @@ namespace {
 constexpr size_t kChunk = 64;
 
 // A block of the pool.  The link to the next free block lies behind the RCRegion, because a program
-// may by mistake read a region that it has given back, and must find there what a robot would: the
-// old content.
+// may by mistake read a region that it has given back, and must then find the old content, as on
+// the robot.
 struct Block {
   alignas(RCRegion) std::byte region[sizeof(RCRegion)];
   Block* next;
@@ -185,8 +185,9 @@ RCRegion* RegionAccess::Receive(const TransferedData& data) {
   return region;
 }
 
-// Replaces the address of `region`, which Receive() has made, by that of a copy that the current
-// object may not write.  Does nothing if the object may write into the memory.
+// Makes a read-only copy of the data of `region`, which Receive() has made, and replaces the
+// address in `region` by the address of the copy.  Does nothing if the current object may write
+// into the memory.
 void RegionAccess::UseReadOnlyCopy(RCRegion* region) {
   System* const system = t_current.system;
   const Object* const self = t_current.object;
@@ -209,8 +210,8 @@ void RegionAccess::GiveBack(RCRegion* received) {
   System* const system = t_current.system;
   if (GuardPages* const guard = system->guard_pages()) [[unlikely]]
     guard->Retire(received->base_);
-  // Does what `delete received` would do for a received region, without asking again what kind of
-  // region this is.
+  // Does the same as `delete received`, but does not test whether the region is a received region,
+  // because the caller knows that.
   system->UnpinRegion(received->id_);
   GiveToPool(received);
 }

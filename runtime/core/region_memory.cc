@@ -17,9 +17,11 @@ namespace {
 constexpr size_t kMapBytes = 64 << 10;
 // The largest size of a cell (the memory for one block) that stays mapped when it is freed.
 constexpr size_t kKeepBytes = 256 << 10;
-// The largest sum of bytes of the free cells that stay mapped (RegionMemory::kept_bytes_).  Cells
-// smaller than kMapBytes do not count.  After a reboot of the robot the same regions are in other
-// slots of the RegionTable, so without a limit each reboot would leave mapped cells behind.
+// The largest sum of bytes of the free cells that stay mapped (RegionMemory::kept_bytes_).  A cell
+// is the memory for one block; each slot (index of a block) of the RegionTable has its own cells.
+// Cells smaller than kMapBytes are always kept and do not count.  After a reboot of the robot the
+// same regions get other slots, and so other cells.  Without a limit each reboot would leave the
+// cells of the old slots mapped.
 constexpr size_t kKeptBytesMax = 1 << 20;
 
 // Sets flag `index` of a list to `value`.  Flags beyond the end of the list are false.  So the list
@@ -36,9 +38,9 @@ bool IsSet(const std::vector<bool>& flags, size_t index) {
 }  // namespace
 
 size_t RegionMemory::OffsetOf(int size_class) {
-  // The cells of this class begin after the cells of all smaller classes.  For one slot, these
-  // smaller cells have 64, 256, 1024 ... bytes.  Their sum is a geometric series; it is multiplied
-  // by the number of slots.
+  // The cells of this class begin after the cells of all smaller classes.  Each class has kSlots
+  // cells.  With c = CellBytes(size_class), the smaller classes have cells of 64, 256, ... c / 4
+  // bytes.  These sizes are a geometric series with the sum (c - 64) / 3.
   return (CellBytes(size_class) - CellBytes(0)) / 3 * kSlots;
 }
 
@@ -114,13 +116,14 @@ void RegionMemory::Free(char* block) {
   }
 }
 
-// Removes `cell` from kept_, the list of free cells that stay mapped, if it is in this list.
+// Removes `cell` (memory for one block) from kept_, the list of free cells that stay mapped, if the
+// cell is in this list.
 void RegionMemory::NoLongerKept(const Cell& cell) {
   kept_bytes_ -= std::erase(kept_, cell) * CellBytes(cell.size_class);
 }
 
-// Unmaps a cell of kMapBytes or more.  Such a cell was mapped as one piece, so no other cell loses
-// its memory.
+// Unmaps `cell`, the memory for one block.  REQUIRES: the cell has kMapBytes or more.  Such a cell
+// was mapped as one piece, so no other cell loses its memory.
 void RegionMemory::Unmap(const Cell& cell) {
   const size_t bytes = CellBytes(cell.size_class);
   munmap(area_ + OffsetOf(cell.size_class) + cell.slot * bytes, bytes);

@@ -52,8 +52,9 @@ class RegionMemory {
 
   struct Cells {
     std::vector<bool> in_use;  // by slot: whether the slot's cell of this class is in use
-    // Tells for each piece of memory whether it is mapped.  A piece is mapped as a whole.  It has
-    // kMapBytes and holds several cells, or one cell if the cells of the class are larger.
+    // Tells for each piece of memory whether it is mapped.  A piece is mapped as a whole.  A piece
+    // has kMapBytes and holds several cells (a cell is the memory for one block), or one cell if
+    // the cells of this size class are larger than kMapBytes.
     std::vector<bool> is_mapped;
   };
 

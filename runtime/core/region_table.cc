@@ -15,8 +15,9 @@ namespace {
 // end of the block is found.  With AddressSanitizer there are no such bytes, because
 // AddressSanitizer itself reports such a write.
 const size_t kGuardBytes = IsAddressSanitized() ? 0 : 16;
-// With AddressSanitizer, the memory of a copy that is no longer used is freed and not kept for the
-// next copy.  Then AddressSanitizer reports reads of the old copy.
+// With AddressSanitizer, the memory of a copy of a region of another process is freed as soon as no
+// observer reads the copy, and not kept for the next copy.  Then AddressSanitizer reports reads of
+// the old copy.
 const bool kReusesCopies = !IsAddressSanitized();
 constexpr char kGuard = 0x5a;
 
@@ -41,9 +42,10 @@ char* RegionTable::Fill(Slot* slot, uint32_t index, size_t size) {
 
 uint32_t RegionTable::New(size_t size, ObjectId owner) {
   Slot fresh;
-  // Refuses to make more slots than the 16 bits for the slot in an id can count.
+  // Refuses to make more slots than an id can name, because an id has 16 bits for the slot.
   if (free_.empty() && slots_.size() >= 0xffff) return kNoRegion;
-  // Takes the memory before a new slot is made, so that nothing changes if there is no memory.
+  // Allocates the memory before the table gets a new slot, so that the table does not change if
+  // there is no memory.
   const auto next = static_cast<uint32_t>(slots_.size());
   if (Fill(&fresh, free_.empty() ? next : free_.back(), size) == nullptr) return kNoRegion;
   if (free_.empty()) {
@@ -90,15 +92,16 @@ char* RegionTable::AdoptOwn(uint32_t id, size_t size, ObjectId owner) {
   return slot->base;
 }
 
-// Returns memory of `size` bytes for a copy of region `id`, or null if there is no memory.  The
-// memory of the last copy is used again if it has the same size.  This saves time, because a
-// subject sends the same few regions again and again.
+// Returns memory of `size` bytes for a copy of region `id` of another process, or null if there is
+// no memory.  The memory of the last copy is used again if it has the same size.  This saves time,
+// because a subject sends the same few regions again and again.
 char* RegionTable::AdoptCopy(uint32_t id, size_t size) {
   Slot* slot = FindMemory(id);
   if (slot != nullptr && slot->is_idle && slot->capacity == size) {
     slot->is_idle = false;
     slot->size = size;
-    // Writes the guard bytes again, because a program may have changed them in the last copy.
+    // Writes the guard bytes again, because a program that wrote beyond the end of the last copy
+    // may have changed them.
     std::memset(slot->base + size, kGuard, kGuardBytes);
     return slot->base;
   }
@@ -155,8 +158,8 @@ bool RegionTable::WasDeleted(uint32_t id) const {
   if (index >= slots_.size()) return false;
   const Slot& slot = slots_[index];
   const uint32_t generation = id >> 16;
-  // The generation of a slot only grows, so a smaller generation in an id names an earlier block of
-  // the slot.
+  // The generation of a slot counts the blocks that the slot has had.  So an id with a smaller
+  // generation names an earlier block, which was deleted.
   return slot.is_reusable && generation > 0 &&
          (generation < slot.generation || (generation == slot.generation && !slot.live));
 }

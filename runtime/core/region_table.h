@@ -117,7 +117,7 @@ class RegionTable {
   int CountOf(ObjectId owner) const;
   int live_count() const { return live_count_; }
   // Returns the number of slots with memory: slots of live blocks, of pinned blocks, and of copies
-  // that nobody reads at present (Slot::is_idle).
+  // of data from another process that nobody reads at present (Slot::is_idle).
   int used_count() const;
 
   // Calls `visit` for every live block of `owner`.
@@ -144,16 +144,18 @@ class RegionTable {
     bool is_idle = false;      // true for a copy that nobody reads; its memory is kept for reuse
   };
 
-  // Returns the slot of block `id`, even if the block is a copy that nobody reads at present
-  // (is_idle).  Returns null if there is no such block.
+  // Returns the slot of block `id` (a region).  Finds also a block that AdoptCopy() has made as a
+  // copy of a block of another process and that no observer reads at present (is_idle), because its
+  // memory can be used again.  Returns null if there is no such block.
   Slot* FindMemory(uint32_t id) {
     const uint32_t index = (id & 0xffff) - 1;
     if (index >= slots_.size()) return nullptr;
     Slot& slot = slots_[index];
     return slot.generation == id >> 16 && slot.base != nullptr ? &slot : nullptr;
   }
-  // Returns the slot of block `id`.  Returns null if there is no such block, or if the block is a
-  // copy that nobody reads at present (is_idle).
+  // Returns the slot of block `id` (a region); null if there is no such block.  Also returns null
+  // for a block that AdoptCopy() has made and that no observer reads at present (is_idle): its
+  // bytes may be out of date, and only its memory is kept for the next copy.
   Slot* Find(uint32_t id) {
     Slot* const slot = FindMemory(id);
     return slot == nullptr || slot->is_idle ? nullptr : slot;
@@ -166,9 +168,9 @@ class RegionTable {
 
   RegionMemory memory_;
   std::vector<Slot> slots_;
-  // The memory of copies that were still pinned (being read) when another block got their slot.
-  // This happens only if a subject is replaced while an observer in this process still reads its
-  // data.  The memory is freed when the table is destroyed.
+  // The memory of copies of regions of another process that were still pinned (being read) when
+  // another block got their slot.  This happens only if a subject is replaced while an observer in
+  // this process still reads its data.  The memory is freed when the table is destroyed.
   std::vector<char*> outlived_;
   std::vector<uint32_t> free_;  // indices of the slots that New() may use again
   int live_count_ = 0;          // number of live slots

@@ -82,7 +82,8 @@ ReplyTicket Requests::TakeTicket() {
       t_current.object == nullptr ? nullptr : t_current.object->handler.running.get();
   if (request == nullptr || request->reply_box == 0) return {};
   const ReplyTicket ticket{request->sender, request->reply_box};
-  // Marks the ticket as taken, because each request gets only one reply.
+  // Marks the ticket (the right to reply to the request) as taken, because each request gets only
+  // one reply.
   request->reply_box = 0;
   return ticket;
 }

@@ -1,4 +1,4 @@
-// Stops an object for a fault that the robot's processor detects and the host's does not.
+// Stops an object for a fault that the robot's processor detects and the host's processor does not.
 #pragma once
 
 #include <string>

@@ -74,7 +74,8 @@ StackMemory::StackMemory(char* address) : mapping_(address) {
 StackMemory::~StackMemory() {
   StackMemory** link = &t_newest;
   while (*link != nullptr && *link != this) link = &(*link)->older_;
-  // The list of this thread does not have a stack that another thread has made.
+  // Takes this stack out of the list of the stacks of this thread.  If another thread has made this
+  // stack, this list does not contain it, and the loop above has ended at null.
   if (*link != nullptr) *link = older_;
 #ifdef VALGRIND_STACK_DEREGISTER
   VALGRIND_STACK_DEREGISTER(valgrind_id_);
@@ -96,7 +97,8 @@ size_t StackMemory::UsedBytes(size_t gap_bytes) const {
     if (!IsZero(step)) lowest = step;
     if (static_cast<size_t>(lowest - step) >= gap_bytes) break;
   }
-  // Goes up to the first byte that is not zero, because the loop above looks only at whole steps.
+  // Moves `lowest` up to the first byte that is not zero, because the loop above has looked only at
+  // whole steps of kStepBytes.
   uint64_t word = 0;
   while (lowest < top() && (std::memcpy(&word, lowest, sizeof word), word == 0))
     lowest += sizeof word;
@@ -115,7 +117,7 @@ std::vector<std::pair<const char*, size_t>> StackMemory::All() {
   for (const StackMemory* each = t_newest; each != nullptr; each = each->older_) {
     all.emplace_back(each->bottom_, kBytes);
     const char* const imports = each->mapping_ + kGuardBytes;
-    // Only a stack at a planned address has a part for imported functions below it.
+    // Adds the stack for imported functions, which only a stack at a planned address has below it.
     if (imports < each->bottom_)
       all.emplace_back(imports, static_cast<size_t>(each->bottom_ - kGuardBytes - imports));
   }

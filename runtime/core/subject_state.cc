@@ -112,7 +112,8 @@ void ReportDeasserted(const SubjectState& subject, ObserverLink* link) {
 }
 
 OStatus SubjectState::Notify(ObserverLink* link) {
-  // Sends nothing and leaves the ready flag as it is if no data were set (measured.md 1.12).
+  // If the program has set no data, sends nothing, and the observer stays ready, as measured
+  // (measured.md 1.12).
   if (link->fresh.empty()) return oSUCCESS;
   // Drops `skip` notifications before each one that is kept, as the observer has asked with
   // SetSkip().
@@ -124,7 +125,8 @@ OStatus SubjectState::Notify(ObserverLink* link) {
   }
   link->skipped = 0;
   if (link->ready < 0) ReportDeasserted(*this, link);
-  // Data for which the observer waits are sent at once and never become pending.
+  // True if the observer is ready, no older notification is pending, and the observer wants each
+  // notification at once (min).  Then these data are sent at once and never become pending.
   const bool is_awaited = link->ready > 0 && link->units.empty() && link->min <= 1;
   if (is_awaited && Send(link, link->fresh.begin(), link->fresh.size(), 1)) [[likely]] {
     link->fresh.Clear();
@@ -155,12 +157,13 @@ void SubjectState::SendPending(ObserverLink* link) {
          data_count + link->units[unit_count].data <= MAX_NUM_DATA) {
     data_count += link->units[unit_count++].data;
   }
-  // If the message is refused, the data stay pending, and the next notify or ready tries again.
+  // If the message is refused, returns with the data still pending; the next notification or ready
+  // tries to send them again.
   const auto sent_count = static_cast<size_t>(data_count);
   if (!Send(link, link->pending.data(), sent_count, unit_count)) return;
   link->pending.erase(link->pending.begin(), link->pending.begin() + data_count);
   link->units.erase(link->units.begin(), link->units.begin() + static_cast<long>(unit_count));
-  // The notifications that are left begin a new wait for the next ready.
+  // If notifications are left, their wait for the next ready begins now.
   if (!link->units.empty()) link->waiting_since_us = system->now_us();
 }
 

@@ -119,8 +119,8 @@ void System::PostTask(std::function<void()> task) { manager_->PostTask(std::move
 void System::Shutdown(int robot, const RunEnd& why) { calls_->Shutdown(robot, why); }
 
 void System::BeginShutdown(int index, const RunEnd& why) {
-  // A robot that is off already and waits for its boot timer stays off; no object runs that would
-  // have to be stopped.
+  // If the robot is off already and waits for its boot timer, ends this wait, so that the robot
+  // stays off.  No object of the robot runs and would have to be stopped.
   if (off_robots_.Remove(index)) {
     robot(index).end = why;
     return NoteWhetherAllAreOff(why);
@@ -157,7 +157,7 @@ void System::CutPower(int index, const RunEnd& why) {
   if (index < robot_count() && !is_shutdown && !robot(index).powered_off) robot(index).end = why;
   NoteEnd(index, why);
   for (const auto& object : objects()) {
-    // Leaves out the object manager, because it serves all robots of the System.
+    // Leaves the object manager on, because it serves all robots of the System.
     if (object == nullptr || object->robot != index || object.get() == &manager_->host()) continue;
     object->is_off = true;
     object->is_free = false;
@@ -300,8 +300,8 @@ int32_t System::EnqueueChecked(OwnedMessage&& message, int64_t delay_us) {
   if (!message->is_reply) {
     if (message->selector >= target->entry_count && !target->HasEntry(message->selector))
       return RefuseSelector(*message, *target);
-    // A part of the system posts messages to itself so that it is called again later.  A schedule
-    // must not refuse these messages.
+    // Returns whether the message is a system object's message to itself, by which it is called
+    // again later.  A schedule must not refuse such messages, because the system object would stop.
     const auto is_clock = [&] {
       return target->is_system && (message->sender == target->id || message->sender == kNoObject);
     };
@@ -408,8 +408,8 @@ uint64_t System::state_hash() {
     object->HashState(&hasher);
     for (const OwnedMessage& message : object->handler.held) hasher.Add(message->number);
     for (const ProcessorState::Outgoing& outgoing : object->processor.outbox)
-      // Hashes the number of the cause, because a message in an outbox has no number of its own
-      // yet.
+      // Hashes the number of the message that caused this message, because a message in an outbox
+      // (posted by a handler whose processor time is not over) has no number of its own yet.
       hasher.Add(outgoing.message->cause);
   }
   for (const auto& cpu : cpus_) cpu->HashState(&hasher);

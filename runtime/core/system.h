@@ -274,8 +274,8 @@ class System {
   }
   // Makes the dispatcher ask for each message again whether the receiver can handle it now.  Called
   // when something begins that may hold messages to any object back: a gate, a model of the
-  // processor, or the boot of an object.  Dispatcher::Admit() ends this when nothing of the kind is
-  // left.
+  // processor, or the boot of an object.  Dispatcher::Admit() makes the dispatcher stop asking when
+  // nothing can hold messages back any more.
   void CheckDeliveries() { are_deliveries_free_ = false; }
   // Puts into the queue again a message that a gate or the processor (cpu.h) has held.  The message
   // is due now and comes before all others of its class and priority.

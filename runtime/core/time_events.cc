@@ -72,8 +72,8 @@ void TimeEvents::Post(const Event& event) {
   const Letter& letter = event.letter;
   ASSERT(letter.bytes.size() <= Message::kPayloadMax, "an event of {} bytes", letter.bytes.size());
   OwnedMessage message = system_->NewMessage(letter.target, letter.selector);
-  // Posts the message in the name of the owner, because NewMessage() has set the current object as
-  // the sender, which may be another object or none.
+  // Posts the message in the name of the owner.  NewMessage() has set the current object as the
+  // sender, and this is another object, or no object, when the event is due.
   message->sender = letter.owner;
   message->cause = event.cause;
   if (!letter.bytes.empty())
@@ -99,7 +99,8 @@ void TimeEvents::PostDue() {
 
 void TimeEvents::ReplyArrived(ObjectId owner, uint64_t box) {
   for (auto it = events_.begin(); it != events_.end();) {
-    // Compares the owner too, because each object counts its boxes itself.
+    // Compares the owner too, because each object numbers its reply boxes itself, so boxes of two
+    // objects may have the same number.
     if (it->second.box != box || it->second.letter.owner != owner) {
       ++it;
       continue;

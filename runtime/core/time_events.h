@@ -25,11 +25,11 @@ class TimeEvents {
     std::vector<unsigned char> bytes;
   };
 
-  // Adds an event that posts `letter` after `first_us` and then every `period_us`, or only once if
-  // the period is 0.  Returns the id of the event, which is at least 1.
+  // Adds an event that posts the message `letter` after `first_us` and then every `period_us`, or
+  // only once if the period is 0.  Returns the id of the event, which is at least 1.
   uint32_t AddTimed(Letter letter, int64_t first_us, int64_t period_us);
-  // Adds an event that posts `letter` once, when the reply to a request of the owner has arrived in
-  // the owner's reply box `box`.  REQUIRES: box != 0.
+  // Adds an event that posts the message `letter` once, when the reply to a request of the owner
+  // has arrived in the owner's reply box `box`.  REQUIRES: box != 0.
   uint32_t AddReply(Letter letter, uint64_t box);
 
   // Cancels event `id`.  Returns false if `owner` has no such event.

@@ -45,8 +45,8 @@ class Trace {
   int AddSink(Sink sink);
   void RemoveSink(int number);
 
-  // Switches the computation of the hash on or off, to measure its cost in benchmarks.  If it is
-  // off and there are no sinks, messages are only counted.
+  // Switches the computation of the hash on or off, to measure its cost in benchmarks.  If the hash
+  // is off and there are no sinks, messages are only counted.
   void set_hashing(bool on);
   uint64_t hash() const;
   uint64_t count() const { return count_; }

@@ -1,5 +1,6 @@
-// This file is compiled without ThreadSanitizer, whose notes of calls and returns would go to two
-// fibers in a function that switches from one fiber to the other.
+// Tells ThreadSanitizer about switches between fibers.  This file itself is compiled without
+// ThreadSanitizer.  Otherwise the compiler would insert notes of the call and of the return of
+// Enter(), and these would go to two different fibers, because Enter() switches fibers in between.
 #include "runtime/core/watched_fiber.h"
 
 #if defined(__SANITIZE_THREAD__)
@@ -8,8 +9,8 @@
 #include <sanitizer/tsan_interface.h>
 
 extern "C" {
-// Functions of ThreadSanitizer that its header does not declare.  From their call on, it ignores
-// the accesses and the locks of the fiber that runs.
+// Functions of ThreadSanitizer that its header does not declare.  After their calls ThreadSanitizer
+// ignores memory accesses and locks of the running fiber.
 void AnnotateIgnoreReadsBegin(const char* file, int line);
 void AnnotateIgnoreSyncBegin(const char* file, int line);
 }
@@ -18,11 +19,12 @@ namespace openr_host {
 namespace {
 
 int g_fibers = 0;  // number of WatchedFibers that have a fiber of their own
-// Whether this process is a copy, made by fork(), of a process that had fibers.  ThreadSanitizer
-// takes these for threads that were lost in the copy, and ignores the fiber that has called fork()
-// from then on.  The others must be ignored as well: otherwise the accesses of one half of the
-// fibers would look as if nothing had put them in order.  Nothing is missed, because such a copy
-// has one thread.
+// Whether this process is a copy, made by fork(), of a process that had fibers.  In the copy,
+// ThreadSanitizer takes the fibers for threads that fork() did not copy, and from then on ignores
+// the fiber that has called fork().  Enter() then makes it ignore all other fibers too.  Otherwise
+// ThreadSanitizer would not see that the ignored fiber puts accesses of the others in order, and
+// would report races that do not exist.  No race is missed, because such a copy has only one
+// thread.
 bool g_is_copy = false;
 
 void NoteCopy() { g_is_copy = g_is_copy || g_fibers > 0; }
@@ -47,8 +49,8 @@ void WatchedFiber::Leave() {
 }
 
 void WatchedFiber::Enter() {
-  // The argument 0 says that what was done on the stack that is left happens before what is done on
-  // this stack, as in one thread.
+  // The argument 0 tells ThreadSanitizer that everything done on the stack that is left happens
+  // before everything done on this stack from now on, because all fibers belong to one thread.
   __tsan_switch_to_fiber(fiber_, 0);
   if (!g_is_copy || is_ignored_) return;
   AnnotateIgnoreReadsBegin(__FILE__, __LINE__);

@@ -1,9 +1,9 @@
-// WatchedFiber: announces a fiber (fiber.h) to ThreadSanitizer.
+// WatchedFiber: announces a fiber (a stack on which handlers run, fiber.h) to ThreadSanitizer.
 //
-// ThreadSanitizer keeps a list of the calls that have not returned yet, one list for each thread.
-// Code that moves to another stack must have another list, or the returns on one stack end the
-// calls of the other.  ThreadSanitizer calls such a list, with what it knows of the accesses that
-// were made, a fiber.
+// ThreadSanitizer keeps for each thread a list of the calls that have not returned yet.  Code that
+// moves to another stack needs another list, because otherwise the returns on the second stack
+// would end calls of the first.  ThreadSanitizer too calls such a list, with what it knows of the
+// memory accesses, a fiber.
 //
 // In a build without ThreadSanitizer the class has no members, and its functions do nothing.
 #pragma once
@@ -19,11 +19,12 @@ class WatchedFiber {
   WatchedFiber(const WatchedFiber&) = delete;
   WatchedFiber& operator=(const WatchedFiber&) = delete;
 
-  // Begins a new list of calls, for a stack that is empty.  Forgets the calls that were made on the
-  // stack before and that never returned.  REQUIRES: the stack is not running.
+  // Begins a new list of calls in ThreadSanitizer, for a stack that is empty.  Drops the old list,
+  // with the calls on this stack that never returned.  REQUIRES: the stack is not running.
   void Begin();
 
-  // Notes which fiber of ThreadSanitizer runs on the stack that is about to be left.
+  // Stores the fiber of ThreadSanitizer that belongs to the running stack, which is about to be
+  // left.
   void Leave();
 
   // Tells ThreadSanitizer that this stack runs from now on.  The caller must change the stack
