@@ -44,8 +44,9 @@ class GatewayConnection {
   bool is_up() const { return is_up_; }
   bool is_sending() const { return is_sending_; }
 
-  // Listens, or connects if the record has an address.  REQUIRES, for this function and all
-  // functions below: a handler of the gateway runs.
+  // Begins to listen for a connection.  If the line of the configuration has an address, connects
+  // to this address instead.  REQUIRES, for this function and all functions below: a handler of the
+  // gateway runs.
   void Open();
   void Send(std::string_view bytes);  // REQUIRES: is_up()
   // Ends the connection because the peer broke the protocol, and adds a finding.

@@ -39,9 +39,10 @@ class GatewayStream {
   // Removes the next word from the received bytes.  Returns kNeedsMore if the word has not arrived
   // completely.
   Result NextWord(uint32_t* word);
-  // Removes the next whole set from the received bytes.  Returns kNeedsMore if the set has not
-  // arrived completely.  Returns kBroken if the rest of the stream cannot be decoded; error() then
-  // returns the reason.  Announced sizes are checked against limits before they are used.
+  // Removes the next whole set (the data of one notification) from the received bytes.  Returns
+  // kNeedsMore if the set has not arrived completely.  Returns kBroken if the rest of the stream
+  // cannot be decoded; error() then returns the reason.  Announced sizes are checked against limits
+  // before they are used.
   Result NextSet(GatewaySet* set);
 
   const std::string& error() const { return error_; }

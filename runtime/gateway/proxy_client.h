@@ -1,5 +1,5 @@
-// Sends OPEN-R calls of objects that run on a PC (a stick with !ROBOT_PROXY in HOSTGW.CFG) to the
-// robot.
+// Sends OPEN-R calls of objects that run on a PC to the robot.  The stick of the PC names the robot
+// in the line !ROBOT_PROXY of its HOSTGW.CFG.
 //
 // An object makes a call by a message to the gateway and waits for the reply; other objects run on.
 // The client sends a call only after the answer to the call before, because answers from the robot
@@ -71,7 +71,8 @@ class ProxyClient : public GatewayChannel {
   std::deque<Request> requests_;
   std::map<std::string, uint32_t> oids_;  // OIDs on the robot, by name; valid for one connection
   bool waits_ = false;                    // whether the first request was sent but not answered yet
-  // True after a call has had no answer.  Then a new call fails at once if there is no connection.
+  // True after the robot has not answered a call in time.  Then a new call fails at once if there
+  // is no connection, and does not wait for another kPatienceUs.
   bool gave_up_ = false;
   bool watches_ = false;  // whether a message that will call Expire() is posted
 };

@@ -1,5 +1,5 @@
 // Carries the OPENR:: functions about the robot's devices from a program on a PC to the robot that
-// !ROBOT_PROXY of HOSTGW.CFG names.
+// the line !ROBOT_PROXY of HOSTGW.CFG names.
 //
 // A function whose message no source describes is not sent to the robot; a program that calls it
 // gets a warning (docs/network.md has the list).

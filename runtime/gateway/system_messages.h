@@ -29,7 +29,8 @@ enum VirtualRobotSelector : uint32_t {
 enum PowerManagerSelector : uint32_t { kMotorPowerSelector = 7, kPowerStatusSelector = 15 };
 enum DesignedRobotSelector : uint32_t { kRobotDesignSelector = 13 };
 
-// The numbers of the requests to the entry kControlSelector (binary.md, 4.1).
+// The numbers of the requests to the entry kControlSelector of the system object OVirtualRobot
+// (binary.md, 4.1).
 enum class ControlRequest : uint32_t {
   kNewSyncKey = 4,
   kCancelSyncKey = 5,

@@ -131,9 +131,9 @@ class GatewayLoader {
         has_robot_file_(Text(kRobotGatewayFile).has_value()),
         config_(Read(kRobotGatewayFile, GatewaySide::kRobot)) {
     GatewayConfig other = Read(kHostGatewayFile, GatewaySide::kHost);
-    // If both files have a record for OPEN-R calls, uses the record of ROBOTGW.CFG: this run is
-    // then a robot, which answers calls itself.  The record of HOSTGW.CFG would send calls to
-    // another robot.
+    // If both ROBOTGW.CFG and HOSTGW.CFG have a record for OPEN-R calls, uses the record of
+    // ROBOTGW.CFG: this run is then a robot, which answers calls itself.  The record of HOSTGW.CFG
+    // would send calls to another robot.
     if (!config_.proxy) config_.proxy = std::move(other.proxy);
     std::move(other.services.begin(), other.services.end(), std::back_inserter(config_.services));
     std::move(other.diagnostics.begin(), other.diagnostics.end(),

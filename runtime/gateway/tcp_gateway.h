@@ -37,8 +37,10 @@ class TcpGateway : public CodeObject {
   OStatus DoStart(const OSystemEvent& event) override;
   void HashState(Hasher* hasher) const override;
 
-  // Returns the selector of the gateway's entry for OPEN-R calls: a message to it is a ProxyRequest
-  // (proxy_client.h).  REQUIRES: the configuration has !ROBOT_PROXY.
+  // Returns the selector of the gateway's entry for OPEN-R calls, that is, for calls of OPENR::
+  // functions by a program on a PC.  Each message to this entry is a ProxyRequest (proxy_client.h),
+  // which the gateway sends to the robot over TCP.  REQUIRES: HOSTGW.CFG has the line !ROBOT_PROXY,
+  // which names that robot.
   Selector call_entry() const {
     ASSERT(proxy_client_ != nullptr);
     return call_;
@@ -47,14 +49,18 @@ class TcpGateway : public CodeObject {
   // ---- Functions for the channels of this gateway
 
   const antStackRef& stack() const { return stack_; }
-  // Sends `message` to IPStack.  IPStack copies the field `continuation` into its answer, so the
-  // answer goes to the channel whose number the caller has stored there.
+  // Sends `message` to IPStack.  The caller has stored the number of a channel (service of the
+  // gateway) in the field `continuation`.  IPStack copies this field into its answer, so the answer
+  // goes to that channel.
   void PostToStack(antEnvMsg* message, int size);
-  // Posts a message that calls GatewayConnection::Open() of `channel` after `delay_us`.
+  // Posts a message that calls GatewayConnection::Open() of `channel` after `delay_us`, so that the
+  // host's side tries again to connect.
   void OpenLater(int channel, int64_t delay_us);
-  // Posts a message that calls GatewayConnection::LookForAnswer() of `channel` after `delay_us`.
+  // Posts a message that calls GatewayConnection::LookForAnswer() of `channel` after `delay_us`, so
+  // that the user is warned if the peer does not answer.
   void LookLater(int channel, int64_t delay_us);
-  // Posts a message that calls ProxyClient::Expire() after `delay_us`.
+  // Posts a message that calls ProxyClient::Expire() after `delay_us`, so that a call of the robot
+  // without an answer fails.
   void ExpireLater(int64_t delay_us);
   void Warn(const std::string& text);
 
