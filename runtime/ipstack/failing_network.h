@@ -11,8 +11,8 @@ namespace openr_host {
 
 // Passes all commands to `inner`, but makes command number `nth` fail.  The commands Listen,
 // Accept, Connect, Send, Receive, Bind, SendTo, ReceiveFrom, Resolve and ResolveAddress are counted
-// from 1.  The failing command is not passed to the wrapped network; the next Poll() reports its
-// failure with `error`.
+// from 1.  The failing command is not passed to `inner`; the next Poll() reports the failure with
+// `error`.
 class FailingNetwork : public Network {
  public:
   FailingNetwork(std::unique_ptr<Network> inner, int nth, NetError error)

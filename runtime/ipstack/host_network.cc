@@ -78,8 +78,8 @@ NetAddress HostNetwork::ToHost(NetAddress remote, const HostPorts& ports) {
     const uint32_t ip = bound == bound_.end() ? bind_ip_ : bound->second;
     return {ip == 0 ? 0x7f000001 : ip, own};
   }
-  // Returns port 0 if the robot does not listen on a port of its own address.  Then the connect
-  // fails and does not reach a program of the host.
+  // Returns port 0 if a program connects to a port of the robot's own address on which the robot
+  // does not listen.  Then the connect fails and does not reach a program of the host.
   if (remote.ip == ip_ && !addresses_.Has(ip_)) return {remote.ip, 0};
   return addresses_.ToHost(remote);
 }

@@ -106,9 +106,9 @@ class HostNetwork : public Network {
   // Returns whether `ip` is an address of the robot: the robot's own address, loopback, or the
   // address of a bound socket.
   bool IsRobot(uint32_t ip) const;
-  // Returns the address of the host at which the server socket `handle` must be bound.  If At() has
-  // selected an address of the robot for this socket, removes the selection and returns the
-  // matching address of the host.  Otherwise returns bind_ip_.
+  // Returns the address of the host at which the server socket `handle` must be bound.  If At() was
+  // called for this socket, returns the address of the host that replaces the address given to
+  // At(), and forgets that call.  Otherwise returns bind_ip_, the address for server ports.
   uint32_t BindIp(NetHandle handle);
   // Adds a note for the user if binding to `ip` failed with `error` because the host has no such
   // address.

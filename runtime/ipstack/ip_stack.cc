@@ -64,7 +64,8 @@ IpStack::IpStack(std::shared_ptr<Network> network, IpStackOptions options)
   network_->Attach(address_);
 
   const auto take = [this](void* payload) { TakeMessage(payload); };
-  // EntryFor() relies on the order in which these entries are added.
+  // These entries must be added in the order of the documented selectors 0 to 2, because EntryFor()
+  // adds the documented selector to first_entry_.
   first_entry_ = AddExtra("Initialize", take);
   AddExtra("HartBeat", take);
   AddExtra("External", take);
@@ -129,7 +130,7 @@ void IpStack::WarnIfChanged(const Operation& operation, const void* data, size_t
                    AntMessageName(operation.message())));
 }
 
-// Handles a message that an object has sent with antEnvMsg::Send() or Call().
+// Handles a message that an object has sent to the network stack with antEnvMsg::Send() or Call().
 void IpStack::TakeMessage(void* payload) {
   const Message& request = *host().handler.running;
   Operation operation;
