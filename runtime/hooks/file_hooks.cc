@@ -38,12 +38,13 @@ namespace {
 // Makes the host write a file or folder to the disk now, so that a power cut does not lose it.
 // Used by rename(), because a program may replace a file by a new file and then report success, so
 // the new file must not be lost.  Returns 0, or the errno of a disk that has not taken the bytes.
-// Other errors are ignored, because some file systems cannot do this.  Keeps errno.
+// Other errors are ignored, because some file systems cannot write a single file to the disk.
+// Keeps errno.
 //
 // A copy of the default stick, which is removed at the end of its run, does not need the bytes on
-// the disk.  It is written through as well, because a full disk is noticed only so, and because it
-// costs little: a search for a walk, which uploads two motions for each try, spends 4 % of its time
-// here.
+// the disk.  Its files are written to the disk as well, because otherwise a full disk would not be
+// noticed, and because this costs little: a search for a walk, which uploads two motions for each
+// try, spends 4 % of its time here.
 int WriteThrough(const std::string& host_path) {
   const ApiScope scope;  // the functions below get paths of the host
   const int error = errno;
@@ -298,7 +299,8 @@ int fclose(FILE* file) {
   if (!InObject()) return next(file);
   OpenFiles::File written = ForgetStream(file);
   const int result = next(file);
-  // The last bytes of the file are written here.
+  // fclose() has written the last bytes of the file, so an error may mean that these bytes are
+  // lost.
   if (result != 0 && written.writes) openr_host::ReportLostBytes(&written, errno);
   return result;
 }

@@ -41,8 +41,8 @@ OpenFiles::File* FindFile(int descriptor) {
   return nullptr;
 }
 
-// Reports a write of `size` bytes by the current object if only `result` of them were written; -1:
-// none, and errno has the reason.
+// Reports a write of `size` bytes by the current object if not all of them were written.  `result`
+// is the number of bytes that were written, or -1 if the write failed; errno then has the reason.
 void CheckWritten(int descriptor, ssize_t result, size_t size) {
   if (result >= 0 && static_cast<size_t>(result) == size) return;
   const int error = result < 0 ? errno : 0;
@@ -71,8 +71,8 @@ void ReportLostBytes(OpenFiles::File* file, int error) {
   const ApiScope scope;
   const int kept = errno;
   if (error == 0) {
-    // A stream has the same mark for a failed write and for a failed read, which loses nothing, so
-    // only a disk that is full now is taken for the reason.
+    // The C library marks a stream in the same way after a failed write and after a failed read,
+    // which loses no bytes.  So bytes count as lost only if the disk is full now.
     struct statvfs disk {};
     const bool is_full = statvfs(file->path.c_str(), &disk) == 0 && disk.f_bavail == 0;
     errno = kept;
