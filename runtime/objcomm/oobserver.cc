@@ -94,7 +94,8 @@ std::optional<OControlReplyMessage> AskSubject(ObserverState* state, const OServ
   System* const system = state->system;
   OControlReplyMessage reply;
   std::memset(static_cast<void*>(&reply), 0, sizeof reply);
-  // Sets the status that remains if the call below fails, so that the connection counts as refused.
+  // Sets the status of the reply to oFAIL.  If the call below fails, this status remains, and the
+  // connection counts as refused.
   reply.status = oFAIL;
   const ObjectId target = ObjectIdOf(entry.GetOID());
   if (target != state->object->id) {
