@@ -80,7 +80,8 @@ std::optional<std::vector<std::string>> PartsOf(std::string_view name) {
 bool IsBelow(const std::string& path, const std::string& folder) {
   std::error_code error;
   const auto real_path = std::filesystem::canonical(path, error);
-  // Refuses a dangling link, because a file that is created there may be outside of `folder`.
+  // Refuses a path whose real path is not known, such as a dangling link: a file that is created
+  // through the link may be outside of `folder`.
   if (error) return false;
   const auto real_folder = std::filesystem::canonical(folder, error);
   const auto [end, rest] =
