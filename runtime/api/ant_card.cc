@@ -53,9 +53,9 @@ extern "C" {
 
 EtherStatus ERA201D1_GetMACAddress(EtherDriverGetMACAddressMsg* msg) {
   return Ask(msg, [msg](const IpStack& stack) {
-    // Makes an address that no real card has: the first octet, 0x02, marks an address that a user
-    // has chosen (IEEE 802, locally administered).  The last octets are the number of the robot, so
-    // each robot has an address of its own.
+    // Makes a MAC address that no real card has: the first octet, 0x02, marks an address that a
+    // user has chosen (IEEE 802, locally administered).  The last octets are the number of the
+    // robot, so each robot has an address of its own.
     const int robot = stack.host().robot + 1;
     const byte octets[6] = {0x02,
                             0x00,

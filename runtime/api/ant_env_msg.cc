@@ -63,8 +63,8 @@ antError antEnvMsg::Send(antStackRef target, OID& oid, int32 entry, int size) {
   sender = OidOf(t_current.object->id);
   msgSize = size;
   invocationType = ANTENVMSG_SEND;
-  // Names the entry and the object that get the answer, because the stack sends the answer later,
-  // as a message.
+  // Stores in the message the object and the entry to which the stack is to send the answer,
+  // because the stack answers later, with a message of its own.
   contInfo.oid = oid;
   contInfo.selector = static_cast<Selector>(entry);
   return AntErrorOf(t_current.system->Post(NewRequest(stack, *this)));
