@@ -106,8 +106,8 @@ CostResult ParseCostConfig(const std::string& file, std::string_view text) {
 
 bool MatchesPattern(std::string_view pattern, std::string_view text) {
   size_t p = 0, t = 0;
-  // After a mismatch, lets the last '*' cover one more character, and goes on matching behind this
-  // character.
+  // Compares character by character.  After a mismatch, lets the last '*' of the pattern stand for
+  // one more character of `text`, and goes on behind this character.
   size_t star = std::string_view::npos;  // position of the last '*' in `pattern`
   size_t resume = 0;                     // end of the text that this '*' covers
   while (t < text.size()) {

@@ -12,7 +12,7 @@
 namespace openr_host {
 namespace {
 
-// Number of fields after the word "object" in the short form.
+// Number of fields after the word "object" in the short form of an .ocf file.
 constexpr size_t kShortFieldCount = 7;
 constexpr size_t kLongFieldCount = 14;
 // The largest size of a stack or heap in bytes, because the robot has 32 bits.

@@ -22,8 +22,8 @@ inline constexpr int kObjectNameBytesMax = 63;
 struct Ocf {
   std::string name;    // run-time object name, unique among all objects
   std::string module;  // equal to `name` if the file has the short form
-  // The next five fields and install_selector exist in the long form only.  They are kept as
-  // written, because the host does not use them.
+  // The next five fields and install_selector exist only in the long form of an .ocf file.  They
+  // are kept as written, because the host does not use them.
   std::string metaspace = "mCOOP";
   std::string pic = "pic";
   std::string pid = "pid";

@@ -18,7 +18,7 @@ struct WlanConfig {
   std::string ip_gateway = "10.0.1.1";
   std::string essid = "AIBONET";  // name of the wireless network, up to 32 characters
   bool wep_enable = true;
-  // The key as the file has it: characters, or 0x and hexadecimal digits.
+  // The key of the wireless network as the file has it: characters, or 0x and hexadecimal digits.
   std::string wep_key = "AIBO2";
   int ap_mode = 2;                 // kind of network: 0 ad hoc demo, 1 infrastructure, 2 automatic
   int channel = 3;                 // radio channel 1..11, used in ad hoc mode only
