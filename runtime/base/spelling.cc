@@ -65,7 +65,8 @@ std::optional<std::string> ClosestMatch(std::string_view word,
     const int distance = EditDistance(word, candidate);
     if (distance > limit) continue;
     closest = candidate;
-    // From now on a candidate counts only if it is nearer than this candidate.
+    // Lowers the limit, so that a later candidate is taken only if it needs fewer edits than this
+    // candidate.
     limit = distance - 1;
   }
   return closest;
