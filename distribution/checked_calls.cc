@@ -140,7 +140,8 @@ void CheckedCalls::AddFindingAbout(ObjectId about, Severity severity, std::strin
 OStatus CheckedCalls::ControlPrimitive(OPrimitiveID id, OPrimitiveRequest request,
                                        const std::string& parameter, uint64_t result_size,
                                        std::string* result) {
-  // Copies the parameter, because ControlPrimitive() may write into the memory that it gets.
+  // Copies the parameter, because ControlPrimitive() may write into the memory of its argument, and
+  // `parameter` is const.
   std::string parameter_copy = parameter;
   result->assign(std::min(result_size, kResultMax), '\0');
   return system_->robot(t_current.object->robot)

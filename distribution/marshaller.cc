@@ -320,8 +320,8 @@ std::string Marshaller::DecodePart(const openr_wire_NotifiedRegion& in, RCRegion
   if (in.bytes._length != 0 && in.bytes._length != in.size) return "a part of another size";
   if (in.bytes._length != 0) std::memcpy(memory, in.bytes._buffer, in.size);
   *region = new RCRegion(in.region, in.offset, memory, in.size);
-  // Keeps the memory until the region is given back, even if the object that owns the region
-  // deletes it meanwhile.
+  // Keeps the memory of the received region until the observer gives the region back, even if the
+  // object that owns the region deletes it meanwhile.
   system_->regions().KeepCopy(in.region);
   if (in.bytes._length != 0) {
     imported_[*region] = {in.token, in.bytes._buffer, 0};

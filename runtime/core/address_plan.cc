@@ -118,8 +118,8 @@ AddressPlace::AddressPlace(ObjectId id) {
     if (index_ < 0 && index >= 0 && index < kPlaces && !plan.taken[static_cast<size_t>(index)])
       index_ = static_cast<int>(index);
   }
-  // Takes the free place with the highest number, because low numbers are the own places of other
-  // objects.
+  // If both places of the object are in use, takes the free place with the highest number, because
+  // low numbers are the own places of other objects.
   for (int last = kPlaces - 1; index_ < 0 && last >= 0; --last) {
     if (!plan.taken[static_cast<size_t>(last)]) index_ = last;
   }

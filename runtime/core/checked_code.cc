@@ -194,8 +194,8 @@ void __ubsan_handle_type_mismatch_v1(AccessData* data, uintptr_t address) {
 // Reports an integer division by zero.  Stops the object even without --strict, because the host's
 // processor would also stop at this division.
 void __ubsan_handle_divrem_overflow(ArithmeticData* data, uintptr_t, uintptr_t divisor) {
-  // The argument of a type of more than 64 bits is an address and not the divisor, so such a
-  // division is not taken for a division by zero.
+  // If the type has more than 64 bits, the argument `divisor` is the address of the divisor.  Such
+  // a division is not checked for a divisor of zero.
   const bool is_zero = data->type->bits() <= 64 ? divisor == 0 : false;
   if (!is_zero || t_current.object == nullptr) return;
   StopAsTheRobotDoes(fmt::format("a division by zero at {} (exception 9)", Render(data->place)));

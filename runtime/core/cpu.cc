@@ -72,8 +72,8 @@ void Cpu::End(int64_t now_us) {
   jobs_.pop_back();
   if (!jobs_.empty()) jobs_.back().since_us = now_us;
   object->processor.is_busy = false;
-  // Clears the current object, because otherwise Post() would put the messages back into its
-  // outbox, where messages wait while the handler still takes processor time.
+  // Clears the current object, because otherwise Post() would put the messages into the outbox of
+  // this object again, where they wait while its handler takes processor time.
   const CurrentScope nobody(system_, nullptr);
   for (ProcessorState::Outgoing& outgoing : std::exchange(object->processor.outbox, {})) {
     system_->Post(std::move(outgoing.message), outgoing.delay_us);

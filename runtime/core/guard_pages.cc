@@ -46,8 +46,9 @@ char* GuardPages::MapPages(char* area, size_t bytes) {
   return nullptr;
 }
 
-// Returns writable pages for a new copy.  With GivenBack::kReused, pages of copies that were given
-// back are used again if they have the same size.  In all other cases, maps new pages.
+// Returns writable pages for a new read-only copy of received data.  With GivenBack::kReused, uses
+// pages of a copy that was given back, if there are such pages of the same size.  In all other
+// cases, maps new pages.
 char* GuardPages::TakePages(char* area, size_t bytes) {
   std::vector<char*>& unused = unused_[{area, bytes}];
   if (unused.empty()) return MapPages(area, bytes);

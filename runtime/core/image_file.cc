@@ -56,7 +56,8 @@ bool IsWhole(const std::string& bytes, const Elf64_Ehdr& header) {
 
 std::string CheckFormat(const std::string& bytes, bool* is_for_robot) {
   Elf64_Ehdr header{};
-  // Copies only the bytes that the file has; the other fields of the header stay 0.
+  // The file may be shorter than the header.  Copies only the bytes that the file has; the other
+  // fields of the header stay 0.
   std::memcpy(&header, bytes.data(), std::min(bytes.size(), sizeof header));
   if (bytes.size() < sizeof(Elf32_Ehdr) || std::memcmp(&header, ELFMAG, SELFMAG) != 0)
     return "is not an object image; build the object for the host (openr build)";

@@ -208,7 +208,8 @@ void LeakSearch::ReadStacks() {
   }
 }
 
-// Searches the memory from `begin` to `end`, except the parts in holes_, for addresses.
+// Searches the memory from `begin` to `end`, except the parts in holes_ (memory that is not to be
+// searched), for addresses of blocks and regions.
 void LeakSearch::ReadAround(const char* begin, const char* end) {
   for (const Range& hole : holes_) {
     const char* const hole_end = hole.begin.pointer() + hole.bytes;

@@ -81,7 +81,8 @@ void Object::HandleUndelivered(const Message& message) {
 }
 
 void Object::ReturnHeld() {
-  // Begins with the newest message, so that the oldest is at the front of the queue afterwards.
+  // Puts the newest of the held messages back first, so that the oldest is at the front of the
+  // queue at the end.
   for (; !handler.held.empty(); handler.held.pop_back())
     system->Readmit(std::move(handler.held.back()));
 }

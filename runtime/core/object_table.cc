@@ -232,7 +232,8 @@ void ObjectTable::Place(std::unique_ptr<Object> fresh) {
   Forget(id);
   std::erase_if(system_->robot(old->robot).directory,
                 [&](const auto& entry) { return entry.second.first == id; });
-  // Leaves out an object of a lost process, because EndAllOf() was called for it before Return().
+  // Does not call EndAllOf() for an object of a lost process, because the caller of Return() has
+  // called EndAllOf() for such objects already.
   if (old->is_image || fresh->is_absent) EndAllOf(id);
   for (const Listener& listener : replace_listeners_) listener(id);
   PassStatistics(*old, fresh.get());

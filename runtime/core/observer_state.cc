@@ -64,8 +64,8 @@ OStatus ObserverState::SendReady(const SubjectID& subject, ObjcommCommand comman
 
 OStatus ObserverState::SendReadyToAll(ObjcommCommand command) {
   OStatus status = oSUCCESS;
-  // Goes on after a failure, so that the other subjects get their ready.  Returns the status of the
-  // last failure.
+  // If the ready to one subject fails, goes on with the next subject, so that all other subjects
+  // get their ready.  Returns the status of the last failure.
   for (const OSubjectInfo& subject : subjects) {
     const OStatus one = SendReady(subject.GetSubjectID(), command);
     if (one != oSUCCESS) status = one;

@@ -34,7 +34,8 @@ int32_t RegionShares::Allow(ObjectId self, uint32_t region, MemoryProtectionInfo
   if (other == kNoObject) return sINVALIDOID;
   shares_[{region, other}].allowed = info;
   if (giving_ownership) {
-    // The old owner may still read and write the region, and counts as attached.
+    // The old owner, which gives the region to `other`, may still read and write the region, and
+    // counts as attached to it.
     shares_[{region, self}] = {MEMPROTINFO_RW, true};
     regions_->SetOwner(region, other);
   }

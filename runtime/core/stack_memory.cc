@@ -44,8 +44,8 @@ bool IsZero(const char* bytes) {
 [[noreturn]] void ReportNoMemory() {
   const std::string why =
       fmt::format("this computer has no memory for a stack of {} bytes", StackMemory::kBytes);
-  // Does not throw while a handler runs, because the exception would have to pass through code of
-  // the object.
+  // While a handler runs, stops the object and does not throw, because the exception would have to
+  // pass through code of the object.
   if (t_current.object != nullptr) StopAsTheRobotDoes(why);
   throw std::runtime_error(why);
 }

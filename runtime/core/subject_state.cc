@@ -115,8 +115,8 @@ OStatus SubjectState::Notify(ObserverLink* link) {
   // If the program has set no data, sends nothing, and the observer stays ready, as measured
   // (measured.md 1.12).
   if (link->fresh.empty()) return oSUCCESS;
-  // Drops `skip` notifications before each one that is kept, as the observer has asked with
-  // SetSkip().
+  // Drops `skip` notifications before each notification that is kept, because the observer has
+  // asked for this with SetSkip().
   if (link->skipped < link->skip) {
     ++link->skipped;
     for (RCRegion* region : link->fresh) region->RemoveReference();

@@ -61,8 +61,8 @@ void OutgoingChannel::Received(std::string_view bytes) {
   SendHeld();
 }
 
-// Tells the local subject that the gateway is not ready, because without a connection the subject's
-// data would be lost.
+// Called when the connection to the other computer has ended.  Tells the local subject that the
+// gateway is not ready, because without a connection the subject's data would be lost.
 void OutgoingChannel::Down() {
   stream_ = {};
   peer_is_ready_ = false;

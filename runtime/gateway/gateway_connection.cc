@@ -189,7 +189,7 @@ void GatewayConnection::TakeAnswer(const antEnvMsg& answer) {
     default:
       break;
   }
-  // Ignores an answer that belongs to an ended connection.
+  // Ignores an answer of the network stack that belongs to a connection which has ended.
   if (!is_up_ || answer.dstModule != endpoint_) return;
   if (static_cast<const TCPEndpointBaseMsg&>(answer).error != TCP_SUCCESS) return Lose();
   if (answer.dstOperation == TCPEndpoint_Operation_Send) return SendNext();

@@ -165,8 +165,8 @@ OStatus ProxyServices::NewSyncKey(OVRSyncKey* key) {
 OStatus ProxyServices::CancelSyncKey(OVRSyncKey key) {
   return Control(ControlRequest::kCancelSyncKey, EncodeWord(key));
 }
-// Divides a sync key, with which several command vectors start together.  Like Sony's library,
-// sends no message to the robot for this (binary.md, 4.1).
+// Divides a sync key, with which several command vectors start together, into two keys.  Like
+// Sony's library, sends no message to the robot for this (binary.md, 4.1).
 OStatus ProxyServices::DivideSyncKey(OVRSyncKey key, OVRSyncKey* key1, OVRSyncKey* key2) {
   return local_->DivideSyncKey(key, key1, key2);
 }

@@ -126,7 +126,7 @@ void* calloc(size_t count, size_t size) {
     errno = ENOMEM;
     return nullptr;
   }
-  // The block need not be cleared, because blocks of an Arena are zero.
+  // Does not clear the block, because every block of an Arena is filled with zeros already.
   return FromArena(arena, bytes);
 }
 

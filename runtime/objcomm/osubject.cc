@@ -102,8 +102,8 @@ OStatus OSubject::SetData(RCRegion* region) {
   const ApiScope scope;
   if (region == nullptr) return oINVALID_ARG;
   OStatus status = oSUCCESS;
-  // Goes on after a failure, so that the other observers get the data.  Returns the status of the
-  // last failure.
+  // If the notification of one observer fails, goes on with the next observer, so that all other
+  // observers get the data.  Returns the status of the last failure.
   for (const auto& link : state_->links) {
     const OStatus one = state_->SetData(link.get(), region);
     if (one != oSUCCESS) status = one;
