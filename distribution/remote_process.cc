@@ -463,8 +463,9 @@ std::string RemoteProcess::FetchState(ObjectId object) {
   const openr_wire_State& state = to_master->body._u.state;
   for (uint32_t i = 0; i < state.regions._length; ++i) {
     const openr_wire_RegionBytes& in = state.regions._buffer[i];
-    // Skips a region that the master has received in a notification and not given back.  An
-    // observer may have changed the region, so the master's copy may be newer than the worker's.
+    // Does not copy the worker's bytes of a region that the master has received in a notification
+    // and not given back.  An observer may have changed the region, so the master's copy may be
+    // newer than the worker's.
     if (marshaller_->HasImported(in.region)) continue;
     char* const base = system_->regions().BaseOf(in.region);
     if (base == nullptr || in.bytes._length != system_->regions().SizeOf(in.region))

@@ -28,8 +28,8 @@ std::string NameOf(const System& system, const OServiceEntry& entry) {
   return ShortName({object->name, std::string_view(name).substr(0, name.find(" ("))});
 }
 
-// Returns the subject or observer of `ends` that has the name `name`.  `name` may leave out the
-// object and the last parts of the full name.
+// Returns the subject or observer in the list `ends` that has the name `name`.  `name` may leave
+// out the object and the last parts of the full name.
 template <typename End>
 End& FindEnd(std::deque<End>& ends, const Object& object, std::string_view name, const char* kind) {
   std::vector<std::string> known;

@@ -10,7 +10,8 @@ void OCdtInfo::Init(OPrimitiveID id, OCdtChannel chan) {
   padding[0] = 0;
 }
 
-// Sets the colours of segment `y_segment`: the limits of Cr and Cb.
+// Sets the colours that the camera shall detect in segment `y_segment`, a range of brightness: the
+// limits of Cr and Cb.
 void OCdtInfo::Set(int y_segment, byte cr_max, byte cr_min, byte cb_max, byte cb_min) {
   if (y_segment < 0 || y_segment >= static_cast<int>(ocdtMAX_Y_SEGMENT)) return;
   table[y_segment] =

@@ -85,8 +85,8 @@ bool IsReachable(uintptr_t area) {
   return true;
 }
 
-// A copy of Plan::area, which is 0 until the first System is made.  The copy is a plain variable
-// because free() reads it for every block, so the access must be fast.
+// A copy of Plan::area, the first address of the address plan; 0 until the first System is made.
+// The copy is a plain variable because free() reads it for every block, so the access must be fast.
 constinit uintptr_t g_area = 0;
 
 // Returns the plan of this process.  The plan is never deleted, because a static object of the

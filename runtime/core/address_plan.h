@@ -60,8 +60,8 @@ class AddressPlace {
   // Returns the first address of a stack of this place, or null if addresses are not planned.
   // Stack 0 is for handlers, stack 1 for the endless loop of a controller (api/second_stack.h).
   char* stack(int number) const;
-  // Returns the first address of the area for copies of received regions, or null if addresses are
-  // not planned.
+  // Returns the first address of the area for read-only copies of received regions (guard_pages.h),
+  // or null if addresses are not planned.
   char* copies() const;
 
   // Returns the number of the place (the part of the plan for one object) in whose heap area

@@ -28,9 +28,9 @@ class ConfiguredCost : public CostModel {
   std::vector<FilePosition> Unused() const;
 
  protected:
-  // Returns the jitter to add to the cost of this call, from -range_us to range_us.  Virtual
-  // because the exploration of schedules chooses the jitter itself (openr/explore/explore_cost.h).
-  // REQUIRES: range_us > 0.
+  // Returns the jitter, the random part of the cost of this call: a number from -range_us to
+  // range_us that is added to the cost in the cost file.  Virtual because the exploration of
+  // schedules chooses the jitter itself (openr/explore/explore_cost.h).  REQUIRES: range_us > 0.
   virtual int64_t JitterUs(const Object& object, uint32_t selector, int64_t range_us);
 
  private:

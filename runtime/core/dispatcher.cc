@@ -253,7 +253,7 @@ void Dispatcher::ReportException(const Object& object, const std::string& what) 
 }
 
 // Called when SystemOptions::free_deliveries messages or more were delivered at this instant.  Adds
-// a finding that each further message takes 1 us, and then makes it so (creep_us()).
+// a finding that each further message takes 1 us, and sets creep_us(), so that it does.
 void Dispatcher::NoteManyDeliveries(const Object* object) {
   if (deliveries_at_instant_ > free_deliveries_) {
     creep_us_ = 1;

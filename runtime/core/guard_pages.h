@@ -25,7 +25,8 @@ class GuardPages {
  public:
   enum class GivenBack {
     kGone,  // a copy that was given back cannot be accessed: every access is a fault
-    // A copy that was given back can be read until a later copy replaces it, as on the robot.
+    // A read-only copy that was given back can be read until a later copy replaces it.  On the
+    // robot, too, old data can be read until newer data replace them.
     kReused,
   };
   explicit GuardPages(GivenBack given_back) : given_back_(given_back) {}

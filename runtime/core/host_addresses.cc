@@ -26,8 +26,8 @@ constexpr bool kIsSearched = false;
 constexpr bool kIsSearched = true;
 #endif
 
-// Returns whether `word` lies in the range of host addresses.  A word below kLowest becomes a very
-// large number, so one comparison is enough.
+// Returns whether `word` lies in the range of host addresses.  For a word below kLowest the
+// subtraction gives a very large number, so one comparison is enough.
 bool MayBeAddress(uint64_t word) { return word - kLowest < kEnd - kLowest; }
 
 // Returns whether memory is mapped at `address`.  mincore() answers with one short system call; the

@@ -16,11 +16,12 @@
 #include "runtime/core/address_plan.h"
 #include "runtime/core/stack_memory.h"
 
-// Every thunk jumps to one of these two functions, with the address of the imported function in
-// r11.  The stack pointer tells where the call comes from, because only stacks of images are below
-// 17 TiB (address_plan.h).  A call from the stack of an image continues at the top of the stack for
-// imported functions; other calls stay on their stack.  The word below this top holds the address
-// of the image's frame, where ReturnAddressInImage() finds the return address.
+// Every thunk (the code that an image calls in place of an imported function) jumps to one of these
+// two functions, with the address of the imported function in r11.  The stack pointer tells where
+// the call comes from, because only stacks of images are below 17 TiB (address_plan.h).  A call
+// from the stack of an image continues at the top of the stack for imported functions; other calls
+// stay on their stack.  The word below this top holds the address of the image's frame, where
+// ReturnAddressInImage() finds the return address.
 //
 // The imported function looks for some of its arguments on the stack, so these are copied to the
 // other stack.  Because their size is not known, always 256 bytes are copied, or 2 KiB for a
@@ -168,8 +169,8 @@ bool IsVariadic(std::string_view name) {
 }
 
 // The address ranges that hold machine code, of this program and of all libraries.  With these
-// ranges we distinguish imported functions, which get thunks, from imported variables, which do
-// not.
+// ranges we distinguish imported functions, which get thunks (code that changes the stack for a
+// call), from imported variables, which get none.
 class CodeRanges {
  public:
   CodeRanges() { dl_iterate_phdr(&Add, this); }
@@ -281,9 +282,10 @@ void Redirection::FindImports(int64_t table, int64_t size) {
   }
 }
 
-// Writes a thunk and returns its address.  A thunk has two instructions: mov r11, FUNCTION; jmp
-// *WORD.  In front of all thunks lie two words with the addresses of openr_call_import and
-// openr_call_variadic_import; WORD is the word for this kind of function.
+// Writes a thunk (code that changes the stack for a call of an imported function) and returns its
+// address.  A thunk has two instructions: mov r11, FUNCTION; jmp *WORD.  In front of all thunks lie
+// two words with the addresses of openr_call_import and openr_call_variadic_import; WORD is the
+// word for this kind of function.
 uint64_t Redirection::MakeThunk(const Import& import, size_t index) {
   char* const thunk = thunks_ + (index + 1) * kThunkBytes;
   const char* const word = thunks_ + (IsVariadic(NameOf(import.symbol)) ? 8 : 0);

@@ -16,7 +16,8 @@ namespace openr_host {
 class System;
 
 struct Stall {
-  // The object that waits.  If an observer has not asserted ready, the object of its subject.
+  // The object that waits.  If an observer has not asserted ready, this is the object that has the
+  // subject.
   ObjectId object = kNoObject;
   int64_t since_us = 0;     // virtual time when the wait began
   std::string text;         // "JointMover waits for ready of RCServer on ... since t=1.248 s"

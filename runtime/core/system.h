@@ -357,7 +357,8 @@ class System {
   // Returns the time of the next event that is no message: the end of a handler's processor time, a
   // time event, an input, or the end of a frame of a robot that is off.
   int64_t NextInstant() const;
-  // Handles the events of NextInstant() that are due now.
+  // Handles the events for which NextInstant() returns a time and that are due now: ends of
+  // processor time, time events, inputs and frames of robots that are off.
   void DoWhatIsDue();
   int32_t RefuseSelector(const Message& message, const Object& target);
   int32_t RefuseAsFull(const Message& message, Object* target);
