@@ -40,8 +40,8 @@ Worker::Worker(WorkerOptions options) : options_(std::move(options)), bus_(optio
 
 Worker::~Worker() {
   // Sets is_shutting_down_ first.  Destructors of the objects' code still post messages and call
-  // the SDK.  With is_shutting_down_ set, Post(), Tell() and Ask() do nothing, because no handler
-  // runs any more for which the master accepts calls.
+  // the SDK.  These calls must not reach the master, so with is_shutting_down_ set Post(), Tell()
+  // and Ask() send nothing.
   is_shutting_down_ = true;
   marshaller_.reset();
   system_.reset();  // the destructors of the objects' code run here and may still call this Worker

@@ -236,8 +236,8 @@ class Bench {
   DroppedMessages& Drop(const MessageSpec& spec, int count = 1, Place place = Place::Here());
   // Delivers the n-th message that fits `spec`, counted from now, twice: when the message is
   // delivered, the bench posts a message with the same data once more.  A message with several data
-  // is repeated as one message for each datum. An answer to a Call() cannot come twice, so the test
-  // fails.
+  // is repeated as one message for each datum.  An answer to a Call() cannot come twice, so the
+  // test fails.
   RepeatedMessage& Repeat(const MessageSpec& spec, uint64_t nth = 1, Place place = Place::Here());
   // Refuses the n-th message that fits `spec`, counted from now: the message is not posted, and its
   // sender gets sFULLMSGQENTRY, as on a robot when the queue of the receiver holds 32 messages.

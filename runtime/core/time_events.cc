@@ -73,7 +73,7 @@ void TimeEvents::Post(const Event& event) {
   ASSERT(letter.bytes.size() <= Message::kPayloadMax, "an event of {} bytes", letter.bytes.size());
   OwnedMessage message = system_->NewMessage(letter.target, letter.selector);
   // Posts the message in the name of the owner.  NewMessage() has set the current object as the
-  // sender, and this is another object, or no object, when the event is due.
+  // sender, but when the event is due, this may be another object or no object.
   message->sender = letter.owner;
   message->cause = event.cause;
   if (!letter.bytes.empty())
